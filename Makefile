@@ -1,0 +1,191 @@
+# Fractional variational integrators: a course that runs.
+#
+# `make` builds the program build/fvi; `make help` lists the targets. Every file
+# that is made goes under $(B), except the figures and the reference headers,
+# which are committed. One stem names a module, its chapter, test, proof, figure.
+
+B      := build
+PYTHON ?= /usr/bin/python3
+GNUPLOT ?= gnuplot
+CFLAGS ?= -O2 -g
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+
+# No -ffast-math: the weights need their roundings. No contraction to fma where
+# none is written: the last bits must not depend on the compiler.
+DIALECT  := -std=c11 -fopenmp-simd -ffp-contract=off
+WARNINGS := -Wall -Wextra -Wconversion -Wshadow -pedantic
+
+# pkg-config is asked once, and only after `tools` has had its turn.
+GSL_CFLAGS = $(eval GSL_CFLAGS := $$(shell pkg-config --cflags gsl))$(GSL_CFLAGS)
+GSL_LIBS   = $(eval GSL_LIBS := $$(shell pkg-config --libs gsl))$(GSL_LIBS)
+CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(shell pkg-config --cflags check))$(CHECK_CFLAGS)
+CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LIBS)
+
+PROGRAM  := fvi_cli fvi_options
+MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
+TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
+PROOFS   := $(filter-out refgen excerpts links,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
+DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
+CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
+NUMBERS  := $(foreach c,$(CHAPTERS),ch$(firstword $(subst -, ,$c)))
+
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += --jobs=$(shell nproc 2>/dev/null || echo 2) --output-sync=line
+endif
+MAKEFLAGS += --no-builtin-rules
+.DELETE_ON_ERROR:
+.SECONDARY:
+.SUFFIXES:
+
+all: $B/fvi ## build the program build/fvi (bare `make` does this)
+	@echo 'built $B/fvi; "make help" lists the targets'
+
+## -- targets for people ----------------------------------------------------
+
+help: ## print this list
+	@echo 'make TARGET, where TARGET is'
+	@sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
+	@echo '  ch04           one chapter: its test, its proof, its figures ($(NUMBERS))'
+	@echo 'and, for one STEM, test-STEM, verify-STEM, figures-STEM; stems:'
+	@echo '  $(TESTS)' | fold -s -w 76 | sed '2,$$s/^/  /'
+
+check: test verify text ## everything: tests, proofs, chapters equal to the code
+
+test: $(TESTS:%=test-%) ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
+
+verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values with tests/*_ref.h
+
+figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what changed of the figures
+
+text: ## compare the code quoted in the chapters with its source; follow every link
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py --check
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/links.py
+
+excerpts: ## rewrite the code quoted in the chapters from its source
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py
+
+refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
+
+san: ## the tests under AddressSanitizer and UBSan
+	$(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
+
+valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
+	@for t in $(TESTS); do echo "valgrind $$t"; \
+	  FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 \
+	    $B/tests/test_$$t || exit 1; done
+
+clean: ## remove everything that was made
+	rm -rf $B
+
+# One chapter: `make ch04` is what belongs to the stem of chapters/04-*.md.
+stem = $(patsubst $(patsubst ch%,%,$1)-%,%,$(filter $(patsubst ch%,%,$1)-%,$(CHAPTERS)))
+of_stem = $(filter $1 $1_%,$(SCENES) $(DIAGRAMS))
+define chapter
+$1: $(filter test-$2,$(TESTS:%=test-%)) $(filter verify-$2,$(PROOFS:%=verify-%)) figures-$2
+figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
+.PHONY: $1 figures-$2
+endef
+$(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
+
+.PHONY: all help check test verify figures text excerpts refs san valgrind clean tools \
+        $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
+
+## -- the library and the program -------------------------------------------
+
+$B/src/%.o: src/%.c | tools
+	@mkdir -p $(@D)
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -MMD -MP -c $< -o $@
+
+$B/libfvi.a: $(MODULES:%=$B/src/%.o)
+	rm -f $@
+	ar rcs $@ $^
+
+$B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
+	$(CC) $(CFLAGS) $^ $(GSL_LIBS) -o $@
+
+## -- tests -----------------------------------------------------------------
+
+$B/tests/test_%: tests/test_%.c $B/libfvi.a | tools
+	@mkdir -p $(@D)
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) $(CHECK_CFLAGS) -Isrc -MMD -MP $< \
+	  $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
+
+# The parser is tested in the process, the program by running it.
+EXTRA_fvi_cli = $B/src/fvi_options.o
+$B/tests/test_fvi_cli: $B/src/fvi_options.o
+test-fvi_cli: $B/fvi
+
+$(TESTS:%=test-%): test-%: $B/tests/test_%
+	@FVI=$B/fvi $<
+
+## -- proofs and exact values -----------------------------------------------
+
+$B/verify/%_ref.h: verify/%.py verify/refgen.py | tools
+	@mkdir -p $(@D)
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) $< > $@
+
+$B/verify/%.ok: $B/verify/%_ref.h tests/%_ref.h
+	@cmp $^ || { echo 'verify/$*.py no longer gives tests/$*_ref.h; to accept: make refs-$*'; exit 1; }
+	@touch $@
+
+$(PROOFS:%=verify-%): verify-%: $B/verify/%.ok
+$(PROOFS:%=refs-%): refs-%: $B/verify/%_ref.h
+	cp $< tests/$*_ref.h
+
+## -- figures ---------------------------------------------------------------
+
+$B/figures/%: figures/%.c $B/libfvi.a | tools
+	@mkdir -p $(@D)
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP $< $B/libfvi.a $(GSL_LIBS) -o $@
+
+# A scene is run again when its program changed, drawn again when its data did.
+$B/figures/%.ran: $B/figures/%
+	$< > $B/figures/$*.new
+	@cmp -s $B/figures/$*.new $B/figures/$*.dat || cp $B/figures/$*.new $B/figures/$*.dat
+	@rm $B/figures/$*.new; touch $@
+$B/figures/%.dat: $B/figures/%.ran ;
+
+$(SCENES:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp $B/figures/%.dat | tools
+	$(GNUPLOT) -e "dat='$B/figures/$*.dat'; out='$B/figures/$*.svg'; stem='$*'" $<
+	@mv $B/figures/$*.svg $@
+
+$(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | tools
+	@mkdir -p $B/figures
+	$(GNUPLOT) -e "out='$B/figures/$*.svg'; stem='$*'" $<
+	@mv $B/figures/$*.svg $@
+
+## -- what has to be installed ----------------------------------------------
+
+# Each goal probes for what it needs (some hundredths of a second) and brings
+# what is missing, if it may: as root, or by sudo, from Debian's packages.
+GOALS := $(or $(MAKECMDGOALS),all)
+goal = $(if $(filter $1,$(GOALS)),$2)
+NEEDS := $(sort cc gsl \
+  $(call goal,check test test-% ch% san valgrind,check) \
+  $(call goal,figures figures-% figures/% ch%,gnuplot) \
+  $(call goal,check verify verify-% refs refs-% ch%,sympy) \
+  $(call goal,valgrind,valgrind))
+
+tools:
+	@have() { case $$1 in \
+	  cc) command -v $(firstword $(CC));; \
+	  gsl|check) pkg-config --exists $$1;; \
+	  gnuplot) command -v $(GNUPLOT);; \
+	  valgrind) command -v valgrind;; \
+	  sympy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("sympy"))';; \
+	  esac >/dev/null 2>&1; }; \
+	packages() { case $$1 in cc) echo gcc libc6-dev;; gsl) echo pkg-config libgsl-dev;; \
+	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy) echo python3-sympy;; *) echo $$1;; esac; }; \
+	lacks=; for t in $(NEEDS); do have $$t || lacks="$$lacks $$(packages $$t)"; done; \
+	test -z "$$lacks" && exit 0; \
+	command -v apt-get >/dev/null || { echo "missing; please install (Debian's names):$$lacks" >&2; exit 1; }; \
+	sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
+	line="$$sudo apt-get install -y --no-install-recommends$$lacks"; \
+	test -z "$$sudo" || command -v sudo >/dev/null || { echo "missing; as root, type: apt-get install -y$$lacks" >&2; exit 1; }; \
+	echo "this needs$$lacks; running: $$line" >&2; \
+	{ $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$line >/dev/null; } || { echo "that failed; please type: $$line" >&2; exit 1; }
+
+-include $(wildcard $B/src/*.d $B/tests/*.d $B/figures/*.d)

@@ -1,0 +1,79 @@
+/* src/coefficients.c -- Grunwald-Letnikov weights.               [Chapter 4] */
+#include "coefficients.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+
+static int check(double alpha, size_t count, const double *w)
+{
+    if (!w)
+        GSL_ERROR("w is a null pointer", GSL_EFAULT);
+    if (count == 0)
+        GSL_ERROR("count must be at least 1", GSL_EINVAL);
+    if (!(alpha >= 0 && alpha <= 2))
+        GSL_ERROR("alpha must be in [0, 2]", GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
+int fvi_coefficients_simple(double alpha, size_t count, double *w)
+{
+    int status = check(alpha, count, w);
+    if (status)
+        return status;
+    //> textbook
+    w[0] = 1;
+    for (size_t n = 1; n < count; n++)
+        w[n] = w[n - 1] * ((double)n - 1 - alpha) / (double)n; /* (4.2) */
+    //< textbook
+    return GSL_SUCCESS;
+}
+
+//> double-double
+/* An unevaluated sum hi + lo, |lo| <= ulp(hi)/2: about 106 bits. */
+typedef struct {
+    double hi, lo;
+} dd;
+
+/* Knuth's two-sum: a + b = hi + lo exactly. */
+static dd two_sum(double a, double b)
+{
+    double hi = a + b, bb = hi - a;
+    return (dd){ hi, (a - (hi - bb)) + (b - bb) };
+}
+
+/* Dekker's product with a fused multiply-add; the fma makes a.hi b.hi exact. */
+static dd times(dd a, dd b)
+{
+    double hi = a.hi * b.hi;
+    double lo = fma(a.hi, b.hi, -hi) + (a.hi * b.lo + a.lo * b.hi);
+    return (dd){ hi, lo };
+}
+
+/* a / n for a positive integer n below 2^53. */
+static dd over(dd a, double n)
+{
+    double hi = a.hi / n;
+    double lo = (fma(-hi, n, a.hi) + a.lo) / n; /* the remainder, divided */
+    return (dd){ hi + lo, lo - ((hi + lo) - hi) };
+}
+//< double-double
+
+int fvi_coefficients(double alpha, size_t count, double *w)
+{
+    int status = check(alpha, count, w);
+    if (status)
+        return status;
+    //> weights
+    w[0] = 1;
+    dd s = { -1,
+             0 }; /* s = w[n] / alpha: of order one even if alpha is 1e-310 */
+    for (size_t n = 1; n < count; n++) {
+        if (n > 1)
+            s = over(times(s, two_sum((double)n - 1, -alpha)),
+                     (double)n); /* (4.2) */
+        dd product = times(s, (dd){ alpha, 0 });
+        w[n] = product.hi + product.lo + 0.0; /* + 0.0: no negative zeros */
+    }
+    //< weights
+    return GSL_SUCCESS;
+}

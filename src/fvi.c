@@ -1,0 +1,180 @@
+/* src/fvi.c -- Fractional variational integrators.               [Chapter 9] */
+#include "fvi.h"
+
+#include "discrete_mechanics.h"
+#include "half_derivative.h"
+#include "legendre.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the memory of the damped coordinates ---- */
+
+typedef struct {
+    size_t count;   /* how many coordinates have rho > 0 */
+    size_t *index;  /* which */
+    double *factor; /* rho h^(1 - 2 alpha) of each */
+    double *origin; /* Caputo: x_0 of each, else 0 */
+    double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
+    double *z, *dz; /* x - origin and its increment, gathered */
+    fvi_memory *memory;
+} damping;
+
+static void stop_fractional(fvi_stepper *s)
+{
+    damping *d = s->own;
+    if (!d)
+        return;
+    fvi_memory_free(d->memory);
+    free(d->index);
+    free(d->factor);
+    free(d);
+}
+
+static int start_fractional(fvi_stepper *s)
+{
+    const fvi_run *run = &s->run;
+    const fvi_system *system = run->system;
+    const double order = 2 * run->alpha;
+    int status = fvi_variational_solver(s);
+    size_t count = 0;
+    for (size_t i = 0; i < system->d; i++)
+        count += system->damping[i] > 0;
+    if (status || count == 0) /* nothing damped: no memory at all */
+        return status;
+
+    damping *d = s->own = calloc(1, sizeof *d);
+    if (!d)
+        GSL_ERROR("no memory for the damping", GSL_ENOMEM);
+    d->index = malloc(count * sizeof *d->index);
+    d->factor = calloc(5 * count, sizeof *d->factor);
+    if (!d->index || !d->factor)
+        GSL_ERROR("no memory for the damping", GSL_ENOMEM);
+    d->origin = d->factor + count;
+    d->drift = d->factor + 2 * count;
+    d->z = d->factor + 3 * count;
+    d->dz = d->factor + 4 * count;
+    //> start
+    for (size_t i = 0; i < system->d; i++) {
+        if (system->damping[i] == 0)
+            continue;
+        size_t j = d->count++;
+        d->index[j] = i;
+        d->factor[j] = system->damping[i] * pow(run->h, 1 - order);
+        if (run->caputo)
+            d->origin[j] = s->x[i]; /* (9.6) */
+        if (run->caputo && order > 1)
+            d->drift[j] = run->h * s->p[i] / system->mass[i];
+        d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
+    }
+    //< start
+    status = fvi_memory_alloc(order, count, run->steps, run->memory,
+                              run->tolerance, &d->memory);
+    if (!status)
+        status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
+    return status;
+}
+
+//> damp
+/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
+static int damp(fvi_stepper *s, damping *d)
+{
+    for (size_t j = 0; j < d->count; j++) {
+        d->z[j] = s->x[d->index[j]] - d->origin[j];
+        d->dz[j] = s->dx[d->index[j]] - d->drift[j];
+    }
+    int status = fvi_memory_push(d->memory, d->z, d->dz, d->z);
+    for (size_t j = 0; j < d->count; j++)
+        s->p[d->index[j]] -= d->factor[j] * d->z[j];
+    return status;
+}
+//< damp
+
+//> step
+static int step_fractional(fvi_stepper *s)
+{
+    const double h = s->run.h;
+    int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    if (status)
+        return status;
+    fvi_force_at(s, (double)(s->k + 1) * h);
+    for (size_t i = 0; i < s->run.system->d; i++) {
+        s->x[i] += s->dx[i];
+        s->p[i] += h * (s->F[i] - s->g[i]);
+    }
+    return s->own ? damp(s, s->own) : GSL_SUCCESS; /* (9.4) */
+}
+//< step
+
+const fvi_method fvi_fractional = { "fvi",           "1",
+                                    "full",          start_fractional,
+                                    step_fractional, stop_fractional };
+
+/* ---- Algorithm 3 as printed ---- */
+
+/* The loop of Algorithm 3. c are the weights of two derivatives of order alpha. */
+//> algorithm-3
+static int three_terms(const fvi_system *system, double kappa, double h,
+                       size_t N, double p0, const double *c, double factor,
+                       double *x)
+{
+    double p = p0, F = 0; /* p_0 = -D1 L_d(x_0, x_1) gives x_1 */
+    for (size_t k = 0; k < N; k++) {
+        if (k > 0) {
+            double D = 0; /* Delta_-^alpha Delta_-^alpha x_k */
+            for (size_t n = 0; n <= k; n++)
+                D += factor * c[n] * x[k - n];
+            if (system->force.value)
+                system->force.value((double)k * h, 1, system->force.params, &F);
+            /* p = D2 L_d(x_{k-1}, x_k) - h rho D + h F(t_k) */
+            fvi_legendre_plus(system, kappa, h, x + k - 1, x + k, &D, &F, &p);
+        }
+        /* x_{k+1} from -D1 L_d(x_k, x_{k+1}) = p */
+        int status =
+            fvi_legendre_inverse(system, kappa, h, x + k, &p, x + k + 1);
+        if (status)
+            return status;
+    }
+    return GSL_SUCCESS;
+}
+//< algorithm-3
+
+int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
+                    double h, size_t N, double x0, double p0, double *x)
+{
+    if (!x)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    const fvi_run run = { .system = system,
+                          .x0 = &x0,
+                          .p0 = &p0,
+                          .h = h,
+                          .steps = N,
+                          .kappa = kappa,
+                          .alpha = alpha };
+    fvi_stepper *s;
+    int status = fvi_start(&fvi_fractional, &run, &s); /* only to check them */
+    if (status)
+        return status;
+    fvi_stop(s);
+    if (system->d != 1)
+        GSL_ERROR("Algorithm 3 as printed is in one dimension", GSL_EINVAL);
+    double *c = malloc((N + 1) * sizeof *c);
+    double *path = malloc((N + 1) * sizeof *path);
+    if (!c || !path) {
+        status = GSL_ENOMEM;
+    } else {
+        path[0] = x0;
+        fvi_coefficients_product(alpha, alpha, N + 1, c);
+        status =
+            three_terms(system, kappa, h, N, p0, c, pow(h, -2 * alpha), path);
+    }
+    if (!status)
+        memcpy(x, path, (N + 1) * sizeof *x);
+    free(c);
+    free(path);
+    if (status)
+        GSL_ERROR("Algorithm 3 could not be carried out", status);
+    return GSL_SUCCESS;
+}

@@ -1,0 +1,77 @@
+/* src/integration_by_parts.c -- Delta_-^alpha and Delta_+^alpha. [Chapter 5] */
+#include "integration_by_parts.h"
+
+#include "coefficients.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* Checks the arguments and makes the weights, all before out is touched. */
+static int prepare(double alpha, double h, size_t N, size_t d, const double *z,
+                   const double *out, double **w)
+{
+    if (!z || !out)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (d == 0 || N >= SIZE_MAX / sizeof(double) / d)
+        GSL_ERROR("d must be at least 1 and (N + 1) d addressable", GSL_EINVAL);
+    if (!(alpha >= 0 && alpha <= 2))
+        GSL_ERROR("alpha must be in [0, 2]", GSL_EDOM);
+    if (!(gsl_finite(h) && h > 0))
+        GSL_ERROR("h must be finite and positive", GSL_EDOM);
+    *w = malloc((N + 1) * sizeof **w);
+    if (!*w)
+        GSL_ERROR("no memory for the weights", GSL_ENOMEM);
+    return fvi_coefficients(alpha, N + 1, *w);
+}
+
+int fvi_delta_minus(double alpha, double h, size_t N, size_t d, const double *z,
+                    double *out)
+{
+    double *w;
+    int status = prepare(alpha, h, N, d, z, out, &w);
+    if (status)
+        return status;
+    //> minus
+    for (size_t k = 0; k <= N; k++)
+        for (size_t i = 0; i < d; i++) {
+            double sum = 0;
+            for (size_t n = 0; n <= k; n++)
+                sum += w[n] * z[(k - n) * d + i];
+            out[k * d + i] = pow(h, -alpha) * sum; /* (5.1) */
+        }
+    //< minus
+    free(w);
+    return GSL_SUCCESS;
+}
+
+int fvi_delta_plus(double alpha, double h, size_t N, size_t d, const double *z,
+                   double *out)
+{
+    double *w;
+    int status = prepare(alpha, h, N, d, z, out, &w);
+    if (status)
+        return status;
+    //> plus
+    for (size_t k = 0; k <= N; k++)
+        for (size_t i = 0; i < d; i++) {
+            double sum = 0;
+            for (size_t n = 0; n <= N - k; n++)
+                sum += w[n] * z[(k + n) * d + i];
+            out[k * d + i] = pow(h, -alpha) * sum; /* (5.2) */
+        }
+    //< plus
+    free(w);
+    return GSL_SUCCESS;
+}
+
+double fvi_sum_of_products(size_t first, size_t last, size_t d, const double *a,
+                           const double *b)
+{
+    double sum = 0;
+    for (size_t k = first; k <= last; k++)
+        for (size_t i = 0; i < d; i++)
+            sum += a[k * d + i] * b[k * d + i];
+    return sum;
+}

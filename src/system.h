@@ -1,0 +1,89 @@
+/* src/system.h -- A mechanical system, as data.                  [Chapter 2]
+ *
+ *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t),     x in R^d.
+ *
+ * A system holds the masses, the dampings, the potential and the force. The
+ * order of the damping and everything that has to do with time steps belong to
+ * a run (trajectory.h), not to the system. */
+#ifndef FVI_SYSTEM_H
+#define FVI_SYSTEM_H
+
+#include <stddef.h>
+
+/* fvi_potential -- U: R^d -> R with its first two derivatives.
+ *
+ *   value     returns U(x)
+ *   gradient  writes the d numbers dU/dx_i to g
+ *   hessian   writes the d*d numbers d^2U/dx_i dx_j to H, row by row
+ *   params    handed to the three, owned by the caller, may be NULL
+ *   constant_hessian  nonzero promises that U is quadratic: its Hessian is
+ *             then evaluated and factorised once in a run, not at each step
+ *
+ * All three functions, or none: a zeroed potential is that of a free particle.
+ * The library calls them with arrays that do not overlap. */
+typedef struct {
+    double (*value)(size_t d, const double *x, const void *params);
+    void (*gradient)(size_t d, const double *x, const void *params, double *g);
+    void (*hessian)(size_t d, const double *x, const void *params, double *H);
+    const void *params;
+    int constant_hessian;
+} fvi_potential;
+
+/* fvi_force -- F(t), d numbers written to F. A zeroed force is none. */
+typedef struct {
+    void (*value)(double t, size_t d, const void *params, double *F);
+    const void *params;
+} fvi_force;
+
+/* fvi_system -- one mechanical system. The arrays belong to the caller and
+ * must outlive every run that uses the system.
+ *
+ *   d        dimension, d >= 1
+ *   mass     d masses, finite, > 0
+ *   damping  d coefficients rho, finite, >= 0
+ *   potential, force  as above */
+typedef struct {
+    size_t d;
+    const double *mass;
+    const double *damping;
+    fvi_potential potential;
+    fvi_force force;
+} fvi_system;
+
+/* fvi_system_check -- is the system one that can be simulated?
+ *
+ * Returns GSL_SUCCESS; GSL_EFAULT if system, mass or damping is NULL;
+ * GSL_EINVAL if d == 0, if d * d numbers cannot be addressed, or if the
+ * potential has some of its three functions but not all; GSL_EDOM if a mass is
+ * not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
+int fvi_system_check(const fvi_system *system);
+
+/* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
+ *
+ *   x, p  d numbers each
+ *
+ * Nothing is checked: this is called once a row. Cost O(d) and one value of U. */
+double fvi_energy(const fvi_system *system, const double *x, const double *p);
+
+/* Potentials that are ready to use. The parameters are read when U is, so they
+ * must outlive the system. The first three act on every coordinate alike:
+ *
+ *     harmonic  c        U = sum_i c x_i^2 / 2
+ *     duffing   c, g     U = sum_i c x_i^2 / 2 + g x_i^4 / 4
+ *     pendulum  g        U = sum_i g (1 - cos x_i)
+ *     chain     c, g     U = sum_{i=0}^{d} c r_i^2 / 2 + g r_i^4 / 4,
+ *                        r_i = x_i - x_{i-1}, x_{-1} = x_d = 0:
+ *                        d masses in a row between two walls, d + 1 springs */
+fvi_potential fvi_potential_harmonic(const double *c);
+fvi_potential fvi_potential_duffing(const double cg[2]);
+fvi_potential fvi_potential_pendulum(const double *g);
+fvi_potential fvi_potential_chain(const double cg[2]);
+
+/* Forces that are ready to use, the same on every mass:
+ *
+ *     step    a, T   F = a for 0 <= t <= T, then 0
+ *     cosine  a, w   F = a cos(w t) */
+fvi_force fvi_force_step(const double aT[2]);
+fvi_force fvi_force_cosine(const double aw[2]);
+
+#endif

@@ -1,0 +1,105 @@
+/* src/trajectory.h -- Runs: a start, a step size, a method.      [Chapter 2]
+ *
+ * A stepper holds x_k, p_k and what the method needs to go on, and nothing
+ * else: no array over the time steps is made unless the caller makes it. The
+ * caller reads x and p between steps, so rows can be printed as they come:
+ *
+ *     fvi_stepper *s;
+ *     if (fvi_start(&fvi_fractional, &run, &s) == GSL_SUCCESS) {
+ *         while (s->k < run.steps && fvi_step(s) == GSL_SUCCESS)
+ *             printf("%g %g\n", s->t, s->x[0]);
+ *         fvi_stop(s);
+ *     } */
+#ifndef FVI_TRAJECTORY_H
+#define FVI_TRAJECTORY_H
+
+#include "memory.h"
+#include "newton.h"
+#include "system.h"
+
+/* fvi_run -- all that determines the numbers of a trajectory.
+ *
+ *   system   what moves; must outlive the run
+ *   x0, p0   start, d finite numbers each; copied
+ *   h        step, finite, > 0
+ *   steps    N >= 1: the rows are k = 0, ..., N at t_k = k h
+ *   kappa    potential taken at kappa x_k + (1 - kappa) x_{k+1}, 0 <= kappa <= 1
+ *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1
+ *   caputo   0: Riemann-Liouville, as in the paper; else Caputo: the damping
+ *            acts on x - x0, and on x - x0 - t v0 where 2 alpha > 1
+ *   memory   how the history is summed
+ *   tolerance  of the compressed memory, relative to the direct sum; 0 means
+ *              the default 1e-13 */
+typedef struct {
+    const fvi_system *system;
+    const double *x0, *p0;
+    double h;
+    size_t steps;
+    double kappa;
+    double alpha;
+    int caputo;
+    fvi_memory_kind memory;
+    double tolerance;
+} fvi_run;
+
+typedef struct fvi_method fvi_method;
+
+/* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */
+typedef struct {
+    size_t k;      /* steps done */
+    double t;      /* k h, one product */
+    double *x, *p; /* position and momentum, d numbers each */
+
+    double *dx, *g, *F; /* the last increment, gradient and force */
+    fvi_newton *newton;
+    void *own; /* what only this method has */
+    fvi_run run;
+    const fvi_method *method;
+} fvi_stepper;
+
+/* fvi_method -- an integrator. name, order and memory are for people.
+ *
+ *   start  refuses runs that the method does not know; prepares newton and own
+ *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
+ *   stop   gives own back; may be NULL */
+struct fvi_method {
+    const char *name, *order, *memory;
+    int (*start)(fvi_stepper *s);
+    int (*step)(fvi_stepper *s);
+    void (*stop)(fvi_stepper *s);
+};
+
+/* fvi_start -- check the run, stand at k = 0.
+ *
+ * Memory O(d), O(d^2) for the Jacobian of a nonlinear potential, and what the
+ * method's memory takes. Returns GSL_SUCCESS; what fvi_system_check,
+ * fvi_newton_alloc and fvi_memory_alloc return; GSL_EFAULT if a pointer is
+ * NULL; GSL_EINVAL if steps == 0 or the method does not take such a system;
+ * GSL_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
+ * does not know this alpha; GSL_ENOMEM. On error *stepper is untouched. */
+int fvi_start(const fvi_method *method, const fvi_run *run,
+              fvi_stepper **stepper);
+
+/* fvi_step -- from k to k + 1.
+ *
+ * Returns GSL_SUCCESS; GSL_EFAULT if s is NULL; GSL_EINVAL if the run is over;
+ * GSL_EMAXITER or GSL_ESING if the equation of the step could not be solved;
+ * GSL_EOVRFLW if a value stopped being finite. After an error s->k is still k
+ * and x, p are not those of any step: stop. */
+int fvi_step(fvi_stepper *s);
+
+/* fvi_stop -- give everything back. NULL is allowed. */
+void fvi_stop(fvi_stepper *s);
+
+/* fvi_trajectory -- a whole run into arrays.
+ *
+ *   x, p    NULL, or (steps + 1) d numbers: component i of row k at [k * d + i]
+ *   energy  NULL, or steps + 1 numbers
+ *
+ * What is NULL is not computed. Returns what fvi_start and fvi_step return, and
+ * GSL_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_start
+ * refuses, the arrays are untouched; if step k fails, rows 0 ... k - 1 stand. */
+int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
+                   double *p, double *energy);
+
+#endif

@@ -1,0 +1,40 @@
+"""Follow every relative link of README.md and the chapters, and see that no
+chapter lacks a part. Exit 1 with the list of what is wrong."""
+import pathlib
+import re
+import sys
+
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
+
+
+def anchors(page):
+    """The names that GitHub gives to the headings of a page, and explicit ones."""
+    text = FENCE.sub("", page.read_text())
+    names = set(re.findall(r'<a (?:id|name)="([^"]+)"', text))
+    for heading in re.findall(r"^#+ (.*)$", text, re.M):
+        plain = re.sub(r"[`*$\\]|\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+        names.add(re.sub(r"[^\w\- ]", "", plain).strip().replace(" ", "-"))
+    return names
+
+
+def faults_of_links(page):
+    for target in LINK.findall(FENCE.sub("", page.read_text())):
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (page.parent / path) if path else page
+        if not file.exists():
+            yield f"{page}: dead link: {target}"
+        elif anchor and file.suffix == ".md" and anchor not in anchors(file):
+            yield f"{page}: no such heading: {target}"
+
+
+def main():
+    root = pathlib.Path(".")
+    pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
+    faults = [fault for page in pages for fault in faults_of_links(page)]
+    sys.exit("\n".join(faults) or 0)
+
+
+main()
