@@ -23,7 +23,7 @@ GSL_LIBS   = $(eval GSL_LIBS := $$(shell pkg-config --libs gsl))$(GSL_LIBS)
 CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(shell pkg-config --cflags check))$(CHECK_CFLAGS)
 CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LIBS)
 
-PROGRAM  := fvi_cli fvi_options
+PROGRAM  := fvi_cli fvi_options fvi_output fvi_words
 MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
 TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 PROOFS   := $(filter-out refgen excerpts links,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
@@ -54,7 +54,7 @@ help: ## print this list
 
 check: test verify text ## everything: tests, proofs, chapters equal to the code
 
-test: $(TESTS:%=test-%) ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
+test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
 
 verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values with tests/*_ref.h
 
@@ -90,7 +90,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test verify figures text excerpts refs san valgrind clean tools \
+.PHONY: all help check test test-example verify figures text excerpts refs san valgrind clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -114,12 +114,17 @@ $B/tests/test_%: tests/test_%.c $B/libfvi.a | tools
 	  $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
 
 # The parser is tested in the process, the program by running it.
-EXTRA_fvi_cli = $B/src/fvi_options.o
-$B/tests/test_fvi_cli: $B/src/fvi_options.o
+EXTRA_fvi_options := $B/src/fvi_options.o $B/src/fvi_words.o
+$B/tests/test_fvi_options: $(EXTRA_fvi_options)
 test-fvi_cli: $B/fvi
 
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	@FVI=$B/fvi $<
+
+# The example of README.md, built as a user would build it.
+test-example: tests/example.c $B/libfvi.a
+	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
+	@test "$$($B/example | wc -l)" -eq 20 && echo 'README example: 20 rows'
 
 ## -- proofs and exact values -----------------------------------------------
 

@@ -1,0 +1,21 @@
+/* src/fvi_output.h -- A file that is complete or not there at all. */
+#ifndef FVI_OUTPUT_H
+#define FVI_OUTPUT_H
+
+#include <stdio.h>
+
+/* fvi_output_open -- where the program writes.
+ *
+ *   name  a file's name, or NULL for standard output
+ *
+ * An ordinary file is written under a temporary name beside it and takes its
+ * name in fvi_output_close; a signal that ends the program removes it. What is
+ * no ordinary file (a pipe, a device) is written to directly.
+ * Returns the stream, or NULL with errno set. One output at a time. */
+FILE *fvi_output_open(const char *name);
+
+/* fvi_output_close -- keep != 0: flush, check, rename; else remove.
+ * Returns 0, or -1 with errno set and nothing left behind. */
+int fvi_output_close(FILE *stream, int keep);
+
+#endif

@@ -1,0 +1,110 @@
+/* src/fvi_words.c -- From the words of a command line to values. */
+#include "fvi_words.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_refuse(fvi_complaint c, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(c.text, c.size, format, arguments);
+    va_end(arguments);
+    for (char *t = c.text; *t; t++) /* one line, whatever was typed */
+        if ((unsigned char)*t < ' ')
+            *t = '?';
+    return 2;
+}
+
+/* A finite number that ends at the end of the text or before `end`. strtod would
+ * skip spaces first; 0x1p-1 is a number too. Never "0,5": the locale is C. */
+static int number(const char *text, char end, double *value, const char **rest)
+{
+    char *stop;
+    if (*text == '\0' || strchr(" \t\n\v\f\r", *text))
+        return 0;
+    *value = strtod(text, &stop);
+    *rest = stop;
+    return stop != text && (*stop == '\0' || (end && *stop == end))
+           && isfinite(*value);
+}
+
+int fvi_word_number(const char *name, const char *text, double low, double high,
+                    const char *brackets, double *value, fvi_complaint c)
+{
+    const char *rest;
+    double v;
+    if (!number(text, '\0', &v, &rest))
+        return fvi_refuse(c, "--%s: '%s' is not a finite number", name, text);
+    if (!(brackets[0] == '[' ? v >= low : v > low)
+        || !(brackets[1] == ']' ? v <= high : v < high))
+        return fvi_refuse(c, "--%s: '%s' is outside %c%g, %g%c", name, text,
+                          brackets[0], low, high, brackets[1]);
+    *value = v;
+    return 0;
+}
+
+int fvi_word_whole(const char *name, const char *text, size_t *value,
+                   fvi_complaint c)
+{
+    double v;
+    int status = fvi_word_number(name, text, 1, 0x1p53, "[]", &v, c);
+    if (!status && v != floor(v))
+        return fvi_refuse(c, "--%s: '%s' is not a whole number", name, text);
+    if (!status)
+        *value = (size_t)v;
+    return status;
+}
+
+int fvi_word_choice(const char *name, const char *text,
+                    const char *const *words, size_t *which, fvi_complaint c)
+{
+    char known[200] = "";
+    for (size_t i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *which = i;
+            return 0;
+        }
+        strcat(strcat(known, i ? ", " : ""), words[i]);
+    }
+    return fvi_refuse(c, "--%s: '%s' is none of %s", name, text, known);
+}
+
+int fvi_word_list(const char *name, const char *text, size_t d, double *values,
+                  fvi_complaint c)
+{
+    const char *at = text;
+    size_t n = 0;
+    for (;; at++) {
+        double value;
+        if (!number(at, ',', &value, &at))
+            return fvi_refuse(c, "--%s: '%s' is not a list of finite numbers",
+                              name, text);
+        if (n < d)
+            values[n] = value;
+        n++;
+        if (*at == '\0')
+            break;
+    }
+    for (size_t j = 1; n == 1 && j < d; j++)
+        values[j] = values[0];
+    if (n != 1 && n != d)
+        return fvi_refuse(c, "--%s: '%s' has %zu numbers, not %s%zu", name,
+                          text, n, d > 1 ? "1 or " : "", d);
+    return 0;
+}
+
+int fvi_word_call(const char *text, const char *word, int count, double *p)
+{
+    size_t length = strlen(word);
+    if (strncmp(text, word, length) != 0)
+        return 0;
+    text += length;
+    for (int n = 0; n < count; n++)
+        if (*text != (n ? ',' : ':') || !number(text + 1, ',', &p[n], &text))
+            return 0;
+    return *text == '\0';
+}

@@ -1,0 +1,240 @@
+/* src/stability.c -- Is this step stable?                       [Chapter 14] */
+#include "stability.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- the load of a step ---- */
+
+static int check(const fvi_run *run, const void *output)
+{
+    if (!run || !output)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    int status = fvi_system_check(run->system);
+    if (status)
+        return status;
+    if (!run->x0)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (!(run->kappa >= 0 && run->kappa <= 1))
+        GSL_ERROR("kappa must be in [0, 1]", GSL_EDOM);
+    if (!(run->alpha >= 0 && run->alpha <= 1))
+        GSL_ERROR("alpha must be in [0, 1]", GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
+/* The largest eigenvalue of the symmetric matrix A, which is destroyed. */
+static int largest_eigenvalue(size_t d, double *A, double *largest)
+{
+    gsl_matrix_view matrix = gsl_matrix_view_array(A, d, d);
+    gsl_vector *values = gsl_vector_alloc(d);
+    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(d);
+    int status = GSL_ENOMEM;
+    if (values && work)
+        status = gsl_eigen_symm(&matrix.matrix, values, work);
+    if (!status)
+        *largest = gsl_vector_max(values);
+    gsl_vector_free(values);
+    gsl_eigen_symm_free(work);
+    return status;
+}
+
+/* (14.3) with the Hessian K at x0 already evaluated; K == NULL is zero. A is
+ * room for d * d numbers, used if K is there. */
+static int load_at(const fvi_run *run, double h, const double *K, double *A,
+                   double *load)
+{
+    const fvi_system *system = run->system;
+    const size_t d = system->d;
+    const double spring = gsl_pow_2((1 - 2 * run->kappa) * h);
+    const double damper = pow(4, run->alpha) * pow(h, 2 - 2 * run->alpha);
+    double largest = 0;
+    //> load
+    if (!K || spring == 0) {
+        for (size_t i = 0; i < d;
+             i++) /* only the damping, and it is diagonal */
+            largest =
+                fmax(largest, damper * system->damping[i] / system->mass[i]);
+    } else {
+        for (size_t i = 0; i < d; i++)
+            for (size_t j = 0; j < d; j++)
+                A[i * d + j] =
+                    (spring * K[i * d + j]
+                     + (i == j ? damper * system->damping[i] : 0))
+                    / sqrt(system->mass[i] * system->mass[j]); /* (14.3) */
+        for (size_t i = 0; i < d * d; i++)
+            if (!gsl_finite(A[i]))
+                GSL_ERROR("the load is not finite", GSL_EOVRFLW);
+        int status = largest_eigenvalue(d, A, &largest);
+        if (status)
+            return status;
+    }
+    //< load
+    if (!gsl_finite(largest))
+        GSL_ERROR("the load is not finite", GSL_EOVRFLW);
+    *load = largest / 4;
+    return GSL_SUCCESS;
+}
+
+/* Room for the Hessian and for A; the Hessian at x0. */
+static int hessian_at_start(const fvi_run *run, double **K)
+{
+    const fvi_potential *u = &run->system->potential;
+    const size_t d = run->system->d;
+    *K = NULL;
+    if (!u->hessian || run->kappa == 0.5)
+        return GSL_SUCCESS;
+    *K = malloc(2 * d * d * sizeof **K);
+    if (!*K)
+        GSL_ERROR("no memory for the Hessian", GSL_ENOMEM);
+    u->hessian(d, run->x0, u->params, *K);
+    return GSL_SUCCESS;
+}
+
+int fvi_stability_load(const fvi_run *run, double *load)
+{
+    int status = check(run, load);
+    if (status)
+        return status;
+    if (!(gsl_finite(run->h) && run->h > 0))
+        GSL_ERROR("h must be finite and positive", GSL_EDOM);
+    double *K;
+    const size_t d = run->system->d;
+    status = hessian_at_start(run, &K);
+    if (!status)
+        status = load_at(run, run->h, K, K ? K + d * d : NULL, load);
+    free(K);
+    return status;
+}
+
+int fvi_stability_step(const fvi_run *run, double *h)
+{
+    int status = check(run, h);
+    if (status)
+        return status;
+    double *K;
+    const size_t d = run->system->d;
+    status = hessian_at_start(run, &K);
+    if (status)
+        return status;
+    //> step
+    /* The load grows with h. Bisection of log2 h over all doubles that leave
+     * h^2 finite; a load that overflows is a load above 1. */
+    double low = -500, high = 500;
+    while (high - low > 0x1p-51 * fmax(1, fabs(low))) {
+        double middle = (low + high) / 2, load = GSL_POSINF;
+        status = load_at(run, exp2(middle), K, K ? K + d * d : NULL, &load);
+        if (status && status != GSL_EOVRFLW)
+            break;
+        status = GSL_SUCCESS;
+        if (load <= 1)
+            low = middle;
+        else
+            high = middle;
+        if (middle == low && middle == high)
+            break;
+    }
+    //< step
+    free(K);
+    if (status)
+        return status;
+    *h = high == 500 ? GSL_POSINF : low == -500 ? 0 : exp2(low);
+    return GSL_SUCCESS;
+}
+
+/* ---- the scalar symbol ---- */
+
+typedef struct {
+    double alpha, kappa, W, R;
+} symbol;
+
+static int check_symbol(symbol s, const void *output)
+{
+    if (!output)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (!(s.alpha >= 0 && s.alpha <= 1 && s.kappa >= 0 && s.kappa <= 1))
+        GSL_ERROR("alpha and kappa must be in [0, 1]", GSL_EDOM);
+    if (!(gsl_finite(s.W) && s.W > 0 && gsl_finite(s.R) && s.R > 0))
+        GSL_ERROR("W and R must be finite and positive", GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
+//> symbol
+/* arg P(e^{-i f}) for 0 < f <= pi, in polar form: no complex arithmetic. (14.2) */
+static double argument(symbol s, double f)
+{
+    double q = s.kappa * (1 - s.kappa), side = 2 * sin(f / 2);
+    double modulus = s.R * pow(side, 2 * s.alpha); /* of R (1 - z)^{2 alpha} */
+    double angle = s.alpha * (M_PI - f);
+    return atan2(modulus * sin(angle),
+                 -(1 + q * s.W) * side * side + s.W + modulus * cos(angle));
+}
+//< symbol
+
+int fvi_unstable_modes(double alpha, double kappa, double W, double R,
+                       int *modes)
+{
+    const symbol s = { alpha, kappa, W, R };
+    int status = check_symbol(s, modes);
+    if (status)
+        return status;
+    //> winding
+    /* Follow arg P from z = 1, where P > 0, to z = -1; the other half of the
+     * circle is its mirror image. P has one pole in the disc, at 0, so the zeros
+     * are one more than the windings. */
+    enum { POINTS = 4096 };
+    double turned = 0, last = 0;
+    for (int j = 1; j <= POINTS; j++) {
+        double now = argument(s, M_PI * gsl_pow_2((double)j / POINTS));
+        double step = now - last;
+        turned += step > M_PI    ? step - 2 * M_PI
+                  : step < -M_PI ? step + 2 * M_PI
+                                 : step;
+        last = now;
+    }
+    *modes = 1 - (int)lround(turned / M_PI); /* clockwise: z = e^{-i f} */
+    //< winding
+    return GSL_SUCCESS;
+}
+
+/* Q on the real axis, -1 <= z < 0. */
+static double q_real(double z, void *params)
+{
+    const symbol *s = params;
+    double q = s->kappa * (1 - s->kappa);
+    return (1 + q * s->W) * gsl_pow_2(1 - z)
+           + z * (s->W + s->R * pow(1 - z, 2 * s->alpha));
+}
+
+int fvi_growth(double alpha, double kappa, double W, double R, double *growth)
+{
+    symbol s = { alpha, kappa, W, R };
+    int status = check_symbol(s, growth);
+    if (status)
+        return status;
+    if (q_real(-1, &s) >= 0) { /* Q(0) > 0: no change of sign, (14.3) */
+        *growth = 1;
+        return GSL_SUCCESS;
+    }
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (!solver)
+        GSL_ERROR("no memory for the root solver", GSL_ENOMEM);
+    gsl_function Q = { q_real, &s };
+    status = gsl_root_fsolver_set(solver, &Q, -1, 0);
+    for (int i = 0; !status && i < 200; i++) {
+        status = gsl_root_fsolver_iterate(solver);
+        double low = gsl_root_fsolver_x_lower(solver);
+        double high = gsl_root_fsolver_x_upper(solver);
+        if (!status
+            && gsl_root_test_interval(low, high, 0, 4 * GSL_DBL_EPSILON)
+                   == GSL_SUCCESS)
+            break;
+    }
+    if (!status)
+        *growth = -1 / gsl_root_fsolver_root(solver);
+    gsl_root_fsolver_free(solver);
+    return status;
+}

@@ -1,0 +1,58 @@
+/* src/stability.h -- Is this step stable?                       [Chapter 14] */
+#ifndef FVI_STABILITY_H
+#define FVI_STABILITY_H
+
+#include "trajectory.h"
+
+/* fvi_stability_load -- how much of the stable range a run takes.   [(14.3)]
+ *
+ *     load = lambda / 4,  lambda = the largest eigenvalue of
+ *         M^{-1/2} ((1 - 2 kappa)^2 h^2 K + 4^alpha h^(2 - 2 alpha) rho) M^{-1/2}
+ *
+ * with K = Hess U(x0). The integrators fvi and lda are stable if load < 1, and
+ * have a growing, sign-alternating mode if load > 1; this is exact if U is
+ * quadratic and convex, and speaks of small motions about x0 if not. In one
+ * dimension: (W (1 - 2 kappa)^2 + 4^alpha R) / 4, W = h^2 c / m,
+ * R = rho h^(2 - 2 alpha) / m.
+ *
+ *   run   system, x0, h, kappa, alpha are read; the rest may be anything
+ *   load  output, >= 0 if K is positive semidefinite
+ *
+ * Cost O(d^3) by GSL's symmetric eigenvalues, O(d) if kappa = 1/2 or U = 0.
+ * Accuracy: 8 d u relative to the larger term, u = 2^-53.
+ * Returns GSL_SUCCESS; what fvi_system_check returns; GSL_EFAULT if a pointer is
+ * NULL; GSL_EDOM if h, kappa or alpha is out of range; GSL_EOVRFLW if an entry is
+ * not finite; GSL_ENOMEM. On error *load is untouched. */
+int fvi_stability_load(const fvi_run *run, double *load);
+
+/* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
+ *
+ *   run  as above; its h is not read
+ *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
+ *        (alpha = 1 and strong damping)
+ *
+ * Cost: about 60 loads (bisection in log h, to 4 ulp). Errors as above. */
+int fvi_stability_step(const fvi_run *run, double *h);
+
+/* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:
+ * the zeros in |z| < 1 of Q(z) = z P(z),                            [(14.2)]
+ *
+ *     P(z) = (1 + kappa (1 - kappa) W) (1/z - 2 + z) + W + R (1 - z)^{2 alpha},
+ *
+ * counted by the argument principle along |z| = 1.
+ *
+ *   alpha, kappa  in [0, 1]
+ *   W, R          finite, > 0
+ *   modes         output
+ *
+ * Not for values on the boundary, where P vanishes on the circle. Cost: some
+ * thousand values of P. Returns GSL_SUCCESS; GSL_EFAULT; GSL_EDOM. */
+int fvi_unstable_modes(double alpha, double kappa, double W, double R,
+                       int *modes);
+
+/* fvi_growth -- the factor 1/|z| by which the unstable mode grows in a step, 1
+ * if there is none. Arguments and errors as fvi_unstable_modes.     [(14.5)]
+ * By GSL's Brent solver on (-1, 0), to 8 ulp of z. */
+int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
+
+#endif

@@ -1,0 +1,121 @@
+/* tests/test_fvi_options.c -- The parser of the command line, in the process.
+ * Run alone: make test-fvi_options */
+#include "fvi_options.h"
+#include "ulp.h"
+
+static unsigned long long seed = 20240229;
+
+static size_t dice(size_t n)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (size_t)(seed >> 33) % n;
+}
+
+/* Random words never crash the parser, and what it accepts is in range. */
+START_TEST(random_words_are_understood_or_refused)
+{
+    static char words[][24] = { "--alpha",
+                                "--rho",
+                                "--mass",
+                                "--potential",
+                                "--force",
+                                "--derivative",
+                                "--kappa",
+                                "--x0",
+                                "--p0",
+                                "--h",
+                                "--steps",
+                                "--columns",
+                                "--every",
+                                "--memory",
+                                "--tolerance",
+                                "--method",
+                                "--count",
+                                "-o",
+                                "--",
+                                "-",
+                                "",
+                                "0.5",
+                                "1",
+                                "-1",
+                                "1e6",
+                                "nan",
+                                "inf",
+                                "0x1p-1",
+                                "1,2,3",
+                                ",",
+                                ":",
+                                "harmonic:1",
+                                "chain:3,1,1",
+                                "chain:99999,1,1",
+                                "duffing:1,2",
+                                "free",
+                                "pendulum:9",
+                                "step:1,2",
+                                "cosine:1,2",
+                                "none",
+                                "rl",
+                                "caputo",
+                                "fvi",
+                                "lda",
+                                "direct",
+                                "t,x,y",
+                                "energy",
+                                "--alpha=0.2",
+                                "--h=",
+                                "\x01\xff",
+                                "--help",
+                                "1e-999",
+                                "9007199254740993" };
+    static char run[] = "run", weights[] = "coefficients", program[] = "fvi";
+    size_t accepted = 0;
+    for (size_t round = 0; round < 100000; round++) {
+        char *argv[12] = { program, dice(4) ? run : weights },
+             complaint[100] = "";
+        int argc = 2 + (int)dice(9);
+        for (int i = 2; i < argc; i++)
+            argv[i] = words[dice(LEN(words))];
+        fvi_options o;
+        int status =
+            fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
+        ck_assert(status == 0 || status == 2);
+        ck_assert((status == 0) == (complaint[0] == '\0'));
+        ck_assert_ptr_null(strchr(complaint, '\n'));
+        if (status == 0 && o.command == FVI_COMMAND_RUN) {
+            ck_assert(o.alpha >= 0 && o.alpha <= 1 && o.h > 0 && o.steps >= 1);
+            ck_assert(o.rho >= 0 && o.mass > 0 && o.d >= 1 && o.x0 && o.method);
+            accepted++;
+        }
+        if (status == 0)
+            fvi_options_free(&o);
+    }
+    ck_assert_uint_gt(accepted, 500); /* else nothing was tried */
+}
+END_TEST
+
+/* What was not said has the value of the manual. */
+START_TEST(defaults_are_those_of_the_manual)
+{
+    char program[] = "fvi", run[] = "run", complaint[100];
+    char *argv[] = { program, run, NULL };
+    fvi_options o;
+    ck_assert_int_eq(
+        fvi_options_parse(2, argv, &o, complaint, sizeof complaint), 0);
+    ck_assert(o.alpha == 0.5 && o.rho == 0.2 && o.mass == 1 && o.kappa == 0.5);
+    ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
+    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && !o.caputo && !o.output);
+    ck_assert(o.potential == 'h' && o.spring[0] == 1 && o.force == 'n');
+    ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
+    ck_assert_str_eq(o.columns, "txpe");
+    ck_assert_str_eq(o.method->name, "fvi");
+    fvi_options_free(&o);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the words of fvi");
+    ADD_CASE(suite, "values", defaults_are_those_of_the_manual);
+    ADD_CASE(suite, "errors", random_words_are_understood_or_refused);
+    return run_suite(suite);
+}
