@@ -26,7 +26,7 @@ CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LI
 PROGRAM  := fvi_cli fvi_options fvi_output fvi_words
 MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
 TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
-PROOFS   := $(filter-out refgen excerpts links,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+PROOFS   := $(filter-out refgen excerpts links mutants,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
 DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
@@ -77,6 +77,10 @@ valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
 	  FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 \
 	    $B/tests/test_$$t || exit 1; done
 
+mutants: $B/libfvi.a ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
+	@CC='$(CC)' CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
+	  PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/mutants.py $B $(STEM)
+
 clean: ## remove everything that was made
 	rm -rf $B
 
@@ -90,7 +94,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example verify figures text excerpts refs san valgrind clean tools \
+.PHONY: all help check test test-example verify figures text excerpts refs san valgrind mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -169,7 +173,7 @@ $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | tool
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind,check) \
+  $(call goal,check test test-% ch% san valgrind mutants,check) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
   $(call goal,valgrind,valgrind))

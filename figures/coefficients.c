@@ -33,16 +33,19 @@ static void race(double alpha, const double *fast)
         s[1] = s[1] * ((x - 1 - alpha) / x);
         s[2] = s[2] * (1 - (1 + alpha) / x);
         s[3] = s[3] - s[3] * (1 + alpha) / x;
-        double gammas = -exp(lgamma(x - alpha) - lgamma(-alpha) - lgamma(x + 1));
+        double gammas =
+            -exp(lgamma(x - alpha) - lgamma(-alpha) - lgamma(x + 1));
         double value[FORMULAS] = { s[0], s[1], s[2], s[3], fast[n], gammas };
         for (size_t i = 0; i < FORMULAS; i++) {
-            double error = fabs((double)(((quad)value[i] - truth) / truth)) * 0x1p53;
+            double error =
+                fabs((double)(((quad)value[i] - truth) / truth)) * 0x1p53;
             worst[i] = fmax(worst[i], error);
         }
         if (n == next || n == MANY - 1) {
             printf("%zu", n);
             for (size_t i = 0; i < FORMULAS; i++)
-                printf(" %.17g", fmax(worst[i], 0.01)); /* a logarithm is drawn */
+                printf(" %.17g",
+                       fmax(worst[i], 0.01)); /* a logarithm is drawn */
             printf("\n");
             next += 1 + next / 8;
         }

@@ -65,14 +65,13 @@ int fvi_coefficients(double alpha, size_t count, double *w)
         return status;
     //> weights
     w[0] = 1;
-    dd s = { -1,
-             0 }; /* s = w[n] / alpha: of order one even if alpha is 1e-310 */
+    dd s = { -1, 0 }; /* w[n] / alpha, of order one even if alpha is 1e-310 */
     for (size_t n = 1; n < count; n++) {
+        double x = (double)n;
         if (n > 1)
-            s = over(times(s, two_sum((double)n - 1, -alpha)),
-                     (double)n); /* (4.2) */
+            s = over(times(s, two_sum(x - 1, -alpha)), x); /* (4.2) */
         dd product = times(s, (dd){ alpha, 0 });
-        w[n] = product.hi + product.lo + 0.0; /* + 0.0: no negative zeros */
+        w[n] = product.hi + product.lo; /* a zero comes out as +0 */
     }
     //< weights
     return GSL_SUCCESS;

@@ -24,9 +24,10 @@ static void remove_and_die(int signal_number)
 
 static void watch_signals(void)
 {
-    const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ };
+    const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE };
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
         signal(deadly[i], remove_and_die);
+    signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write */
 }
 
 FILE *fvi_output_open(const char *name)
@@ -36,10 +37,6 @@ FILE *fvi_output_open(const char *name)
     if (!name)
         return stdout;
     int exists = stat(name, &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) {
-        errno = EISDIR;
-        return NULL;
-    }
     if (exists && !S_ISREG(old.st_mode))
         return fopen(name, "w");
     if (exists && access(name, W_OK) != 0)

@@ -164,6 +164,33 @@ START_TEST(a_chain_has_numbered_columns)
 }
 END_TEST
 
+/* One step at rest but for a kick: each parameter of the chain has its place. */
+START_TEST(a_chain_moves_as_the_library_says)
+{
+    const double ones[] = { 1, 1, 1 }, none[] = { 0, 0, 0 },
+                 x0[] = { 1, 2, -1 };
+    const double p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1.25, 0.5 };
+    const fvi_system chain = { 3, ones, none, fvi_potential_chain(cg), { 0 } };
+    const fvi_run run = { .system = &chain,
+                          .x0 = x0,
+                          .p0 = p0,
+                          .h = 0.1,
+                          .steps = 5,
+                          .kappa = 0.5,
+                          .alpha = 0.5 };
+    double x[18];
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
+                     GSL_SUCCESS);
+    ck_assert_int_eq(
+        fvi("run --potential chain:3,1.25,0.5 --rho 0 --x0 1,2,-1 --steps 5 "
+            "--columns x"),
+        0);
+    for (size_t k = 0; k <= 5; k++)
+        for (size_t i = 0; i < 3; i++)
+            ck_assert_ulp(cell(k, i), x[3 * k + i], 0, "k=%zu i=%zu", k, i);
+}
+END_TEST
+
 START_TEST(coefficients_and_methods_and_help)
 {
     ck_assert_int_eq(fvi("coefficients --alpha 0.5 --count 4"), 0);
@@ -308,6 +335,8 @@ START_TEST(files_are_complete_or_absent)
     ck_assert_int_eq(fvi("run --steps 3 -o missing/table"), 1);
     ck_assert(!exists("missing/table"));
     ck_assert_int_eq(fvi("run --steps 3 -o ."), 1);
+    ck_assert_int_eq(shell("ulimit -f 1; $FVI run --steps 5000 -o large"), 1);
+    ck_assert(!exists("large"));
     ck_assert_int_eq(fvi("run -o /dev/full"), 1);
     ck_assert_int_eq(shell("$FVI run > /dev/full; test $? = 1"), 0);
     ck_assert_int_eq(shell("$FVI methods > /dev/full; test $? = 1"), 0);
@@ -379,7 +408,8 @@ int main(void)
     ADD_CASE(suite, "values", run_prints_head_and_rows,
              rows_are_the_numbers_of_the_library,
              every_keeps_each_kth_row_and_the_last,
-             a_chain_has_numbered_columns, coefficients_and_methods_and_help,
+             a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,
+             coefficients_and_methods_and_help,
              a_repeated_option_is_fine_if_it_says_the_same,
              the_decimal_point_is_a_point_everywhere);
     ADD_CASE(

@@ -1,0 +1,267 @@
+/* tests/test_stability.c -- Chapter 14.     Run alone: make test-stability */
+#include "discrete_mechanics.h"
+#include "fvi.h"
+#include "stability.h"
+
+#include "stability_ref.h"
+#include "ulp.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <stdlib.h>
+
+/* A run of the scalar problem with given W, R and h = m = 1. */
+static double m = 1, c, rho, x0, p0 = 1;
+static fvi_system scalar;
+
+static fvi_run scalar_run(double alpha, double kappa, double W, double R,
+                          size_t steps)
+{
+    c = W;
+    rho = R;
+    scalar = (fvi_system){ 1, &m, &rho, fvi_potential_harmonic(&c), { 0 } };
+    return (fvi_run){ .system = &scalar,
+                      .x0 = &x0,
+                      .p0 = &p0,
+                      .h = 1,
+                      .steps = steps,
+                      .kappa = kappa,
+                      .alpha = alpha };
+}
+
+/* Largest |x_k| over the first half, and over the rest, of N steps. */
+static void halves(const fvi_run *run, double *first, double *second)
+{
+    double *x = malloc((run->steps + 1) * sizeof *x);
+    ck_assert_ptr_nonnull(x);
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, run, x, NULL, NULL),
+                     GSL_SUCCESS);
+    *first = *second = 0;
+    for (size_t k = 0; k <= run->steps; k++) {
+        double *half = k <= run->steps / 2 ? first : second;
+        *half = fmax(*half, fabs(x[k]));
+    }
+    free(x);
+}
+
+/* (14.5). Q is computed with a relative error of some u of its terms, and is
+ * steep at the root: z is good to 32 ulp here. Seen: 6 (1/z near 1.005). */
+START_TEST(eq_14_5_growth_is_the_root_of_the_symbol)
+{
+    for (size_t i = 0; i < LEN(ref_growth); i++) {
+        double growth = 0;
+        ck_assert_int_eq(fvi_growth(ref_growth[i].alpha, ref_growth[i].kappa,
+                                    ref_growth[i].W, ref_growth[i].R, &growth),
+                         GSL_SUCCESS);
+        ck_assert_ulp(growth, ref_growth[i].want, 32, "row %zu", i);
+    }
+}
+END_TEST
+
+/* (14.3) in numbers: the bounds that the chapter's table prints. */
+START_TEST(eq_14_3_load_of_single_oscillators)
+{
+    /* alpha, kappa, W, R, load: R / 4^{1-alpha} + W (1 - 2 kappa)^2 / 4 */
+    const double row[][5] = {
+        { 0, 0.5, 3, 4, 1 },    { 0.25, 0.5, 1, 2 * M_SQRT2, 1 },
+        { 0.5, 0.5, 9, 2, 1 },  { 0.75, 0.5, 1, M_SQRT2, 1 },
+        { 1, 0.5, 7, 1, 1 },    { 0.5, 0, 2, 1, 1 },
+        { 0.5, 1, 2, 1, 1 },    { 0.5, 0.25, 4, 1.5, 1 },
+        { 1, 0, 1, 0.5, 0.75 }, { 0.5, 0.5, 1, 0.1, 0.05 }
+    };
+    for (size_t i = 0; i < LEN(row); i++) {
+        const fvi_run run =
+            scalar_run(row[i][0], row[i][1], row[i][2], row[i][3], 1);
+        double load = 0;
+        ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
+        ck_assert_near(load, row[i][4], 8 * U * row[i][4], "row %zu", i);
+    }
+}
+END_TEST
+
+/* h enters as h^2 c / m and rho h^(2 - 2 alpha) / m: Bagley-Torvik's step is 2,
+ * linear damping's 2 m / rho, and alpha = 1 has all steps or none. */
+START_TEST(eq_14_4_largest_step)
+{
+    fvi_run run = scalar_run(0.75, 0.5, 1, 1, 1);
+    double step = 0;
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    ck_assert_near(step, 2, 8 * GSL_DBL_EPSILON * 2, "Bagley-Torvik");
+    run = scalar_run(0.5, 0.5, 1, 0.25, 1);
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    ck_assert_near(step, 8, 8 * GSL_DBL_EPSILON * 8, "linear damping");
+    run = scalar_run(0.5, 0, 1, 1, 1); /* h^2 + 2 h = 4 */
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    ck_assert_near(step, sqrt(5) - 1, 8 * GSL_DBL_EPSILON * 2, "kappa = 0");
+    run = scalar_run(1, 0.5, 1, 0.999, 1);
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    ck_assert(step == GSL_POSINF);
+    run = scalar_run(1, 0.5, 1, 1.001, 1);
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    ck_assert(step == 0);
+}
+END_TEST
+
+/* The argument principle against the formula, at 4000 seeded random points. */
+//> argument
+START_TEST(eq_14_3_the_argument_principle_counts_what_the_theorem_says)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    size_t unstable = 0;
+    for (int i = 0; i < 4000; i++) {
+        double alpha = gsl_rng_uniform_pos(random),
+               kappa = gsl_rng_uniform(random);
+        double W = pow(10, 4 * gsl_rng_uniform(random) - 2);
+        double R = pow(10, 4 * gsl_rng_uniform(random) - 2), load, growth;
+        int modes = -1;
+        const fvi_run run = scalar_run(alpha, kappa, W, R, 1);
+        ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
+        ck_assert_int_eq(fvi_unstable_modes(alpha, kappa, W, R, &modes),
+                         GSL_SUCCESS);
+        ck_assert_int_eq(fvi_growth(alpha, kappa, W, R, &growth), GSL_SUCCESS);
+        ck_assert_msg(
+            modes == (load > 1) && (growth > 1) == (load > 1),
+            "alpha=%g kappa=%g W=%g R=%g: %d modes, load %g, growth %g", alpha,
+            kappa, W, R, modes, load, growth);
+        unstable += load > 1;
+    }
+    ck_assert(unstable > 1000 && unstable < 3000); /* both sides were seen */
+    gsl_rng_free(random);
+}
+END_TEST
+//< argument
+
+/* Long runs, half a percent inside and outside. Inside, the second half stays
+ * below the first (alpha = 0 is neutral: a sampled oscillation, equal to 1 %);
+ * outside, the motion over the last 500 steps grows by the
+ * predicted factor, to 2 %: what is left of the decaying rest. */
+//> long-runs
+START_TEST(eq_14_3_long_runs_on_both_sides_of_the_boundary)
+{
+    const double alphas[] = { 0, 0.25, 0.5, 0.75, 1 },
+                 kappas[] = { 0, 0.25, 0.5 };
+    const double Ws[] = { 0.01, 0.5, 2, 3 };
+    for (size_t i = 0; i < LEN(alphas); i++)
+        for (size_t j = 0; j < LEN(kappas); j++)
+            for (size_t l = 0; l < LEN(Ws); l++) {
+                double a = alphas[i], k = kappas[j], W = Ws[l], first, second;
+                double R = (4 - W * gsl_pow_2(1 - 2 * k)) / pow(4, a);
+                fvi_run run = scalar_run(a, k, W, 0.995 * R, 6000);
+                halves(&run, &first, &second);
+                ck_assert_msg(second <= (a > 0 ? 1 : 1.01) * first,
+                              "inside: alpha=%g kappa=%g W=%g: "
+                              "%g then %g",
+                              a, k, W, first, second);
+
+                double growth, x[5001];
+                run = scalar_run(a, k, W, 1.005 * R, 5000);
+                ck_assert_int_eq(fvi_growth(a, k, W, 1.005 * R, &growth),
+                                 GSL_SUCCESS);
+                ck_assert_int_eq(
+                    fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
+                    GSL_SUCCESS);
+                double seen = log(fabs(x[5000] / x[4500]));
+                ck_assert_near(seen / (500 * log(growth)), 1, 0.02,
+                               "outside: alpha=%g kappa=%g W=%g", a, k, W);
+            }
+}
+END_TEST
+//< long-runs
+
+/* In R^d: a chain of five, unequal dampings. The largest step from the matrix,
+ * then runs just inside and outside of it. */
+START_TEST(eq_14_3_a_chain_of_masses)
+{
+    const double mass[] = { 1, 2, 0.5, 1, 3 },
+                 damping[] = { 0.3, 0, 1, 0.2, 2 };
+    const double spring[] = { 1, 0 }, start[] = { 0, 0, 0, 0, 0 };
+    const double kick[] = { 1, -1, 0.5, 0.2, 1 };
+    const fvi_system chain = {
+        5, mass, damping, fvi_potential_chain(spring), { 0 }
+    };
+    fvi_run run = { .system = &chain,
+                    .x0 = start,
+                    .p0 = kick,
+                    .steps = 4000,
+                    .alpha = 0.3,
+                    .kappa = 0 };
+    double step, load, last[5 * 4001];
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    for (int outside = 0; outside <= 1; outside++) {
+        run.h = step * (outside ? 1.01 : 0.99);
+        ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
+        ck_assert_int_eq(load > 1, outside);
+        ck_assert_int_eq(
+            fvi_trajectory(&fvi_fractional, &run, last, NULL, NULL),
+            GSL_SUCCESS);
+        double end = 0;
+        for (size_t i = 0; i < 5; i++)
+            end = fmax(end, fabs(last[5 * 4000 + i]));
+        ck_assert_msg(outside ? end > 1e6 : end < 1, "h = %g: %g", run.h, end);
+    }
+}
+END_TEST
+
+START_TEST(bad_arguments_are_refused_and_outputs_are_untouched)
+{
+    fvi_run run = scalar_run(0.5, 0.5, 1, 1, 1);
+    double kept = 7;
+    int modes = 7;
+    int (*const both[])(const fvi_run *, double *) = { fvi_stability_load,
+                                                       fvi_stability_step };
+    for (size_t i = 0; i < 2; i++) {
+        fvi_run bad = run;
+        ck_assert_int_eq(both[i](NULL, &kept), GSL_EFAULT);
+        ck_assert_int_eq(both[i](&run, NULL), GSL_EFAULT);
+        bad.x0 = NULL;
+        ck_assert_int_eq(both[i](&bad, &kept), GSL_EFAULT);
+        bad = run;
+        bad.system = NULL;
+        ck_assert_int_eq(both[i](&bad, &kept), GSL_EFAULT);
+        bad = run;
+        bad.kappa = 1.5;
+        ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
+        bad = run;
+        bad.alpha = GSL_NAN;
+        ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
+    }
+    fvi_run bad = run;
+    bad.h = 0;
+    ck_assert_int_eq(fvi_stability_load(&bad, &kept), GSL_EDOM);
+    bad.h = 1e300;
+    bad.alpha = 0;
+    ck_assert_int_eq(fvi_stability_load(&bad, &kept), GSL_EOVRFLW);
+    bad.kappa = 0;
+    ck_assert_int_eq(fvi_stability_load(&bad, &kept), GSL_EOVRFLW);
+
+    const double wrong[][4] = { { -0.1, 0.5, 1, 1 },        { 1.1, 0.5, 1, 1 },
+                                { 0.5, -0.1, 1, 1 },        { 0.5, 1.1, 1, 1 },
+                                { 0.5, 0.5, 0, 1 },         { 0.5, 0.5, 1, 0 },
+                                { 0.5, 0.5, 1, GSL_POSINF } };
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        const double *w = wrong[i];
+        ck_assert_int_eq(fvi_unstable_modes(w[0], w[1], w[2], w[3], &modes),
+                         GSL_EDOM);
+        ck_assert_int_eq(fvi_growth(w[0], w[1], w[2], w[3], &kept), GSL_EDOM);
+    }
+    ck_assert_int_eq(fvi_unstable_modes(0.5, 0.5, 1, 1, NULL), GSL_EFAULT);
+    ck_assert_int_eq(fvi_growth(0.5, 0.5, 1, 1, NULL), GSL_EFAULT);
+    ck_assert(kept == 7 && modes == 7);
+}
+END_TEST
+
+int main(void)
+{
+    gsl_set_error_handler_off();
+    Suite *suite = suite_create("14 stability");
+    ADD_CASE(suite, "values", eq_14_5_growth_is_the_root_of_the_symbol,
+             eq_14_3_load_of_single_oscillators, eq_14_4_largest_step);
+    ADD_CASE(suite, "identities",
+             eq_14_3_the_argument_principle_counts_what_the_theorem_says,
+             eq_14_3_long_runs_on_both_sides_of_the_boundary,
+             eq_14_3_a_chain_of_masses);
+    ADD_CASE(suite, "errors",
+             bad_arguments_are_refused_and_outputs_are_untouched);
+    return run_suite(suite);
+}

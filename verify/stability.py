@@ -1,0 +1,85 @@
+"""Chapter 14. Which steps are stable.
+
+Proved here, all parameters symbolic:
+  (14.1)  for quadratic U the three-term equation is (1 + q W) second difference
+          + W x_k + R memory, q = kappa (1 - kappa);
+  (14.2)  its symbol; its values at z = 1 and z = -1;
+  (14.3)  polar form of 1 - z on the unit circle, and the sign of Im P there;
+          in R^d, v* P(z) v is the scalar symbol with v*Mv, v*Kv, v*rho v;
+  (14.6)  alpha = 1, kappa = 1/2: the bound is rho < m for every step.
+Printed: growth factors 1/|z| from the root of Q in (-1, 0), at 50 digits."""
+import mpmath
+from sympy import (I, Function, Rational, cos, exp, expand, expand_complex, im, pi,
+                   re, simplify, sin, symbols, trigsimp)
+
+from refgen import claim, header, hexd, hexd_real, prove, table
+
+alpha, kappa, W, R, h, m, c = symbols("alpha kappa W R h m c", positive=True)
+xm, x0, xp = symbols("x_- x_0 x_+", real=True)
+z = symbols("z")
+f = symbols("f", positive=True)
+q = kappa * (1 - kappa)
+
+#> recurrence
+S_after = kappa * x0 + (1 - kappa) * xp    # S x_k
+S_before = kappa * xm + (1 - kappa) * x0   # S x_{k-1}
+three_terms = (m * (xp - 2 * x0 + xm) / h**2
+               + kappa * c * S_after + (1 - kappa) * c * S_before)
+prove("(14.1) the local part of the recurrence",
+      expand((three_terms * h**2 / m).subs(c, W * m / h**2)
+             - ((1 + q * W) * (xp - 2 * x0 + xm) + W * x0)))
+#< recurrence
+
+P = (1 + q * W) * (1 / z - 2 + z) + W + R * (1 - z) ** (2 * alpha)
+prove("(14.2) P(1) = W", (P - R * (1 - z) ** (2 * alpha)).subs(z, 1) - W)
+#> ends
+prove("(14.3) P(-1) = W (1 - 2 kappa)^2 + 4^alpha R - 4",
+      simplify(P.subs(z, -1) - (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4)))
+#< ends
+
+#> circle
+on_circle = exp(-I * f)
+prove("(14.3) 1 - e^{-if} = 2 sin(f/2) e^{i (pi - f)/2}",
+      expand_complex(1 - on_circle - 2 * sin(f / 2) * exp(I * (pi - f) / 2)).rewrite(cos).simplify())
+prove("(14.3) 1/z - 2 + z is real on the circle: -4 sin^2(f/2)",
+      trigsimp(expand_complex(1 / on_circle - 2 + on_circle) + 4 * sin(f / 2) ** 2))
+#< circle
+# So Im P = R (2 sin(f/2))^{2 alpha} sin(alpha (pi - f)), positive for 0 < f < pi,
+# 0 < alpha <= 1: both factors are, as 0 < alpha (pi - f) < pi.
+
+# In R^d: for every vector v, v* P(z) v has the same form.
+u1, u2, M1, M2, K11, K12, K22, r1, r2, k4 = symbols("u1 u2 M1 M2 K11 K12 K22 r1 r2 k4")
+v = [u1, u2]
+quadratic = lambda A: sum(A[i][j] * v[i] * v[j] for i in (0, 1) for j in (0, 1))
+mass, stiff, damp = [[M1, 0], [0, M2]], [[K11, K12], [K12, K22]], [[r1, 0], [0, r2]]
+D2, D = symbols("D2 D")  # the values of 1/z - 2 + z and of (1 - z)^{2 alpha}
+matrix = [[(mass[i][j] + q * h**2 * stiff[i][j]) * D2 + h**2 * stiff[i][j] + k4 * damp[i][j] * D
+           for j in (0, 1)] for i in (0, 1)]
+prove("(14.3) v*P(z)v is the scalar symbol of v*Mv, v*Kv, v*rho v",
+      expand(quadratic(matrix) - ((quadratic(mass) + q * h**2 * quadratic(stiff)) * D2
+                                  + h**2 * quadratic(stiff) + k4 * quadratic(damp) * D)))
+
+#> alpha-one
+bound = (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4).subs({alpha: 1, kappa: Rational(1, 2)})
+prove("(14.6) alpha = 1, kappa = 1/2: R < 1, and R = rho/m has no h", bound - 4 * (R - 1))
+#< alpha-one
+
+
+def growth(a, k, w, r, digits):
+    mpmath.mp.dps = digits + 15
+    a, k, w, r = (mpmath.mpf(t) for t in (a, k, w, r))
+    Q = lambda t: (1 + k * (1 - k) * w) * (1 - t) ** 2 + t * (w + r * (1 - t) ** (2 * a))
+    low, high = mpmath.mpf(-1), mpmath.mpf(0)
+    claim("one change of sign in (-1, 0)", Q(low) < 0 < Q(high))
+    for _ in range(4 * (digits + 15)):
+        middle = (low + high) / 2
+        low, high = (middle, high) if Q(middle) < 0 else (low, middle)
+    return mpmath.nstr(-1 / low, digits)
+
+
+CASES = [(0.5, 0.5, 1, 2.02), (0.5, 0.5, 1, 2.2), (0.25, 0.5, 0.01, 3), (0.75, 0, 1, 1.07),
+         (1, 0.5, 1, 1.005), (1, 0.5, 0.1, 20), (0.1, 0.25, 3, 3.5), (0.9, 1, 0.5, 1.5)]
+header("verify/stability.py")
+table("ref_growth", "double alpha, kappa, W, R, want;",
+      [[hexd(t) for t in case] + [hexd_real(lambda n, s=case: growth(*s, n), 50)]
+       for case in CASES])
