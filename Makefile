@@ -23,7 +23,7 @@ GSL_LIBS   = $(eval GSL_LIBS := $$(shell pkg-config --libs gsl))$(GSL_LIBS)
 CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(shell pkg-config --cflags check))$(CHECK_CFLAGS)
 CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LIBS)
 
-PROGRAM  := fvi_cli fvi_options fvi_output fvi_words
+PROGRAM  := fvi_cli fvi_options fvi_output fvi_table fvi_words
 MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
 TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 PROOFS   := $(filter-out refgen excerpts links mutants,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
@@ -88,7 +88,7 @@ clean: ## remove everything that was made
 stem = $(patsubst $(patsubst ch%,%,$1)-%,%,$(filter $(patsubst ch%,%,$1)-%,$(CHAPTERS)))
 of_stem = $(filter $1 $1_%,$(SCENES) $(DIAGRAMS))
 define chapter
-$1: $(filter test-$2,$(TESTS:%=test-%)) $(filter verify-$2,$(PROOFS:%=verify-%)) figures-$2
+$1: $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2,$(PROOFS:%=verify-%)) figures-$2
 figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 .PHONY: $1 figures-$2
 endef
@@ -120,7 +120,7 @@ $B/tests/test_%: tests/test_%.c $B/libfvi.a | tools
 # The parser is tested in the process, the program by running it.
 EXTRA_fvi_options := $B/src/fvi_options.o $B/src/fvi_words.o
 $B/tests/test_fvi_options: $(EXTRA_fvi_options)
-test-fvi_cli: $B/fvi
+test-fvi_cli test-fvi_errors: $B/fvi
 
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	@FVI=$B/fvi $<

@@ -144,27 +144,19 @@ static int start_variational(fvi_stepper *s)
     return fvi_variational_solver(s);
 }
 
-static int start_forced(fvi_stepper *s)
-{
-    if (s->run.alpha != 0.5)
-        GSL_ERROR("this method knows only alpha = 1/2", GSL_EDOM);
-    return fvi_variational_solver(s);
-}
-
-const fvi_method fvi_variational = { "variational",    "1 or 2",
-                                     "none",           start_variational,
-                                     step_variational, NULL };
-const fvi_method fvi_lagrange_dalembert = { "lda",        "1",         "none",
-                                            start_forced, step_forced, NULL };
+const fvi_method fvi_variational = { .name = "variational",
+                                     .order = "1 or 2",
+                                     .memory = "none",
+                                     .start = start_variational,
+                                     .step = step_variational };
+const fvi_method fvi_lagrange_dalembert = { .name = "lda",
+                                            .order = "1",
+                                            .memory = "none",
+                                            .half_only = 1,
+                                            .start = fvi_variational_solver,
+                                            .step = step_forced };
 
 /* ---- Euler's methods ---- */
-
-static int start_euler_explicit(fvi_stepper *s)
-{
-    if (s->run.alpha != 0.5)
-        GSL_ERROR("this method knows only alpha = 1/2", GSL_EDOM);
-    return GSL_SUCCESS;
-}
 
 //> euler-explicit
 static int step_euler_explicit(fvi_stepper *s)
@@ -189,8 +181,6 @@ static int step_euler_explicit(fvi_stepper *s)
 static int start_euler_implicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
-    if (s->run.alpha != 0.5)
-        GSL_ERROR("this method knows only alpha = 1/2", GSL_EDOM);
     double *A = malloc(system->d * sizeof *A);
     if (!A)
         GSL_ERROR("no memory for the solver", GSL_ENOMEM);
@@ -220,11 +210,14 @@ static int step_euler_implicit(fvi_stepper *s)
 }
 //< euler-implicit
 
-const fvi_method fvi_euler_explicit = {
-    "euler-explicit",    "1", "none", start_euler_explicit,
-    step_euler_explicit, NULL
-};
-const fvi_method fvi_euler_implicit = {
-    "euler-implicit",    "1", "none", start_euler_implicit,
-    step_euler_implicit, NULL
-};
+const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
+                                        .order = "1",
+                                        .memory = "none",
+                                        .half_only = 1,
+                                        .step = step_euler_explicit };
+const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
+                                        .order = "1",
+                                        .memory = "none",
+                                        .half_only = 1,
+                                        .start = start_euler_implicit,
+                                        .step = step_euler_implicit };

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,9 +109,12 @@ static int step_fractional(fvi_stepper *s)
 }
 //< step
 
-const fvi_method fvi_fractional = { "fvi",           "1",
-                                    "full",          start_fractional,
-                                    step_fractional, stop_fractional };
+const fvi_method fvi_fractional = { .name = "fvi",
+                                    .order = "1",
+                                    .memory = "full",
+                                    .start = start_fractional,
+                                    .step = step_fractional,
+                                    .stop = stop_fractional };
 
 /* ---- Algorithm 3 as printed ---- */
 
@@ -131,6 +135,8 @@ static int three_terms(const fvi_system *system, double kappa, double h,
             /* p = D2 L_d(x_{k-1}, x_k) - h rho D + h F(t_k) */
             fvi_legendre_plus(system, kappa, h, x + k - 1, x + k, &D, &F, &p);
         }
+        if (!gsl_finite(p))
+            GSL_ERROR("a value is no longer finite", GSL_EOVRFLW);
         /* x_{k+1} from -D1 L_d(x_k, x_{k+1}) = p */
         int status =
             fvi_legendre_inverse(system, kappa, h, x + k, &p, x + k + 1);
@@ -146,6 +152,13 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
 {
     if (!x)
         GSL_ERROR("null pointer", GSL_EFAULT);
+    int status = fvi_system_check(system);
+    if (status)
+        return status;
+    if (system->d != 1)
+        GSL_ERROR("Algorithm 3 as printed is in one dimension", GSL_EINVAL);
+    if (N >= SIZE_MAX / sizeof(double) / 2 - 1)
+        GSL_ERROR("N must be addressable", GSL_EINVAL);
     const fvi_run run = { .system = system,
                           .x0 = &x0,
                           .p0 = &p0,
@@ -154,27 +167,21 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                           .kappa = kappa,
                           .alpha = alpha };
     fvi_stepper *s;
-    int status = fvi_start(&fvi_fractional, &run, &s); /* only to check them */
+    status = fvi_start(&fvi_fractional, &run, &s); /* only to check them */
     if (status)
         return status;
     fvi_stop(s);
-    if (system->d != 1)
-        GSL_ERROR("Algorithm 3 as printed is in one dimension", GSL_EINVAL);
-    double *c = malloc((N + 1) * sizeof *c);
-    double *path = malloc((N + 1) * sizeof *path);
-    if (!c || !path) {
-        status = GSL_ENOMEM;
-    } else {
-        path[0] = x0;
-        fvi_coefficients_product(alpha, alpha, N + 1, c);
+    double *c = malloc(2 * (N + 1) * sizeof *c);
+    if (!c)
+        GSL_ERROR("no memory for the weights", GSL_ENOMEM);
+    double *path = c + N + 1;
+    path[0] = x0;
+    status = fvi_coefficients_product(alpha, alpha, N + 1, c);
+    if (!status)
         status =
             three_terms(system, kappa, h, N, p0, c, pow(h, -2 * alpha), path);
-    }
     if (!status)
         memcpy(x, path, (N + 1) * sizeof *x);
     free(c);
-    free(path);
-    if (status)
-        GSL_ERROR("Algorithm 3 could not be carried out", status);
-    return GSL_SUCCESS;
+    return status;
 }

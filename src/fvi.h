@@ -18,9 +18,9 @@
  *     p_{k+1} = p_k - h grad U - h rho Delta_-^alpha Delta_-^alpha x_{k+1}
  *               + h F(t_{k+1}).
  *
- * p_k is the matched momentum of Chapter 8 for every k <= N. Order 1, for
- * Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha where that is less (and
- * none for alpha > 1/2: see Chapter 9); order 2 for rho = 0, kappa = 1/2, no F.
+ * p_k is the matched momentum of Chapter 8 for every k <= N. Order 1;
+ * for Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha if alpha < 1/2, and
+ * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, no F.
  * Cost of a step: as fvi_newton_solve plus as fvi_memory_push for the damped
  * coordinates. rho = 0 has no memory at all. */
 extern const fvi_method fvi_fractional;
@@ -37,8 +37,9 @@ extern const fvi_method fvi_fractional;
  *   x             output, N + 1 numbers
  *
  * Riemann-Liouville. Cost O(N^2), memory O(N). Returns GSL_SUCCESS; what
- * fvi_start returns; GSL_EINVAL if d != 1; GSL_EMAXITER if a step could not be
- * solved. On error x is untouched. */
+ * fvi_start returns; GSL_EINVAL if d != 1 or if 2 N + 2 numbers cannot be
+ * addressed; GSL_EMAXITER, GSL_ESING and GSL_EOVRFLW as fvi_step; GSL_ENOMEM. On
+ * error x is untouched. */
 int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                     double h, size_t N, double x0, double p0, double *x);
 

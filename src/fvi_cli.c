@@ -2,23 +2,25 @@
 #define _GNU_SOURCE
 #include "coefficients.h"
 #include "discrete_mechanics.h"
+#include "exact_solution.h"
 #include "fvi.h"
 #include "fvi_options.h"
 #include "fvi_output.h"
+#include "fvi_table.h"
 #include "stability.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
-#define FVI_VERSION "0.1.0"
-
 static const char usage[] =
     "usage: fvi run [options]            one trajectory, as a table\n"
     "       fvi coefficients [options]   n, alpha_n\n"
+    "       fvi exact [options]          the exact solution on the same grid\n"
     "       fvi methods                  name, order, memory of each method\n"
     "       fvi --help | --version       also: fvi run --help\n"
     "\n"
@@ -49,105 +51,18 @@ static const char usage_run[] =
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n";
 
+static const char usage_exact[] =
+    "usage: fvi exact [options]\n"
+    "the linear problem m x'' + C x + rho D^{2A} x = F, solved exactly; "
+    "options as\n"
+    "of run: --alpha --rho --mass --force --derivative --x0 --p0 --h --steps\n"
+    "--columns --every -o, and --potential harmonic:C (C >= 0) or free\n";
+
 static const char usage_coefficients[] =
     "usage: fvi coefficients [options]\n"
     "  --alpha A   order, 0 <= A <= 2   [0.5]\n"
     "  --count N   how many, N >= 1     [10]\n"
     "  -o FILE     write there, complete or not at all\n";
-
-/* ---- the head of a table ---- */
-
-static void print_head(FILE *out, const fvi_options *o)
-{
-    const char *name, *value;
-    fprintf(out, "# fvi " FVI_VERSION "\n");
-    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
-        fprintf(out, "# %s = %s\n", name, value);
-}
-
-static const char *column_name(char letter)
-{
-    return letter == 'e'   ? "energy"
-           : letter == 't' ? "t"
-           : letter == 'x' ? "x"
-           : letter == 'p' ? "p"
-                           : "y";
-}
-
-static void print_column_names(FILE *out, const fvi_options *o)
-{
-    for (const char *c = o->columns; *c; c++) {
-        const char *separator = c == o->columns ? "# " : "\t";
-        if (o->d == 1 || strchr("te", *c))
-            fprintf(out, "%s%s", separator, column_name(*c));
-        else
-            for (size_t i = 1; i <= o->d; i++, separator = "\t")
-                fprintf(out, "%s%s%zu", separator, column_name(*c), i);
-    }
-    fprintf(out, "\n");
-}
-
-/* ---- rows ---- */
-
-/* A table on its way out. Rows go out as they come, unless the mirror
- * y_k = x_{N-k} is asked for: then all wait for the end of the run. */
-typedef struct {
-    const fvi_options *o;
-    const fvi_system *system;
-    FILE *out;
-    size_t width; /* numbers in a row */
-    double *rows; /* one row, or all of them */
-    int wait;
-} table;
-
-static int is_printed(const fvi_options *o, size_t k)
-{
-    return k % o->every == 0 || k == o->steps;
-}
-
-static size_t row_number(const fvi_options *o, size_t k)
-{
-    return k / o->every + (k == o->steps && k % o->every != 0);
-}
-
-static void print_row(const table *t, const double *row)
-{
-    for (size_t i = 0; i < t->width; i++)
-        fprintf(t->out, i ? "\t%.17g" : "%.17g", row[i]);
-    fputc('\n', t->out);
-}
-
-static void fill(const table *t, const fvi_stepper *s, double *row, int mirror)
-{
-    const size_t d = t->o->d;
-    for (const char *c = t->o->columns; *c; c++) {
-        size_t width = strchr("te", *c) ? 1 : d;
-        if (*c == 'y' && mirror)
-            memcpy(row, s->x, d * sizeof *row);
-        else if (*c == 't' && !mirror)
-            row[0] = s->t;
-        else if (*c == 'e' && !mirror)
-            row[0] = fvi_energy(t->system, s->x, s->p);
-        else if (*c == 'x' && !mirror)
-            memcpy(row, s->x, d * sizeof *row);
-        else if (*c == 'p' && !mirror)
-            memcpy(row, s->p, d * sizeof *row);
-        row += width;
-    }
-}
-
-static void take_row(const table *t, const fvi_stepper *s)
-{
-    const fvi_options *o = t->o;
-    if (is_printed(o, s->k)) {
-        double *row = t->rows + (t->wait ? row_number(o, s->k) * t->width : 0);
-        fill(t, s, row, 0);
-        if (!t->wait)
-            print_row(t, row);
-    }
-    if (t->wait && is_printed(o, o->steps - s->k))
-        fill(t, s, t->rows + row_number(o, o->steps - s->k) * t->width, 1);
-}
 
 /* ---- progress: one line on standard error after the first second ---- */
 
@@ -168,16 +83,16 @@ static void show_progress(size_t k, size_t steps, double began, double *shown)
             100 * (double)k / (double)steps, now - began);
 }
 
-static int steps_and_rows(const table *t, fvi_stepper *s)
+static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
     const int terminal = isatty(STDERR_FILENO);
     double began = seconds(), shown = 0;
     int status = GSL_SUCCESS;
-    take_row(t, s);
+    fvi_table_take(t, 0, s->x, s->p);
     while (s->k < t->o->steps && !status) {
         status = fvi_step(s);
         if (!status)
-            take_row(t, s);
+            fvi_table_take(t, s->k, s->x, s->p);
         if (s->k % 4096 == 0 && ferror(t->out))
             break;
         if (terminal && s->k % 1024 == 0)
@@ -203,17 +118,20 @@ static int cannot_write(const char *name)
     return 1;
 }
 
-/* Bytes that are surely asked for, against those of the machine. */
-static int too_large(const fvi_options *o, size_t rows, size_t width)
+/* Room for the rows that are kept; NULL if what is surely asked for is more
+ * than the machine has. */
+static double *room(const fvi_table *t)
 {
+    const fvi_options *o = t->o;
     double machine =
         (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    double bytes =
-        8 * (double)rows * (double)width + 8 * (double)o->d * (double)o->d;
+    double bytes = 8 * (double)t->height * (double)t->width
+                   + 8 * (double)o->d * (double)o->d;
     if (o->rho > 0 && o->method == &fvi_fractional)
         bytes += (double)fvi_memory_bytes(2 * o->alpha, o->d, o->steps,
                                           o->memory, o->tolerance);
-    return bytes > machine;
+    return bytes < machine ? calloc(t->height * t->width, sizeof *t->rows)
+                           : NULL;
 }
 
 static int report(int status, size_t step)
@@ -242,19 +160,9 @@ static void warn_if_unstable(const fvi_options *o, const fvi_run *r)
         h > 0 ? h : o->rho / o->mass);
 }
 
-static int run(const fvi_options *o)
+static int run(const fvi_options *o, const fvi_system *system)
 {
-    double *masses = malloc(2 * o->d * sizeof *masses);
-    if (!masses)
-        return complain("not enough memory");
-    const fvi_system system = fvi_options_system(o, masses);
-    table t = { .o = o,
-                .system = &system,
-                .wait = strchr(o->columns, 'y') != NULL };
-    for (const char *c = o->columns; *c; c++)
-        t.width += strchr("te", *c) ? 1 : o->d;
-    const size_t rows = t.wait ? row_number(o, o->steps) + 1 : 1;
-    const fvi_run r = { .system = &system,
+    const fvi_run r = { .system = system,
                         .x0 = o->x0,
                         .p0 = o->p0,
                         .h = o->h,
@@ -264,10 +172,11 @@ static int run(const fvi_options *o)
                         .caputo = o->caputo,
                         .memory = o->memory,
                         .tolerance = o->tolerance };
+    fvi_table t;
     fvi_stepper *s = NULL;
     int failed = 1, status = GSL_ENOMEM;
-    if (!too_large(o, rows, t.width)
-        && (t.rows = calloc(rows * t.width, sizeof *t.rows)))
+    fvi_table_shape(&t, o, system);
+    if ((t.rows = room(&t)))
         status = fvi_start(o->method, &r, &s);
     if (status) {
         complain(status == GSL_ENOMEM ? "not enough memory"
@@ -276,19 +185,98 @@ static int run(const fvi_options *o)
         cannot_write(o->output);
     } else {
         warn_if_unstable(o, &r);
-        print_head(t.out, o);
-        print_column_names(t.out, o);
+        fvi_table_head(t.out, o);
+        fvi_table_names(&t);
         status = steps_and_rows(&t, s);
-        for (size_t i = 0; t.wait && !status && i < rows; i++)
-            print_row(&t, t.rows + i * t.width);
         failed = status ? report(status, s->k + 1) : 0;
+        if (!failed)
+            fvi_table_finish(&t);
         if (fvi_output_close(t.out, !failed) != 0)
             failed = cannot_write(o->output);
     }
     fvi_stop(s);
     free(t.rows);
-    free(masses);
     return failed;
+}
+
+/* The rows of the exact solution, a batch at a time: each batch costs one
+ * search for the poles. Returns 0, or 1 after it has said what is wrong. */
+static int exact_rows(const fvi_table *t, const fvi_linear *problem)
+{
+    enum { BATCH = 512 };
+    double time[BATCH], x[BATCH], v[BATCH];
+    size_t step[BATCH], count = 0;
+    for (size_t k = 0; k <= t->o->steps && !ferror(t->out); k++) {
+        if (fvi_table_wants(t, k)) {
+            step[count] = k;
+            time[count++] = (double)k * t->o->h;
+        }
+        if (count < BATCH && k < t->o->steps)
+            continue;
+        int status = fvi_exact(problem, count, time, x, v);
+        for (size_t i = 0; i < count; i++) {
+            double p = problem->m * v[i];
+            if (status && !(isfinite(x[i]) && isfinite(p)))
+                return report(status, step[i]);
+            fvi_table_take(t, step[i], &x[i], &p);
+        }
+        count = 0;
+    }
+    return 0;
+}
+
+static fvi_linear linear_problem(const fvi_options *o)
+{
+    return (fvi_linear){ .m = o->mass,
+                         .c = o->spring[0],
+                         .rho = o->rho,
+                         .alpha = o->alpha,
+                         .caputo = o->caputo,
+                         .x0 = o->x0[0],
+                         .v0 = o->p0[0] / o->mass,
+                         .forcing = o->force == 's'   ? FVI_FORCING_STEP
+                                    : o->force == 'c' ? FVI_FORCING_COSINE
+                                                      : FVI_FORCING_NONE,
+                         .A = o->forcing[0],
+                         .T = o->forcing[1],
+                         .w = o->forcing[1] };
+}
+
+/* The same table from the exact solution; p = m v. */
+static int exact(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_linear problem = linear_problem(o);
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    if (!(t.rows = room(&t)))
+        return complain("not enough memory");
+    int failed = 1;
+    if (!(t.out = fvi_output_open(o->output))) {
+        cannot_write(o->output);
+    } else {
+        fvi_table_head(t.out, o);
+        fvi_table_names(&t);
+        failed = exact_rows(&t, &problem);
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = cannot_write(o->output);
+    }
+    free(t.rows);
+    return failed;
+}
+
+/* Both commands speak of a system; its masses and dampings live here. */
+static int with_system(const fvi_options *o,
+                       int (*command)(const fvi_options *, const fvi_system *))
+{
+    double *storage = malloc(2 * o->d * sizeof *storage);
+    if (!storage)
+        return complain("not enough memory");
+    const fvi_system system = fvi_options_system(o, storage);
+    int status = command(o, &system);
+    free(storage);
+    return status;
 }
 
 static int coefficients(const fvi_options *o)
@@ -303,7 +291,7 @@ static int coefficients(const fvi_options *o)
     FILE *out = fvi_output_open(o->output);
     int failed = !out;
     if (out) {
-        print_head(out, o);
+        fvi_table_head(out, o);
         fprintf(out, "# n\talpha_n\n");
         for (size_t n = 0; n < o->count && !ferror(out); n++)
             fprintf(out, "%zu\t%.17g\n", n, w[n]);
@@ -341,7 +329,10 @@ int main(int argc, char **argv)
     }
     switch (o.command) {
     case FVI_COMMAND_RUN:
-        status = run(&o);
+        status = with_system(&o, run);
+        break;
+    case FVI_COMMAND_EXACT:
+        status = with_system(&o, exact);
         break;
     case FVI_COMMAND_COEFFICIENTS:
         status = coefficients(&o);
@@ -353,7 +344,8 @@ int main(int argc, char **argv)
         status = print_text("fvi " FVI_VERSION "\n");
         break;
     default:
-        status = print_text(o.about == FVI_COMMAND_RUN ? usage_run
+        status = print_text(o.about == FVI_COMMAND_RUN     ? usage_run
+                            : o.about == FVI_COMMAND_EXACT ? usage_exact
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
                                 : usage);

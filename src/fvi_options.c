@@ -206,7 +206,7 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     if (status)
         return status;
     o->method = fvi_options_methods[which];
-    if (o->method != &fvi_fractional && o->alpha != 0.5)
+    if (o->method->half_only && o->alpha != 0.5)
         return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
                           o->text[ALPHA], o->method->name);
     return 0;
@@ -237,6 +237,12 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
         status = columns(o, c);
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
+    if (!status && o->command == FVI_COMMAND_EXACT
+        && !(o->potential == 'f' || (o->potential == 'h' && o->spring[0] >= 0)))
+        return fvi_refuse(c,
+                          "--potential: '%s' has no exact solution here; "
+                          "harmonic:C with C >= 0 and free have",
+                          o->text[POTENTIAL]);
     if (status)
         return status;
 
@@ -249,6 +255,10 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
     if (!status)
         status = fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
+    if (!status && o->command == FVI_COMMAND_EXACT && !o->caputo && o->rho > 0
+        && o->alpha > 0.5 && o->x0[0] != 0)
+        status = fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
+                               "and alpha > 1/2; take caputo");
     if (status)
         fvi_options_free(o);
     return status;

@@ -30,6 +30,8 @@ static int check(const fvi_method *method, const fvi_run *run)
         GSL_ERROR("kappa must be in [0, 1]", GSL_EDOM);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         GSL_ERROR("alpha must be in [0, 1]", GSL_EDOM);
+    if (method->half_only && run->alpha != 0.5)
+        GSL_ERROR("this method knows only alpha = 1/2", GSL_EDOM);
     if (!(run->tolerance >= 0 && run->tolerance < 1))
         GSL_ERROR("tolerance must be in [0, 1)", GSL_EDOM);
     if (!all_finite(run->system->d, run->x0)
@@ -63,7 +65,7 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
                         .method = method };
     memcpy(s->x, run->x0, d * sizeof *s->x);
     memcpy(s->p, run->p0, d * sizeof *s->p);
-    status = method->start(s);
+    status = method->start ? method->start(s) : GSL_SUCCESS;
     if (status) {
         fvi_stop(s);
         return status;

@@ -59,11 +59,15 @@ typedef struct {
 
 /* fvi_method -- an integrator. name, order and memory are for people.
  *
- *   start  refuses runs that the method does not know; prepares newton and own
+ *   half_only  nonzero if the method knows linear damping only, alpha = 1/2;
+ *          fvi_start refuses other runs (GSL_EDOM)
+ *   start  refuses runs that the method does not know; prepares newton and own;
+ *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
+    int half_only;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
     void (*stop)(fvi_stepper *s);

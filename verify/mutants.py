@@ -22,7 +22,7 @@ BUILD = pathlib.Path(sys.argv[1])
 STEMS = set(sys.argv[2:])
 CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
 LIBS = shlex.split(os.environ["LIBS"])
-PROGRAM = ["fvi_cli", "fvi_options", "fvi_output", "fvi_words"]
+PROGRAM = ["fvi_cli", "fvi_options", "fvi_output", "fvi_table", "fvi_words"]
 TESTS = {name: path for path in sorted(pathlib.Path("tests").glob("test_*.c"))
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())}
 
@@ -59,7 +59,7 @@ def build(folder, entry, test):
     parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_options", "fvi_words")]
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
                     "-o", folder / "test"], check=True)
-    if test.stem == "test_fvi_cli":
+    if test.stem in ("test_fvi_cli", "test_fvi_errors"):
         subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)
 
 

@@ -1,0 +1,144 @@
+/* src/exact_solution.c -- The linear problem, solved exactly.    [Chapter 11] */
+#include "exact_inverse.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+
+static int in_range(double a, double low, double high)
+{
+    return gsl_finite(a) && a >= low && a <= high;
+}
+
+static int check(const fvi_linear *p)
+{
+    const double most = GSL_DBL_MAX;
+    if (!p)
+        GSL_ERROR("there is no problem", GSL_EFAULT);
+    if (p->forcing != FVI_FORCING_NONE && p->forcing != FVI_FORCING_STEP
+        && p->forcing != FVI_FORCING_COSINE)
+        GSL_ERROR("unknown forcing", GSL_EINVAL);
+    if (!(in_range(p->m, GSL_DBL_MIN, most) && in_range(p->c, 0, most)
+          && in_range(p->rho, 0, most) && in_range(p->alpha, 0, 1)
+          && gsl_finite(p->x0) && gsl_finite(p->v0)))
+        GSL_ERROR("m, c, rho, alpha or the start is out of range", GSL_EDOM);
+    if (p->forcing && !gsl_finite(p->A))
+        GSL_ERROR("A must be finite", GSL_EDOM);
+    if (p->forcing == FVI_FORCING_STEP && !in_range(p->T, 0, most))
+        GSL_ERROR("T must be finite and not negative", GSL_EDOM);
+    if (p->forcing == FVI_FORCING_COSINE && !gsl_finite(p->w))
+        GSL_ERROR("w must be finite", GSL_EDOM);
+    if (!p->caputo && p->x0 != 0 && p->rho > 0 && p->alpha > 0.5)
+        GSL_ERROR("Riemann-Liouville with x0 != 0 has no solution for "
+                  "alpha > 1/2",
+                  GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
+static int check_times(size_t n, const double *t, const double *x,
+                       const double *v)
+{
+    if (!t || (!x && !v))
+        GSL_ERROR("there are no times, or no outputs", GSL_EFAULT);
+    if (n == 0)
+        GSL_ERROR("n must be at least 1", GSL_EINVAL);
+    for (size_t i = 0; i < n; i++)
+        if (!in_range(t[i], 0, GSL_DBL_MAX))
+            GSL_ERROR("a time must be finite and not negative", GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
+/* Both parts of a problem's check, and its preparation. */
+static int prepare(const fvi_linear *problem, size_t n, const double *t,
+                   const double *x, const double *v, fvi_inverse *S)
+{
+    int status = check(problem);
+    if (!status)
+        status = check_times(n, t, x, v);
+    if (!status)
+        fvi_inverse_prepare(problem, S);
+    return status;
+}
+
+//> events
+/* The events of a time t: the start with its force, and, soon after the end of
+ * a step, its end. Later the two are one pulse, which rounds less. */
+static size_t events_at(const fvi_linear *p, double t, fvi_event at[2])
+{
+    at[0] = (fvi_event){ .t = t, .start = 1, .sign = 1 };
+    if (p->forcing != FVI_FORCING_STEP || t <= p->T)
+        return 1;
+    if (t >= 2 * p->T) {
+        at[0].lasts = p->T;
+        at[0].sign = p->T > 0;
+        return 1;
+    }
+    double since = t - p->T;
+    at[1] = (fvi_event){ .t = since, .low = (t - since) - p->T, .sign = -1 };
+    return 2;
+}
+//< events
+
+int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
+              double *v)
+{
+    fvi_inverse S;
+    int status = prepare(problem, n, t, x, v, &S);
+    if (status)
+        return status;
+    for (size_t i = 0; i < n; i++) {
+        double xi = t[i] > 0 ? 0 : problem->x0;
+        double vi = t[i] > 0 ? 0 : problem->v0;
+        fvi_event at[2];
+        size_t events = t[i] > 0 ? events_at(problem, t[i], at) : 0;
+        for (size_t j = 0; j < events; j++)
+            fvi_inverse_add(&S, &at[j], &xi, &vi);
+        if (!gsl_finite(xi) || !gsl_finite(vi))
+            GSL_ERROR("a value is not finite", GSL_EOVRFLW);
+        if (x)
+            x[i] = xi;
+        if (v)
+            v[i] = vi;
+    }
+    return GSL_SUCCESS;
+}
+
+int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
+                          double *x, double *v)
+{
+    fvi_inverse S;
+    int status = prepare(problem, n, t, x, v, &S);
+    if (status)
+        return status;
+    if (S.root.s == 0)
+        GSL_ERROR("there are no complex poles", GSL_EDOM);
+    for (size_t i = 0; i < n; i++) {
+        double xi = 0, vi = 0;
+        fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
+        if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
+            at.lasts = problem->T;
+            at.sign = problem->T > 0;
+        }
+        fvi_inverse_oscillation(&S, &at, &xi, &vi);
+        if (x)
+            x[i] = xi;
+        if (v)
+            v[i] = vi;
+    }
+    return GSL_SUCCESS;
+}
+
+int fvi_exact_pole(const fvi_linear *problem, double *re, double *im)
+{
+    fvi_pole root;
+    if (!re || !im)
+        GSL_ERROR("nowhere to put the pole", GSL_EFAULT);
+    int status = check(problem);
+    if (status)
+        return status;
+    if (!fvi_pole_find(problem->m, problem->c, problem->rho, 2 * problem->alpha,
+                       &root))
+        GSL_ERROR("there is no complex pole", GSL_EDOM);
+    *re = creal(root.s) + creal(root.low);
+    *im = cimag(root.s) + cimag(root.low);
+    return GSL_SUCCESS;
+}

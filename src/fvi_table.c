@@ -1,0 +1,116 @@
+/* src/fvi_table.c -- The table that the program prints. */
+#include "fvi_table.h"
+
+#include <string.h>
+
+/* ---- the head ---- */
+
+void fvi_table_head(FILE *out, const fvi_options *o)
+{
+    const char *name, *value;
+    fprintf(out, "# fvi " FVI_VERSION "\n");
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        fprintf(out, "# %s = %s\n", name, value);
+}
+
+static const char *column_name(char letter)
+{
+    static const char *const names[] = { "t", "x", "p", "energy", "y" };
+    size_t i = 0;
+    while (names[i][0] != letter)
+        i++;
+    return names[i];
+}
+
+static size_t column_width(const fvi_options *o, char letter)
+{
+    return letter == 't' || letter == 'e' ? 1 : o->d;
+}
+
+void fvi_table_names(const fvi_table *t)
+{
+    const char *separator = "# ";
+    for (const char *c = t->o->columns; *c; c++) {
+        size_t width = column_width(t->o, *c);
+        for (size_t i = 1; i <= width; i++, separator = "\t") {
+            fprintf(t->out, "%s%s", separator, column_name(*c));
+            if (t->o->d > 1 && width > 1)
+                fprintf(t->out, "%zu", i);
+        }
+    }
+    fputc('\n', t->out);
+}
+
+/* ---- rows ---- */
+
+static int is_printed(const fvi_options *o, size_t k)
+{
+    return k % o->every == 0 || k == o->steps;
+}
+
+static size_t row_number(const fvi_options *o, size_t k)
+{
+    return k / o->every + (k == o->steps && k % o->every != 0);
+}
+
+void fvi_table_shape(fvi_table *t, const fvi_options *o,
+                     const fvi_system *system)
+{
+    *t = (fvi_table){ .o = o,
+                      .system = system,
+                      .wait = strchr(o->columns, 'y') != NULL };
+    for (const char *c = o->columns; *c; c++)
+        t->width += column_width(o, *c);
+    t->height = t->wait ? row_number(o, o->steps) + 1 : 1;
+}
+
+int fvi_table_wants(const fvi_table *t, size_t k)
+{
+    return is_printed(t->o, k)
+           || (t->wait && is_printed(t->o, t->o->steps - k));
+}
+
+static void print_row(const fvi_table *t, const double *row)
+{
+    for (size_t i = 0; i < t->width; i++)
+        fprintf(t->out, i ? "\t%.17g" : "%.17g", row[i]);
+    fputc('\n', t->out);
+}
+
+/* The columns of row k; or, mirrored, only y. */
+static void fill(const fvi_table *t, size_t k, const double *x, const double *p,
+                 int mirror, double *row)
+{
+    for (const char *c = t->o->columns; *c; c++) {
+        size_t width = column_width(t->o, *c);
+        if (mirror == (*c == 'y')) {
+            if (*c == 't')
+                *row = (double)k * t->o->h; /* one product */
+            else if (*c == 'e')
+                *row = fvi_energy(t->system, x, p);
+            else
+                memcpy(row, *c == 'p' ? p : x, width * sizeof *row);
+        }
+        row += width;
+    }
+}
+
+void fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                    const double *p)
+{
+    const fvi_options *o = t->o;
+    if (is_printed(o, k)) {
+        double *row = t->rows + (t->wait ? row_number(o, k) * t->width : 0);
+        fill(t, k, x, p, 0, row);
+        if (!t->wait)
+            print_row(t, row);
+    }
+    if (t->wait && is_printed(o, o->steps - k))
+        fill(t, k, x, p, 1, t->rows + row_number(o, o->steps - k) * t->width);
+}
+
+void fvi_table_finish(const fvi_table *t)
+{
+    for (size_t i = 0; t->wait && i < t->height; i++)
+        print_row(t, t->rows + i * t->width);
+}

@@ -1,0 +1,43 @@
+/* src/fvi_table.h -- The table that the program prints. */
+#ifndef FVI_TABLE_H
+#define FVI_TABLE_H
+
+#include "fvi_options.h"
+
+#include <stdio.h>
+
+#define FVI_VERSION "0.1.0"
+
+/* A table on its way out. Rows go out as they come, unless the mirror
+ * y_k = x_{N-k} is asked for: then all wait for the end of the run. */
+typedef struct {
+    const fvi_options *o;
+    const fvi_system *system;
+    FILE *out;
+    size_t width;  /* numbers in a row */
+    size_t height; /* rows that are kept: one, or all of them */
+    double *rows;
+    int wait;
+} fvi_table;
+
+/* fvi_table_shape -- fill everything but out and rows. */
+void fvi_table_shape(fvi_table *t, const fvi_options *o,
+                     const fvi_system *system);
+
+/* fvi_table_head -- "# name = value" lines, for any command. */
+void fvi_table_head(FILE *out, const fvi_options *o);
+
+/* fvi_table_names -- the line with the names of the columns. */
+void fvi_table_names(const fvi_table *t);
+
+/* fvi_table_wants -- is row k, or its mirror N - k, printed? */
+int fvi_table_wants(const fvi_table *t, size_t k);
+
+/* fvi_table_take -- step k is at x, p: keep or print what is asked for. */
+void fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                    const double *p);
+
+/* fvi_table_finish -- print the rows that waited. */
+void fvi_table_finish(const fvi_table *t);
+
+#endif

@@ -1,0 +1,170 @@
+/* tests/test_fvi_errors.c -- The program build/fvi: what it refuses, and what it
+ * does when a run fails.
+ * Run alone: make test-fvi_errors */
+#define _GNU_SOURCE
+#include "program.h"
+
+/* ---- what is refused: exit 2, two lines, nothing on standard output ---- */
+
+START_TEST(bad_use_is_refused)
+{
+    /* one command line after another, parted by semicolons */
+    static char lines[] =
+        ";walk;run walk;run -- x;--alpha 1;-x;run -x;run --bogus 1;"
+        "run --alp 0.5;run --alpha;run --help=1;methods --alpha 0.5;"
+        "run --count 3;coefficients --steps 3;coefficients --count 0;"
+        "coefficients --alpha 2.1;run --alpha 1.5;run --alpha -0.1;"
+        "run --alpha nan;run --alpha inf;run --alpha 0.5x;"
+        "run --alpha 0,5;run --alpha '';run --alpha ' 0.5';"
+        "run --alpha '0.5 ';run --alpha 0.5 --alpha 0.6;run --rho -1;"
+        "run --rho nan;run --rho inf;run --mass 0;run --mass -1;"
+        "run --kappa 1.01;run --kappa -0.01;run --kappa nan;run --h 0;"
+        "run --h -0.1;run --h nan;run --h inf;run --h 1e999;"
+        "run --steps 0;run --steps 2.5;run --steps -3;run --steps nan;"
+        "run --steps 1e300;run --every 0;run --every 1.5;"
+        "run --columns '';run --columns t,;run --columns t,t;"
+        "run --columns t,q;run --columns T;run --memory best;"
+        "run --tolerance 0;run --tolerance 1;run --tolerance nan;"
+        "run --method rk4;run --method '';run --method lda --alpha 0.4;"
+        "run --method euler-explicit --alpha 1;run --derivative both;"
+        "run --potential harmonic;run --potential harmonic:;"
+        "run --potential harmonic:1,2;run --potential harmonic:nan;"
+        "run --potential duffing:1;run --potential duffing:1,,2;"
+        "run --potential free:1;run --potential pendulum:1x;"
+        "run --potential harmonics:1;run --potential chain:0,1,1;"
+        "run --potential chain:2.5,1,1;run --potential chain:3,1;"
+        "run --potential chain:-1,1,1;run --potential '';"
+        "run --force step;run --force step:1;run --force step:1,-1;"
+        "run --force cosine:1,2,3;run --force none:1;run --force '';"
+        "run --x0 1,2;run --x0 '';run --x0 1,;run --x0 nan;"
+        "run --p0 inf;run --potential chain:3,1,1 --x0 1,2;"
+        "run --potential chain:3,1,1 --p0 1,2,3,4;run -o '';run -o;"
+        "run -o a -o b;run --o a;exact --kappa 0.5;exact --potential "
+        "pendulum:1;"
+        "exact --potential harmonic:-1;exact --alpha 0.6";
+    for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
+        if ((end = strchr(line, ';')))
+            *end = '\0';
+        int code = fvi(line);
+        ck_assert_msg(code == 2, "fvi %s: exit code %d", line, code);
+        ck_assert_msg(*out == '\0', "fvi %s printed %s", line, out);
+        ck_assert_msg(count_lines(err) == 2 && strncmp(err, "fvi: ", 5) == 0
+                          && strstr(strchr(err, '\n'), "--help"),
+                      "fvi %s said: %s", line, err);
+    }
+    fvi("run --alpha 1.5");
+    ck_assert(strncmp(err, "fvi: --alpha: '1.5' is outside [0, 1]\n", 38) == 0);
+}
+END_TEST
+
+/* ---- what cannot be done: exit 1 ---- */
+
+START_TEST(overflow_is_reported_with_its_step)
+{
+    const char *unstable =
+        "run --alpha 1 --rho 1e300 --steps 20 --h 0.1 --memory direct";
+    ck_assert_int_eq(fvi(unstable), 1);
+    unsigned step = 0;
+    const char *said = strstr(err, "fvi: step ");
+    ck_assert_msg(
+        said
+            && sscanf(said, "fvi: step %u: a value is no longer finite", &step)
+                   == 1,
+        "%s", err);
+    ck_assert_uint_eq(count_rows(), step); /* rows 0 ... step - 1 */
+
+    char line[200];
+    snprintf(line, sizeof line, "%s -o kept", unstable);
+    ck_assert_int_eq(fvi("run --steps 2 -o kept"), 0);
+    ck_assert(exists("kept"));
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert_str_eq(out, "");
+    char path[100], text[5000];
+    snprintf(path, sizeof path, "%s/kept", folder);
+    read_file(path, text, sizeof text);
+    ck_assert_ptr_nonnull(
+        strstr(text, "# steps = 2\n")); /* the old one stands */
+}
+END_TEST
+
+/* In z = d/2 the equation of the first step is z^3 - 2 z + 2 = 0, for which
+ * Newton's method from 0 goes 0, 1, 0, 1, ... for ever. */
+START_TEST(no_convergence_is_reported_with_its_step)
+{
+    ck_assert_int_eq(fvi("run --potential duffing:-8,2 --x0 0 --p0 -2 --h 1"),
+                     1);
+    ck_assert_str_eq(err, "fvi: step 1: Newton's method did not converge\n");
+    ck_assert_uint_eq(count_rows(), 1);
+}
+END_TEST
+
+START_TEST(files_are_complete_or_absent)
+{
+    ck_assert_int_eq(fvi("run --steps 3"), 0);
+    char *want = strdup(out);
+    ck_assert_int_eq(fvi("run --steps 3 -o table"), 0);
+    ck_assert_str_eq(out, "");
+    ck_assert_int_eq(shell("cat table"), 0);
+    ck_assert_str_eq(out, want);
+    free(want);
+    ck_assert_int_eq(fvi("run --steps 3 -o missing/table"), 1);
+    ck_assert(!exists("missing/table"));
+    ck_assert_int_eq(fvi("run --steps 3 -o ."), 1);
+    ck_assert_int_eq(shell("ulimit -f 1; $FVI run --steps 5000 -o large"), 1);
+    ck_assert(!exists("large"));
+    ck_assert_int_eq(fvi("run -o /dev/full"), 1);
+    ck_assert_int_eq(shell("$FVI run > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("$FVI methods > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("ls | grep '~'"), 1); /* no leftovers */
+}
+END_TEST
+
+/* A run that is stopped leaves neither its file nor a temporary one. */
+START_TEST(an_interrupted_run_leaves_no_file)
+{
+    ck_assert_int_eq(shell("$FVI run --steps 1e5 --alpha 0.3 --memory direct "
+                           "-o gone & pid=$!; sleep 0.3; "
+                           "kill $pid; wait $pid; test $? = 143"),
+                     0);
+    ck_assert(!exists("gone"));
+    ck_assert_int_eq(shell("ls | grep '~'"), 1);
+}
+END_TEST
+
+/* The bound of chapter 14: R = rho h / m = 2 at alpha = kappa = 1/2. */
+START_TEST(an_unstable_step_is_warned_of)
+{
+    ck_assert_int_eq(fvi("run --rho 1.99 --h 1 --steps 3"), 0);
+    ck_assert_str_eq(err, "");
+    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3"), 0);
+    ck_assert_str_eq(
+        err, "fvi: warning: this step is unstable (load 1.01, above 1); "
+             "stable below h = 0.9901\n");
+    ck_assert_uint_eq(count_rows(), 4);
+    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3 --method lda"), 0);
+    ck_assert_ptr_nonnull(strstr(err, "unstable"));
+    ck_assert_int_eq(fvi("run --alpha 1 --rho 1.5 --h 1e-3 --steps 3"), 0);
+    ck_assert_ptr_nonnull(strstr(err, "no step is stable"));
+}
+END_TEST
+
+START_TEST(too_large_a_run_is_refused_before_it_starts)
+{
+    ck_assert_int_eq(fvi("run --steps 1e15 --alpha 0.3 --memory direct"), 1);
+    ck_assert_str_eq(out, "");
+    ck_assert_str_eq(err, "fvi: not enough memory\n");
+    ck_assert_int_eq(fvi("run --steps 1e14 --columns y --rho 0"), 1);
+    ck_assert_int_eq(fvi("coefficients --count 1e15"), 1);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: what it refuses");
+    ADD_CASE(
+        suite, "errors", bad_use_is_refused, overflow_is_reported_with_its_step,
+        no_convergence_is_reported_with_its_step, files_are_complete_or_absent,
+        an_interrupted_run_leaves_no_file, an_unstable_step_is_warned_of,
+        too_large_a_run_is_refused_before_it_starts);
+    return run_suite_of_program(suite);
+}

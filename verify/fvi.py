@@ -1,0 +1,402 @@
+"""Chapter 9. Proved with symbols (alpha, kappa, m, rho, h, the sequences and the
+potential all left open): the three-term equation (9.2) is what a restricted
+variation of the discrete action leaves for x, and it is (9.3) when written out;
+the momentum form (9.4) is the same equation; kappa and 1 - kappa differ only
+beyond quadratic U; the kick (9.5); the modified equation (9.7). And
+y_k = x_{N-k} satisfies the advanced equation with 1 - kappa.
+
+Reference values: trajectories of (9.2) as it is printed, two sums for two
+derivatives, positions only, in exact rationals, or in two precisions of many
+digits where a step is a quadratic equation. Beside each value stands a bound of
+what rounding can do to the C code: the operations of (9.4) are repeated in an
+arithmetic in which every number carries the error that the doubles may have. In
+passing this shows once more that (9.4) and (9.2) have the same solutions."""
+from fractions import Fraction as Q
+from math import ceil
+
+import mpmath
+from sympy import Function, diff, exp, expand, gamma, ratsimp, simplify, symbols
+
+from refgen import claim, header, hexd, hexd_real, prove, table
+
+h, m, rho, kappa, alpha = symbols("h m rho kappa alpha", positive=True)
+
+
+# ---- the equation and its momentum form, with symbols ----
+
+def weight(order, n):
+    """(-1)^n binom(order, n) from the product; any type of number."""
+    w = order * 0 + 1
+    for j in range(1, n + 1):
+        w = w * (j - 1 - order) / j
+    return w
+
+
+class g(Function):
+    """The gradient of U, any function."""
+
+
+class U(Function):
+    """The potential, any function with gradient g."""
+    def fdiff(self, argindex=1):
+        return g(self.args[0])
+
+
+N = 4
+x, y, F = symbols("x0:5"), symbols("y0:5"), symbols("F0:5")
+a, b = symbols("a b")
+Ld = m * (b - a)**2 / (2 * h) - h * U(kappa * a + (1 - kappa) * b)
+L = lambda p, q: Ld.subs({a: p, b: q}, simultaneous=True)
+D1 = lambda p, q: diff(Ld, a).subs({a: p, b: q}, simultaneous=True)
+D2 = lambda p, q: diff(Ld, b).subs({a: p, b: q}, simultaneous=True)
+retarded = lambda z, k: h**-alpha * sum(weight(alpha, n) * z[k - n] for n in range(k + 1))
+advanced = lambda z, k: h**-alpha * sum(weight(alpha, n) * z[k + n] for n in range(N - k + 1))
+twice = lambda z, k: retarded([retarded(z, j) for j in range(N + 1)], k)
+
+free = sum(L(x[k], x[k + 1]) + L(y[k], y[k + 1]) for k in range(N))
+memory = -h * sum(retarded(x, k) * rho * advanced(y, k) for k in range(N + 1))
+work = h * sum(F[k] * (x[k] + y[k]) for k in range(N + 1))
+action = free + memory + work                                           # (9.1)
+
+
+#> three-terms
+def three_terms(k):
+    return D1(x[k], x[k + 1]) + D2(x[k - 1], x[k]) - h * rho * twice(x, k) + h * F[k]
+
+
+for k in range(1, N):
+    # delta x_k = delta y_k: D_{x_k} of the x-terms, D_{y_k} of the memory.
+    varied = diff(free + work, x[k]) + diff(memory, y[k])
+    prove("(9.2) is the x-part of the restricted variation", expand(varied - three_terms(k)))
+    both = diff(action, x[k]) + diff(action, y[k])
+    of_y = diff(free + work, y[k]) + diff(memory, x[k])
+    prove("nothing but the x-part and the y-part is left", expand(both - varied - of_y))
+    S = lambda j: kappa * x[j] + (1 - kappa) * x[j + 1]
+    printed = (m * (x[k + 1] - 2 * x[k] + x[k - 1]) / h**2 + kappa * g(S(k))
+               + (1 - kappa) * g(S(k - 1)) + rho * twice(x, k) - F[k])
+    prove("(9.3)", expand(three_terms(k) + h * printed))
+    claim("the x-part holds no y, the y-part no x",
+          not varied.free_symbols & set(y) and not of_y.free_symbols & set(x))
+#< three-terms
+
+#> momentum-form
+for k in range(N - 1):
+    p = -D1(x[k], x[k + 1])                         # p_k, which dx has to meet
+    dx = x[k + 1] - x[k]
+    G = g(x[k] + (1 - kappa) * dx)
+    prove("A dx + s grad U = p_k", expand(m / h * dx + kappa * h * G - p, power_base=False))
+    after = p - h * G - h * rho * twice(x, k + 1) + h * F[k + 1]
+    prove("(9.4) matched to the next step is (9.2)",
+          expand(after + D1(x[k + 1], x[k + 2]) - three_terms(k + 1)))
+#< momentum-form
+
+# y_k = x_{N-k}: the advanced equation at k, with 1 - kappa, is (9.3) at N - k.
+mirror = [x[N - k] for k in range(N + 1)]
+twice_ahead = lambda z, k: advanced([advanced(z, j) for j in range(N + 1)], k)
+for k in range(1, N):
+    S = lambda z, K, j: K * z[j] + (1 - K) * z[j + 1]
+    forces = lambda z, K, j: K * g(S(z, K, j)) + (1 - K) * g(S(z, K, j - 1))
+    prove("the mirror has 1 - kappa",
+          expand(forces(mirror, 1 - kappa, k) - forces(x, kappa, N - k)),
+          expand(twice_ahead(mirror, k) - twice(x, N - k)))
+
+# kappa and 1 - kappa: one recurrence for quadratic U, two for cubic U.
+def mean_force(force, K):
+    return (K * force(K * x[1] + (1 - K) * x[2]) + (1 - K) * force(K * x[0] + (1 - K) * x[1]))
+
+
+swap = lambda force: mean_force(force, kappa) - mean_force(force, 1 - kappa)
+prove("quadratic U sees only kappa (1 - kappa)", expand(swap(lambda z: a * z + b)))
+prove("cubic U tells kappa from 1 - kappa",
+      expand(swap(lambda z: z**2) - kappa * (kappa - 1) * (2 * kappa - 1)
+             * (x[0] - x[2]) * (2 * x[1] - x[0] - x[2])))
+
+#> kick
+# (9.5): what the damping of a constant adds up to in the steps j = 1, ..., k.
+for k in range(1, 9):
+    total = sum(sum(weight(2 * alpha, n) for n in range(j + 1)) for j in range(1, k + 1))
+    prove("(9.5) the kick", ratsimp(total - (weight(2 * alpha - 2, k) - 1)))
+#< kick
+# Its limit: w_k of order 2 alpha - 2 is Gamma(k + 2 - 2 alpha) / (Gamma(2 - 2 alpha) k!).
+for k in range(1, 6):
+    prove("the kick as Gamma functions", simplify(
+        weight(2 * alpha - 2, k) - gamma(k + 2 - 2 * alpha) / gamma(2 - 2 * alpha) / gamma(k + 1)))
+
+# (9.7): the weights on e^{st} give s^beta (1 - beta s h / 2 + O(h^2)).
+s, beta = symbols("s beta", positive=True)
+symbol = ((1 - exp(-s)) / s).series(s, 0, 3).removeO()
+prove("(9.7) the modified equation", ((symbol**beta).series(s, 0, 2).removeO()
+                                      - (1 - beta * s / 2)))
+
+
+# ---- trajectories ----
+
+class Exactly:
+    """Numbers as Python's fractions."""
+    number = staticmethod(Q)
+    power = staticmethod(lambda base, e: rational_power(Q(base), Q(e)))
+
+
+class Digits:
+    """Numbers with many digits."""
+    number = staticmethod(lambda q: mpmath.mpf(Q(q).numerator) / Q(q).denominator)
+    power = staticmethod(lambda base, e: Digits.number(base) ** Digits.number(e))
+
+
+def rational_power(base, e):
+    """base^e where it is rational; base must be a power of two."""
+    n = (base.numerator.bit_length() - 1) - (base.denominator.bit_length() - 1)
+    claim(f"{base}^{e} is rational", base == Q(2) ** n and (n * e).denominator == 1)
+    return Q(2) ** int(n * e)
+
+
+class Case:
+    """A run: its data are doubles, that is to say rationals."""
+    def __init__(self, name, alpha, kappa, h, steps, x0, p0, potential="HARMONIC", c=1, g=0,
+                 mass=(1,), rho=(Q(1, 2),), caputo=0, ramp=(), exact=True):
+        self.name, self.steps, self.potential, self.caputo = name, steps, potential, caputo
+        self.alpha, self.kappa, self.h, self.c, self.g = map(Q, (alpha, kappa, h, c, g))
+        self.d = len(x0)
+        pad = lambda v: [Q(z) for z in v]
+        self.mass, self.rho, self.x0, self.p0 = map(pad, (mass, rho, x0, p0))
+        self.ramp = pad(ramp) or [Q(0)] * self.d
+        self.exact = exact
+
+    def springs(self, z, one):
+        """grad U; one makes a number of the kind of z."""
+        c, g = one(self.c), one(self.g)
+        if self.potential == "CUBIC":       # U = c z^2 / 2 + g z^3 / 3
+            return [(c + g * v) * v for v in z]
+        if self.potential == "HARMONIC":
+            return [c * v for v in z]
+        force = lambda r: (c + g * r * r) * r                   # CHAIN
+        wall = [one(0)] + list(z) + [one(0)]
+        r = [force(wall[i + 1] - wall[i]) for i in range(self.d + 1)]
+        return [r[i] - r[i + 1] for i in range(self.d)]
+
+    def stiffness(self):
+        """The constant Hessian of a quadratic U."""
+        if self.potential != "CHAIN":
+            return [[self.c * (i == j) for j in range(self.d)] for i in range(self.d)]
+        return [[self.c * (2 * (i == j) - (abs(i - j) == 1)) for j in range(self.d)]
+                for i in range(self.d)]
+
+    def force(self, k):
+        return [f * k * self.h for f in self.ramp]      # F(t) = ramp t
+
+    def damped(self, k, i):
+        """What Caputo takes away from x_k before it is differentiated."""
+        if not self.caputo:
+            return Q(0)
+        drift = k * self.h * self.p0[i] / self.mass[i] if 2 * self.alpha > 1 else 0
+        return self.x0[i] + drift                                       # (9.6)
+
+
+def solve(case, A, K, rhs, x, kind):
+    """d from A d + s grad U(x + theta d) = rhs: exactly, or by many Newton steps."""
+    number, dim = kind.number, case.d
+    s, theta = K * case.h, 1 - K
+    at = lambda d: case.springs([x[i] + number(theta) * d[i] for i in range(dim)], number)
+    zero = [number(0)] * dim
+    if s * theta == 0 or case.g == 0:
+        r = [rhs[i] - number(s) * v for i, v in enumerate(at(zero))]
+        J = [[number(A[i] * (i == j) + (s * theta * case.stiffness()[i][j] if s * theta else 0))
+              for j in range(dim)] for i in range(dim)]
+        if dim == 1:
+            return [r[0] / J[0][0]]
+        det = J[0][0] * J[1][1] - J[0][1] * J[1][0]
+        return [(J[1][1] * r[0] - J[0][1] * r[1]) / det, (J[0][0] * r[1] - J[1][0] * r[0]) / det]
+    claim("Newton is for one dimension here", dim == 1 and case.potential == "CUBIC")
+    d = rhs[0] / number(A[0])
+    for _ in range(12):
+        z = x[0] + number(theta) * d
+        slope = number(A[0]) + number(s * theta) * (number(case.c) + 2 * number(case.g) * z)
+        d -= (number(A[0]) * d + number(s) * at([d])[0] - rhs[0]) / slope
+    return [d]
+
+
+#> definition
+def by_definition(case, kind):
+    """(9.2) as printed: positions only, the double sum, x_1 from p_0 = -D1 L_d."""
+    number, dim, K, step = kind.number, range(case.d), case.kappa, case.h
+    A = [mass / step for mass in case.mass]
+    w = [number(weight(case.alpha, n)) for n in range(case.steps + 1)]
+    scale = number(step) * kind.power(step, -2 * case.alpha)
+    X, P = [[number(v) for v in case.x0]], [[number(v) for v in case.p0]]
+    for k in range(case.steps):
+        d = solve(case, A, K, P[k], X[k], kind)
+        X.append([X[k][i] + d[i] for i in dim])
+        S = [number(K) * X[k][i] + number(1 - K) * X[k + 1][i] for i in dim]
+        grad, f = case.springs(S, number), case.force(k + 1)
+        Z = [[X[j][i] - number(case.damped(j, i)) for j in range(k + 2)] for i in dim]
+        DD = [sum(w[n] * sum(w[l] * Z[i][k + 1 - n - l] for l in range(k + 2 - n))
+                  for n in range(k + 2)) for i in dim]
+        P.append([number(A[i]) * d[i] - number((1 - K) * step) * grad[i]       # D2 L_d
+                  - number(case.rho[i]) * scale * DD[i] + number(step * f[i]) for i in dim])
+    return X, P
+#< definition
+
+
+class Rounded:
+    """A number and a bound, in units of u = 2^-53, of the error that a double
+    which stands for it has after the operations so far (first order in u)."""
+    def __init__(self, value, error=0.0):
+        self.v, self.e = value, error
+
+    @staticmethod
+    def done(value, error):
+        return Rounded(value, error + abs(float(value)))
+
+    def __add__(self, o):
+        return Rounded.done(self.v + o.v, self.e + o.e)
+
+    def __sub__(self, o):
+        return Rounded.done(self.v - o.v, self.e + o.e)
+
+    def __mul__(self, o):
+        error = abs(float(self.v)) * o.e + abs(float(o.v)) * self.e
+        return Rounded.done(self.v * o.v, error)
+
+    def __truediv__(self, o):
+        q = self.v / o.v
+        return Rounded.done(q, (self.e + abs(float(q)) * o.e) / abs(float(o.v)))
+
+
+def rounded_solve(case, A, x, r, kind):
+    """newton.c: the increment and the gradient at the midpoint."""
+    exact = lambda q: Rounded(kind.number(q))
+    K, dim = case.kappa, range(case.d)
+    s, theta = exact(K) * exact(case.h), exact(1) - exact(K)
+    at = lambda d: case.springs([x[i] + theta * d[i] for i in dim], exact)
+    if K in (0, 1) or case.g == 0:
+        r = [r[i] - s * v for i, v in enumerate(case.springs(x, exact))] if K else r
+        J = [[(A[i] if i == j else exact(0)) + (s * theta * exact(case.stiffness()[i][j])
+              if K not in (0, 1) else exact(0)) for j in dim] for i in dim]
+        if case.d == 1:
+            d = [r[0] / J[0][0]]
+        else:   # LU; one rounding more for a multiplication by a reciprocal
+            one = exact(1)
+            low = J[1][0] * (one / J[0][0])
+            last = (r[1] - low * r[0]) * (one / (J[1][1] - low * J[0][1]))
+            d = [(r[0] - J[0][1] * last) * (one / J[0][0]), last]
+        return d, at(d)
+    # Newton stops when the residual is rounding: its error over the Jacobian.
+    value = solve(case, [case.mass[0] / case.h], K, [r[0].v], [x[0].v], kind)[0]
+    d = Rounded(value)
+    residual = r[0] - A[0] * d - s * at([d])[0]
+    z = float(x[0].v + theta.v * value)
+    J = float(A[0].v) + float(s.v * theta.v) * (float(case.c) + 2 * float(case.g) * z)
+    d = [Rounded.done(value, residual.e / abs(J))]
+    return d, at(d)
+
+
+def by_momentum(case, kind):
+    """fvi.c: (9.4), with the memory on increments where 2 alpha >= 1 (memory.c)."""
+    number, dim, order = kind.number, range(case.d), 2 * case.alpha
+    exact = lambda q: Rounded(number(q))
+    step = exact(case.h)
+    A = [exact(mass) / step for mass in case.mass]
+    w = [number(weight(order - 1 if order >= 1 else order, n)) for n in range(case.steps + 1)]
+    power = Rounded.done(kind.power(case.h, 1 - order), 2 * float(kind.power(case.h, 1 - order)))
+    X, P = [[exact(v) for v in case.x0]], [[exact(v) for v in case.p0]]
+    origin = [X[0][i] if case.caputo else exact(0) for i in dim]
+    drift = [step * P[0][i] / exact(case.mass[i]) if case.caputo and order > 1 else exact(0)
+             for i in dim]
+    terms = [[X[0][i] - origin[i]] for i in dim]
+    for k in range(case.steps):
+        d, grad = rounded_solve(case, A, X[k], P[k], kind)
+        X.append([X[k][i] + d[i] for i in dim])
+        P.append([])
+        for i in dim:
+            f = exact(case.force(k + 1)[i])
+            p = P[k][i] + step * (f - grad[i])
+            terms[i].append(d[i] - drift[i] if order >= 1 else X[k + 1][i] - origin[i])
+            # A dot product in any order: n roundings and 2 u of the weight, each term.
+            pairs = list(zip(w, reversed(terms[i])))
+            size = sum(abs(float(q * t.v)) for q, t in pairs)
+            H = Rounded(sum(q * t.v for q, t in pairs),
+                        sum(abs(float(q)) * t.e for q, t in pairs) + (len(pairs) + 2) * size)
+            P[k + 1].append(p - exact(case.rho[i]) * power * H if case.rho[i] else p)
+    return X, P
+
+
+fifth = Q(1, 5)     # where the double 0.2 will not do: the paper's numbers
+paper = Case("", Q(1, 2), Q(1, 2), Q(1, 2), 4, [1], [Q(1, 2)], rho=[fifth])
+claim("the paper's first figure, alpha = 1/2", [row[0] for row in by_definition(paper, Exactly)[0]]
+      == [1, Q(19, 17), Q(1389, 1445), Q(72883, 122825), Q(1258381, 10440125)])
+# ---- what the C code is compared with ----
+
+tenth = Q(0.1)
+CASES = [
+    Case("linear, alpha = 1/2, the paper's", Q(1, 2), Q(1, 2), Q(1, 2), 16, [1], [Q(1, 2)],
+         rho=[Q(0.2)]),
+    Case("alpha = 0", 0, Q(1, 4), Q(1, 2), 12, [1], [Q(1, 2)]),
+    Case("alpha = 1/4", Q(1, 4), Q(1, 4), Q(1, 4), 16, [1], [Q(1, 2)], mass=[2]),
+    Case("alpha = 3/8", Q(3, 8), Q(3, 4), Q(1, 16), 16, [1], [Q(-1, 2)]),
+    Case("alpha = 3/4", Q(3, 4), Q(1, 2), Q(1, 4), 10, [1], [Q(1, 2)]),
+    Case("alpha = 3/4, driven", Q(3, 4), Q(1, 2), Q(1, 4), 10, [0], [0], rho=[1], ramp=[3]),
+    Case("alpha = 1", 1, Q(1, 2), Q(1, 4), 8, [1], [Q(1, 2)]),
+    Case("Caputo, alpha = 1/4", Q(1, 4), Q(1, 2), Q(1, 4), 16, [2], [Q(1, 2)], mass=[2], caputo=1),
+    Case("Caputo, alpha = 1/2", Q(1, 2), Q(1, 4), Q(1, 4), 16, [2], [Q(1, 2)], caputo=1),
+    Case("Caputo, alpha = 3/4", Q(3, 4), Q(1, 2), Q(1, 4), 16, [2], [Q(1, 2)], mass=[2], caputo=1,
+         ramp=[1]),
+    Case("Caputo, alpha = 1", 1, Q(1, 4), Q(1, 4), 8, [2], [Q(3, 4)], mass=[2], caputo=1),
+    Case("cubic, kappa = 0", Q(3, 4), 0, Q(1, 4), 7, [Q(1, 2)], [Q(3, 4)], "CUBIC", g=1),
+    Case("cubic, kappa = 1", Q(3, 4), 1, Q(1, 4), 7, [Q(1, 2)], [Q(3, 4)], "CUBIC", g=1),
+    Case("cubic, kappa = 1/4", Q(1, 4), Q(1, 4), Q(1, 4), 12, [Q(1, 2)], [Q(3, 4)], "CUBIC", g=1,
+         exact=False),
+    Case("cubic, kappa = 3/4", Q(1, 4), Q(3, 4), Q(1, 4), 12, [Q(1, 2)], [Q(3, 4)], "CUBIC", g=1,
+         exact=False),
+    Case("cubic, kappa = 1/2, alpha = 0.1, Caputo, driven", tenth, Q(1, 2), tenth, 12, [Q(1, 2)],
+         [Q(3, 4)], "CUBIC", g=1, caputo=1, ramp=[1], exact=False),
+    Case("chain, one damped", Q(3, 8), Q(1, 2), Q(1, 16), 12, [1, Q(-1, 2)], [0, Q(3, 4)], "CHAIN",
+         mass=[1, 2], rho=[0, Q(1, 2)], ramp=[1, -2]),
+    Case("chain, both damped, Caputo", Q(3, 4), Q(1, 4), Q(1, 4), 12, [1, Q(-1, 2)], [1, Q(3, 4)],
+         "CHAIN", mass=[1, 2], rho=[Q(1, 4), Q(1, 2)], caputo=1),
+    Case("quartic chain, kappa = 1", Q(3, 4), 1, Q(1, 4), 5, [1, Q(-1, 2)], [0, Q(3, 4)], "CHAIN",
+         g=Q(1, 2), mass=[1, 2], rho=[Q(1, 2), 0], ramp=[1, -2]),
+    Case("quartic chain, kappa = 0, Caputo", Q(1, 4), 0, Q(1, 4), 5, [1, Q(-1, 2)], [0, Q(3, 4)],
+         "CHAIN", g=Q(1, 2), mass=[1, 2], rho=[Q(1, 2), Q(1, 4)], caputo=1),
+]
+
+
+def check_same(case, definition, momentum, tolerance):
+    for one, other in zip(definition, momentum):
+        for row, rounded in zip(one, other):
+            claim(f"{case.name}: (9.4) gives what (9.2) gives",
+                  all(abs(v - r.v) <= tolerance for v, r in zip(row, rounded)))
+
+
+def values(case):
+    """The rows of one case: x, p as C literals, and what rounding may do to them."""
+    with mpmath.workdps(60):
+        kind = Exactly if case.exact else Digits
+        definition, momentum = by_definition(case, kind), by_momentum(case, kind)
+        check_same(case, definition, momentum, 0 if case.exact else mpmath.mpf(10) ** -50)
+    if case.exact:
+        text = [[[hexd(v) for v in row] for row in part] for part in definition]
+    else:
+        parts = {}
+        for digits in (60, 90):
+            with mpmath.workdps(digits + 10):
+                parts[digits] = by_definition(case, Digits)
+        text = [[[hexd_real(lambda n: mpmath.nstr(parts[n][q][k][i], n)) for i in range(case.d)]
+                 for k in range(case.steps + 1)] for q in (0, 1)]
+    units = lambda r: ceil(1.001 * r.e + abs(float(r.v)) / 2)
+    return [[text[0][k][i], text[1][k][i], units(momentum[0][k][i]), units(momentum[1][k][i])]
+            for k in range(case.steps + 1) for i in range(case.d)]
+
+
+header("verify/fvi.py")
+runs, rows = [], []
+for case in CASES:
+    pair = lambda v: "{ " + ", ".join(map(hexd, v)) + " }"
+    runs.append([f'"{case.name}"', case.d, hexd(case.alpha), hexd(case.kappa), hexd(case.h),
+                 case.steps, case.caputo, case.potential, pair([case.c, case.g]), pair(case.mass),
+                 pair(case.rho), pair(case.ramp), pair(case.x0), pair(case.p0), len(rows)])
+    rows += values(case)
+table("ref_runs", "const char *name; size_t d; double alpha, kappa, h; size_t steps; int caputo, "
+      "potential; double cg[2], mass[2], rho[2], ramp[2], x0[2], p0[2]; size_t first;", runs)
+print("\n/* x_k and p_k, component after component, step after step, and how many units")
+print(" * of 2^-53 the results of the C code may be away from them. */")
+table("ref_rows", "double x, p, x_units, p_units;", rows)
