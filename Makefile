@@ -77,6 +77,9 @@ valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
 	  FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 \
 	    $B/tests/test_$$t || exit 1; done
 
+stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
+	@$< $(or $(SEED),1) $(FAMILY) $(CASE)
+
 mutants: $B/libfvi.a ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
 	@CC='$(CC)' CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/mutants.py $B $(STEM)
@@ -94,7 +97,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example verify figures text excerpts refs san valgrind mutants clean tools \
+.PHONY: all help check test test-example verify figures text excerpts refs san valgrind stress mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -129,6 +132,9 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 test-example: tests/example.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
 	@test "$$($B/example | wc -l)" -eq 20 && echo 'README example: 20 rows'
+
+$B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 ## -- proofs and exact values -----------------------------------------------
 
