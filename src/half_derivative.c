@@ -61,9 +61,7 @@ int fvi_backward_difference(double h, size_t N, size_t d, const double *z,
         GSL_ERROR("d must be at least 1 and (N + 1) d addressable", GSL_EINVAL);
     if (!(gsl_finite(h) && h > 0))
         GSL_ERROR("h must be finite and positive", GSL_EDOM);
-    //> difference
     for (size_t j = 0; j < (N + 1) * d; j++)
         out[j] = (z[j] - (j < d ? 0 : z[j - d])) / h; /* (7.3) */
-    //< difference
     return GSL_SUCCESS;
 }

@@ -16,7 +16,7 @@
  *   c            output, length count, owned by the caller
  *
  * Cost O(count^2), memory O(count). Absolute error of c[k] at most
- * (k + 3) u sum_n |alpha_n beta_{k-n}|, u = 2^-53: small against 1, not against
+ * (k + 5) u sum_n |alpha_n beta_{k-n}|, u = 2^-53: small against 1, not against
  * c[k]. To integrate, use fvi_coefficients(alpha + beta).
  * Returns GSL_SUCCESS; GSL_EFAULT if c is NULL; GSL_EINVAL if count == 0 or
  * 2 count numbers cannot be addressed; GSL_EDOM if an order is out of range;

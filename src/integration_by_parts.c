@@ -33,13 +33,14 @@ int fvi_delta_minus(double alpha, double h, size_t N, size_t d, const double *z,
     int status = prepare(alpha, h, N, d, z, out, &w);
     if (status)
         return status;
+    const double scale = pow(h, -alpha);
     //> minus
     for (size_t k = 0; k <= N; k++)
         for (size_t i = 0; i < d; i++) {
             double sum = 0;
             for (size_t n = 0; n <= k; n++)
                 sum += w[n] * z[(k - n) * d + i];
-            out[k * d + i] = pow(h, -alpha) * sum; /* (5.1) */
+            out[k * d + i] = scale * sum; /* (5.1) */
         }
     //< minus
     free(w);
@@ -53,13 +54,14 @@ int fvi_delta_plus(double alpha, double h, size_t N, size_t d, const double *z,
     int status = prepare(alpha, h, N, d, z, out, &w);
     if (status)
         return status;
+    const double scale = pow(h, -alpha);
     //> plus
     for (size_t k = 0; k <= N; k++)
         for (size_t i = 0; i < d; i++) {
             double sum = 0;
             for (size_t n = 0; n <= N - k; n++)
                 sum += w[n] * z[(k + n) * d + i];
-            out[k * d + i] = pow(h, -alpha) * sum; /* (5.2) */
+            out[k * d + i] = scale * sum; /* (5.2) */
         }
     //< plus
     free(w);
@@ -72,6 +74,6 @@ double fvi_sum_of_products(size_t first, size_t last, size_t d, const double *a,
     double sum = 0;
     for (size_t k = first; k <= last; k++)
         for (size_t i = 0; i < d; i++)
-            sum += a[k * d + i] * b[k * d + i];
+            sum += a[k * d + i] * b[k * d + i]; /* (5.3) */
     return sum;
 }

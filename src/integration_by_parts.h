@@ -24,9 +24,10 @@
  *   out    output, (N + 1) d numbers, owned by the caller, must not overlap z
  *
  * Plain sums, cost O(N^2 d), memory O(N): to check identities with, not to
- * integrate with (that is memory.h). Each out_k has an error of at most
- * (k + 4) u h^(-alpha) sum_n |alpha_n z_{k-n}|, u = 2^-53; for h = 1 it is exact
- * where all products and sums are.
+ * integrate with (that is memory.h). To first order in u = 2^-53, a component
+ * that is a sum of t terms has an error of at most
+ * (t + 5) u h^(-alpha) sum_n |alpha_n z_{k-+n}|; where the weights, h^(-alpha)
+ * and all sums are short binary fractions it is exact.
  * Returns GSL_SUCCESS; GSL_EFAULT if z or out is NULL; GSL_EINVAL if d == 0 or
  * if (N + 1) d numbers cannot be addressed; GSL_EDOM if alpha or h is out of
  * range; GSL_ENOMEM. On error out is untouched. */
@@ -38,7 +39,8 @@ int fvi_delta_plus(double alpha, double h, size_t N, size_t d, const double *z,
 /* fvi_sum_of_products -- sum_{k=first}^{last} a_k . b_k, the discrete stand-in
  * for the integral of f g in an integration by parts.               [(5.3)]
  *
- *   first, last  indices; an empty range (first > last) gives 0
+ *   first, last  indices; an empty range (first > last) gives 0. They are
+ *                unsigned: for N = 0 there is no N - 1
  *   d            dimension
  *   a, b         sequences with at least last + 1 terms
  *
