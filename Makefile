@@ -52,7 +52,7 @@ help: ## print this list
 	@echo 'and, for one STEM, test-STEM, verify-STEM, figures-STEM; stems:'
 	@echo '  $(TESTS)' | fold -s -w 76 | sed '2,$$s/^/  /'
 
-check: test verify text ## everything: tests, proofs, chapters equal to the code
+check: test test-install verify text ## everything: tests, proofs, chapters equal to the code
 
 test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
 
@@ -97,7 +97,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example verify figures text excerpts refs san valgrind stress mutants clean tools \
+.PHONY: all help check test test-example test-install install uninstall verify figures text excerpts refs san valgrind stress mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -112,6 +112,36 @@ $B/libfvi.a: $(MODULES:%=$B/src/%.o)
 
 $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 	$(CC) $(CFLAGS) $^ $(GSL_LIBS) -o $@
+
+# The installed library: static, shared, headers, pkg-config, program, manual.
+VERSION  := 0.1.0
+PREFIX   ?= /usr/local
+INTERNAL := exact_inverse exact_pole memory_kinds damping
+PUBLIC   := $(filter-out $(INTERNAL:%=src/%.h) src/fvi_%.h,$(wildcard src/*.h))
+
+$B/pic/%.o: src/%.c | tools
+	@mkdir -p $(@D)
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -fPIC -MMD -MP -c $< -o $@
+
+$B/libfvi.so.$(VERSION): $(MODULES:%=$B/pic/%.o)
+	$(CC) $(CFLAGS) -shared -Wl,-soname,libfvi.so.0 $^ $(GSL_LIBS) -o $@
+
+install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program, manual (PREFIX=/usr/local DESTDIR=)
+	mkdir -p $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/fvi share/man/man1)
+	cp $B/fvi $(DESTDIR)$(PREFIX)/bin/
+	cp $B/libfvi.a $B/libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/
+	ln -sf libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/libfvi.so.0
+	ln -sf libfvi.so.0 $(DESTDIR)$(PREFIX)/lib/libfvi.so
+	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: fvi' 'Version: $(VERSION)' 'Requires: gsl' \
+	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' \
+	  'Cflags: -I$${prefix}/include/fvi' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
+	cp $(PUBLIC) $(DESTDIR)$(PREFIX)/include/fvi/
+	cp src/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+
+uninstall: ## remove what install put there
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/fvi lib/libfvi.a lib/libfvi.so lib/libfvi.so.0 \
+	  lib/libfvi.so.$(VERSION) lib/pkgconfig/fvi.pc share/man/man1/fvi.1)
+	rm -rf $(DESTDIR)$(PREFIX)/include/fvi
 
 ## -- tests -----------------------------------------------------------------
 
@@ -128,10 +158,19 @@ test-fvi_cli test-fvi_errors: $B/fvi
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	@FVI=$B/fvi $<
 
-# The example of README.md, built as a user would build it.
+# What README.md tells a programmer: the example against the library as it stands,
+# and against an installed copy, by pkg-config and from Python.
 test-example: tests/example.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
-	@test "$$($B/example | wc -l)" -eq 20 && echo 'README example: 20 rows'
+	@$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 20 && echo 'README example: 20 rows'
+
+test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
+	@$(MAKE) -s B=$B PREFIX=$(abspath $B/prefix) DESTDIR= install
+	@export PKG_CONFIG_PATH=$(abspath $B/prefix)/lib/pkgconfig LD_LIBRARY_PATH=$(abspath $B/prefix)/lib; \
+	  $(CC) tests/example.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \
+	  $B/prefix/example | cmp - $B/example.out && $(PYTHON) tests/example.py libfvi.so.0
+	@$(MAKE) -s B=$B PREFIX=$(abspath $B/prefix) DESTDIR= uninstall
+	@test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used from C and Python, uninstalled'
 
 $B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
@@ -182,7 +221,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% san valgrind mutants,check) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,valgrind,valgrind))
+  $(call goal,check test-install,numpy) $(call goal,valgrind,valgrind))
 
 tools:
 	@have() { case $$1 in \
@@ -191,9 +230,10 @@ tools:
 	  gnuplot) command -v $(GNUPLOT);; \
 	  valgrind) command -v valgrind;; \
 	  sympy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("sympy"))';; \
+	  numpy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("numpy"))';; \
 	  esac >/dev/null 2>&1; }; \
 	packages() { case $$1 in cc) echo gcc libc6-dev;; gsl) echo pkg-config libgsl-dev;; \
-	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy) echo python3-sympy;; *) echo $$1;; esac; }; \
+	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy|numpy) echo python3-$$1;; *) echo $$1;; esac; }; \
 	lacks=; for t in $(NEEDS); do have $$t || lacks="$$lacks $$(packages $$t)"; done; \
 	test -z "$$lacks" && exit 0; \
 	command -v apt-get >/dev/null || { echo "missing; please install (Debian's names):$$lacks" >&2; exit 1; }; \
@@ -203,4 +243,4 @@ tools:
 	echo "this needs$$lacks; running: $$line" >&2; \
 	{ $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$line >/dev/null; } || { echo "that failed; please type: $$line" >&2; exit 1; }
 
--include $(wildcard $B/src/*.d $B/tests/*.d $B/figures/*.d)
+-include $(wildcard $B/src/*.d $B/pic/*.d $B/tests/*.d $B/figures/*.d)

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#define FVI_VERSION "0.1.0"
+#define FVI_VERSION "0.1.0" /* as VERSION in the Makefile */
 
 /* A table on its way out. Rows go out as they come, unless the mirror
  * y_k = x_{N-k} is asked for: then all wait for the end of the run. */
