@@ -67,6 +67,14 @@ text: ## compare the code quoted in the chapters with its source; follow every l
 excerpts: ## rewrite the code quoted in the chapters from its source
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py
 
+book: text | tools ## the chapters as one HTML page, build/book/index.html (pandoc, KaTeX)
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) chapters/book/build.py $B/book
+
+pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
+	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
+	  --print-to-pdf=$B/book/fvi.pdf file://$(abspath $B/book/index.html) 2>$B/book/chromium.log
+	@test -s $B/book/fvi.pdf
+
 refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
 
 san: ## the tests under AddressSanitizer and UBSan
@@ -91,13 +99,13 @@ clean: ## remove everything that was made
 stem = $(patsubst $(patsubst ch%,%,$1)-%,%,$(filter $(patsubst ch%,%,$1)-%,$(CHAPTERS)))
 of_stem = $(filter $1 $1_%,$(SCENES) $(DIAGRAMS))
 define chapter
-$1: $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2,$(PROOFS:%=verify-%)) figures-$2
+$1: $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2 verify-$2_%,$(PROOFS:%=verify-%)) figures-$2
 figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 .PHONY: $1 figures-$2
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall verify figures text excerpts refs san valgrind stress mutants clean tools \
+.PHONY: all help check test test-example test-install install uninstall book pdf verify figures text excerpts refs san valgrind stress mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -221,6 +229,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% san valgrind mutants,check) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
+  $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,check test-install,numpy) $(call goal,valgrind,valgrind))
 
 tools:
@@ -228,7 +237,7 @@ tools:
 	  cc) command -v $(firstword $(CC));; \
 	  gsl|check) pkg-config --exists $$1;; \
 	  gnuplot) command -v $(GNUPLOT);; \
-	  valgrind) command -v valgrind;; \
+	  valgrind|pandoc|katex|chromium) command -v $$1;; \
 	  sympy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("sympy"))';; \
 	  numpy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("numpy"))';; \
 	  esac >/dev/null 2>&1; }; \
