@@ -6,14 +6,13 @@
 
 enum { CIRCLE = 40 };
 
-static const double MU = 3; /* the contour crosses the axis left of MU */
-static const double PHI =
-    1.35; /* and leaves the cut to its left by this much */
-static const double FOLDS = 40; /* what is neglected is below e^-40 */
+static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
+static const double PHI = 1.35; /* and comes no closer to the cut than this */
+static const double FOLDS = 40; /* what is neglected is below e^-FOLDS */
 
 //> contour
-/* Number `place` of `places`: the middle of the angles from place / places to
- * (place + 1) / places of a right angle. */
+/* (11.10), for phi in the middle of interval number `place` when (0, PHI) is cut
+ * into `places` equal ones. `reach` times as much decay is waited for. */
 static void prepare_contour(double beta, size_t place, size_t places,
                             double reach, fvi_contour *k)
 {
@@ -47,7 +46,7 @@ static void prepare_root(fvi_inverse *S)
     a->low = S->root.low;
     a->start = ((p->m * s + S->keeps_x0 * memory) * p->x0
                 + (p->m + S->keeps_v0 * memory / s) * p->v0)
-               / slope; /* (11.8) */
+               / slope; /* (11.7) */
     if (p->forcing == FVI_FORCING_STEP)
         a->force = p->A / (s * slope);
     if (p->forcing == FVI_FORCING_COSINE)
@@ -92,8 +91,8 @@ void fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
 /* ---- what is done at a time ---- */
 
 //> place
-/* (11.10): a contour that keeps its distance from the poles; *passed says which
- * poles lie on its right. k poles leave one of k + 1 intervals free. */
+/* (11.11): the contour in the lowest interval that no pole is in; k poles leave
+ * one of k + 1 free. passed says which poles lie on its right. */
 static const fvi_contour *choose(const fvi_inverse *S, double t,
                                  int passed[FVI_POLES])
 {
@@ -117,7 +116,7 @@ static const fvi_contour *choose(const fvi_inverse *S, double t,
 static double complex grows(const fvi_residue *a, const fvi_event *at,
                             double lasts)
 {
-    double complex e = fvi_pole_exp(a->s, a->low, at->t, at->low);
+    double complex e = fvi_pole_exp(a->s, a->low, at->t, 0);
     if (lasts > 0 && cabs(a->s) * lasts < 1)
         return -fvi_complex_expm1(-a->s * lasts) * e;
     if (lasts > 0) {
@@ -140,7 +139,7 @@ static void add_residue(const fvi_residue *a, const fvi_event *at,
 //< residues
 
 //> resonance
-/* (11.11): the two residues of a cosine close to resonance are of order
+/* (11.12): the two residues of a cosine close to resonance are of order
  * 1 / |iw - s| each and nearly cancel. Their sum is a mean over a circle that
  * has both poles inside. Returns 0 if they are far enough from each other. */
 static int add_resonance(const fvi_inverse *S, double t, double *x, double *v)
@@ -176,7 +175,7 @@ static double complex force_at(const fvi_inverse *S, const fvi_event *at,
 }
 
 //> integral
-/* (11.9) with s = z / t: the problem in the unit of time t. */
+/* (11.10), with t as the unit of time. Small terms are added first. */
 static void add_integral(const fvi_inverse *S, const fvi_contour *k,
                          const fvi_event *at, double *x, double *v)
 {
@@ -186,7 +185,7 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
     const double x0 = at->start * p->x0, v0 = at->start * p->v0 * t;
     const double F = p->forcing ? at->sign * p->A / p->m * t * t : 0;
     double sum_x = 0, sum_v = 0;
-    for (size_t i = 0; i < k->count; i++) {
+    for (size_t i = k->count; i-- > 0;) {
         double complex z = k->z[i], damping = R * k->power[i];
         double complex keeps = S->keeps_v0 * damping / z;
         double complex f = F != 0 ? F * force_at(S, at, z) : 0;

@@ -11,7 +11,7 @@
 enum { FVI_POLES = 2, FVI_NODES = 160 };
 
 //> contour
-/* The hyperbola z(u) of (11.9) at u = (k + 1/2) h, and what the integrand has on
+/* The hyperbola z(u) of (11.10) at u = (k + 1/2) h, and what the integrand has on
  * it for every problem of this order and every time. */
 typedef struct {
     size_t count;
@@ -38,10 +38,9 @@ typedef struct {
 } fvi_inverse;
 
 /* What acts: the start, if `start` is 1, and `sign` times the force, which lasts
- * for `lasts` if that is > 0. t + low is the time since then. */
+ * for `lasts` if that is > 0. t is the time since then. */
 typedef struct {
-    double t, low;
-    double start, sign, lasts;
+    double t, start, sign, lasts;
 } fvi_event;
 
 /* fvi_inverse_prepare -- poles, residues, contours. The problem is a valid one. */

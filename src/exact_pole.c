@@ -20,7 +20,7 @@ static double complex complex_log1p(double complex z)
 }
 
 //> angle
-/* (11.7): ln of rho c^(beta/2 - 1) m^(-beta/2) for the angle
+/* (11.5): ln of rho c^(beta/2 - 1) m^(-beta/2) for the angle
  *     theta = pi/2 + e (theta_max - pi/2),     0 < e < 1,  f = 1 - e,
  * and r, the modulus of the pole over sqrt(c/m). With g = min(beta, 2 - beta)
  * the sines need no difference of nearly equal numbers. */
@@ -36,7 +36,7 @@ static double log_damping(double beta, double e, double f, double *angle,
            - (1 - beta / 2) * log(sin_b);
 }
 
-/* The angle grows with the damping: bisect in y = ln(e / (1 - e)). */
+/* (11.6): the angle grows with the damping. Bisect in y = ln(e / (1 - e)). */
 static double complex by_bisection(double m, double c, double rho, double beta)
 {
     double wanted = log(rho) - (1 - beta / 2) * log(c) - beta / 2 * log(m);
@@ -117,7 +117,7 @@ static void polish(fvi_pole *p)
 int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
 {
     *pole = (fvi_pole){ m, c, rho, beta, 0, 0 };
-    if (rho == 0 || beta == 0) {
+    if (rho == 0 || beta < 1e-100) { /* the angle may be below all doubles */
         pole->s = I * (sqrt(c + rho) / sqrt(m));
     } else if (beta == 2) {
         pole->s = I * (sqrt(c) / sqrt(m + rho));

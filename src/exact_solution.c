@@ -59,6 +59,17 @@ static int prepare(const fvi_linear *problem, size_t n, const double *t,
     return status;
 }
 
+static int put(size_t i, double xi, double vi, double *x, double *v)
+{
+    if (!gsl_finite(xi) || !gsl_finite(vi))
+        GSL_ERROR("a value is not finite", GSL_EOVRFLW);
+    if (x)
+        x[i] = xi;
+    if (v)
+        v[i] = vi;
+    return GSL_SUCCESS;
+}
+
 //> events
 /* The events of a time t: the start with its force, and, soon after the end of
  * a step, its end. Later the two are one pulse, which rounds less. */
@@ -72,8 +83,7 @@ static size_t events_at(const fvi_linear *p, double t, fvi_event at[2])
         at[0].sign = p->T > 0;
         return 1;
     }
-    double since = t - p->T;
-    at[1] = (fvi_event){ .t = since, .low = (t - since) - p->T, .sign = -1 };
+    at[1] = (fvi_event){ .t = t - p->T, .sign = -1 }; /* exact: t < 2 T */
     return 2;
 }
 //< events
@@ -85,21 +95,16 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
     int status = prepare(problem, n, t, x, v, &S);
     if (status)
         return status;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n && !status; i++) {
         double xi = t[i] > 0 ? 0 : problem->x0;
         double vi = t[i] > 0 ? 0 : problem->v0;
         fvi_event at[2];
         size_t events = t[i] > 0 ? events_at(problem, t[i], at) : 0;
         for (size_t j = 0; j < events; j++)
             fvi_inverse_add(&S, &at[j], &xi, &vi);
-        if (!gsl_finite(xi) || !gsl_finite(vi))
-            GSL_ERROR("a value is not finite", GSL_EOVRFLW);
-        if (x)
-            x[i] = xi;
-        if (v)
-            v[i] = vi;
+        status = put(i, xi, vi, x, v);
     }
-    return GSL_SUCCESS;
+    return status;
 }
 
 int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
@@ -111,7 +116,7 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
         return status;
     if (S.root.s == 0)
         GSL_ERROR("there are no complex poles", GSL_EDOM);
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
         fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
         if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
@@ -119,12 +124,9 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
             at.sign = problem->T > 0;
         }
         fvi_inverse_oscillation(&S, &at, &xi, &vi);
-        if (x)
-            x[i] = xi;
-        if (v)
-            v[i] = vi;
+        status = put(i, xi, vi, x, v);
     }
-    return GSL_SUCCESS;
+    return status;
 }
 
 int fvi_exact_pole(const fvi_linear *problem, double *re, double *im)
