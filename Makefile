@@ -88,6 +88,10 @@ valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	@$< $(or $(SEED),1) $(FAMILY) $(CASE)
 
+bench: $B/tests/bench_memory ## measure the memories on this machine; then `make figures excerpts`
+	+@$< > $B/memory_bench.tsv
+	@mv $B/memory_bench.tsv figures/memory_bench.tsv
+
 mutants: $B/libfvi.a ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
 	@CC='$(CC)' CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/mutants.py $B $(STEM)
@@ -105,7 +109,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall book pdf verify figures text excerpts refs san valgrind stress mutants clean tools \
+.PHONY: all help check test test-example test-install install uninstall book pdf verify figures text excerpts refs san valgrind stress bench mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -180,6 +184,10 @@ test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	@$(MAKE) -s B=$B PREFIX=$(abspath $B/prefix) DESTDIR= uninstall
 	@test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used from C and Python, uninstalled'
 
+$B/tests/bench_%: tests/bench_%.c $B/libfvi.a | tools
+	@mkdir -p $(@D)
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP $< $B/libfvi.a $(GSL_LIBS) -o $@
+
 $B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
@@ -218,6 +226,8 @@ $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | tool
 	@mkdir -p $B/figures
 	$(GNUPLOT) -e "out='$B/figures/$*.svg'; stem='$*'" $<
 	@mv $B/figures/$*.svg $@
+
+figures/memory_bench.svg: figures/memory_bench.tsv
 
 ## -- what has to be installed ----------------------------------------------
 

@@ -1,6 +1,7 @@
 /* src/fvi.c -- Fractional variational integrators.               [Chapter 9] */
 #include "fvi.h"
 
+#include "damping.h"
 #include "discrete_mechanics.h"
 #include "half_derivative.h"
 #include "legendre.h"
@@ -13,19 +14,8 @@
 
 /* ---- the memory of the damped coordinates ---- */
 
-typedef struct {
-    size_t count;   /* how many coordinates have rho > 0 */
-    size_t *index;  /* which */
-    double *factor; /* rho h^(1 - 2 alpha) of each */
-    double *origin; /* Caputo: x_0 of each, else 0 */
-    double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
-    double *z, *dz; /* x - origin and its increment, gathered */
-    fvi_memory *memory;
-} damping;
-
-static void stop_fractional(fvi_stepper *s)
+void fvi_damping_free(fvi_damping *d)
 {
-    damping *d = s->own;
     if (!d)
         return;
     fvi_memory_free(d->memory);
@@ -34,19 +24,19 @@ static void stop_fractional(fvi_stepper *s)
     free(d);
 }
 
-static int start_fractional(fvi_stepper *s)
+int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
 {
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
     const double order = 2 * run->alpha;
-    int status = fvi_variational_solver(s);
     size_t count = 0;
+    *damping = NULL;
     for (size_t i = 0; i < system->d; i++)
         count += system->damping[i] > 0;
-    if (status || count == 0) /* nothing damped: no memory at all */
-        return status;
+    if (count == 0) /* nothing damped: no memory at all */
+        return GSL_SUCCESS;
 
-    damping *d = s->own = calloc(1, sizeof *d);
+    fvi_damping *d = *damping = calloc(1, sizeof *d);
     if (!d)
         GSL_ERROR("no memory for the damping", GSL_ENOMEM);
     d->index = malloc(count * sizeof *d->index);
@@ -71,16 +61,32 @@ static int start_fractional(fvi_stepper *s)
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
     //< start
-    status = fvi_memory_alloc(order, count, run->steps, run->memory,
-                              run->tolerance, &d->memory);
+    int status = fvi_memory_alloc(order, count, run->steps, run->memory,
+                                  run->tolerance, &d->memory);
     if (!status)
         status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
     return status;
 }
 
+static int start_fractional(fvi_stepper *s)
+{
+    fvi_damping *d;
+    int status = fvi_variational_solver(s);
+    if (status)
+        return status;
+    status = fvi_damping_start(s, &d);
+    s->own = d;
+    return status;
+}
+
+static void stop_fractional(fvi_stepper *s)
+{
+    fvi_damping_free(s->own);
+}
+
 //> damp
 /* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
-static int damp(fvi_stepper *s, damping *d)
+static int damp(fvi_stepper *s, fvi_damping *d)
 {
     for (size_t j = 0; j < d->count; j++) {
         d->z[j] = s->x[d->index[j]] - d->origin[j];

@@ -222,3 +222,26 @@ int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
     return GSL_SUCCESS;
 }
 //< push
+
+//> ahead
+int fvi_memory_ahead(const fvi_memory *m, const double *x, double *ahead)
+{
+    if (!m || !x || !ahead)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (m->k > m->steps)
+        GSL_ERROR("more terms than were announced", GSL_EINVAL);
+    for (size_t i = 0; i < m->d; i++) {
+        ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1}, no increment */
+        if (m->last)
+            ahead[i] -= m->order == 0 ? 0 : m->last[i];
+        else if (m->history)
+            ahead[i] += dot(m->k, m->weights + (m->steps - m->k),
+                            m->history + i * (m->steps + 1));
+    }
+    if (m->blocks)
+        fvi_blocks_ahead(m->blocks, ahead);
+    if (m->exponentials)
+        fvi_exponentials_ahead(m->exponentials, ahead);
+    return GSL_SUCCESS;
+}
+//< ahead

@@ -2,8 +2,8 @@
  *
  *     H_k = sum_{n=0}^{k} w_n x_{k-n},     w_n = (-1)^n binom(beta, n)   (12.1)
  *
- * for k = 0, 1, 2, ... as the x_k come in, in d dimensions: a sweep over starts,
- * dampings or forces at one beta is d systems of dimension one in one memory. */
+ * for k = 0, 1, 2, ... as the x_k come in, in d dimensions. A sweep over starts,
+ * dampings or forces at one beta can be d such systems in one memory. */
 #ifndef FVI_MEMORY_H
 #define FVI_MEMORY_H
 
@@ -24,7 +24,7 @@ typedef enum {
 
 typedef struct fvi_memory fvi_memory;
 
-/* fvi_memory_alloc -- prepare for at most steps + 1 terms.      [(12.2), (12.6)]
+/* fvi_memory_alloc -- prepare for at most steps + 1 terms.     [(12.2), (12.6)]
  *
  *   beta   order of the derivative, 0 <= beta <= 2 (2 alpha for the damping)
  *   d      dimension, d >= 1
@@ -58,7 +58,7 @@ fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance);
 
-/* fvi_memory_push -- take in x_k, give out H_k.                         [(12.1)]
+/* fvi_memory_push -- take in x_k, give out H_k.                        [(12.1)]
  * The step size is NOT included: the derivative is h^(-beta) H_k.
  *
  *   x   x_k, d numbers
@@ -74,6 +74,20 @@ size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
  * steps + 1 terms. On error H is untouched. */
 int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
                     double *H);
+
+/* fvi_memory_ahead -- H_{k+1} as it will be if x_{k+1} = x_k.          [(12.1)]
+ *
+ *     H_{k+1} = ahead + (x_{k+1} - x_k)      for any x_{k+1}, as w_0 = 1:
+ *
+ * for a step whose equation contains H_{k+1}. Nothing is taken in.
+ *
+ *   x      x_k, the last that was pushed, d numbers (zeros before the first)
+ *   ahead  output, d numbers, may be x
+ *
+ * Cost: none for EXPONENTIALS, DIRECT O(k d), FFT at most 64 d products.
+ * Returns GSL_SUCCESS; GSL_EFAULT if a pointer is NULL; GSL_EINVAL after
+ * steps + 1 terms. On error ahead is untouched. */
+int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
 
 /* fvi_memory_free -- give everything back. NULL is allowed. */
 void fvi_memory_free(fvi_memory *memory);

@@ -11,7 +11,7 @@
 
 enum { BASE = 64, MOST_LEVELS = 58 }; /* BASE 2^58 is beyond size_t */
 
-/* A block of `length` = BASE 2^j terms meets the weights w_0 ... w_{2 length-1}. */
+/* A block of BASE 2^j terms meets the weights up to lag twice its length. */
 typedef struct {
     size_t length;
     double *spectrum; /* of those weights */
@@ -52,10 +52,10 @@ size_t fvi_blocks_bytes(size_t d, size_t steps)
     if (steps >= most || d >= most / (steps + 1))
         return SIZE_MAX;
     size_t bytes = sizeof(fvi_blocks) + numbers(d, steps) * sizeof(double);
-    for (size_t j = 0; j < count_levels(steps); j++) /* 2 tables of cosines */
+    for (size_t j = 0; j < count_levels(steps); j++) /* GSL's cosines: */
         bytes += sizeof(gsl_fft_real_wavetable)
                  + sizeof(gsl_fft_halfcomplex_wavetable)
-                 + 2 * ((size_t)BASE << (j + 1)) * sizeof(double);
+                 + 3 * ((size_t)BASE << (j + 1)) * sizeof(double);
     return bytes;
 }
 
@@ -184,3 +184,13 @@ void fvi_blocks_push(fvi_blocks *b, const double *term, double *H)
                  b->sums + i * row + next, row - next);
 }
 //< blocks
+
+void fvi_blocks_ahead(const fvi_blocks *b, double *sum)
+{
+    const size_t k = b->k, start = k / BASE * BASE, row = b->steps + 1;
+    for (size_t i = 0; i < b->d; i++) {
+        sum[i] += b->sums[i * row + k];
+        for (size_t j = start; j < k; j++)
+            sum[i] += b->near[k - j] * b->terms[i * row + j];
+    }
+}

@@ -1,10 +1,11 @@
-/* src/memory_kinds.h -- The ways to sum that stand behind memory.h. [Chapter 12]
+/* src/memory_kinds.h -- The ways to sum behind memory.h.        [Chapter 12]
  *
  * Internal: memory.c chooses one and checks the arguments; nothing is checked
  * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n),
- * and each kind has the same four functions: bytes, alloc, push, free. bytes is
- * what alloc will ask for, SIZE_MAX if that cannot be addressed; alloc returns
- * NULL if it is not there; push takes d terms and writes d sums. */
+ * and each kind has the same five functions: bytes, alloc, push, ahead, free.
+ * bytes is what alloc will ask for, SIZE_MAX if that cannot be addressed; alloc
+ * returns NULL if it is not there; push takes d terms and writes d sums; ahead
+ * adds to `sum` the d sums to come next, their first terms left out. */
 #ifndef FVI_MEMORY_KINDS_H
 #define FVI_MEMORY_KINDS_H
 
@@ -28,6 +29,7 @@ typedef struct fvi_blocks fvi_blocks;
 size_t fvi_blocks_bytes(size_t d, size_t steps);
 fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps);
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
+void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
 void fvi_blocks_free(fvi_blocks *b);
 
 /* ---- a window and decaying exponentials (memory_exponentials.c) ---- */
@@ -64,6 +66,7 @@ size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta);
 fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
                                          double delta);
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
+void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
 void fvi_exponentials_free(fvi_exponentials *e);
 
 #endif
