@@ -1,0 +1,32 @@
+/* src/damping.h -- The damped coordinates of a run and their memory. [Chapter 9]
+ *
+ * Internal: what the integrators of chapters 9 and 13 have in common. It is made
+ * in fvi.c. */
+#ifndef FVI_DAMPING_H
+#define FVI_DAMPING_H
+
+#include "trajectory.h"
+
+typedef struct {
+    size_t count;   /* how many coordinates have rho > 0 */
+    size_t *index;  /* which */
+    double *factor; /* rho h^(1 - 2 alpha) of each */
+    double *origin; /* Caputo: x_0 of each, else 0 */
+    double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
+    double *z, *dz; /* x - origin and its increment, gathered */
+    fvi_memory *memory;
+} fvi_damping;
+
+/* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
+ *
+ *   s        a stepper at k = 0
+ *   damping  output; NULL, and no memory at all, if nothing is damped
+ *
+ * Returns GSL_SUCCESS; what fvi_memory_alloc returns; GSL_ENOMEM. After an error
+ * what was made so far is in *damping: free it in any case. */
+int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping);
+
+/* fvi_damping_free -- give everything back. NULL is allowed. */
+void fvi_damping_free(fvi_damping *damping);
+
+#endif
