@@ -2,10 +2,12 @@
 #include "legendre.h"
 
 #include "discrete_mechanics.h"
+#include "newton.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
+#include <string.h>
 
 int fvi_legendre_minus(const fvi_system *system, double kappa, double h,
                        const double *x, const double *y, double *p)
@@ -36,6 +38,33 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
     return status;
 }
 
+static int all_finite(size_t d, const double *v)
+{
+    for (size_t i = 0; i < d; i++)
+        if (!gsl_finite(v[i]))
+            return 0;
+    return 1;
+}
+
+/* y = x + delta; room for delta, grad U and m / h, d numbers each. */
+static int solve_for_next(const fvi_system *system, double kappa, double h,
+                          const double *x, const double *p, double *delta)
+{
+    const size_t d = system->d;
+    double *g = delta + d, *A = delta + 2 * d;
+    fvi_newton *newton;
+    //> inverse
+    for (size_t i = 0; i < d; i++)
+        A[i] = system->mass[i] / h;
+    int status = fvi_newton_alloc(system, A, kappa * h, 1 - kappa, &newton);
+    if (status)
+        return status;
+    status = fvi_newton_solve(newton, x, p, delta, g); /* (2.10) */
+    fvi_newton_free(newton);
+    //< inverse
+    return status;
+}
+
 int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
                          const double *x, const double *p, double *y)
 {
@@ -44,21 +73,25 @@ int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
         return status;
     if (!x || !p || !y)
         GSL_ERROR("null pointer", GSL_EFAULT);
-    const fvi_run run = { .system = system,
-                          .x0 = x,
-                          .p0 = p,
-                          .h = h,
-                          .steps = 1,
-                          .kappa = kappa,
-                          .alpha = 0.5 };
-    double *x01 = malloc(2 * system->d * sizeof *x01);
-    if (!x01)
+    if (!(kappa >= 0 && kappa <= 1))
+        GSL_ERROR("kappa must be in [0, 1]", GSL_EDOM);
+    if (!(gsl_finite(h) && h > 0))
+        GSL_ERROR("h must be finite and positive", GSL_EDOM);
+    const size_t d = system->d;
+    if (!all_finite(d, x) || !all_finite(d, p))
+        GSL_ERROR("x and p must be finite", GSL_EDOM);
+    double *delta = calloc(3 * d, sizeof *delta); /* the guess is zero */
+    if (!delta)
         GSL_ERROR("no memory for the step", GSL_ENOMEM);
-    //> inverse
-    status = fvi_trajectory(&fvi_lagrange_dalembert, &run, x01, NULL, NULL);
-    //< inverse
-    for (size_t i = 0; !status && i < system->d; i++)
-        y[i] = x01[system->d + i];
-    free(x01);
+    status = solve_for_next(system, kappa, h, x, p, delta);
+    for (size_t i = 0; i < d; i++)
+        delta[i] += x[i];
+    if (!status && !all_finite(d, delta))
+        status = GSL_EOVRFLW;
+    if (!status)
+        memcpy(y, delta, d * sizeof *y);
+    free(delta);
+    if (status == GSL_EOVRFLW)
+        GSL_ERROR("the next position is not finite", GSL_EOVRFLW);
     return status;
 }

@@ -8,7 +8,7 @@
  *
  *     p_k^- = -D1 L_d(x_k, x_{k+1})
  *
- * fvi_legendre_plus -- F^+: the momentum at its end.                  [(8.2)]
+ * fvi_legendre_plus -- F^+: the momentum at its end.                 [(8.2)]
  *
  *     p_{k+1}^+ = D2 L_d(x_k, x_{k+1}) - h rho D_{k+1} + h F_{k+1}
  *
@@ -30,6 +30,7 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
 
 /* fvi_legendre_inverse -- (F^-)^(-1): x_{k+1} from p = -D1 L_d(x_k, x_{k+1}).
  *                                                                     [(8.4)]
+ *
  * With p = p_0 it is the start of Algorithms 1 to 3; with p = p_k, matched, it
  * is their step.
  *
@@ -39,7 +40,8 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
  * Cost as fvi_newton_solve, and a factorisation each time: for one step, not
  * for a run. Returns what fvi_newton_alloc and fvi_newton_solve return;
  * GSL_EFAULT if a pointer is NULL; GSL_EDOM if kappa or h is out of range or x
- * or p is not finite. On error y is untouched. */
+ * or p is not finite; GSL_EOVRFLW if x_{k+1} is not finite; GSL_ENOMEM. On error
+ * y is untouched. */
 int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
                          const double *x, const double *p, double *y);
 

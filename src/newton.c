@@ -13,9 +13,8 @@ enum { MAX_ITERATIONS = 50 };
 struct fvi_newton {
     const fvi_system *system;
     double s, theta;
-    double *A, *point,
-        *residual; /* d numbers each, one block with J after them */
-    double *J;     /* d * d numbers, or one if d == 1 */
+    double *A, *point, *residual; /* d numbers each; J follows in the block */
+    double *J;                    /* d * d numbers, or one if d == 1 */
     gsl_permutation *permutation; /* of the LU factors in J; NULL if d == 1 */
 };
 
@@ -24,6 +23,7 @@ static int is_implicit(const fvi_system *system, double s, double theta)
     return s * theta != 0 && system->potential.gradient;
 }
 
+//> jacobian
 /* J = A + s theta Hess U(point), and its LU factors.                 (2.11) */
 static int factorise(fvi_newton *n)
 {
@@ -44,6 +44,7 @@ static int factorise(fvi_newton *n)
             return GSL_ESING;
     return GSL_SUCCESS;
 }
+//< jacobian
 
 static void apply_inverse(fvi_newton *n, double *v)
 {

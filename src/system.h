@@ -42,6 +42,7 @@ typedef struct {
  *   mass     d masses, finite, > 0
  *   damping  d coefficients rho, finite, >= 0
  *   potential, force  as above */
+//> system
 typedef struct {
     size_t d;
     const double *mass;
@@ -49,6 +50,7 @@ typedef struct {
     fvi_potential potential;
     fvi_force force;
 } fvi_system;
+//< system
 
 /* fvi_system_check -- is the system one that can be simulated?
  *

@@ -1,10 +1,12 @@
-"""Follow every relative link of README.md and the chapters, and see that no
-chapter lacks a part. Exit 1 with the list of what is wrong."""
+"""Follow every relative link of README.md and the chapters; see that the map of the
+course names all 87 statements of the paper, each with a link. Exit 1 with the list of
+what is wrong."""
 import pathlib
 import re
 import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+STATEMENTS = 87
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
 
 
@@ -30,10 +32,20 @@ def faults_of_links(page):
             yield f"{page}: no such heading: {target}"
 
 
+def faults_of_map(page):
+    """Rows `| number | statement | [link] | check |` of the section on the paper."""
+    section = page.read_text().partition("## Every statement of the paper")[2].partition("\n## ")[0]
+    rows = re.findall(r"^\| (\d+) \|.*\]\(.*$", section, re.M)
+    if [int(row) for row in rows] != list(range(1, STATEMENTS + 1)):
+        missing = sorted(set(range(1, STATEMENTS + 1)) - set(map(int, rows)))
+        yield f"{page}: the statements are not 1 to {STATEMENTS}; missing: {missing}"
+
+
 def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
     faults = [fault for page in pages for fault in faults_of_links(page)]
+    faults += faults_of_map(root / "chapters/README.md")
     sys.exit("\n".join(faults) or 0)
 
 

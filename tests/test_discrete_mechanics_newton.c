@@ -1,0 +1,306 @@
+/* tests/test_discrete_mechanics_newton.c -- Chapter 2: the equation of a step.
+ * Run alone: make test-discrete_mechanics_newton */
+#include "fvi_runs.h"
+#include "newton.h"
+#include "ulp.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+
+static const double one[] = { 1, 1, 1, 1, 1 }, none[5];
+
+static fvi_newton *solver(const fvi_system *system, const double *A, double s,
+                          double theta)
+{
+    fvi_newton *newton = NULL;
+    ck_assert_int_eq(fvi_newton_alloc(system, A, s, theta, &newton), 0);
+    return newton;
+}
+
+/* ---- a Duffing spring that writes down what it is asked ---- */
+
+typedef struct {
+    size_t gradients, hessians;
+    double point[64]; /* of each gradient, d == 1 */
+} diary;
+
+static const double spring[] = { 1, 1 };
+
+static double told_value(size_t d, const double *x, const void *params)
+{
+    (void)params;
+    return fvi_potential_duffing(spring).value(d, x, spring);
+}
+
+static void told_gradient(size_t d, const double *x, const void *params,
+                          double *g)
+{
+    diary *told = *(diary *const *)params;
+    told->point[told->gradients++ % 64] = x[0];
+    fvi_potential_duffing(spring).gradient(d, x, spring, g);
+}
+
+static void told_hessian(size_t d, const double *x, const void *params,
+                         double *H)
+{
+    (*(diary *const *)params)->hessians++;
+    fvi_potential_duffing(spring).hessian(d, x, spring, H);
+}
+
+static fvi_system telling(diary *const *told)
+{
+    const fvi_potential u = { told_value, told_gradient, told_hessian, told,
+                              0 };
+    return (fvi_system){ 1, one, none, u, { 0 } };
+}
+
+/* ---- values ---- */
+
+/* Short binary fractions: A d + s c (x + theta d) = r, 0 ulp. In two dimensions
+ * the chain's matrix is [[4, -1], [-1, 4]] here, whose LU factors are not
+ * short: 16/15. Two units of rounding each for the factors and the solution. */
+START_TEST(eq_2_10_linear_equations)
+{
+    const double c[] = { 2, 0 }, x[] = { 1, -3 }, r[] = { 8, 2 };
+    const double A[] = { 1, 3 }, two[] = { 2, 2 };
+    double d[2] = { 7, 7 }, g[2];
+    fvi_system system = { 2, one, none, fvi_potential_harmonic(c), { 0 } };
+    fvi_newton *newton = solver(&system, A, 1, 0.5);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), GSL_SUCCESS);
+    ck_assert(d[0] == 3 && d[1] == 2 && g[0] == 5 && g[1] == -4);
+    fvi_newton_free(newton);
+
+    const double stiff[] = { 1, 0 };
+    system.potential = fvi_potential_chain(stiff);
+    newton = solver(&system, two, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), GSL_SUCCESS);
+    /* J d = r - H x = (8 - 5, 2 + 7) = (3, 9), d = (21, 39) / 15 */
+    ck_assert_near(d[0], 1.4, 8 * U * 2.6, "chain, first");
+    ck_assert_near(d[1], 2.6, 8 * U * 2.6, "chain, second");
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* s theta = 0: nothing is solved, and no Hessian is asked for. g belongs to
+ * x + theta d all the same. */
+START_TEST(eq_2_10_is_explicit_at_both_ends_of_kappa)
+{
+    diary page = { 0 }, *told = &page;
+    const fvi_system system = telling(&told);
+    const double x = 0.5, r = 3, A = 2;
+    double d = 7, g = 7;
+    fvi_newton *newton = solver(&system, &A, 0, 1); /* kappa = 0 */
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), GSL_SUCCESS);
+    ck_assert(d == 1.5 && g == 2 + 8 && page.gradients == 1);
+    fvi_newton_free(newton);
+    newton = solver(&system, &A, 0.5, 0); /* kappa = 1 */
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), GSL_SUCCESS);
+    ck_assert(d == (3 - 0.5 * 0.625) / 2 && g == 0.625);
+    fvi_newton_free(newton);
+    g = 7;
+    newton = solver(&system, &A, 0, 0);
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), GSL_SUCCESS);
+    ck_assert(d == 1.5 && g == 0.625);
+    ck_assert_uint_eq(page.hessians, 0);
+    fvi_newton_free(newton);
+
+    const fvi_system freely = { 2, one, none, { 0 }, { 0 } };
+    const double r2[] = { 3, -1 }, x2[] = { 1, 1 };
+    double d2[2], g2[2] = { 7, 7 };
+    newton = solver(&freely, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x2, r2, d2, g2), GSL_SUCCESS);
+    ck_assert(d2[0] == 3 && d2[1] == -1 && g2[0] == 0 && g2[1] == 0);
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* ---- identities ---- */
+
+/* The residual of what comes back, put into (2.10) by hand. Rounding makes an
+ * error of at most (4 + d) u in each of r, A d, s grad U and in the point
+ * x + theta d, which the Jacobian multiplies; solving with LU factors adds d u
+ * of the Jacobian times d, and so does the rounding of d. Together at most
+ * 4 (4 + d) u |J| (|x| + |d| + |r| / A). Seen: 0.03 of it. */
+START_TEST(eq_2_10_solutions_satisfy_it)
+{
+    const double cg[] = { 1, 2 }, A[] = { 10, 7, 12, 9, 20 };
+    const double x[] = { 0.3, -1.2, 2.1, 0.7, -0.4 };
+    const double s[] = { 0.03, 0.1, 1, 8 }, theta[] = { 0.2, 0.5, 1 };
+    for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
+        const size_t dim = kind == CUBIC ? 1 : 5;
+        const fvi_system system = {
+            dim, one, none, potential(kind, cg), { 0 }
+        };
+        for (size_t i = 0; i < LEN(s) * LEN(theta); i++) {
+            const double si = s[i % LEN(s)], ti = theta[i / LEN(s)];
+            double r[] = { 5, -3, 0.1, 7, 2 }, d[5] = { 0 }, g[5], z[5];
+            double H[25], norm = 0, size = 0;
+            fvi_newton *newton = solver(&system, A, si, ti);
+            ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), 0);
+            fvi_newton_free(newton);
+            for (size_t j = 0; j < dim; j++)
+                z[j] = x[j] + ti * d[j];
+            system.potential.hessian(dim, z, cg, H);
+            for (size_t j = 0; j < dim; j++) {
+                double sum = A[j];
+                for (size_t k = 0; k < dim; k++)
+                    sum += si * ti * fabs(H[j * dim + k]);
+                norm = fmax(norm, sum);
+                size = fmax(size, fabs(x[j]) + fabs(d[j]) + fabs(r[j]) / A[j]);
+            }
+            for (size_t j = 0; j < dim; j++)
+                ck_assert_near(A[j] * d[j] + si * g[j], r[j],
+                               4 * (4 + (double)dim) * U * norm * size,
+                               "kind %d, s %g, theta %g", kind, si, ti);
+            system.potential.gradient(dim, z, cg, H); /* g is of this point */
+            for (size_t j = 0; j < dim; j++)
+                ck_assert_near(g[j], H[j],
+                               4 * (4 + (double)dim) * U * norm * size / si,
+                               "gradient, kind %d", kind);
+        }
+    }
+}
+END_TEST
+
+/* (2.11) is exact: with f the left side of (2.10), f'' = 6 s theta^2 z and
+ * f' >= A + s theta, Newton's errors obey e_{j+1} <= max |f''| / (2 min f') e_j^2,
+ * and at the end 16 u. The diary has every iterate: z_j = x + theta d_j.
+ * Seen: from 1.7 in 7 gradients; a Jacobian that is 1 % off needs 10. */
+//> quadratic
+START_TEST(eq_2_11_newton_converges_quadratically)
+{
+    diary page = { 0 }, *told = &page;
+    const fvi_system system = telling(&told);
+    const double x = 1, r = 6, A = 1, s = 0.5, theta = 0.5;
+    double d = 0, g, largest = 0;
+    fvi_newton *newton = solver(&system, &A, s, theta);
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), GSL_SUCCESS);
+    fvi_newton_free(newton);
+    ck_assert_uint_eq(page.hessians, page.gradients);
+    ck_assert_uint_le(page.gradients, 8);
+    for (size_t j = 0; j < page.gradients; j++)
+        largest = fmax(largest, fabs(page.point[j]));
+    const double K = 6 * s * theta * theta * largest / (2 * (A + s * theta));
+    double last = fabs((page.point[0] - x) / theta - d);
+    ck_assert_double_gt(last, 1); /* it began far away */
+    for (size_t j = 1; j < page.gradients; j++) {
+        double error = fabs((page.point[j] - x) / theta - d);
+        ck_assert_msg(error <= K * last * last + 16 * U,
+                      "iterate %zu: %g after %g", j, error, last);
+        last = error;
+    }
+}
+END_TEST
+//< quadratic
+
+/* A constant Hessian is asked for once, when the solver is made. */
+START_TEST(eq_2_11_a_constant_hessian_is_factorised_once)
+{
+    diary page = { 0 }, *told = &page;
+    fvi_system system = telling(&told);
+    system.potential.constant_hessian = 1; /* not true, but counted */
+    const double x = 1, r = 1;
+    double d = 0, g;
+    fvi_newton *newton = solver(&system, one, 0.5, 0.5);
+    ck_assert_uint_eq(page.hessians, 1);
+    for (size_t i = 0; i < 10; i++)
+        ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), 0);
+    ck_assert(page.hessians == 1 && page.gradients == 20);
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* ---- errors ---- */
+
+START_TEST(bad_solvers_are_refused)
+{
+    const double c = 1, bad[] = { 0, -1, GSL_NAN, GSL_POSINF };
+    const fvi_system good = { 2, one, none, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system broken = good;
+    broken.mass = NULL;
+    fvi_newton *const kept = (fvi_newton *)&broken, *n = kept;
+    ck_assert_int_eq(fvi_newton_alloc(NULL, one, 1, 1, &n), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&broken, one, 1, 1, &n), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&good, NULL, 1, 1, &n), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, 1, 1, NULL), GSL_EFAULT);
+    for (size_t i = 0; i < LEN(bad); i++) {
+        const double A[] = { 1, bad[i] };
+        ck_assert_int_eq(fvi_newton_alloc(&good, A, 1, 1, &n), GSL_EDOM);
+    }
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, GSL_NAN, 1, &n), GSL_EDOM);
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, 1, GSL_NEGINF, &n), GSL_EDOM);
+
+    /* A = 1, s theta = 1: 1 - 1 = 0; and [[-1, 1], [1, -1]] in two dimensions. */
+    const double soft[] = { -1, 0 };
+    fvi_system singular = { 1, one, none, fvi_potential_duffing(soft), { 0 } };
+    ck_assert_int_eq(fvi_newton_alloc(&singular, one, 1, 1, &n), GSL_ESING);
+    singular.d = 2;
+    singular.potential = fvi_potential_chain(soft);
+    ck_assert_int_eq(fvi_newton_alloc(&singular, one, 1, 1, &n), GSL_ESING);
+    ck_assert_ptr_eq(n, kept);
+    fvi_newton_free(NULL);
+}
+END_TEST
+
+//> failure
+START_TEST(equations_that_cannot_be_solved_are_reported)
+{
+    /* U = z^3 / 3: d + d^2 = -1 has no real solution. */
+    const double cubic[] = { 0, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
+    double d[] = { 0, 0 }, g[2];
+    const fvi_system hopeless = {
+        1, one, none, potential(CUBIC, cubic), { 0 }
+    };
+    fvi_newton *newton = solver(&hopeless, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), GSL_EMAXITER);
+    fvi_newton_free(newton);
+
+    /* U = -z^2/2 + z^4/4 has U'' = -1 at 0, and 1 - 1 = 0, in each dimension. */
+    const double well[] = { -1, 1 };
+    for (size_t dim = 1; dim <= 2; dim++) {
+        const fvi_system flat = {
+            dim, one, none, fvi_potential_duffing(well), { 0 }
+        };
+        newton = solver(&flat, one, 1, 1);
+        d[0] = d[1] = 0;
+        ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), GSL_ESING);
+        fvi_newton_free(newton);
+    }
+}
+END_TEST
+//< failure
+
+START_TEST(null_pointers_are_refused_and_infinities_come_back)
+{
+    const fvi_system duffing = {
+        1, one, none, fvi_potential_duffing(spring), { 0 }
+    };
+    const double x = 1, r = 1, nan = GSL_NAN;
+    double d = 0, g = 7;
+    fvi_newton *n = solver(&duffing, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(NULL, &x, &r, &d, &g), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, NULL, &r, &d, &g), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, NULL, &d, &g), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &r, NULL, &g), GSL_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &r, &d, NULL), GSL_EFAULT);
+    ck_assert(d == 0 && g == 7);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &nan, &d, &g), GSL_SUCCESS);
+    ck_assert(gsl_isnan(d));
+    fvi_newton_free(n);
+}
+END_TEST
+
+int main(void)
+{
+    gsl_set_error_handler_off(); /* the default handler aborts */
+    Suite *suite = suite_create("02 the equation of a step");
+    ADD_CASE(suite, "values", eq_2_10_linear_equations,
+             eq_2_10_is_explicit_at_both_ends_of_kappa);
+    ADD_CASE(suite, "identities", eq_2_10_solutions_satisfy_it,
+             eq_2_11_newton_converges_quadratically,
+             eq_2_11_a_constant_hessian_is_factorised_once);
+    ADD_CASE(suite, "errors", bad_solvers_are_refused,
+             equations_that_cannot_be_solved_are_reported,
+             null_pointers_are_refused_and_infinities_come_back);
+    return run_suite(suite);
+}
