@@ -26,14 +26,18 @@ def pandoc_math(text):
         prose.clear()
 
     for line in text.split("\n"):
-        if line.startswith("```"):
-            if fence is None:
-                flush()
-                fence = line
-                out.append("$$" if line == "```math" else line)
+        if line.startswith("```") and fence is None:
+            flush()
+            fence = line
+            out.append("$$" if line == "```math" else line)
+        elif line.startswith("```"):
+            if fence == "```math":
+                out[-1] += " $$"
             else:
-                out.append("$$" if fence == "```math" else line)
-                fence = None
+                out.append(line)
+            fence = None
+        elif fence == "```math":
+            out[-1] += " " + line  # one line: `-` at the left margin begins no list
         else:
             (out if fence else prose).append(line)
     flush()
@@ -112,6 +116,9 @@ def main():
                               text=True)
     if rendered.returncode:
         sys.exit(rendered.stderr)
+    loose = re.search(r"\$\$.{0,60}|\\tag\{[^}]*\}(?![^<]*</annotation>)", rendered.stdout)
+    if loose:
+        sys.exit(f"the book: a formula was not recognised: {loose[0]}")
     page = link_equations(rendered.stdout)
     page = (HERE / "frame.html").read_text().replace("{contents}", contents(page)).replace("{page}", page)
     check_links(page)
