@@ -52,7 +52,7 @@ help: ## print this list
 	@echo 'and, for one STEM, test-STEM, verify-STEM, figures-STEM; stems:'
 	@echo '  $(TESTS)' | fold -s -w 76 | sed '2,$$s/^/  /'
 
-check: test test-install verify text ## everything: tests, proofs, chapters equal to the code
+check: test test-install test-play verify text ## everything: tests, proofs, chapters equal to the code
 
 test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
 
@@ -74,6 +74,16 @@ pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
 	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
 	  --print-to-pdf=$B/book/fvi.pdf file://$(abspath $B/book/index.html) 2>$B/book/chromium.log
 	@test -s $B/book/fvi.pdf
+
+play: | tools ## the live page, chapters/play/index.html (clang, lld, wasi-libc)
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) chapters/play/build.py $B/play
+	@cmp -s $B/play/index.html chapters/play/index.html || cp $B/play/index.html chapters/play/index.html
+
+test-play: $B/fvi | tools ## the live page's numbers against build/fvi (node)
+	@node chapters/play/test_play.mjs chapters/play/index.html $B/fvi
+
+test-page: | tools ## the live page in a browser: a click, a drag, the keyboard (node, Chromium)
+	@node chapters/play/test_page.mjs chapters/play/index.html $B/play
 
 refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
 
@@ -109,7 +119,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall book pdf verify figures text excerpts refs san valgrind stress bench mutants clean tools \
+.PHONY: all help check test test-example test-install install uninstall book pdf play test-play test-page verify figures text excerpts refs san valgrind stress bench mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
 
 ## -- the library and the program -------------------------------------------
@@ -240,6 +250,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
   $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check test-install,numpy) $(call goal,valgrind,valgrind))
 
 tools:
@@ -247,12 +258,14 @@ tools:
 	  cc) command -v $(firstword $(CC));; \
 	  gsl|check) pkg-config --exists $$1;; \
 	  gnuplot) command -v $(GNUPLOT);; \
-	  valgrind|pandoc|katex|chromium) command -v $$1;; \
+	  valgrind|pandoc|katex|chromium|node) command -v $$1;; \
+	  wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a;; \
 	  sympy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("sympy"))';; \
 	  numpy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("numpy"))';; \
 	  esac >/dev/null 2>&1; }; \
 	packages() { case $$1 in cc) echo gcc libc6-dev;; gsl) echo pkg-config libgsl-dev;; \
-	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy|numpy) echo python3-$$1;; *) echo $$1;; esac; }; \
+	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy|numpy) echo python3-$$1;; \
+	  wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32;; node) echo nodejs;; *) echo $$1;; esac; }; \
 	lacks=; for t in $(NEEDS); do have $$t || lacks="$$lacks $$(packages $$t)"; done; \
 	test -z "$$lacks" && exit 0; \
 	command -v apt-get >/dev/null || { echo "missing; please install (Debian's names):$$lacks" >&2; exit 1; }; \

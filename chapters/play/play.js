@@ -1,0 +1,249 @@
+// chapters/play/play.js -- The page: controls, pictures, and the link in between.
+const element = id => document.getElementById(id);
+const notes = {
+  alpha: "the damping is of order 2α", rho: "damping ρ", h: "time step", steps: "number of steps N",
+  kappa: "U taken at κ xₖ + (1 − κ) xₖ₊₁", x0: "start x(0)", p0: "start p(0)",
+  c: "stiffness C", g: "cubic stiffness G", a: "size A", b: "until T",
+};
+const spelled = { rl: "Riemann-Liouville", caputo: "Caputo" };
+
+const middle = 0.6; // of the run: the moment to look at, 0 the first, 1 the last
+let state, fvi, result, look = middle;
+let motion; // the picture of x(t), for the pointer
+let waiting = false, linkTimer;
+
+// ---- what is said ----
+
+function say(lines) {
+  element("message").textContent = lines.join("; ");
+  element("message").hidden = lines.length === 0;
+}
+
+const short = value => Number.isFinite(value) ? String(Number(value.toPrecision(5))) : String(value);
+
+function sayLoad() {
+  const { load, largest } = result, crossed = load > 1;
+  let text = "stability: the bound of chapter 14 is for fvi and lda";
+  if (load >= 0) {
+    text = crossed ? `unstable: load ${short(load)} is above 1` : `stability: load ${short(load)} of 1`;
+    text += largest === 0 ? "; no step is stable"
+      : largest === Infinity ? "; every step is stable" : `; stable up to h = ${short(largest)}`;
+  }
+  element("load").classList.toggle("crossed", crossed);
+  element("load-bar").style.width = `${100 * Math.min(Math.max(load, 0) || 0, 1)}%`;
+  if (element("load-text").textContent !== text) element("load-text").textContent = text;
+}
+
+// Why there is no exact solution, or how far the run is from it.
+function compare() {
+  const { exact, every, x, rows } = result;
+  if (exact.x.length === 0)
+    return "duffing pendulum".includes(state.potential) ? "no exact solution: U is not quadratic"
+      : "no exact solution: with Riemann-Liouville, α > 1/2 and x0 ≠ 0 there is none";
+  let worst = 0;
+  for (let i = 0; i * every < rows && i < exact.x.length; i++)
+    worst = Math.max(worst, Math.abs(x[i * every] - exact.x[i]));
+  return `largest error ${Number(worst.toPrecision(2))}`;
+}
+
+function moment() {
+  return Math.round(look * (result.rows - 1));
+}
+
+function sayMoment() {
+  const k = moment(), { x, p, energy, rows } = result;
+  const ended = rows <= state.steps ? `; step ${rows} gave no finite value` : "";
+  const text = `k = ${k}: t = ${short(k * state.h)}, x = ${short(x[k])}, p = ${short(p[k])}, `
+    + `E = ${short(energy[k])}; ${compare()}${ended}`;
+  element("moment").textContent = text;
+  element("look").max = rows - 1;
+  element("look").value = k;
+  element("look").setAttribute("aria-valuetext", `k = ${k}`);
+  element("x").setAttribute("aria-label", `Position against time, ${state.method}, ${text}`);
+}
+
+// ---- what is drawn ----
+
+// The past of step k, each x_j with a dot as large as its weight: area by power 2/3.
+function drawPast(at, times) {
+  const k = moment(), { x, weights } = result, damped = state.method === "fvi" && state.rho > 0;
+  for (let n = damped ? k : 0; n > 0; n--) {
+    const radius = 7 * Math.cbrt(Math.abs(weights[n]));
+    if (radius > 0.3) at.dot(times[k - n], x[k - n], "past", radius);
+  }
+  at.dot(times[k], x[k], "run", 5);
+  at.dot(times[k], x[k], "ink", 7, true);
+}
+
+function drawMotion() {
+  const { x, p, energy, exact, rows } = result, k = moment(), dash = [8, 5];
+  const times = Float64Array.from({ length: rows }, (_, i) => i * state.h);
+  const c = state.potential === "harmonic" ? state.c : 0;
+  const exactEnergy = exact.x.map((x, i) => (exact.v[i] ** 2 + c * x * x) / 2);
+  const t = [0, Math.max(rows - 1, 1) * state.h];
+  const at = motion = picture(element("x"), { x: t, y: span(x, exact.x), names: ["t", "x"] });
+  at.curve(times, x, "run");
+  at.curve(exact.t, exact.x, "exact", dash);
+  drawPast(at, times);
+  const e = picture(element("energy"), { x: t, y: span(energy, exactEnergy, [0]), names: ["t", "E"] });
+  e.curve(times, energy, "run");
+  e.curve(exact.t, exactEnergy, "exact", dash);
+  e.dot(times[k], energy[k], "run", 4);
+  const phase = picture(element("phase"), { x: span(x, exact.x), y: span(p, exact.v), names: ["x", "p"] });
+  phase.curve(x, p, "run", [], 1.2);
+  phase.curve(exact.x, exact.v, "exact", dash, 1.2);
+  phase.dot(x[k], p[k], "run", 4);
+}
+
+function drawWeights() {
+  const { weights } = result, last = state.steps, marks = [], order = 2 * state.alpha;
+  for (let n = 1; n <= last; n = Math.max(n + 1, Math.floor(n * 1.12))) {
+    const size = Math.abs(weights[n]);
+    if (size > 1e-300) marks.push([n, size, weights[n] < 0]);
+  }
+  const sizes = marks.map(mark => mark[1]), low = Math.min(0.1, ...sizes), high = Math.max(1, ...sizes);
+  const at = picture(element("weights"), { x: [0.9, 1.2 * last], y: [low / 2, 2 * high], log: true,
+    names: ["n steps ago", "weight"] });
+  if (marks.length > 3) { // the predicted decay, through the last mark
+    const [n, size] = marks.at(-1);
+    at.curve([1, n], [size * n ** (1 + order), size], "exact", [2, 3], 1.2);
+  }
+  for (const [n, size, negative] of marks) at.dot(n, size, negative ? "negative" : "positive", 3.2, negative);
+  element("weights").setAttribute("aria-label", `The weights of the past for order ${short(order)}: `
+    + (marks.length > 3 ? `they decay like n to the ${short(-1 - order)}` : "only the last steps count"));
+}
+
+function draw() {
+  waiting = false;
+  const began = performance.now();
+  readColours();
+  result = fvi.run(state);
+  if (result.rows === 0) return say(["The library refuses this run"]);
+  sayLoad();
+  sayMoment();
+  drawMotion();
+  drawWeights();
+  const took = performance.now() - began;
+  document.documentElement.dataset.frame = took.toFixed(2);
+  element("took").textContent = `${took.toFixed(1)} ms`;
+}
+
+function redraw() {
+  if (!waiting) requestAnimationFrame(draw);
+  waiting = true;
+}
+
+// ---- the controls ----
+
+// A slider and a field for one number. The slider stands on one of its stops; the
+// field takes any number in the range, and says what is wrong with another.
+function control(name) {
+  const row = document.createElement("div"), values = stops(name);
+  row.className = "row";
+  row.dataset.of = name;
+  row.innerHTML = `<label for="${name}-slider"><var>${name}</var> <span></span></label>
+    <input type="range" id="${name}-slider" min="0" max="${values.length - 1}" step="1">
+    <input type="text" id="${name}" inputmode="decimal" autocomplete="off" spellcheck="false">`;
+  const [slider, field] = row.querySelectorAll("input");
+  field.setAttribute("aria-label", `${name} as a number`);
+  slider.addEventListener("input", () => set(name, values[slider.value]));
+  field.addEventListener("input", () => {
+    const wrong = fault(name, field.value.trim());
+    field.setAttribute("aria-invalid", Boolean(wrong));
+    say(wrong ? [`${wrong}; ${name} stays ${state[name]}`] : []);
+    if (!wrong) set(name, Number(field.value));
+  });
+  field.addEventListener("change", () => show());
+  return row;
+}
+
+function set(name, value) {
+  state[name] = value;
+  say([]);
+  change();
+}
+
+// After any change: what belongs to alpha = 1/2, the controls, the link, a picture.
+function change() {
+  const wrong = settle(state);
+  if (wrong) say([wrong]);
+  show();
+  clearTimeout(linkTimer);
+  linkTimer = setTimeout(() => history.replaceState(null, "", link(state)), 150);
+  redraw();
+}
+
+// The controls say what the state is; what does not matter is not there.
+function show() {
+  const asked = [...parameters[state.potential], ...parameters[state.force]];
+  for (const name in ranges) {
+    const slider = element(`${name}-slider`), field = element(name), values = stops(name);
+    let nearest = 0;
+    values.forEach((value, i) => {
+      if (Math.abs(value - state[name]) < Math.abs(values[nearest] - state[name])) nearest = i;
+    });
+    slider.value = nearest;
+    slider.setAttribute("aria-valuetext", String(state[name]));
+    const typing = field === document.activeElement && Number(field.value) === state[name];
+    if (!typing || fault(name, field.value.trim())) {
+      field.value = state[name];
+      field.setAttribute("aria-invalid", false);
+    }
+    const row = slider.parentNode, frequency = name === "b" && state.force === "cosine";
+    row.querySelector("span").textContent = frequency ? "frequency W" : notes[name];
+    row.hidden = "cgab".includes(name) && !asked.includes(name);
+    if (name === "alpha") slider.disabled = field.disabled = state.method !== "fvi";
+  }
+  for (const name in choices) element(name).value = state[name];
+  element("command").textContent = command(state);
+}
+
+function build() {
+  for (const place of document.querySelectorAll("[data-controls]"))
+    place.append(...place.dataset.controls.split(" ").map(control));
+  for (const name in choices) {
+    element(name).append(...choices[name].map(word => new Option(spelled[word] ?? word, word)));
+    element(name).addEventListener("input", () => set(name, element(name).value));
+  }
+  element("look").addEventListener("input", () => {
+    look = Number(element("look").value) / Math.max(result.rows - 1, 1);
+    redraw();
+  });
+  const drag = event => {
+    if (event.type === "pointermove" && event.buttons === 0) return;
+    const pixel = event.clientX - element("x").getBoundingClientRect().left;
+    look = Math.min(Math.max(motion.fraction(pixel), 0), 1);
+    redraw();
+  };
+  element("x").addEventListener("pointerdown", event => {
+    event.target.setPointerCapture(event.pointerId);
+    drag(event);
+  });
+  element("x").addEventListener("pointermove", drag);
+  element("reset").addEventListener("click", () => {
+    state = defaults();
+    look = middle;
+    say([]);
+    change();
+  });
+  window.addEventListener("hashchange", read);
+  window.addEventListener("resize", redraw);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+}
+
+// The link into the state; what is wrong with it is said, not hidden.
+function read() {
+  const { state: meant, wrong } = parse(location.hash);
+  clearTimeout(linkTimer);
+  state = meant;
+  say(wrong.length ? [`This link is not all understood: ${wrong.join("; ")}`] : []);
+  show();
+  redraw();
+}
+
+async function begin() {
+  fvi = await kernel(Uint8Array.from(atob(wasm), letter => letter.charCodeAt(0)));
+  build();
+  read();
+}
+begin().catch(error => say([`The page could not start: ${error.message}`]));

@@ -1,0 +1,230 @@
+// chapters/play/test_page.mjs -- The page in a browser: a click, a drag, the keyboard.
+//
+//   node test_page.mjs PAGE OUT      (make test-page; needs chromium)
+//
+// OUT gets the pictures to look at.
+import { mkdirSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import assert from "node:assert/strict";
+import { open } from "./browser.mjs";
+
+const [, , pageName, out] = process.argv;
+const page = pathToFileURL(resolve(pageName)).href;
+const browser = await open();
+const { call, evaluate, mouse, key } = browser;
+mkdirSync(out, { recursive: true });
+let tests = 0;
+
+const size = (width, height) => call("Emulation.setDeviceMetricsOverride",
+  { width, height, deviceScaleFactor: 1, mobile: width < 500 });
+const scheme = value => call("Emulation.setEmulatedMedia",
+  { features: [{ name: "prefers-color-scheme", value }] });
+const pause = (ms = 300) => new Promise(done => setTimeout(done, ms)); // a frame, and the link
+const text = id => evaluate(`document.getElementById("${id}").textContent`);
+const value = id => evaluate(`document.getElementById("${id}").value`);
+const hash = () => evaluate("location.hash");
+const ink = id => evaluate(`document.getElementById("${id}").toDataURL()`);
+const box = id => evaluate(`(e => {
+  e.scrollIntoView({ block: "center" });
+  const b = e.getBoundingClientRect();
+  return { x: b.x, y: b.y + b.height / 2, width: b.width };
+})(document.getElementById("${id}"))`);
+async function start(link = "") {
+  await browser.go(page + link);
+  await pause();
+}
+async function drag(id, from, to) {
+  const b = await box(id);
+  await mouse("mousePressed", b.x + from * b.width, b.y);
+  for (let i = 1; i <= 8; i++)
+    await mouse("mouseMoved", b.x + (from + (to - from) * i / 8) * b.width, b.y);
+  await mouse("mouseReleased", b.x + to * b.width, b.y);
+  await pause();
+}
+async function picture(name) {
+  const { data } = await call("Page.captureScreenshot", { captureBeyondViewport: true });
+  writeFileSync(`${out}/${name}.png`, Buffer.from(data, "base64"));
+}
+async function test(name, body) {
+  try {
+    await body();
+  } catch (error) {
+    console.error(`not ok: ${name}`);
+    await browser.close();
+    throw error;
+  }
+  tests++;
+}
+
+await size(1200, 1000);
+
+await test("it opens from a disk and says where it is", async () => {
+  await start();
+  assert.match(await text("moment"), /^k = 120: t = 12, x = 0\.\d+, .*largest error 0\.017$/);
+  assert.equal(await text("command"), "build/fvi run --memory direct");
+  assert.equal(await evaluate("document.getElementById('message').hidden"), true);
+});
+
+await test("a click on a chapter's link brings its run", async () => {
+  const link = await evaluate(`(e => {
+    const b = e.getBoundingClientRect();
+    return [b.x + 9, b.y + b.height / 2];
+  })(document.querySelector("a[href*='step:8,1']"))`);
+  await mouse("mousePressed", ...link);
+  await mouse("mouseReleased", ...link);
+  await pause();
+  assert.match(await hash(), /alpha=0\.75.*force=step:8,1/);
+  assert.deepEqual([await value("alpha"), await value("a"), await value("force")], ["0.75", "8", "step"]);
+});
+
+await test("a drag of alpha moves the curves and the link", async () => {
+  await start();
+  const before = await Promise.all(["x", "energy", "phase", "weights"].map(ink));
+  await drag("alpha-slider", 0.5, 0.25);
+  const after = await Promise.all(["x", "energy", "phase", "weights"].map(ink));
+  before.forEach((old, i) => assert.notEqual(old, after[i]));
+  const alpha = Number(await value("alpha"));
+  assert.ok(alpha > 0.2 && alpha < 0.3, `alpha = ${alpha}`);
+  assert.equal(await hash(), `#alpha=${alpha}`);
+  const said = await text("moment");
+  await start(`#alpha=${alpha}`); // the link is the run
+  assert.equal(await text("moment"), said);
+});
+
+// The canvas of x(t) has its axes 52 pixels from the left, 10 from the right, 16 from
+// the top, 34 from the bottom (plot.js). Nothing lies over the curve in this run.
+await test("the curve is where the numbers are", async () => {
+  await start("#potential=pendulum:1&rho=0&x0=2");
+  const off = await evaluate(`(() => {
+    const canvas = document.getElementById("x"), pen = canvas.getContext("2d");
+    const [low, high] = span(result.x), height = canvas.height - 50, run = colours.run;
+    const wanted = [1, 3, 5].map(i => parseInt(run.slice(i, i + 2), 16));
+    const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+    return [10, 40, 77, 100, 150, 190].filter(k => {
+      const at = Math.round(52 + (canvas.width - 62) * k / state.steps);
+      const from = Math.round(16 + height * (high - result.x[k]) / (high - low)) - 2;
+      return ![0, 1, 2, 3, 4].some(i => wanted.every((c, j) =>
+        Math.abs(data[4 * ((from + i) * canvas.width + at) + j] - c) < 8));
+    });
+  })()`);
+  assert.deepEqual(off, [], "no curve at these steps");
+});
+
+await test("a drag over x(t) looks at that moment", async () => {
+  await start("#alpha=0.25&x0=0&p0=1");
+  const before = await ink("x");
+  await drag("x", 0.9, 0.5);
+  const k = Number((await text("moment")).match(/^k = (\d+)/)[1]);
+  assert.ok(k > 85 && k < 110, `k = ${k}`);
+  assert.equal(await value("look"), String(k));
+  assert.notEqual(await ink("x"), before);
+});
+
+await test("the keyboard reaches and moves every control", async () => {
+  await start("#force=cosine:1,2&potential=duffing:1,0.5");
+  await evaluate("document.querySelector('.presets li:last-child a').focus()");
+  const seen = [];
+  for (let i = 0; i < 60; i++) {
+    await key("Tab");
+    const id = await evaluate("document.activeElement.id");
+    if (seen.includes(id) || !id) break;
+    seen.push(id);
+  }
+  const names = ["alpha", "rho", "h", "steps", "kappa", "c", "g", "a", "b", "x0", "p0"];
+  for (const id of [...names, ...names.map(name => `${name}-slider`), "method", "potential", "force",
+    "derivative", "look", "reset"]) assert.ok(seen.includes(id), `${id} is not reached`);
+  await evaluate("document.getElementById('alpha-slider').focus()");
+  await key("ArrowRight");
+  assert.equal(await value("alpha"), "0.505");
+  for (const name of names)
+    for (const end of ["Home", "End"]) {
+      await evaluate(`document.getElementById('${name}-slider').focus()`);
+      await key(end);
+      await pause(30);
+      assert.equal(await evaluate(`fault("${name}", state.${name})`), "");
+      assert.ok(await evaluate("result.rows > 0"), `${name} at its ${end}`);
+    }
+});
+
+await test("each control has a name for those who do not see it", async () => {
+  await call("Accessibility.enable");
+  const { nodes } = await call("Accessibility.getFullAXTree");
+  const roles = ["slider", "textbox", "combobox", "button", "link", "img", "image"];
+  const named = nodes.filter(node => !node.ignored && roles.includes(node.role?.value));
+  assert.ok(named.length > 35, `only ${named.length}`);
+  for (const node of named) assert.ok(node.name?.value, `a ${node.role.value} without a name`);
+});
+
+await test("the stability bound is lit red when it is crossed", async () => {
+  await start("#rho=2");
+  const lit = () => evaluate("getComputedStyle(document.getElementById('load-text')).backgroundColor");
+  assert.match(await text("load-text"), /^stability: load 0\.1 of 1; stable up to h = 1$/);
+  assert.notEqual(await lit(), "rgb(213, 94, 0)");
+  await evaluate("document.getElementById('h-slider').focus()");
+  await key("End");
+  await pause();
+  assert.match(await text("load-text"), /^unstable: load 3 is above 1; stable up to h = 1$/);
+  assert.equal(await lit(), "rgb(213, 94, 0)");
+});
+
+await test("nonsense is said, and does no harm", async () => {
+  await start("#alpha=7&rho=0.4&colour=red");
+  assert.match(await text("message"), /alpha: '7' is outside \[0, 1\]; colour: there is no such parameter/);
+  assert.deepEqual([await value("alpha"), await value("rho")], ["0.5", "0.4"]);
+  await evaluate("location.hash = '#<img src=x onerror=alert(1)>'");
+  await pause();
+  assert.match(await text("message"), /no such parameter|not name=value/);
+  assert.equal(await evaluate("document.images.length"), 0);
+  await evaluate("document.getElementById('h').focus(); document.getElementById('h').select()");
+  await call("Input.insertText", { text: "0,5" });
+  assert.match(await text("message"), /h: '0,5' is not a finite number; h stays 0\.1/);
+  assert.equal(await evaluate("document.getElementById('h').getAttribute('aria-invalid')"), "true");
+  await evaluate("document.getElementById('h').blur()");
+  assert.equal(await value("h"), "0.1");
+  await evaluate("document.getElementById('h').focus(); document.getElementById('h').select()");
+  await call("Input.insertText", { text: "0.0625" });
+  await pause();
+  assert.equal(await hash(), "#h=0.0625");
+  assert.equal(await evaluate("document.getElementById('message').hidden"), true);
+  await start("#alpha=0.3&method=lda");
+  assert.match(await text("message"), /lda knows only 0\.5/);
+  assert.equal(await evaluate("document.getElementById('alpha-slider').disabled"), true);
+});
+
+await test("a frame of 2000 steps takes less than 20 ms", async () => {
+  await start("#alpha=0.3&x0=0&p0=1&steps=2000&h=0.02");
+  const times = await evaluate(`(async () => {
+    const times = [];
+    for (let i = 0; i < 40; i++) {
+      set("alpha", 0.3 + i / 400);
+      await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+      times.push(Number(document.documentElement.dataset.frame));
+    }
+    return times.sort((a, b) => a - b);
+  })()`);
+  console.log(`  ${times[20]} ms in the median of 40, ${times[37]} ms at most in 95 %`);
+  assert.ok(times[20] < 20);
+});
+
+await test("it fits a screen of 400 pixels, light and dark", async () => {
+  for (const [name, width, height, mode, link] of [["wide", 1200, 1000, "light", "#alpha=0.25&x0=0&p0=1"],
+    ["wide-dark", 1200, 1000, "dark", "#alpha=0.75&rho=1&x0=0&p0=0&force=step:8,1&h=0.05&steps=400"],
+    ["narrow", 400, 800, "light", "#alpha=0.15&rho=0.6&x0=0&p0=1&h=0.02&steps=2000"],
+    ["narrow-dark", 400, 800, "dark", "#rho=2.1&h=1&steps=60&nonsense"]]) {
+    await size(width, height);
+    await scheme(mode);
+    await start(link);
+    assert.ok(await evaluate("document.documentElement.scrollWidth") <= width, name);
+    await picture(name);
+    if (width === 400) { // at the sliders: the curve is still in sight
+      await box("h-slider");
+      const top = await evaluate("document.getElementById('x').getBoundingClientRect().top");
+      assert.ok(top >= 0 && top < 100, `x(t) is at ${top}`);
+    }
+  }
+});
+
+await test("no word on the console, no request", () => assert.deepEqual(browser.complaints, []));
+await browser.close();
+console.log(`the live page in Chromium: ${tests} tests passed`);
