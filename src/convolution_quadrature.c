@@ -2,10 +2,10 @@
 #include "convolution_quadrature.h"
 
 #include "coefficients.h"
+#include "stability.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 
 /* ---- weights ---- */
@@ -162,26 +162,5 @@ int fvi_quadrature_growth(fvi_quadrature kind, double theta, double alpha,
     symbol s = { kind, theta, alpha, kappa, W, R };
     /* Q(0) > 0. The trapezoidal delta is infinite at -1. */
     const double end = -1 + 0x1p-53;
-    if (q_real(end, &s) >= 0) {
-        *growth = 1;
-        return GSL_SUCCESS;
-    }
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    if (!solver)
-        GSL_ERROR("no memory for the root solver", GSL_ENOMEM);
-    gsl_function Q = { q_real, &s };
-    status = gsl_root_fsolver_set(solver, &Q, end, 0);
-    for (int i = 0; !status && i < 200; i++) {
-        status = gsl_root_fsolver_iterate(solver);
-        double low = gsl_root_fsolver_x_lower(solver);
-        double high = gsl_root_fsolver_x_upper(solver);
-        if (!status
-            && gsl_root_test_interval(low, high, 0, 4 * GSL_DBL_EPSILON)
-                   == GSL_SUCCESS)
-            break;
-    }
-    if (!status)
-        *growth = -1 / gsl_root_fsolver_root(solver);
-    gsl_root_fsolver_free(solver);
-    return status;
+    return fvi_growth_of_symbol((gsl_function){ q_real, &s }, end, growth);
 }

@@ -209,21 +209,16 @@ static double q_real(double z, void *params)
            + z * (s->W + s->R * pow(1 - z, 2 * s->alpha));
 }
 
-int fvi_growth(double alpha, double kappa, double W, double R, double *growth)
+int fvi_growth_of_symbol(gsl_function Q, double end, double *growth)
 {
-    symbol s = { alpha, kappa, W, R };
-    int status = check_symbol(s, growth);
-    if (status)
-        return status;
-    if (q_real(-1, &s) >= 0) { /* Q(0) > 0: no change of sign, (14.3) */
+    if (GSL_FN_EVAL(&Q, end) >= 0) { /* no change of sign: (14.3) */
         *growth = 1;
         return GSL_SUCCESS;
     }
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver)
         GSL_ERROR("no memory for the root solver", GSL_ENOMEM);
-    gsl_function Q = { q_real, &s };
-    status = gsl_root_fsolver_set(solver, &Q, -1, 0);
+    int status = gsl_root_fsolver_set(solver, &Q, end, 0);
     for (int i = 0; !status && i < 200; i++) {
         status = gsl_root_fsolver_iterate(solver);
         double low = gsl_root_fsolver_x_lower(solver);
@@ -237,4 +232,13 @@ int fvi_growth(double alpha, double kappa, double W, double R, double *growth)
         *growth = -1 / gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
     return status;
+}
+
+int fvi_growth(double alpha, double kappa, double W, double R, double *growth)
+{
+    symbol s = { alpha, kappa, W, R };
+    int status = check_symbol(s, growth);
+    if (status)
+        return status;
+    return fvi_growth_of_symbol((gsl_function){ q_real, &s }, -1, growth);
 }

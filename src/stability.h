@@ -4,6 +4,8 @@
 
 #include "trajectory.h"
 
+#include <gsl/gsl_math.h>
+
 /* fvi_stability_load -- how much of the stable range a run takes.   [(14.3)]
  *
  *     load = lambda / 4,  lambda = the largest eigenvalue of
@@ -52,7 +54,18 @@ int fvi_unstable_modes(double alpha, double kappa, double W, double R,
 
 /* fvi_growth -- the factor 1/|z| by which the unstable mode grows in a step, 1
  * if there is none. Arguments and errors as fvi_unstable_modes.     [(14.5)]
- * By GSL's Brent solver on (-1, 0), to 8 ulp of z. */
+ * Cost and accuracy as fvi_growth_of_symbol. */
 int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
+
+/* fvi_growth_of_symbol -- the same for any symbol, with Q(0) > 0 on (end, 0) and
+ * one change of sign there if Q(end) < 0.                          [(14.5)]
+ *
+ *   Q       Q(z) = z P(z) for real z
+ *   end     -1, or just inside where Q is infinite at -1
+ *   growth  output: 1/|z| at the zero, 1 if Q(end) >= 0
+ *
+ * By GSL's Brent solver, to 8 ulp of z. Returns GSL_SUCCESS; GSL_ENOMEM; what
+ * GSL's solver returns. On error *growth is untouched. */
+int fvi_growth_of_symbol(gsl_function Q, double end, double *growth);
 
 #endif

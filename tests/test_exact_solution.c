@@ -115,6 +115,29 @@ END_TEST
         ck_assert(out_[0] == 7 && out_[1] == 8);                               \
     } while (0)
 
+/* A step that ends as it begins is no force; a cosine does not know the sign of
+ * its frequency, resonance included. 0 ulp: the same operations. */
+START_TEST(eq_11_9_forces_that_are_the_same_give_the_same)
+{
+    fvi_linear p = oscillator(0.3, 1, 1, -0.5), q = p;
+    q.forcing = FVI_FORCING_STEP;
+    q.A = 3;
+    const double times[] = { 0.5, 3, 40 };
+    for (size_t i = 0; i < LEN(times); i++)
+        ck_assert_ulp(solve_x(q, times[i]), solve_x(p, times[i]), 0, "T = 0");
+    for (int resonance = 0; resonance <= 1; resonance++) {
+        p.forcing = q.forcing = FVI_FORCING_COSINE;
+        p.A = q.A = 1;
+        p.rho = q.rho = resonance ? 0 : RHO;
+        p.w = resonance ? 1 : 0.7;
+        q.w = -p.w;
+        for (size_t i = 0; i < LEN(times); i++)
+            ck_assert_ulp(solve_x(q, times[i]), solve_x(p, times[i]), 0,
+                          "w = -%g", p.w);
+    }
+}
+END_TEST
+
 START_TEST(bad_problems_are_refused_and_outputs_are_untouched)
 {
     const double bad[] = { -1, GSL_NAN, GSL_POSINF };
@@ -219,7 +242,8 @@ int main(void)
     Suite *suite = suite_create("11 exact solution");
     ADD_CASE(suite, "values", eq_11_7_solutions_match_talbot_and_the_cut,
              eq_11_14_bagley_torvik, eq_11_4_poles);
-    ADD_CASE(suite, "order", eq_11_7_the_integrator_converges_to_it_at_order_1);
+    ADD_CASE(suite, "order", eq_11_9_forces_that_are_the_same_give_the_same,
+             eq_11_7_the_integrator_converges_to_it_at_order_1);
     ADD_CASE(
         suite, "errors", bad_problems_are_refused_and_outputs_are_untouched,
         bad_times_and_pointers_are_refused, where_there_is_no_pole_it_is_said,

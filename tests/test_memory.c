@@ -249,6 +249,7 @@ START_TEST(eq_12_13_the_sums_of_the_weights_are_positive_and_convex)
         double nu = ref_rest[i / 4].nu, tolerance = tolerances[i % 4];
         double delta = fvi_exponentials_delta(N, tolerance);
         ck_assert(delta > 0 && delta * N <= FVI_WINDOW); /* (12.11) */
+        ck_assert(delta <= tolerance / 10);
         size_t Q = fvi_exponentials_nodes(nu, N, delta, s, c);
         for (size_t q = 0; q < Q; q++)
             ck_assert(c[q] < 0 && s[q] > 0 && (q == 0 || s[q] > s[q - 1]));

@@ -80,6 +80,27 @@ START_TEST(eq_14_3_load_of_single_oscillators)
 }
 END_TEST
 
+/* A nonlinear spring counts with its stiffness at the start, c + 3 g x0^2 = 13, not
+ * at the origin: h^2 13 / 4 + 2 rho h / 4 at kappa = 0, alpha = 1/2. */
+START_TEST(eq_14_3_load_of_a_nonlinear_spring_is_that_at_the_start)
+{
+    const double one = 1, damping = 0.5, start = 2, cg[2] = { 1, 1 };
+    const fvi_system system = {
+        1, &one, &damping, fvi_potential_duffing(cg), { 0 }
+    };
+    const fvi_run run = { .system = &system,
+                          .x0 = &start,
+                          .p0 = &one,
+                          .h = 0.1,
+                          .steps = 1,
+                          .kappa = 0,
+                          .alpha = 0.5 };
+    double load = 0;
+    ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
+    ck_assert_near(load, 0.13 / 4 + 0.1 / 4, 8 * U, "load");
+}
+END_TEST
+
 /* h enters as h^2 c / m and rho h^(2 - 2 alpha) / m: Bagley-Torvik's step is 2,
  * linear damping's 2 m / rho, and alpha = 1 has all steps or none. */
 START_TEST(eq_14_4_largest_step)
@@ -100,6 +121,11 @@ START_TEST(eq_14_4_largest_step)
     run = scalar_run(1, 0.5, 1, 1.001, 1);
     ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
     ck_assert(step == 0);
+    m = 0.1; /* the load overflows on the way; the step is 2e-154.5, and tiny */
+    run = scalar_run(0, 0.5, 1, 1e308, 1);
+    ck_assert_int_eq(fvi_stability_step(&run, &step), GSL_SUCCESS);
+    m = 1;
+    ck_assert(step < 1e-150);
 }
 END_TEST
 
@@ -256,7 +282,9 @@ int main(void)
     gsl_set_error_handler_off();
     Suite *suite = suite_create("14 stability");
     ADD_CASE(suite, "values", eq_14_5_growth_is_the_root_of_the_symbol,
-             eq_14_3_load_of_single_oscillators, eq_14_4_largest_step);
+             eq_14_3_load_of_single_oscillators,
+             eq_14_3_load_of_a_nonlinear_spring_is_that_at_the_start,
+             eq_14_4_largest_step);
     ADD_CASE(suite, "identities",
              eq_14_3_the_argument_principle_counts_what_the_theorem_says,
              eq_14_3_long_runs_on_both_sides_of_the_boundary,

@@ -209,6 +209,33 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
 }
 END_TEST
 
+static void explodes(double t, size_t d, const void *params, double *F)
+{
+    (void)params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = t >= 2 ? GSL_POSINF : 0;
+}
+
+/* An infinite force reaches the momentum one step before the position. */
+START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
+{
+    const fvi_system system = { 1, one, none, { 0 }, { explodes, NULL } };
+    const fvi_run run = { .system = &system,
+                          .x0 = one,
+                          .p0 = none,
+                          .h = 1,
+                          .steps = 5,
+                          .kappa = 0.5,
+                          .alpha = 0.5 };
+    fvi_stepper *s;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), GSL_SUCCESS);
+    ck_assert_int_eq(fvi_step(s), GSL_SUCCESS);
+    ck_assert_int_eq(fvi_step(s), GSL_EOVRFLW);
+    ck_assert_uint_eq(s->k, 1);
+    fvi_stop(s);
+}
+END_TEST
+
 /* The equation of a step is d + g(x + d/2)/2 = 1 here. */
 START_TEST(a_step_that_cannot_be_solved_is_reported)
 {
@@ -297,6 +324,7 @@ int main(void)
              what_needs_no_memory_takes_none);
     ADD_CASE(suite, "errors", start_refuses,
              a_value_that_stops_being_finite_is_reported_with_its_step,
+             a_momentum_that_stops_being_finite_is_reported_at_once,
              a_step_that_cannot_be_solved_is_reported, algorithm_3_refuses);
     return run_suite(suite);
 }

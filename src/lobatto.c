@@ -1,0 +1,397 @@
+/* src/lobatto.c -- Variational integrators of order 2, 4, 6.    [Chapter 17] */
+#include "lobatto.h"
+
+#include "discrete_mechanics.h"
+#include "lobatto_memory.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_ITERATIONS = 50, INNER = FVI_STAGES - 1 };
+
+/* Stage i of coordinate j stands at [i * d + j]; of the l-th damped coordinate,
+ * in v, Y and v0, at [l * s + i]. Stages count from 0 here. */
+typedef struct {
+    const fvi_lobatto_rule *rule;
+    size_t s, d;
+    double *share;                /* of each coordinate, see (17.17) */
+    double (*M)[INNER][INNER];    /* of each: the inverse of L in (17.8) */
+    double *dX, *S, *grad;        /* X_i - x_k, S_i but for grad U, grad U */
+    double *J, *e;                /* (s - 2) d numbers squared, and once */
+    gsl_permutation *permutation; /* of the LU factors in J */
+    size_t damped, *index;        /* the coordinates that have a Y */
+    double *v, *Y, *v0;
+    double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
+    fvi_lobatto_memory *memory;              /* NULL: there is no history */
+} lobatto;
+
+static size_t unknowns(const lobatto *o)
+{
+    return (o->s - 2) * o->d;
+}
+
+static void stop_lobatto(fvi_stepper *s)
+{
+    lobatto *o = s->own;
+    if (!o)
+        return;
+    fvi_lobatto_memory_free(o->memory);
+    gsl_permutation_free(o->permutation);
+    free(o->share);
+    free(o->M);
+    free(o->index);
+    free(o);
+}
+
+/* ---- the equation of a step ---- */
+
+//> linear
+/* L = (m/h) K - rho b W D, rows 1, ..., s-1, columns 2, ..., s: what multiplies
+ * X_2 - x_k, ..., X_s - x_k in (17.8). M becomes its inverse. */
+static int invert(const lobatto *o, double m, double rho, double h,
+                  double M[INNER][INNER])
+{
+    const size_t s = o->s, n = s - 1;
+    const fvi_lobatto_rule *r = o->rule;
+    double L[INNER * INNER];
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 1; j < s; j++) {
+            double K = 0, WD = 0; /* K = D^T B D */
+            for (size_t l = 0; l < s; l++) {
+                K += r->D[l][i] * r->b[l] * r->D[l][j];
+                WD += o->W[i][l] * r->D[l][j];
+            }
+            L[i * n + j - 1] = m / h * K - rho * r->b[i] * WD;
+        }
+    size_t order[INNER];
+    gsl_permutation permutation = { n, order };
+    gsl_matrix_view from = gsl_matrix_view_array(L, n, n),
+                    to = gsl_matrix_view_array_with_tda(M[0], n, n, INNER);
+    int sign;
+    gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
+    for (size_t i = 0; i < n; i++)
+        if (L[i * n + i] == 0)
+            GSL_ERROR("the equation of a step is singular", GSL_ESING);
+    gsl_linalg_LU_invert(&from.matrix, &permutation, &to.matrix);
+    return GSL_SUCCESS;
+}
+//< linear
+
+/* What a force on coordinate j at stage i counts: h b_i, or a share of it. */
+static double weight(const fvi_stepper *s, const lobatto *o, size_t i, size_t j)
+{
+    return s->run.h * o->rule->b[i] * o->share[j];
+}
+
+/* grad U at x_k + dX_i */
+static void gradient(fvi_stepper *s, lobatto *o, size_t i)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    if (!u->gradient)
+        return;
+    for (size_t j = 0; j < o->d; j++)
+        s->dx[j] = s->x[j] + o->dX[i * o->d + j];
+    u->gradient(o->d, s->dx, u->params, o->grad + i * o->d);
+}
+
+//> inner
+/* J = 1 - M h b Hess U on the inner stages, and its LU factors. */
+static int factorise(fvi_stepper *s, lobatto *o)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const size_t d = o->d, n = unknowns(o);
+    for (size_t l = 0; l < o->s - 2; l++) {
+        double *H = o->J + n * n;
+        for (size_t j = 0; j < d; j++)
+            s->dx[j] = s->x[j] + o->dX[(l + 1) * d + j];
+        u->hessian(d, s->dx, u->params, H);
+        for (size_t i = 0; i < o->s - 2; i++)
+            for (size_t j = 0; j < d; j++)
+                for (size_t c = 0; c < d; c++)
+                    o->J[(i * d + j) * n + l * d + c] =
+                        (i == l && j == c)
+                        - o->M[j][i][l + 1] * weight(s, o, l + 1, j)
+                              * H[j * d + c];
+    }
+    if (n > 1) {
+        int sign;
+        gsl_matrix_view J = gsl_matrix_view_array(o->J, n, n);
+        gsl_linalg_LU_decomp(&J.matrix, o->permutation, &sign);
+    }
+    for (size_t i = 0; i < n; i++)
+        if (o->J[i * n + i] == 0)
+            GSL_ERROR("the Jacobian is singular", GSL_ESING);
+    return GSL_SUCCESS;
+}
+//< inner
+
+static void apply_inverse(lobatto *o)
+{
+    const size_t n = unknowns(o);
+    if (n == 1) {
+        o->e[0] /= o->J[0];
+        return;
+    }
+    gsl_matrix_view J = gsl_matrix_view_array(o->J, n, n);
+    gsl_vector_view e = gsl_vector_view_array(o->e, n);
+    gsl_linalg_LU_svx(&J.matrix, o->permutation, &e.vector);
+}
+
+/* X_i - x_k of (17.8), coordinate j, for the forces in S and grad. */
+static double solved(const fvi_stepper *s, const lobatto *o, size_t i, size_t j)
+{
+    const double *M = o->M[j][i - 1];
+    double sum = -M[0] * s->p[j];
+    for (size_t l = 0; l < o->s - 1; l++)
+        sum +=
+            M[l]
+            * (o->S[l * o->d + j] + weight(s, o, l, j) * o->grad[l * o->d + j]);
+    return sum;
+}
+
+//> newton
+/* The inner stages: dX = M (S + h b grad U(x + dX) - p), by Newton's method; a
+ * quadratic U takes one step from dX = 0, and no new factors. */
+static int solve_inner(fvi_stepper *s, lobatto *o)
+{
+    const size_t d = o->d, n = unknowns(o);
+    const int linear = s->run.system->potential.constant_hessian;
+    double before = GSL_POSINF, X = 0;
+    for (size_t j = 0; j < d; j++)
+        X = fmax(X, fabs(s->x[j]));
+    for (size_t i = 0; i < n; i++) /* the start, along the momentum */
+        o->dX[d + i] = linear ? 0
+                              : o->rule->c[1 + i / d] * s->run.h * s->p[i % d]
+                                    / s->run.system->mass[i % d];
+    for (int iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
+        for (size_t i = 1; i + 1 < o->s; i++)
+            gradient(s, o, i);
+        int status = linear ? GSL_SUCCESS : factorise(s, o);
+        if (status)
+            return status;
+        for (size_t i = 0; i < n; i++)
+            o->e[i] = solved(s, o, 1 + i / d, i % d) - o->dX[d + i];
+        apply_inverse(o);
+        double update = 0, scale = 0;
+        for (size_t i = 0; i < n; i++) {
+            o->dX[d + i] += o->e[i];
+            update = fmax(update, fabs(o->e[i]));
+            scale = fmax(scale, fabs(o->dX[d + i]));
+        }
+        if (linear || !gsl_finite(update) || update <= GSL_DBL_EPSILON * scale
+            || (update >= before / 2
+                && update
+                       <= GSL_SQRT_DBL_EPSILON * scale + GSL_DBL_EPSILON * X))
+            return GSL_SUCCESS;
+        before = update;
+    }
+    GSL_ERROR("Newton's method did not converge", GSL_EMAXITER);
+}
+//< newton
+
+/* ---- a step ---- */
+
+/* The history of the damped coordinates, as forces: S += h b rho (Y - v0 part).
+ * o->v holds the v of the step before. */
+static int remember(fvi_stepper *s, lobatto *o)
+{
+    const size_t n = o->s;
+    if (o->memory && s->k > 0) {
+        int status = fvi_lobatto_memory_push(o->memory, o->v, o->Y);
+        if (status)
+            return status;
+    }
+    for (size_t l = 0; l < o->damped; l++)
+        for (size_t i = 0, j = o->index[l]; i < n; i++) {
+            double Y = o->memory && s->k > 0 ? o->scale * o->Y[l * n + i] : 0;
+            for (size_t c = 0; c < n; c++)
+                Y -= o->W[i][c] * o->v0[l];
+            o->S[i * o->d + j] +=
+                weight(s, o, i, j) * s->run.system->damping[j] * Y;
+        }
+    return GSL_SUCCESS;
+}
+
+/* v = D X / h - v0, and S += h b rho W v: the part of the present. */
+static void damp(fvi_stepper *s, lobatto *o)
+{
+    const size_t n = o->s, d = o->d;
+    for (size_t l = 0; l < o->damped; l++) {
+        const size_t j = o->index[l];
+        double *v = o->v + l * n;
+        for (size_t i = 0; i < n; i++) {
+            v[i] = 0;
+            for (size_t c = 1; c < n; c++)
+                v[i] += o->rule->D[i][c] * o->dX[c * d + j];
+            v[i] /= s->run.h;
+        }
+        for (size_t i = 0; i < n; i++) {
+            double Y = 0;
+            for (size_t c = 0; c < n; c++)
+                Y += o->W[i][c] * v[c];
+            o->S[i * d + j] +=
+                weight(s, o, i, j) * s->run.system->damping[j] * Y;
+        }
+        for (size_t i = 0; i < n; i++)
+            v[i] -= o->v0[l];
+    }
+}
+
+//> force
+/* S = -h b F, from within the step at its ends: a jump at a node t_k belongs to
+ * neither side. */
+static void drive(fvi_stepper *s, lobatto *o)
+{
+    const double h = s->run.h, left = (double)s->k * h,
+                 right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
+    for (size_t i = 0; i < o->s; i++) {
+        double t = left + o->rule->c[i] * h;
+        if (i == 0)
+            t = left + in * fmax(left, h);
+        else if (i + 1 == o->s)
+            t = right - in * right;
+        fvi_force_at(s, t);
+        for (size_t j = 0; j < o->d; j++)
+            o->S[i * o->d + j] = -weight(s, o, i, j) * s->F[j];
+    }
+}
+//< force
+
+//> step
+static int step_lobatto(fvi_stepper *s)
+{
+    lobatto *o = s->own;
+    const size_t d = o->d, end = o->s - 1;
+    drive(s, o);
+    int status = remember(s, o);
+    if (!status && end > 1 && s->run.system->potential.gradient)
+        status = solve_inner(s, o);
+    if (status)
+        return status;
+    for (size_t i = 1; i < end; i++)
+        gradient(s, o, i);
+    for (size_t i = 1; i <= end; i++)
+        for (size_t j = 0; j < d; j++)
+            o->dX[i * d + j] = solved(s, o, i, j);
+    gradient(s, o, end);
+    damp(s, o);
+    for (size_t j = 0; j < d; j++) {
+        for (size_t i = 0; i <= end; i++) /* (17.8) */
+            s->p[j] -=
+                o->S[i * d + j] + weight(s, o, i, j) * o->grad[i * d + j];
+        s->x[j] += o->dX[end * d + j];
+    }
+    memcpy(o->grad, o->grad + end * d, d * sizeof *o->grad); /* at x_{k+1} */
+    return GSL_SUCCESS;
+}
+//< step
+
+/* ---- the start ---- */
+
+static int allocate(fvi_stepper *s, size_t stages)
+{
+    const size_t d = s->run.system->d;
+    const int inner = stages > 2 && s->run.system->potential.gradient;
+    const size_t n = inner ? (stages - 2) * d : 0;
+    lobatto *o = s->own = calloc(1, sizeof *o);
+    if (!o)
+        GSL_ERROR("no memory for the stages", GSL_ENOMEM);
+    o->rule = fvi_lobatto(stages);
+    o->s = stages;
+    o->d = d;
+    o->M = calloc(d, sizeof *o->M);
+    o->index = calloc(d, sizeof *o->index);
+    o->share = calloc(2 * d + 5 * stages * d + n + n * n + (n ? d * d : 0),
+                      sizeof *o->share);
+    o->permutation = n > 1 ? gsl_permutation_alloc(n) : NULL;
+    if (!o->M || !o->index || !o->share || (n > 1 && !o->permutation))
+        GSL_ERROR("no memory for the stages", GSL_ENOMEM);
+    o->v0 = o->share + d;
+    o->dX = o->v0 + d;
+    o->S = o->dX + stages * d;
+    o->grad = o->S + stages * d;
+    o->v = o->grad + stages * d;
+    o->Y = o->v + stages * d;
+    o->e = o->Y + stages * d;
+    o->J = o->e + n; /* and room for one Hessian */
+    return GSL_SUCCESS;
+}
+
+/* W_0 and the memory for the order beta = 2 alpha - 1; W = 0 if none is damped. */
+static int prepare(fvi_stepper *s, lobatto *o)
+{
+    const double beta = 2 * s->run.alpha - 1;
+    o->scale = pow(s->run.h, -beta);
+    if (o->damped == 0 || beta == 0) {
+        for (size_t i = 0; i < o->s; i++)
+            o->W[i][i] = o->damped > 0;
+        return GSL_SUCCESS;
+    }
+    int status =
+        fvi_lobatto_memory_alloc(o->s, beta, o->damped, s->run.steps,
+                                 s->run.memory, s->run.tolerance, &o->memory);
+    for (size_t i = 0; !status && i < o->s; i++)
+        for (size_t j = 0; j < o->s; j++)
+            o->W[i][j] =
+                o->scale * fvi_lobatto_memory_now(o->memory)[i * o->s + j];
+    return status;
+}
+
+static int start(fvi_stepper *s, size_t stages)
+{
+    const fvi_system *system = s->run.system;
+    if (s->run.memory == FVI_MEMORY_FFT)
+        GSL_ERROR("there is no FFT for the stages", GSL_EUNSUP);
+    int status = allocate(s, stages);
+    if (status)
+        return status;
+    lobatto *o = s->own;
+    for (size_t j = 0; j < o->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j];
+        o->share[j] = s->run.alpha == 1 ? m / (m + rho) : 1; /* (17.17) */
+        if (rho == 0 || s->run.alpha == 1)
+            continue;
+        o->v0[o->damped] = s->run.alpha > 0.5 ? s->p[j] / m : 0;
+        o->index[o->damped++] = j;
+    }
+    status = prepare(s, o);
+    for (size_t j = 0; !status && j < o->d; j++)
+        status =
+            invert(o, system->mass[j], system->damping[j], s->run.h, o->M[j]);
+    if (status)
+        return status;
+    gradient(s, o, 0); /* dX is zero */
+    const fvi_potential *u = &system->potential;
+    if (stages > 2 && u->gradient && u->constant_hessian)
+        return factorise(s, o);
+    return GSL_SUCCESS;
+}
+
+static int start2(fvi_stepper *s)
+{
+    return start(s, 2);
+}
+
+static int start3(fvi_stepper *s)
+{
+    return start(s, 3);
+}
+
+static int start4(fvi_stepper *s)
+{
+    return start(s, 4);
+}
+
+#define METHOD(stages, orders)                                                 \
+    {                                                                          \
+        .name = "fvi-lobatto" #stages, .order = orders, .memory = "full",      \
+        .start = start##stages, .step = step_lobatto, .stop = stop_lobatto     \
+    }
+
+const fvi_method fvi_lobatto2 = METHOD(2, "2"),
+                 fvi_lobatto3 = METHOD(3, "3 to 4"),
+                 fvi_lobatto4 = METHOD(4, "4 to 6");

@@ -1,0 +1,174 @@
+/* src/lobatto_memory.c -- The history of a derivative on Lobatto nodes.
+ *                                                               [Chapter 17] */
+#include "lobatto_memory.h"
+
+#include "memory_kinds.h" /* FVI_VECTORS */
+
+#include <gsl/gsl_errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES = 8, SHORT = 64 /* runs that AUTO sums directly */ };
+
+struct fvi_lobatto_memory {
+    size_t s, d, steps, k;
+    size_t lags;       /* how many W_n are summed as they are */
+    size_t Q;          /* modes, padded to a multiple of LANES */
+    double *q, *p, *a; /* of each mode; s entries a, Q apart */
+    double *z;         /* Q modes for each coordinate */
+    double *W;         /* W_0, ..., W_lags */
+    double *past;      /* the last `lags` v, a ring */
+};
+
+static size_t padded(size_t n)
+{
+    return (n + LANES - 1) / LANES * LANES;
+}
+
+static int check(size_t s, double beta, size_t d, size_t steps,
+                 fvi_memory_kind kind, double tolerance)
+{
+    if (!fvi_lobatto(s))
+        GSL_ERROR("the stages must be 2, 3 or 4", GSL_EINVAL);
+    if (kind == FVI_MEMORY_FFT)
+        GSL_ERROR("there is no FFT for the stages", GSL_EUNSUP);
+    if (d == 0 || kind < FVI_MEMORY_AUTO || kind > FVI_MEMORY_EXPONENTIALS)
+        GSL_ERROR("d must be at least 1 and the kind known", GSL_EINVAL);
+    if (!(beta >= -1 && beta <= 1))
+        GSL_ERROR("beta must be in [-1, 1]", GSL_EDOM);
+    if (!(tolerance >= 0 && tolerance < 1))
+        GSL_ERROR("tolerance must be in [0, 1)", GSL_EDOM);
+    const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
+    const size_t most = SIZE_MAX / sizeof(double) / 1024;
+    if (d > most || (direct && steps > most / d))
+        GSL_ERROR("steps and d must be addressable", GSL_EINVAL);
+    if (kind == FVI_MEMORY_EXPONENTIALS && tolerance > 0 && tolerance < 1e-14)
+        GSL_ERROR("no tolerance below 1e-14", GSL_ETOL);
+    return GSL_SUCCESS;
+}
+
+int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
+                             fvi_memory_kind kind, double tolerance,
+                             fvi_lobatto_memory **memory)
+{
+    if (!memory)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    int status = check(s, beta, d, steps, kind, tolerance);
+    if (status)
+        return status;
+    if (kind == FVI_MEMORY_AUTO)
+        kind = steps <= SHORT ? FVI_MEMORY_DIRECT : FVI_MEMORY_EXPONENTIALS;
+    const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
+    const double keep = tolerance > 1e-14 ? tolerance : 1e-13;
+    const double N = (double)steps + 1;
+    const size_t lags = direct ? steps : FVI_LAGS,
+                 Q = direct ? 0
+                            : padded(fvi_lobatto_nodes(s, beta, N, keep, NULL,
+                                                       NULL, NULL, 0)),
+                 size = (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
+    fvi_lobatto_memory *m = malloc(sizeof *m);
+    double *block = calloc(size, sizeof *block);
+    if (!m || !block) {
+        free(m);
+        free(block);
+        GSL_ERROR("no memory for the history", GSL_ENOMEM);
+    }
+    *m = (fvi_lobatto_memory){
+        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .q = block
+    };
+    m->p = m->q + Q;
+    m->a = m->p + Q;
+    m->z = m->a + s * Q;
+    m->W = m->z + d * Q;
+    m->past = m->W + (lags + 1) * s * s;
+    status = fvi_lobatto_weights(s, beta, lags + 1, m->W);
+    if (status) {
+        fvi_lobatto_memory_free(m);
+        return status;
+    }
+    if (Q > 0)
+        fvi_lobatto_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
+    for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
+        for (size_t l = 0; l < FVI_LAGS; l++)
+            m->q[j] -= m->p[j] * m->q[j];
+    *memory = m;
+    return GSL_SUCCESS;
+}
+
+void fvi_lobatto_memory_free(fvi_lobatto_memory *m)
+{
+    if (!m)
+        return;
+    free(m->q);
+    free(m);
+}
+
+const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
+{
+    return m->W;
+}
+
+//> advance
+/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
+ * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
+ * make the digits independent of the width of the vectors. */
+FVI_VECTORS static void advance(size_t s, size_t Q, const double *restrict q,
+                                const double *restrict p,
+                                const double *restrict a, const double *u,
+                                double *restrict z, double *H)
+{
+    const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
+    double sum[FVI_STAGES][LANES] = { { 0 } };
+    for (size_t j = 0; j < Q; j += LANES) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++) {
+            const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
+                         x3 = a3[j + l];
+            z[j + l] += (u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
+                        - p[j + l] * z[j + l]; /* (17.12) */
+            const double y = q[j + l] * z[j + l];
+            sum[0][l] += x0 * y;
+            sum[1][l] += x1 * y;
+            sum[2][l] += x2 * y;
+            sum[3][l] += x3 * y;
+        }
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += sum[i][l];
+}
+//< advance
+
+//> push
+int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
+{
+    if (!m || !v || !H)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (m->k >= m->steps)
+        GSL_ERROR("the memory is full", GSL_EINVAL);
+    const size_t s = m->s, k = ++m->k, lags = m->lags;
+    const double *b = fvi_lobatto(s)->b;
+    for (size_t i = 0; i < m->d; i++, v += s, H += s) {
+        double *past = m->past + i * lags * s,
+               *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
+               sum[FVI_STAGES] = { 0 };
+        for (size_t l = 0; l < s;
+             l++) { /* what leaves the ring: v_{k-1-lags} */
+            u[s - 1 - l] = b[l] * place[l];
+            place[l] = v[l];
+        }
+        for (size_t n = 1; n <= lags && n <= k; n++) { /* (17.9) */
+            const double *W = m->W + n * s * s,
+                         *term = past + (k - n) % lags * s;
+            for (size_t l = 0; l < s; l++)
+                for (size_t j = 0; j < s; j++)
+                    sum[l] += W[l * s + j] * term[j];
+        }
+        if (m->Q > 0)
+            advance(s, m->Q, m->q, m->p, m->a, u, m->z + i * m->Q, sum);
+        memcpy(H, sum, s * sizeof *H);
+    }
+    return GSL_SUCCESS;
+}
+//< push

@@ -1,0 +1,216 @@
+/* tests/test_lobatto_errors.c -- Chapter 17: corrected momenta, what is not taken
+ * and what is refused. Run alone: make test-lobatto_errors */
+#include "lobatto_runs.h"
+
+#include "lobatto_ref.h"
+
+/* ---- momenta ---- */
+
+/* (17.14), the constants, through the function: h = 1, x = k^s / s!, whose difference
+ * of order s is 1. Two terms, of some ten roundings each, 1e-3 at most where they
+ * cancel: 32 u. Seen: 19 u. */
+START_TEST(eq_17_14_constants_are_right)
+{
+    const double one = 1;
+    const fvi_system system = { .d = 1, .mass = &one, .damping = &one };
+    for (size_t i = 0; i < LEN(ref_corrections); i++) {
+        const size_t s = ref_corrections[i].s;
+        const fvi_run run = { .system = &system,
+                              .h = 1,
+                              .steps = 4,
+                              .alpha = (1 + ref_corrections[i].beta) / 2 };
+        double q[5], zero[5] = { 0 };
+        for (size_t k = 0; k < 5; k++)
+            q[k] = gsl_pow_int((double)k, (int)s)
+                   / (s == 2   ? 2
+                      : s == 3 ? 6
+                               : 24);
+        ck_assert_int_eq(fvi_lobatto_momenta(methods[s], &run, q, zero), 0);
+        const double want =
+            s == 2 && ref_corrections[i].beta < 0 ? 0 : ref_corrections[i].want;
+        ck_assert_near(zero[2], want, 32 * U * fmax(fabs(want), 1e-3),
+                       "s=%zu %g", s, ref_corrections[i].beta);
+        ck_assert_double_eq(zero[0], 0);
+        ck_assert_double_eq(zero[4], 0);
+    }
+}
+END_TEST
+
+/* ---- what is not needed is not taken ---- */
+
+START_TEST(what_needs_no_stages_of_the_past_keeps_none)
+{
+    const double at[] = { 0.3, 0, 0.5, 1 };
+    for (size_t s = 2; s <= 4; s++)
+        for (size_t i = 0; i < LEN(at); i++) {
+            const double one = 1, rho = i == 0 ? 0 : 0.5;
+            const fvi_system system = { 1, &one, &rho, { 0 }, { 0 } };
+            const fvi_run run = { .system = &system,
+                                  .x0 = &one,
+                                  .p0 = &one,
+                                  .h = 0.1,
+                                  .steps = (size_t)1 << 50,
+                                  .alpha = at[i],
+                                  .memory = FVI_MEMORY_DIRECT };
+            fvi_stepper *stepper;
+            ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), 0);
+            for (size_t k = 0; k < 20; k++)
+                ck_assert_int_eq(fvi_step(stepper), GSL_SUCCESS);
+            fvi_stop(stepper);
+        }
+}
+END_TEST
+
+/* ---- errors ---- */
+
+static double no_value(size_t d, const double *q, const void *params)
+{
+    (void)d, (void)params;
+    return fabs(q[0]);
+}
+
+/* grad U = 1e3 sign(x): Newton's method jumps to and fro. */
+static void sign(size_t d, const double *q, const void *params, double *g)
+{
+    (void)d, (void)params;
+    g[0] = q[0] >= 0 ? 1e3 : -1e3;
+}
+
+static void claimed(size_t d, const double *q, const void *params, double *H)
+{
+    (void)d, (void)q;
+    H[0] = *(const double *)params;
+}
+
+START_TEST(lobatto_start_refuses)
+{
+    const double one = 1, c = 1;
+    const fvi_system good = {
+        1, &one, &one, fvi_potential_harmonic(&c), { 0 }
+    };
+    const fvi_run run = { .system = &good,
+                          .x0 = &one,
+                          .p0 = &one,
+                          .h = 1,
+                          .steps = 3,
+                          .alpha = 0.3 };
+#define WITH(method, field, value, code)                                       \
+    {                                                                          \
+        fvi_run bad = run;                                                     \
+        bad.field = (value);                                                   \
+        fvi_stepper *same = (fvi_stepper *)&bad;                               \
+        ck_assert_int_eq(fvi_start(method, &bad, &same), code);                \
+        ck_assert_ptr_eq(same, &bad);                                          \
+    }
+    for (size_t s = 2; s <= 4; s++) {
+        WITH(methods[s], memory, FVI_MEMORY_FFT, GSL_EUNSUP)
+        fvi_run local = run;
+        local.memory = FVI_MEMORY_FFT;
+        local.alpha = 0.5;
+        fvi_stepper *none = NULL;
+        ck_assert_int_eq(fvi_start(methods[s], &local, &none), GSL_EUNSUP);
+        WITH(methods[s], memory, (fvi_memory_kind)99, GSL_EINVAL)
+        WITH(methods[s], alpha, 1.1, GSL_EDOM)
+        WITH(methods[s], h, 0, GSL_EDOM)
+        WITH(methods[s], steps, 0, GSL_EINVAL)
+        WITH(methods[s], system, NULL, GSL_EFAULT)
+        WITH(methods[s], tolerance, 1, GSL_EDOM)
+        fvi_run exact = run;
+        exact.memory = FVI_MEMORY_EXPONENTIALS;
+        exact.tolerance = 1e-15;
+        fvi_stepper *stepper = NULL;
+        ck_assert_int_eq(fvi_start(methods[s], &exact, &stepper), GSL_ETOL);
+        ck_assert_ptr_null(stepper);
+    }
+#undef WITH
+}
+END_TEST
+
+static int last_step(const fvi_system *system, const double *x0, size_t s)
+{
+    const double one = 1;
+    const fvi_run run = { .system = system,
+                          .x0 = x0,
+                          .p0 = &one,
+                          .h = 1,
+                          .steps = 500,
+                          .alpha = 0.3 };
+    return fvi_trajectory(methods[s], &run, NULL, NULL, NULL);
+}
+
+/* s = 3, no damping: 1 + (h^2/16) (4/6) U'' is 0 at U'' = -24, in exact numbers;
+ * in doubles for one of its neighbours. Constant: refused at the start. */
+START_TEST(a_singular_equation_is_refused)
+{
+    const double one = 1, none = 0, start = -0.7;
+    double stiffness = -24;
+    for (int i = 0; i < 20; i++)
+        stiffness = nextafter(stiffness, -25);
+    size_t refused[2] = { 0 };
+    for (int i = 0; i < 40; i++, stiffness = nextafter(stiffness, 0)) {
+        fvi_system system = {
+            1, &one, &none, { no_value, sign, claimed, &stiffness, 0 }, { 0 }
+        };
+        for (int constant = 0; constant <= 1; constant++) {
+            system.potential.constant_hessian = constant;
+            int status = last_step(&system, &start, 3);
+            ck_assert(status == GSL_ESING || status == GSL_SUCCESS
+                      || status == GSL_EMAXITER);
+            refused[constant] += status == GSL_ESING;
+        }
+    }
+    ck_assert_uint_gt(refused[0], 0);
+    ck_assert_uint_gt(refused[1], 0);
+}
+END_TEST
+
+START_TEST(lobatto_steps_fail_with_their_code)
+{
+    const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
+    fvi_system system = {
+        1, &one, &none, { no_value, sign, claimed, &flat, 0 }, { 0 }
+    };
+    ck_assert_int_eq(last_step(&system, &start, 3), GSL_EMAXITER);
+    ck_assert_int_eq(last_step(&system, &start, 4), GSL_EMAXITER);
+    system.potential = fvi_potential_harmonic(&hard);
+    for (size_t s = 2; s <= 4; s++)
+        ck_assert_int_eq(last_step(&system, &start, s), GSL_EOVRFLW);
+}
+END_TEST
+
+START_TEST(momenta_refuse)
+{
+    const double one = 1;
+    const fvi_system system = { .d = 1, .mass = &one, .damping = &one };
+    fvi_run run = { .system = &system, .h = 1, .steps = 4, .alpha = 0.7 };
+    double q[5] = { 0, 1, 7, 1, 0 }, momentum[5] = { 0 };
+    const fvi_method other = { .name = "other" };
+    ck_assert_int_eq(fvi_lobatto_momenta(NULL, &run, q, momentum), GSL_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, NULL, q, momentum),
+                     GSL_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, &run, NULL, momentum),
+                     GSL_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, &run, q, NULL),
+                     GSL_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_momenta(&other, &run, q, momentum),
+                     GSL_EINVAL);
+    run.alpha = GSL_NAN;
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+                     GSL_EDOM);
+    run.system = NULL;
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+                     GSL_EFAULT);
+    ck_assert_double_eq(farthest(0, 5, momentum, NULL), 0);
+}
+END_TEST
+
+int main(void)
+{
+    gsl_set_error_handler_off();
+    Suite *suite = suite_create("lobatto_errors");
+    ADD_CASE(suite, "values", eq_17_14_constants_are_right);
+    ADD_CASE(suite, "errors", what_needs_no_stages_of_the_past_keeps_none,
+             lobatto_start_refuses, a_singular_equation_is_refused,
+             lobatto_steps_fail_with_their_code, momenta_refuse);
+    return run_suite(suite);
+}

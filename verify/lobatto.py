@@ -1,0 +1,319 @@
+"""Chapter 17. Variational integrators on Lobatto nodes, s = 2, 3, 4.
+
+Proved here with exact numbers (sqrt(5) included), z, mu and what else is named
+left symbolic:
+  (17.1)  D differentiates the Lagrange polynomials, b integrates them;
+  (17.2)  summation by parts: B D + D^T B = e_s e_s^T - e_1 e_1^T;
+  (17.3)  A^(-1) = D + e_1 e_1^T / b_1, A the table of Lobatto IIIC;
+  (17.5)  Delta(z) (A + z/(1-z) 1 b^T) = 1;
+  (17.6)  P Delta(z) P = B^(-1) Delta(z)^T B, and that products inherit it;
+  (17.8)  is the restricted variation of the action of two steps (s = 2, 3), its
+          path, its potential and its weights left open;
+  (17.7)  A D d = d where d_1 = 0: for alpha = 0 the memory is x - x_0;
+  (17.10) the resolvent of Delta(z) is N + z a a~^T / (1 - z R);
+  (17.11) the Hermitian part of B Delta(z);
+  (17.14) c_{s,beta}; (17.15) the first gap of the scheme without damping;
+  (17.16) the alternating mode for s = 2, alpha symbolic.
+Printed: W_n from Cauchy's integral over a circle, Delta(z)^beta by its
+eigenvalues, 60 and 90 digits; never by roots, series or nodes as in the C code."""
+import mpmath
+from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, eye, factor,
+                   integrate, ones, pi, prod, simplify, sin, solve, sqrt, symbols)
+
+from refgen import claim, header, hexd, hexd_real, prove, table
+
+z, mu, x, h, m, rho = symbols("z mu x h m rho")
+Q = Rational
+r5 = sqrt(5)
+
+C = {2: [0, 1], 3: [0, Q(1, 2), 1], 4: [0, (5 - r5) / 10, (5 + r5) / 10, 1]}
+B = {2: [Q(1, 2)] * 2, 3: [Q(1, 6), Q(4, 6), Q(1, 6)], 4: [Q(1, 12), Q(5, 12), Q(5, 12), Q(1, 12)]}
+D = {2: Matrix([[-1, 1], [-1, 1]]),
+     3: Matrix([[-3, 4, -1], [-1, 0, 1], [1, -4, 3]]),
+     4: Matrix([[-6, 5 * (1 + r5) / 2, 5 * (1 - r5) / 2, 1],
+                [-(1 + r5) / 2, 0, r5, (1 - r5) / 2],
+                [(r5 - 1) / 2, -r5, 0, (1 + r5) / 2],
+                [-1, 5 * (r5 - 1) / 2, -5 * (1 + r5) / 2, 6]])}
+A = {2: Matrix([[1, -1], [1, 1]]) / 2,
+     3: Matrix([[2, -4, 2], [2, 5, -1], [2, 8, 2]]) / 12,
+     4: Matrix([[5, -5 * r5, 5 * r5, -5], [5, 15, 10 - 7 * r5, r5],
+                [5, 10 + 7 * r5, 15, -r5], [5, 25, 25, 5]]) / 60}
+STAGES = (2, 3, 4)
+
+
+def zero(what, matrix):
+    prove(what, *[simplify(expand(e)) for e in matrix])
+
+
+def unit(s, i):
+    return eye(s)[:, i]
+
+
+for s in STAGES:
+    lagrange = [prod((x - C[s][j]) / (C[s][i] - C[s][j]) for j in range(s) if j != i)
+                for i in range(s)]
+    for i in range(s):
+        prove("(17.1) b", integrate(expand(lagrange[i]), (x, 0, 1)) - B[s][i])
+        for j in range(s):
+            prove("(17.1) D", diff(lagrange[j], x).subs(x, C[s][i]) - D[s][i, j])
+
+#> structure
+for s in STAGES:
+    b, Bs, one = Matrix(B[s]), diag(*B[s]), ones(s, 1)
+    e1, es, flip = unit(s, 0), unit(s, s - 1), eye(s)[::-1, :]
+    zero("(17.2) summation by parts", Bs * D[s] + D[s].T * Bs - es * es.T + e1 * e1.T)
+    inverse = D[s] + e1 * e1.T / b[0]
+    zero("(17.3) A^(-1)", A[s] * inverse - eye(s))
+    Delta = inverse - z / b[0] * e1 * es.T
+    zero("(17.5) Delta(z) is linear", Delta * (A[s] * (1 - z) + z * one * b.T) - (1 - z) * eye(s))
+    zero("(17.7) order -1 of the velocity", (A[s] * D[s] - eye(s))[:, 1:])
+    zero("(17.7) and at the end of the step", (b.T * D[s] - es.T)[:, 1:])
+    zero("(17.6) reversal", flip * Delta * flip - Bs.inv() * Delta.T * Bs)
+    zero("(17.6) of a product",
+         flip * Delta * Delta.subs(z, mu) * flip
+         - Bs.inv() * (Delta.subs(z, mu) * Delta).T * Bs)
+    # (17.11): 2 Re <v, B Delta v> with z = p + iq, for complex v.
+    p, q = symbols("p q", real=True)
+    v, w = Matrix(symbols(f"v:{s}")), Matrix(symbols(f"w:{s}"))    # w stands for conj(v)
+    twice = (w.T * (Bs * Delta.subs(z, p + I * q)
+                    + (Bs * Delta).T.subs(z, p - I * q)) * v)[0]
+    stated = (v[s-1] * w[s-1] + v[0] * w[0]
+              - (p + I * q) * w[0] * v[s-1] - (p - I * q) * v[0] * w[s-1])
+    prove("(17.11)", simplify(expand(twice - stated)))
+#< structure
+
+#> resolvent
+for s in STAGES:
+    b, e1, es = Matrix(B[s]), unit(s, 0), unit(s, s - 1)
+    Delta = D[s] + e1 * e1.T / b[0] - z / b[0] * e1 * es.T
+    a = ((eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate() * e1 / b[0])
+    det = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).det()
+    R = a[s - 1]                                            # over det
+    back = Matrix([b[i] * a[s - 1 - i] for i in range(s)])  # over det
+    N = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate()  # over det
+    # (mu + Delta)(N + z a a~^T / (1 - z R)) = 1, times det (det - z R) det
+    zero("(17.10) resolvent", (eye(s) * mu + Delta) * (N * (det - z * R) + z * a * back.T)
+         - det * (det - z * R) * eye(s))
+    prove("(17.12) 1 - R(-mu) = mu b.a", simplify(expand(det - R - mu * (b.T * a)[0])))
+#< resolvent
+
+
+# (17.7), (17.8): the action of two steps, all weights and the potential open.
+#> variation
+U = Function("U")
+for s in (2, 3):
+    W = [Matrix(s, s, symbols(f"W{n}_:{s}:{s}")) for n in range(2)]
+    b, Bs = B[s], diag(*B[s])
+    nodes = {name: symbols(f"{name}0:{2 * s - 1}") for name in "xy"}
+    X, Y = ([Matrix(nodes[name][k * (s - 1):k * (s - 1) + s]) for k in range(2)] for name in "xy")
+    F = [Matrix(symbols(f"F{k}_:{s}")) for k in range(2)]          # one-sided: two at the joint
+    minus = [W[0] * X[0], W[0] * X[1] + W[1] * X[0]]
+    plus = [Bs.inv() * (W[0].T * Bs * Y[0] + W[1].T * Bs * Y[1]), Bs.inv() * W[0].T * Bs * Y[1]]
+    free = lambda Z: sum(h * b[i] * (m / 2 * ((D[s] * Z[k])[i] / h)**2 - U(Z[k][i]) + F[k][i] * Z[k][i])
+                         for k in range(2) for i in range(s))
+    memory = -h * rho * sum((minus[k].T * Bs * plus[k])[0] for k in range(2))
+    twice = [W[0] * minus[0], W[0] * minus[1] + W[1] * minus[0]]   # W * W: order 2 alpha
+    K = D[s].T * Bs * D[s]
+    row = lambda k, i: ((m / h) * (K * X[k])[i]
+                        - h * b[i] * (diff(U(X[k][i]), X[k][i]) + rho * twice[k][i] - F[k][i]))
+    for i in range(1, 2 * s - 2):
+        # delta x = delta y: D_x of what is free, D_y of the memory
+        varied = diff(free(X), nodes["x"][i]) + diff(memory, nodes["y"][i])
+        k, j = divmod(i, s - 1)
+        wanted = row(k, j) if j else row(0, s - 1) + row(1, 0)
+        prove("(17.8) is the x-part of the restricted variation", expand((varied - wanted).doit()))
+#< variation
+
+
+# (17.14): c = e_s^T Delta(1)^beta (c^s/s! - A c^(s-1)/(s-1)!), by residues.
+#> correction
+lam = symbols("lambda")
+POLYNOMIAL = {2: lam - 2, 3: lam**2 - 6 * lam + 24, 4: lam**3 - 12 * lam**2 + 60 * lam - 360}
+for s in STAGES:
+    Delta1 = D[s] + unit(s, 0) * (unit(s, 0) - unit(s, s - 1)).T / B[s][0]
+    prove("(17.14) eigenvalues", simplify(expand((lam * eye(s) - Delta1).det() - lam * POLYNOMIAL[s])))
+#< correction
+
+
+def correction(s, beta):
+    """By the definition, in floating point."""
+    M = mpmath.matrix((D[s] + unit(s, 0) * (unit(s, 0) - unit(s, s - 1)).T / B[s][0]).evalf(60).tolist())
+    c = [mpmath.mpf(str(Q(v).evalf(60) if v in (0, 1) else v.evalf(60))) for v in C[s]]
+    defect = [c[i]**s / mpmath.factorial(s) for i in range(s)]
+    Am = A[s].evalf(60)
+    for i in range(s):
+        defect[i] -= sum(mpmath.mpf(str(Am[i, j])) * c[j]**(s - 1) for j in range(s)) / mpmath.factorial(s - 1)
+    roots = mpmath.polyroots([mpmath.mpf(int(k)) for k in POLYNOMIAL[s].as_poly(lam).all_coeffs()],
+                             maxsteps=200, extraprec=200)
+    total, every = mpmath.mpc(0), list(roots) + [mpmath.mpf(0)]
+    for root in roots:
+        v = mpmath.matrix(defect)
+        for other in every:
+            if other != root:
+                v = (M * v - other * v) / (root - other)
+        total += root**beta * v[s - 1]
+    return total.real
+
+
+CLOSED = {
+    2: lambda be: -mpmath.mpf(2)**be / 4,
+    3: lambda be: -mpmath.mpf(24)**(be / 2) * mpmath.sin(be * mpmath.atan(mpmath.sqrt(15) / 3))
+                  / (12 * mpmath.sqrt(15)),
+}
+
+# (17.15): half the trace of a step for x'' + x = 0, y = h^2; +-1 at the first gap.
+#> gap
+y = symbols("y", positive=True)
+GAP = {2: 4, 3: 8, 4: 42 - 6 * sqrt(29)}
+for s in STAGES:
+    rows = (D[s].T * diag(*B[s]) * D[s] - y * diag(*B[s])).applyfunc(simplify)
+    ends, inner = [0, s - 1], list(range(1, s - 1))
+    reduced = rows.extract(ends, ends)      # h p_k, -h p_{k+1} by x_k, x_{k+1}
+    if inner:
+        reduced -= (rows.extract(ends, inner) * rows.extract(inner, inner).inv()
+                    * rows.extract(inner, ends))
+    prove("(17.15) a step is time-symmetric", simplify(reduced[0, 0] - reduced[1, 1]))
+    half = factor(simplify(-reduced[0, 0] / reduced[0, 1]))     # of the trace
+    edges = [v for sign in (1, -1) for v in solve(simplify(half - sign), y) if v > 0]
+    claim("(17.15) the first gap", min(edges, key=lambda v: v.evalf()) == GAP[s])
+    claim("(17.15) stable below", all(abs(half.subs(y, GAP[s] * Q(i, 20))) < 1 for i in range(1, 20)))
+#< gap
+
+# (17.16), s = 2: x_k = (-1)^k, X_k = (-1)^k (1, -1), through the memory; and what acts
+# on a node, the last stage of one step (the other sign) and the first of the next.
+#> alternating
+al = symbols("alpha", positive=True)
+Delta1 = D[2] + 2 * unit(2, 0) * (unit(2, 0) + unit(2, 1)).T                # Delta(-1)
+J = (Delta1 - eye(2)) / sqrt(3)
+zero("(17.16) Delta(-1) = 2 (cos(pi/3) + sin(pi/3) J), J^2 = -1", J * J + eye(2))
+angle = (2 * al - 1) * pi / 3
+Y = 2**(2 * al - 1) * (cos(angle) * eye(2) + sin(angle) * J) * D[2] * Matrix([1, -1])
+load = (Y[0] - Y[1]) / 2                                                    # R times this
+prove("(17.16)", simplify(load - 2**(2 * al + 1) / sqrt(3) * sin((1 - 2 * al) * pi / 3)))
+#< alternating
+
+
+RADIUS = mpmath.mpf(7) / 16      # at 1/2 two eigenvalues of s = 2 coincide
+
+
+#> definition
+def power(s, beta, point):
+    """Delta(z)^beta: sum_j lambda_j^beta prod_{i != j} (Delta - lambda_i) / (lambda_j - lambda_i)."""
+    M = BASE[s].copy()
+    M[0, s - 1] -= point / BS[s][0]
+    roots = eigenvalues(s, point)
+    total = [mpmath.zeros(s, s) for _ in beta]
+    for j, root in enumerate(roots):
+        P = mpmath.eye(s)
+        for i, other in enumerate(roots):
+            if i != j:
+                P = P * (M - other * mpmath.eye(s)) / (root - other)
+        for k, e in enumerate(beta):
+            total[k] += root**e * P
+    return total
+
+
+def cauchy(s, betas, orders, count):
+    """W_n = (1/L) sum_j z_j^-n Delta(z_j)^beta, z_j^L = RADIUS^L, which is also the error."""
+    W = {(k, n): mpmath.zeros(s, s) for k in range(len(betas)) for n in orders}
+    for j in range(count // 2 + 1):
+        point = mpmath.expjpi(mpmath.mpf(2 * j) / count) * RADIUS
+        weight = (1 if j in (0, count // 2) else 2) / mpmath.mpf(count)
+        for k, value in enumerate(power(s, betas, point)):
+            for n in orders:
+                W[k, n] += weight * (value * point**-n).apply(mpmath.re)
+    return W
+#< definition
+
+
+Z = symbols("Z")
+EXACT = {s: D[s] + unit(s, 0) * (unit(s, 0) - Z * unit(s, s - 1)).T / B[s][0] for s in STAGES}
+CHARACTER = {s: (lam * eye(s) - EXACT[s]).det().expand().as_poly(lam).all_coeffs() for s in STAGES}
+BASE, BS = {}, {}
+
+
+def number(e):
+    return mpmath.mpf(str(simplify(e).evalf(mpmath.mp.dps + 10)))
+
+
+def eigenvalues(s, point):
+    coefficients = [c + d * point for c, d in LINEAR[s]]
+    return mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
+
+
+def at_precision(digits):
+    """All matrices at so many digits."""
+    mpmath.mp.dps = digits + 25
+    for s in STAGES:
+        BASE[s] = mpmath.matrix(s, s)
+        BS[s] = [number(v) for v in B[s]]
+        for i in range(s):
+            for j in range(s):
+                BASE[s][i, j] = number(EXACT[s].subs(Z, 0)[i, j])
+        LINEAR[s] = [(number(c.subs(Z, 0)), number(c.subs(Z, 1) - c.subs(Z, 0))) for c in CHARACTER[s]]
+    return {s: cauchy(s, [mpmath.mpf(b) for b in BETAS], LAGS, 3 * digits + 5) for s in STAGES}
+
+
+BETAS = [-0.95, -0.5, 0.2, 0.8]
+LAGS = [0, 1, 3, 4, 40]
+LINEAR, found = {}, {}
+for digits in (25, 45):
+    found[digits] = at_precision(digits)
+
+# (17.10), the sign and the constant: the integral against Cauchy's.
+mpmath.mp.dps = 20
+for s in STAGES:
+    for k, beta in enumerate(map(mpmath.mpf, BETAS)):
+        if beta < -0.9:
+            continue        # too slow a decay for a plain sum
+
+        def integrand(u):
+            mu_ = mpmath.exp(u)
+            inverse = mpmath.inverse(BASE[s] + mu_ * mpmath.eye(s))
+            a = [inverse[i, 0] / BS[s][0] for i in range(s)]
+            return mu_**(1 + beta) * a[s - 1]**3 * a[0] * BS[s][s - 1] * a[0]
+        total = sum(integrand(mpmath.mpf(i) / 4) for i in range(-200, 60)) / 4
+        claim("(17.10) W_4", abs(-mpmath.sinpi(beta) / mpmath.pi * total
+                                 - found[45][s][k, 4][0, s - 1]) < 1e-8)
+
+mpmath.mp.dps = 60
+for s in STAGES:
+    for beta in (Q(1, 2), Q(4, 5), Q(-2, 5)):
+        if s in CLOSED:
+            be = mpmath.mpf(int(beta.p)) / int(beta.q)
+            claim("(17.14) closed", abs(CLOSED[s](be) - correction(s, be)) < 1e-50)
+for s in (3, 4):
+    claim("(17.14) vanishes at beta = 0", abs(correction(s, mpmath.mpf(0))) < 1e-50)
+
+
+
+def both(pair):
+    """The nearest double of the value at both precisions."""
+    lo, hi = (hexd(Rational(mpmath.nstr(v, d))) for d, v in pair.items())
+    claim(f"{lo} is the nearest double at both precisions", lo == hi)
+    return lo
+
+
+header("verify/lobatto.py")
+rows = []
+for s in STAGES:
+    for k, beta in enumerate(BETAS):
+        for n in LAGS:
+            text = []
+            for i in range(s):
+                for j in range(s):
+                    pair = {d: found[d][s][k, n][i, j] for d in found}
+                    text.append(both(pair))
+            rows.append([s, hexd(beta), n, "{ " + ", ".join(text) + " }", f"beta = {beta}"])
+print("\n/* W_n, row by row */")
+table("ref_matrices", "size_t s; double beta; size_t n; double want[16];", rows)
+
+rows = []
+for s in STAGES:
+    for beta in (-0.8, -0.5, 0.2, 0.5, 0.8):
+        value = {}
+        for digits in (25, 45):
+            mpmath.mp.dps = digits + 15
+            value[digits] = correction(s, mpmath.mpf(beta))
+        rows.append([s, hexd(beta), both(value), f"beta = {beta}"])
+table("ref_corrections", "size_t s; double beta, want;", rows)
