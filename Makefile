@@ -26,6 +26,9 @@ CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LI
 PROGRAM  := fvi_cli fvi_options fvi_output fvi_table fvi_words
 MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
 TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
+BENCHES  := $(patsubst tests/bench_%.c,%,$(wildcard tests/bench_*.c))
+TABLE_memory    := figures/memory_bench.tsv
+TABLE_precision := figures/step_search.tsv
 PROOFS   := $(filter-out refgen excerpts links mutants,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
 DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
@@ -98,9 +101,8 @@ valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	@$< $(or $(SEED),1) $(FAMILY) $(CASE)
 
-bench: $B/tests/bench_memory ## measure the memories on this machine; then `make figures excerpts`
-	+@$< > $B/memory_bench.tsv
-	@mv $B/memory_bench.tsv figures/memory_bench.tsv
+bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, minutes; then `make figures excerpts`
+	+@$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
 mutants: $B/libfvi.a ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
 	@CC='$(CC)' CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
@@ -196,7 +198,8 @@ test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 
 $B/tests/bench_%: tests/bench_%.c $B/libfvi.a | tools
 	@mkdir -p $(@D)
-	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP $< $B/libfvi.a $(GSL_LIBS) -o $@
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP $(filter %.c,$^) $B/libfvi.a $(GSL_LIBS) -o $@
+$B/tests/bench_precision: tests/peer_product_trapezoid.c
 
 $B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
@@ -237,7 +240,8 @@ $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | tool
 	$(GNUPLOT) -e "out='$B/figures/$*.svg'; stem='$*'" $<
 	@mv $B/figures/$*.svg $@
 
-figures/memory_bench.svg: figures/memory_bench.tsv
+figures/memory_bench.svg: $(TABLE_memory)
+figures/step_search.svg: $(TABLE_precision)
 
 ## -- what has to be installed ----------------------------------------------
 

@@ -1,105 +1,45 @@
 /* src/fvi_cli.c -- The program build/fvi. */
 #define _GNU_SOURCE
 #include "coefficients.h"
+#include "convolution_quadrature.h"
 #include "discrete_mechanics.h"
 #include "exact_solution.h"
 #include "fvi.h"
 #include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "fvi_usage.h"
 #include "stability.h"
+#include "step_search.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
-static const char usage[] =
-    "usage: fvi run [options]            one trajectory, as a table\n"
-    "       fvi coefficients [options]   n, alpha_n\n"
-    "       fvi exact [options]          the exact solution on the same grid\n"
-    "       fvi methods                  name, order, memory of each method\n"
-    "       fvi --help | --version       also: fvi run --help\n"
-    "\n"
-    "m x'' + grad U(x) + rho D^{2 alpha} x = F(t), stepped by a variational\n"
-    "integrator with its whole memory.\n";
-
-static const char usage_run[] =
-    "usage: fvi run [options]\n"
-    "  --method M       fvi, lda, euler-explicit, euler-implicit      [fvi]\n"
-    "  --alpha A        damping of order 2A, 0 <= A <= 1              [0.5]\n"
-    "  --rho R          damping, R >= 0                               [0.2]\n"
-    "  --mass M         mass, M > 0                                   [1]\n"
-    "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
-    "                   chain:D,C,G (D masses between two walls)      "
-    "[harmonic:1]\n"
-    "  --force F        none  step:A,T  cosine:A,W                    [none]\n"
-    "  --derivative D   rl (Riemann-Liouville) or caputo              [rl]\n"
-    "  --kappa K        potential at K x_k + (1 - K) x_{k+1}          [0.5]\n"
-    "  --x0 X, --p0 P   start; for a chain a list, or one for all     [1, "
-    "0.5]\n"
-    "  --h H            step, H > 0                                   [0.1]\n"
-    "  --steps N        number of steps, N >= 1                       [200]\n"
-    "  --columns LIST   any of t,x,p,energy,y                         "
-    "[t,x,p,energy]\n"
-    "  --every K        rows 0, K, 2K, ... and the last               [1]\n"
-    "  --memory W       direct, fft, exponentials, auto               [auto]\n"
-    "  --tolerance E    of the compressed memory                      [1e-13]\n"
-    "  -o FILE          write there, complete or not at all           "
-    "[stdout]\n";
-
-static const char usage_exact[] =
-    "usage: fvi exact [options]\n"
-    "the linear problem m x'' + C x + rho D^{2A} x = F, solved exactly; "
-    "options as\n"
-    "of run: --alpha --rho --mass --force --derivative --x0 --p0 --h --steps\n"
-    "--columns --every -o, and --potential harmonic:C (C >= 0) or free\n";
-
-static const char usage_coefficients[] =
-    "usage: fvi coefficients [options]\n"
-    "  --alpha A   order, 0 <= A <= 2   [0.5]\n"
-    "  --count N   how many, N >= 1     [10]\n"
-    "  -o FILE     write there, complete or not at all\n";
-
-/* ---- progress: one line on standard error after the first second ---- */
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void show_progress(size_t k, size_t steps, double began, double *shown)
-{
-    double now = seconds();
-    if (now - began < 1 || now - *shown < 0.2)
-        return;
-    *shown = now;
-    fprintf(stderr, "\rstep %zu of %zu (%.0f %%), %.0f s\033[K", k, steps,
-            100 * (double)k / (double)steps, now - began);
-}
+/* ---- the run, row by row ---- */
 
 static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
-    const int terminal = isatty(STDERR_FILENO);
-    double began = seconds(), shown = 0;
+    const size_t steps = t->o->steps, every = t->o->every;
+    size_t next = every; /* the next row; asking at each step would divide */
     int status = GSL_SUCCESS;
     fvi_table_take(t, 0, s->x, s->p);
-    while (s->k < t->o->steps && !status) {
+    while (s->k < steps && !status) {
         status = fvi_step(s);
-        if (!status)
+        if (!status && (t->wait || s->k == next || s->k == steps)) {
             fvi_table_take(t, s->k, s->x, s->p);
-        if (s->k % 4096 == 0 && ferror(t->out))
-            break;
-        if (terminal && s->k % 1024 == 0)
-            show_progress(s->k, t->o->steps, began, &shown);
+            next = s->k + every;
+        }
+        if (s->k % 1024 == 0) {
+            fvi_progress(s->k, steps);
+            if (ferror(t->out))
+                break;
+        }
     }
-    if (shown > 0)
-        fprintf(stderr, "\r\033[K");
+    fvi_progress(steps, steps);
     return status;
 }
 
@@ -127,7 +67,9 @@ static double *room(const fvi_table *t)
         (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
     double bytes = 8 * (double)t->height * (double)t->width
                    + 8 * (double)o->d * (double)o->d;
-    if (o->rho > 0 && o->method == &fvi_fractional)
+    if (o->error > 0) /* fvi_step_search keeps rows */
+        bytes += 40 * (double)o->d * (double)o->steps;
+    else if (o->method && !o->method->half_only && o->rho > 0)
         bytes += (double)fvi_memory_bytes(2 * o->alpha, o->d, o->steps,
                                           o->memory, o->tolerance);
     return bytes < machine ? calloc(t->height * t->width, sizeof *t->rows)
@@ -145,33 +87,54 @@ static int report(int status, size_t step)
     return 1;
 }
 
-/* A warning before a run that must blow up; it goes on all the same. */
+/* A warning before a run that must blow up; it goes on all the same. The load of
+ * fvi-bdf2 is that of Algorithm 3 with 4^alpha times the damping, (13.14); that of
+ * fvi-shifted with 1 - 2 alpha times, none from alpha = 1/2 on. */
 static void warn_if_unstable(const fvi_options *o, const fvi_run *r)
 {
-    double load, h;
-    if (o->method != &fvi_fractional && o->method != &fvi_lagrange_dalembert)
+    double share = o->method == &fvi_fractional           ? 1
+                   : o->method == &fvi_lagrange_dalembert ? 1
+                   : o->method == &fvi_bdf2               ? pow(4, o->alpha)
+                   : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
+                                               : -1;
+    double load, h,
+        *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
+    if (!damping)
         return;
-    if (fvi_stability_load(r, &load) || fvi_stability_step(r, &h) || load <= 1)
-        return;
-    fprintf(
-        stderr,
-        "fvi: warning: this step is unstable (load %.4g, above 1); %s %.4g\n",
-        load, h > 0 ? "stable below h =" : "no step is stable: rho / m is",
-        h > 0 ? h : o->rho / o->mass);
+    for (size_t i = 0; i < o->d; i++)
+        damping[i] = share * o->rho;
+    fvi_system system = *r->system;
+    fvi_run run = *r;
+    system.damping = damping;
+    run.system = &system;
+    int status = fvi_stability_load(&run, &load);
+    if (!status && load > 1 && !fvi_stability_step(&run, &h))
+        fprintf(stderr,
+                "fvi: warning: this step is unstable (load %.4g, above 1); %s "
+                "%.4g\n",
+                load,
+                h > 0 ? "stable below h =" : "no step is stable: rho / m is",
+                h > 0 ? h : o->rho / o->mass);
+    free(damping);
+}
+
+static fvi_run the_run(const fvi_options *o, const fvi_system *system)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = o->x0,
+                      .p0 = o->p0,
+                      .h = o->h,
+                      .steps = o->steps,
+                      .kappa = o->kappa,
+                      .alpha = o->alpha,
+                      .caputo = o->caputo,
+                      .memory = o->memory,
+                      .tolerance = o->tolerance };
 }
 
 static int run(const fvi_options *o, const fvi_system *system)
 {
-    const fvi_run r = { .system = system,
-                        .x0 = o->x0,
-                        .p0 = o->p0,
-                        .h = o->h,
-                        .steps = o->steps,
-                        .kappa = o->kappa,
-                        .alpha = o->alpha,
-                        .caputo = o->caputo,
-                        .memory = o->memory,
-                        .tolerance = o->tolerance };
+    const fvi_run r = the_run(o, system);
     fvi_table t;
     fvi_stepper *s = NULL;
     int failed = 1, status = GSL_ENOMEM;
@@ -196,6 +159,78 @@ static int run(const fvi_options *o, const fvi_system *system)
     }
     fvi_stop(s);
     free(t.rows);
+    return failed;
+}
+
+/* ---- run --error ---- */
+
+/* Find the step; say what was found, or how near it came. */
+static int find_step(const fvi_options *o, const fvi_run *r, double *x,
+                     double *p, fvi_step_found *found)
+{
+    const int terminal = isatty(STDERR_FILENO);
+    if (terminal)
+        fprintf(stderr, "looking for the step ...");
+    int status =
+        fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
+    if (terminal)
+        fprintf(stderr, "\r\033[K");
+    if (status == GSL_ETOL && isfinite(found->estimate))
+        fprintf(stderr,
+                "fvi: --error: %g is out of reach; the smallest estimate was "
+                "%.2g, with the step %.4g\n",
+                o->error, found->estimate, o->h / (double)found->parts);
+    else if (status == GSL_ETOL)
+        complain("--error: no step gives a result");
+    else if (status)
+        complain(status == GSL_ENOMEM ? "not enough memory"
+                                      : gsl_strerror(status));
+    else
+        fprintf(stderr,
+                "fvi: the error of x is about %.2g, with the step %.4g\n",
+                found->estimate, o->h / (double)found->parts);
+    return status != 0;
+}
+
+static int print_found(const fvi_options *o, const fvi_system *system,
+                       const fvi_step_found *found, const double *x,
+                       const double *p)
+{
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    if (!(t.rows = room(&t)))
+        return complain("not enough memory");
+    int failed = 1;
+    if ((t.out = fvi_output_open(o->output))) {
+        fvi_table_head(t.out, o);
+        fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
+                o->h / (double)found->parts, found->estimate);
+        fvi_table_names(&t);
+        for (size_t k = 0; k <= o->steps && !ferror(t.out); k++)
+            fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
+        fvi_table_finish(&t);
+        failed = fvi_output_close(t.out, 1) != 0;
+    }
+    free(t.rows);
+    return failed ? cannot_write(o->output) : 0;
+}
+
+static int run_to_error(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = the_run(o, system);
+    fvi_step_found found;
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    double *rows = room(&t); /* is there enough, before anything is tried? */
+    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
+    free(rows);
+    if (!x)
+        return complain("not enough memory");
+    double *p = x + (o->steps + 1) * o->d;
+    int failed = find_step(o, &r, x, p, &found);
+    if (!failed)
+        failed = print_found(o, system, &found, x, p);
+    free(x);
     return failed;
 }
 
@@ -329,7 +364,7 @@ int main(int argc, char **argv)
     }
     switch (o.command) {
     case FVI_COMMAND_RUN:
-        status = with_system(&o, run);
+        status = with_system(&o, o.error > 0 ? run_to_error : run);
         break;
     case FVI_COMMAND_EXACT:
         status = with_system(&o, exact);

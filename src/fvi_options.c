@@ -2,19 +2,25 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 
+#include "convolution_quadrature.h"
 #include "discrete_mechanics.h"
 #include "fvi.h"
 #include "fvi_words.h"
+#include "lobatto.h"
 
+#include <float.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-const fvi_method *const fvi_options_methods[] = { &fvi_fractional,
-                                                  &fvi_lagrange_dalembert,
-                                                  &fvi_euler_explicit,
-                                                  &fvi_euler_implicit, NULL };
+const fvi_method *const fvi_options_methods[] = {
+    &fvi_fractional,     &fvi_lagrange_dalembert,
+    &fvi_euler_explicit, &fvi_euler_implicit,
+    &fvi_shifted,        &fvi_bdf2,
+    &fvi_lobatto2,       &fvi_lobatto3,
+    &fvi_lobatto4,       NULL
+};
 
 /* ---- the table of options ---- */
 
@@ -33,6 +39,8 @@ typedef enum {
     P0,
     H,
     STEPS,
+    TIME,
+    ERROR,
     COLUMNS,
     EVERY,
     MEMORY,
@@ -59,6 +67,8 @@ static const struct {
     [P0] = { "p0", RUN | EXACT, "0.5" },
     [H] = { "h", RUN | EXACT, "0.1" },
     [STEPS] = { "steps", RUN | EXACT, "200" },
+    [TIME] = { "time", RUN | EXACT, NULL },
+    [ERROR] = { "error", RUN, NULL },
     [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
     [EVERY] = { "every", RUN | EXACT, "1" },
     [MEMORY] = { "memory", RUN, "auto" },
@@ -80,7 +90,7 @@ int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
 {
     size_t seen = 0;
     for (size_t j = 0; j < OUTPUT; j++)
-        if (table[j].commands & mask(o->command) && seen++ == i) {
+        if (table[j].commands & mask(o->command) && o->text[j] && seen++ == i) {
             *name = table[j].name;
             *value = o->text[j];
             return 1;
@@ -110,79 +120,27 @@ static int choice(const fvi_options *o, option_index i,
     return fvi_word_choice(table[i].name, o->text[i], words, which, c);
 }
 
-static int potential(fvi_options *o, fvi_complaint c)
-{
-    static const struct {
-        const char *name;
-        int count; /* of parameters */
-    } known[] = { { "harmonic", 1 },
-                  { "duffing", 2 },
-                  { "pendulum", 1 },
-                  { "free", 0 },
-                  { "chain", 3 } };
-    const char *text = o->text[POTENTIAL];
-    double p[3] = { 0 };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        if (!fvi_word_call(text, known[i].name, known[i].count, p))
-            continue;
-        int chain = known[i].count == 3;
-        if (chain && !(p[0] >= 1 && p[0] <= 10000 && p[0] == floor(p[0])))
-            return fvi_refuse(
-                c, "--potential: a chain has 1 to 10000 masses, not '%s'",
-                text);
-        o->potential = known[i].name[0];
-        o->d = chain ? (size_t)p[0] : 1;
-        memcpy(o->spring, chain ? p + 1 : p, sizeof o->spring);
-        return 0;
-    }
-    return fvi_refuse(c,
-                      "--potential: '%s' is none of harmonic:C, duffing:C,G, "
-                      "pendulum:G, free, chain:D,C,G",
-                      text);
-}
+/* ---- what belongs together ---- */
 
-static int force(fvi_options *o, fvi_complaint c)
+/* A jump of the force that is not at a row is what no estimate can see. */
+static int interpret_error(fvi_options *o, fvi_complaint c)
 {
-    const char *text = o->text[FORCE];
-    if (strcmp(text, "none") == 0)
-        o->force = 'n';
-    else if (fvi_word_call(text, "step", 2, o->forcing))
-        o->force = 's';
-    else if (fvi_word_call(text, "cosine", 2, o->forcing))
-        o->force = 'c';
-    else
-        return fvi_refuse(
-            c, "--force: '%s' is none of none, step:A,T, cosine:A,W", text);
-    if (o->force == 's' && o->forcing[1] < 0)
-        return fvi_refuse(c, "--force: '%s' ends before it begins", text);
+    int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
+    if (status || o->force != 's')
+        return status;
+    const double end = o->forcing[1] / o->h, row = round(end);
+    if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
+        return fvi_refuse(c,
+                          "--error: the force '%s' ends between two rows; "
+                          "take other --steps",
+                          o->text[FORCE]);
     return 0;
 }
 
-static int columns(fvi_options *o, fvi_complaint c)
+static int is_lobatto(const fvi_method *m)
 {
-    static const char *const known[] = { "t", "x", "p", "energy", "y" };
-    const char *text = o->text[COLUMNS], *at = text;
-    for (size_t n = 0;; at++) {
-        size_t length = strcspn(at, ","), i = 0;
-        while (i < 5
-               && (strlen(known[i]) != length || strncmp(at, known[i], length)))
-            i++;
-        if (i == 5)
-            return fvi_refuse(c,
-                              "--columns: '%s' has a column that is none of "
-                              "t, x, p, energy, y",
-                              text);
-        if (strchr(o->columns, known[i][0]))
-            return fvi_refuse(c, "--columns: '%s' names %s twice", text,
-                              known[i]);
-        o->columns[n++] = known[i][0];
-        at += length;
-        if (*at == '\0')
-            return 0;
-    }
+    return m == &fvi_lobatto2 || m == &fvi_lobatto3 || m == &fvi_lobatto4;
 }
-
-/* ---- what belongs together ---- */
 
 static int interpret_run(fvi_options *o, fvi_complaint c)
 {
@@ -209,7 +167,29 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     if (o->method->half_only && o->alpha != 0.5)
         return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
                           o->text[ALPHA], o->method->name);
-    return 0;
+    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
+        return fvi_refuse(c, "--memory: 'fft' is not known to %s",
+                          o->method->name);
+    if (!o->method->half_only && o->method != &fvi_fractional) {
+        o->caputo = 1; /* they know nothing else, and the head says so */
+        o->text[DERIVATIVE] = "caputo";
+    }
+    return o->text[ERROR] ? interpret_error(o, c) : 0;
+}
+
+/* The rows are at t_k = k h: by --h, or by --time. */
+static int interpret_grid(fvi_options *o, fvi_complaint c)
+{
+    int status = whole(o, STEPS, &o->steps, c);
+    if (status || !o->text[TIME])
+        return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
+    double time = 0;
+    status = number(o, TIME, 0, INFINITY, "()", &time, c);
+    o->h = time / (double)o->steps;
+    if (!status && !(o->h > 0))
+        return fvi_refuse(c, "--time: '%s' is too short for so many steps",
+                          o->text[TIME]);
+    return status;
 }
 
 /* What run and exact share: the system, its start, the grid, the columns. */
@@ -221,20 +201,19 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = number(o, MASS, 0, INFINITY, "()", &o->mass, c);
     if (!status)
-        status = potential(o, c);
+        status = fvi_word_potential(o->text[POTENTIAL], &o->potential, &o->d,
+                                    o->spring, c);
     if (!status)
-        status = force(o, c);
+        status = fvi_word_force(o->text[FORCE], &o->force, o->forcing, c);
     if (!status)
         status = choice(o, DERIVATIVE, derivatives, &which, c);
     o->caputo = which == 1;
     if (!status)
-        status = number(o, H, 0, INFINITY, "()", &o->h, c);
-    if (!status)
-        status = whole(o, STEPS, &o->steps, c);
+        status = interpret_grid(o, c);
     if (!status)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
-        status = columns(o, c);
+        status = fvi_word_columns(o->text[COLUMNS], o->columns, c);
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT
@@ -357,8 +336,14 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
     }
     if (optind < left)
         return fvi_refuse(c, "'%s': not expected here", words[optind]);
+    const option_index instead = o->text[ERROR] ? ERROR : TIME;
+    if (o->text[H] && o->text[instead])
+        return fvi_refuse(c, "--h: not together with --%s",
+                          table[instead].name);
+    if (o->text[ERROR] && !o->text[TIME])
+        o->text[TIME] = "20";
     for (int i = 0; i < OPTIONS; i++)
-        if (!o->text[i])
+        if (!o->text[i] && !(i == H && o->text[TIME]))
             o->text[i] = table[i].preset;
     return mask(o->command) ? interpret(o, c) : 0;
 }

@@ -21,6 +21,7 @@ typedef struct {
     fvi_command about; /* of what --help speaks; HELP itself for the whole */
     const fvi_method *method;
     double alpha, rho, mass, kappa, h, tolerance;
+    double error; /* 0: the step is h; else it is to be found */
     size_t steps, every, count, d;
     char potential;    /* h, d, p, f or c: the first letter of its name */
     double spring[2];  /* its parameters */

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 static char target[PATH_MAX];    /* the name that the file is to have */
@@ -83,4 +84,23 @@ int fvi_output_close(FILE *stream, int keep)
     temporary[0] = '\0';
     errno = why;
     return failed ? -1 : 0;
+}
+
+void fvi_progress(size_t k, size_t steps)
+{
+    static double began = -1, shown = 0;
+    struct timespec clock;
+    if (!isatty(STDERR_FILENO))
+        return;
+    clock_gettime(CLOCK_MONOTONIC, &clock);
+    double now = (double)clock.tv_sec + 1e-9 * (double)clock.tv_nsec;
+    if (began < 0)
+        began = now;
+    if (k == steps && shown > 0) {
+        fprintf(stderr, "\r\033[K");
+    } else if (k < steps && now - began >= 1 && now - shown >= 0.2) {
+        shown = now;
+        fprintf(stderr, "\rstep %zu of %zu (%.0f %%), %.0f s\033[K", k, steps,
+                100 * (double)k / (double)steps, now - began);
+    }
 }

@@ -18,4 +18,8 @@ FILE *fvi_output_open(const char *name);
  * Returns 0, or -1 with errno set and nothing left behind. */
 int fvi_output_close(FILE *stream, int keep);
 
+/* fvi_progress -- at step k of `steps`: after the first second a line on standard
+ * error, if that is a terminal; the call with k == steps clears it. */
+void fvi_progress(size_t k, size_t steps);
+
 #endif

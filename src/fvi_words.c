@@ -108,3 +108,75 @@ int fvi_word_call(const char *text, const char *word, int count, double *p)
             return 0;
     return *text == '\0';
 }
+
+int fvi_word_potential(const char *text, char *name, size_t *d,
+                       double spring[2], fvi_complaint c)
+{
+    static const struct {
+        const char *name;
+        int count; /* of parameters */
+    } known[] = { { "harmonic", 1 },
+                  { "duffing", 2 },
+                  { "pendulum", 1 },
+                  { "free", 0 },
+                  { "chain", 3 } };
+    double p[3] = { 0 };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (!fvi_word_call(text, known[i].name, known[i].count, p))
+            continue;
+        int chain = known[i].count == 3;
+        if (chain && !(p[0] >= 1 && p[0] <= 10000 && p[0] == floor(p[0])))
+            return fvi_refuse(
+                c, "--potential: a chain has 1 to 10000 masses, not '%s'",
+                text);
+        *name = known[i].name[0];
+        *d = chain ? (size_t)p[0] : 1;
+        memcpy(spring, chain ? p + 1 : p, 2 * sizeof *spring);
+        return 0;
+    }
+    return fvi_refuse(c,
+                      "--potential: '%s' is none of harmonic:C, duffing:C,G, "
+                      "pendulum:G, free, chain:D,C,G",
+                      text);
+}
+
+int fvi_word_force(const char *text, char *name, double forcing[2],
+                   fvi_complaint c)
+{
+    if (strcmp(text, "none") == 0)
+        *name = 'n';
+    else if (fvi_word_call(text, "step", 2, forcing))
+        *name = 's';
+    else if (fvi_word_call(text, "cosine", 2, forcing))
+        *name = 'c';
+    else
+        return fvi_refuse(
+            c, "--force: '%s' is none of none, step:A,T, cosine:A,W", text);
+    if (*name == 's' && forcing[1] < 0)
+        return fvi_refuse(c, "--force: '%s' ends before it begins", text);
+    return 0;
+}
+
+int fvi_word_columns(const char *text, char *columns, fvi_complaint c)
+{
+    static const char *const known[] = { "t", "x", "p", "energy", "y" };
+    const char *at = text;
+    for (size_t n = 0;; at++) {
+        size_t length = strcspn(at, ","), i = 0;
+        while (i < 5
+               && (strlen(known[i]) != length || strncmp(at, known[i], length)))
+            i++;
+        if (i == 5)
+            return fvi_refuse(c,
+                              "--columns: '%s' has a column that is none of "
+                              "t, x, p, energy, y",
+                              text);
+        if (strchr(columns, known[i][0]))
+            return fvi_refuse(c, "--columns: '%s' names %s twice", text,
+                              known[i]);
+        columns[n++] = known[i][0];
+        at += length;
+        if (*at == '\0')
+            return 0;
+    }
+}

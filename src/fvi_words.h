@@ -34,4 +34,16 @@ int fvi_word_list(const char *name, const char *text, size_t d, double *values,
 /* "word:p1,p2": nonzero if text is that word with exactly count numbers. */
 int fvi_word_call(const char *text, const char *word, int count, double *p);
 
+/* A potential: the first letter of its name, its dimension, its parameters. */
+int fvi_word_potential(const char *text, char *name, size_t *d,
+                       double spring[2], fvi_complaint c);
+
+/* A force: n, s or c, and its parameters. */
+int fvi_word_force(const char *text, char *name, double forcing[2],
+                   fvi_complaint c);
+
+/* The first letters of the columns, in order, each at most once; columns is
+ * zeroed and has room for all five and an end. */
+int fvi_word_columns(const char *text, char *columns, fvi_complaint c);
+
 #endif

@@ -113,10 +113,10 @@ const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
 /* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
  * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
  * make the digits independent of the width of the vectors. */
-FVI_VECTORS static void advance(size_t s, size_t Q, const double *restrict q,
-                                const double *restrict p,
-                                const double *restrict a, const double *u,
-                                double *restrict z, double *H)
+FVI_VECTORS static void
+advance_stages(size_t s, size_t Q, const double *restrict q,
+               const double *restrict p, const double *restrict a,
+               const double *u, double *restrict z, double *H)
 {
     const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
     double sum[FVI_STAGES][LANES] = { { 0 } };
@@ -166,7 +166,7 @@ int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
                     sum[l] += W[l * s + j] * term[j];
         }
         if (m->Q > 0)
-            advance(s, m->Q, m->q, m->p, m->a, u, m->z + i * m->Q, sum);
+            advance_stages(s, m->Q, m->q, m->p, m->a, u, m->z + i * m->Q, sum);
         memcpy(H, sum, s * sizeof *H);
     }
     return GSL_SUCCESS;

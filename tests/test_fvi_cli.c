@@ -1,8 +1,10 @@
 /* tests/test_fvi_cli.c -- The program build/fvi: what comes out.
  * Run alone: make test-fvi_cli */
 #define _GNU_SOURCE
+#include "convolution_quadrature.h"
 #include "exact_solution.h"
 #include "fvi.h"
+#include "lobatto.h"
 #include "program.h"
 
 #include <gsl/gsl_errno.h>
@@ -57,6 +59,105 @@ START_TEST(rows_are_the_numbers_of_the_library)
         ck_assert_ulp(cell(k, 3), x[k], 0, "x, k=%zu", k);
         ck_assert_ulp(cell(k, 4), (double)k * 0.05, 0, "t, k=%zu", k);
     }
+}
+END_TEST
+
+/* Each method by its name, and the word caputo where it knows nothing else. */
+START_TEST(every_method_is_at_hand_by_its_name)
+{
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
+                                          &fvi_bdf2,       &fvi_lobatto2,
+                                          &fvi_lobatto3,   &fvi_lobatto4 };
+    const double m = 1, rho = 0.2, c = 1, x0 = 1, p0 = 0.5;
+    const fvi_system system = {
+        1, &m, &rho, fvi_potential_harmonic(&c), { 0 }
+    };
+    const fvi_run run = { .system = &system,
+                          .x0 = &x0,
+                          .p0 = &p0,
+                          .h = 0.1,
+                          .steps = 100,
+                          .kappa = 0.5,
+                          .alpha = 0.3 };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        double x[101];
+        char line[100];
+        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
+                         GSL_SUCCESS);
+        snprintf(line, sizeof line, "run --alpha 0.3 --steps 100 --method %s",
+                 methods[i]->name);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_ptr_nonnull(
+            strstr(out, i ? "# derivative = caputo\n" : "# derivative = rl\n"));
+        for (size_t k = 0; k <= 100; k++)
+            ck_assert_ulp(cell(k, 1), x[k], 0, "%s, k=%zu", methods[i]->name,
+                          k);
+    }
+}
+END_TEST
+
+/* --time T is --h T/N; it is a word of exact too. */
+START_TEST(a_time_is_as_good_as_a_step)
+{
+    ck_assert_int_eq(fvi("run --steps 8 --h 0.25"), 0);
+    char *want = strdup(first_row());
+    ck_assert_int_eq(fvi("run --steps 8 --time 2"), 0);
+    ck_assert_str_eq(first_row(), want);
+    ck_assert_ptr_nonnull(strstr(out, "# steps = 8\n# time = 2\n# columns"));
+    ck_assert_ptr_null(strstr(out, "# h ="));
+    free(want);
+    ck_assert_int_eq(fvi("exact --steps 8 --time 2 --columns t"), 0);
+    ck_assert(cell(8, 0) == 2);
+}
+END_TEST
+
+/* The error that was asked for, against the exact solution on the same rows. */
+START_TEST(an_error_is_as_good_as_a_step)
+{
+    const char *rest = "--alpha 0.3 --derivative caputo --steps 10 --time 5 "
+                       "--columns t,x,p,y";
+    char line[200];
+    double want[11], x[11], p[11];
+    snprintf(line, sizeof line, "exact %s", rest);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 10; k++)
+        want[k] = cell(k, 1);
+    snprintf(line, sizeof line, "run --method fvi-lobatto3 --error 1e-8 %s",
+             rest);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_uint_eq(count_rows(), 11);
+    double said = 0, step = 0, estimate = 0;
+    ck_assert_int_eq(
+        sscanf(err, "fvi: the error of x is about %lg, with the step %lg\n",
+               &said, &step),
+        2);
+    ck_assert_uint_eq(count_lines(err), 1);
+    const char *head = strstr(out, "# error estimate = ");
+    ck_assert(head && sscanf(head, "# error estimate = %lg", &estimate) == 1);
+    ck_assert(said == estimate && estimate <= 1e-8);
+    ck_assert_ptr_nonnull(strstr(out, "# time = 5\n# error = 1e-8\n"));
+    for (size_t k = 0; k <= 10; k++) {
+        x[k] = cell(k, 1);
+        p[k] = cell(k, 2);
+        ck_assert(cell(k, 0) == (double)k * 0.5);
+        ck_assert_near(x[k], want[k], 1e-8, "k=%zu", k);
+    }
+    for (size_t k = 0; k <= 10; k++)
+        ck_assert(cell(k, 3) == x[10 - k]);
+    /* the same rows by hand, from the step that was reported */
+    const char *line_of_step = strstr(out, "# step = ");
+    ck_assert(line_of_step && sscanf(line_of_step, "# step = %lg", &step) == 1);
+    snprintf(line, sizeof line,
+             "run --method fvi-lobatto3 --alpha 0.3 --h %.17g --steps %.0f "
+             "--every %.0f",
+             step, 5 / step, 0.5 / step);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 10; k++) {
+        ck_assert_ulp(cell(k, 1), x[k], 0, "x, k=%zu", k);
+        ck_assert_ulp(cell(k, 2), p[k], 0, "p, k=%zu", k);
+    }
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 10"), 0);
+    ck_assert(cell(10, 0) == 20);
 }
 END_TEST
 
@@ -163,7 +264,11 @@ START_TEST(coefficients_and_methods_and_help)
     ck_assert_int_eq(fvi("methods"), 0);
     ck_assert_ptr_nonnull(strstr(out, "fvi\t1\tfull\nlda\t1\tnone\n"));
     ck_assert_ptr_nonnull(
-        strstr(out, "\neuler-explicit\t1\tnone\neuler-implicit\t1\tnone\n"));
+        strstr(out, "\neuler-explicit\t1\tnone\neuler-implicit\t1\tnone\n"
+                    "fvi-shifted\t2\tfull\nfvi-bdf2\t2\tfull\n"
+                    "fvi-lobatto2\t2\tfull\nfvi-lobatto3\t3 to 4\tfull\n"
+                    "fvi-lobatto4\t4 to 6\tfull\n"));
+    ck_assert_uint_eq(count_lines(out), 9);
     ck_assert_int_eq(fvi("--help"), 0);
     ck_assert(strncmp(out, "usage: fvi run", 14) == 0);
     ck_assert_int_eq(fvi("run --help"), 0);
@@ -197,6 +302,8 @@ int main(void)
     Suite *suite = suite_create("the program fvi: what comes out");
     ADD_CASE(suite, "values", run_prints_head_and_rows,
              rows_are_the_numbers_of_the_library,
+             every_method_is_at_hand_by_its_name, a_time_is_as_good_as_a_step,
+             an_error_is_as_good_as_a_step,
              every_keeps_each_kth_row_and_the_last,
              a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,
              exact_prints_the_exact_solution, coefficients_and_methods_and_help,

@@ -41,7 +41,15 @@ START_TEST(bad_use_is_refused)
         "run --potential chain:3,1,1 --p0 1,2,3,4;run -o '';run -o;"
         "run -o a -o b;run --o a;exact --kappa 0.5;exact --potential "
         "pendulum:1;"
-        "exact --potential harmonic:-1;exact --alpha 0.6";
+        "exact --potential harmonic:-1;exact --alpha 0.6;"
+        "run --time 0;run --time -1;run --time nan;run --time inf;"
+        "run --time 1 --h 0.1;exact --time 1 --h 0.1;run --time 1e-320 --steps "
+        "1e15;"
+        "run --error 0;run --error -1;run --error nan;run --error inf;"
+        "run --error 1e-3 --h 0.1;run --error 1e-3 --h 0.1 --time 1;"
+        "exact --error 1e-3;run --error 1e-3 --force step:1,1.05;"
+        "run --error 1e-3 --force step:1,1 --steps 7;"
+        "run --method fvi-lobatto3 --memory fft;run --method fvi-lobatto";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
             *end = '\0';
@@ -52,6 +60,8 @@ START_TEST(bad_use_is_refused)
                           && strstr(strchr(err, '\n'), "--help"),
                       "fvi %s said: %s", line, err);
     }
+    fvi("run --error 1e-3 --h 0.1");
+    ck_assert(strncmp(err, "fvi: --h: not together with --error\n", 36) == 0);
     fvi("run --alpha 1.5");
     ck_assert(strncmp(err, "fvi: --alpha: '1.5' is outside [0, 1]\n", 38) == 0);
 }
@@ -95,6 +105,29 @@ START_TEST(no_convergence_is_reported_with_its_step)
                      1);
     ck_assert_str_eq(err, "fvi: step 1: Newton's method did not converge\n");
     ck_assert_uint_eq(count_rows(), 1);
+}
+END_TEST
+
+/* The best that was reached is said; there are no rows that are not good enough. */
+START_TEST(an_error_out_of_reach_is_reported_with_the_best)
+{
+    ck_assert_int_eq(fvi("run --error 1e-16 --method fvi-lobatto4 --alpha 0.3"),
+                     1);
+    ck_assert_str_eq(out, "");
+    double best = 0, step = 0;
+    ck_assert_int_eq(sscanf(err,
+                            "fvi: --error: 1e-16 is out of reach; the smallest "
+                            "estimate was %lg, with the step %lg\n",
+                            &best, &step),
+                     2);
+    ck_assert(best > 1e-13 && best < 1e-12 && step > 1e-4);
+    ck_assert_int_eq(fvi("run --error 1 --alpha 1 --rho 1e300 -o none"), 1);
+    ck_assert_str_eq(err, "fvi: --error: no step gives a result\n");
+    ck_assert(!exists("none"));
+    ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
+    ck_assert_str_eq(err, "fvi: not enough memory\n");
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 20 --force step:1,1"), 0);
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 30 --force step:1,99"), 0);
 }
 END_TEST
 
@@ -145,6 +178,16 @@ START_TEST(an_unstable_step_is_warned_of)
     ck_assert_ptr_nonnull(strstr(err, "unstable"));
     ck_assert_int_eq(fvi("run --alpha 1 --rho 1.5 --h 1e-3 --steps 3"), 0);
     ck_assert_ptr_nonnull(strstr(err, "no step is stable"));
+    /* alpha = 1/2: R < 1 for BDF2 weights, no bound for the shifted ones */
+    ck_assert_int_eq(fvi("run --method fvi-bdf2 --rho 1.01 --h 1 --steps 3"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(err, "stable below h = 0.9901"));
+    ck_assert_int_eq(fvi("run --method fvi-bdf2 --rho 0.99 --h 1 --steps 3"),
+                     0);
+    ck_assert_str_eq(err, "");
+    ck_assert_int_eq(fvi("run --method fvi-shifted --rho 9 --h 1 --steps 3"),
+                     0);
+    ck_assert_str_eq(err, "");
 }
 END_TEST
 
@@ -161,10 +204,12 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: what it refuses");
-    ADD_CASE(
-        suite, "errors", bad_use_is_refused, overflow_is_reported_with_its_step,
-        no_convergence_is_reported_with_its_step, files_are_complete_or_absent,
-        an_interrupted_run_leaves_no_file, an_unstable_step_is_warned_of,
-        too_large_a_run_is_refused_before_it_starts);
+    ADD_CASE(suite, "errors", bad_use_is_refused,
+             overflow_is_reported_with_its_step,
+             no_convergence_is_reported_with_its_step,
+             an_error_out_of_reach_is_reported_with_the_best,
+             files_are_complete_or_absent, an_interrupted_run_leaves_no_file,
+             an_unstable_step_is_warned_of,
+             too_large_a_run_is_refused_before_it_starts);
     return run_suite_of_program(suite);
 }

@@ -29,6 +29,8 @@ START_TEST(random_words_are_understood_or_refused)
                                 "--every",
                                 "--memory",
                                 "--tolerance",
+                                "--time",
+                                "--error",
                                 "--method",
                                 "--count",
                                 "-o",
@@ -58,6 +60,8 @@ START_TEST(random_words_are_understood_or_refused)
                                 "caputo",
                                 "fvi",
                                 "lda",
+                                "fvi-lobatto3",
+                                "fft",
                                 "direct",
                                 "t,x,y",
                                 "energy",
@@ -83,6 +87,8 @@ START_TEST(random_words_are_understood_or_refused)
         ck_assert_ptr_null(strchr(complaint, '\n'));
         if (status == 0 && o.command == FVI_COMMAND_RUN) {
             ck_assert(o.alpha >= 0 && o.alpha <= 1 && o.h > 0 && o.steps >= 1);
+            ck_assert(o.error >= 0
+                      && (o.method->half_only ? o.alpha == 0.5 : 1));
             ck_assert(o.rho >= 0 && o.mass > 0 && o.d >= 1 && o.x0 && o.method);
             accepted++;
         }
@@ -106,6 +112,7 @@ START_TEST(defaults_are_those_of_the_manual)
     ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && !o.caputo && !o.output);
     ck_assert(o.potential == 'h' && o.spring[0] == 1 && o.force == 'n');
     ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
+    ck_assert(o.error == 0);
     ck_assert_str_eq(o.columns, "txpe");
     ck_assert_str_eq(o.method->name, "fvi");
     fvi_options_free(&o);
