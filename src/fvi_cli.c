@@ -29,6 +29,8 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
     fvi_table_take(t, 0, s->x, s->p);
     while (s->k < steps && !status) {
         status = fvi_step(s);
+        if (status || s->k == steps)
+            fvi_progress(steps, steps); /* clear the line before the last row */
         if (!status && (t->wait || s->k == next || s->k == steps)) {
             fvi_table_take(t, s->k, s->x, s->p);
             next = s->k + every;
@@ -39,7 +41,6 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
                 break;
         }
     }
-    fvi_progress(steps, steps);
     return status;
 }
 

@@ -69,9 +69,9 @@ double stress_exact(gsl_rng *random, char *describe, size_t size)
                                  .v0 = w * stress_uniform(random, -1, 1) };
     double used = 0, error[2];
     for (size_t half = 0; half <= 1; half++) {
-        double wh = w * T / (double)(N << (unsigned)half);
+        double wh = w * T / (double)((size_t)N << half);
         double bound = 2 * (1 + w * T) * wh * (r + wh + (kappa != 0.5)) + 1e-11;
-        error[half] = error_of_run(&problem, kappa, T, N << (unsigned)half);
+        error[half] = error_of_run(&problem, kappa, T, (size_t)N << half);
         used = error[half] <= used * bound ? used : error[half] / bound;
     }
     snprintf(describe, size,
