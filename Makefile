@@ -63,11 +63,11 @@ verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values w
 
 figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what changed of the figures
 
-text: ## compare the code quoted in the chapters with its source; follow every link
+text: | tools ## compare the code quoted in the chapters with its source; follow every link
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py --check
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/links.py
 
-excerpts: ## rewrite the code quoted in the chapters from its source
+excerpts: | tools ## rewrite the code quoted in the chapters from its source
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py
 
 book: text | tools ## the chapters as one HTML page, build/book/index.html (pandoc, KaTeX)
@@ -104,7 +104,7 @@ stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, minutes; then `make figures excerpts`
 	+@$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
-mutants: $B/libfvi.a ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
+mutants: $B/libfvi.a | tools ## test the tests: each wrong line of tests/mutants.txt must be named (minutes)
 	@CC='$(CC)' CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/mutants.py $B $(STEM)
 
@@ -253,7 +253,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% san valgrind mutants,check) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text excerpts check book pdf mutants,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check test-install,numpy) $(call goal,valgrind,valgrind))
 
@@ -261,14 +261,14 @@ tools:
 	@have() { case $$1 in \
 	  cc) command -v $(firstword $(CC));; \
 	  gsl|check) pkg-config --exists $$1;; \
-	  gnuplot) command -v $(GNUPLOT);; \
+	  gnuplot) command -v $(GNUPLOT);; python) command -v $(PYTHON);; \
 	  valgrind|pandoc|katex|chromium|node) command -v $$1;; \
 	  wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a;; \
 	  sympy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("sympy"))';; \
 	  numpy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("numpy"))';; \
 	  esac >/dev/null 2>&1; }; \
 	packages() { case $$1 in cc) echo gcc libc6-dev;; gsl) echo pkg-config libgsl-dev;; \
-	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; sympy|numpy) echo python3-$$1;; \
+	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; python) echo python3;; sympy|numpy) echo python3-$$1;; \
 	  wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32;; node) echo nodejs;; *) echo $$1;; esac; }; \
 	lacks=; for t in $(NEEDS); do have $$t || lacks="$$lacks $$(packages $$t)"; done; \
 	test -z "$$lacks" && exit 0; \
