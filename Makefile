@@ -91,7 +91,7 @@ test-page: | tools ## the live page in a browser: a click, a drag, the keyboard 
 refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
 
 san: ## the tests under AddressSanitizer and UBSan
-	$(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
+	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
 
 valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
 	@for t in $(TESTS); do echo "valgrind $$t"; \
