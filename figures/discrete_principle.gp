@@ -9,7 +9,7 @@ set ytics 1e3
 set xrange [0:60]
 set xlabel "k"
 set multiplot layout 1,2 margins 0.095,0.985,0.12,0.92 spacing 0.06
-set key at graph 0.98, 0.58 right top
+set key at graph 0.98, 0.47 right top
 unset mytics
 
 set title "y solves the mirrored equation (κ → 1−κ)"

@@ -4,7 +4,7 @@ width = 860; height = 440
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.075,0.985,0.22,0.91 spacing 0.06
 set xrange [0:30]
-set yrange [-0.85:1.1]
+set yrange [-0.85:1.25]
 set xlabel "t"
 set xzeroaxis lc rgb "#888888"
 set key at screen 0.5, screen 0.015 center bottom maxrows 1 width -4

@@ -11,7 +11,7 @@ set xrange [0:1]
 set yrange [-3:5.6]
 set ytics 1
 set arrow 1 from 0.5, graph 0 to 0.5, graph 0.78 nohead ls 8
-set label 1 "mirror" at 0.5, graph 0.03 offset 0.8,0 tc rgb "#666666"
+set label 1 "mirror" at 0.5, graph 0.07 offset 0.8,0 tc rgb "#666666"
 set key at graph 0.98, 0.985 right top maxrows 3
 plot dat index 0 using 1:2 with lines ls 7 title "the bump", \
      '' index 0 using 1:3 with lines ls 1 lw 2.4 title "Δ_−^{1/2}, looks back: its tail lies after the bump", \

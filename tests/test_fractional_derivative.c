@@ -1,28 +1,14 @@
 /* tests/test_fractional_derivative.c -- Chapter 1.
  * Run alone: make test-fractional_derivative */
-#include "fractional_derivative.h"
+#include "fractional_derivative_curves.h"
 #include "fractional_derivative_ref.h"
 #include "integration_by_parts.h"
-#include "ulp.h"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_integration.h>
-#include <gsl/gsl_math.h>
-#include <stdlib.h>
 
 /* ---- the curves ---- */
 
-//> curves
-static double sine(double t, const void *p)
-{
-    return sin(*(const double *)p * t);
-}
-static double dsine(double t, const void *p)
-{
-    return *(const double *)p * cos(*(const double *)p * t);
-}
-//< curves
 static double ddsine(double t, const void *p)
 {
     return -gsl_pow_2(*(const double *)p) * sin(*(const double *)p * t);
@@ -60,42 +46,19 @@ static double drunge(double t, const void *p)
 {
     return -2 * t * gsl_pow_2(runge(t, p));
 }
-static double one(double t, const void *p)
-{
-    (void)t, (void)p;
-    return 1;
-}
-static double zero(double t, const void *p)
-{
-    (void)t, (void)p;
-    return 0;
-}
-static double wrong(double t, const void *p)
-{
-    return t > 0.5 ? GSL_NAN : sine(t, p);
-}
 
-static const double THREE = 3, ONE = 1;
+static const double THREE = 3;
 static const fvi_curve curves[] = { { sine, dsine, &THREE },
                                     { decay, ddecay, NULL },
                                     { cubic, dcubic, NULL },
                                     { runge, drunge, NULL } };
-static const fvi_curve slow_sine = { sine, dsine, &ONE };
 static const fvi_curve slow_cosine = { dsine, ddsine, &ONE };
-static const fvi_curve constant = { one, zero, NULL };
 static const fvi_curve dcubic_curve = { dcubic, ddcubic, NULL };
 
 /* The scale of (1.5): no f with |f'| <= largest has a larger derivative. */
 static double scale_of(double alpha, double u, double largest)
 {
     return pow(u, 1 - alpha) / tgamma(2 - alpha) * largest;
-}
-
-static double power(double order, double g, double u)
-{
-    double d = GSL_NAN;
-    ck_assert_int_eq(fvi_power_derivative(order, g, u, &d), GSL_SUCCESS);
-    return d;
 }
 
 /* ---- values ---- */
@@ -376,81 +339,6 @@ START_TEST(eq_1_13_not_uniformly_up_to_the_end)
 }
 END_TEST
 
-/* ---- errors ---- */
-
-START_TEST(bad_arguments_are_refused_and_d_is_untouched)
-{
-    int (*const both[])(fvi_side, double, double, const fvi_curve *, double,
-                        double *) = { fvi_caputo, fvi_riemann_liouville };
-    const double outside[] = { -0x1p-1074, 1 + 0x1p-52, GSL_NAN, GSL_POSINF };
-    const fvi_curve no_f = { NULL, dsine, &ONE }, no_df = { sine, NULL, &ONE };
-    const fvi_curve bad_f = { wrong, dsine, &ONE },
-                    bad_df = { sine, wrong, &ONE };
-    const fvi_side back = FVI_RETARDED;
-    double d = 7;
-    for (size_t i = 0; i < 2; i++) {
-        ck_assert_int_eq(both[i](back, 0.5, 0, NULL, 1, &d), GSL_EFAULT);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &no_f, 1, &d), GSL_EFAULT);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &no_df, 1, &d), GSL_EFAULT);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &slow_sine, 1, NULL),
-                         GSL_EFAULT);
-        ck_assert_int_eq(both[i]((fvi_side)0, 0.5, 0, &slow_sine, 1, &d),
-                         GSL_EINVAL);
-        for (size_t j = 0; j < LEN(outside); j++)
-            ck_assert_int_eq(both[i](back, outside[j], 0, &slow_sine, 1, &d),
-                             GSL_EDOM);
-        ck_assert_int_eq(both[i](back, 0.5, GSL_NAN, &slow_sine, 1, &d),
-                         GSL_EDOM);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &slow_sine, GSL_POSINF, &d),
-                         GSL_EDOM);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &slow_sine, -1, &d), GSL_EDOM);
-        ck_assert_int_eq(both[i](FVI_ADVANCED, 0.5, 0, &slow_sine, 1, &d),
-                         GSL_EDOM);
-        ck_assert_int_eq(both[i](back, 0.5, 0, &bad_df, 1, &d), GSL_EBADFUNC);
-        ck_assert_int_eq(both[i](back, 0, 0, &bad_f, 1, &d), GSL_EBADFUNC);
-    }
-    ck_assert_int_eq(fvi_riemann_liouville(back, 0.5, 0, &constant, 0, &d),
-                     GSL_ESING);
-    ck_assert_int_eq(fvi_riemann_liouville(back, 0.5, 1, &bad_f, 1, &d),
-                     GSL_EBADFUNC);
-    ck_assert(d == 7);
-}
-END_TEST
-
-/* A thousand intervals are not enough for a hundred million oscillations. */
-START_TEST(a_quadrature_that_fails_says_so)
-{
-    const double fast = 1e9;
-    const fvi_curve wild = { sine, dsine, &fast };
-    double d = 7;
-    int status = fvi_caputo(FVI_RETARDED, 0.5, 0, &wild, 1, &d);
-    ck_assert_msg(status == GSL_EMAXITER || status == GSL_EROUND
-                      || status == GSL_ESING,
-                  "status %d", status);
-    ck_assert(d == 7);
-}
-END_TEST
-
-START_TEST(bad_powers_are_refused_and_d_is_untouched)
-{
-    double d = 7;
-    ck_assert_int_eq(fvi_power_derivative(0.5, 1, 1, NULL), GSL_EFAULT);
-    const double bad[][3] = { { 2.5, 1, 1 },         { -2.5, 1, 1 },
-                              { GSL_NAN, 1, 1 },     { 0.5, -1, 1 },
-                              { 0.5, GSL_NAN, 1 },   { 0.5, GSL_POSINF, 1 },
-                              { 0.5, 1, -1 },        { 0.5, 1, GSL_NAN },
-                              { 0.5, 1, GSL_POSINF } };
-    for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(
-            fvi_power_derivative(bad[i][0], bad[i][1], bad[i][2], &d),
-            GSL_EDOM);
-    ck_assert_int_eq(fvi_power_derivative(0.5, 0, 0, &d), GSL_ESING);
-    ck_assert_int_eq(fvi_power_derivative(0.5, 400, 1e10, &d), GSL_EOVRFLW);
-    ck_assert(d == 7);
-    ck_assert(power(0.5, -0.5, 0) == 0 && power(0.5, 1, 0) == 0);
-}
-END_TEST
-
 int main(void)
 {
     gsl_set_error_handler_off(); /* the default handler aborts */
@@ -467,8 +355,5 @@ int main(void)
              eq_1_12_a_sine_forgets_its_beginning_like_a_power);
     ADD_CASE(suite, "order", eq_1_13_grunwald_letnikov_has_order_one_at_fixed_t,
              eq_1_13_not_uniformly_up_to_the_end);
-    ADD_CASE(suite, "errors", bad_arguments_are_refused_and_d_is_untouched,
-             a_quadrature_that_fails_says_so,
-             bad_powers_are_refused_and_d_is_untouched);
     return run_suite(suite);
 }

@@ -109,7 +109,7 @@ START_TEST(no_convergence_is_reported_with_its_step)
 END_TEST
 
 /* The best that was reached is said; there are no rows that are not good enough. */
-START_TEST(an_error_out_of_reach_is_reported_with_the_best)
+START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 {
     ck_assert_int_eq(fvi("run --error 1e-16 --method fvi-lobatto4 --alpha 0.3"),
                      1);
@@ -207,7 +207,7 @@ int main(void)
     ADD_CASE(suite, "errors", bad_use_is_refused,
              overflow_is_reported_with_its_step,
              no_convergence_is_reported_with_its_step,
-             an_error_out_of_reach_is_reported_with_the_best,
+             what_error_was_reached_is_said_if_not_the_one_asked_for,
              files_are_complete_or_absent, an_interrupted_run_leaves_no_file,
              an_unstable_step_is_warned_of,
              too_large_a_run_is_refused_before_it_starts);

@@ -231,7 +231,7 @@ END_TEST
 /* ---- errors ---- */
 
 //> errors
-START_TEST(bad_arguments_are_refused_and_outputs_untouched)
+START_TEST(bad_steps_are_refused_and_outputs_untouched)
 {
     const double one = 1, x = 1, y = 2, nan = GSL_NAN, inf = GSL_POSINF,
                  huge = 1e308;
@@ -289,6 +289,6 @@ int main(void)
              eq_8_5_kappa_0_is_the_fractional_symplectic_euler_method,
              eq_8_6_alpha_one_half_is_linear_damping_exactly,
              eq_8_6_areas_shrink_by_1_minus_h_rho_over_m);
-    ADD_CASE(suite, "errors", bad_arguments_are_refused_and_outputs_untouched);
+    ADD_CASE(suite, "errors", bad_steps_are_refused_and_outputs_untouched);
     return run_suite(suite);
 }

@@ -272,7 +272,7 @@ END_TEST
 /* ---- errors ---- */
 
 //> errors
-START_TEST(bad_arguments_are_refused_and_nothing_is_touched)
+START_TEST(bad_memories_are_refused_and_nothing_is_touched)
 {
     const struct {
         double beta;
@@ -364,7 +364,7 @@ int main(void)
              eq_12_1_the_sum_may_replace_the_term,
              eq_12_4_blocks_of_convolutions_are_the_direct_sum,
              eq_12_13_the_sums_of_the_weights_are_positive_and_convex);
-    ADD_CASE(suite, "errors", bad_arguments_are_refused_and_nothing_is_touched,
+    ADD_CASE(suite, "errors", bad_memories_are_refused_and_nothing_is_touched,
              more_terms_than_announced_are_refused);
     return run_suite(suite);
 }

@@ -229,7 +229,7 @@ START_TEST(eq_14_3_a_chain_of_masses)
 }
 END_TEST
 
-START_TEST(bad_arguments_are_refused_and_outputs_are_untouched)
+START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
 {
     fvi_run run = scalar_run(0.5, 0.5, 1, 1, 1);
     double kept = 7;
@@ -290,6 +290,6 @@ int main(void)
              eq_14_3_long_runs_on_both_sides_of_the_boundary,
              eq_14_3_a_chain_of_masses);
     ADD_CASE(suite, "errors",
-             bad_arguments_are_refused_and_outputs_are_untouched);
+             bad_questions_are_refused_and_outputs_are_untouched);
     return run_suite(suite);
 }

@@ -23,8 +23,9 @@ STEMS = set(sys.argv[2:])
 CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
 LIBS = shlex.split(os.environ["LIBS"])
 PROGRAM = ["fvi_cli", "fvi_options", "fvi_output", "fvi_table", "fvi_words"]
-TESTS = {name: path for path in sorted(pathlib.Path("tests").glob("test_*.c"))
-         for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())}
+FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("test_*.c"))
+         for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
+TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]
 
 
 def entries():
@@ -90,6 +91,8 @@ def run(number, entry):
 
 def main():
     began = time.time()
+    if len(TESTS) != len(NAMES):
+        sys.exit("two tests have the same name: " + ", ".join(n for n in TESTS if NAMES.count(n) > 1))
     todo = list(entries())
     if not todo:
         sys.exit("no mutant was tried")
