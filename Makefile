@@ -21,6 +21,7 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -pedantic
 GSL_CFLAGS = $(eval GSL_CFLAGS := $$(shell pkg-config --cflags gsl))$(GSL_CFLAGS)
 GSL_LIBS   = $(eval GSL_LIBS := $$(shell pkg-config --libs gsl))$(GSL_LIBS)
 CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(shell pkg-config --cflags check))$(CHECK_CFLAGS)
+CERF_LIBS    = $(eval CERF_LIBS := $$(shell pkg-config --libs libcerf))$(CERF_LIBS)
 CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LIBS)
 
 PROGRAM  := fvi_cli fvi_options fvi_output fvi_table fvi_words
@@ -174,6 +175,9 @@ $B/tests/test_%: tests/test_%.c $B/libfvi.a | tools
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) $(CHECK_CFLAGS) -Isrc -MMD -MP $< \
 	  $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
 
+# One test takes another road, by libcerf's complex error functions.
+EXTRA_exact_solution_erfc = $(CERF_LIBS)
+
 # The parser is tested in the process, the program by running it.
 EXTRA_fvi_options := $B/src/fvi_options.o $B/src/fvi_words.o
 $B/tests/test_fvi_options: $(EXTRA_fvi_options)
@@ -202,7 +206,7 @@ $B/tests/bench_%: tests/bench_%.c $B/libfvi.a | tools
 $B/tests/bench_precision: tests/peer_product_trapezoid.c
 
 $B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
-	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 ## -- proofs and exact values -----------------------------------------------
 
@@ -250,7 +254,7 @@ figures/step_search.svg: $(TABLE_precision)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind mutants,check) \
+  $(call goal,check test test-% ch% san valgrind mutants,check cerf) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
   $(call goal,text excerpts check book pdf mutants,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
@@ -260,7 +264,7 @@ NEEDS := $(sort cc gsl \
 tools:
 	@have() { case $$1 in \
 	  cc) command -v $(firstword $(CC));; \
-	  gsl|check) pkg-config --exists $$1;; \
+	  gsl|check) pkg-config --exists $$1;; cerf) pkg-config --exists libcerf;; \
 	  gnuplot) command -v $(GNUPLOT);; python) command -v $(PYTHON);; \
 	  valgrind|pandoc|katex|chromium|node) command -v $$1;; \
 	  wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a;; \
@@ -268,7 +272,7 @@ tools:
 	  numpy) $(PYTHON) -c 'from importlib.util import find_spec; raise SystemExit(not find_spec("numpy"))';; \
 	  esac >/dev/null 2>&1; }; \
 	packages() { case $$1 in cc) echo gcc libc6-dev;; gsl) echo pkg-config libgsl-dev;; \
-	  check) echo pkg-config check;; gnuplot) echo gnuplot-nox;; python) echo python3;; sympy|numpy) echo python3-$$1;; \
+	  check) echo pkg-config check;; cerf) echo libcerf-dev;; gnuplot) echo gnuplot-nox;; python) echo python3;; sympy|numpy) echo python3-$$1;; \
 	  wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32;; node) echo nodejs;; *) echo $$1;; esac; }; \
 	lacks=; for t in $(NEEDS); do have $$t || lacks="$$lacks $$(packages $$t)"; done; \
 	test -z "$$lacks" && exit 0; \

@@ -356,3 +356,16 @@ static const struct { double alpha; size_t n; double want; } ref_sums[] = {
     { 0x1p-1, 100000, 0x1.d3b2649c1a2eep-10 },
     { 0x1.8p-1, 100000, 0x1.9b711a39d4005p-15 },
 };
+
+static const struct { double alpha; size_t n; double want; } ref_far[] = {
+    { 0x1.999999999999ap-4, 10000000, -0x1.009d962595898p-29 },
+    { 0x1.999999999999ap-4, 100000000, -0x1.4623a1ef356bep-33 },
+    { 0x1.3333333333333p-1, 10000000, -0x1.e065108b2fd85p-40 },
+    { 0x1.3333333333333p-1, 100000000, -0x1.8224a016e1b0ap-45 },
+    { 0x1.fffffff8p-1, 10000000, -0x1.6849bb1ee4935p-77 },
+    { 0x1.fffffff8p-1, 100000000, -0x1.cd2b2a4c97e8ap-84 },
+    { 0x1.3333333333333p+0, 10000000, 0x1.7a7884cb27fb9p-54 },
+    { 0x1.3333333333333p+0, 100000000, 0x1.31a99e9693a8cp-61 },
+    { 0x1.ccccccccccccdp+0, 10000000, 0x1.29a8d5e7297ddp-67 },
+    { 0x1.ccccccccccccdp+0, 100000000, 0x1.e314a4564494fp-77 },
+};

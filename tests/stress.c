@@ -64,6 +64,8 @@ static const struct {
     { "exact", "against the exact solution, at order 1", stress_exact, 1000 },
     { "quadruple", "against quadruple precision", stress_quadruple, 150 },
     { "rounding", "the floor at N = 10^5", stress_rounding, 1 },
+    { "weights", "the nearest doubles at n = 10^7 and 10^8", stress_weights,
+      1 },
     { "matching", "the matched momentum is both F^- and F^+", stress_matching,
       300 },
     { "dissipation", "the work of the damping is never negative",

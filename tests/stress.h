@@ -10,7 +10,8 @@
  * 1 is a failure. describe gets one line that says what the case was. */
 typedef double stress_case(gsl_rng *random, char *describe, size_t size);
 
-stress_case stress_exact, stress_quadruple, stress_rounding; /* the truth */
+stress_case stress_exact, stress_quadruple, stress_rounding,
+    stress_weights; /* the truth */
 stress_case stress_matching, stress_dissipation, stress_balance, stress_scaling,
     stress_overflow, stress_memories, stress_refusals;
 

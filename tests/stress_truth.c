@@ -1,8 +1,12 @@
 /* tests/stress_truth.c -- Stress: runs against the truth. */
 #include "stress.h"
 
+#include "coefficients.h"
 #include "exact_solution.h"
 #include "stability.h"
+
+#include <stddef.h>
+#include "coefficients_ref.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
@@ -206,4 +210,26 @@ double stress_rounding(gsl_rng *random, char *describe, size_t size)
              "relative to max|x|: direct %.2e, exponentials %.2e", off[0],
              off[1]);
     return GSL_MAX(off[0] / 1e-14, off[1] / 1e-13);
+}
+
+/* ---- weights: 10^8 of them, against the gamma function ---- */
+
+double stress_weights(gsl_rng *random, char *describe, size_t size)
+{
+    (void)random;
+    const size_t rows = sizeof ref_far / sizeof *ref_far;
+    size_t wrong = 0, furthest = 0;
+    for (size_t i = 0; i < rows; i++)
+        furthest = GSL_MAX(furthest, ref_far[i].n);
+    double *w = malloc((furthest + 1) * sizeof *w), made = -1;
+    for (size_t i = 0; w && i < rows; i++) {
+        if (ref_far[i].alpha != made)
+            fvi_coefficients(made = ref_far[i].alpha, furthest + 1, w);
+        wrong += w[ref_far[i].n] != ref_far[i].want;
+    }
+    snprintf(describe, size, "%zu of %zu are not the nearest doubles", wrong,
+             rows);
+    int enough = w != NULL;
+    free(w);
+    return enough ? 2.0 * (double)wrong : GSL_POSINF;
 }

@@ -110,3 +110,8 @@ array("ref_half", [weight(Rational(1, 2), k) for k in range(31)],
 # Partial sums for alpha = 0.1, from (4.3), at n = 10^5.
 table("ref_sums", "double alpha; size_t n; double want;",
       [[hexd(o), 100000, exact(o - 1, 100000)] for o in (0.25, 0.5, 0.75)])
+
+# Far out: n = 10^7 for the test, n = 10^8 for `make stress`.
+table("ref_far", "double alpha; size_t n; double want;",
+      [[hexd(o), k, exact(o, k)] for o in (0.1, 0.6, 1 - 2.0 ** -30, 1.2, 1.8)
+       for k in (10**7, 10**8)])
