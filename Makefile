@@ -141,7 +141,7 @@ $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 # The installed library: static, shared, headers, pkg-config, program, manual.
 VERSION  := 0.1.0
 PREFIX   ?= /usr/local
-INTERNAL := exact_inverse exact_pole memory_kinds damping
+INTERNAL := exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights
 PUBLIC   := $(filter-out $(INTERNAL:%=src/%.h) src/fvi_%.h,$(wildcard src/*.h))
 
 $B/pic/%.o: src/%.c | tools
