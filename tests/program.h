@@ -4,12 +4,13 @@
 
 #include "ulp.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 static char out[1 << 20], err[4096]; /* what the last command printed */
-static char folder[] = "/tmp/fvi-test-XXXXXX";
+static char folder[PATH_MAX];        /* made beside the program */
 
 static inline void read_file(const char *name, char *text, size_t size)
 {
@@ -24,8 +25,9 @@ static inline void read_file(const char *name, char *text, size_t size)
  * program. */
 static inline int shell(const char *command)
 {
-    char line[2000], name[100];
-    snprintf(line, sizeof line, "cd %s && ( %s ) >out 2>err", folder, command);
+    char line[PATH_MAX + 2000], name[PATH_MAX + 10];
+    snprintf(line, sizeof line, "cd '%s' && ( %s ) >out 2>err", folder,
+             command);
     int status = system(line);
     snprintf(name, sizeof name, "%s/out", folder);
     read_file(name, out, sizeof out);
@@ -43,7 +45,7 @@ static inline int fvi(const char *arguments)
 
 static inline int exists(const char *name)
 {
-    char path[200];
+    char path[PATH_MAX + 100];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return access(path, F_OK) == 0;
 }
@@ -86,16 +88,17 @@ static inline int prepare(void)
 {
     const char *program = getenv("FVI");
     char *path = realpath(program ? program : "build/fvi", NULL);
-    if (!path || !mkdtemp(folder))
+    if (!path)
         return -1;
     setenv("FVI", path, 1);
+    int length = snprintf(folder, sizeof folder, "%s-test-XXXXXX", path);
     free(path);
-    return 0;
+    return length < (int)sizeof folder && mkdtemp(folder) ? 0 : -1;
 }
 
 static inline int clean_up(void)
 {
-    char line[200];
+    char line[PATH_MAX + 100];
     snprintf(line, sizeof line, "rm -rf '%s'", folder);
     return system(line);
 }

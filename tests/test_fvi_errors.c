@@ -89,7 +89,7 @@ START_TEST(overflow_is_reported_with_its_step)
     ck_assert(exists("kept"));
     ck_assert_int_eq(fvi(line), 1);
     ck_assert_str_eq(out, "");
-    char path[100], text[5000];
+    char path[PATH_MAX + 100], text[5000];
     snprintf(path, sizeof path, "%s/kept", folder);
     read_file(path, text, sizeof text);
     ck_assert_ptr_nonnull(
