@@ -94,10 +94,10 @@ refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
 san: ## the tests under AddressSanitizer and UBSan
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
 
-valgrind: $(TESTS:%=$B/tests/test_%) $B/fvi | tools ## the tests under valgrind
-	@for t in $(TESTS); do echo "valgrind $$t"; \
-	  FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 \
-	    $B/tests/test_$$t || exit 1; done
+valgrind: $(TESTS:%=valgrind-%) ## the tests under valgrind (many minutes)
+
+$(TESTS:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | tools
+	@FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 $<
 
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	@$< $(or $(SEED),1) $(FAMILY) $(CASE)
@@ -123,7 +123,7 @@ endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
 .PHONY: all help check test test-example test-install install uninstall book pdf play test-play test-page verify figures text excerpts refs san valgrind stress bench mutants clean tools \
-        $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%)
+        $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
 
@@ -254,12 +254,12 @@ figures/step_search.svg: $(TABLE_precision)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind mutants,check cerf) \
+  $(call goal,check test test-% ch% san valgrind valgrind-% mutants,check cerf) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
   $(call goal,text excerpts check book pdf mutants,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check test-install,numpy) $(call goal,valgrind,valgrind))
+  $(call goal,check test-install,numpy) $(call goal,valgrind valgrind-%,valgrind))
 
 tools:
 	@have() { case $$1 in \
