@@ -52,6 +52,16 @@ static int complain(const char *what)
     return 1;
 }
 
+/* Why a run could not begin. What the parser let through is not out of range:
+ * GSL_EINVAL is then a number of steps that no memory is made for. */
+static int complain_of_start(int status)
+{
+    return complain(status == GSL_ENOMEM   ? "not enough memory"
+                    : status == GSL_EINVAL ? "--steps: the compressed memory "
+                                             "reaches back 10^9 steps at most"
+                                           : gsl_strerror(status));
+}
+
 static int cannot_write(const char *name)
 {
     fprintf(stderr, "fvi: cannot write %s: %s\n",
@@ -143,8 +153,7 @@ static int run(const fvi_options *o, const fvi_system *system)
     if ((t.rows = room(&t)))
         status = fvi_start(o->method, &r, &s);
     if (status) {
-        complain(status == GSL_ENOMEM ? "not enough memory"
-                                      : gsl_strerror(status));
+        complain_of_start(status);
     } else if (!(t.out = fvi_output_open(o->output))) {
         cannot_write(o->output);
     } else {
@@ -184,8 +193,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
     else if (status == GSL_ETOL)
         complain("--error: no step gives a result");
     else if (status)
-        complain(status == GSL_ENOMEM ? "not enough memory"
-                                      : gsl_strerror(status));
+        complain_of_start(status);
     else
         fprintf(stderr,
                 "fvi: the error of x is about %.2g, with the step %.4g\n",

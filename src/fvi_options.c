@@ -149,7 +149,7 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     size_t which;
     int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
     if (!status)
-        status = number(o, TOLERANCE, 0, 1, "()", &o->tolerance, c);
+        status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
     if (!status)
         status = choice(o, MEMORY, memories, &which, c);
     if (status)

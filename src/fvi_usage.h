@@ -38,7 +38,7 @@ static const char usage_run[] =
     "[t,x,p,energy]\n"
     "  --every K        rows 0, K, 2K, ... and the last               [1]\n"
     "  --memory W       direct, fft, exponentials, auto               [auto]\n"
-    "  --tolerance E    of the compressed memory                      [1e-13]\n"
+    "  --tolerance E    of the compressed memory, E >= 1e-14          [1e-13]\n"
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n";
 

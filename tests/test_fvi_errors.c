@@ -196,6 +196,13 @@ START_TEST(too_large_a_run_is_refused_before_it_starts)
     ck_assert_int_eq(fvi("run --steps 1e15 --alpha 0.3 --memory direct"), 1);
     ck_assert_str_eq(out, "");
     ck_assert_str_eq(err, "fvi: not enough memory\n");
+    ck_assert_int_eq(fvi("run --steps 2e9 --alpha 0.3 --every 1e9"), 1);
+    ck_assert_str_eq(err, "fvi: --steps: the compressed memory reaches back "
+                          "10^9 steps at most\n");
+    ck_assert_int_eq(fvi("run --tolerance 1e-16"), 2);
+    ck_assert(
+        strncmp(err, "fvi: --tolerance: '1e-16' is outside [1e-14, 1)", 47)
+        == 0);
     ck_assert_int_eq(fvi("run --steps 1e14 --columns y --rho 0"), 1);
     ck_assert_int_eq(fvi("coefficients --count 1e15"), 1);
 }
