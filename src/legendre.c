@@ -38,14 +38,6 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
     return status;
 }
 
-static int all_finite(size_t d, const double *v)
-{
-    for (size_t i = 0; i < d; i++)
-        if (!gsl_finite(v[i]))
-            return 0;
-    return 1;
-}
-
 /* y = x + delta; room for delta, grad U and m / h, d numbers each. */
 static int solve_for_next(const fvi_system *system, double kappa, double h,
                           const double *x, const double *p, double *delta)
@@ -78,7 +70,7 @@ int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
     if (!(gsl_finite(h) && h > 0))
         GSL_ERROR("h must be finite and positive", GSL_EDOM);
     const size_t d = system->d;
-    if (!all_finite(d, x) || !all_finite(d, p))
+    if (!fvi_all_finite(d, x) || !fvi_all_finite(d, p))
         GSL_ERROR("x and p must be finite", GSL_EDOM);
     double *delta = calloc(3 * d, sizeof *delta); /* the guess is zero */
     if (!delta)
@@ -86,7 +78,7 @@ int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
     status = solve_for_next(system, kappa, h, x, p, delta);
     for (size_t i = 0; i < d; i++)
         delta[i] += x[i];
-    if (!status && !all_finite(d, delta))
+    if (!status && !fvi_all_finite(d, delta))
         status = GSL_EOVRFLW;
     if (!status)
         memcpy(y, delta, d * sizeof *y);

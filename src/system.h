@@ -8,6 +8,7 @@
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* fvi_potential -- U: R^d -> R with its first two derivatives.
@@ -66,6 +67,16 @@ int fvi_system_check(const fvi_system *system);
  *
  * Nothing is checked: this is called once a row. Cost O(d) and one value of U. */
 double fvi_energy(const fvi_system *system, const double *x, const double *p);
+
+/* fvi_all_finite -- are all n numbers of v finite? In the header, because every
+ * step asks: isfinite is a macro, and no call is made. */
+static inline int fvi_all_finite(size_t n, const double *v)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(v[i]))
+            return 0;
+    return 1;
+}
 
 /* Potentials that are ready to use. The parameters are read when U is, so they
  * must outlive the system. The first three act on every coordinate alike:

@@ -8,14 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int all_finite(size_t d, const double *v)
-{
-    for (size_t i = 0; i < d; i++)
-        if (!isfinite(v[i])) /* a macro: no call in each step */
-            return 0;
-    return 1;
-}
-
 static int check(const fvi_method *method, const fvi_run *run)
 {
     if (!method || !run || !run->x0 || !run->p0)
@@ -35,8 +27,8 @@ static int check(const fvi_method *method, const fvi_run *run)
         GSL_ERROR("this method knows only alpha = 1/2", GSL_EDOM);
     if (!(run->tolerance >= 0 && run->tolerance < 1))
         GSL_ERROR("tolerance must be in [0, 1)", GSL_EDOM);
-    if (!all_finite(run->system->d, run->x0)
-        || !all_finite(run->system->d, run->p0))
+    if (!fvi_all_finite(run->system->d, run->x0)
+        || !fvi_all_finite(run->system->d, run->p0))
         GSL_ERROR("x0 and p0 must be finite", GSL_EDOM);
     return GSL_SUCCESS;
 }
@@ -84,7 +76,7 @@ int fvi_step(fvi_stepper *s)
     int status = s->method->step(s);
     if (status)
         return status;
-    if (!all_finite(2 * s->run.system->d, s->x)) /* x, then p */
+    if (!fvi_all_finite(2 * s->run.system->d, s->x)) /* x, then p */
         GSL_ERROR("a value is no longer finite", GSL_EOVRFLW);
     s->k++;
     s->t = (double)s->k * s->run.h;
