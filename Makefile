@@ -30,7 +30,7 @@ TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 BENCHES  := $(patsubst tests/bench_%.c,%,$(wildcard tests/bench_*.c))
 TABLE_memory    := figures/memory_bench.tsv
 TABLE_precision := figures/step_search.tsv
-PROOFS   := $(filter-out refgen excerpts links mutants,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+PROOFS   := $(filter-out refgen excerpts links mutants numbers,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
 DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
@@ -64,8 +64,9 @@ verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values w
 
 figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what changed of the figures
 
-text: | tools ## compare the code quoted in the chapters with its source; follow every link
+text: | tools ## compare code and numbers in the chapters with their sources; follow every link
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py --check
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/numbers.py
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/links.py
 
 excerpts: | tools ## rewrite the code quoted in the chapters from its source
@@ -78,6 +79,14 @@ pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
 	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
 	  --print-to-pdf=$B/book/fvi.pdf file://$(abspath $B/book/index.html) 2>$B/book/chromium.log
 	@test -s $B/book/fvi.pdf
+
+# Each number that the prose quotes from a test: the least and the largest seen.
+seen: $(patsubst %,$B/seen/%.tsv,$(or $(STEM),$(TESTS))) ## what the tests see, into tests/seen.tsv (STEM=fvi for one)
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/numbers.py --gather $^
+
+$B/seen/%.tsv: $B/tests/test_% | $B/fvi tools
+	@mkdir -p $(@D)
+	@: > $@; SEEN=$@ FVI=$B/fvi $<
 
 play: | tools ## the live page, chapters/play/index.html (clang, lld, wasi-libc)
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) chapters/play/build.py $B/play
@@ -122,7 +131,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall book pdf play test-play test-page verify figures text excerpts refs san valgrind stress bench mutants clean tools \
+.PHONY: all help check test test-example test-install install uninstall book pdf seen play test-play test-page verify figures text excerpts refs san valgrind stress bench mutants clean tools \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -254,10 +263,10 @@ figures/step_search.svg: $(TABLE_precision)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind valgrind-% mutants,check cerf) \
+  $(call goal,check test test-% ch% san valgrind valgrind-% mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text excerpts check book pdf mutants,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text excerpts check book pdf mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check test-install,numpy) $(call goal,valgrind valgrind-%,valgrind))
 

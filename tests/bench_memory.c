@@ -156,12 +156,12 @@ static void ratios(void)
     progress("ratios", 1000000);
     double fft = seconds(1, 1000000, 0.5, FVI_MEMORY_FFT, 0, &x);
     double modes = seconds(1, 1000000, 0.5, FVI_MEMORY_EXPONENTIALS, 0, &y);
-    printf("#> ratios\n"
-           "%.3g\tdirect / bare dot products, N = 2 10^4\n"
-           "%.3g\tFFT blocks / exponentials, N = 10^6\n"
-           "%.3g\tdirect (that of N = 2 10^4, times 50^2) / exponentials, "
-           "N = 10^6\n"
-           "%.2g\t|difference of x(T)|, FFT blocks and exponentials, N = 10^6\n"
+    printf("# ratios of run times, and how far apart the results are\n"
+           "#> ratios\n# of what\tis\n"
+           "direct over bare dot products, N = 2 10^4\t%.3g\n"
+           "FFT blocks over exponentials, N = 10^6\t%.3g\n"
+           "direct, 50^2 times that of N = 2 10^4, over exponentials\t%.3g\n"
+           "x(T) by FFT blocks minus by exponentials, N = 10^6\t%.2g\n"
            "#< ratios\n\n\n",
            direct / dots, fft / modes, 2500 * direct / modes, fabs(x - y));
 }

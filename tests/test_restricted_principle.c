@@ -201,6 +201,8 @@ START_TEST(eq_3_7_a_solution_is_stationary_under_restricted_variations)
             ck_assert_near(restricted, 0, bound, "alpha=%g, t^%zu (T-t)^%zu",
                            alphas[i], 1 + k / 3, 1 + k % 3);
             ck_assert(fabs(alone) > 0.01);
+            seen(fabs(restricted), "restricted");
+            seen(fabs(alone), "x alone");
         }
     }
 }

@@ -5,6 +5,8 @@
 #ifndef ULP_H
 #define ULP_H
 
+#include "seen.h"
+
 #include <check.h>
 #include <math.h>
 #include <stdint.h>
@@ -39,6 +41,7 @@ static inline uint64_t ulp_distance(double a, double b)
         uint64_t ulps_ = (ulps), distance_ = ulp_distance(got_, want_);        \
         char where_[200];                                                      \
         snprintf(where_, sizeof where_, __VA_ARGS__);                          \
+        seen_worst((double)distance_, "ulp");                                  \
         ck_assert_msg(distance_ <= ulps_,                                      \
                       "%s: got %.17g (%a), want %.17g (%a): %llu ulp, "        \
                       "allowed %llu",                                          \
@@ -53,6 +56,7 @@ static inline uint64_t ulp_distance(double a, double b)
         double got_ = (got), want_ = (want), bound_ = (bound);                 \
         char where_[200];                                                      \
         snprintf(where_, sizeof where_, __VA_ARGS__);                          \
+        seen_worst(fabs(got_ - want_) / bound_, "of the bound");               \
         ck_assert_msg(fabs(got_ - want_) <= bound_,                            \
                       "%s: got %.17g, want %.17g: off by %.3g, allowed %.3g",  \
                       where_, got_, want_, fabs(got_ - want_), bound_);        \
@@ -63,7 +67,8 @@ static inline int run_suite(Suite *suite)
 {
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
-    int ran = srunner_ntests_run(runner), failed = srunner_ntests_failed(runner);
+    int ran = srunner_ntests_run(runner),
+        failed = srunner_ntests_failed(runner);
     srunner_free(runner);
     if (ran == 0)
         fprintf(stderr, "no test was run\n");

@@ -1,0 +1,149 @@
+"""Hold the numbers in the prose to the files that they come from.
+
+    numbers.py                   check README.md and the chapters (part of make text)
+    numbers.py --gather FILE...  what tests saw into tests/seen.tsv (make seen)
+
+Below a paragraph, a list or a table stands an invisible note, a line for each place:
+    <!-- from
+    0.019 = experiments_panels/eq_9_3_several_alpha_at_h_one_half/far 0.5
+    $10^{-12}$ > fvi/eq_9_4_momentum_form/difference
+    0.860, 0.861 = experiments/slopes/x; /p
+    -->
+On the left is a piece of the block above, word for word; `=` says that each number in
+it is the value on the right, rounded to the digits shown, `>` and `<` that it is above
+or below. The right names values, in their order, with `;` between them:
+    stem/function/name            the largest that tests/test_stem.c saw, and
+    stem/function/name/least      the least: from tests/seen.tsv
+    file/region/row/column        a cell of figures/file.tsv, by the first cell of its
+                                  row and the head of its column
+A value that begins with `/` has the first two parts of the one before it in the note.
+Only Python's standard library is used."""
+import math
+import pathlib
+import re
+import sys
+
+SEEN = pathlib.Path("tests/seen.tsv")
+HEAD = "# stem/function/name\tleast\tlargest\t(what the tests saw: make seen)\n"
+NOTE = re.compile(r"^[ \t]*<!-- from\n(.*?)^[ \t]*-->", re.M | re.S)
+LINE = re.compile(r"(.+?) ([=<>]) (\S.*)")
+NUMBER = re.compile(r"(?<![\w.])([+-]?\d+(?:\.(\d+))?)(?:e([+-]?\d+))?(?![\w^])")
+
+
+def gather(paths):
+    """Merge: of a stem that was run, the old lines go."""
+    ran = {path.stem for path in paths}
+    extremes = {}
+    for path in paths:
+        for line in path.read_text().splitlines():
+            name, value = line.split("\t")
+            name = path.stem + "/" + name.replace("_fn/", "/", 1)
+            low, high = extremes.get(name, (float(value),) * 2)
+            extremes[name] = min(low, float(value)), max(high, float(value))
+    rows = {name: f"{low:.6g}\t{high:.6g}" for name, (low, high) in extremes.items()}
+    for name in rows:                                # of the checks' own, largest only
+        if name.endswith(("/ulp", "/of the bound")):
+            rows[name] = "-" + rows[name][rows[name].index("\t"):]
+    for name, least, largest in read(SEEN) if SEEN.exists() else []:
+        if name.split("/")[0] not in ran:
+            rows[name] = f"{least}\t{largest}"
+    SEEN.write_text(HEAD + "".join(f"{name}\t{rows[name]}\n" for name in sorted(rows)))
+
+
+def read(path):
+    """The rows of a table without its comments, cells without padding."""
+    for line in path.read_text().splitlines():
+        if line and not line.startswith("#"):
+            yield [cell.strip() for cell in line.split("\t")]
+
+
+def cell(path, region, row, column):
+    lines = path.read_text().splitlines()
+    lines = lines[lines.index(f"#> {region}") + 1:lines.index(f"#< {region}")]
+    head = [name.strip() for name in lines[0].lstrip("# ").split("\t")]
+    for line in lines[1:]:
+        cells = [text.strip() for text in line.split("\t")]
+        if cells[0] == row:
+            return float(cells[head.index(column)])
+    raise ValueError(f"{path}: no row {row} in {region}")
+
+
+def value_of(key, seen):
+    table = pathlib.Path("figures", key.split("/")[0] + ".tsv")
+    try:
+        if table.exists():
+            return cell(table, *key.split("/")[1:])
+        name = key.removesuffix("/least")
+        return float(seen[name][0 if key != name else 1])
+    except (KeyError, ValueError, TypeError):
+        raise ValueError(f"no such value: {key}")
+
+
+def in_full(keys, before):
+    """The list, with what `/` stands for, and its last full value for the next line."""
+    full = []
+    for key in (key.strip() for key in keys.split(";")):
+        before = before if key.startswith("/") else "/".join(key.split("/")[:2])
+        full.append(before + key if key.startswith("/") else key)
+    return full, before
+
+
+def plain(text):
+    """One line; powers of ten as e, thousands without gaps."""
+    text = re.sub(r"\s*\\cdot\s*10\^\{?(-?\d+)\}?", r"e\1", " ".join(text.split()))
+    text = re.sub(r"\b10\^\{?(-?\d+)\}?", r"1e\1", text)
+    return re.sub(r"(?<=\d) (?=\d{3}\b)", "", text)
+
+
+def same(number, value):
+    """Whether value, rounded to the digits that are shown, is the number shown;
+    a bare power of ten is an order of magnitude."""
+    digits, fraction, exponent = number.groups()
+    if digits == "1" and exponent:
+        return value > 0 and abs(math.log10(value) - int(exponent)) <= 0.5
+    place = 10.0 ** (int(exponent or 0) - len(fraction or ""))
+    return abs(float(number[0]) - value) <= 0.5000001 * place
+
+
+def faults_of_line(text, relation, keys, block, seen):
+    if plain(text) not in plain(block):
+        yield f"'{text}' is not in the text above"
+        return
+    numbers = list(NUMBER.finditer(plain(text)))
+    if len(numbers) != len(keys):
+        yield f"'{text}' has {len(numbers)} numbers for {len(keys)} values"
+        return
+    for number, key in zip(numbers, keys):
+        value = value_of(key, seen)
+        holds = {"=": same(number, value), "<": float(number[0]) < value, ">": float(number[0]) > value}
+        if not holds[relation]:
+            yield f"'{number[0]} {relation} {key}' does not hold: that is {value:.6g}"
+
+
+def faults_of(page, seen):
+    text = page.read_text()
+    for note in NOTE.finditer(text):
+        start = text.count("\n", 0, note.start()) + 2
+        above = [block for block in re.split(r"\n\s*\n", text[:note.start()]) if block.strip()]
+        before = ""
+        for number, line in enumerate(note[1].splitlines(), start):
+            try:
+                left, relation, right = LINE.fullmatch(line.strip()).groups()
+                keys, before = in_full(right, before)
+                for fault in faults_of_line(left, relation, keys, above[-1], seen):
+                    yield f"{page}:{number}: {fault}"
+            except AttributeError:
+                yield f"{page}:{number}: not a line of a note: {line}"
+            except ValueError as error:
+                yield f"{page}:{number}: {error}"
+
+
+def main():
+    if sys.argv[1:2] == ["--gather"]:
+        return gather([pathlib.Path(name) for name in sys.argv[2:]])
+    seen = {name: (least, float(largest)) for name, least, largest in read(SEEN)}
+    pages = [pathlib.Path("README.md"), *sorted(pathlib.Path("chapters").glob("**/*.md"))]
+    sys.exit("\n".join(fault for page in pages for fault in faults_of(page, seen)) or 0)
+
+
+main()
