@@ -24,7 +24,7 @@ CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(shell pkg-config --cflags check))$(CHEC
 CERF_LIBS    = $(eval CERF_LIBS := $$(shell pkg-config --libs libcerf))$(CERF_LIBS)
 CHECK_LIBS   = $(eval CHECK_LIBS := $$(shell pkg-config --libs check))$(CHECK_LIBS)
 
-PROGRAM  := fvi_cli fvi_options fvi_output fvi_table fvi_words
+PROGRAM  := fvi_cli fvi_run fvi_options fvi_values fvi_output fvi_table fvi_words
 MODULES  := $(filter-out $(PROGRAM),$(patsubst src/%.c,%,$(wildcard src/*.c)))
 TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 BENCHES  := $(patsubst tests/bench_%.c,%,$(wildcard tests/bench_*.c))
@@ -188,7 +188,7 @@ $B/tests/test_%: tests/test_%.c $B/libfvi.a | tools
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
 
 # The parser is tested in the process, the program by running it.
-EXTRA_fvi_options := $B/src/fvi_options.o $B/src/fvi_words.o
+EXTRA_fvi_options := $(patsubst %,$B/src/%.o,fvi_options fvi_values fvi_words)
 $B/tests/test_fvi_options: $(EXTRA_fvi_options)
 test-fvi_cli test-fvi_errors: $B/fvi
 

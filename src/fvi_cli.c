@@ -1,93 +1,33 @@
 /* src/fvi_cli.c -- The program build/fvi. */
-#define _GNU_SOURCE
 #include "coefficients.h"
-#include "convolution_quadrature.h"
-#include "discrete_mechanics.h"
 #include "exact_solution.h"
-#include "fvi.h"
-#include "fvi_options.h"
+#include "fvi_commands.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"
-#include "stability.h"
-#include "step_search.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-/* ---- the run, row by row ---- */
+/* ---- what went wrong ---- */
 
-static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
-{
-    const size_t steps = t->o->steps, every = t->o->every;
-    size_t next = every; /* the next row; asking at each step would divide */
-    int status = GSL_SUCCESS;
-    fvi_table_take(t, 0, s->x, s->p);
-    while (s->k < steps && !status) {
-        status = fvi_step(s);
-        if (status || s->k == steps)
-            fvi_progress(steps, steps); /* clear the line before the last row */
-        if (!status && (t->wait || s->k == next || s->k == steps)) {
-            fvi_table_take(t, s->k, s->x, s->p);
-            next = s->k + every;
-        }
-        if (s->k % 1024 == 0) {
-            fvi_progress(s->k, steps);
-            if (ferror(t->out))
-                break;
-        }
-    }
-    return status;
-}
-
-/* ---- commands ---- */
-
-static int complain(const char *what)
+int fvi_complain(const char *what)
 {
     fprintf(stderr, "fvi: %s\n", what);
     return 1;
 }
 
-/* Why a run could not begin. What the parser let through is not out of range:
- * GSL_EINVAL is then a number of steps that no memory is made for. */
-static int complain_of_start(int status)
-{
-    return complain(status == GSL_ENOMEM   ? "not enough memory"
-                    : status == GSL_EINVAL ? "--steps: the compressed memory "
-                                             "reaches back 10^9 steps at most"
-                                           : gsl_strerror(status));
-}
-
-static int cannot_write(const char *name)
+int fvi_cannot_write(const char *name)
 {
     fprintf(stderr, "fvi: cannot write %s: %s\n",
             name ? name : "standard output", strerror(errno));
     return 1;
 }
 
-/* Room for the rows that are kept; NULL if what is surely asked for is more
- * than the machine has. */
-static double *room(const fvi_table *t)
-{
-    const fvi_options *o = t->o;
-    double machine =
-        (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    double bytes = 8 * (double)t->height * (double)t->width
-                   + 8 * (double)o->d * (double)o->d;
-    if (o->error > 0) /* fvi_step_search keeps rows */
-        bytes += 40 * (double)o->d * (double)o->steps;
-    else if (o->method && !o->method->half_only && o->rho > 0)
-        bytes += (double)fvi_memory_bytes(2 * o->alpha, o->d, o->steps,
-                                          o->memory, o->tolerance);
-    return bytes < machine ? calloc(t->height * t->width, sizeof *t->rows)
-                           : NULL;
-}
-
-static int report(int status, size_t step)
+int fvi_stopped_at(size_t step, int status)
 {
     const char *what =
         status == GSL_EMAXITER  ? "Newton's method did not converge"
@@ -98,150 +38,7 @@ static int report(int status, size_t step)
     return 1;
 }
 
-/* A warning before a run that must blow up; it goes on all the same. The load of
- * fvi-bdf2 is that of Algorithm 3 with 4^alpha times the damping, (13.14); that of
- * fvi-shifted with 1 - 2 alpha times, none from alpha = 1/2 on. */
-static void warn_if_unstable(const fvi_options *o, const fvi_run *r)
-{
-    double share = o->method == &fvi_fractional           ? 1
-                   : o->method == &fvi_lagrange_dalembert ? 1
-                   : o->method == &fvi_bdf2               ? pow(4, o->alpha)
-                   : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
-                                               : -1;
-    double load, h,
-        *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
-    if (!damping)
-        return;
-    for (size_t i = 0; i < o->d; i++)
-        damping[i] = share * o->rho;
-    fvi_system system = *r->system;
-    fvi_run run = *r;
-    system.damping = damping;
-    run.system = &system;
-    int status = fvi_stability_load(&run, &load);
-    if (!status && load > 1 && !fvi_stability_step(&run, &h))
-        fprintf(stderr,
-                "fvi: warning: this step is unstable (load %.4g, above 1); %s "
-                "%.4g\n",
-                load,
-                h > 0 ? "stable below h =" : "no step is stable: rho / m is",
-                h > 0 ? h : o->rho / o->mass);
-    free(damping);
-}
-
-static fvi_run the_run(const fvi_options *o, const fvi_system *system)
-{
-    return (fvi_run){ .system = system,
-                      .x0 = o->x0,
-                      .p0 = o->p0,
-                      .h = o->h,
-                      .steps = o->steps,
-                      .kappa = o->kappa,
-                      .alpha = o->alpha,
-                      .caputo = o->caputo,
-                      .memory = o->memory,
-                      .tolerance = o->tolerance };
-}
-
-static int run(const fvi_options *o, const fvi_system *system)
-{
-    const fvi_run r = the_run(o, system);
-    fvi_table t;
-    fvi_stepper *s = NULL;
-    int failed = 1, status = GSL_ENOMEM;
-    fvi_table_shape(&t, o, system);
-    if ((t.rows = room(&t)))
-        status = fvi_start(o->method, &r, &s);
-    if (status) {
-        complain_of_start(status);
-    } else if (!(t.out = fvi_output_open(o->output))) {
-        cannot_write(o->output);
-    } else {
-        warn_if_unstable(o, &r);
-        fvi_table_head(t.out, o);
-        fvi_table_names(&t);
-        status = steps_and_rows(&t, s);
-        failed = status ? report(status, s->k + 1) : 0;
-        if (!failed)
-            fvi_table_finish(&t);
-        if (fvi_output_close(t.out, !failed) != 0)
-            failed = cannot_write(o->output);
-    }
-    fvi_stop(s);
-    free(t.rows);
-    return failed;
-}
-
-/* ---- run --error ---- */
-
-/* Find the step; say what was found, or how near it came. */
-static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, fvi_step_found *found)
-{
-    const int terminal = isatty(STDERR_FILENO);
-    if (terminal)
-        fprintf(stderr, "looking for the step ...");
-    int status =
-        fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
-    if (terminal)
-        fprintf(stderr, "\r\033[K");
-    if (status == GSL_ETOL && isfinite(found->estimate))
-        fprintf(stderr,
-                "fvi: --error: %g is out of reach; the smallest estimate was "
-                "%.2g, with the step %.4g\n",
-                o->error, found->estimate, o->h / (double)found->parts);
-    else if (status == GSL_ETOL)
-        complain("--error: no step gives a result");
-    else if (status)
-        complain_of_start(status);
-    else
-        fprintf(stderr,
-                "fvi: the error of x is about %.2g, with the step %.4g\n",
-                found->estimate, o->h / (double)found->parts);
-    return status != 0;
-}
-
-static int print_found(const fvi_options *o, const fvi_system *system,
-                       const fvi_step_found *found, const double *x,
-                       const double *p)
-{
-    fvi_table t;
-    fvi_table_shape(&t, o, system);
-    if (!(t.rows = room(&t)))
-        return complain("not enough memory");
-    int failed = 1;
-    if ((t.out = fvi_output_open(o->output))) {
-        fvi_table_head(t.out, o);
-        fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
-                o->h / (double)found->parts, found->estimate);
-        fvi_table_names(&t);
-        for (size_t k = 0; k <= o->steps && !ferror(t.out); k++)
-            fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
-        fvi_table_finish(&t);
-        failed = fvi_output_close(t.out, 1) != 0;
-    }
-    free(t.rows);
-    return failed ? cannot_write(o->output) : 0;
-}
-
-static int run_to_error(const fvi_options *o, const fvi_system *system)
-{
-    const fvi_run r = the_run(o, system);
-    fvi_step_found found;
-    fvi_table t;
-    fvi_table_shape(&t, o, system);
-    double *rows = room(&t); /* is there enough, before anything is tried? */
-    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
-    free(rows);
-    if (!x)
-        return complain("not enough memory");
-    double *p = x + (o->steps + 1) * o->d;
-    int failed = find_step(o, &r, x, p, &found);
-    if (!failed)
-        failed = print_found(o, system, &found, x, p);
-    free(x);
-    return failed;
-}
+/* ---- commands ---- */
 
 /* The rows of the exact solution, a batch at a time: each batch costs one
  * search for the poles. Returns 0, or 1 after it has said what is wrong. */
@@ -261,7 +58,7 @@ static int exact_rows(const fvi_table *t, const fvi_linear *problem)
         for (size_t i = 0; i < count; i++) {
             double p = problem->m * v[i];
             if (status && !(isfinite(x[i]) && isfinite(p)))
-                return report(status, step[i]);
+                return fvi_stopped_at(step[i], status);
             fvi_table_take(t, step[i], &x[i], &p);
         }
         count = 0;
@@ -292,11 +89,11 @@ static int exact(const fvi_options *o, const fvi_system *system)
     const fvi_linear problem = linear_problem(o);
     fvi_table t;
     fvi_table_shape(&t, o, system);
-    if (!(t.rows = room(&t)))
-        return complain("not enough memory");
+    if (!(t.rows = fvi_table_room(&t, 0)))
+        return fvi_complain("not enough memory");
     int failed = 1;
     if (!(t.out = fvi_output_open(o->output))) {
-        cannot_write(o->output);
+        fvi_cannot_write(o->output);
     } else {
         fvi_table_head(t.out, o);
         fvi_table_names(&t);
@@ -304,33 +101,20 @@ static int exact(const fvi_options *o, const fvi_system *system)
         if (!failed)
             fvi_table_finish(&t);
         if (fvi_output_close(t.out, !failed) != 0)
-            failed = cannot_write(o->output);
+            failed = fvi_cannot_write(o->output);
     }
     free(t.rows);
     return failed;
 }
 
-/* Both commands speak of a system; its masses and dampings live here. */
-static int with_system(const fvi_options *o,
-                       int (*command)(const fvi_options *, const fvi_system *))
-{
-    double *storage = malloc(2 * o->d * sizeof *storage);
-    if (!storage)
-        return complain("not enough memory");
-    const fvi_system system = fvi_options_system(o, storage);
-    int status = command(o, &system);
-    free(storage);
-    return status;
-}
-
+/* The head and the weights, a line each. */
 static int coefficients(const fvi_options *o)
 {
-    double machine =
-        (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    const double bytes = 8 * (double)o->count;
     double *w =
-        8 * (double)o->count < machine ? malloc(o->count * sizeof *w) : NULL;
+        bytes < fvi_machine_bytes() ? malloc(o->count * sizeof *w) : NULL;
     if (!w)
-        return complain("not enough memory");
+        return fvi_complain("not enough memory");
     fvi_coefficients(o->alpha, o->count, w);
     FILE *out = fvi_output_open(o->output);
     int failed = !out;
@@ -342,7 +126,7 @@ static int coefficients(const fvi_options *o)
         failed = fvi_output_close(out, 1) != 0;
     }
     free(w);
-    return failed ? cannot_write(o->output) : 0;
+    return failed ? fvi_cannot_write(o->output) : 0;
 }
 
 static int print_methods(void)
@@ -351,13 +135,26 @@ static int print_methods(void)
         const fvi_method *m = fvi_options_methods[i];
         printf("%s\t%s\t%s\n", m->name, m->order, m->memory);
     }
-    return fvi_output_close(stdout, 1) ? cannot_write(NULL) : 0;
+    return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
 static int print_text(const char *text)
 {
     fputs(text, stdout);
-    return fvi_output_close(stdout, 1) ? cannot_write(NULL) : 0;
+    return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
+}
+
+/* Both commands speak of a system; its masses and dampings live here. */
+static int with_system(const fvi_options *o,
+                       int (*command)(const fvi_options *, const fvi_system *))
+{
+    double *storage = malloc(2 * o->d * sizeof *storage);
+    if (!storage)
+        return fvi_complain("not enough memory");
+    const fvi_system system = fvi_options_system(o, storage);
+    int status = command(o, &system);
+    free(storage);
+    return status;
 }
 
 int main(int argc, char **argv)
@@ -373,7 +170,8 @@ int main(int argc, char **argv)
     }
     switch (o.command) {
     case FVI_COMMAND_RUN:
-        status = with_system(&o, o.error > 0 ? run_to_error : run);
+        status =
+            with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
         break;
     case FVI_COMMAND_EXACT:
         status = with_system(&o, exact);

@@ -2,53 +2,14 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 
-#include "convolution_quadrature.h"
-#include "discrete_mechanics.h"
-#include "fvi.h"
-#include "fvi_words.h"
-#include "lobatto.h"
+#include "fvi_values.h"
 
-#include <float.h>
 #include <getopt.h>
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-const fvi_method *const fvi_options_methods[] = {
-    &fvi_fractional,     &fvi_lagrange_dalembert,
-    &fvi_euler_explicit, &fvi_euler_implicit,
-    &fvi_shifted,        &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,
-    &fvi_lobatto4,       NULL
-};
 
 /* ---- the table of options ---- */
 
 enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
-
-typedef enum {
-    METHOD,
-    ALPHA,
-    RHO,
-    MASS,
-    POTENTIAL,
-    FORCE,
-    DERIVATIVE,
-    KAPPA,
-    X0,
-    P0,
-    H,
-    STEPS,
-    TIME,
-    ERROR,
-    COLUMNS,
-    EVERY,
-    MEMORY,
-    TOLERANCE,
-    COUNT,
-    OUTPUT,
-    OPTIONS
-} option_index;
 
 static const struct {
     const char *name;
@@ -77,6 +38,11 @@ static const struct {
     [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },
 };
 
+const char *fvi_option_name(option_index i)
+{
+    return table[i].name;
+}
+
 static int mask(fvi_command command)
 {
     return command == FVI_COMMAND_RUN            ? RUN
@@ -96,165 +62,6 @@ int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
             return 1;
         }
     return 0;
-}
-
-/* ---- words to values ---- */
-
-/* The number of option i; see fvi_word_number. */
-static int number(const fvi_options *o, option_index i, double low, double high,
-                  const char *brackets, double *value, fvi_complaint c)
-{
-    return fvi_word_number(table[i].name, o->text[i], low, high, brackets,
-                           value, c);
-}
-
-static int whole(const fvi_options *o, option_index i, size_t *value,
-                 fvi_complaint c)
-{
-    return fvi_word_whole(table[i].name, o->text[i], value, c);
-}
-
-static int choice(const fvi_options *o, option_index i,
-                  const char *const *words, size_t *which, fvi_complaint c)
-{
-    return fvi_word_choice(table[i].name, o->text[i], words, which, c);
-}
-
-/* ---- what belongs together ---- */
-
-/* A jump of the force that is not at a row is what no estimate can see. */
-static int interpret_error(fvi_options *o, fvi_complaint c)
-{
-    int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
-    if (status || o->force != 's')
-        return status;
-    const double end = o->forcing[1] / o->h, row = round(end);
-    if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
-        return fvi_refuse(c,
-                          "--error: the force '%s' ends between two rows; "
-                          "take other --steps",
-                          o->text[FORCE]);
-    return 0;
-}
-
-static int is_lobatto(const fvi_method *m)
-{
-    return m == &fvi_lobatto2 || m == &fvi_lobatto3 || m == &fvi_lobatto4;
-}
-
-static int interpret_run(fvi_options *o, fvi_complaint c)
-{
-    static const char *const memories[] = { "auto", "direct", "fft",
-                                            "exponentials", NULL };
-    size_t which;
-    int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
-    if (!status)
-        status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
-    if (!status)
-        status = choice(o, MEMORY, memories, &which, c);
-    if (status)
-        return status;
-    o->memory = (fvi_memory_kind)which;
-
-    const char *names[sizeof fvi_options_methods / sizeof *fvi_options_methods];
-    for (which = 0; fvi_options_methods[which]; which++)
-        names[which] = fvi_options_methods[which]->name;
-    names[which] = NULL;
-    status = choice(o, METHOD, names, &which, c);
-    if (status)
-        return status;
-    o->method = fvi_options_methods[which];
-    if (o->method->half_only && o->alpha != 0.5)
-        return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
-                          o->text[ALPHA], o->method->name);
-    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
-        return fvi_refuse(c, "--memory: 'fft' is not known to %s",
-                          o->method->name);
-    if (!o->method->half_only && o->method != &fvi_fractional) {
-        o->caputo = 1; /* they know nothing else, and the head says so */
-        o->text[DERIVATIVE] = "caputo";
-    }
-    return o->text[ERROR] ? interpret_error(o, c) : 0;
-}
-
-/* The rows are at t_k = k h: by --h, or by --time. */
-static int interpret_grid(fvi_options *o, fvi_complaint c)
-{
-    int status = whole(o, STEPS, &o->steps, c);
-    if (status || !o->text[TIME])
-        return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
-    double time = 0;
-    status = number(o, TIME, 0, INFINITY, "()", &time, c);
-    o->h = time / (double)o->steps;
-    if (!status && !(o->h > 0))
-        return fvi_refuse(c, "--time: '%s' is too short for so many steps",
-                          o->text[TIME]);
-    return status;
-}
-
-/* What run and exact share: the system, its start, the grid, the columns. */
-static int interpret_trajectory(fvi_options *o, fvi_complaint c)
-{
-    static const char *const derivatives[] = { "rl", "caputo", NULL };
-    size_t which = 0;
-    int status = number(o, RHO, 0, INFINITY, "[)", &o->rho, c);
-    if (!status)
-        status = number(o, MASS, 0, INFINITY, "()", &o->mass, c);
-    if (!status)
-        status = fvi_word_potential(o->text[POTENTIAL], &o->potential, &o->d,
-                                    o->spring, c);
-    if (!status)
-        status = fvi_word_force(o->text[FORCE], &o->force, o->forcing, c);
-    if (!status)
-        status = choice(o, DERIVATIVE, derivatives, &which, c);
-    o->caputo = which == 1;
-    if (!status)
-        status = interpret_grid(o, c);
-    if (!status)
-        status = whole(o, EVERY, &o->every, c);
-    if (!status)
-        status = fvi_word_columns(o->text[COLUMNS], o->columns, c);
-    if (!status && o->command == FVI_COMMAND_RUN)
-        status = interpret_run(o, c);
-    if (!status && o->command == FVI_COMMAND_EXACT
-        && !(o->potential == 'f' || (o->potential == 'h' && o->spring[0] >= 0)))
-        return fvi_refuse(c,
-                          "--potential: '%s' has no exact solution here; "
-                          "harmonic:C with C >= 0 and free have",
-                          o->text[POTENTIAL]);
-    if (status)
-        return status;
-
-    o->x0 = malloc(2 * o->d * sizeof *o->x0);
-    if (!o->x0) {
-        fvi_refuse(c, "no memory for the start");
-        return 1;
-    }
-    o->p0 = o->x0 + o->d;
-    status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
-    if (!status)
-        status = fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
-    if (!status && o->command == FVI_COMMAND_EXACT && !o->caputo && o->rho > 0
-        && o->alpha > 0.5 && o->x0[0] != 0)
-        status = fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
-                               "and alpha > 1/2; take caputo");
-    if (status)
-        fvi_options_free(o);
-    return status;
-}
-
-static int interpret(fvi_options *o, fvi_complaint c)
-{
-    if (o->text[OUTPUT] && !*o->text[OUTPUT])
-        return fvi_refuse(c, "-o: '' is not a file's name");
-    o->output = o->text[OUTPUT];
-    /* The weights go up to the order 2 alpha of the damping. */
-    int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
-    int status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
-    if (status)
-        return status;
-    return only_weights ? whole(o, COUNT, &o->count, c)
-                        : interpret_trajectory(o, c);
 }
 
 /* ---- getopt ---- */
@@ -296,29 +103,21 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     return 0;
 }
 
-int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
-                      size_t size)
+/* The words behind the command into o->text; --help among them changes the
+ * command. */
+static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
 {
-    fvi_complaint c = { text, size };
-    *o = (fvi_options){ .about = FVI_COMMAND_HELP };
-    if (argc < 2)
-        return fvi_refuse(c, "a command is missing");
-    if (!command_of(argv[1], &o->command))
-        return fvi_refuse(c, "'%s' is not a command", argv[1]);
-
     struct option longs[OPTIONS + 1] = { { 0 } };
     for (int i = 0; i < OUTPUT; i++)
         longs[i] =
             (struct option){ table[i].name, required_argument, NULL, 256 + i };
     longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
 
-    int left = argc - 1, status = 0;
-    char **words = argv + 1;
     optind = 0; /* start afresh, whoever parsed before */
     opterr = 0;
     for (;;) {
         const char *given = words[optind ? optind : 1];
-        int found = getopt_long(left, words, "+:o:", longs, NULL);
+        int found = getopt_long(count, words, "+:o:", longs, NULL);
         if (found == -1)
             break;
         if (found == 256 + OPTIONS && strcmp(given, "--help") == 0) {
@@ -326,16 +125,21 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
             o->command = FVI_COMMAND_HELP;
             return 0;
         }
-        status = take(o,
-                      found == 'o'             ? 256 + OUTPUT
-                      : found == 256 + OPTIONS ? '?'
-                                               : found,
-                      given, c);
+        found = found == 'o'             ? 256 + OUTPUT
+                : found == 256 + OPTIONS ? '?' /* short for --help */
+                                         : found;
+        int status = take(o, found, given, c);
         if (status)
             return status;
     }
-    if (optind < left)
-        return fvi_refuse(c, "'%s': not expected here", words[optind]);
+    return optind < count
+               ? fvi_refuse(c, "'%s': not expected here", words[optind])
+               : 0;
+}
+
+/* The presets; the step comes from --h, or from --time, or is looked for. */
+static int fill_in(fvi_options *o, fvi_complaint c)
+{
     const option_index instead = o->text[ERROR] ? ERROR : TIME;
     if (o->text[H] && o->text[instead])
         return fvi_refuse(c, "--h: not together with --%s",
@@ -345,41 +149,20 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME]))
             o->text[i] = table[i].preset;
-    return mask(o->command) ? interpret(o, c) : 0;
+    return 0;
 }
 
-void fvi_options_free(fvi_options *o)
+int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
+                      size_t size)
 {
-    free(o->x0);
-    o->x0 = o->p0 = NULL;
-}
-
-fvi_system fvi_options_system(const fvi_options *o, double *storage)
-{
-    fvi_system s = { .d = o->d, .mass = storage, .damping = storage + o->d };
-    for (size_t i = 0; i < o->d; i++) {
-        storage[i] = o->mass;
-        storage[o->d + i] = o->rho;
-    }
-    switch (o->potential) {
-    case 'h':
-        s.potential = fvi_potential_harmonic(o->spring);
-        break;
-    case 'd':
-        s.potential = fvi_potential_duffing(o->spring);
-        break;
-    case 'p':
-        s.potential = fvi_potential_pendulum(o->spring);
-        break;
-    case 'c':
-        s.potential = fvi_potential_chain(o->spring);
-        break;
-    default:
-        break; /* free */
-    }
-    if (o->force == 's')
-        s.force = fvi_force_step(o->forcing);
-    else if (o->force == 'c')
-        s.force = fvi_force_cosine(o->forcing);
-    return s;
+    fvi_complaint c = { text, size };
+    *o = (fvi_options){ .about = FVI_COMMAND_HELP };
+    if (argc < 2)
+        return fvi_refuse(c, "a command is missing");
+    if (!command_of(argv[1], &o->command))
+        return fvi_refuse(c, "'%s' is not a command", argv[1]);
+    int status = take_all(o, argc - 1, argv + 1, c);
+    if (!status && mask(o->command))
+        status = fill_in(o, c);
+    return !status && mask(o->command) ? fvi_options_interpret(o, c) : status;
 }

@@ -1,7 +1,10 @@
 /* src/fvi_table.c -- The table that the program prints. */
+#define _GNU_SOURCE /* _SC_PHYS_PAGES */
 #include "fvi_table.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- the head ---- */
 
@@ -62,6 +65,19 @@ void fvi_table_shape(fvi_table *t, const fvi_options *o,
     for (const char *c = o->columns; *c; c++)
         t->width += column_width(o, *c);
     t->height = t->wait ? row_number(o, o->steps) + 1 : 1;
+}
+
+double fvi_machine_bytes(void)
+{
+    return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+}
+
+double *fvi_table_room(const fvi_table *t, double bytes)
+{
+    bytes += (double)sizeof *t->rows * (double)t->height * (double)t->width;
+    return bytes < fvi_machine_bytes()
+               ? calloc(t->height * t->width, sizeof *t->rows)
+               : NULL;
 }
 
 int fvi_table_wants(const fvi_table *t, size_t k)

@@ -24,6 +24,13 @@ typedef struct {
 void fvi_table_shape(fvi_table *t, const fvi_options *o,
                      const fvi_system *system);
 
+/* fvi_machine_bytes -- the memory of this machine. */
+double fvi_machine_bytes(void);
+
+/* fvi_table_room -- rows for a table that has its shape, to be freed by the caller;
+ * NULL if these and `bytes` more are more than the machine has. */
+double *fvi_table_room(const fvi_table *t, double bytes);
+
 /* fvi_table_head -- "# name = value" lines, for any command. */
 void fvi_table_head(FILE *out, const fvi_options *o);
 

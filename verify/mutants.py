@@ -22,7 +22,7 @@ BUILD = pathlib.Path(sys.argv[1])
 STEMS = set(sys.argv[2:])
 CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
 LIBS = shlex.split(os.environ["LIBS"])
-PROGRAM = ["fvi_cli", "fvi_options", "fvi_output", "fvi_table", "fvi_words"]
+PROGRAM = ["fvi_cli", "fvi_run", "fvi_options", "fvi_values", "fvi_output", "fvi_table", "fvi_words"]
 FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("test_*.c"))
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
 TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]
@@ -57,7 +57,7 @@ def build(folder, entry, test):
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     library = [] if file.stem in PROGRAM else [wrong]
     library.append(BUILD / "libfvi.a")
-    parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_options", "fvi_words")]
+    parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_options", "fvi_values", "fvi_words")]
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
                     "-o", folder / "test"], check=True)
     if test.stem in ("test_fvi_cli", "test_fvi_errors"):

@@ -1,0 +1,209 @@
+/* src/fvi_run.c -- The command `fvi run`, step by step or to a wanted error. */
+#include "fvi_commands.h"
+
+#include "convolution_quadrature.h"
+#include "discrete_mechanics.h"
+#include "fvi.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+#include "stability.h"
+#include "step_search.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* Why a run could not begin. What the parser let through is not out of range:
+ * GSL_EINVAL is then a number of steps that no memory is made for. */
+static int complain_of_start(int status)
+{
+    return fvi_complain(status == GSL_ENOMEM ? "not enough memory"
+                        : status == GSL_EINVAL
+                            ? "--steps: the compressed memory "
+                              "reaches back 10^9 steps at most"
+                            : gsl_strerror(status));
+}
+
+/* Room for the rows that are kept; NULL if what is surely asked for is more
+ * than the machine has. */
+static double *room(const fvi_table *t)
+{
+    const fvi_options *o = t->o;
+    double bytes = 8 * (double)o->d * (double)o->d; /* Newton's matrix */
+    if (o->error > 0) /* fvi_step_search keeps rows */
+        bytes += 40 * (double)o->d * (double)o->steps;
+    else if (o->method && !o->method->half_only && o->rho > 0)
+        bytes += (double)fvi_memory_bytes(2 * o->alpha, o->d, o->steps,
+                                          o->memory, o->tolerance);
+    return fvi_table_room(t, bytes);
+}
+
+static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
+{
+    const size_t steps = t->o->steps, every = t->o->every;
+    size_t next = every; /* the next row; asking at each step would divide */
+    int status = GSL_SUCCESS;
+    fvi_table_take(t, 0, s->x, s->p);
+    while (s->k < steps && !status) {
+        status = fvi_step(s);
+        if (status || s->k == steps)
+            fvi_progress(steps, steps); /* clear the line before the last row */
+        if (!status && (t->wait || s->k == next || s->k == steps)) {
+            fvi_table_take(t, s->k, s->x, s->p);
+            next = s->k + every;
+        }
+        if (s->k % 1024 == 0) {
+            fvi_progress(s->k, steps);
+            if (ferror(t->out))
+                break;
+        }
+    }
+    return status;
+}
+
+/* A warning before a run that must blow up; it goes on all the same. The load of
+ * fvi-bdf2 is that of Algorithm 3 with 4^alpha times the damping, (13.14); that of
+ * fvi-shifted with 1 - 2 alpha times, none from alpha = 1/2 on. */
+static void warn_if_unstable(const fvi_options *o, const fvi_run *r)
+{
+    double share = o->method == &fvi_fractional           ? 1
+                   : o->method == &fvi_lagrange_dalembert ? 1
+                   : o->method == &fvi_bdf2               ? pow(4, o->alpha)
+                   : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
+                                               : -1;
+    double load, h,
+        *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
+    if (!damping)
+        return;
+    for (size_t i = 0; i < o->d; i++)
+        damping[i] = share * o->rho;
+    fvi_system system = *r->system;
+    fvi_run run = *r;
+    system.damping = damping;
+    run.system = &system;
+    int status = fvi_stability_load(&run, &load);
+    if (!status && load > 1 && !fvi_stability_step(&run, &h))
+        fprintf(stderr,
+                "fvi: warning: this step is unstable (load %.4g, above 1); %s "
+                "%.4g\n",
+                load,
+                h > 0 ? "stable below h =" : "no step is stable: rho / m is",
+                h > 0 ? h : o->rho / o->mass);
+    free(damping);
+}
+
+static fvi_run the_run(const fvi_options *o, const fvi_system *system)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = o->x0,
+                      .p0 = o->p0,
+                      .h = o->h,
+                      .steps = o->steps,
+                      .kappa = o->kappa,
+                      .alpha = o->alpha,
+                      .caputo = o->caputo,
+                      .memory = o->memory,
+                      .tolerance = o->tolerance };
+}
+
+int fvi_command_run(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = the_run(o, system);
+    fvi_table t;
+    fvi_stepper *s = NULL;
+    int failed = 1, status = GSL_ENOMEM;
+    fvi_table_shape(&t, o, system);
+    if ((t.rows = room(&t)))
+        status = fvi_start(o->method, &r, &s);
+    if (status) {
+        complain_of_start(status);
+    } else if (!(t.out = fvi_output_open(o->output))) {
+        fvi_cannot_write(o->output);
+    } else {
+        warn_if_unstable(o, &r);
+        fvi_table_head(t.out, o);
+        fvi_table_names(&t);
+        status = steps_and_rows(&t, s);
+        failed = status ? fvi_stopped_at(s->k + 1, status) : 0;
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = fvi_cannot_write(o->output);
+    }
+    fvi_stop(s);
+    free(t.rows);
+    return failed;
+}
+
+/* ---- run --error ---- */
+
+/* Find the step; say what was found, or how near it came. */
+static int find_step(const fvi_options *o, const fvi_run *r, double *x,
+                     double *p, fvi_step_found *found)
+{
+    const int terminal = isatty(STDERR_FILENO);
+    if (terminal)
+        fprintf(stderr, "looking for the step ...");
+    int status =
+        fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
+    if (terminal)
+        fprintf(stderr, "\r\033[K");
+    if (status == GSL_ETOL && isfinite(found->estimate))
+        fprintf(stderr,
+                "fvi: --error: %g is out of reach; the smallest estimate was "
+                "%.2g, with the step %.4g\n",
+                o->error, found->estimate, o->h / (double)found->parts);
+    else if (status == GSL_ETOL)
+        fvi_complain("--error: no step gives a result");
+    else if (status)
+        complain_of_start(status);
+    else
+        fprintf(stderr,
+                "fvi: the error of x is about %.2g, with the step %.4g\n",
+                found->estimate, o->h / (double)found->parts);
+    return status != 0;
+}
+
+static int print_found(const fvi_options *o, const fvi_system *system,
+                       const fvi_step_found *found, const double *x,
+                       const double *p)
+{
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    if (!(t.rows = room(&t)))
+        return fvi_complain("not enough memory");
+    int failed = 1;
+    if ((t.out = fvi_output_open(o->output))) {
+        fvi_table_head(t.out, o);
+        fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
+                o->h / (double)found->parts, found->estimate);
+        fvi_table_names(&t);
+        for (size_t k = 0; k <= o->steps && !ferror(t.out); k++)
+            fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
+        fvi_table_finish(&t);
+        failed = fvi_output_close(t.out, 1) != 0;
+    }
+    free(t.rows);
+    return failed ? fvi_cannot_write(o->output) : 0;
+}
+
+int fvi_command_error(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = the_run(o, system);
+    fvi_step_found found;
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    double *rows = room(&t); /* is there enough, before anything is tried? */
+    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
+    free(rows);
+    if (!x)
+        return fvi_complain("not enough memory");
+    double *p = x + (o->steps + 1) * o->d;
+    int failed = find_step(o, &r, x, p, &found);
+    if (!failed)
+        failed = print_found(o, system, &found, x, p);
+    free(x);
+    return failed;
+}
