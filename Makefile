@@ -30,7 +30,7 @@ TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 BENCHES  := $(patsubst tests/bench_%.c,%,$(wildcard tests/bench_*.c))
 TABLE_memory    := figures/memory_bench.tsv
 TABLE_precision := figures/step_search.tsv
-PROOFS   := $(filter-out refgen excerpts links mutants numbers,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+PROOFS   := $(filter-out refgen excerpts links mutants quoted,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
 DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
@@ -66,7 +66,7 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 
 text: | tools ## compare code and numbers in the chapters with their sources; follow every link
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py --check
-	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/numbers.py
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/quoted.py
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/links.py
 
 excerpts: | tools ## rewrite the code quoted in the chapters from its source
@@ -82,7 +82,7 @@ pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
 
 # Each number that the prose quotes from a test: the least and the largest seen.
 seen: $(patsubst %,$B/seen/%.tsv,$(or $(STEM),$(TESTS))) ## what the tests see, into tests/seen.tsv (STEM=fvi for one)
-	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/numbers.py --gather $^
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/quoted.py --gather $^
 
 $B/seen/%.tsv: $B/tests/test_% | $B/fvi tools
 	@mkdir -p $(@D)
@@ -150,7 +150,7 @@ $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 # The installed library: static, shared, headers, pkg-config, program, manual.
 VERSION  := 0.1.0
 PREFIX   ?= /usr/local
-INTERNAL := exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights
+INTERNAL := double_double exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights
 PUBLIC   := $(filter-out $(INTERNAL:%=src/%.h) src/fvi_%.h,$(wildcard src/*.h))
 
 $B/pic/%.o: src/%.c | tools
@@ -221,7 +221,7 @@ $B/stress: $(wildcard tests/stress*.c) tests/stress.h $B/libfvi.a
 
 $B/verify/%_ref.h: verify/%.py verify/refgen.py | tools
 	@mkdir -p $(@D)
-	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) $< > $@
+	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) $< > $@ && test -s $@
 
 $B/verify/%.ok: $B/verify/%_ref.h tests/%_ref.h
 	@cmp $^ || { echo 'verify/$*.py no longer gives tests/$*_ref.h; to accept: make refs-$*'; exit 1; }

@@ -58,11 +58,11 @@ static void boundaries(void)
 {
     printf("# alpha  measured, predicted largest R: fvi  fvi-shifted  "
            "fvi-bdf2\n");
-    for (int i = 1; i <= 40; i++) {
-        const double a = i / 40.0, euler = pow(4, 1 - a),
-                     shifted = a < 0.49 ? euler / (1 - 2 * a) : NAN,
+    for (int i = 1; i <= 200; i++) {
+        const double a = i / 200.0, euler = pow(4, 1 - a),
+                     shifted = i < 100 ? euler / (1 - 2 * a) : NAN,
                      bdf2 = pow(4, 1 - 2 * a);
-        if (i % 4)
+        if (i % 20)
             printf("%.17g NaN %.17g NaN %.17g NaN %.17g\n", a, euler, shifted,
                    bdf2);
         else

@@ -63,8 +63,9 @@ int main(void)
         return EXIT_FAILURE;
 
     printf("# k  |D_x| unrestricted  |restricted|, sum to N  to N - 1"
-           "  predicted  same kappa  predicted\n# (d = 1, Duffing %g %g, rho = "
-           "%g, alpha = %g, kappa = %g, h = %g, N = %d)\n",
+           "  predicted  same kappa  predicted\n"
+           "# (d = 1, Duffing %g %g, rho = %g, alpha = %g, kappa = %g, h = %g, "
+           "N = %d)\n",
            cg[0], cg[1], rho, alpha, kappa, h, N);
     for (size_t k = 1; k < N; k++) {
         double end = h * rho * pow(h, -2 * alpha) * w[N - k] * y[N]; /* (6.7) */

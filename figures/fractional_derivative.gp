@@ -6,6 +6,7 @@ load 'figures/style.gp'
 array A[6]
 array C[6]
 array S[6]
+array open[3] = [6, 4, 8] # the markers of ls 1, 2, 3, not filled
 do for [i=1:6] { # one number of block 2 at a time
     row = (i - 1) % 3
     col = i > 3 ? 4 : 2
@@ -44,5 +45,6 @@ set yrange [3e-9:0.3]
 set key at graph 0.985, graph 0.02 right bottom Left reverse maxrows 7 samplen 1 width 0
 what(i) = sprintf("%s, α = %.1f: fitted slope %.3f", i <= 3 ? "sin" : "cos", A[i], S[i])
 plot for [i=1:6] C[i] * x with lines ls 8 title (i == 1 ? "predicted, (1.13)" : ""), \
-     for [i=1:6] dat index 1 using 1:(column(1+i)) with points ls i title what(i)
+     for [i=1:3] dat index 1 using 1:(column(1+i)) with points ls i title what(i), \
+     for [i=4:6] dat index 1 using 1:(column(1+i)) with points ls i-3 pt open[i-3] ps 1 lw 1.2 title what(i)
 unset multiplot

@@ -22,9 +22,8 @@ static int weights(void)
     if (fvi_coefficients(0.5, N + 1, w)
         || fvi_coefficients_product(0.5, 0.5, N + 1, c))
         return EXIT_FAILURE;
-    printf("# n  |alpha_n|  |c_n| = |sum alpha_j alpha_(n-j)|  (n + 14) u "
-           "|alpha_n|"
-           "  (alpha = 1/2)\n");
+    printf("# n  |alpha_n|  |c_n| = |sum alpha_j alpha_(n-j)|\n"
+           "# (n + 14) u |alpha_n|  (alpha = 1/2)\n");
     for (size_t n = 1, next = 1; n <= N; n++) {
         if (n < next)
             continue;
@@ -55,9 +54,8 @@ static int runs(void)
     if (fvi_trajectory(&fvi_lagrange_dalembert, &run, forced, NULL, NULL)
         || fvi_algorithm_3(&system, 0.5, 0.5, h, N, x0, p0, printed))
         return EXIT_FAILURE;
-    printf("# t  |x| of lda  |x| of Algorithm 3 as printed  |difference|, "
-           "largest of "
-           "%d steps  (h = %g, rho = %g)\n",
+    printf("# t  |x| of lda  |x| of Algorithm 3 as printed  |difference|\n"
+           "# each the largest of %d steps  (h = %g, rho = %g)\n",
            WINDOW, h, rho);
     for (size_t k = 0; k + WINDOW <= N; k += WINDOW) {
         double a = 0, b = 0, difference = 0;

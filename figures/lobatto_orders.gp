@@ -8,8 +8,8 @@ set xlabel "α"
 set xrange [-0.03:1.03]
 set yrange [0:6.6]
 set xtics 0.25
-set multiplot layout 1,2 margins 0.065,0.985,0.235,0.89 spacing 0.07
-set key at graph 0.5, graph -0.18 center top horizontal samplen 3
+set multiplot layout 1,2 margins 0.065,0.985,0.25,0.89 spacing 0.07
+set key at graph 0.5, graph -0.23 center top horizontal samplen 3
 
 set title "Order of x, and min(2s − 2, s + 2 − 2α)"
 set ylabel "fitted order"

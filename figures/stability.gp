@@ -26,6 +26,5 @@ set xrange [1:1.205]
 set yrange [1:*]
 set key top left
 plot for [i=1:3] dat index i using 1:3 with lines ls i title sprintf("1/|z|, α = %.2f", i / 4.0), \
-     for [i=1:3] '' index i using 1:2 with points ls i ps 0.9 notitle, \
-     NaN with points ls 7 pt 6 title "dots: measured"
+     for [i=1:3] '' index i using 1:2 with points ls i ps 0.9 title "measured"
 unset multiplot

@@ -1,6 +1,8 @@
 /* src/coefficients.c -- Grunwald-Letnikov weights.               [Chapter 4] */
 #include "coefficients.h"
 
+#include "double_double.h"
+
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
@@ -28,35 +30,15 @@ int fvi_coefficients_simple(double alpha, size_t count, double *w)
     return GSL_SUCCESS;
 }
 
-//> double-double
-/* An unevaluated sum hi + lo, |lo| <= ulp(hi)/2: about 106 bits. */
-typedef struct {
-    double hi, lo;
-} dd;
-
-/* Knuth's two-sum: a + b = hi + lo exactly. */
-static dd two_sum(double a, double b)
-{
-    double hi = a + b, bb = hi - a;
-    return (dd){ hi, (a - (hi - bb)) + (b - bb) };
-}
-
-/* Dekker's product with a fused multiply-add; the fma makes a.hi b.hi exact. */
-static dd times(dd a, dd b)
-{
-    double hi = a.hi * b.hi;
-    double lo = fma(a.hi, b.hi, -hi) + (a.hi * b.lo + a.lo * b.hi);
-    return (dd){ hi, lo };
-}
-
-/* a / n for a positive integer n below 2^53. */
+//> over
+/* a / n for a positive integer n below 2^53; |lo| <= ulp(hi)/2 again. */
 static dd over(dd a, double n)
 {
     double hi = a.hi / n;
     double lo = (fma(-hi, n, a.hi) + a.lo) / n; /* the remainder, divided */
     return (dd){ hi + lo, lo - ((hi + lo) - hi) };
 }
-//< double-double
+//< over
 
 int fvi_coefficients(double alpha, size_t count, double *w)
 {
@@ -65,7 +47,7 @@ int fvi_coefficients(double alpha, size_t count, double *w)
         return status;
     //> weights
     w[0] = 1;
-    dd s = { -1, 0 }; /* w[n] / alpha, of order one even if alpha is 1e-310 */
+    dd s = { -1, 0 }; /* w[n] / alpha, about -1/n even if alpha is 1e-310 */
     for (size_t n = 1; n < count; n++) {
         double x = (double)n;
         if (n > 1)

@@ -19,7 +19,7 @@
  * the nearest double or one of its two neighbours for every n < 10^8 (bound and
  * proof in Chapter 4); exact where the weights are short binary fractions, and
  * exact zeros +0 where they vanish (alpha = 0, 1, 2).
- * Cost O(count), about 10 ns a weight; no memory.
+ * Cost O(count), two divisions a weight; no memory.
  * Returns GSL_SUCCESS; GSL_EFAULT if w is NULL; GSL_EINVAL if count == 0;
  * GSL_EDOM if alpha is not in [0, 2]. On error w is untouched. */
 int fvi_coefficients(double alpha, size_t count, double *w);
@@ -27,8 +27,8 @@ int fvi_coefficients(double alpha, size_t count, double *w);
 /* fvi_coefficients_simple -- the same weights by the textbook recurrence
  * w[n] = w[n-1] (n - 1 - alpha) / n in plain doubles.               [(4.2)]
  *
- * For reading and for comparison: after n steps up to 0.4 n units of roundoff
- * are lost, all in one direction, unless alpha is a short binary fraction.
+ * For reading and for comparison: of the order of 0.2 n units of roundoff are
+ * lost after n steps, unless alpha is a short binary fraction.
  * Arguments, cost, errors: as fvi_coefficients. */
 int fvi_coefficients_simple(double alpha, size_t count, double *w);
 

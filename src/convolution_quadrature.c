@@ -131,15 +131,21 @@ typedef struct {
     double theta, alpha, kappa, W, R;
 } symbol;
 
+static double delta_of(fvi_quadrature kind, double z)
+{
+    if (kind == FVI_QUADRATURE_EULER)
+        return 1 - z;
+    if (kind == FVI_QUADRATURE_BDF2)
+        return (1 - z) * (3 - z) / 2;
+    return 2 * (1 - z) / (1 + z);
+}
+
 //> symbol
 /* Q(z) on the real axis, -1 < z <= 0; there every delta is positive. */
 static double q_real(double z, void *params)
 {
     const symbol *s = params;
-    const double delta = s->kind == FVI_QUADRATURE_EULER ? 1 - z
-                         : s->kind == FVI_QUADRATURE_BDF2
-                             ? (1 - z) * (3 - z) / 2
-                             : 2 * (1 - z) / (1 + z);
+    const double delta = delta_of(s->kind, z);
     return (1 + s->kappa * (1 - s->kappa) * s->W) * gsl_pow_2(1 - z) + z * s->W
            + s->R * pow(delta, 2 * s->alpha)
                  * ((1 - s->theta) * z + s->theta); /* (13.15) */

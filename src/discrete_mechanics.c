@@ -38,13 +38,11 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
     if (status)
         return status;
     const fvi_potential *u = &system->potential;
-    //> lagrangian
     double kinetic = 0;
     for (size_t i = 0; i < system->d; i++)
         kinetic += (y[i] - x[i]) * system->mass[i] * (y[i] - x[i]) / (2 * h);
     double potential = u->value ? u->value(system->d, S, u->params) : 0;
     *L = kinetic - h * potential; /* (2.5) */
-    //< lagrangian
     free(S);
     return GSL_SUCCESS;
 }
@@ -59,7 +57,6 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
         return status;
     const size_t d = system->d;
     const fvi_potential *u = &system->potential;
-    //> slopes
     double *g = S + d;
     if (u->gradient)
         u->gradient(d, S, u->params, g);
@@ -70,7 +67,6 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
         if (D2)
             D2[i] = momentum - (1 - kappa) * h * g[i];
     }
-    //< slopes
     free(S);
     return GSL_SUCCESS;
 }
@@ -158,7 +154,6 @@ const fvi_method fvi_lagrange_dalembert = { .name = "lda",
 
 /* ---- Euler's methods ---- */
 
-//> euler-explicit
 static int step_euler_explicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
@@ -174,7 +169,6 @@ static int step_euler_explicit(fvi_stepper *s)
     }
     return GSL_SUCCESS;
 }
-//< euler-explicit
 
 /* x_{k+1} - x_k = dx = h p_{k+1} / m in the equation for p_{k+1}:
  * (m / h + rho) dx + h grad U(x_k + dx) = p_k + h F(t_{k+1}).         (2.10) */
@@ -191,7 +185,6 @@ static int start_euler_implicit(fvi_stepper *s)
     return status;
 }
 
-//> euler-implicit
 static int step_euler_implicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
@@ -208,7 +201,6 @@ static int step_euler_implicit(fvi_stepper *s)
     }
     return GSL_SUCCESS;
 }
-//< euler-implicit
 
 const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
                                         .order = "1",

@@ -1,6 +1,8 @@
 /* src/exact_pole.c -- The complex pole of 1 / Q.                 [Chapter 11] */
 #include "exact_pole.h"
 
+#include "double_double.h"
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -19,7 +21,6 @@ static double complex complex_log1p(double complex z)
     return log1p(x * (2 + x) + y * y) / 2 + I * atan2(y, 1 + x);
 }
 
-//> angle
 /* (11.5): ln of rho c^(beta/2 - 1) m^(-beta/2) for the angle
  *     theta = pi/2 + e (theta_max - pi/2),     0 < e < 1,  f = 1 - e,
  * and r, the modulus of the pole over sqrt(c/m). With g = min(beta, 2 - beta)
@@ -36,6 +37,7 @@ static double log_damping(double beta, double e, double f, double *angle,
            - (1 - beta / 2) * log(sin_b);
 }
 
+//> bisection
 /* (11.6): the angle grows with the damping. Bisect in y = ln(e / (1 - e)). */
 static double complex by_bisection(double m, double c, double rho, double beta)
 {
@@ -52,17 +54,9 @@ static double complex by_bisection(double m, double c, double rho, double beta)
     }
     return sqrt(c / m) * r * cexp(I * angle);
 }
-//< angle
+//< bisection
 
 /* ---- Newton, with Q in twice the precision where it cancels ---- */
-
-/* a + b = sum + *low exactly (Knuth). */
-static double two_sum(double a, double b, double *low)
-{
-    double sum = a + b, bb = sum - a;
-    *low = (a - (sum - bb)) + (b - bb);
-    return sum;
-}
 
 //> residual
 /* Q(s) = M s^2 + K + rest, the big terms to about 106 bits. Near beta = 0 the
@@ -71,24 +65,24 @@ static double two_sum(double a, double b, double *low)
  * error that its rounding makes. */
 static double complex residual(const fvi_pole *p, double complex s)
 {
-    double M = p->m, M_low = 0, K = p->c, K_low = 0;
+    dd M = { p->m, 0 }, K = { p->c, 0 };
     double complex rest;
     if (p->beta < 0.5) {
-        K = two_sum(p->c, p->rho, &K_low);
+        K = two_sum(p->c, p->rho);
         rest = p->rho * fvi_complex_expm1(p->beta * clog(s));
     } else if (p->beta <= 1.5) {
         rest = p->rho * cexp(p->beta * clog(s));
     } else {
-        M = two_sum(p->m, p->rho, &M_low);
+        M = two_sum(p->m, p->rho);
         rest = p->rho * (s * s) * fvi_complex_expm1((p->beta - 2) * clog(s));
     }
-    double a = creal(s), b = cimag(s), d_low, sum_low;
-    double aa = a * a, bb = b * b, d = two_sum(aa, -bb, &d_low);
-    d_low += fma(a, a, -aa) - fma(b, b, -bb);
-    double Md = M * d, Md_low = fma(M, d, -Md) + (M * d_low + M_low * d);
-    double sum = two_sum(Md, K, &sum_low);
-    return (sum + (sum_low + Md_low + K_low + creal(rest)))
-           + I * (2 * M * a * b + cimag(rest));
+    double a = creal(s), b = cimag(s);
+    dd aa = two_product(a, a), bb = two_product(b, b);
+    dd d = two_sum(aa.hi, -bb.hi);
+    d.lo += aa.lo - bb.lo;
+    dd Md = times(M, d), sum = two_sum(Md.hi, K.hi);
+    return (sum.hi + (sum.lo + Md.lo + K.lo + creal(rest)))
+           + I * (2 * M.hi * a * b + cimag(rest));
 }
 //< residual
 
@@ -156,8 +150,7 @@ double complex fvi_pole_exp(double complex at, double complex low, double t,
                             double t_low)
 {
     double decay = creal(at) * t + (creal(low) * t + creal(at) * t_low);
-    double angle = cimag(at) * t;
-    double rest =
-        fma(cimag(at), t, -angle) + (cimag(low) * t + cimag(at) * t_low);
-    return exp(decay) * cexp(I * angle) * cexp(I * rest);
+    dd angle = two_product(cimag(at), t);
+    double rest = angle.lo + (cimag(low) * t + cimag(at) * t_low);
+    return exp(decay) * cexp(I * angle.hi) * cexp(I * rest);
 }

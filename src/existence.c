@@ -19,6 +19,7 @@ static double bend(double p, double z)
     }
     return sum;
 }
+//< bend
 
 /* Weights of (15.10) without h^gamma / Gamma(2 + gamma): middle[n] belongs to the
  * node n steps ago, first[n] to the node n = k steps ago, where time began. */
@@ -27,13 +28,14 @@ static void weights(double gamma, size_t N, double *middle, double *first)
     const double p = gamma + 1;
     middle[0] = 1, first[0] = 0;
     middle[1] = 2 * expm1(gamma * M_LN2), first[1] = gamma;
+    //> weights
     for (size_t n = 2; n <= N; n++) {
         double z = 1 / (double)n, scale = pow((double)n, p);
-        first[n] = scale * bend(p, -z);
-        middle[n] = scale * bend(p, z) + first[n];
+        first[n] = scale * bend(p, -z);            /* a_n */
+        middle[n] = scale * bend(p, z) + first[n]; /* b_n */
     }
+    //< weights
 }
-//< bend
 
 static int check_grid(double gamma, double h, size_t N, const double *v,
                       const double *out)

@@ -83,7 +83,7 @@ int fvi_picard(const fvi_picard_problem *p, double h, size_t N, const double *v,
  *   d       length of the interval;  lambda > 0;  n >= 0
  *
  * All numbers finite and >= 0; nothing is checked. Relative error below 40 u for
- * q; for e_n some (n + 10) ln(n + 10) u. Cost O(1), and O(n^2) for e_n. */
+ * q; for e_n below 10 (n + 10) ln(n + 10) u. Cost O(1), and O(n^2) for e_n. */
 double fvi_picard_constant(double alpha, double R, double Kx, double Kv,
                            double d);
 double fvi_picard_bound(double alpha, double R, double Kx, double Kv, double d,

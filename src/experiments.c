@@ -28,7 +28,6 @@ static double discriminant(double m, double rho, double c)
 }
 //< discriminant
 
-//> modes
 static modes modes_at(double m, double rho, double c, double t)
 {
     const double disc = discriminant(m, rho, c);
@@ -43,7 +42,6 @@ static modes modes_at(double m, double rho, double c, double t)
     return (modes){ exp(-slow * t), 1 + slow * G, exp(-2 * s * t) - slow * G,
                     G };
 }
-//< modes
 
 static int in_range(double value, int zero_too)
 {
@@ -103,7 +101,7 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
             break;
         double E = fvi_energy(&system, &x, &p);
         double E_k = fvi_energy(&system, s->x, s->p);
-        worst[0] = fmax(worst[0], fabs(s->x[0] - x)); /* (10.4) */
+        worst[0] = fmax(worst[0], fabs(s->x[0] - x)); /* (10.2) */
         worst[1] = fmax(worst[1], fabs(s->p[0] - p));
         worst[2] = fmax(worst[2], fabs(E_k - E));
     }
@@ -134,7 +132,6 @@ static int check_matrix_method(double m, double rho, double c, double alpha,
     return GSL_SUCCESS;
 }
 
-//> row
 /* The first column a_0, ..., a_N of the matrix in (10.9): all there is to know. */
 static int column(double m, double rho, double c, double alpha, double h,
                   size_t N, double *a)
@@ -150,7 +147,6 @@ static int column(double m, double rho, double c, double alpha, double h,
     a[0] += c;
     return GSL_SUCCESS;
 }
-//< row
 
 static double force_at(fvi_force force, double t)
 {
@@ -160,11 +156,12 @@ static double force_at(fvi_force force, double t)
     return F;
 }
 
-static int all_finite(size_t n, const double *v)
+/* The n values y to the caller's x, if all of them are numbers. */
+static int hand_over(size_t n, const double *y, double *x)
 {
-    for (size_t i = 0; i < n; i++)
-        if (!gsl_finite(v[i]))
-            GSL_ERROR("a value is not finite", GSL_EOVRFLW);
+    if (!fvi_all_finite(n, y))
+        GSL_ERROR("a value is not finite", GSL_EOVRFLW);
+    memcpy(x, y, n * sizeof *x);
     return GSL_SUCCESS;
 }
 
@@ -188,9 +185,7 @@ int fvi_matrix_method(double m, double rho, double c, double alpha,
     }
     //< substitution
     if (!status)
-        status = all_finite(N + 1, y);
-    if (!status)
-        memcpy(x, y, (N + 1) * sizeof *x);
+        status = hand_over(N + 1, y, x);
     free(a);
     return status;
 }
@@ -222,9 +217,7 @@ int fvi_matrix_method_simple(double m, double rho, double c, double alpha,
                                 &A.matrix, &X.vector);
     //< matrix
     if (!status)
-        status = all_finite(N + 1, y);
-    if (!status)
-        memcpy(x, y, (N + 1) * sizeof *x);
+        status = hand_over(N + 1, y, x);
     free(a);
     return status;
 }
@@ -251,14 +244,12 @@ int fvi_observed_order(size_t n, const double *h, const double *error,
     double *a = malloc(2 * n * sizeof *a);
     if (!a)
         GSL_ERROR("no memory for the logarithms", GSL_ENOMEM);
-    //> slope
     double *b = a + n, c0, c1, cov00, cov01, cov11, rest;
     for (size_t i = 0; i < n; i++) {
         a[i] = log(h[i]);
         b[i] = log(error[i]);
     }
     gsl_fit_linear(a, 1, b, 1, n, &c0, &c1, &cov00, &cov01, &cov11, &rest);
-    //< slope
     free(a);
     if (order)
         *order = c1;

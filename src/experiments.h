@@ -31,7 +31,7 @@
 int fvi_damped_oscillator(double m, double rho, double c, double x0, double p0,
                           double t, double *x, double *p);
 
-/* fvi_oscillator_errors -- the global errors of a method on it.    [(10.4)]
+/* fvi_oscillator_errors -- the global errors of a method on it.    [(10.2)]
  *
  *     max_k |x_k - x(t_k)|,   max_k |p_k - p(t_k)|,   max_k |E_k - E(t_k)|
  *
@@ -81,7 +81,7 @@ int fvi_matrix_method(double m, double rho, double c, double alpha,
 int fvi_matrix_method_simple(double m, double rho, double c, double alpha,
                              fvi_force force, double h, size_t N, double *x);
 
-/* fvi_observed_order -- the slope of log error against log h.      [(10.5)]
+/* fvi_observed_order -- the slope of log error against log h.      [(10.3)]
  *
  * The least-squares line log error = log K + order log h, by gsl_fit_linear.
  *

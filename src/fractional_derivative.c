@@ -25,7 +25,7 @@ static int check(fvi_side side, double alpha, double end,
     return GSL_SUCCESS;
 }
 
-//> mean
+//> history
 /* The history of f' seen from t: x = 0 is now, x = 1 is the end. */
 typedef struct {
     const fvi_curve *curve;
@@ -37,6 +37,7 @@ static double velocity(double x, void *params)
     const history *past = params;
     return past->curve->df(past->t + past->reach * x, past->curve->params);
 }
+//< history
 
 /* (1.5): (1 - alpha) int_0^1 x^(-alpha) f'(t + reach x) dx, a mean of f'. */
 static int mean_velocity(history *past, double alpha, double *mean)
@@ -62,7 +63,6 @@ static int mean_velocity(history *past, double alpha, double *mean)
     *mean *= 1 - alpha;
     return status;
 }
-//< mean
 
 /* Caputo, the arguments being checked. */
 static int caputo(fvi_side side, double alpha, double end,
@@ -126,7 +126,6 @@ int fvi_riemann_liouville(fvi_side side, double alpha, double end,
 
 /* ---- powers, in closed form ---- */
 
-//> sum
 /* a + b + c; lo is what is missing in the result. */
 static double sum3(double a, double b, double c, double *lo)
 {
@@ -136,7 +135,6 @@ static double sum3(double a, double b, double c, double *lo)
     *lo = (e + f) - (hi - s);
     return hi;
 }
-//< sum
 
 /* ln Gamma(x) - (x - 1/2) ln x + x - ln(2 pi)/2 for x >= 10, to 1e-17. */
 static double stirling(double x)

@@ -24,18 +24,9 @@ void fvi_damping_free(fvi_damping *d)
     free(d);
 }
 
-int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
+/* Zeros for the numbers of `count` coordinates. */
+static int damping_alloc(size_t count, fvi_damping **damping)
 {
-    const fvi_run *run = &s->run;
-    const fvi_system *system = run->system;
-    const double order = 2 * run->alpha;
-    size_t count = 0;
-    *damping = NULL;
-    for (size_t i = 0; i < system->d; i++)
-        count += system->damping[i] > 0;
-    if (count == 0) /* nothing damped: no memory at all */
-        return GSL_SUCCESS;
-
     fvi_damping *d = *damping = calloc(1, sizeof *d);
     if (!d)
         GSL_ERROR("no memory for the damping", GSL_ENOMEM);
@@ -47,6 +38,24 @@ int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
     d->drift = d->factor + 2 * count;
     d->z = d->factor + 3 * count;
     d->dz = d->factor + 4 * count;
+    return GSL_SUCCESS;
+}
+
+int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
+{
+    const fvi_run *run = &s->run;
+    const fvi_system *system = run->system;
+    const double order = 2 * run->alpha;
+    size_t count = 0;
+    *damping = NULL;
+    for (size_t i = 0; i < system->d; i++)
+        count += system->damping[i] > 0;
+    if (count == 0) /* nothing damped: no memory at all */
+        return GSL_SUCCESS;
+    int status = damping_alloc(count, damping);
+    if (status)
+        return status;
+    fvi_damping *d = *damping;
     //> start
     for (size_t i = 0; i < system->d; i++) {
         if (system->damping[i] == 0)
@@ -61,8 +70,8 @@ int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
     //< start
-    int status = fvi_memory_alloc(order, count, run->steps, run->memory,
-                                  run->tolerance, &d->memory);
+    status = fvi_memory_alloc(order, count, run->steps, run->memory,
+                              run->tolerance, &d->memory);
     if (!status)
         status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
     return status;

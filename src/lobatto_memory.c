@@ -109,7 +109,6 @@ const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
     return m->W;
 }
 
-//> advance
 /* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
  * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
  * make the digits independent of the width of the vectors. */
@@ -122,6 +121,7 @@ advance_stages(size_t s, size_t Q, const double *restrict q,
     double sum[FVI_STAGES][LANES] = { { 0 } };
     for (size_t j = 0; j < Q; j += LANES) {
 #pragma GCC unroll 8
+        //> modes
         for (size_t l = 0; l < LANES; l++) {
             const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
                          x3 = a3[j + l];
@@ -133,12 +133,12 @@ advance_stages(size_t s, size_t Q, const double *restrict q,
             sum[2][l] += x2 * y;
             sum[3][l] += x3 * y;
         }
+        //< modes
     }
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < LANES; l++)
             H[i] += sum[i][l];
 }
-//< advance
 
 //> push
 int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
@@ -153,8 +153,8 @@ int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
         double *past = m->past + i * lags * s,
                *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
                sum[FVI_STAGES] = { 0 };
-        for (size_t l = 0; l < s;
-             l++) { /* what leaves the ring: v_{k-1-lags} */
+        /* v_{k-1-lags} leaves the ring, as u = P B v, and goes to the modes. */
+        for (size_t l = 0; l < s; l++) {
             u[s - 1 - l] = b[l] * place[l];
             place[l] = v[l];
         }

@@ -220,8 +220,8 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
 
 #define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
 
-/* W_n += sum_j q_j a_j a~_j^T */
-static void add_nodes(size_t s, size_t Q, const double *q, const double *a,
+/* W_n = sum_j q_j R_j^(n-1) a_j a~_j^T for q that holds the powers too. */
+static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
                       double *W)
 {
     const double *b = fvi_lobatto(s)->b;
@@ -261,7 +261,7 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
         for (size_t i = 0; k < TERMS && i < s; i++)
             memcpy(W + i * s, near.w[k][i], s * sizeof *W);
         if (k >= TERMS)
-            add_nodes(s, Q, q, a, W);
+            sum_nodes(s, Q, q, a, W);
     }
     free(q);
     return GSL_SUCCESS;

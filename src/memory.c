@@ -163,24 +163,24 @@ void fvi_memory_free(fvi_memory *m)
     free(m);
 }
 
-//> dot
 /* sum_{j < n} a[j] b[j]: partial sum l takes every eighth product. */
 FVI_VECTORS static double dot(size_t n, const double *restrict a,
                               const double *restrict b)
 {
     double sum[8] = { 0 };
     size_t j = 0;
+    //> dot
     for (; j + 8 <= n; j += 8) {
 #pragma GCC unroll 8
         for (size_t l = 0; l < 8; l++)
             sum[l] += a[j + l] * b[j + l];
     }
+    //< dot
     for (; j < n; j++)
         sum[0] += a[j] * b[j];
     return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
            + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
-//< dot
 
 static void push_local(fvi_memory *m, const double *term, double *H)
 {

@@ -135,7 +135,6 @@ void fvi_exponentials_free(fvi_exponentials *e)
     free(e);
 }
 
-//> advance
 /* All modes one step on, and their sum; then the window. Partial sum l takes
  * every eighth term, from the l-th on, on every machine: vectors of 2, 4 or 8
  * doubles change the time and not one digit. Nothing here waits for the term
@@ -146,6 +145,7 @@ FVI_VECTORS static double advance(size_t Q, const double *restrict p,
                                   const double *restrict past)
 {
     double sum[LANES] = { 0 }, x = past[0];
+    //> modes
     for (size_t q = 0; q < Q; q += LANES) {
 #pragma GCC unroll 8
         for (size_t l = 0; l < LANES; l++) {
@@ -153,6 +153,7 @@ FVI_VECTORS static double advance(size_t Q, const double *restrict p,
             sum[l] += c[q + l] * z[q + l];
         }
     }
+    //< modes
     for (size_t j = 0; j < FVI_WINDOW; j += LANES) {
 #pragma GCC unroll 8
         for (size_t l = 0; l < LANES; l++)
@@ -161,7 +162,6 @@ FVI_VECTORS static double advance(size_t Q, const double *restrict p,
     return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
            + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
-//< advance
 
 //> push
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)

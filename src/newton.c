@@ -23,7 +23,6 @@ static int is_implicit(const fvi_system *system, double s, double theta)
     return s * theta != 0 && system->potential.gradient;
 }
 
-//> jacobian
 /* J = A + s theta Hess U(point), and its LU factors.                 (2.11) */
 static int factorise(fvi_newton *n)
 {
@@ -44,7 +43,6 @@ static int factorise(fvi_newton *n)
             return GSL_ESING;
     return GSL_SUCCESS;
 }
-//< jacobian
 
 static void apply_inverse(fvi_newton *n, double *v)
 {

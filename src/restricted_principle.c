@@ -1,6 +1,8 @@
 /* src/restricted_principle.c -- The action of two curves.        [Chapter 3] */
 #include "restricted_principle.h"
 
+#include "fractional_derivative.h"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -8,11 +10,12 @@
 
 /* ---- sums of powers ---- */
 
-//> power-rule
 /* What the derivative of order beta makes of the coefficient of s^e. */
 static double factor(double e, double beta)
 {
-    return tgamma(e + 1) / tgamma(e + 1 - beta); /* 1 / inf = 0: a constant */
+    double c = 0;
+    fvi_power_derivative(beta, e, 1, &c); /* (1.6) at s = 1 */
+    return c;
 }
 
 double fvi_powers_derivative(const fvi_powers *f, double beta, double s)
@@ -25,7 +28,6 @@ double fvi_powers_derivative(const fvi_powers *f, double beta, double s)
     }
     return sum;
 }
-//< power-rule
 
 int fvi_powers_reflect(size_t count, double T, const double *c, double *out)
 {
@@ -35,7 +37,6 @@ int fvi_powers_reflect(size_t count, double T, const double *c, double *out)
         GSL_ERROR("count must be at least 1", GSL_EINVAL);
     if (!gsl_finite(T))
         GSL_ERROR("T must be finite", GSL_EDOM);
-    //> reflect
     for (size_t n = 0; n < count; n++)
         out[n] = c[n];
     for (size_t n = 0; n + 1 < count; n++) /* Horner: about T instead of 0 */
@@ -43,7 +44,6 @@ int fvi_powers_reflect(size_t count, double T, const double *c, double *out)
             out[i] += T * out[i + 1];
     for (size_t n = 1; n < count; n += 2) /* and s - T = -(T - s) */
         out[n] = -out[n];
-    //< reflect
     return GSL_SUCCESS;
 }
 
@@ -81,7 +81,6 @@ typedef struct {
     double value, slope, fractional;
 } sample;
 
-//> sample
 static sample sample_at(const fvi_powers *f, const double *factors,
                         double alpha, double s)
 {
@@ -96,9 +95,7 @@ static sample sample_at(const fvi_powers *f, const double *factors,
     z.fractional *= pow(s, -alpha);
     return z;
 }
-//< sample
 
-//> densities
 /* d/dt is d/ds for x and xi, -d/ds for y and eta: in the products of two
  * velocities of one end the signs cancel. z[0], z[1], z[2], z[3] are x, y and
  * their variations xi, eta. */
@@ -127,7 +124,6 @@ static double density_variation(const fvi_system *system, const sample *z)
     }
     return sum; /* (3.5) */
 }
-//< densities
 
 enum { HALF = 96, PER_UNIT = 16 }; /* nodes i/16, i = -96, ..., 96 */
 

@@ -19,7 +19,8 @@ typedef struct {
     const double *exponent, *coefficient;
 } fvi_powers;
 
-/* fvi_powers_derivative -- the derivative of order beta in s.       [(3.2)]
+/* fvi_powers_derivative -- the derivative of order beta in s, term by term
+ * with (1.6).                                                       [(3.2)]
  *
  *     sum_j coefficient[j] Gamma(e + 1) / Gamma(e + 1 - beta) s^(e - beta),
  *
@@ -29,8 +30,8 @@ typedef struct {
  *   beta  0 <= beta <= 1
  *   s     s >= 0; at s = 0 a constant term gives infinity if 0 < beta < 1
  *
- * Nothing is checked. Cost: two gammas and a power a term. Each term is good
- * to 12 + 2 (e + 1) (ln(e + 1) + 1 + |ln s|) units of roundoff. */
+ * Nothing is checked. Cost: two gammas and a power a term. The relative error
+ * of each term is below (64 + e |ln s|) u, u = 2^-53. */
 double fvi_powers_derivative(const fvi_powers *f, double beta, double s);
 
 /* fvi_powers_reflect -- a polynomial read from the other end.       [(3.4)]

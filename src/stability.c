@@ -42,37 +42,45 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
     return status;
 }
 
+/* The matrix of (14.3), in A. */
+static int weigh(const fvi_system *system, double spring, double damper,
+                 const double *K, double *A)
+{
+    const size_t d = system->d;
+    //> load
+    for (size_t i = 0; i < d; i++)
+        for (size_t j = 0; j < d; j++) {
+            double damping = i == j ? damper * system->damping[i] : 0;
+            double mass = sqrt(system->mass[i] * system->mass[j]);
+            A[i * d + j] =
+                (spring * K[i * d + j] + damping) / mass; /* (14.3) */
+            if (!gsl_finite(A[i * d + j]))
+                GSL_ERROR("the load is not finite", GSL_EOVRFLW);
+        }
+    //< load
+    return GSL_SUCCESS;
+}
+
 /* (14.3) with the Hessian K at x0 already evaluated; K == NULL is zero. A is
  * room for d * d numbers, used if K is there. */
 static int load_at(const fvi_run *run, double h, const double *K, double *A,
                    double *load)
 {
     const fvi_system *system = run->system;
-    const size_t d = system->d;
     const double spring = gsl_pow_2((1 - 2 * run->kappa) * h);
     const double damper = pow(4, run->alpha) * pow(h, 2 - 2 * run->alpha);
     double largest = 0;
-    //> load
-    if (!K || spring == 0) {
-        for (size_t i = 0; i < d;
-             i++) /* only the damping, and it is diagonal */
+    if (!K || spring == 0) { /* only the damping, and it is diagonal */
+        for (size_t i = 0; i < system->d; i++)
             largest =
                 fmax(largest, damper * system->damping[i] / system->mass[i]);
     } else {
-        for (size_t i = 0; i < d; i++)
-            for (size_t j = 0; j < d; j++)
-                A[i * d + j] =
-                    (spring * K[i * d + j]
-                     + (i == j ? damper * system->damping[i] : 0))
-                    / sqrt(system->mass[i] * system->mass[j]); /* (14.3) */
-        for (size_t i = 0; i < d * d; i++)
-            if (!gsl_finite(A[i]))
-                GSL_ERROR("the load is not finite", GSL_EOVRFLW);
-        int status = largest_eigenvalue(d, A, &largest);
+        int status = weigh(system, spring, damper, K, A);
+        if (!status)
+            status = largest_eigenvalue(system->d, A, &largest);
         if (status)
             return status;
     }
-    //< load
     if (!gsl_finite(largest))
         GSL_ERROR("the load is not finite", GSL_EOVRFLW);
     *load = largest / 4;
@@ -134,8 +142,6 @@ int fvi_stability_step(const fvi_run *run, double *h)
             low = middle;
         else
             high = middle;
-        if (middle == low && middle == high)
-            break;
     }
     //< step
     free(K);
@@ -189,10 +195,7 @@ int fvi_unstable_modes(double alpha, double kappa, double W, double R,
     double turned = 0, last = 0;
     for (int j = 1; j <= POINTS; j++) {
         double now = argument(s, M_PI * gsl_pow_2((double)j / POINTS));
-        double step = now - last;
-        turned += step > M_PI    ? step - 2 * M_PI
-                  : step < -M_PI ? step + 2 * M_PI
-                                 : step;
+        turned += remainder(now - last, 2 * M_PI); /* the short way round */
         last = now;
     }
     *modes = 1 - (int)lround(turned / M_PI); /* clockwise: z = e^{-i f} */

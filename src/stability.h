@@ -33,7 +33,8 @@ int fvi_stability_load(const fvi_run *run, double *load);
  *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
  *        (alpha = 1 and strong damping)
  *
- * Cost: about 60 loads (bisection in log h, to 4 ulp). Errors as above. */
+ * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads; a load's own
+ * rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it. Errors as above. */
 int fvi_stability_step(const fvi_run *run, double *h);
 
 /* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:

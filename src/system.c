@@ -55,7 +55,6 @@ static double spring_stiffness(double c, double g, double r)
 
 /* ---- harmonic and Duffing: a spring from each mass to its own origin ---- */
 
-//> duffing
 static double duffing_value(size_t d, const double *x, const void *params)
 {
     const double *cg = params;
@@ -88,7 +87,6 @@ fvi_potential fvi_potential_duffing(const double cg[2])
     return (fvi_potential){ duffing_value, duffing_gradient, duffing_hessian,
                             cg, cg && cg[1] == 0 };
 }
-//< duffing
 
 /* Harmonic has its own functions because its parameter is one number. */
 static double harmonic_value(size_t d, const double *x, const void *params)

@@ -116,11 +116,9 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
         fvi_stop(s);
         GSL_ERROR("steps must be addressable", GSL_EINVAL);
     }
-    //> trajectory
     store(s, x, p, energy);
     while (s->k < run->steps && (status = fvi_step(s)) == GSL_SUCCESS)
         store(s, x, p, energy);
-    //< trajectory
     fvi_stop(s);
     return status;
 }

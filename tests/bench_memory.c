@@ -5,6 +5,7 @@
  *     x'' + D^{3/2} x + x = F(t),  F = 8 for t <= 1, then 0,  x(0) = x'(0) = 0,
  * to T = 20, by the integrator of chapter 9. A time is the least of several. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include "bench.h"
 #include "fvi.h"
 #include "memory_kinds.h"
 
@@ -12,8 +13,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/utsname.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -82,27 +81,6 @@ static double seconds(size_t d, size_t N, double kappa, fvi_memory_kind kind,
     return best;
 }
 
-/* The processor's name, if the kernel tells. */
-static void describe(void)
-{
-    char line[256] = "", *name = line;
-    struct utsname u;
-    FILE *cpu = fopen("/proc/cpuinfo", "r");
-    while (cpu && fgets(line, sizeof line, cpu))
-        if (strncmp(line, "model name", 10) == 0 && (name = strchr(line, ':')))
-            break;
-    if (cpu)
-        fclose(cpu);
-    name = name && *name ? name + 2 : line;
-    name[strcspn(name, "\n")] = 0;
-    printf("# machine: %s, %s; one core\n", name, uname(&u) ? "?" : u.machine);
-#ifdef __clang__
-    printf("# compiler: clang %s\n", __clang_version__);
-#else
-    printf("# compiler: gcc %s\n", __VERSION__);
-#endif
-}
-
 static void against_steps(void)
 {
     /* The method is of first order: two long runs give x(T) to 10^-12. */
@@ -156,14 +134,18 @@ static void ratios(void)
     progress("ratios", 1000000);
     double fft = seconds(1, 1000000, 0.5, FVI_MEMORY_FFT, 0, &x);
     double modes = seconds(1, 1000000, 0.5, FVI_MEMORY_EXPONENTIALS, 0, &y);
+    static const char row[] = "%-56s\t%.*g\n";
     printf("# ratios of run times, and how far apart the results are\n"
-           "#> ratios\n# of what\tis\n"
-           "direct over bare dot products, N = 2 10^4\t%.3g\n"
-           "FFT blocks over exponentials, N = 10^6\t%.3g\n"
-           "direct, 50^2 times that of N = 2 10^4, over exponentials\t%.3g\n"
-           "x(T) by FFT blocks minus by exponentials, N = 10^6\t%.2g\n"
-           "#< ratios\n\n\n",
-           direct / dots, fft / modes, 2500 * direct / modes, fabs(x - y));
+           "#> ratios\n# %-54s\tis\n",
+           "of what");
+    printf(row, "direct, ns a product, N = 2 10^4", 3, 1e9 * direct / 2e8);
+    printf(row, "direct over bare dot products, N = 2 10^4", 3, direct / dots);
+    printf(row, "FFT blocks over exponentials, N = 10^6", 3, fft / modes);
+    printf(row, "direct, 50^2 times that of N = 2 10^4, over exponentials", 3,
+           2500 * direct / modes);
+    printf(row, "x(T) by FFT blocks minus by exponentials, N = 10^6", 2,
+           fabs(x - y));
+    printf("#< ratios\n\n\n");
 }
 
 /* Time against error: what does a tolerance cost, and what does it keep? */

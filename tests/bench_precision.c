@@ -9,6 +9,7 @@
  * The error is the largest of |x_k - x(t_k)| at 80 times, evenly between 0 and T,
  * from t = 2 on, or from the first on. A time is the median of 3 or 5 runs. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include "bench.h"
 #include "convolution_quadrature.h"
 #include "discrete_mechanics.h"
 #include "exact_solution.h"
@@ -23,7 +24,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/utsname.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -262,10 +262,11 @@ static void curve(const contender *c, int P, double most)
 /* Padded too, to be read as they are. */
 static void print_fronts(void)
 {
-    static const char row[] = "%-7s\t%-7s\t%-19s\t%-7s\t%-17s\t%s\n";
+    static const char row[] = "%-7s\t%-7s\t%-20s\t%-7s\t%-17s\t%s\n";
     for (int P = 0; P < PROBLEMS; P++) {
         printf("# P%d: the fastest, by error\n#> fronts-%d\n", P + 1, P + 1);
-        printf(row, "# error", "ms", "ours", "ms", "peer", "times as long");
+        printf(row, "# error", "our ms", "ours", "peer ms", "peer",
+               "times as long");
         for (int k = 1; k <= DECADES; k++) {
             char error[8], ms[2][20] = { "-", "-" }, ratio[20] = "-";
             const fastest *f[2] = { &front[P][1][k], &front[P][0][k] };
@@ -283,11 +284,45 @@ static void print_fronts(void)
     }
 }
 
+/* The least time of a method on P, with any memory, for an error of 10^-k. */
+static double least_time(int P, const char *name, int k)
+{
+    double least = GSL_POSINF;
+    for (size_t i = 0; i < made; i++)
+        if (runs[i].P == P && runs[i].error <= pow(10, -k)
+            && strncmp(runs[i].who->name, name, strlen(name)) == 0)
+            least = fmin(least, runs[i].seconds);
+    return least;
+}
+
+/* The product trapezoid and fvi-shifted are both of order 2: what parts them is
+ * the memory, what parts fvi-shifted from the fastest is mostly the order. At
+ * one digit, and at as many as both reach. */
+static void print_shares(void)
+{
+    static const char peer[] = "product trapezoid", ours[] = "fvi-shifted";
+    printf("# the lead in two factors\n#> shares\n"
+           "# problem, error\ttrapezoid over shifted\tshifted over fastest\n");
+    for (int P = 0; P < PROBLEMS; P++) {
+        int digits[2] = { 1, DECADES };
+        while (gsl_isinf(least_time(P, peer, digits[1]))
+               || gsl_isinf(least_time(P, ours, digits[1])))
+            digits[1]--;
+        for (int i = 0; i < 2; i++) {
+            double shifted = least_time(P, ours, digits[i]);
+            printf("P%d, 1e-%02d       \t%-22.3g\t%.3g\n", P + 1, digits[i],
+                   least_time(P, peer, digits[i]) / shifted,
+                   shifted / front[P][1][digits[i]].seconds);
+        }
+    }
+    printf("#< shares\n\n\n");
+}
+
 /* The runs of peers of which none of ours is both as fast and as exact. */
 static void print_unbeaten(void)
 {
     printf("# not beaten by any run of ours\n#> unbeaten\n"
-           "# problem\tpeer\t\tN\tms\terror\n");
+           "# problem\tpeer             \tN\tms     \terror\n");
     for (size_t i = 0; i < made; i++) {
         int beaten = runs[i].who->ours;
         for (size_t j = 0; j < made && !beaten; j++)
@@ -295,32 +330,11 @@ static void print_unbeaten(void)
                      && runs[j].seconds <= runs[i].seconds
                      && runs[j].error <= runs[i].error;
         if (!beaten)
-            printf("P%d\t\t%s\t%zu\t%.3g\t%.2g\n", runs[i].P + 1,
+            printf("P%-8d\t%-17s\t%zu\t%-7.3g\t%.2g\n", runs[i].P + 1,
                    runs[i].who->name, runs[i].N, 1e3 * runs[i].seconds,
                    runs[i].error);
     }
     printf("#< unbeaten\n");
-}
-
-/* The processor's name, if the kernel tells. */
-static void describe(void)
-{
-    char line[256] = "", *name = line;
-    struct utsname u;
-    FILE *cpu = fopen("/proc/cpuinfo", "r");
-    while (cpu && fgets(line, sizeof line, cpu))
-        if (strncmp(line, "model name", 10) == 0 && (name = strchr(line, ':')))
-            break;
-    if (cpu)
-        fclose(cpu);
-    name = name && *name ? name + 2 : line;
-    name[strcspn(name, "\n")] = 0;
-    printf("# machine: %s, %s; one core\n", name, uname(&u) ? "?" : u.machine);
-#ifdef __clang__
-    printf("# compiler: clang %s\n", __clang_version__);
-#else
-    printf("# compiler: gcc %s\n", __VERSION__);
-#endif
 }
 
 int main(void)
@@ -356,6 +370,7 @@ int main(void)
             if (all[i].problems & 1 << P)
                 curve(&all[i], P, all[i].ours ? 0.12 : 0.6);
     print_fronts();
+    print_shares();
     print_unbeaten();
     if (isatty(STDERR_FILENO))
         fprintf(stderr, "\r%60s\r", "");

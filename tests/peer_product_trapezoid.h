@@ -10,9 +10,9 @@
  *
  * The equation of motion, Caputo, beta = 2 alpha, is integrated twice,
  *
- *     m (x - x0 - t v0) = J^2 (F - grad U(x)) - rho J^{2-beta} (x - T),
+ *     m (x - x0 - t v0) = J^2 (F - grad U(x)) - rho J^{2-beta} (x - s),
  *
- * T = x0, and x0 + t v0 if beta > 1, and both integrals are those of the piecewise
+ * s = x0, and x0 + t v0 if beta > 1, and both integrals are those of the piecewise
  * linear functions through the nodes: m and rho h^gamma/Gamma(gamma+2) times
  *
  *     c_n g_0 + sum_{j=1}^{n} a_{n-j} g_j,     gamma = 2 and 2 - beta,

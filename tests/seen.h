@@ -1,7 +1,7 @@
 /* tests/seen.h -- What a test saw, for the prose to quote.
  *
  * `make seen` runs the tests with SEEN=FILE in the environment: each line of the
- * file is then function/name, a tab, a number. verify/numbers.py keeps the least
+ * file is then function/name, a tab, a number. verify/quoted.py keeps the least
  * and the largest in tests/seen.tsv and holds the chapters to them. Without SEEN
  * nothing is written. */
 #ifndef SEEN_H

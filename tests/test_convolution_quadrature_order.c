@@ -85,10 +85,17 @@ static void linear(const setup *a, size_t N)
 START_TEST(eq_13_8_order_two_in_x_and_p_on_the_oscillator)
 {
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
-        const setup a = { alphas[i / 2], 0.5, 0,   0,        0,        1,
-                          0.2,           1,   0.5, HARMONIC, { 1, 0 }, { 0 } };
+        const setup a = { .alpha = alphas[i / 2],
+                          .kappa = 0.5,
+                          .mass = 1,
+                          .rho = 0.2,
+                          .x0 = 1,
+                          .p0 = 0.5,
+                          .cg = { 1, 0 } };
         double slope[2];
         slopes(methods[i % 2], &a, 4, 0.5, 80, linear, slope);
+        seen(slope[0], "order of x");
+        seen(slope[1], "order of p");
         ck_assert_near(slope[0], 2, 0.03, "x, %s, alpha = %g",
                        methods[i % 2]->name, a.alpha);
         ck_assert_near(slope[1], 2, 0.03, "p, %s, alpha = %g",
@@ -120,7 +127,7 @@ static void driven(const setup *a, size_t N)
 
 //> duffing
 /* A Duffing oscillator driven along x_0 + t^4, all t; and with kappa = 1/4, where
- * only order 1 is left. Seen: 1.98 to 2.01; 0.98 to 1.00. */
+ * only order 1 is left. Seen: 1.98 to 2.00; 0.98 to 1.01. */
 START_TEST(eq_13_8_order_two_in_x_and_p_on_a_driven_duffing_oscillator)
 {
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
@@ -135,10 +142,13 @@ START_TEST(eq_13_8_order_two_in_x_and_p_on_a_driven_duffing_oscillator)
         double slope[2];
         a.force = (fvi_force){ drive, &a };
         slopes(methods[i % 2], &a, 1, 0, 320, driven, slope);
+        seen(slope[0], "order of x");
+        seen(slope[1], "order of p");
         ck_assert_near(slope[0], 2, 0.05, "x, %s, alpha = %g", name, a.alpha);
         ck_assert_near(slope[1], 2, 0.05, "p, %s, alpha = %g", name, a.alpha);
         a.kappa = 0.25;
         slopes(methods[i % 2], &a, 1, 0, 400, driven, slope);
+        seen(slope[0], "order of x, kappa = 1/4");
         ck_assert_near(slope[0], 1, 0.05, "kappa = 1/4: x, %s, alpha = %g",
                        name, a.alpha);
     }
@@ -165,8 +175,14 @@ static void extrapolated(const setup *a, size_t N)
 START_TEST(eq_13_8_order_two_on_a_pendulum_that_both_agree_upon)
 {
     for (size_t i = 0; i < LEN(alphas); i++) {
-        setup a = { alphas[i], 0.5, 0,   0,        0,        1,
-                    0.4,       1,   0.5, PENDULUM, { 2, 0 }, { 0 } };
+        setup a = { .alpha = alphas[i],
+                    .kappa = 0.5,
+                    .mass = 1,
+                    .rho = 0.4,
+                    .x0 = 1,
+                    .p0 = 0.5,
+                    .potential = PENDULUM,
+                    .cg = { 2, 0 } };
         for (size_t j = 0; j < 2; j++) {
             a.steps = (size_t)MOST / 2 << j;
             a.h = 4 / (double)a.steps;
@@ -175,6 +191,8 @@ START_TEST(eq_13_8_order_two_on_a_pendulum_that_both_agree_upon)
         for (size_t j = 0; j < LEN(methods); j++) {
             double slope[2];
             slopes(methods[j], &a, 4, 0.5, 100, extrapolated, slope);
+            seen(slope[0], "order of x");
+            seen(slope[1], "order of p");
             ck_assert_near(slope[0], 2, 0.05, "x, %s, alpha = %g",
                            methods[j]->name, a.alpha);
             ck_assert_near(slope[1], 2, 0.05, "p, %s, alpha = %g",
@@ -186,28 +204,38 @@ END_TEST
 
 //> bagley-torvik
 /* x'' + x + D^{3/2} x = 8 for t <= 1, then 0, to T = 20: the jump is at a node.
- * The five errors are those of a separate program, compared with an inverse Laplace
- * transform. And the orders of both; that of p from t = 2 on,
- * where start and jump are forgotten. Seen: x 2.00, p 1.99. */
+ * The five errors were found by another program, against an inverse Laplace
+ * transform. And the orders of both methods; that of p from t = 2 on, where start and
+ * jump are forgotten, and over all nodes. Seen: x 2.00, p 1.99, and 1.41 to 1.47. */
 START_TEST(eq_13_12_the_jump_of_bagley_and_torvik)
 {
     const double aT[] = { 8, 1 },
                  known[] = { 3.468424e-3, 8.653632e-4, 2.161186e-4, 5.400051e-5,
                              1.349661e-5 };
-    const setup a = { 0.75, 0.5, 0, 0,        0,        1,
-                      1,    0,   0, HARMONIC, { 1, 0 }, fvi_force_step(aT) };
+    const setup a = { .alpha = 0.75,
+                      .kappa = 0.5,
+                      .mass = 1,
+                      .rho = 1,
+                      .cg = { 1, 0 },
+                      .force = fvi_force_step(aT) };
     double error[2], slope[2];
     for (size_t i = 0; i < LEN(known); i++) {
         errors(&fvi_shifted, a, 20, 0, (size_t)200 << i, linear, error);
         ck_assert_near(error[0] / known[i], 1, 1e-6, "N = %zu",
                        (size_t)200 << i);
     }
+    //> orders
     for (size_t j = 0; j < LEN(methods); j++) {
         slopes(methods[j], &a, 20, 0, 400, linear, slope);
+        seen(slope[0], "order of x");
+        seen(slope[1], "order of p");
         ck_assert_near(slope[0], 2, 0.03, "x, %s", methods[j]->name);
+        ck_assert_double_lt(slope[1], 1.6);
         slopes(methods[j], &a, 20, 2, 400, linear, slope);
+        seen(slope[1], "order of p, t >= 2");
         ck_assert_near(slope[1], 2, 0.03, "p, %s", methods[j]->name);
     }
+    //< orders
 }
 END_TEST
 //< bagley-torvik
@@ -221,8 +249,13 @@ START_TEST(eq_13_12_a_jump_a_rounding_away_is_at_the_node)
                  below[] = { 8, 0.3 - 0x1p-54 };
     ck_assert(decimal[1] < product[1]);
     for (size_t j = 0; j < LEN(methods); j++) {
-        setup a = { 0.3, 0.5, 0.1, 40,       0,        1,
-                    0.5, 0,   0,   HARMONIC, { 1, 0 }, { 0 } };
+        setup a = { .alpha = 0.3,
+                    .kappa = 0.5,
+                    .h = 0.1,
+                    .steps = 40,
+                    .mass = 1,
+                    .rho = 0.5,
+                    .cg = { 1, 0 } };
         double other[41];
         a.force = fvi_force_step(product);
         solve(methods[j], &a, x, p);
@@ -257,8 +290,15 @@ static void listen(double t, size_t d, const void *params, double *F)
 START_TEST(eq_13_12_the_force_is_asked_within_the_step)
 {
     for (size_t j = 0; j < LEN(methods); j++) {
-        const setup a = { 0.3, 0.5, 0.1, 20,       0,        1,
-                          0.5, 1,   0,   HARMONIC, { 1, 0 }, { listen, NULL } };
+        const setup a = { .alpha = 0.3,
+                          .kappa = 0.5,
+                          .h = 0.1,
+                          .steps = 20,
+                          .mass = 1,
+                          .rho = 0.5,
+                          .x0 = 1,
+                          .cg = { 1, 0 },
+                          .force = { listen, NULL } };
         calls = 0;
         solve(methods[j], &a, x, p);
         ck_assert_uint_eq(calls, 2 * a.steps);

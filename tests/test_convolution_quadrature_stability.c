@@ -17,8 +17,14 @@ static double x[MOST + 1];
 static setup scalar(double alpha, double kappa, double W, double R,
                     size_t steps)
 {
-    return (setup){ alpha, kappa, 1, steps,    0,        1,
-                    R,     0,     1, HARMONIC, { W, 0 }, { 0 } };
+    return (setup){ .alpha = alpha,
+                    .kappa = kappa,
+                    .h = 1,
+                    .steps = steps,
+                    .mass = 1,
+                    .rho = R,
+                    .p0 = 1,
+                    .cg = { W, 0 } };
 }
 
 /* (13.13) with x_0 = 0 and x_1 = 1 is the integrator, up to the size of the start:
@@ -128,9 +134,10 @@ START_TEST(eq_13_14_runs_on_both_sides_of_the_edge)
                                                alpha, kappa, W, a.rho, &growth),
                          GSL_SUCCESS);
         alternate(method, &a, y);
-        ck_assert_near(log(fabs(y[2999] / y[2499])) / (500 * log(growth)), 1,
-                       0.02, "outside: %s alpha=%g kappa=%g W=%g", method->name,
-                       alpha, kappa, W);
+        const double ratio = log(fabs(y[2999] / y[2499])) / (500 * log(growth));
+        seen(fabs(ratio - 1), "logarithms differ");
+        ck_assert_near(ratio, 1, 0.02, "outside: %s alpha=%g kappa=%g W=%g",
+                       method->name, alpha, kappa, W);
     }
 }
 END_TEST

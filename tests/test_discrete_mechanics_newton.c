@@ -166,7 +166,6 @@ END_TEST
  * f' >= A + s theta, Newton's errors obey e_{j+1} <= max |f''| / (2 min f') e_j^2,
  * and at the end 16 u. The diary has every iterate: z_j = x + theta d_j.
  * Seen: from 1.7 in 7 gradients; a Jacobian that is 1 % off needs 10. */
-//> quadratic
 START_TEST(eq_2_11_newton_converges_quadratically)
 {
     diary page = { 0 }, *told = &page;
@@ -191,7 +190,6 @@ START_TEST(eq_2_11_newton_converges_quadratically)
     }
 }
 END_TEST
-//< quadratic
 
 /* A constant Hessian is asked for once, when the solver is made. */
 START_TEST(eq_2_11_a_constant_hessian_is_factorised_once)
@@ -242,7 +240,6 @@ START_TEST(bad_solvers_are_refused)
 }
 END_TEST
 
-//> failure
 START_TEST(equations_that_cannot_be_solved_are_reported)
 {
     /* U = z^3 / 3: d + d^2 = -1 has no real solution. */
@@ -268,7 +265,6 @@ START_TEST(equations_that_cannot_be_solved_are_reported)
     }
 }
 END_TEST
-//< failure
 
 START_TEST(null_pointers_are_refused_and_infinities_come_back)
 {

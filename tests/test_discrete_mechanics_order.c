@@ -17,7 +17,6 @@ static const double one = 1, none = 0, T = 5;
 /* Duffing, c = g = 1: x = A cn(omega t + phase), omega^2 = c + g A^2,
  * k^2 = g A^2 / (2 omega^2). Pendulum, g = 1: sin(x/2) = k sn, p = 2 omega k cn.
  * Proved in verify/discrete_mechanics.py. */
-//> exact
 static void exact(int kind, double t, double *x, double *p)
 {
     double sn, cn, dn;
@@ -34,7 +33,6 @@ static void exact(int kind, double t, double *x, double *p)
         *p = 2 * k * cn;
     }
 }
-//< exact
 
 static const double cg[] = { 1, 1 };
 
@@ -121,7 +119,6 @@ START_TEST(eq_2_4_exact_solutions_conserve_energy)
 END_TEST
 
 /* Seen, in all of the following: within 0.025 of the order. */
-//> orders
 START_TEST(eq_2_14_kappa_one_half_has_order_2_others_order_1)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
@@ -131,6 +128,7 @@ START_TEST(eq_2_14_kappa_one_half_has_order_2_others_order_1)
 }
 END_TEST
 
+//> start
 START_TEST(eq_2_14_the_start_alone_makes_the_difference)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
@@ -144,7 +142,7 @@ START_TEST(eq_2_14_the_start_alone_makes_the_difference)
     }
 }
 END_TEST
-//< orders
+//< start
 
 START_TEST(eq_2_13_euler_has_order_1)
 {

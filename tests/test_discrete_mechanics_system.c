@@ -15,7 +15,6 @@
  * 0 ulp. Of the pendulum: sin is within 1 ulp, 2 u, and g sin x has one rounding
  * more, so 3 u and half a unit of the reference: 4 ulp. In U, sin enters squared
  * (4 u), two products, two sums and g add 5 u: 10 ulp. Seen: 1. */
-//> potentials
 START_TEST(eq_2_1_potentials_and_their_derivatives)
 {
     for (size_t r = 0; r < LEN(ref_potentials); r++) {
@@ -38,7 +37,6 @@ START_TEST(eq_2_1_potentials_and_their_derivatives)
     }
 }
 END_TEST
-//< potentials
 
 /* A promise of a constant Hessian is kept: it is made where g = 0, or where the
  * potential has no g, and nowhere else. */
@@ -140,7 +138,6 @@ END_TEST
 
 /* ---- errors ---- */
 
-//> errors
 START_TEST(systems_that_cannot_move_are_refused)
 {
     const double c = 1, one[] = { 1, 1 };
@@ -178,7 +175,6 @@ START_TEST(systems_that_cannot_move_are_refused)
     }
 }
 END_TEST
-//< errors
 
 int main(void)
 {

@@ -18,7 +18,6 @@ static void two_exponentials(double m, double b, double c, double x0, double v0,
     *v = creal(s1 * a1 + s2 * a2);
 }
 
-//> closed
 START_TEST(eq_11_13_integer_orders_have_closed_forms)
 {
     const double rhos[] = { 0, 0.2, 1.9, 2.5, 30 }, times[] = { 0, 1e-3, 1, 9 };
@@ -39,7 +38,6 @@ START_TEST(eq_11_13_integer_orders_have_closed_forms)
     }
 }
 END_TEST
-//< closed
 
 /* Critical damping, a free particle, one braked by rho x', and alpha = 0 where
  * Caputo's spring rests at x0: it has c x + rho (x - x0). */
@@ -71,7 +69,6 @@ END_TEST
 
 /* The slope in alpha is taken from a step of 10^-3 to either side; closer by
  * the difference must shrink in proportion, down to rounding. */
-//> continuity
 START_TEST(eq_11_13_alpha_passes_0_one_half_and_1_without_a_jump)
 {
     const double from[] = { 0, 0.5, 0.5, 1 }, side[] = { 1, -1, 1, -1 };
@@ -90,7 +87,6 @@ START_TEST(eq_11_13_alpha_passes_0_one_half_and_1_without_a_jump)
     }
 }
 END_TEST
-//< continuity
 
 /* Caputo's derivative of order 1 + 0 is x' - v0: there is a jump, of the answer
  * to the constant force rho v0. TOL for each of the three, |x| < 1.5. */
@@ -245,8 +241,7 @@ static double series(double X, double Y, double q, double step, double two,
 
 /* Small t: powers of 1/s. Relative to x itself, which is as small as t. pow and
  * tgamma are good to 20 u; the terms left out, n > 25, are below (R + C)^26 for
- * R + C < 0.4. Seen: 8 u. */
-//> small
+ * R + C < 0.4. Seen: 6 u. */
 START_TEST(eq_11_9_power_series_for_small_times)
 {
     const double alphas[] = { 0,   1e-10,       0.1,  0.25, 0.5 - 0x1p-54,
@@ -263,11 +258,9 @@ START_TEST(eq_11_9_power_series_for_small_times)
         }
 }
 END_TEST
-//< small
 
 /* Large t: powers of s. The tail is smaller by t^(-2 alpha) than the integrand at
  * |s| = 1/t, which is 1/t: TOL of that. The oscillation is below e^-55. */
-//> tail
 START_TEST(eq_11_9_tails)
 {
     const double alphas[] = { 0.15, 0.25, 0.4, 0.6, 0.75, 0.9 };
@@ -286,7 +279,6 @@ START_TEST(eq_11_9_tails)
         }
 }
 END_TEST
-//< tail
 
 /* x' for the start (0, 1) has the transform m s / Q, that of x for (1, 0). */
 START_TEST(eq_11_2_the_velocity_is_the_solution_of_another_start)
@@ -304,7 +296,6 @@ END_TEST
 
 /* No damping, m = c = 1: x = (cos t - cos wt) / (w^2 - 1), written so that no
  * digit is lost; w = 1 + 2^-k, and t = 2^j: the arguments are exact. */
-//> resonance
 START_TEST(eq_11_12_resonance)
 {
     for (int j = -3; j <= 13; j++)
@@ -323,7 +314,6 @@ START_TEST(eq_11_12_resonance)
         }
 }
 END_TEST
-//< resonance
 
 /* m, c, rho times 10^+-150 leave x alone; times 2^200 in time with the matching
  * powers of it in the coefficients too. Rounding of the new coefficients: u. */

@@ -83,8 +83,8 @@ END_TEST
 /* ---- identities ---- */
 
 /* (15.2): x and x~ agree at t = 0 and at t = 1, positions and velocities, but
- * their D^(2 alpha) at t = 1 do not: -2 beta (1 - beta) c / Gamma(5 - beta). */
-//> history
+ * their D^beta at t = 1 do not: -2 beta (1 - beta) c / Gamma(5 - beta). Quadrature
+ * is good to 1.1e-13 of its scale, |v| < 21. Seen: 0.0006 of the bound. */
 static double detour(double t, const void *c)
 {
     return t + *(const double *)c * gsl_pow_2(t * (1 - t));
@@ -97,6 +97,7 @@ static double ddetour(double t, const void *c)
 START_TEST(eq_15_2_one_position_and_velocity_two_forces)
 {
     const double c[2] = { 0, 100 };
+    //> history
     for (double beta = 0; beta <= 1; beta += 0.125) {
         double x[2], v[2], D[2], t = 1;
         for (int i = 0; i < 2; i++) {
@@ -107,18 +108,17 @@ START_TEST(eq_15_2_one_position_and_velocity_two_forces)
         }
         ck_assert(x[0] == x[1] && v[0] == v[1]);
         double want = -2 * beta * (1 - beta) * c[1] / tgamma(5 - beta);
-        /* quadrature: 1.1e-13 of its scale, |v| < 21 */
         ck_assert_near(D[1] - D[0], want, 5e-12, "beta=%g", beta);
         if (beta > 0 && beta < 1)
             ck_assert(fabs(D[1] - D[0]) > 1); /* a Lipschitz bound says 0 */
     }
+    //< history
 }
 END_TEST
-//< history
 
 /* The paper bounds |D^beta x| by max|v| d^(1-beta) / Gamma(1 - beta). For x = t
- * that is too small by the factor 1 - beta; with Gamma(2 - beta) it is attained. */
-//> printed
+ * that is too small by the factor 1 - beta; with Gamma(2 - beta) it is attained.
+ * Two gammas and a power: below 100 u. Seen: 0.01 of it. */
 START_TEST(the_printed_bound_on_the_memory_is_too_small)
 {
     const double d = 1;
@@ -132,7 +132,6 @@ START_TEST(the_printed_bound_on_the_memory_is_too_small)
     }
 }
 END_TEST
-//< printed
 
 /* (15.3) on powers: int_0^t D^(2 alpha) s^g ds is I^(2 - 2 alpha) of g s^(g-1),
  * for 2 alpha up to 2. Two power rules of 60 u on each side. Seen: 3 ulp. */
@@ -152,9 +151,9 @@ START_TEST(eq_15_3_the_impulse_is_an_integral_of_the_velocity)
 }
 END_TEST
 
-/* (15.10): the rule integrates 1 and t exactly. (k + 40) u, k up to 1000, for
- * every order; positive weights: the integral of a hat is positive. */
-//> moments
+/* (15.10): the rule integrates 1 and t exactly. (k + 40) u, k up to 1000, and 60 u
+ * for the power rule; positive weights: the integral of a hat is positive. Seen:
+ * 0.044 of it. */
 START_TEST(eq_15_10_one_and_t_are_integrated_exactly)
 {
     static double v[MANY + 1], out[MANY + 1];
@@ -180,12 +179,10 @@ START_TEST(eq_15_10_one_and_t_are_integrated_exactly)
     }
 }
 END_TEST
-//< moments
 
 /* (15.5), (15.11): one iteration contracts by q(d), on the grid too; and for
  * constant differences and f = -W x exactly by q(d), so it is sharp. Rounding:
  * (k + 40) u twice, N = 64, of what is less than 3 q. Seen: 0.013 of it. */
-//> contraction
 START_TEST(eq_15_5_the_map_contracts_by_its_constant)
 {
     enum { N = 64 };
@@ -196,31 +193,32 @@ START_TEST(eq_15_5_the_map_contracts_by_its_constant)
                 { pendulum, NULL, alpha, 0.7, 0.3, 0.2 },
                 { linear, &ONE, alpha, 0.7, 0.3, 0.2 }
             };
-            double h = d / N, q = fvi_picard_constant(alpha, 0.7, 1, 0, d);
+            double h = d / N;
             for (size_t k = 0; k <= N; k++) {
                 v[k] = next_number();
                 w[k] = next_number();
             }
-            picard(&p[0], h, N, v, Tv);
+            //> contraction
+            double q = fvi_picard_constant(alpha, 0.7, 1, 0, d);
+            picard(&p[0], h, N, v, Tv); /* the pendulum */
             picard(&p[0], h, N, w, Tw);
             double size = distance(N, h, 0, v, w), slack = 600 * U * (1 + q);
             ck_assert(distance(N, h, 0, Tv, Tw) <= q * size + slack);
             for (size_t k = 0; k <= N; k++)
                 w[k] = v[k] + 1;
-            picard(&p[1], h, N, v, Tv);
+            picard(&p[1], h, N, v, Tv); /* the spring */
             picard(&p[1], h, N, w, Tw);
             ck_assert_near(distance(N, h, 0, Tv, Tw), q, slack, "d=%g", d);
+            //< contraction
         }
 }
 END_TEST
-//< contraction
 
 /* (15.7) on the grid: d = 4, where q(d) is 8 and more, but q_lambda < 1. A polygon
  * of e^(lambda t) is too high by delta = (lambda h)^2/8 e^(lambda h) at most, so
  * q_lambda (1 + delta)^2 is a bound. It is nearly attained by f = -x and
  * v - w = e^(lambda t): by the regularised gamma function P(order, lambda d),
  * orders up to 2, at least P(2, lambda d). Seen: 0.986 q_lambda and more. */
-//> weighted
 START_TEST(eq_15_7_with_a_weight_it_contracts_on_any_interval)
 {
     enum { N = 512 };
@@ -232,10 +230,11 @@ START_TEST(eq_15_7_with_a_weight_it_contracts_on_any_interval)
         double lambda = 1;
         while (fvi_picard_weighted(alpha, R, 1, 0, lambda) > 0.8)
             lambda *= 1.25;
-        double q = fvi_picard_weighted(alpha, R, 1, 0, lambda);
+        const double q = fvi_picard_weighted(alpha, R, 1, 0, lambda);
         double delta = gsl_pow_2(lambda * h) / 8 * exp(lambda * h);
         double most = q * gsl_pow_2(1 + delta), ld = lambda * d;
         ck_assert(most < 1 && fvi_picard_constant(alpha, R, 1, 0, d) > 8);
+        //> weighted
         for (size_t k = 0; k <= N; k++) {
             v[k] = next_number();
             w[k] = v[k] - exp(lambda * h * (double)k);
@@ -247,10 +246,11 @@ START_TEST(eq_15_7_with_a_weight_it_contracts_on_any_interval)
         picard(&spring, h, N, w, Tw);
         double sharp = distance(N, h, lambda, Tv, Tw);
         ck_assert(sharp <= most && sharp >= q * (1 - exp(-ld) * (1 + ld)));
+        //< weighted
+        seen(sharp / q, "sharp");
     }
 }
 END_TEST
-//< weighted
 
 /* (15.8): n iterations contract by A^n 1, A being T without v0 and with |.|. On
  * the grid that is exact if A is taken on the grid; rounding: 1e-13 of the largest
@@ -258,7 +258,6 @@ END_TEST
  * and the one of t^(1/2) too low by (h/t)^(3/2): A^n 1 is (15.8) to
  * n^3/(3 N^2) + n N^(-3/2). Here q(d) = 10: distances grow, and then die faster
  * than any geometric sequence. Seen: 0.12 of the tolerance. */
-//> superlinear
 static void majorant(double R, double h, size_t N, double *bound)
 {
     static double memory[MANY + 1], once[MANY + 1], twice[MANY + 1];
@@ -281,6 +280,7 @@ START_TEST(eq_15_8_n_iterations_beat_every_geometric_sequence)
         w[k] = p.v0 + 1;
         bound[k] = 1;
     }
+    //> superlinear
     for (size_t n = 1; n <= TIMES; n++) {
         picard(&p, h, N, v, next);
         memcpy(v, next, sizeof v);
@@ -298,14 +298,13 @@ START_TEST(eq_15_8_n_iterations_beat_every_geometric_sequence)
     }
     ck_assert(fvi_picard_constant(0.75, R, 1, 0, d) > 10 && largest > 3);
     ck_assert(distance(N, h, 0, v, w) < 1e-13 * largest);
+    //< superlinear
     ck_assert(e[TIMES] < 1e-10 && e[TIMES] / e[TIMES - 1] < 0.5);
 }
 END_TEST
-//< superlinear
 
 /* (15.6): f = -x - x^3 is Lipschitz on balls only. With d such that (15.6) holds
  * and q(d) < 1, T maps the ball |v - v0| <= b into itself and contracts there. */
-//> ball
 START_TEST(eq_15_6_on_a_short_interval_no_iterate_leaves_the_ball)
 {
     enum { N = 64 };
@@ -335,16 +334,16 @@ START_TEST(eq_15_6_on_a_short_interval_no_iterate_leaves_the_ball)
     }
 }
 END_TEST
-//< ball
 
 /* (15.12): alpha = 1. At t = 0 the iterates are v0 (1 - R + R^2 - ...), so they
  * converge for R < 1 only, to v0/(1 + R); the solution is an oscillation of the
- * mass 1 + R. Trapezoids: d^2 h^2/12 max|f''| and less, below h^2 here. */
-//> jump
+ * mass 1 + R. Trapezoids: d^2 h^2/12 max|f''| and less, below h^2 here. Seen: 0.25
+ * of the bound on the jump. */
 START_TEST(eq_15_12_at_alpha_one_the_velocity_jumps)
 {
     enum { N = 100 };
     double x[N + 1], v[N + 1], h = 0.01;
+    //> jump
     const fvi_picard_problem p = { linear, &ONE, 1, 0.5, 0, 1 };
     iterate(&p, h, N, 60, x, v);
     for (size_t k = 0; k <= N; k++)
@@ -355,9 +354,9 @@ START_TEST(eq_15_12_at_alpha_one_the_velocity_jumps)
     const fvi_picard_problem heavy = { linear, &ONE, 1, 1.5, 0, 1 };
     iterate(&heavy, h, N, 60, x, v);
     ck_assert(fabs(v[0]) > 1e10); /* 1.5^60 */
+    //< jump
 }
 END_TEST
-//< jump
 
 int main(void)
 {

@@ -17,7 +17,6 @@ static const double start_x[] = { 0.5, -0.75, 1 },
 /* ---- values ---- */
 
 /* Short binary fractions: every operation is exact. 0 ulp by design. */
-//> values
 START_TEST(eq_8_1_and_8_2_the_momenta)
 {
     const double mass[] = { 1, 1.5 }, rho[] = { 0.5, 0.75 }, h = 0.25;
@@ -50,7 +49,6 @@ START_TEST(eq_8_1_and_8_2_the_momenta)
     }
 }
 END_TEST
-//< values
 
 /* ---- identities ---- */
 
@@ -67,7 +65,6 @@ static void ramp(double t, size_t d, const void *params, double *F)
  * 10 roundings of p and of each slope less than 64 u m max|x| / h (Chapter 2).
  * The two sums of chapter 5 add at most 2 (N + 5) u h rho h^(-2 alpha)
  * (sum |alpha_n|)^2 max|x|, where sum |alpha_n| <= 2. Seen: 0.005 of the bound. */
-//> matching
 START_TEST(eq_8_3_momenta_match_at_every_node)
 {
     enum { N = 60 };
@@ -87,6 +84,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
         const double bound =
             (64 * 2 / a.h + 8 * (N + 5) * pow(a.h, 1 - 2 * a.alpha)) * U
             * farthest(LEN(x), x, NULL);
+        //> matching
         for (size_t k = 0; k <= N; k++) {
             const double *at = x + 3 * k;
             double minus[3], plus[3], F[3];
@@ -105,10 +103,10 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
                                    "F^+, k = %zu, run %zu", k, r);
             }
         }
+        //< matching
     }
 }
 END_TEST
-//< matching
 
 /* F^- after its inverse, and its inverse after F^-. x_{k+1} is rounded, and what
  * Newton's method leaves is a few roundings of the terms of (2.10); |D12 L_d| is at
@@ -230,7 +228,6 @@ END_TEST
 
 /* ---- errors ---- */
 
-//> errors
 START_TEST(bad_steps_are_refused_and_outputs_untouched)
 {
     const double one = 1, x = 1, y = 2, nan = GSL_NAN, inf = GSL_POSINF,
@@ -277,7 +274,6 @@ START_TEST(bad_steps_are_refused_and_outputs_untouched)
     ck_assert_double_eq(p, 7);
 }
 END_TEST
-//< errors
 
 int main(void)
 {

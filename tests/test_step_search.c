@@ -7,8 +7,6 @@
 #include "step_search.h"
 #include "ulp.h"
 
-#include <stdlib.h>
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 
@@ -82,9 +80,7 @@ static void ask_100(const fvi_method *method, double loosest, double tightest)
         dishonest += asked > 3;
         worst = fmax(worst, asked);
     }
-    if (getenv("SEEN"))
-        printf("%s: %d above 3 E, the worst %.3g E\n", method->name, dishonest,
-               worst);
+    seen(worst, "error over the one asked for");
     ck_assert_msg(dishonest <= 1, "%s: %d of 100 above 3 E, the worst %g E",
                   method->name, dishonest, worst);
 }
@@ -103,7 +99,8 @@ START_TEST(eq_18_2_the_error_asked_for_is_the_error_that_comes)
 END_TEST
 //< honest
 
-/* Of order 2 the estimate is the error, but for terms of higher order. */
+/* Of order 2 the estimate is the error, but for terms of higher order.
+ * Seen: 0.98 to 1; with CK_FORK=no, on other problems, 0.77 to 1.03. */
 START_TEST(eq_18_2_the_estimate_is_near_the_error)
 {
     const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2,
@@ -113,7 +110,7 @@ START_TEST(eq_18_2_the_estimate_is_near_the_error)
             const fvi_linear q = any_problem();
             double estimated, asked;
             ratios(methods[i], &q, 10, 1e-6, 40, &estimated, &asked);
-            /* Seen: 0.77 to 1.03. */
+            seen(estimated, "error over its estimate");
             ck_assert_msg(estimated > 0.5 && estimated < 1.5,
                           "%s, alpha=%g: %g", methods[i]->name, q.alpha,
                           estimated);

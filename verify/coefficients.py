@@ -17,11 +17,9 @@ a, b = symbols("alpha beta")
 n = symbols("n", integer=True, positive=True)
 
 
-#> definition
 def weight(order, k):
     """alpha_k by its definition, k a number, order anything."""
     return (-1) ** k * expand_func(binomial(order, k))
-#< definition
 
 
 def weight_symbolic(order):
@@ -84,12 +82,14 @@ ORDERS = [0.1, 0.25, 1 / 3, 0.5, 0.5 - ULP, 0.5 + 2 * ULP, 0.6, 0.75, 0.9,
 INDICES = [1, 2, 3, 4, 7, 10, 33, 100, 999, 1000, 10007, 65536, 100000, 524287, 999999, 1000000]
 
 
+#> reference
 def exact(order, k):
     def value(digits):
         # binomial takes Gamma(1 + order): a tiny order needs its digits there
         mpmath.mp.dps = digits + 20 + (340 if order < 1e-20 else 0)
         return mpmath.nstr((-1) ** k * mpmath.binomial(mpmath.mpf(order), k), digits)
     return hexd_real(value)
+#< reference
 
 
 rows = []

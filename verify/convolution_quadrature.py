@@ -111,8 +111,10 @@ later = ahead(back(w, w[: N + 1]), y)
 for k in range(1, N):
     of_x = diff(coupling, y[k]) + h * rho * ((1 - theta) * twice[k] + theta * twice[k + 1])
     of_y = diff(coupling, x[k]) + h * rho * ((1 - theta) * later[k] + theta * later[k - 1])
-    prove("(13.7) what is left has a factor x_0", expand(of_x - h * rho * theta * w[0] * w[k + 1] * x[0]))
-    prove("the mirror: a factor y_N", expand(of_y - h * rho * theta * w[0] * w[N + 1 - k] * y[N]))
+    prove("(13.7) what is left has a factor x_0",
+          expand(of_x - h * rho * theta * w[0] * w[k + 1] * x[0]))
+    prove("the mirror: a factor y_N",
+          expand(of_y - h * rho * theta * w[0] * w[N + 1 - k] * y[N]))
 #< action
 # and the mirror is the reversal: later of y reversed is twice of x
 for k in range(N + 1):
@@ -137,7 +139,6 @@ prove("(13.8) BDF2", power(LOG["BDF2"]).coeff(s, 1), power(LOG["BDF2"]).coeff(s,
 
 # ---- the momentum form -------------------------------------------------------------
 
-#> momentum
 grad = Function("g")
 X, D, left, right = (symbols(f"{v}0:3") for v in ("X", "D", "L", "R"))  # F(t_k -), F(t_k +)
 D1 = lambda p, q: -m * (q - p) / h - kappa * h * grad(kappa * p + (1 - kappa) * q)
@@ -146,14 +147,16 @@ mean = (left[1] + right[1]) / 2
 equation = (D1(X[1], X[2]) + D2(X[0], X[1])
             - h * rho * ((1 - theta) * D[1] + theta * D[2]) + h * mean)        # (13.7)
 momentum = D2(X[0], X[1]) + h / 2 * (left[1] - rho * D[1])                     # (13.9)
-meets = momentum + h / 2 * right[1] - h * rho * ((Rational(1, 2) - theta) * D[1] + theta * D[2])
+#> meets
+meets = (momentum + h / 2 * right[1]
+         - h * rho * ((Rational(1, 2) - theta) * D[1] + theta * D[2]))
 prove("(13.10) the equation for dx is (13.7)", expand(meets + D1(X[1], X[2]) - equation))
 g1 = grad(kappa * X[1] + (1 - kappa) * X[2])
 after = (momentum + h / 2 * (right[1] + left[2]) - h * g1
          - h * rho * ((Rational(1, 2) - theta) * D[1] + (Rational(1, 2) + theta) * D[2]))
 at_end = D2(X[1], X[2]) + h / 2 * (left[2] - rho * D[2])
 prove("(13.10) and then p_{k+1} is (13.9) again", expand(after - at_end - equation))
-#< momentum
+#< meets
 prove("alpha = 1/2: the loss of a step is rho dx, the midpoint rule",
       ((Rational(1, 2) - theta) * D[1] + (Rational(1, 2) + theta) * D[2]).subs(theta, Rational(1, 2))
       - D[2])

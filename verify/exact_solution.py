@@ -56,7 +56,8 @@ a, b = symbols("a b", positive=True)  # beta theta, (2 - beta) theta
 r2 = c / m * sin(a) / sin(b)  # (11.4), the square of the modulus
 damping = -c * sin(a + b) / sin(b)  # (11.4), rho r^beta
 zero = m * r2 * exp(I * (a + b)) + c + damping * exp(I * a)
-prove("(11.4) Q(r e^(i theta)) = 0", expand(expand(zero * sin(b) / c, trig=True).rewrite(exp)))
+prove("(11.4) Q(r e^(i theta)) = 0",
+      expand(expand(zero * sin(b) / c, trig=True).rewrite(exp)))
 
 log_rho = (log(-sin(2 * theta)) - beta / 2 * log(sin(beta * theta))
            - (1 - beta / 2) * log(sin((2 - beta) * theta)))

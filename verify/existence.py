@@ -96,13 +96,7 @@ for n in range(1, 6):
         for (i, j, k), m in multinomial_coefficients(3, n).items()]))
 #< neumann
 
-#> picard
-# f = -W x. T v = v0 - W I (x0 + I v) - R I^gamma v, and v = v0 to begin with.
 W, x0, v0 = symbols("W x_0 v_0")
-
-
-def T(v, W, R, x0, v0):
-    return plus({(0, 0): v0, (1, 0): -W * x0}, integral(v, 2, 0, -W), integral(v, 0, 1, -R))
 
 
 def series(n, W, R, x0, v0):
@@ -114,7 +108,13 @@ def series(n, W, R, x0, v0):
                 *[{(2 * i + 1, k): -W * x0 * term(i, k)} for i, k in pairs if i + k < n])
 
 
-v = {(0, 0): v0}
+#> picard
+# f = -W x. T v = v0 - W I (x0 + I v) - R I^gamma v, and v = v0 to begin with.
+def T(v, W, R, x0, v0):
+    return plus({(0, 0): v0, (1, 0): -W * x0}, integral(v, 2, 0, -W), integral(v, 0, 1, -R))
+
+
+v = {(0, 0): v0}  # {(n, k): c} is the sum of c t^e / Gamma(1 + e), e = n + gamma k
 for n in range(1, 7):
     v = T(v, W, R, x0, v0)
     claim(f"(15.9) iterate {n} is a partial sum", v == series(n, W, R, x0, v0))

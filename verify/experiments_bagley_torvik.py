@@ -44,6 +44,8 @@ prove("(10.8) its expansion", *(expand((1 + z + z**4) * sum(d_[n] * z**n for n i
                                        - 1).coeff(z, n) for n in range(40)))
 COEFFICIENTS = [fixed(d_[n] * mpf(20)**(2 + mpf(n) / 2) * mpmath.rgamma(3 + mpf(n) / 2), BITS)
                 for n in range(400)]
+claim("(10.8) forty bits cancel at t = 20",
+      2**39 < sum(map(abs, COEFFICIENTS)) / abs(sum(COEFFICIENTS)) < 2**40)
 
 
 def step_response(time):

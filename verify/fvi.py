@@ -2,8 +2,9 @@
 potential all left open): the three-term equation (9.2) is what a restricted
 variation of the discrete action leaves for x, and it is (9.3) when written out;
 the momentum form (9.4) is the same equation; kappa and 1 - kappa differ only
-beyond quadratic U; the kick (9.5); the modified equation (9.7). And
-y_k = x_{N-k} satisfies the advanced equation with 1 - kappa.
+beyond quadratic U; the kick (9.5); the modified equation (9.7); what a force at
+t = 0 leaves out, (9.8). And y_k = x_{N-k} satisfies the advanced equation with
+1 - kappa.
 
 Reference values: trajectories of (9.2) as it is printed, two sums for two
 derivatives, positions only, in exact rationals, or in two precisions of many
@@ -15,7 +16,7 @@ from fractions import Fraction as Q
 from math import ceil
 
 import mpmath
-from sympy import Function, diff, exp, expand, gamma, ratsimp, simplify, symbols
+from sympy import Function, Rational, diff, exp, expand, gamma, ratsimp, simplify, symbols
 
 from refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -121,6 +122,13 @@ for k in range(1, 9):
 for k in range(1, 6):
     prove("the kick as Gamma functions", simplify(
         weight(2 * alpha - 2, k) - gamma(k + 2 - 2 * alpha) / gamma(2 - 2 * alpha) / gamma(k + 1)))
+
+# (9.8): the start on a path with m x'' = F - grad U.
+v0, step = symbols("v0 step")
+begin = -D1(x[0], x[0] + step * v0 + step**2 * (F[0] - g(x[0])) / (2 * m)).subs(h, step)
+prove("(9.8) the start of a forced motion",
+      expand(begin).subs(step, 0) - m * v0,
+      diff(expand(begin), step).subs(step, 0).doit() - F[0] / 2 - (kappa - Rational(1, 2)) * g(x[0]))
 
 # (9.7): the weights on e^{st} give s^beta (1 - beta s h / 2 + O(h^2)).
 s, beta = symbols("s beta", positive=True)
@@ -324,6 +332,9 @@ fifth = Q(1, 5)     # where the double 0.2 will not do: the paper's numbers
 paper = Case("", Q(1, 2), Q(1, 2), Q(1, 2), 4, [1], [Q(1, 2)], rho=[fifth])
 claim("the paper's first figure, alpha = 1/2", [row[0] for row in by_definition(paper, Exactly)[0]]
       == [1, Q(19, 17), Q(1389, 1445), Q(72883, 122825), Q(1258381, 10440125)])
+by_hand = Case("", Q(3, 4), 0, 1, 3, [0], [1], rho=[Q(1, 2)])
+claim("the chapter's three steps", by_definition(by_hand, Exactly)
+      == ([[0], [1], [Q(1, 2)], [0]], [[1], [Q(-1, 2)], [Q(-1, 2)], [Q(-5, 16)]]))
 # ---- what the C code is compared with ----
 
 tenth = Q(0.1)

@@ -94,6 +94,8 @@ for q in range(2, 7):
     for _ in range(q):
         c = [sum(ws[i] * c[j - i] for i in range(j + 1)) for j in range(41)]
     claim(f"(7.7) order 1/{q}, {q} times", c == [1, -1] + [0] * 39)
+
+
 def l1(order, j):
     """The weights of the L1 rule, on x_k - ... : piecewise linear x, Caputo."""
     if j == 0:
@@ -113,6 +115,8 @@ claim("(7.8) and the rest does not vanish", c_l1[2] != 0 and c_l1[3] != 0)
 
 def beta(w, j, l):
     return 2 * w[l + j] + sum(w[i] * w[l + j - i] for i in range(1, j))
+
+
 other = [S(1), -S(1) / 2, -S(1) / 8, S(0)]      # alpha_3 = -1/16 replaced by 0
 claim("the induction starts", beta(half, 2, 0) == beta(other, 2, 0) == 0)
 claim("but does not go on", beta(half, 3, 0) == 0 and beta(other, 3, 0) == S(1) / 8)
@@ -228,6 +232,8 @@ table("ref_twice", "double alpha, h; size_t k; double want, size;",
         digits(lambda: two(o, step, j, abs)), f"alpha = {o!r}, h = {step!r}"]
        for o, step in ((0.1, 0.1), (1 / 3, 0.5), (0.5, 0.1), (0.75, 0.3), (1.0, 0.2), (1.6, 2.0))
        for j in range(len(Z))])
+
+
 def growth(h, rho):
     """sum_j |M^j| for the Lagrange-d'Alembert map M of (x, p), m = c = 1, kappa =
     1/2: rounding errors of size e in every step never add up to more than this e.

@@ -10,16 +10,17 @@ independent symbols, for N = 6, 7, 8:
          calls false: nothing if F_0 = G_0 = G_N = 0; (5.9), the shift the other
          way, needs no hypothesis;
   (5.10) the misprint in the printed proof, with its integer counterexample;
-  (5.11) alpha = 1 is summation by parts.
+  (5.11) alpha = 1 is summation by parts;
   (5.13) the same (5.4) to (5.9) for any weights, as symbols; and that T and T'
-         are conjugate by reversal if T is Toeplitz, which one entry off breaks.
+         are conjugate by reversal if T is Toeplitz, which one entry off breaks;
+  (5.14) the order, and the next term of its error.
 Scalars are enough: a product of vectors is the sum over the components.
 Printed: values of both operators from the definition (mpmath, 60 and 90 digits),
 and both sides of every identity for integer vectors, as exact rationals."""
 from random import Random
 
 import mpmath
-from sympy import Matrix, Rational, binomial, expand, expand_func, symbols
+from sympy import Matrix, Rational, binomial, exp, expand, expand_func, log, series, symbols
 
 from refgen import array, claim, header, hexd, hexd_real, prove, table
 
@@ -29,6 +30,8 @@ a = symbols("alpha")
 def weight(order, n):
     """alpha_n by its definition."""
     return expand_func((-1) ** n * binomial(order, n))
+
+
 def minus(w, z, k):
     """h^alpha Delta_- z_k, as (5.1) prints it."""
     return sum(w[n] * z[k - n] for n in range(k + 1))
@@ -37,6 +40,8 @@ def minus(w, z, k):
 def plus(w, z, k):
     """h^alpha Delta_+ z_k, as (5.2) prints it."""
     return sum(w[n] * z[k + n] for n in range(len(z) - k))
+
+
 def first(w, F, G, N):
     """Both sides of the first identity of the paper's Lemma 4.1, times h^alpha."""
     return (sum(plus(w, G, k) * F[k] for k in range(0, N)),
@@ -139,6 +144,12 @@ prove("(5.13) any matrix and its transpose", expand((G.T * A * F - (A.T * G).T *
 T[3, 1] += 1
 claim("(5.13) one entry off its diagonal, and the mirror is broken", T.T != J * T * J)
 #< toeplitz
+
+# (5.14), x = s h: the factor over s^alpha, by way of its logarithm.
+x = symbols("x", positive=True)
+factor = exp(a * series(log(series((1 - exp(-x)) / x, x, 0, 4).removeO()), x, 0, 3).removeO())
+prove("(5.14) both operators are of order one", series(factor, x, 0, 3).removeO().expand()
+      - expand(1 - a * x / 2 + a * (3 * a + 1) * x ** 2 / 24))
 
 # ---- values of both operators, doubles as they are ----
 

@@ -9,7 +9,7 @@ and the potential all left open; N = 4):
   (8.8), (8.9)  three momenta on a smooth path, and the mass m - rho h / 2.
 Reference values: (8.1), (8.2) in exact rationals, U's gradient taken by sympy.
 The errors of the three momenta on the paper's problem, for doubles h and rho as
-they are: the three-term equation against the exact solution in 40 digits."""
+they are: the three-term equation against the exact solution in 40 and 55 digits."""
 import mpmath
 from sympy import Function, Matrix, Rational, cos, diff, exp, expand, simplify, sin, sqrt, symbols
 
@@ -57,7 +57,6 @@ def plus_op(z, order=alpha):
 
 xx, yy = minus_op(minus_op(x)), plus_op(plus_op(y))     # two derivatives
 
-#> definition
 # The Lagrangian of a step with the intermediate variables u = Delta_-^alpha x and
 # w = Delta_+^alpha y as variables of their own; kappa~ = 0 is the proposition's.
 u, w = symbols("u0:5"), symbols("w0:5")
@@ -80,6 +79,7 @@ for k in range(N):
               insert(diff(intermediate(k), w[j])) - slope_w(share)[j])
 
 
+#> definition
 def transform(k, end):
     """(p_x, p_y) at the node k: - at the beginning of step k, + at the end of
     step k - 1; the operators stand on the diagonal."""
@@ -99,9 +99,10 @@ for k in range(1, N):
     prove("p^+ is D2 L_d and the rest of it",
           expand(end[0] - D2(x[k - 1], x[k]) + (1 - tilde) * h * rho * xx[k]),
           expand(end[1] - D2(y[k - 1], y[k]) + (1 - tilde) * h * rho * yy[k]))
+    of_x = D1(x[k], x[k + 1]) + D2(x[k - 1], x[k]) - h * rho * xx[k]
+    of_y = D1(y[k], y[k + 1]) + D2(y[k - 1], y[k]) - h * rho * yy[k]
     prove("(8.3) matching is the recurrence, for every kappa~",
-          expand(end[0] - begin[0] - (D1(x[k], x[k + 1]) + D2(x[k - 1], x[k]) - h * rho * xx[k])),
-          expand(end[1] - begin[1] - (D1(y[k], y[k + 1]) + D2(y[k - 1], y[k]) - h * rho * yy[k])))
+          expand(end[0] - begin[0] - of_x), expand(end[1] - begin[1] - of_y))
 #< definition
 
 #> printed
@@ -109,7 +110,8 @@ for k in range(1, N):
 Dm, Dp, su, sw = symbols("Dm Dp s_u s_w", commutative=False)
 swap = Matrix([[0, 1], [1, 0]])
 row = Matrix([[Dm, Dp]]) * swap * Matrix([su, sw])
-claim("the printed product is one number", row.shape == (1, 1) and row[0] == Dm * sw + Dp * su)
+claim("the printed product is one number",
+      row.shape == (1, 1) and row[0] == Dm * sw + Dp * su)
 prove("the operators on the diagonal give the two numbers that are needed",
       *(Matrix([[Dm, 0], [0, Dp]]) * swap * Matrix([su, sw]) - Matrix([Dm * sw, Dp * su])))
 # For kappa~ = 0 no step ends at the node 0, so D_{y_0^alpha} is nobody's slope. If
@@ -117,8 +119,8 @@ prove("the operators on the diagonal give the two numbers that are needed",
 for k in range(1, N):
     slopes = slope_w(1)
     without = minus_op([0] + slopes[1:])[k]
-    prove("what the missing slope is worth",
-          expand(minus_op(slopes)[k] - without + h * rho * h**(-2 * alpha) * weight(alpha, k) * x[0]))
+    lacking = -rho * h**(1 - 2 * alpha) * weight(alpha, k) * x[0]
+    prove("what the missing slope is worth", expand(minus_op(slopes)[k] - without - lacking))
 #< printed
 # (8.5): kappa = 0. The slopes p^alpha_y = -h rho Delta_-^alpha x are momenta.
 zero = lambda e: expand(e).subs(kappa, 0)
@@ -159,8 +161,10 @@ at_zero = lambda e: expand(e).coeff(h, 0)
 recurrence = (m * (ahead(h) - 2 * Z + ahead(-h)) / h**2
               + kappa * force((1 - kappa) * h * v) + (1 - kappa) * force(-kappa * h * v)
               + rho * (Z - ahead(-h)) / h)
-prove("(8.9) m x'' + U' + rho x' at order 0", at_zero(recurrence) - (m * acc + g(Z) + rho * v))
-prove("(8.9) less rho h / 2 x'' at order 1, any kappa, any U", first(recurrence) + rho / 2 * acc)
+prove("(8.9) m x'' + U' + rho x' at order 0",
+      at_zero(recurrence) - (m * acc + g(Z) + rho * v))
+prove("(8.9) less rho h / 2 x'' at order 1, any kappa, any U",
+      first(recurrence) + rho / 2 * acc)
 
 on_path = lambda e: e.subs(acc, (-g(Z) - rho * v) / m)      # m x'' + O(h)
 matched = m * (ahead(h) - Z) / h + kappa * h * g(Z)

@@ -1,10 +1,8 @@
 """Chapter 3. The restricted Hamilton's principle in continuous time.
 
 Proved here:
-  (3.2)  the power rule from the Riemann-Liouville integral, alpha and e symbolic;
-  (3.6)  the first variation after integration by parts: for all powers (alpha,
-         both exponents symbolic), and the whole damped action along polynomials
-         with symbolic coefficients, alpha symbolic, U cubic;
+  (3.6)  the first variation after integration by parts: the whole damped action
+         along polynomials with symbolic coefficients, alpha symbolic, U cubic;
   (3.7)  restricted and unrestricted equations from the partial derivatives of a
          Lagrangian with a generic L;
   (3.9)  the series solves the equation, term against term, all symbolic;
@@ -15,6 +13,8 @@ Proved here:
          momenta, and the printed forms that fail;
   (3.19) the flow at alpha = 1/2: the pulled back two-form in closed form, Bateman's
          form preserved, symbolically.
+The power rule (1.6), integration by parts (1.7) for all powers and the sum of two
+orders (1.9) are proved in verify/fractional_derivative.py.
 Printed: exact values of powers, of the action (by Beta functions), of the series
 (by an inverse Laplace transform), of the pulled back form."""
 import mpmath
@@ -25,7 +25,7 @@ from sympy import (Function, Integer, Matrix, Poly, Rational, Symbol, cos,
 from refgen import array, claim, header, hexd, hexd_real, prove, table
 
 a, t = symbols("alpha t", positive=True)
-e, f = symbols("e f", positive=True)
+e = symbols("e", positive=True)
 m, rho, c = symbols("m rho c", positive=True)
 
 
@@ -33,25 +33,11 @@ def Beta(p, q):
     return gamma(p) * gamma(q) / gamma(p + q)
 
 
-#> power
 def power(order, exponent):
-    """D^order s^exponent = power(order, exponent) s^(exponent - order)."""
+    """(1.6): D^order s^exponent = power(order, exponent) s^(exponent - order)."""
     return gamma(exponent + 1) / gamma(exponent + 1 - order)
 
 
-# (1/Gamma(1-a)) d/ds int_0^s (s-r)^(-a) r^e dr; r = s u gives s^(1+e-a) B(e+1, 1-a).
-prove("(3.2) the power rule", gammasimp(
-    (1 + e - a) * Beta(e + 1, 1 - a) / gamma(1 - a) / power(a, e)) - 1)
-#< power
-
-#> parts
-# int_0^1 t^p (1-t)^q dt = B(p+1, q+1): both sides for f = t^e, g = (1-t)^f.
-left = power(a, e) * Beta(e - a + 1, f + 1)
-right = power(a, f) * Beta(e + 1, f - a + 1)
-prove("int (D_- t^e) (1-t)^f = int t^e (D_+ (1-t)^f)", gammasimp(left / right) - 1)
-#< parts
-prove("applied twice: D D = D^(2 alpha) on powers",
-      gammasimp(power(a, e) * power(a, e - a) / power(2 * a, e)) - 1)
 half = Rational(1, 2)
 prove("(3.13) and d/ds at alpha = 1/2", gammasimp(power(half, e) * power(half, e - half)) - e)
 prove("no chain rule: D^(1/2) t^2 is 2/3 of 2 t D^(1/2) t",

@@ -4,13 +4,13 @@ Proved here, all parameters symbolic:
   (14.1)  for quadratic U the three-term equation is (1 + q W) second difference
           + W x_k + R memory, q = kappa (1 - kappa);
   (14.2)  its symbol; its values at z = 1 and z = -1;
-  (14.3)  polar form of 1 - z on the unit circle, and the sign of Im P there;
+  (14.3)  polar form of 1 - z on the unit circle, 1/z - 2 + z there, P(-1);
           in R^d, v* P(z) v is the scalar symbol with v*Mv, v*Kv, v*rho v;
-  (14.6)  alpha = 1, kappa = 1/2: the bound is rho < m for every step.
+          alpha = 1, kappa = 1/2: the bound is rho < m for every step.
 Printed: growth factors 1/|z| from the root of Q in (-1, 0), at 50 digits."""
 import mpmath
-from sympy import (I, Function, Rational, cos, exp, expand, expand_complex, im, pi,
-                   re, simplify, sin, symbols, trigsimp)
+from sympy import (I, Rational, cos, exp, expand, expand_complex, pi, simplify, sin,
+                   symbols, trigsimp)
 
 from refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -39,8 +39,9 @@ prove("(14.3) P(-1) = W (1 - 2 kappa)^2 + 4^alpha R - 4",
 
 #> circle
 on_circle = exp(-I * f)
+polar = 2 * sin(f / 2) * exp(I * (pi - f) / 2)
 prove("(14.3) 1 - e^{-if} = 2 sin(f/2) e^{i (pi - f)/2}",
-      expand_complex(1 - on_circle - 2 * sin(f / 2) * exp(I * (pi - f) / 2)).rewrite(cos).simplify())
+      expand_complex(1 - on_circle - polar).rewrite(cos).simplify())
 prove("(14.3) 1/z - 2 + z is real on the circle: -4 sin^2(f/2)",
       trigsimp(expand_complex(1 / on_circle - 2 + on_circle) + 4 * sin(f / 2) ** 2))
 #< circle
@@ -59,10 +60,8 @@ prove("(14.3) v*P(z)v is the scalar symbol of v*Mv, v*Kv, v*rho v",
       expand(quadratic(matrix) - ((quadratic(mass) + q * h**2 * quadratic(stiff)) * D2
                                   + h**2 * quadratic(stiff) + k4 * quadratic(damp) * D)))
 
-#> alpha-one
 bound = (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4).subs({alpha: 1, kappa: Rational(1, 2)})
-prove("(14.6) alpha = 1, kappa = 1/2: R < 1, and R = rho/m has no h", bound - 4 * (R - 1))
-#< alpha-one
+prove("(14.3) alpha = 1, kappa = 1/2: R < 1, and R = rho/m has no h", bound - 4 * (R - 1))
 
 
 def growth(a, k, w, r, digits):

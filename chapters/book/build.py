@@ -47,7 +47,7 @@ def pandoc_math(text):
 def chapter(path):
     """One chapter, its links turned to places in the page or to the sources."""
     name = path.stem
-    text = pandoc_math(path.read_text())
+    text = pandoc_math(re.sub(r"[ \t]*<!-- from\n.*?-->\n", "", path.read_text(), flags=re.S))
     text = re.sub(r"<!-- excerpt: (\S+?)(?:#([\w-]+))? -->",
                   r'<p class="from"><a href="../../\1">\1</a></p>\n', text)
     # a page of the course -> its heading; a figure -> beside the page; else the source
@@ -63,6 +63,8 @@ def chapter(path):
 def to_html(name, text):
     page = subprocess.run(["pandoc", "-f", "gfm+tex_math_dollars", "-t", "html5", "--mathjax",
                            "--wrap=preserve"], input=text, capture_output=True, text=True, check=True).stdout
+    # on a narrow screen a figure is small: touch it to see it alone
+    page = re.sub(r'<img src="(figures/[^"]+)"[^>]*/>', r'<a href="\1">\g<0></a>', page)
     page = re.sub(r'(<h[1-6][^>]*? id=")([^"]*)"', rf'\g<1>{name}--\g<2>"', page)
     return re.sub(r'<h1 id="[^"]*"', f'<h1 id="{name}"', page, count=1)
 

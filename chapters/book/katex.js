@@ -9,13 +9,14 @@ function plain(text) {
 }
 
 let bad = 0;
-const out = page.replace(/<span class="math (inline|display)">\\[(\[]([\s\S]*?)\\[)\]]<\/span>/g,
-  (whole, kind, escaped) => {
+const out = page.replace(/<span class="math (inline|display)">\\[(\[]([\s\S]*?)\\[)\]]<\/span>([.,;:!?)]*)/g,
+  (whole, kind, escaped, stop) => {
     const formula = plain(escaped).trim(), display = kind === 'display';
     try {
       const tag = /\\tag\{([\d.]+)\}/.exec(formula);
       const rendered = katex.renderToString(formula, { displayMode: display, throwOnError: true, strict: false });
-      return display ? `<span class="formula"${tag ? ` id="eq-${tag[1]}"` : ''} tabindex="0">${rendered}</span>` : rendered;
+      if (!display) return stop && formula.length < 25 ? `<span class="keep">${rendered}${stop}</span>` : rendered + stop;
+      return `<span class="formula"${tag ? ` id="eq-${tag[1]}"` : ''} tabindex="0">${rendered}</span>${stop}`;
     } catch (error) {
       console.error(`the book: bad formula: ${formula}\n  ${error.message}`);
       bad++;

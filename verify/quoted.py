@@ -1,7 +1,7 @@
 """Hold the numbers in the prose to the files that they come from.
 
-    numbers.py                   check README.md and the chapters (part of make text)
-    numbers.py --gather FILE...  what tests saw into tests/seen.tsv (make seen)
+    quoted.py                   check README.md and the chapters (part of make text)
+    quoted.py --gather FILE...  what tests saw into tests/seen.tsv (make seen)
 
 Below a paragraph, a list or a table stands an invisible note, a line for each place:
     <!-- from
@@ -69,13 +69,13 @@ def cell(path, region, row, column):
 
 
 def value_of(key, seen):
-    table = pathlib.Path("figures", key.split("/")[0] + ".tsv")
+    name = key.removesuffix("/least")
     try:
-        if table.exists():
-            return cell(table, *key.split("/")[1:])
-        name = key.removesuffix("/least")
-        return float(seen[name][0 if key != name else 1])
-    except (KeyError, ValueError, TypeError):
+        if name in seen:
+            return float(seen[name][0 if key != name else 1])
+        table, *place = key.split("/")
+        return cell(pathlib.Path("figures", table + ".tsv"), *place)
+    except (OSError, ValueError, TypeError):
         raise ValueError(f"no such value: {key}")
 
 
