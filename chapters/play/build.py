@@ -1,26 +1,29 @@
 """The live page as one file.      build.py OUT     (make play)
 
-clang compiles play.c, gsl.c and the modules of src/ to WebAssembly, with GSL's
-headers and without GSL; the bytes and the scripts go into page.html, so that
-OUT/index.html opens from a disk and asks nobody for anything."""
+clang compiles play.c and the modules of src/ to WebAssembly, with GSL's headers
+and gsl.c instead of GSL; the bytes, deflated, and the scripts go into page.html,
+so that OUT/index.html opens from a disk and asks nobody for anything."""
 import base64
 import pathlib
 import subprocess
 import sys
+import zlib
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
-MODULES = ("coefficients discrete_mechanics exact_inverse exact_pole exact_solution fvi memory newton "
-           "stability system trajectory").split()
-# As the Makefile has it: no contraction to fma, or the last digits would differ.
-FLAGS = ("--target=wasm32-wasi -std=c11 -O2 -ffp-contract=off -Wall -Wextra -Wconversion -Wshadow -pedantic "
-         "-nostartfiles -Isrc -Wl,--no-entry,--strip-all,-z,stack-size=131072").split()
+MODULES = ("coefficients convolution_quadrature discrete_mechanics exact_inverse exact_pole exact_solution fvi "
+           "lobatto lobatto_memory lobatto_weights memory newton second_order stability system trajectory").split()
+# Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the
+# last digits would differ.
+FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "
+         "-Wall -Wextra -Wconversion -Wshadow -pedantic -nostartfiles -Isrc "
+         "-Wl,--no-entry,--strip-all,--compress-relocations,-z,stack-size=131072").split()
 
 
 def compile_to(wasm):
     headers = subprocess.run(["pkg-config", "--variable=includedir", "gsl"],
                              check=True, capture_output=True, text=True).stdout.strip()
-    sources = [HERE / "play.c", HERE / "gsl.c", *(f"src/{name}.c" for name in MODULES)]
+    sources = [HERE / "play.c", HERE / "gsl.c", HERE / "libc.c", *(f"src/{name}.c" for name in MODULES)]
     subprocess.run(["clang", *FLAGS, "-idirafter", headers, *sources, "-o", wasm], check=True)
 
 
@@ -31,9 +34,10 @@ def main():
     page = (HERE / "page.html").read_text()
     for name in ("model.js", "plot.js", "play.js"):
         page = page.replace("{" + name + "}", (HERE / name).read_text().strip())
-    page = page.replace("{wasm}", base64.b64encode(code).decode())
+    packed = zlib.compress(code, 9)
+    page = page.replace("{wasm}", base64.b64encode(packed).decode())
     (OUT / "index.html").write_text(page)
-    print(f"{OUT}/index.html: {len(page)} bytes, of which WebAssembly {len(code)} (in base64)")
+    print(f"{OUT}/index.html: {len(page)} bytes; WebAssembly {len(code)}, deflated {len(packed)}")
 
 
 main()

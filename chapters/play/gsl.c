@@ -1,14 +1,15 @@
 /* chapters/play/gsl.c -- GSL, as far as one dimension needs it.
  *
  * The modules of src/ are compiled for the page with GSL's own headers; what they
- * call is here. In one dimension a linear solver divides and an eigenvalue is the
- * number itself, so what needs d > 1 says that it is not here. */
+ * call is here. In one dimension an eigenvalue is the number itself, and linear
+ * equations come from the stages of chapter 17 only: at most four. */
 #include "memory_kinds.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
+#include <stdlib.h>
 
 /* The page looks at what is returned. */
 void gsl_error(const char *reason, const char *file, int line, int code)
@@ -26,16 +27,29 @@ double gsl_pow_2(const double x)
     return x * x;
 }
 
+/* ---- views ---- */
+
+gsl_matrix_view gsl_matrix_view_array_with_tda(double *base, size_t rows,
+                                               size_t columns, size_t tda)
+{
+    return (gsl_matrix_view){ { rows, columns, tda, base, NULL, 0 } };
+}
+
+gsl_matrix_view gsl_matrix_view_array(double *base, size_t rows, size_t columns)
+{
+    return gsl_matrix_view_array_with_tda(base, rows, columns, columns);
+}
+
+gsl_vector_view gsl_vector_view_array(double *base, size_t n)
+{
+    return (gsl_vector_view){ { n, 1, base, NULL, 0 } };
+}
+
 /* ---- matrices of one number: only stability.c, for its eigenvalue ---- */
 
 static gsl_vector only; /* the one vector that there is at a time */
 static double number;
 static gsl_eigen_symm_workspace nothing;
-
-gsl_matrix_view gsl_matrix_view_array(double *base, size_t rows, size_t columns)
-{
-    return (gsl_matrix_view){ { rows, columns, columns, base, NULL, 0 } };
-}
 
 gsl_vector *gsl_vector_alloc(size_t n)
 {
@@ -71,35 +85,125 @@ void gsl_eigen_symm_free(gsl_eigen_symm_workspace *work)
     (void)work;
 }
 
-/* ---- newton.c asks for these where d > 1 only ---- */
+/* ---- LU factors of the small matrices of lobatto*.c ----
+ *
+ * Each sum is taken in the order in which GSL 2.7 and its BLAS take it: the digits
+ * are theirs. The callers look for zero pivots themselves. */
+
+enum { MOST = 4 };
 
 gsl_permutation *gsl_permutation_alloc(size_t n)
 {
-    (void)n;
-    return NULL; /* fvi_newton_alloc then returns GSL_ENOMEM */
+    gsl_permutation *p = malloc(sizeof *p + MOST * sizeof *p->data);
+    if (p && n <= MOST)
+        *p = (gsl_permutation){ n, (size_t *)(p + 1) };
+    return p && n <= MOST ? p : NULL;
 }
 
 void gsl_permutation_free(gsl_permutation *p)
 {
-    (void)p;
+    free(p);
 }
 
-gsl_vector_view gsl_vector_view_array(double *base, size_t n)
+static void swap_rows(gsl_matrix *A, size_t i, size_t j)
 {
-    return (gsl_vector_view){ { n, 1, base, NULL, 0 } };
+    for (size_t k = 0; k < A->size2; k++) {
+        const double old = A->data[i * A->tda + k];
+        A->data[i * A->tda + k] = A->data[j * A->tda + k];
+        A->data[j * A->tda + k] = old;
+    }
 }
 
+/* P A = L U by columns. A column of L is multiplied by 1 / pivot, not divided. */
 int gsl_linalg_LU_decomp(gsl_matrix *A, gsl_permutation *p, int *sign)
 {
-    (void)A, (void)p, (void)sign;
-    return GSL_EUNIMPL;
+    const size_t n = A->size1, row = A->tda;
+    *sign = 1;
+    for (size_t i = 0; i < n; i++)
+        p->data[i] = i;
+    for (size_t j = 0; j < n; j++) {
+        size_t best = j;
+        for (size_t i = j + 1; i < n; i++)
+            if (fabs(A->data[i * row + j]) > fabs(A->data[best * row + j]))
+                best = i;
+        if (best != j) {
+            const size_t old = p->data[j];
+            p->data[j] = p->data[best];
+            p->data[best] = old;
+            *sign = -*sign;
+            swap_rows(A, j, best);
+        }
+        const double inverse = 1 / A->data[j * row + j];
+        for (size_t i = j + 1; i < n; i++) {
+            double *of_i = A->data + i * row;
+            of_i[j] *= inverse;
+            for (size_t k = j + 1; k < n; k++)
+                of_i[k] -= of_i[j] * A->data[j * row + k];
+        }
+    }
+    return GSL_SUCCESS;
 }
 
 int gsl_linalg_LU_svx(const gsl_matrix *LU, const gsl_permutation *p,
                       gsl_vector *x)
 {
-    (void)LU, (void)p, (void)x;
-    return GSL_EUNIMPL;
+    const size_t n = LU->size1;
+    double y[MOST] = { 0 };
+    for (size_t i = 0; i < n; i++) {
+        y[i] = x->data[p->data[i]];
+        for (size_t j = 0; j < i; j++)
+            y[i] -= LU->data[i * LU->tda + j] * y[j];
+    }
+    for (size_t i = n; i-- > 0;) {
+        for (size_t j = i + 1; j < n; j++)
+            y[i] -= LU->data[i * LU->tda + j] * y[j];
+        y[i] /= LU->data[i * LU->tda + i];
+        x->data[i] = y[i];
+    }
+    return GSL_SUCCESS;
+}
+
+/* V becomes the inverse of U, and below its diagonal that of L, in place: the
+ * columns of U from the first on, those of L from the last on. */
+static void invert_triangles(size_t n, double V[MOST][MOST])
+{
+    for (size_t j = 0; j < n; j++) {
+        V[j][j] = 1 / V[j][j];
+        for (size_t i = 0; i < j; i++) {
+            double sum = 0;
+            for (size_t k = i + 1; k < j; k++)
+                sum += V[k][j] * V[i][k];
+            V[i][j] = (sum + V[i][j] * V[i][i]) * -V[j][j];
+        }
+    }
+    for (size_t j = n; j-- > 0;)
+        for (size_t i = n; i-- > j + 1;) {
+            double sum = 0;
+            for (size_t k = j + 1; k < i; k++)
+                sum += V[k][j] * V[i][k];
+            V[i][j] = -(V[i][j] + sum);
+        }
+}
+
+/* U^(-1) L^(-1), its columns in the order that P says. */
+int gsl_linalg_LU_invert(const gsl_matrix *LU, const gsl_permutation *p,
+                         gsl_matrix *inverse)
+{
+    const size_t n = LU->size1;
+    double V[MOST][MOST];
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++)
+            V[i][j] = LU->data[i * LU->tda + j];
+    invert_triangles(n, V);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            double sum = 0; /* L has ones on its diagonal */
+            for (size_t k = GSL_MAX(i, j + 1); k < n; k++)
+                sum += V[i][k] * V[k][j];
+            inverse->data[i * inverse->tda + p->data[j]] =
+                i <= j ? V[i][j] + sum : sum;
+        }
+    return GSL_SUCCESS;
 }
 
 /* ---- the memory: the page sums directly, the fast ways stay outside ---- */
@@ -119,6 +223,11 @@ fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H)
 {
     (void)b, (void)term, (void)H;
+}
+
+void fvi_blocks_ahead(const fvi_blocks *b, double *sum)
+{
+    (void)b, (void)sum;
 }
 
 void fvi_blocks_free(fvi_blocks *b)
@@ -148,6 +257,11 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
 {
     (void)e, (void)term, (void)H;
+}
+
+void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
+{
+    (void)e, (void)sum;
 }
 
 void fvi_exponentials_free(fvi_exponentials *e)

@@ -1,9 +1,23 @@
 // chapters/play/model.js -- The state of the page, its link, and the C behind it.
 // Nothing here knows of a document: test_play.mjs runs the same lines in node.
 
+// What a method takes. kappa: it takes U at kappa x_k + (1 - kappa) x_{k+1}; half: it knows
+// alpha = 1/2 only; caputo: it knows nothing else; stages: of a step, and its weights are
+// those of velocities; bound: the equation that says when it is stable.
+const methods = {
+  "fvi": { kappa: true, bound: "(14.3)" },
+  "lda": { kappa: true, half: true, bound: "(14.3)" },
+  "euler-explicit": { half: true, bound: "(10.4)" },
+  "euler-implicit": { half: true, bound: "(10.4)" },
+  "fvi-shifted": { kappa: true, caputo: true, bound: "(13.14)" },
+  "fvi-bdf2": { kappa: true, caputo: true, bound: "(13.14)" },
+  "fvi-lobatto2": { caputo: true, stages: 2, bound: "(17.15)" },
+  "fvi-lobatto3": { caputo: true, stages: 3, bound: "(17.15)" },
+  "fvi-lobatto4": { caputo: true, stages: 4, bound: "(17.15)" },
+};
 // What a run is made of. Names, words and defaults are those of `build/fvi run`.
 const choices = {
-  method: ["fvi", "lda", "euler-explicit", "euler-implicit"],
+  method: Object.keys(methods),
   potential: ["harmonic", "duffing", "pendulum", "free"],
   force: ["none", "step", "cosine"],
   derivative: ["rl", "caputo"],
@@ -94,7 +108,7 @@ function take(state, name, text) {
 
 // What is known of alpha = 1/2 only says so, as the program does.
 function settle(state) {
-  if (state.method === "fvi" || state.alpha === 0.5) return "";
+  if (!methods[state.method].half || state.alpha === 0.5) return "";
   const wrong = `alpha: ${state.method} knows only 0.5, not ${state.alpha}`;
   state.alpha = 0.5;
   return wrong;
@@ -134,6 +148,9 @@ function words(state) {
   };
 }
 
+// What the run takes: some methods know only Caputo.
+const derivative = state => methods[state.method].caputo ? "caputo" : state.derivative;
+
 // What differs from the defaults, as a link and as a command.
 function changes(state) {
   const usual = words(defaults());
@@ -144,28 +161,71 @@ function link(state) {
 }
 function command(state) {
   return ["build/fvi run", ...changes(state).map(([name, value]) => `--${name} ${value}`),
-    "--memory direct"].join(" ");
+    ...methods[state.method].stages ? [] : ["--memory direct"]].join(" ");
+}
+
+// ---- what is known of a run ----
+
+const short = value => Number.isFinite(value) ? String(Number(value.toPrecision(5))) : String(value);
+
+// The weight of what was n steps ago falls like n to this power.
+const decay = ({ method, alpha }) => methods[method].stages ? -2 * alpha : -1 - 2 * alpha;
+
+// Is the step stable? { text, crossed, load, largest }, from the load and the largest step
+// that the C says; load is NaN where there is none.
+function stability(state, load, largest) {
+  const { method, potential, alpha, rho, h } = state, { half, kappa, stages, bound } = methods[method];
+  const linear = potential === "harmonic" || potential === "free";
+  const upTo = largest === 0 ? "no step is stable" : largest === Infinity ? "every step is stable"
+    : `stable up to h = ${short(largest)}`;
+  if (half && !kappa) { // Euler
+    const hh = potential === "harmonic" ? h * h * state.c : 0;
+    const areas = method === "euler-explicit" ? 1 - h * rho + hh : 1 / (1 + h * rho + hh);
+    const crossed = linear && Math.abs(areas) > 1, by = `a step multiplies areas by ${short(areas)}`;
+    return { crossed, load: NaN, largest, text: !linear
+      ? "stability: nothing is said here of Euler's methods and this U"
+      : `${crossed ? "unstable" : "stability"}: ${by}, by ${bound}` };
+  }
+  const local = !linear && (stages || state.kappa !== 0.5), where = local ? ", for small motions about x0" : "";
+  if (local && potential === "pendulum" && Math.cos(state.x0) < 0 && !(load > 1))
+    return { crossed: false, load: NaN, largest, text: "stability: nothing is said here, as U″ < 0 at x0" };
+  const spring = stages && rho > 0 && alpha < 0.5;
+  if (spring && stages > 2 && alpha > 0)
+    return { crossed: false, load: NaN, largest, text: `stability: no formula is known for ${stages} stages and `
+      + `0 < α < 1/2; without damping ${upTo}, by ${bound}${where}` };
+  const from = spring && stages === 2 ? "(17.16)" : bound, crossed = load > 1;
+  // With (17.15) damping may help; three and four stages are stable again beyond a gap.
+  const sure = !stages || (stages === 2 && (rho === 0 || alpha < 0.5 || alpha === 1));
+  const now = crossed ? `${sure ? "unstable" : "beyond the bound"}: load ${short(load)} is above 1`
+    : `stability: load ${short(Math.max(load, 0))} of 1`;
+  return { crossed, load, largest, text: `${now}; ${upTo}, by ${from}${where}` };
 }
 
 // ---- the C ----
 
-// The functions of play.c, from the bytes of the module.
-async function kernel(bytes) {
-  const { instance: { exports: c } } = await WebAssembly.instantiate(bytes, {});
+// The bytes of the module: deflated, then in base64.
+async function unpack(text) {
+  const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}
+
+// The functions of play.c.
+async function kernel(text) {
+  const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(text), {});
   const array = (which, length) => new Float64Array(c.memory.buffer, c.play_array(which), length);
   return {
     // Everything that the page shows of a state. The arrays are views: read them
     // before the next call.
-    run(state, exactPoints = 400) {
+    run(state, points = 400) {
+      const meant = { ...state, derivative: derivative(state) };
       new Float64Array(c.memory.buffer, c.play_input(), fields.length).set(fields.map(name =>
-        name in choices ? choices[name].indexOf(state[name]) : state[name]));
-      const rows = c.play_run(), every = Math.max(1, Math.ceil(state.steps / exactPoints));
-      const exact = c.play_exact(every), count = state.steps + 1;
-      const known = state.method === "fvi" || state.method === "lda";
+        name in choices ? choices[name].indexOf(meant[name]) : meant[name]));
+      const every = Math.ceil(state.steps / points), parts = Math.floor(Math.max(1, points / state.steps));
+      const rows = c.play_run(), exact = c.play_exact(every, parts), count = state.steps + 1;
       c.play_weights(count);
       return {
-        rows, every,
-        load: known ? c.play_load() : NaN, largest: known ? c.play_step() : NaN,
+        rows, every, parts, stability: stability(state, c.play_load(), c.play_step()),
         x: array(0, rows), p: array(1, rows), energy: array(2, rows), weights: array(3, count),
         exact: { t: array(4, exact), x: array(5, exact), v: array(6, exact) },
       };

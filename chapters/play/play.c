@@ -4,13 +4,17 @@
  * writes the numbers of a run to `input`, calls, and reads the arrays. Nothing
  * is imported: no file, no clock, no console. */
 #include "coefficients.h"
+#include "convolution_quadrature.h"
 #include "discrete_mechanics.h"
 #include "exact_solution.h"
 #include "fvi.h"
-#include "memory_kinds.h"
+#include "lobatto.h"
+#include "lobatto_memory.h"
 #include "stability.h"
 
 #include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
@@ -43,6 +47,29 @@ double *EXPORT(play_array)(int which)
 
 static const double mass = 1;
 
+/* The order is that of `choices.method` in model.js, and of `fvi methods`. */
+static const fvi_method *the_method(void)
+{
+    static const fvi_method *const methods[] = {
+        &fvi_fractional,     &fvi_lagrange_dalembert,
+        &fvi_euler_explicit, &fvi_euler_implicit,
+        &fvi_shifted,        &fvi_bdf2,
+        &fvi_lobatto2,       &fvi_lobatto3,
+        &fvi_lobatto4
+    };
+    return methods[(int)input.method];
+}
+
+/* 2, 3 or 4; 0 for a method without stages. */
+static size_t stages(void)
+{
+    const fvi_method *method = the_method();
+    return method == &fvi_lobatto2   ? 2
+           : method == &fvi_lobatto3 ? 3
+           : method == &fvi_lobatto4 ? 4
+                                     : 0;
+}
+
 static fvi_potential potential(void)
 {
     switch ((int)input.potential) {
@@ -57,10 +84,10 @@ static fvi_potential potential(void)
     }
 }
 
-static fvi_system the_system(void)
+static fvi_system the_system(const double *damping)
 {
     fvi_system s = {
-        .d = 1, .mass = &mass, .damping = &input.rho, .potential = potential()
+        .d = 1, .mass = &mass, .damping = damping, .potential = potential()
     };
     if (input.force == 1)
         s.force = fvi_force_step(&input.a); /* a, then b = T */
@@ -69,6 +96,7 @@ static fvi_system the_system(void)
     return s;
 }
 
+/* The sums of the stages are too many to be done anew for each frame. */
 static fvi_run the_run(const fvi_system *system)
 {
     return (fvi_run){ .system = system,
@@ -79,24 +107,20 @@ static fvi_run the_run(const fvi_system *system)
                       .kappa = input.kappa,
                       .alpha = input.alpha,
                       .caputo = input.caputo != 0,
-                      .memory = FVI_MEMORY_DIRECT };
+                      .memory =
+                          stages() ? FVI_MEMORY_AUTO : FVI_MEMORY_DIRECT };
 }
 
-/* ---- what the page calls ---- */
+/* ---- runs ---- */
 
 /* How many rows of x, p and energy there are: steps + 1, less if a value stopped
  * being finite or the equation of a step was not solved, 0 if refused. */
 int EXPORT(play_run)(void)
 {
-    static const fvi_method *const methods[] = { &fvi_fractional,
-                                                 &fvi_lagrange_dalembert,
-                                                 &fvi_euler_explicit,
-                                                 &fvi_euler_implicit };
-    const fvi_system system = the_system();
+    const fvi_system system = the_system(&input.rho);
     const fvi_run run = the_run(&system);
     fvi_stepper *s;
-    if (!(input.steps <= MOST_STEPS)
-        || fvi_start(methods[(int)input.method], &run, &s))
+    if (!(input.steps <= MOST_STEPS) || fvi_start(the_method(), &run, &s))
         return 0;
     int rows = 0, status;
     do {
@@ -109,9 +133,10 @@ int EXPORT(play_run)(void)
     return rows;
 }
 
-/* The exact solution at t_k, k = 0, every, 2 every, ... <= steps. Returns how
- * many times that is, or 0 if the problem has no exact solution here. */
-int EXPORT(play_exact)(int every)
+/* The exact solution at t_k, k = 0, every, 2 every, ... <= steps, or, if every is
+ * 1, at that many parts of each step. Returns how many times that is, or 0 if the
+ * problem has no exact solution here. */
+int EXPORT(play_exact)(int every, int parts)
 {
     const fvi_linear problem = { .m = mass,
                                  .c = input.potential == 0 ? input.c : 0,
@@ -127,31 +152,104 @@ int EXPORT(play_exact)(int every)
     if (input.potential == 1 || input.potential == 2)
         return 0;
     size_t n = 0;
-    for (int k = 0; k <= (int)input.steps; k += every)
-        exact_t[n++] = (double)k * input.h;
+    for (int k = 0; k <= (int)input.steps * parts; k += every)
+        exact_t[n++] = (double)k / parts * input.h;
     return fvi_exact(&problem, n, exact_t, exact_x, exact_v) ? 0 : (int)n;
 }
 
-/* weights[n], n < count: of the order 2 alpha of the damping. */
-int EXPORT(play_weights)(int count)
+/* ---- weights ---- */
+
+/* What a step of velocity 1 adds to the derivative at the end of the n-th step
+ * after it: the last row of W_n, summed. (17.9) */
+static int stage_weights(size_t s, size_t count)
 {
-    return fvi_coefficients(2 * input.alpha, (size_t)count, weights);
+    double v[FVI_STAGES] = { 1, 1, 1, 1 }, H[FVI_STAGES];
+    fvi_lobatto_memory *m;
+    int status = fvi_lobatto_memory_alloc(s, 2 * input.alpha - 1, 1, count,
+                                          FVI_MEMORY_EXPONENTIALS, 0, &m);
+    if (status)
+        return status;
+    const double *last = fvi_lobatto_memory_now(m) + s * (s - 1);
+    weights[0] = 0;
+    for (size_t i = 0; i < s; i++)
+        weights[0] += last[i];
+    for (size_t n = 1; n < count; n++) {
+        fvi_lobatto_memory_push(m, v, H);
+        weights[n] = H[s - 1];
+        memset(v, 0, sizeof v);
+    }
+    fvi_lobatto_memory_free(m);
+    return GSL_SUCCESS;
 }
 
-/* (14.3); above 1 the run must blow up. -1 if it cannot be said. */
+/* weights[n], n < count: those of x_{k-n}, of the order 2 alpha of the damping; of
+ * stages, those of the velocities. */
+int EXPORT(play_weights)(int count)
+{
+    if (stages())
+        return stage_weights(stages(), (size_t)count);
+    return fvi_quadrature_weights(
+        the_method() == &fvi_bdf2 ? FVI_QUADRATURE_BDF2 : FVI_QUADRATURE_EULER,
+        2 * input.alpha, (size_t)count, weights);
+}
+
+/* ---- stability ---- */
+
+/* The damping whose load by (14.3) is that of the method: see (13.14). */
+static double comparable_damping(void)
+{
+    return input.rho
+           * (the_method() == &fvi_bdf2      ? pow(4, input.alpha)
+              : the_method() == &fvi_shifted ? fmax(0, 1 - 2 * input.alpha)
+                                             : 1);
+}
+
+/* The same for s stages: (17.15), with what acts as a spring in (17.16). For
+ * s > 2 and 0 < alpha < 1/2 that is not known, and left out. */
+static double load_of_stages(size_t s, double h)
+{
+    const double bound[] = { 4, 8, 42 - 6 * sqrt(29) }, alpha = input.alpha;
+    const fvi_potential u = potential();
+    double stiffness = 0, share = 0;
+    if (u.hessian)
+        u.hessian(1, &input.x0, u.params, &stiffness);
+    if (alpha == 0 || (s == 2 && alpha < 0.5))
+        share =
+            pow(2, 2 * alpha + 1) / sqrt(3) * sin((1 - 2 * alpha) * M_PI / 3);
+    const double inertia = mass + (alpha == 1 ? input.rho : 0); /* (17.17) */
+    return (h * h * stiffness / inertia
+            + share * pow(h, 2 - 2 * alpha) * input.rho / mass)
+           / bound[s - 2];
+}
+
+/* Above 1 the run must blow up, or, of stages, may: see model.js. -1 if it cannot
+ * be said. */
 double EXPORT(play_load)(void)
 {
-    const fvi_system system = the_system();
+    const double damping = comparable_damping();
+    const fvi_system system = the_system(&damping);
     const fvi_run run = the_run(&system);
     double load;
+    if (stages())
+        return load_of_stages(stages(), input.h);
     return fvi_stability_load(&run, &load) ? -1 : load;
 }
 
-/* (14.4), the largest stable step: 0 if none is, infinity if all are. */
+/* The h of load 1, the largest stable step: 0 if none is, infinity if all are. */
 double EXPORT(play_step)(void)
 {
-    const fvi_system system = the_system();
+    const double damping = comparable_damping();
+    const fvi_system system = the_system(&damping);
     const fvi_run run = the_run(&system);
-    double h;
-    return fvi_stability_step(&run, &h) ? -1 : h;
+    double h, low = -50, high = 50; /* of log2 h */
+    if (!stages())
+        return fvi_stability_step(&run, &h) ? -1 : h;
+    for (int i = 0; i < 60; i++) {
+        const double middle = (low + high) / 2;
+        if (load_of_stages(stages(), exp2(middle)) <= 1)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high == 50 ? INFINITY : exp2(low);
 }

@@ -19,30 +19,23 @@ function say(lines) {
   element("message").hidden = lines.length === 0;
 }
 
-const short = value => Number.isFinite(value) ? String(Number(value.toPrecision(5))) : String(value);
-
-function sayLoad() {
-  const { load, largest } = result, crossed = load > 1;
-  let text = "stability: the bound of chapter 14 is for fvi and lda";
-  if (load >= 0) {
-    text = crossed ? `unstable: load ${short(load)} is above 1` : `stability: load ${short(load)} of 1`;
-    text += largest === 0 ? "; no step is stable"
-      : largest === Infinity ? "; every step is stable" : `; stable up to h = ${short(largest)}`;
-  }
+function sayStability() {
+  const { text, crossed, load } = result.stability;
   element("load").classList.toggle("crossed", crossed);
+  element("load-track").style.visibility = load >= 0 || load < 0 ? "" : "hidden";
   element("load-bar").style.width = `${100 * Math.min(Math.max(load, 0) || 0, 1)}%`;
   if (element("load-text").textContent !== text) element("load-text").textContent = text;
 }
 
 // Why there is no exact solution, or how far the run is from it.
 function compare() {
-  const { exact, every, x, rows } = result;
+  const { exact, every, parts, x, rows } = result;
   if (exact.x.length === 0)
     return "duffing pendulum".includes(state.potential) ? "no exact solution: U is not quadratic"
       : "no exact solution: with Riemann-Liouville, α > 1/2 and x0 ≠ 0 there is none";
   let worst = 0;
-  for (let i = 0; i * every < rows && i < exact.x.length; i++)
-    worst = Math.max(worst, Math.abs(x[i * every] - exact.x[i]));
+  for (let i = 0; i * every < rows && i * parts < exact.x.length; i++)
+    worst = Math.max(worst, Math.abs(x[i * every] - exact.x[i * parts]));
   return `largest error ${Number(worst.toPrecision(2))}`;
 }
 
@@ -66,11 +59,13 @@ function sayMoment() {
 
 // The past of step k, each x_j with a dot as large as its weight: area by power 2/3.
 function drawPast(at, times) {
-  const k = moment(), { x, weights } = result, damped = state.method === "fvi" && state.rho > 0;
+  const k = moment(), { x, weights } = result, damped = !methods[state.method].half && state.rho > 0;
   for (let n = damped ? k : 0; n > 0; n--) {
     const radius = 7 * Math.cbrt(Math.abs(weights[n]));
     if (radius > 0.3) at.dot(times[k - n], x[k - n], "past", radius);
   }
+  if (x.length < 100) // long steps: where they end
+    for (let j = 0; j < x.length; j++) at.dot(times[j], x[j], "run", 2.2);
   at.dot(times[k], x[k], "run", 5);
   at.dot(times[k], x[k], "ink", 7, true);
 }
@@ -96,21 +91,28 @@ function drawMotion() {
 }
 
 function drawWeights() {
-  const { weights } = result, last = state.steps, marks = [], order = 2 * state.alpha;
+  const { weights } = result, last = state.steps, marks = [], power = decay(state);
+  const least = methods[state.method].stages ? 1e-13 : 1e-300; // what a memory keeps of stages
   for (let n = 1; n <= last; n = Math.max(n + 1, Math.floor(n * 1.12))) {
     const size = Math.abs(weights[n]);
-    if (size > 1e-300) marks.push([n, size, weights[n] < 0]);
+    if (size > least) marks.push([n, size, weights[n] < 0]);
   }
   const sizes = marks.map(mark => mark[1]), low = Math.min(0.1, ...sizes), high = Math.max(1, ...sizes);
   const at = picture(element("weights"), { x: [0.9, 1.2 * last], y: [low / 2, 2 * high], log: true,
     names: ["n steps ago", "weight"] });
   if (marks.length > 3) { // the predicted decay, through the last mark
     const [n, size] = marks.at(-1);
-    at.curve([1, n], [size * n ** (1 + order), size], "exact", [2, 3], 1.2);
+    at.curve([1, n], [size * n ** -power, size], "exact", [2, 3], 1.2);
+  } else {
+    at.note("the others are zero: no memory is left");
   }
+  element("falls").hidden = marks.length <= 3;
   for (const [n, size, negative] of marks) at.dot(n, size, negative ? "negative" : "positive", 3.2, negative);
-  element("weights").setAttribute("aria-label", `The weights of the past for order ${short(order)}: `
-    + (marks.length > 3 ? `they decay like n to the ${short(-1 - order)}` : "only the last steps count"));
+  element("power").textContent = short(power).replace("-", "\u2212");
+  element("of-what").textContent = methods[state.method].stages ? "velocities" : "positions";
+  element("weights").setAttribute("aria-label", `The weights of past `
+    + `${element("of-what").textContent} for order ${short(2 * state.alpha)}: `
+    + (marks.length > 3 ? `they decay like n to the ${short(power)}` : "the others are zero"));
 }
 
 function draw() {
@@ -119,7 +121,7 @@ function draw() {
   readColours();
   result = fvi.run(state);
   if (result.rows === 0) return say(["The library refuses this run"]);
-  sayLoad();
+  sayStability();
   sayMoment();
   drawMotion();
   drawWeights();
@@ -176,6 +178,7 @@ function change() {
 // The controls say what the state is; what does not matter is not there.
 function show() {
   const asked = [...parameters[state.potential], ...parameters[state.force]];
+  const { half, kappa, caputo } = methods[state.method];
   for (const name in ranges) {
     const slider = element(`${name}-slider`), field = element(name), values = stops(name);
     let nearest = 0;
@@ -190,12 +193,19 @@ function show() {
       field.setAttribute("aria-invalid", false);
     }
     const row = slider.parentNode, frequency = name === "b" && state.force === "cosine";
-    row.querySelector("span").textContent = frequency ? "frequency W" : notes[name];
+    const unused = name === "alpha" && half ? `${state.method} knows only 1/2`
+      : name === "kappa" && !kappa ? `not used by ${state.method}` : "";
+    row.querySelector("span").textContent = unused || (frequency ? "frequency W" : notes[name]);
     row.hidden = "cgab".includes(name) && !asked.includes(name);
-    if (name === "alpha") slider.disabled = field.disabled = state.method !== "fvi";
+    slider.disabled = field.disabled = Boolean(unused);
   }
-  for (const name in choices) element(name).value = state[name];
-  element("command").textContent = command(state);
+  for (const name in choices) element(name).value = name === "derivative" ? derivative(state) : state[name];
+  element("derivative").disabled = Boolean(half || caputo);
+  element("command").replaceChildren(...command(state).split(/ (?=--)/).flatMap(words => {
+    const option = document.createElement("span"); // is not broken over two lines
+    option.textContent = words;
+    return [option, " "];
+  }));
 }
 
 function build() {
@@ -242,7 +252,7 @@ function read() {
 }
 
 async function begin() {
-  fvi = await kernel(Uint8Array.from(atob(wasm), letter => letter.charCodeAt(0)));
+  fvi = await kernel(wasm);
   build();
   read();
 }

@@ -87,6 +87,11 @@ function picture(canvas, axes) {
   pen.textAlign = "left";
   pen.fillText(axes.names[1], 4, top - 2);
 
+  const note = text => {
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    pen.fillText(text, (left + right) / 2, (top + bottom) / 2);
+  };
   const inside = draw => (...what) => {
     pen.save();
     pen.beginPath();
@@ -96,6 +101,7 @@ function picture(canvas, axes) {
     pen.restore();
   };
   return {
+    note,
     // Where a pixel is on the axis x: 0 at its left end, 1 at its right.
     fraction: pixel => (pixel - left) / (right - left),
     curve: inside((x, y, name, dash = [], thickness = 1.8) => {

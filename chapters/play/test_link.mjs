@@ -1,0 +1,113 @@
+// chapters/play/test_link.mjs -- Links, sliders, and the page as a file.
+import { readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import assert from "node:assert/strict";
+import { asked, fvi, meant, model, page, test, wasm } from "./program.mjs";
+
+const { methods, choices, ranges, defaults, stops, fault, parse, link, command, unpack } = model;
+const source = name => readFileSync(fileURLToPath(new URL(name, import.meta.url)), "utf8");
+
+await test("the methods are those of the program, in its order", () => {
+  const names = asked(["methods"]).stdout.trim().split("\n").map(line => line.split("\t")[0]);
+  assert.deepEqual(choices.method, names);
+});
+
+await test("alpha = 1/2 is kept for those methods only that know no other", () => {
+  for (const method of choices.method) {
+    const { said } = asked(["run", "--method", method, "--alpha", "0.25", "--steps", "1"]);
+    assert.equal(Boolean(methods[method].half), said.includes("all that"), method);
+    const { state, wrong } = parse(`#method=${method}&alpha=0.25`);
+    assert.equal(state.alpha, methods[method].half ? 0.5 : 0.25, method);
+    assert.equal(wrong.length, methods[method].half ? 1 : 0, method);
+  }
+});
+
+await test("kappa and the derivative matter to those methods that show them", () => {
+  for (const method of choices.method) {
+    const { half, kappa, caputo } = methods[method];
+    const start = `#method=${method}&potential=duffing:1,1${half ? "" : "&alpha=0.3"}`;
+    const ends = rest => { const { x, p } = fvi.run(meant(start + rest)); return [x.at(-1), p.at(-1)]; };
+    const differ = (a, b) => ends(a).some((value, i) => value !== ends(b)[i]);
+    assert.equal(differ("", "&kappa=0.3"), Boolean(kappa), method);
+    assert.equal(differ("", "&derivative=caputo"), !half && !caputo, method);
+  }
+});
+
+await test("a link is the state, whatever it is", () => {
+  assert.equal(link(defaults()), "#");
+  const pick = values => values[Math.floor(random() * values.length)];
+  let seed = 1;
+  const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
+  for (let i = 0; i < 500; i++) {
+    const state = defaults();
+    for (const name in choices) state[name] = pick(choices[name]);
+    for (const name in ranges) state[name] = pick(stops(name));
+    if (methods[state.method].half) state.alpha = 0.5;
+    const again = meant(link(state));
+    assert.equal(link(again), link(state));
+    assert.equal(command(again), command(state));
+    assert.ok(fvi.run({ ...state, steps: 10 }).rows > 0);
+  }
+});
+
+await test("the links of the page and of the chapters are understood, and run", () => {
+  const folder = fileURLToPath(new URL("..", import.meta.url)), links = [];
+  for (const [, hash] of page.matchAll(/href="(#[^"]*)"/g)) links.push(["page.html", hash.replaceAll("&amp;", "&")]);
+  const inPage = links.length;
+  for (const name of readdirSync(folder).filter(name => name.endsWith(".md")))
+    for (const [, hash] of readFileSync(folder + name, "utf8").matchAll(/play\/index\.html(#[^)\s>]*)/g))
+      links.push([name, hash]);
+  assert.ok(inPage >= 8 && links.length - inPage >= 14, `only ${links.length}`);
+  for (const [name, hash] of links) {
+    const state = meant(hash), { rows, stability } = fvi.run(state);
+    assert.ok(rows === state.steps + 1 || stability.crossed, `${name}: ${hash} ends after ${rows} rows`);
+  }
+  console.log(`  ${links.length} links`);
+});
+
+await test("a slider cannot stand outside its range", () => {
+  for (const name in ranges) {
+    const values = stops(name), [least, most, usual] = ranges[name];
+    values.forEach((value, i) => assert.ok(fault(name, value) === "" && (i === 0 || value > values[i - 1])));
+    assert.deepEqual([values[0], values.at(-1)], [least, most], name);
+    assert.ok(values.includes(usual), name);
+  }
+});
+
+await test("nonsense in a link is named, and has its default", () => {
+  const cases = [
+    ["alpha=1.5", "alpha: '1.5' is outside [0, 1]"], ["alpha=", "alpha: '' is not a finite number"],
+    ["alpha=0,5", "alpha: '0,5' is not a finite number"], ["alpha=NaN", "'NaN' is not a finite number"],
+    ["rho=-1", "outside [0, 4]"], ["h=0", "outside [0.001, 3]"], ["h=1e999", "'1e999' is not a finite"],
+    ["h=Infinity", "is not a finite"], ["h=0x10", "is not a finite"], ["steps=20.5", "is not a whole number"],
+    ["steps=1e9", "outside [10, 4000]"], ["colour=red", "colour: there is no such parameter"],
+    ["c=2", "c: there is no such parameter"], ["method=magic", "'magic' is none of fvi"],
+    ["potential=harmonic", "has 0 numbers, not 1"], ["potential=duffing:1", "has 1 numbers, not 2"],
+    ["potential=harmonic:x", "'x' is not"], ["potential=free:1", "has 1 numbers, not 0"],
+    ["force=step:99,1", "a: '99' is outside"], ["force=step:1,-1", "b: '-1' is outside"],
+    ["method=lda&alpha=0.25", "lda knows only 0.5"], ["rho=1&rho=2", "given twice"],
+    ["alpha", "is not name=value"], ["=1", "is not name=value"], ["alpha=%", "is not a link's text"],
+    ["__proto__=1", "no such parameter"], ["toString=1", "no such parameter"],
+    ["derivative=constructor", "is none of"], ["<img onerror=x>", "no such parameter"],
+  ];
+  for (const [hash, complaint] of cases) {
+    const { state, wrong } = parse("#" + hash);
+    assert.ok(wrong.length === 1 && wrong[0].includes(complaint), `${hash}: ${wrong}`);
+    if (!hash.startsWith("rho=1")) assert.equal(link(state).replace("method=lda", ""), "#", hash);
+  }
+  const { state, wrong } = parse("#alpha=7&rho=1.5&nonsense&&h=0.02");
+  assert.equal(wrong.length, 2);
+  assert.equal(link(state), "#rho=1.5&h=0.02");
+});
+
+// ---- the file ----
+
+await test("the page is one file, up to date, that asks nobody for anything", async () => {
+  assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(await unpack(wasm))), []);
+  let want = source("page.html").replace("{wasm}", () => wasm);
+  for (const name of ["model.js", "plot.js", "play.js"])
+    want = want.replace(`{${name}}`, () => source(name).trim());
+  assert.equal(page, want, "chapters/play/index.html is older than its parts: make play");
+  assert.doesNotMatch(page.replace(wasm, ""), /https?:|\bsrc=|\bimport\b|@import|url\(|fetch\(/);
+  assert.ok(page.length < 80e3);
+});
