@@ -66,11 +66,12 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 
 text: | tools ## compare code and numbers in the chapters with their sources; follow every link
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py --check
-	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/quoted.py
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/quoted.py --check
 	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/links.py
 
-excerpts: | tools ## rewrite the code quoted in the chapters from its source
+excerpts: | tools ## rewrite code and numbers quoted in the chapters from their sources
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/excerpts.py
+	@PYTHONDONTWRITEBYTECODE=1 $(PYTHON) verify/quoted.py
 
 book: text | tools ## the chapters as one HTML page, build/book/index.html (pandoc, KaTeX)
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) chapters/book/build.py $B/book

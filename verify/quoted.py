@@ -1,7 +1,8 @@
 """Hold the numbers in the prose to the files that they come from.
 
-    quoted.py                   check README.md and the chapters (part of make text)
-    quoted.py --gather FILE...  what tests saw into tests/seen.tsv (make seen)
+    quoted.py                   write the digits of today    (part of make excerpts)
+    quoted.py --check           say what differs, exit 1     (part of make text)
+    quoted.py --gather FILE...  what tests saw into tests/seen.tsv    (make seen)
 
 Below a paragraph, a list or a table stands an invisible note, a line for each place:
     <!-- from
@@ -105,37 +106,67 @@ def same(number, value):
     return abs(float(number[0]) - value) <= 0.5000001 * place
 
 
+def amended(text, numbers, i, value):
+    """The text with as many digits of value in the place of number i."""
+    digits, fraction, exponent = numbers[i].groups()
+    sign = "+" if digits.startswith("+") else ""
+    new = f"{value / 10.0 ** int(exponent or 0):{sign}.{len(fraction or '')}f}"
+    nth = sum(number[1] == digits for number in numbers[:i])
+    place = list(re.finditer(rf"(?<![\w.]){re.escape(digits)}(?!\w|\.\d)", text))[nth]
+    return text[:place.start()] + new + text[place.end():]
+
+
 def faults_of_line(text, relation, keys, block, seen):
+    """What is wrong with a line of a note, and how the text should be, if that is known."""
     if plain(text) not in plain(block):
-        yield f"'{text}' is not in the text above"
+        yield f"'{text}' is not in the text above", None
         return
     numbers = list(NUMBER.finditer(plain(text)))
     if len(numbers) != len(keys):
-        yield f"'{text}' has {len(numbers)} numbers for {len(keys)} values"
+        yield f"'{text}' has {len(numbers)} numbers for {len(keys)} values", None
         return
-    for number, key in zip(numbers, keys):
+    for i, (number, key) in enumerate(zip(numbers, keys)):
         value = value_of(key, seen)
         holds = {"=": same(number, value), "<": float(number[0]) < value, ">": float(number[0]) > value}
         if not holds[relation]:
-            yield f"'{number[0]} {relation} {key}' does not hold: that is {value:.6g}"
+            yield (f"'{number[0]} {relation} {key}' does not hold: that is {value:.6g}",
+                   amended(text, numbers, i, value) if relation == "=" else None)
 
 
-def faults_of(page, seen):
-    text = page.read_text()
+def faults_of(text, seen):
+    """(line, fault, where its note is, the words, how they should be) of a page."""
     for note in NOTE.finditer(text):
         start = text.count("\n", 0, note.start()) + 2
         above = [block for block in re.split(r"\n\s*\n", text[:note.start()]) if block.strip()]
-        before = ""
+        before = left = ""
         for number, line in enumerate(note[1].splitlines(), start):
             try:
                 left, relation, right = LINE.fullmatch(line.strip()).groups()
                 keys, before = in_full(right, before)
-                for fault in faults_of_line(left, relation, keys, above[-1], seen):
-                    yield f"{page}:{number}: {fault}"
+                for fault, better in faults_of_line(left, relation, keys, above[-1], seen):
+                    yield number, fault, note, left, better
             except AttributeError:
-                yield f"{page}:{number}: not a line of a note: {line}"
+                yield number, f"not a line of a note: {line}", note, left, None
             except ValueError as error:
-                yield f"{page}:{number}: {error}"
+                yield number, error, note, left, None
+
+
+def rewrite(page, seen):
+    """Put right what can be put right, one number after the other, and say so."""
+    text = page.read_text()
+    for _ in range(text.count(" = ")):
+        fault = next((fault for fault in faults_of(text, seen) if fault[4]), None)
+        if not fault:
+            break
+        number, what, note, left, better = fault
+        print(f"{page}:{number}: {what}; now: {better}")
+        words = re.compile(r"\s+".join(map(re.escape, left.split())))
+        place = list(words.finditer(text, 0, note.start()))[-1]
+        gaps = re.findall(r"\s+", place[0]) + [""]   # the words may go over two lines
+        new = "".join(word + gap for word, gap in zip(better.split(), gaps))
+        text = (text[:place.start()] + new + text[place.end():note.start()]
+                + note[0].replace(f"{left} = ", f"{better} = ", 1) + text[note.end():])
+    page.write_text(text)
 
 
 def main():
@@ -143,7 +174,10 @@ def main():
         return gather([pathlib.Path(name) for name in sys.argv[2:]])
     seen = {name: (least, float(largest)) for name, least, largest in read(SEEN)}
     pages = [pathlib.Path("README.md"), *sorted(pathlib.Path("chapters").glob("**/*.md"))]
-    sys.exit("\n".join(fault for page in pages for fault in faults_of(page, seen)) or 0)
+    for page in pages if sys.argv[1:] != ["--check"] else []:
+        rewrite(page, seen)
+    sys.exit("\n".join(f"{page}:{fault[0]}: {fault[1]}" for page in pages
+                       for fault in faults_of(page.read_text(), seen)) or 0)
 
 
 main()
