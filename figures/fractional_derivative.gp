@@ -20,7 +20,7 @@ do for [i=1:6] { # one number of block 2 at a time
 
 set multiplot layout 1,2 margins 0.065,0.985,0.13,0.91 spacing 0.1
 
-set title "D_−^α sin t, begun at t = 0"
+set title "D^{α} sin t, begun at t = 0"
 set xlabel "t"
 set xrange [0:4*pi]
 set yrange [-1.15:1.75]
@@ -32,9 +32,9 @@ plot for [i=1:5] dat index 0 using 1:(column(1+i)) with lines ls i \
          title "α = ".name(i), \
      '' index 0 using 1:7 with lines ls 8 dt (1,3) title "sin(t + π/4)"
 
-set title "Error of Δ_−^α f(t) at t = 1: slope 1"
+set title "Error of Δ^{α} f(t) at t = 1: slope 1"
 set xlabel "h"
-set ylabel "|Δ_−^α f − D_−^α f|" offset 1.2,0
+set ylabel "|Δ^{α} f − D^{α} f|" offset 1.2,0
 set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
