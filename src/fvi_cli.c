@@ -1,4 +1,5 @@
 /* src/fvi_cli.c -- The program build/fvi. */
+#define _GNU_SOURCE
 #include "coefficients.h"
 #include "exact_solution.h"
 #include "fvi_commands.h"
@@ -7,6 +8,7 @@
 #include "fvi_usage.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,8 +24,10 @@ int fvi_complain(const char *what)
 
 int fvi_cannot_write(const char *name)
 {
+    const int why = errno;
+    fvi_progress_clear();
     fprintf(stderr, "fvi: cannot write %s: %s\n",
-            name ? name : "standard output", strerror(errno));
+            name ? name : "standard output", strerror(why));
     return 1;
 }
 
@@ -33,35 +37,57 @@ int fvi_stopped_at(size_t step, int status)
         status == GSL_EMAXITER  ? "Newton's method did not converge"
         : status == GSL_ESING   ? "the equation of the step is singular"
         : status == GSL_EOVRFLW ? "a value is no longer finite"
+        : status == GSL_EDOM    ? "a number is out of range"
                                 : gsl_strerror(status);
+    fvi_progress_clear();
     fprintf(stderr, "fvi: step %zu: %s\n", step, what);
     return 1;
 }
 
 /* ---- commands ---- */
 
-/* The rows of the exact solution, a batch at a time: each batch costs one
- * search for the poles. Returns 0, or 1 after it has said what is wrong. */
+/* The rows of the steps in a batch, at most BATCH: each call of fvi_exact costs one
+ * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
+ * has said what is wrong. */
+enum { BATCH = 512 };
+static int exact_batch(const fvi_table *t, const fvi_linear *problem,
+                       size_t count, const size_t *step)
+{
+    double time[BATCH], x[BATCH], v[BATCH];
+    size_t n = 0; /* times that are finite */
+    for (size_t i = 0; i < count; i++) {
+        time[i] = (double)step[i] * t->o->h;
+        n += isfinite(time[i]) != 0;
+        x[i] = v[i] = NAN;
+    }
+    int status = n > 0 ? fvi_exact(problem, n, time, x, v) : GSL_SUCCESS;
+    fvi_progress_clear(); /* the rows may go to the same terminal */
+    for (size_t i = 0; i < count; i++) {
+        double p = problem->m * v[i];
+        if (isnan(x[i]))
+            return fvi_stopped_at(step[i], status ? status : GSL_EOVRFLW);
+        int finite = fvi_table_take(t, step[i], &x[i], &p);
+        if (finite != GSL_SUCCESS)
+            return fvi_stopped_at(step[i], finite);
+    }
+    fvi_progress(step[count - 1], t->o->steps);
+    return 0;
+}
+
 static int exact_rows(const fvi_table *t, const fvi_linear *problem)
 {
-    enum { BATCH = 512 };
-    double time[BATCH], x[BATCH], v[BATCH];
-    size_t step[BATCH], count = 0;
-    for (size_t k = 0; k <= t->o->steps && !ferror(t->out); k++) {
-        if (fvi_table_wants(t, k)) {
-            step[count] = k;
-            time[count++] = (double)k * t->o->h;
-        }
-        if (count < BATCH && k < t->o->steps)
+    size_t step[BATCH], count = 1;
+    step[0] = 0;
+    while (count > 0 && !ferror(t->out)) {
+        size_t last = step[count - 1];
+        if (count < BATCH && last < t->o->steps) {
+            step[count++] = fvi_table_next(t, last);
             continue;
-        int status = fvi_exact(problem, count, time, x, v);
-        for (size_t i = 0; i < count; i++) {
-            double p = problem->m * v[i];
-            if (status && !(isfinite(x[i]) && isfinite(p)))
-                return fvi_stopped_at(step[i], status);
-            fvi_table_take(t, step[i], &x[i], &p);
         }
-        count = 0;
+        if (exact_batch(t, problem, count, step))
+            return 1;
+        step[0] = last < t->o->steps ? fvi_table_next(t, last) : last;
+        count = last < t->o->steps;
     }
     return 0;
 }
@@ -161,6 +187,9 @@ int main(int argc, char **argv)
 {
     fvi_options o;
     char complaint[400];
+    for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
+            return 1;
     gsl_set_error_handler_off(); /* the default handler aborts */
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {

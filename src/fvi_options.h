@@ -30,11 +30,11 @@ typedef struct {
     int caputo;
     fvi_memory_kind memory;
     char columns[FVI_MAX_COLUMNS
-                 + 1];  /* first letters of the columns, in order */
-    double *x0, *p0;    /* d numbers each, one block; fvi_options_free */
-    const char *output; /* points into argv, or NULL for standard output */
-    const char
-        *text[32]; /* each option as it was given or by default, by index */
+                 + 1];    /* first letters of the columns, in order */
+    double *x0, *p0;      /* d numbers each, one block; fvi_options_free */
+    const char *output;   /* points into argv, or NULL for standard output */
+    const char *text[32]; /* each as it was given or by default, by index */
+    char step[32];        /* the text of a step that follows from --time */
 } fvi_options;
 
 /* fvi_options_parse -- understand argv, or say what is wrong with it.

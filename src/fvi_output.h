@@ -9,8 +9,9 @@
  *   name  a file's name, or NULL for standard output
  *
  * An ordinary file is written under a temporary name beside it and takes its
- * name in fvi_output_close; a signal that ends the program removes it. What is
- * no ordinary file (a pipe, a device) is written to directly.
+ * name in fvi_output_close; a signal that ends the program removes it. It has the
+ * permissions of the file that it replaces and, where that is allowed, its owner. What is no ordinary file (a pipe, a
+ * device) is written to directly; a link that leads nowhere is refused.
  * Returns the stream, or NULL with errno set. One output at a time. */
 FILE *fvi_output_open(const char *name);
 
@@ -19,7 +20,8 @@ FILE *fvi_output_open(const char *name);
 int fvi_output_close(FILE *stream, int keep);
 
 /* fvi_progress -- at step k of `steps`: after the first second a line on standard
- * error, if that is a terminal; the call with k == steps clears it. */
+ * error, if that is a terminal. fvi_progress_clear takes it away again. */
 void fvi_progress(size_t k, size_t steps);
+void fvi_progress_clear(void);
 
 #endif

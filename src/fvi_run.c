@@ -15,15 +15,18 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* Why a run could not begin. What the parser let through is not out of range:
- * GSL_EINVAL is then a number of steps that no memory is made for. */
+/* Why a run could not begin. What the parser let through is in range: GSL_EINVAL
+ * is then a number of steps that no memory is made for, GSL_EDOM an m / h. */
 static int complain_of_start(int status)
 {
-    return fvi_complain(status == GSL_ENOMEM ? "not enough memory"
-                        : status == GSL_EINVAL
-                            ? "--steps: the compressed memory "
-                              "reaches back 10^9 steps at most"
-                            : gsl_strerror(status));
+    if (status == GSL_ESING)
+        return fvi_stopped_at(1, status);
+    return fvi_complain(
+        status == GSL_ENOMEM ? "not enough memory"
+        : status == GSL_EINVAL
+            ? "--steps: the compressed memory reaches back 10^9 steps at most"
+        : status == GSL_EDOM ? "--h: mass / h is not a finite number"
+                             : gsl_strerror(status));
 }
 
 /* Room for the rows that are kept; NULL if what is surely asked for is more
@@ -40,27 +43,30 @@ static double *room(const fvi_table *t)
     return fvi_table_room(t, bytes);
 }
 
+/* Returns 0, or 1 after it has said at which step the run ended. */
 static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
-    const size_t steps = t->o->steps, every = t->o->every;
-    size_t next = every; /* the next row; asking at each step would divide */
-    int status = GSL_SUCCESS;
-    fvi_table_take(t, 0, s->x, s->p);
-    while (s->k < steps && !status) {
+    const size_t steps = t->o->steps, d = t->o->d;
+    const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
+    size_t next = fvi_table_next(t, 0);
+    int status = fvi_table_take(t, 0, s->x, s->p);
+    if (status)
+        return fvi_stopped_at(0, status);
+    while (s->k < steps && !ferror(t->out)) {
         status = fvi_step(s);
-        if (status || s->k == steps)
-            fvi_progress(steps, steps); /* clear the line before the last row */
-        if (!status && (t->wait || s->k == next || s->k == steps)) {
-            fvi_table_take(t, s->k, s->x, s->p);
-            next = s->k + every;
-        }
-        if (s->k % 1024 == 0) {
+        if (status)
+            return fvi_stopped_at(s->k + 1, status);
+        if (s->k % often == 0)
             fvi_progress(s->k, steps);
-            if (ferror(t->out))
-                break;
-        }
+        if (s->k != next)
+            continue;
+        fvi_progress_clear(); /* the rows may go to the same terminal */
+        status = fvi_table_take(t, next, s->x, s->p);
+        if (status)
+            return fvi_stopped_at(next, status);
+        next = next < steps ? fvi_table_next(t, next) : steps;
     }
-    return status;
+    return 0;
 }
 
 /* A warning before a run that must blow up; it goes on all the same. The load of
@@ -125,8 +131,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
         warn_if_unstable(o, &r);
         fvi_table_head(t.out, o);
         fvi_table_names(&t);
-        status = steps_and_rows(&t, s);
-        failed = status ? fvi_stopped_at(s->k + 1, status) : 0;
+        failed = steps_and_rows(&t, s);
         if (!failed)
             fvi_table_finish(&t);
         if (fvi_output_close(t.out, !failed) != 0)
@@ -180,13 +185,20 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
                 o->h / (double)found->parts, found->estimate);
         fvi_table_names(&t);
-        for (size_t k = 0; k <= o->steps && !ferror(t.out); k++)
-            fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
-        fvi_table_finish(&t);
-        failed = fvi_output_close(t.out, 1) != 0;
+        int status = 0;
+        size_t k = 0;
+        for (; k <= o->steps && !status && !ferror(t.out); k++)
+            status = fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
+        failed = status ? fvi_stopped_at(k - 1, status) : 0;
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = fvi_cannot_write(o->output);
+    } else {
+        fvi_cannot_write(o->output);
     }
     free(t.rows);
-    return failed ? fvi_cannot_write(o->output) : 0;
+    return failed;
 }
 
 int fvi_command_error(const fvi_options *o, const fvi_system *system)

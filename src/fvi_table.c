@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* _SC_PHYS_PAGES */
 #include "fvi_table.h"
 
+#include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -37,7 +38,7 @@ void fvi_table_names(const fvi_table *t)
         size_t width = column_width(t->o, *c);
         for (size_t i = 1; i <= width; i++, separator = "\t") {
             fprintf(t->out, "%s%s", separator, column_name(*c));
-            if (t->o->d > 1 && width > 1)
+            if (t->o->potential == 'c' && *c != 't' && *c != 'e')
                 fprintf(t->out, "%zu", i);
         }
     }
@@ -80,10 +81,13 @@ double *fvi_table_room(const fvi_table *t, double bytes)
                : NULL;
 }
 
-int fvi_table_wants(const fvi_table *t, size_t k)
+size_t fvi_table_next(const fvi_table *t, size_t k)
 {
-    return is_printed(t->o, k)
-           || (t->wait && is_printed(t->o, t->o->steps - k));
+    const size_t N = t->o->steps, every = t->o->every;
+    size_t step = every - k % every;
+    if (t->wait && 1 + (N - k - 1) % every < step)
+        step = 1 + (N - k - 1) % every; /* then N - k is a row */
+    return step < N - k ? k + step : N;
 }
 
 static void print_row(const fvi_table *t, const double *row)
@@ -111,18 +115,21 @@ static void fill(const fvi_table *t, size_t k, const double *x, const double *p,
     }
 }
 
-void fvi_table_take(const fvi_table *t, size_t k, const double *x,
-                    const double *p)
+int fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                   const double *p)
 {
     const fvi_options *o = t->o;
     if (is_printed(o, k)) {
         double *row = t->rows + (t->wait ? row_number(o, k) * t->width : 0);
         fill(t, k, x, p, 0, row);
+        if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
+            return GSL_EOVRFLW;
         if (!t->wait)
             print_row(t, row);
     }
     if (t->wait && is_printed(o, o->steps - k))
         fill(t, k, x, p, 1, t->rows + row_number(o, o->steps - k) * t->width);
+    return GSL_SUCCESS;
 }
 
 void fvi_table_finish(const fvi_table *t)

@@ -37,12 +37,15 @@ void fvi_table_head(FILE *out, const fvi_options *o);
 /* fvi_table_names -- the line with the names of the columns. */
 void fvi_table_names(const fvi_table *t);
 
-/* fvi_table_wants -- is row k, or its mirror N - k, printed? */
-int fvi_table_wants(const fvi_table *t, size_t k);
+/* fvi_table_next -- the first step after k, k < N, of which the table wants
+ * something: its row, or its mirror N - k for y. */
+size_t fvi_table_next(const fvi_table *t, size_t k);
 
-/* fvi_table_take -- step k is at x, p: keep or print what is asked for. */
-void fvi_table_take(const fvi_table *t, size_t k, const double *x,
-                    const double *p);
+/* fvi_table_take -- step k is at x, p: keep or print what is asked for.
+ * Returns GSL_SUCCESS, or GSL_EOVRFLW if a number to be printed is not finite; that
+ * row is not printed. */
+int fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                   const double *p);
 
 /* fvi_table_finish -- print the rows that waited. */
 void fvi_table_finish(const fvi_table *t);

@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 const fvi_method *const fvi_options_methods[] = {
@@ -107,6 +108,8 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
     if (!status && !(o->h > 0))
         return fvi_refuse(c, "--time: '%s' is too short for so many steps",
                           o->text[TIME]);
+    snprintf(o->step, sizeof o->step, "%.17g", o->h);
+    o->text[H] = o->step; /* the head says what follows */
     return status;
 }
 

@@ -96,15 +96,15 @@ START_TEST(every_method_is_at_hand_by_its_name)
 }
 END_TEST
 
-/* --time T is --h T/N; it is a word of exact too. */
+/* --time T is --h T/N, and the head says which h that is; a word of exact too. */
 START_TEST(a_time_is_as_good_as_a_step)
 {
     ck_assert_int_eq(fvi("run --steps 8 --h 0.25"), 0);
     char *want = strdup(first_row());
     ck_assert_int_eq(fvi("run --steps 8 --time 2"), 0);
     ck_assert_str_eq(first_row(), want);
-    ck_assert_ptr_nonnull(strstr(out, "# steps = 8\n# time = 2\n# columns"));
-    ck_assert_ptr_null(strstr(out, "# h ="));
+    ck_assert_ptr_nonnull(
+        strstr(out, "# h = 0.25\n# steps = 8\n# time = 2\n# columns"));
     free(want);
     ck_assert_int_eq(fvi("exact --steps 8 --time 2 --columns t"), 0);
     ck_assert(cell(8, 0) == 2);
@@ -186,6 +186,8 @@ START_TEST(a_chain_has_numbered_columns)
                      0);
     ck_assert_ptr_nonnull(
         strstr(out, "# x1\tx2\tx3\tt\tp1\tp2\tp3\n1\t2\t3\t0\t0\t0\t0\n"));
+    ck_assert_int_eq(fvi("run --potential chain:1,1,0 --columns y,t,x"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# y1\tt\tx1\n"));
 }
 END_TEST
 

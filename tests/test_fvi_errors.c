@@ -97,6 +97,42 @@ START_TEST(overflow_is_reported_with_its_step)
 }
 END_TEST
 
+/* Whatever would be printed: an energy, a time, an exact solution. The rows before
+ * it stand, and no row is made up. */
+START_TEST(no_row_has_a_number_that_is_not_finite)
+{
+    static const struct {
+        const char *line;
+        unsigned step;
+    } runs[] = {
+        { "run --x0 1e200 --steps 3", 0 },
+        { "run --p0 1e200 --steps 3 --columns energy,y", 0 },
+        { "run --potential free --rho 0 --x0 0 --p0 0 --h 1e308 --steps 3", 2 },
+        { "exact --x0 1e200 --steps 2", 0 },
+        { "exact --mass 1e-310 --p0 0 --steps 2", 0 },
+        { "exact --x0 1e-9 --p0 0 --h 1e308 --steps 3", 2 },
+        { "exact --potential free --rho 0 --x0 0 --p0 0 --columns x --h 1 "
+          "--force step:1e303,1e9 --steps 1100",
+          424 } /* 424^2 10^303 is too large, x its half */,
+    };
+    for (size_t i = 0; i < LEN(runs); i++) {
+        ck_assert_int_eq(fvi(runs[i].line), 1);
+        unsigned step = 9999;
+        const char *said = strstr(err, "fvi: step ");
+        ck_assert_msg(said && sscanf(said, "fvi: step %u: a ", &step) == 1,
+                      "%s: %s", runs[i].line, err);
+        ck_assert_msg(step == runs[i].step, "%s: %s", runs[i].line, err);
+        ck_assert_uint_eq(count_rows(), strstr(runs[i].line, "y") ? 0 : step);
+    }
+    ck_assert_int_eq(fvi("run --x0 1e200 --steps 3 --columns t,x,p"), 0);
+    ck_assert_int_eq(fvi("run --h 1e-310 --steps 3"), 1);
+    ck_assert_str_eq(err, "fvi: --h: mass / h is not a finite number\n");
+    ck_assert_int_eq(fvi("run --potential harmonic:-400 --h 0.1"), 1);
+    ck_assert_str_eq(err,
+                     "fvi: step 1: the equation of the step is singular\n");
+}
+END_TEST
+
 /* In z = d/2 the equation of the first step is z^3 - 2 z + 2 = 0, for which
  * Newton's method from 0 goes 0, 1, 0, 1, ... for ever. */
 START_TEST(no_convergence_is_reported_with_its_step)
@@ -148,7 +184,35 @@ START_TEST(files_are_complete_or_absent)
     ck_assert_int_eq(fvi("run -o /dev/full"), 1);
     ck_assert_int_eq(shell("$FVI run > /dev/full; test $? = 1"), 0);
     ck_assert_int_eq(shell("$FVI methods > /dev/full; test $? = 1"), 0);
-    ck_assert_int_eq(shell("ls | grep '~'"), 1); /* no leftovers */
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
+}
+END_TEST
+
+/* The file keeps its permissions; no link is replaced by a file; the words for
+ * standard error never come into the table. */
+START_TEST(what_was_there_is_respected)
+{
+    ck_assert_int_eq(shell("umask 022; touch open; chmod 666 open; "
+                           "$FVI run --steps 3 -o open; ls -l open"),
+                     0);
+    ck_assert(strncmp(out, "-rw-rw-rw-", 10) == 0);
+    ck_assert_int_eq(shell("umask 077; $FVI run --steps 3 -o new; ls -l new"),
+                     0);
+    ck_assert(strncmp(out, "-rw-------", 10) == 0);
+    ck_assert_int_eq(shell("ln -s new link; $FVI run --steps 4 -o link; "
+                           "test -L link && grep -c '^[0-9]' new"),
+                     0);
+    ck_assert_str_eq(out, "5\n");
+    ck_assert_int_eq(shell("ln -s nowhere lost; $FVI run -o lost"), 1);
+    ck_assert_str_eq(err,
+                     "fvi: cannot write lost: No such file or directory\n");
+    ck_assert(!exists("nowhere"));
+    ck_assert_int_eq(shell("ln -s round round; $FVI run -o round"), 1);
+    ck_assert_int_eq(
+        shell("$FVI run --kappa 0 --h 3 --steps 3 -o warned 2>&-; cat warned"),
+        0);
+    ck_assert(strncmp(out, "# fvi", 5) == 0);
+    ck_assert_int_eq(shell("$FVI run --steps 3 >&-; test $? = 1"), 0);
 }
 END_TEST
 
@@ -160,7 +224,12 @@ START_TEST(an_interrupted_run_leaves_no_file)
                            "kill $pid; wait $pid; test $? = 143"),
                      0);
     ck_assert(!exists("gone"));
-    ck_assert_int_eq(shell("ls | grep '~'"), 1);
+    ck_assert_int_eq(shell("trap '' HUP; $FVI run --steps 1e5 --alpha 0.3 "
+                           "--memory direct -o kept & pid=$!; sleep 0.3; "
+                           "kill -HUP $pid; sleep 0.1; kill $pid; "
+                           "wait $pid; test $? = 143"),
+                     0);
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
 }
 END_TEST
 
@@ -213,10 +282,11 @@ int main(void)
     Suite *suite = suite_create("the program fvi: what it refuses");
     ADD_CASE(suite, "errors", bad_use_is_refused,
              overflow_is_reported_with_its_step,
+             no_row_has_a_number_that_is_not_finite,
              no_convergence_is_reported_with_its_step,
              what_error_was_reached_is_said_if_not_the_one_asked_for,
-             files_are_complete_or_absent, an_interrupted_run_leaves_no_file,
-             an_unstable_step_is_warned_of,
+             files_are_complete_or_absent, what_was_there_is_respected,
+             an_interrupted_run_leaves_no_file, an_unstable_step_is_warned_of,
              too_large_a_run_is_refused_before_it_starts);
     return run_suite_of_program(suite);
 }
