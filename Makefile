@@ -141,9 +141,14 @@ $B/src/%.o: src/%.c | tools
 	@mkdir -p $(@D)
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -MMD -MP -c $< -o $@
 
-$B/libfvi.a: $(MODULES:%=$B/src/%.o)
+$B/libfvi.a: $(MODULES:%=$B/src/%.o) | $B/include/fvi
 	rm -f $@
 	ar rcs $@ $^
+
+# As the headers will be found when they are installed: <fvi/fvi.h>.
+$B/include/fvi:
+	@mkdir -p $(@D)
+	@ln -sfn $(abspath src) $@
 
 $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 	$(CC) $(CFLAGS) $^ $(GSL_LIBS) -o $@
@@ -169,7 +174,7 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	ln -sf libfvi.so.0 $(DESTDIR)$(PREFIX)/lib/libfvi.so
 	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: fvi' 'Version: $(VERSION)' 'Requires: gsl' \
 	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' \
-	  'Cflags: -I$${prefix}/include/fvi' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
+	  'Cflags: -I$${prefix}/include -idirafter $${prefix}/include/fvi' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
 	cp $(PUBLIC) $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
 
@@ -199,7 +204,7 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 # What README.md tells a programmer: the example against the library as it stands,
 # and against an installed copy, by pkg-config and from Python.
 test-example: tests/example.c $B/libfvi.a
-	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
+	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -I$B/include $^ $(GSL_LIBS) -o $B/example
 	@$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 20 && echo 'README example: 20 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example

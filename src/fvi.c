@@ -148,7 +148,10 @@ static int three_terms(const fvi_system *system, double kappa, double h,
             if (system->force.value)
                 system->force.value((double)k * h, 1, system->force.params, &F);
             /* p = D2 L_d(x_{k-1}, x_k) - h rho D + h F(t_k) */
-            fvi_legendre_plus(system, kappa, h, x + k - 1, x + k, &D, &F, &p);
+            int status = fvi_legendre_plus(system, kappa, h, x + k - 1, x + k,
+                                           &D, &F, &p);
+            if (status)
+                return status;
         }
         if (!gsl_finite(p))
             GSL_ERROR("a value is no longer finite", GSL_EOVRFLW);

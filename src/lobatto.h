@@ -37,6 +37,9 @@
  * closed bound is known, but without U nothing grows up to R = 7.5 and 9.5.
  *
  * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
+ * run->tolerance is relative to the sum Y h^beta of the history. The damping is
+ * h^(-beta) times that, so for alpha near 1 and very short steps x feels more than
+ * the tolerance: ask for less, or take longer steps.
  * rho = 0, alpha = 0, 1/2, 1: no history is kept.
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the LU factors of an (s - 2) d matrix (once a run
@@ -59,8 +62,9 @@ extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
  *   p       as x: momenta, corrected in place
  *
  * Not across a jump of F. Cost O(N d). Returns GSL_SUCCESS; GSL_EFAULT if a
- * pointer is NULL; GSL_EINVAL for another method; GSL_EDOM if alpha is not in
- * [0, 1]. On error p is untouched. */
+ * pointer is NULL; what fvi_system_check returns; GSL_EINVAL for another method
+ * or no steps; GSL_EDOM if alpha is not in [0, 1], or h not finite and positive.
+ * On error p is untouched. */
 int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p);
 

@@ -60,7 +60,7 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
     if (kind == FVI_MEMORY_AUTO)
         kind = steps <= SHORT ? FVI_MEMORY_DIRECT : FVI_MEMORY_EXPONENTIALS;
     const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
-    const double keep = tolerance > 1e-14 ? tolerance : 1e-13;
+    const double keep = tolerance >= 1e-14 ? tolerance : 1e-13;
     const double N = (double)steps + 1;
     const size_t lags = direct ? steps : FVI_LAGS,
                  Q = direct ? 0

@@ -32,8 +32,11 @@ int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
     static const double difference[][5] = { { 0, 1, -2, 1, 0 },
                                             { -0.5, 1, 0, -1, 0.5 },
                                             { 1, -4, 6, -4, 1 } };
-    if (!method || !run || !run->system || !x || !p)
+    if (!method || !run || !x || !p)
         GSL_ERROR("null pointer", GSL_EFAULT);
+    int status = fvi_system_check(run->system);
+    if (status)
+        return status;
     const size_t s = method == &fvi_lobatto2   ? 2
                      : method == &fvi_lobatto3 ? 3
                      : method == &fvi_lobatto4 ? 4
@@ -42,6 +45,10 @@ int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
         GSL_ERROR("not a Lobatto method", GSL_EINVAL);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         GSL_ERROR("alpha must be in [0, 1]", GSL_EDOM);
+    if (!(gsl_finite(run->h) && run->h > 0))
+        GSL_ERROR("h must be finite and positive", GSL_EDOM);
+    if (run->steps == 0)
+        GSL_ERROR("a run has at least one step", GSL_EINVAL);
     const double beta = 2 * run->alpha - 1;
     if (beta == 0 || fabs(beta) == 1 || (s == 2 && beta < 0))
         return GSL_SUCCESS;

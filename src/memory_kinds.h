@@ -15,6 +15,7 @@
  * the loader picks. -ffp-contract=off holds in all, and the order of the sums
  * is written down: the digits are the same. */
 #if defined(__x86_64__) && defined(__gnu_linux__)                              \
+    && !defined(__SANITIZE_THREAD__) /* which runs before the loader picks */  \
     && ((defined(__clang__) && __clang_major__ >= 14)                          \
         || (!defined(__clang__) && defined(__GNUC__)))
 #define FVI_VECTORS __attribute__((target_clones("default", "avx2", "avx512f")))

@@ -150,7 +150,7 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
         gradient_at_midpoint(n, x, d, g);
         if (factorise(n))
             GSL_ERROR("the Jacobian is singular", GSL_ESING);
-        double rounding = 0, scale = 0, update = 0;
+        double rounding = 0, scale = 0, place = 0, update = 0;
         for (size_t i = 0; i < dim; i++) {
             double Ad = n->A[i] * d[i], sg = n->s * g[i];
             n->residual[i] = r[i] - Ad - sg; /* (2.10) */
@@ -162,9 +162,12 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
             d[i] += n->residual[i];
             update = fmax(update, fabs(n->residual[i]));
             scale = fmax(scale, fabs(d[i]));
+            place = fmax(place, fabs(x[i]) + fabs(d[i]));
         }
+        const int stuck = update >= last / 2;
         if (!gsl_finite(update) || update <= GSL_DBL_EPSILON * rounding
-            || (update >= last / 2 && update <= GSL_SQRT_DBL_EPSILON * scale))
+            || (stuck && update <= GSL_SQRT_DBL_EPSILON * scale)
+            || (stuck && update <= 16 * GSL_DBL_EPSILON * place))
             return GSL_SUCCESS;
         last = update;
     }

@@ -1,6 +1,8 @@
 /* src/step_search.c -- The step that a wanted error needs.      [Chapter 18] */
 #include "step_search.h"
 
+#include "fvi.h"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <stdint.h>
@@ -62,13 +64,24 @@ static double distance(const search *o, double *largest)
     return D;
 }
 
+/* 1/4, but where a kick at the start leaves only 1 - 2 alpha, (9.5). */
+static double least_order(const fvi_method *method, const fvi_run *run)
+{
+    double least = 0.25;
+    if (method == &fvi_fractional && !run->caputo && run->alpha < 0.5)
+        for (size_t i = 0; i < run->system->d; i++)
+            if (run->x0[i] != 0 && run->system->damping[i] > 0)
+                least = fmin(least, 1 - 2 * run->alpha);
+    return least;
+}
+
 //> estimate
 /* (18.2); infinite until there are three runs. */
-static double estimate(double D_before, double D, double floor, double lowest,
-                       double *order)
+static double estimate(double D_before, double D, double floor, double least,
+                       double lowest, double *order)
 {
     double q = D > 0 ? log2(D_before / D) : lowest;
-    *order = fmin(fmax(q, 0.25), lowest);
+    *order = fmin(fmax(q, least), lowest);
     return gsl_finite(D_before) ? D / expm1(*order * M_LN2) + floor
                                 : GSL_POSINF;
 }
@@ -79,6 +92,7 @@ static double estimate(double D_before, double D, double floor, double lowest,
 static int halve(search *o, double error, size_t most, fvi_step_found *found)
 {
     const double lowest = strtod(o->method->order, NULL);
+    const double least = least_order(o->method, o->run);
     const double tolerance = o->run->tolerance > 0 ? o->run->tolerance : 1e-13;
     double D_before = GSL_POSINF, D, largest = 0;
     int have_before = 0, worse = 0;
@@ -89,8 +103,8 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
             return status;
         D = status || !have_before ? GSL_POSINF : distance(o, &largest);
         fvi_step_found now = { .parts = o->first * parts };
-        now.estimate =
-            estimate(D_before, D, tolerance * largest, lowest, &now.order);
+        now.estimate = estimate(D_before, D, tolerance * largest, least, lowest,
+                                &now.order);
         if (now.estimate < found->estimate) {
             *found = now;
             worse = 0;

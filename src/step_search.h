@@ -22,9 +22,11 @@ typedef struct {
  *     D_j / (2^q - 1) + tolerance max |x^(j)|,    q = min(max(q_j, 1/4), p),
  *
  * p the lowest order of the method, the number with which method->order begins,
- * tolerance that of the run's memory (and of its rounding). The search ends when this is <= error. A run
- * that overflows, or does not converge, says only that its step is too long (the
- * error handler is called, though).
+ * tolerance that of the run's memory (and of its rounding). In place of 1/4 stands
+ * 1 - 2 alpha, the order, where that is less: fvi_fractional, Riemann-Liouville, a
+ * damped coordinate that does not start at 0. The search ends when the estimate is
+ * <= error. A run that overflows, or does not converge, says only that its step is
+ * too long (the error handler is called, though).
  *
  *   method  which integrator
  *   run     as for fvi_start; run->h and run->steps give the rows t_k = k h, which

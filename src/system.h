@@ -4,7 +4,11 @@
  *
  * A system holds the masses, the dampings, the potential and the force. The
  * order of the damping and everything that has to do with time steps belong to
- * a run (trajectory.h), not to the system. */
+ * a run (trajectory.h), not to the system.
+ *
+ * Errors of the library are those of GSL, <gsl/gsl_errno.h>: each first calls
+ * GSL's error handler, whose default prints and aborts; after
+ * gsl_set_error_handler_off() the code comes back. */
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
@@ -21,7 +25,8 @@
  *             then evaluated and factorised once in a run, not at each step
  *
  * All three functions, or none: a zeroed potential is that of a free particle.
- * The library calls them with arrays that do not overlap. */
+ * The library calls them with arrays that do not overlap. A function that cannot
+ * give a number writes NaN: the step then ends with GSL_EOVRFLW. */
 typedef struct {
     double (*value)(size_t d, const double *x, const void *params);
     void (*gradient)(size_t d, const double *x, const void *params, double *g);

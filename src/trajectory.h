@@ -29,7 +29,12 @@
  *            acts on x - x0, and on x - x0 - t v0 where 2 alpha > 1
  *   memory   how the history is summed
  *   tolerance  of the compressed memory, relative to the direct sum; 0 means
- *              the default 1e-13 */
+ *              the default 1e-13; not read where nothing is remembered
+ *
+ * The methods: fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
+ * (discrete_mechanics.h), fvi_fractional (fvi.h), fvi_shifted, fvi_bdf2
+ * (convolution_quadrature.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4 (lobatto.h).
+ * Runs that share no stepper may go on in several threads. */
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;

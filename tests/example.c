@@ -1,5 +1,5 @@
 /* tests/example.c -- The example of README.md: a system of one's own. */
-#include "fvi.h"
+#include <fvi/fvi.h>
 
 #include <stdio.h>
 
@@ -13,8 +13,14 @@ int main(void)
                                 .mass = mass,
                                 .damping = damping,
                                 .potential = fvi_potential_chain(spring) };
-    const fvi_run run = { .system = &system, .x0 = x0, .p0 = p0, .h = 0.01,
-                          .steps = 2000, .kappa = 0.5, .alpha = 0.25, .caputo = 1 };
+    const fvi_run run = { .system = &system,
+                          .x0 = x0,
+                          .p0 = p0,
+                          .h = 0.01,
+                          .steps = 2000,
+                          .kappa = 0.5,
+                          .alpha = 0.25,
+                          .caputo = 1 };
     fvi_stepper *s;
     if (fvi_start(&fvi_fractional, &run, &s) != 0)
         return 1;

@@ -197,6 +197,19 @@ START_TEST(momenta_refuse)
     run.alpha = GSL_NAN;
     ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
                      GSL_EDOM);
+    run.alpha = 0.7;
+    run.h = 0;
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+                     GSL_EDOM);
+    run.h = 1;
+    run.steps = 0;
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+                     GSL_EINVAL);
+    run.steps = 4;
+    const fvi_system undamped = { .d = 1, .mass = &one };
+    run.system = &undamped;
+    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+                     GSL_EFAULT);
     run.system = NULL;
     ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
                      GSL_EFAULT);

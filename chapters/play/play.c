@@ -126,7 +126,10 @@ int EXPORT(play_run)(void)
     do {
         x[rows] = s->x[0];
         p[rows] = s->p[0];
-        energy[rows++] = fvi_energy(&system, s->x, s->p);
+        energy[rows] = fvi_energy(&system, s->x, s->p);
+        if (!isfinite(energy[rows])) /* no row, as in build/fvi */
+            break;
+        rows++;
         status = s->k < run.steps ? fvi_step(s) : GSL_EINVAL;
     } while (!status);
     fvi_stop(s);
