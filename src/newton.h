@@ -36,9 +36,11 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
  *   d     in: a guess (any finite numbers); out: the solution
  *   g     output: grad U(x + theta d), d numbers
  *
- * Stops when an update is below the rounding of the residual, or is tiny and
- * no longer shrinks. Cost: explicit or quadratic, two gradients and O(d^2);
- * else two to four gradients, Hessians and factorisations, O(d^3) each.
+ * Stops when an update is below the rounding of the residual, or no longer
+ * shrinks and is tiny against d, or below 16 ulp of x. Cost: explicit or quadratic,
+ * two gradients and O(d^2); else two to four gradients, Hessians and
+ * factorisations, O(d^3) each; GSL's factorisation takes d indices from the heap,
+ * the only memory that a step asks for.
  *
  * Returns GSL_SUCCESS; GSL_EFAULT if a pointer is NULL; GSL_EMAXITER if 50
  * iterations were not enough; GSL_ESING if the Jacobian is singular. A value
