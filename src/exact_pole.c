@@ -98,7 +98,7 @@ static void polish(fvi_pole *p)
 {
     for (int i = 0; i < 8; i++) {
         double complex step = -residual(p, p->s) / fvi_pole_derivative(p);
-        if (!(cabs(step) < 1e-6 * cabs(p->s)))
+        if (!(cabs(step) < 0.1 * cabs(p->s)))
             return;
         p->low = step;
         if (cabs(step) < 4 * GSL_DBL_EPSILON * cabs(p->s))

@@ -145,12 +145,12 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
     const size_t dim = n->system->d;
-    double last = GSL_POSINF;
+    double last = GSL_POSINF, place = 0;
     for (int iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
         gradient_at_midpoint(n, x, d, g);
         if (factorise(n))
             GSL_ERROR("the Jacobian is singular", GSL_ESING);
-        double rounding = 0, scale = 0, place = 0, update = 0;
+        double rounding = 0, scale = 0, update = 0;
         for (size_t i = 0; i < dim; i++) {
             double Ad = n->A[i] * d[i], sg = n->s * g[i];
             n->residual[i] = r[i] - Ad - sg; /* (2.10) */
@@ -162,7 +162,7 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
             d[i] += n->residual[i];
             update = fmax(update, fabs(n->residual[i]));
             scale = fmax(scale, fabs(d[i]));
-            place = fmax(place, fabs(x[i]) + fabs(d[i]));
+            place = fmax(place, fabs(x[i]));
         }
         const int stuck = update >= last / 2;
         if (!gsl_finite(update) || update <= GSL_DBL_EPSILON * rounding
@@ -171,6 +171,8 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
             return GSL_SUCCESS;
         last = update;
     }
+    if (last <= 16 * GSL_DBL_EPSILON * place) /* creeping within an ulp of x */
+        return GSL_SUCCESS;
     GSL_ERROR("Newton's method did not converge", GSL_EMAXITER);
 }
 //< newton

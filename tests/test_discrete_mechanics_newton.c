@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
+#include <stdlib.h>
 
 static const double one[] = { 1, 1, 1, 1, 1 }, none[5];
 
@@ -271,6 +272,25 @@ START_TEST(bad_solvers_are_refused)
 }
 END_TEST
 
+/* The Jacobian has 2^44 numbers; without a potential there is none. */
+START_TEST(a_jacobian_that_finds_no_room_is_refused)
+{
+    enum { D = 1 << 22 };
+    double *ones = malloc(D * sizeof *ones);
+    ck_assert_ptr_nonnull(ones);
+    for (size_t i = 0; i < D; i++)
+        ones[i] = 1;
+    fvi_system system = { D, ones, ones, fvi_potential_harmonic(ones), { 0 } };
+    fvi_newton *n = NULL;
+    ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), GSL_ENOMEM);
+    ck_assert_ptr_null(n);
+    system.potential = (fvi_potential){ 0 };
+    ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), GSL_SUCCESS);
+    fvi_newton_free(n);
+    free(ones);
+}
+END_TEST
+
 START_TEST(equations_that_cannot_be_solved_are_reported)
 {
     /* U = z^3 / 3: d + d^2 = -1 has no real solution. */
@@ -328,6 +348,7 @@ int main(void)
              eq_2_11_newton_converges_quadratically,
              eq_2_11_a_constant_hessian_is_factorised_once);
     ADD_CASE(suite, "errors", bad_solvers_are_refused,
+             a_jacobian_that_finds_no_room_is_refused,
              equations_that_cannot_be_solved_are_reported,
              null_pointers_are_refused_and_infinities_come_back);
     return run_suite(suite);

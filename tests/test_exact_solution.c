@@ -101,6 +101,27 @@ START_TEST(eq_11_4_poles)
 }
 END_TEST
 
+/* m = c = 1, rho = 5/2: real zeros -1/2 and -2 at alpha = 1/2. At alpha = 1/2 + e the
+ * pole is s - 2 rho e s ln s / (2 s + rho), s = -1/2 for e > 0 and -2 for e < 0, but
+ * for e^2, times 100 at most. 100 u |s| as above. Seen: 0.04 of it. */
+START_TEST(eq_11_4_poles_of_strong_damping_near_one_half)
+{
+    for (double e = 0x1p-30; e > 0x1p-50; e /= 4)
+        for (int side = -1; side <= 1; side += 2) {
+            const double s = side > 0 ? -0.5 : -2,
+                         slope = -2 * 2.5 * s / (2 * s + 2.5) * side * e;
+            double re, im;
+            fvi_linear p = {
+                .m = 1, .c = 1, .rho = 2.5, .alpha = 0.5 + side * e
+            };
+            ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), GSL_SUCCESS);
+            const double bound = 100 * U * fabs(s) + 100 * e * e;
+            ck_assert_near(re, s + slope * log(-s), bound, "re, e=%g", e);
+            ck_assert_near(im, slope * M_PI, bound, "im, e=%g", e);
+        }
+}
+END_TEST
+
 /* A step that ends as it begins is no force; a cosine does not know the sign of
  * its frequency, resonance included. 0 ulp: the same operations. */
 START_TEST(eq_11_2_forces_that_are_the_same_give_the_same)
@@ -120,6 +141,33 @@ START_TEST(eq_11_2_forces_that_are_the_same_give_the_same)
         for (size_t i = 0; i < LEN(times); i++)
             ck_assert_ulp(solve_x(q, times[i]), solve_x(p, times[i]), 0,
                           "w = -%g", p.w);
+    }
+}
+END_TEST
+
+/* A cosine of frequency 0 is a step that does not end, and a step has no use for a
+ * frequency. TOL max|x| for each of the two; max|x| is at most 2, and t^2/2 where
+ * there is no spring. Seen: 0.004 of it. */
+START_TEST(eq_11_2_a_cosine_of_frequency_0_is_a_step_without_end)
+{
+    const double times[] = { 0.5, 3, 40 }, alphas[] = { 0.3, 0.5 };
+    for (size_t i = 0; i < LEN(times) * LEN(alphas) * 4; i++) {
+        const double t = times[i / 4 % 3];
+        fvi_linear step = { .m = 1,
+                            .c = i % 2 ? 1 : 0,
+                            .rho = i / 2 % 2 ? RHO : 0,
+                            .alpha = alphas[i / 12],
+                            .forcing = FVI_FORCING_STEP,
+                            .A = 1,
+                            .T = 99,
+                            .w = 7 };
+        fvi_linear cosine = step;
+        cosine.forcing = FVI_FORCING_COSINE;
+        cosine.w = 0;
+        ck_assert_near(solve_x(cosine, t), solve_x(step, t),
+                       2 * TOL * (step.c > 0 ? 2 : t * t / 2),
+                       "c=%g rho=%g alpha=%g t=%g", step.c, step.rho,
+                       step.alpha, t);
     }
 }
 END_TEST
@@ -280,9 +328,10 @@ int main(void)
     Suite *suite = suite_create("11 exact solution");
     ADD_CASE(suite, "values", eq_11_7_solutions_match_talbot_and_the_cut,
              eq_11_10_every_contour_inverts_powers, eq_11_14_bagley_torvik,
-             eq_11_4_poles);
+             eq_11_4_poles, eq_11_4_poles_of_strong_damping_near_one_half);
     ADD_CASE(suite, "identities",
-             eq_11_2_forces_that_are_the_same_give_the_same);
+             eq_11_2_forces_that_are_the_same_give_the_same,
+             eq_11_2_a_cosine_of_frequency_0_is_a_step_without_end);
     ADD_CASE(suite, "order", eq_11_7_the_integrator_converges_to_it_at_order_1);
     ADD_CASE(
         suite, "errors", bad_problems_are_refused_and_outputs_are_untouched,

@@ -37,6 +37,18 @@ START_TEST(eq_15_10_integrals_of_polygons)
 }
 END_TEST
 
+/* Of order 0 all weights but the first are zeros, and the scale is 1: 0 ulp. */
+START_TEST(eq_15_10_of_order_0_the_integral_is_the_polygon)
+{
+    double v[9], out[9];
+    for (size_t k = 0; k < 9; k++)
+        v[k] = next_number();
+    ck_assert_int_eq(fvi_fractional_integral(0, 0.1, 8, v, out), GSL_SUCCESS);
+    for (size_t k = 0; k < 9; k++)
+        ck_assert_ulp(out[k], v[k], 0, "k=%zu", k);
+}
+END_TEST
+
 /* (15.4), x and v both used. Each of the three integrals as above; the polygon
  * of |f| is below 3. Seen: 0.007 of it. */
 START_TEST(eq_15_4_one_picard_step)
@@ -363,6 +375,7 @@ int main(void)
     gsl_set_error_handler_off(); /* the default handler aborts */
     Suite *suite = suite_create("15 existence");
     ADD_CASE(suite, "values", eq_15_10_integrals_of_polygons,
+             eq_15_10_of_order_0_the_integral_is_the_polygon,
              eq_15_4_one_picard_step, eq_15_5_15_8_constants);
     ADD_CASE(suite, "identities", eq_15_2_one_position_and_velocity_two_forces,
              the_printed_bound_on_the_memory_is_too_small,

@@ -72,6 +72,10 @@ START_TEST(bad_picard_arguments_are_refused_and_outputs_untouched)
     ck_assert_int_eq(fvi_picard(&good, 1, 2, v, NULL, next), GSL_EFAULT);
     ck_assert_int_eq(fvi_picard(&good, 1, 2, v, x, NULL), GSL_EFAULT);
     ck_assert_int_eq(fvi_picard(&good, 1, 0, v, x, next), GSL_EINVAL);
+    ck_assert_int_eq(fvi_picard(&good, 1, SIZE_MAX, v, x, next), GSL_EINVAL);
+    const size_t much = (size_t)1 << 50; /* can be addressed, but not had */
+    ck_assert_int_eq(fvi_picard(&good, 1, much, v, x, next), GSL_ENOMEM);
+    ck_assert_int_eq(fvi_fractional_integral(1, 1, much, v, x), GSL_ENOMEM);
     for (size_t i = 0; i < LEN(bad); i++) {
         fvi_picard_problem p[5] = { good, good, good, good, good };
         p[0].f = NULL;

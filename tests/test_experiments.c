@@ -63,6 +63,32 @@ START_TEST(eq_10_1_the_flow_is_a_semigroup)
 }
 END_TEST
 
+/* ---- (10.9) ---- */
+
+/* At alpha = 0 the damping is a spring, at alpha = 1 a mass. Short binary fractions
+ * in every element of the matrix: the same matrix, 0 ulp. */
+START_TEST(eq_10_9_at_both_ends_the_damping_is_a_spring_and_a_mass)
+{
+    int (*const both[])(double, double, double, double, fvi_force, double,
+                        size_t, double *) = { fvi_matrix_method,
+                                              fvi_matrix_method_simple };
+    enum { N = 40 };
+    const double aw[2] = { 1, 2 };
+    const fvi_force wave = fvi_force_cosine(aw);
+    double x[N + 1], want[N + 1];
+    for (size_t i = 0; i < 2 * LEN(both); i++) {
+        const double alpha = (double)(i % 2);
+        ck_assert_int_eq(both[i / 2](1, 0.5, 2, alpha, wave, 0.25, N, x), 0);
+        ck_assert_int_eq(both[i / 2](1 + alpha / 2, 0, 2.5 - alpha / 2, 0.5,
+                                     wave, 0.25, N, want),
+                         0);
+        ck_assert_double_gt(fabs(want[N]), 1e-3);
+        for (size_t k = 0; k <= N; k++)
+            ck_assert_ulp(x[k], want[k], 0, "alpha=%g k=%zu", alpha, k);
+    }
+}
+END_TEST
+
 /* ---- (10.3) ---- */
 
 /* K h^2: logarithms below 4.5, each rounded once. In the slope an error counts at
@@ -228,6 +254,7 @@ int main(void)
     ADD_CASE(suite, "values",
              eq_10_1_the_oscillator_is_the_exponential_of_its_matrix);
     ADD_CASE(suite, "identities", eq_10_1_the_flow_is_a_semigroup,
+             eq_10_9_at_both_ends_the_damping_is_a_spring_and_a_mass,
              eq_10_3_the_slope_of_a_power_is_its_exponent);
     ADD_CASE(suite, "errors", bad_oscillators_are_refused_and_outputs_untouched,
              bad_error_studies_are_refused_and_outputs_untouched,

@@ -317,6 +317,12 @@ START_TEST(bad_stages_are_refused)
     ck_assert_double_eq(H[0], 7);
     fvi_lobatto_memory_free(m);
     fvi_lobatto_memory_free(NULL);
+    for (int beta = -1; beta <= 0; beta++) { /* no history, whatever the kind */
+        ck_assert_int_eq(
+            fvi_lobatto_memory_alloc(3, beta, 1, SIZE_MAX, direct, 0, &m),
+            GSL_SUCCESS);
+        fvi_lobatto_memory_free(m);
+    }
 }
 END_TEST
 

@@ -4,6 +4,8 @@
 
 #include "lobatto_ref.h"
 
+#include <stdlib.h>
+
 /* ---- momenta ---- */
 
 /* (17.14), the constants, through the function: h = 1, x = k^s / s!, whose difference
@@ -164,6 +166,68 @@ START_TEST(a_singular_equation_is_refused)
 }
 END_TEST
 
+/* At rest in the well x = 1 of U = (x^2 - 1)^2 / 4, and some places beside it: grad U
+ * and the way of a step are as small as the rounding of x, and no update is small
+ * beside them. Newton's method has to see that x is what is rounded. */
+START_TEST(eq_17_8_rest_away_from_the_origin_is_solved)
+{
+    for (size_t s = 3; s <= 4; s++)
+        for (int k = -20; k <= 20; k++) {
+            const setup a = { .s = s,
+                              .alpha = 0.5,
+                              .x0 = 1 + k * GSL_DBL_EPSILON,
+                              .h = 0.5,
+                              .steps = 50,
+                              .cg = { -1, 1 } };
+            double x[51];
+            solve(&a, x, NULL);
+            /* it oscillates about 1, from 40 u away; a step rounds x once, and
+             * grad U, three times, by less than that: 4 u. Seen: 0.13 of it */
+            ck_assert_near(x[50], 1, (40 + 50 * 4) * U, "k=%d", k);
+        }
+}
+END_TEST
+
+/* m / h = 1e-400 is below all doubles, and nothing is left of the equation. */
+START_TEST(a_mass_that_vanishes_against_the_step_is_refused)
+{
+    const double light = 1e-200, none = 0, one = 1;
+    const fvi_system system = { 1, &light, &none, { 0 }, { 0 } };
+    const fvi_run run = {
+        .system = &system, .x0 = &one, .p0 = &one, .h = 1e200, .steps = 3
+    };
+    fvi_stepper *stepper = NULL;
+    for (size_t s = 2; s <= 4; s++)
+        ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), GSL_ESING);
+    ck_assert_ptr_null(stepper);
+}
+END_TEST
+
+/* The matrix of the inner stages has ((s - 2) 2^22)^2 numbers. */
+START_TEST(stages_that_find_no_room_are_refused)
+{
+    enum { D = 1 << 22 };
+    double *ones = malloc(D * sizeof *ones);
+    ck_assert_ptr_nonnull(ones);
+    for (size_t i = 0; i < D; i++)
+        ones[i] = 1;
+    const fvi_system system = {
+        D, ones, ones, fvi_potential_harmonic(ones), { 0 }
+    };
+    const fvi_run run = { .system = &system,
+                          .x0 = ones,
+                          .p0 = ones,
+                          .h = 1,
+                          .steps = 3,
+                          .alpha = 0.5 };
+    fvi_stepper *stepper = NULL;
+    for (size_t s = 3; s <= 4; s++)
+        ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), GSL_ENOMEM);
+    ck_assert_ptr_null(stepper);
+    free(ones);
+}
+END_TEST
+
 START_TEST(lobatto_steps_fail_with_their_code)
 {
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
@@ -224,6 +288,9 @@ int main(void)
     ADD_CASE(suite, "values", eq_17_14_constants_are_right);
     ADD_CASE(suite, "errors", what_needs_no_stages_of_the_past_keeps_none,
              lobatto_start_refuses, a_singular_equation_is_refused,
+             eq_17_8_rest_away_from_the_origin_is_solved,
+             a_mass_that_vanishes_against_the_step_is_refused,
+             stages_that_find_no_room_are_refused,
              lobatto_steps_fail_with_their_code, momenta_refuse);
     return run_suite(suite);
 }

@@ -77,8 +77,9 @@ END_TEST
 START_TEST(eq_3_4_a_polynomial_from_the_other_end)
 {
     const double c[] = { 3, -1, 4, 1, -5 };
-    double back[5], twice[5];
+    double back[6] = { [5] = 7 }, twice[5];
     ck_assert_int_eq(fvi_powers_reflect(5, 2, c, back), GSL_SUCCESS);
+    ck_assert_double_eq(back[5], 7); /* five numbers, and no sixth */
     ck_assert_int_eq(fvi_powers_reflect(5, 2, back, twice), GSL_SUCCESS);
     for (size_t n = 0; n < 5; n++)
         ck_assert_ulp(twice[n], c[n], 0, "n=%zu", n);

@@ -94,6 +94,12 @@ START_TEST(eq_14_3_load_of_single_oscillators)
         ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
         ck_assert_near(load, row[i][4], 8 * U * row[i][4], "row %zu", i);
     }
+    /* no potential, kappa = 0: 2 rho h / 4, in exact numbers */
+    fvi_run run = scalar_run(0.5, 0, 1, 1, 1);
+    scalar.potential = (fvi_potential){ 0 };
+    double load = 0;
+    ck_assert_int_eq(fvi_stability_load(&run, &load), GSL_SUCCESS);
+    ck_assert_double_eq(load, 0.5);
 }
 END_TEST
 
@@ -262,12 +268,15 @@ START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
         bad = run;
         bad.system = NULL;
         ck_assert_int_eq(both[i](&bad, &kept), GSL_EFAULT);
-        bad = run;
-        bad.kappa = 1.5;
-        ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
-        bad = run;
-        bad.alpha = GSL_NAN;
-        ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
+        const double outside[] = { -0.1, 1.1, GSL_NAN };
+        for (size_t j = 0; j < LEN(outside); j++) {
+            bad = run;
+            bad.kappa = outside[j];
+            ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
+            bad = run;
+            bad.alpha = outside[j];
+            ck_assert_int_eq(both[i](&bad, &kept), GSL_EDOM);
+        }
     }
     fvi_run bad = run;
     bad.h = 0;
@@ -294,6 +303,28 @@ START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
 }
 END_TEST
 
+/* The Hessian has 2^44 numbers; kappa = 1/2 needs none. */
+START_TEST(a_hessian_that_finds_no_room_is_reported)
+{
+    enum { D = 1 << 22 };
+    double *ones = malloc(D * sizeof *ones), kept = 7;
+    ck_assert_ptr_nonnull(ones);
+    for (size_t i = 0; i < D; i++)
+        ones[i] = 1;
+    const fvi_system system = {
+        D, ones, ones, fvi_potential_harmonic(ones), { 0 }
+    };
+    fvi_run run = { .system = &system, .x0 = ones, .h = 1, .alpha = 0.5 };
+    ck_assert_int_eq(fvi_stability_load(&run, &kept), GSL_ENOMEM);
+    ck_assert_int_eq(fvi_stability_step(&run, &kept), GSL_ENOMEM);
+    ck_assert_double_eq(kept, 7);
+    run.kappa = 0.5;
+    ck_assert_int_eq(fvi_stability_load(&run, &kept), GSL_SUCCESS);
+    ck_assert_double_eq(kept, 0.5);
+    free(ones);
+}
+END_TEST
+
 int main(void)
 {
     gsl_set_error_handler_off();
@@ -308,6 +339,7 @@ int main(void)
              eq_14_3_long_runs_on_both_sides_of_the_boundary,
              eq_14_3_a_chain_of_masses);
     ADD_CASE(suite, "errors",
-             bad_questions_are_refused_and_outputs_are_untouched);
+             bad_questions_are_refused_and_outputs_are_untouched,
+             a_hessian_that_finds_no_room_is_reported);
     return run_suite(suite);
 }

@@ -281,6 +281,14 @@ static void count(double t, size_t d, const void *params, double *F)
     forces++;
 }
 
+static int reported;
+
+static void report(const char *reason, const char *file, int line, int code)
+{
+    (void)reason, (void)file, (void)line;
+    reported = code;
+}
+
 START_TEST(an_error_out_of_reach_is_reported_with_the_best)
 {
     double x[82] = { -77 };
@@ -302,10 +310,13 @@ START_TEST(an_error_out_of_reach_is_reported_with_the_best)
         GSL_ETOL);
     ck_assert_uint_eq(found.parts, 16);
     ck_assert(found.estimate > 1e-4 && found.estimate < 1);
+    gsl_set_error_handler(report);
     /* two runs are not enough for an order */
     ck_assert_int_eq(
         fvi_step_search(&fvi_fractional, &run, 1e9, 639, x, NULL, &found),
         GSL_ETOL);
+    gsl_set_error_handler_off();
+    ck_assert_int_eq(reported, GSL_ETOL);
     ck_assert(gsl_isinf(found.estimate));
     ck_assert(x[0] == -77);
 }
@@ -332,6 +343,8 @@ START_TEST(bad_arguments_are_refused)
     REFUSED(fvi_step_search(m, &bad, 1, 1000, x, p, &found), GSL_EINVAL);
     bad.steps = SIZE_MAX / 16;
     REFUSED(fvi_step_search(m, &bad, 1, 1000, x, p, &found), GSL_EINVAL);
+    bad.steps = (size_t)1 << 50; /* can be addressed, but not had */
+    REFUSED(fvi_step_search(m, &bad, 1, SIZE_MAX, x, p, &found), GSL_ENOMEM);
     bad = good;
     bad.h = -1;
     REFUSED(fvi_step_search(m, &bad, 1, 1000, x, p, &found), GSL_EDOM);

@@ -1,5 +1,6 @@
 /* tests/test_trajectory.c -- Runs: rows as they come, rows in arrays, and what is
  * refused. Run alone: make test-trajectory */
+#include "convolution_quadrature.h"
 #include "discrete_mechanics.h"
 #include "fvi.h"
 #include "ulp.h"
@@ -168,6 +169,16 @@ START_TEST(start_refuses)
     forced.system = &pushed;
     ck_assert_int_eq(fvi_start(&fvi_variational, &forced, &s), GSL_EINVAL);
     ck_assert_ptr_null(s);
+    fvi_run undamped = forced; /* no memory is there to refuse these */
+    undamped.alpha = 1.1;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &undamped, &s), GSL_EDOM);
+    undamped.alpha = 0.5;
+    undamped.h = -0.1; /* nor a solver */
+    ck_assert_int_eq(fvi_start(&fvi_euler_explicit, &undamped, &s), GSL_EDOM);
+    undamped.h = 1;
+    undamped.tolerance = 1;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &undamped, &s), GSL_EDOM);
+    ck_assert_ptr_null(s);
     fvi_run long_run = forced; /* starts, but cannot be stored */
     long_run.steps = SIZE_MAX;
     double x[] = { 7 };
@@ -271,13 +282,45 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
 }
 END_TEST
 
+/* The same equation, or, for the implicit Euler method, d + g(x + d) = 1. */
+START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
+{
+    const fvi_method *const methods[] = {
+        &fvi_variational, &fvi_lagrange_dalembert,
+        &fvi_fractional,  &fvi_shifted,
+        &fvi_bdf2,        &fvi_euler_implicit
+    };
+    for (size_t i = 0; i < 2 * LEN(methods); i++) {
+        const fvi_method *method = methods[i / 2];
+        const double full = method == &fvi_euler_implicit ? -1 : -4;
+        const double x0 = -0.5, hessian = i % 2 ? full : 0;
+        const fvi_system system = {
+            1, one, none, { no_value, sign, claimed, &hessian, 0 }, { 0 }
+        };
+        const fvi_run run = { .system = &system,
+                              .x0 = &x0,
+                              .p0 = one,
+                              .h = 1,
+                              .steps = 5,
+                              .kappa = 0.5,
+                              .alpha = 0.5 };
+        fvi_stepper *s;
+        ck_assert_int_eq(fvi_start(method, &run, &s), GSL_SUCCESS);
+        ck_assert_int_eq(fvi_step(s), i % 2 ? GSL_ESING : GSL_EMAXITER);
+        ck_assert_uint_eq(s->k, 0);
+        fvi_stop(s);
+    }
+}
+END_TEST
+
 START_TEST(algorithm_3_refuses)
 {
     const double minus = -1, c = 1;
     const fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 } };
-    fvi_system two = good, light = good;
+    fvi_system two = good, light = good, undamped = good;
     two.d = 2;
     light.mass = &minus;
+    undamped.damping = none;
     const struct {
         const fvi_system *system;
         double alpha, kappa, h;
@@ -297,6 +340,7 @@ START_TEST(algorithm_3_refuses)
         { &good, 0.5, 0.5, GSL_POSINF, 3, 1, 1, GSL_EDOM },
         { &good, 0.5, 0.5, 0.1, 0, 1, 1, GSL_EINVAL },
         { &good, 0.5, 0.5, 0.1, SIZE_MAX, 1, 1, GSL_EINVAL },
+        { &undamped, 0.5, 0.5, 0.1, (size_t)1 << 50, 1, 1, GSL_ENOMEM },
         { &good, 0.5, 0.5, 0.1, 3, GSL_NAN, 1, GSL_EDOM },
         { &good, 0.5, 0.5, 0.1, 3, 1, GSL_POSINF, GSL_EDOM },
         { &good, 0.5, 0.5, 1, 3, 1e308, 1.7e308, GSL_EOVRFLW },
@@ -325,6 +369,8 @@ int main(void)
     ADD_CASE(suite, "errors", start_refuses,
              a_value_that_stops_being_finite_is_reported_with_its_step,
              a_momentum_that_stops_being_finite_is_reported_at_once,
-             a_step_that_cannot_be_solved_is_reported, algorithm_3_refuses);
+             a_step_that_cannot_be_solved_is_reported,
+             every_implicit_method_reports_a_step_that_cannot_be_solved,
+             algorithm_3_refuses);
     return run_suite(suite);
 }
