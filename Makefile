@@ -40,6 +40,10 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=$(shell nproc 2>/dev/null || echo 2) --output-sync=line
 endif
 MAKEFLAGS += --no-builtin-rules
+# Of tests that fail, all are shown.
+ifneq ($(filter test check ch%,$(MAKECMDGOALS)),)
+MAKEFLAGS += --keep-going
+endif
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
@@ -78,7 +82,7 @@ book: text | tools ## the chapters as one HTML page, build/book/index.html (pand
 
 pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
 	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
-	  --print-to-pdf=$B/book/fvi.pdf file://$(abspath $B/book/index.html) 2>$B/book/chromium.log
+	  --print-to-pdf=$B/book/fvi.pdf "file://$$(cd $B/book && pwd)/print.html" 2>$B/book/chromium.log
 	@test -s $B/book/fvi.pdf
 
 # Each number that the prose quotes from a test: the least and the largest seen.
@@ -126,7 +130,7 @@ clean: ## remove everything that was made
 stem = $(patsubst $(patsubst ch%,%,$1)-%,%,$(filter $(patsubst ch%,%,$1)-%,$(CHAPTERS)))
 of_stem = $(filter $1 $1_%,$(SCENES) $(DIAGRAMS))
 define chapter
-$1: $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2 verify-$2_%,$(PROOFS:%=verify-%)) figures-$2
+$1: $B/fvi $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2 verify-$2_%,$(PROOFS:%=verify-%)) figures-$2
 figures-$2: $(patsubst %,figures/%.svg,$(call of_stem,$2))
 .PHONY: $1 figures-$2
 endef
@@ -148,7 +152,7 @@ $B/libfvi.a: $(MODULES:%=$B/src/%.o) | $B/include/fvi
 # As the headers will be found when they are installed: <fvi/fvi.h>.
 $B/include/fvi:
 	@mkdir -p $(@D)
-	@ln -sfn $(abspath src) $@
+	@ln -sfn "$$PWD/src" $@
 
 $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 	$(CC) $(CFLAGS) $^ $(GSL_LIBS) -o $@
@@ -156,6 +160,7 @@ $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 # The installed library: static, shared, headers, pkg-config, program, manual.
 VERSION  := 0.1.0
 PREFIX   ?= /usr/local
+$(if $(word 2,[$(PREFIX)] [$(DESTDIR)]),$(if $(word 3,[$(PREFIX)] [$(DESTDIR)]),$(error no spaces, please, in PREFIX and DESTDIR)))
 INTERNAL := double_double exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights
 PUBLIC   := $(filter-out $(INTERNAL:%=src/%.h) src/fvi_%.h,$(wildcard src/*.h))
 
@@ -177,6 +182,7 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	  'Cflags: -I$${prefix}/include -idirafter $${prefix}/include/fvi' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
 	cp $(PUBLIC) $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+	@test -n "$(DESTDIR)" || test "$$(id -u)" != 0 || ldconfig 2>/dev/null || true
 
 uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/fvi lib/libfvi.a lib/libfvi.so lib/libfvi.so.0 \
@@ -208,11 +214,11 @@ test-example: tests/example.c $B/libfvi.a
 	@$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 20 && echo 'README example: 20 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
-	@$(MAKE) -s B=$B PREFIX=$(abspath $B/prefix) DESTDIR= install
-	@export PKG_CONFIG_PATH=$(abspath $B/prefix)/lib/pkgconfig LD_LIBRARY_PATH=$(abspath $B/prefix)/lib; \
+	@$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= install
+	@export PKG_CONFIG_PATH=$B/prefix/lib/pkgconfig LD_LIBRARY_PATH=$B/prefix/lib; \
 	  $(CC) tests/example.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \
 	  $B/prefix/example | cmp - $B/example.out && $(PYTHON) tests/example.py libfvi.so.0
-	@$(MAKE) -s B=$B PREFIX=$(abspath $B/prefix) DESTDIR= uninstall
+	@$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= uninstall
 	@test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used from C and Python, uninstalled'
 
 $B/tests/bench_%: tests/bench_%.c $B/libfvi.a | tools
@@ -230,7 +236,7 @@ $B/verify/%_ref.h: verify/%.py verify/refgen.py | tools
 	PYTHONDONTWRITEBYTECODE=1 $(PYTHON) $< > $@ && test -s $@
 
 $B/verify/%.ok: $B/verify/%_ref.h tests/%_ref.h
-	@cmp $^ || { echo 'verify/$*.py no longer gives tests/$*_ref.h; to accept: make refs-$*'; exit 1; }
+	@cmp $^ && echo 'proved: verify/$*.py, and tests/$*_ref.h is what it gives' || { echo 'verify/$*.py no longer gives tests/$*_ref.h; to accept: make refs-$*'; exit 1; }
 	@touch $@
 
 $(PROOFS:%=verify-%): verify-%: $B/verify/%.ok
@@ -251,12 +257,12 @@ $B/figures/%.ran: $B/figures/%
 $B/figures/%.dat: $B/figures/%.ran ;
 
 $(SCENES:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp $B/figures/%.dat | tools
-	$(GNUPLOT) -e "dat='$B/figures/$*.dat'; out='$B/figures/$*.svg'; stem='$*'" $<
+	LC_ALL=C.UTF-8 $(GNUPLOT) -e "dat='$B/figures/$*.dat'; out='$B/figures/$*.svg'; stem='$*'" $<
 	@mv $B/figures/$*.svg $@
 
 $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | tools
 	@mkdir -p $B/figures
-	$(GNUPLOT) -e "out='$B/figures/$*.svg'; stem='$*'" $<
+	LC_ALL=C.UTF-8 $(GNUPLOT) -e "out='$B/figures/$*.svg'; stem='$*'" $<
 	@mv $B/figures/$*.svg $@
 
 figures/memory_bench.svg: $(TABLE_memory)

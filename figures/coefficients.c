@@ -46,7 +46,7 @@ static void race(double alpha, const double *fast)
             for (size_t i = 0; i < FORMULAS; i++)
                 printf(" %.17g",
                        fmax(worst[i], 0.01)); /* a logarithm is drawn */
-            printf("\n");
+            printf(" %.17g\n", alpha);        /* for the title */
             next += 1 + next / 8;
         }
     }

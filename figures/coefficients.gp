@@ -2,6 +2,8 @@
 # Input: figures/coefficients.c. Output: figures/coefficients.svg.
 width = 860; height = 520
 load 'figures/style.gp'
+stats dat index 0 using 8 name 'LEFT' nooutput
+stats dat index 1 using 8 name 'RIGHT' nooutput
 set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
@@ -11,7 +13,7 @@ set xlabel "n"
 set multiplot layout 1,2 margins 0.085,0.985,0.25,0.92 spacing 0.075
 set key at screen 0.985, screen 0.01 right bottom vertical maxrows 2 width 0
 
-set title "α = 0.1: not a short binary fraction"
+set title sprintf("α = %g", LEFT_max)
 set ylabel "largest relative error up to n, in units of 2^{-53}"
 plot dat index 0 using 1:7 with lines ls 2 title "exp(lgamma)", \
      '' index 0 using 1:2 with lines ls 5 title "s(n−1−α)/n, the textbook", \
@@ -20,7 +22,7 @@ plot dat index 0 using 1:7 with lines ls 2 title "exp(lgamma)", \
      '' index 0 using 1:4 with lines ls 3 title "s(1−(1+α)/n)", \
      '' index 0 using 1:6 with lines ls 1 lw 3 title "double-double, our default"
 
-set title "α = 1/4: a short binary fraction"
+set title sprintf("α = %g", RIGHT_max)
 unset ylabel
 set key at graph 0.98, graph 0.60 right top maxrows 1
 plot dat index 1 using 1:7 with lines ls 2 notitle, \

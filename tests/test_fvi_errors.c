@@ -179,11 +179,12 @@ START_TEST(files_are_complete_or_absent)
     ck_assert_int_eq(fvi("run --steps 3 -o missing/table"), 1);
     ck_assert(!exists("missing/table"));
     ck_assert_int_eq(fvi("run --steps 3 -o ."), 1);
-    ck_assert_int_eq(shell("ulimit -f 1; $FVI run --steps 5000 -o large"), 1);
+    ck_assert_int_eq(shell("ulimit -f 1; \"$FVI\" run --steps 5000 -o large"),
+                     1);
     ck_assert(!exists("large"));
     ck_assert_int_eq(fvi("run -o /dev/full"), 1);
-    ck_assert_int_eq(shell("$FVI run > /dev/full; test $? = 1"), 0);
-    ck_assert_int_eq(shell("$FVI methods > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("\"$FVI\" run > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("\"$FVI\" methods > /dev/full; test $? = 1"), 0);
     ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
 }
 END_TEST
@@ -193,38 +194,39 @@ END_TEST
 START_TEST(what_was_there_is_respected)
 {
     ck_assert_int_eq(shell("umask 022; touch open; chmod 666 open; "
-                           "$FVI run --steps 3 -o open; ls -l open"),
+                           "\"$FVI\" run --steps 3 -o open; ls -l open"),
                      0);
     ck_assert(strncmp(out, "-rw-rw-rw-", 10) == 0);
-    ck_assert_int_eq(shell("umask 077; $FVI run --steps 3 -o new; ls -l new"),
-                     0);
+    ck_assert_int_eq(
+        shell("umask 077; \"$FVI\" run --steps 3 -o new; ls -l new"), 0);
     ck_assert(strncmp(out, "-rw-------", 10) == 0);
-    ck_assert_int_eq(shell("ln -s new link; $FVI run --steps 4 -o link; "
+    ck_assert_int_eq(shell("ln -s new link; \"$FVI\" run --steps 4 -o link; "
                            "test -L link && grep -c '^[0-9]' new"),
                      0);
     ck_assert_str_eq(out, "5\n");
-    ck_assert_int_eq(shell("ln -s nowhere lost; $FVI run -o lost"), 1);
+    ck_assert_int_eq(shell("ln -s nowhere lost; \"$FVI\" run -o lost"), 1);
     ck_assert_str_eq(err,
                      "fvi: cannot write lost: No such file or directory\n");
     ck_assert(!exists("nowhere"));
-    ck_assert_int_eq(shell("ln -s round round; $FVI run -o round"), 1);
-    ck_assert_int_eq(
-        shell("$FVI run --kappa 0 --h 3 --steps 3 -o warned 2>&-; cat warned"),
-        0);
+    ck_assert_int_eq(shell("ln -s round round; \"$FVI\" run -o round"), 1);
+    ck_assert_int_eq(shell("\"$FVI\" run --kappa 0 --h 3 --steps 3 -o warned "
+                           "2>&-; cat warned"),
+                     0);
     ck_assert(strncmp(out, "# fvi", 5) == 0);
-    ck_assert_int_eq(shell("$FVI run --steps 3 >&-; test $? = 1"), 0);
+    ck_assert_int_eq(shell("\"$FVI\" run --steps 3 >&-; test $? = 1"), 0);
 }
 END_TEST
 
 /* A run that is stopped leaves neither its file nor a temporary one. */
 START_TEST(an_interrupted_run_leaves_no_file)
 {
-    ck_assert_int_eq(shell("$FVI run --steps 1e5 --alpha 0.3 --memory direct "
-                           "-o gone & pid=$!; sleep 0.3; "
-                           "kill $pid; wait $pid; test $? = 143"),
-                     0);
+    ck_assert_int_eq(
+        shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
+              "-o gone & pid=$!; sleep 0.3; "
+              "kill $pid; wait $pid; test $? = 143"),
+        0);
     ck_assert(!exists("gone"));
-    ck_assert_int_eq(shell("trap '' HUP; $FVI run --steps 1e5 --alpha 0.3 "
+    ck_assert_int_eq(shell("trap '' HUP; \"$FVI\" run --steps 1e5 --alpha 0.3 "
                            "--memory direct -o kept & pid=$!; sleep 0.3; "
                            "kill -HUP $pid; sleep 0.1; kill $pid; "
                            "wait $pid; test $? = 143"),

@@ -125,6 +125,8 @@ def main():
     page = (HERE / "frame.html").read_text().replace("{contents}", contents(page)).replace("{page}", page)
     check_links(page)
     (OUT / "index.html").write_text(page)
+    # on paper a link to a file of the repository leads nowhere: only its words
+    (OUT / "print.html").write_text(re.sub(r'<a href="\.\./\.\./[^"]*">(.*?)</a>', r"\1", page, flags=re.S))
     print(f"{OUT}/index.html: {len(CHAPTERS)} chapters, {page.count('katex-mathml')} formulas")
 
 
