@@ -48,7 +48,8 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
     const size_t steps = t->o->steps, d = t->o->d;
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
-    size_t next = fvi_table_next(t, 0);
+    size_t next = fvi_table_next(t, 0),
+           look = often; /* divided by at no step */
     int status = fvi_table_take(t, 0, s->x, s->p);
     if (status)
         return fvi_stopped_at(0, status);
@@ -56,8 +57,10 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
-        if (s->k % often == 0)
+        if (s->k == look) {
             fvi_progress(s->k, steps);
+            look += often;
+        }
         if (s->k != next)
             continue;
         fvi_progress_clear(); /* the rows may go to the same terminal */
