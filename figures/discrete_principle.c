@@ -44,7 +44,8 @@ int main(void)
                     .h = h,
                     .steps = N,
                     .kappa = kappa,
-                    .alpha = alpha };
+                    .alpha = alpha,
+                    .past = FVI_PAST_RIEMANN_LIOUVILLE };
     int bad = fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
     run.kappa = 1 - kappa;
     bad |= fvi_trajectory(&fvi_fractional, &run, z, NULL, NULL);

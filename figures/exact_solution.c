@@ -13,9 +13,12 @@ static double t[COUNT], x[COUNT], wave[COUNT];
 
 static int solve(double alpha)
 {
-    const fvi_linear p = {
-        .m = 1, .c = 1, .rho = 0.5, .alpha = alpha, .caputo = 1, .x0 = 1
-    };
+    const fvi_linear p = { .m = 1,
+                           .c = 1,
+                           .rho = 0.5,
+                           .alpha = alpha,
+                           .past = FVI_PAST_CAPUTO,
+                           .x0 = 1 };
     double re, im;
     for (size_t i = 0; i < COUNT; i++)
         t[i] = 30.0 * (double)i / (COUNT - 1);

@@ -20,7 +20,8 @@ static int solve(double alpha, int caputo)
                            .c = 1,
                            .rho = rho,
                            .alpha = alpha,
-                           .caputo = caputo,
+                           .past = caputo ? FVI_PAST_CAPUTO
+                                          : FVI_PAST_RIEMANN_LIOUVILLE,
                            .x0 = caputo,
                            .v0 = !caputo };
     const double power = caputo ? -b : -1 - b;

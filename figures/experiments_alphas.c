@@ -29,8 +29,14 @@ int main(void)
     }
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
         double x[N + 1];
-        const fvi_run run = { &system,           &x0, &p0, h, N, .kappa = 0.5,
-                              .alpha = alphas[i] };
+        const fvi_run run = { &system,
+                              &x0,
+                              &p0,
+                              h,
+                              N,
+                              .kappa = 0.5,
+                              .alpha = alphas[i],
+                              .past = FVI_PAST_RIEMANN_LIOUVILLE };
         if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL))
             return EXIT_FAILURE;
         printf("\n\nt \"α = %g\"\n", alphas[i]);

@@ -49,7 +49,8 @@ static double error(double alpha, int caputo, size_t N)
                           .steps = N,
                           .kappa = 0.5,
                           .alpha = alpha,
-                          .caputo = caputo };
+                          .past = caputo ? FVI_PAST_CAPUTO
+                                         : FVI_PAST_RIEMANN_LIOUVILLE };
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) != GSL_SUCCESS)
         exit(EXIT_FAILURE);
     double worst = 0;

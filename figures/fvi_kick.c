@@ -25,7 +25,8 @@ static void run(size_t N, int caputo, double *x)
                         .steps = N,
                         .kappa = 0.5,
                         .alpha = 0.9,
-                        .caputo = caputo };
+                        .past = caputo ? FVI_PAST_CAPUTO
+                                       : FVI_PAST_RIEMANN_LIOUVILLE };
     if (fvi_trajectory(&fvi_fractional, &r, x, NULL, NULL) != GSL_SUCCESS)
         exit(EXIT_FAILURE);
 }

@@ -36,12 +36,13 @@ static void errors(const fvi_method *method, double alpha, size_t N, double *ex,
                           .p0 = &P0,
                           .h = 4 / (double)N,
                           .steps = N,
-                          .alpha = alpha };
+                          .alpha = alpha,
+                          .past = FVI_PAST_CAPUTO };
     const fvi_linear problem = { .m = 1,
                                  .c = 1,
                                  .rho = RHO,
                                  .alpha = alpha,
-                                 .caputo = 1,
+                                 .past = FVI_PAST_CAPUTO,
                                  .x0 = X0,
                                  .v0 = P0 };
     for (size_t k = 0; k <= N; k++)

@@ -69,8 +69,8 @@ void fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
     const fvi_linear *p = &S->p;
     *S = (fvi_inverse){ .p = *problem, .beta = 2 * problem->alpha };
     S->p.w = fabs(p->w);
-    S->keeps_x0 = p->caputo || p->alpha == 0.5;
-    S->keeps_v0 = p->caputo && p->alpha > 0.5;
+    S->keeps_x0 = p->past != FVI_PAST_RIEMANN_LIOUVILLE || p->alpha == 0.5;
+    S->keeps_v0 = p->past == FVI_PAST_CAPUTO && p->alpha > 0.5;
     int found = fvi_pole_find(p->m, p->c, p->rho, S->beta, &S->root);
     if (found)
         prepare_root(S);

@@ -27,7 +27,10 @@ static int check(const fvi_linear *p)
         GSL_ERROR("T must be finite and not negative", GSL_EDOM);
     if (p->forcing == FVI_FORCING_COSINE && !gsl_finite(p->w))
         GSL_ERROR("w must be finite", GSL_EDOM);
-    if (!p->caputo && p->x0 != 0 && p->rho > 0 && p->alpha > 0.5)
+    if (p->past != FVI_PAST_HELD && p->past != FVI_PAST_CAPUTO
+        && p->past != FVI_PAST_RIEMANN_LIOUVILLE)
+        GSL_ERROR("unknown past", GSL_EINVAL);
+    if (!fvi_past_has_solution(p->past, p->alpha, p->rho, p->x0))
         GSL_ERROR("Riemann-Liouville with x0 != 0 has no solution for "
                   "alpha > 1/2",
                   GSL_EDOM);

@@ -2,6 +2,8 @@
 #ifndef FVI_EXACT_SOLUTION_H
 #define FVI_EXACT_SOLUTION_H
 
+#include "past.h"
+
 #include <stddef.h>
 
 typedef enum {
@@ -18,8 +20,7 @@ typedef enum {
  *   c        stiffness, finite, >= 0 (0: a free particle)
  *   rho      damping, finite, >= 0
  *   alpha    0 <= alpha <= 1
- *   caputo   0: D is Riemann-Liouville; else Caputo, that is, it acts on x - x0
- *            and, where 2 alpha > 1, on x - x0 - t v0
+ *   past     on what D acts (past.h); zeroed: on x - x0
  *   x0, v0   start, finite. Riemann-Liouville with x0 != 0 has a solution for
  *            alpha < 1/2 only, and for alpha = 1/2 where D^1 means d/dt
  *   forcing  which F
@@ -30,7 +31,7 @@ typedef enum {
  * What is left out of an initialiser is zero and does nothing. */
 typedef struct {
     double m, c, rho, alpha;
-    int caputo;
+    fvi_past past;
     double x0, v0;
     fvi_forcing forcing;
     double A, T, w;
@@ -45,7 +46,7 @@ typedef struct {
  *            NULL, one of them may be t
  *
  * At t = 0 the start is returned (x' jumps there to m v0 / (m + rho) if
- * alpha = 1, Riemann-Liouville).
+ * alpha = 1 and the past is not Caputo's).
  * Residues of the complex poles and a contour integral around the rest of the
  * singularities. Accuracy: the error of x is at most 4e-14 max|x|, that of x'
  * at most 4e-14 (max|x'| + max|x| / t), the maxima over [0, t], for all m, c,

@@ -41,7 +41,8 @@ static int damping_alloc(size_t count, fvi_damping **damping)
     return GSL_SUCCESS;
 }
 
-int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
+int fvi_damping_start(const fvi_stepper *s, fvi_past past,
+                      fvi_damping **damping)
 {
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
@@ -63,9 +64,9 @@ int fvi_damping_start(const fvi_stepper *s, fvi_damping **damping)
         size_t j = d->count++;
         d->index[j] = i;
         d->factor[j] = system->damping[i] * pow(run->h, 1 - order);
-        if (run->caputo)
+        if (past != FVI_PAST_RIEMANN_LIOUVILLE)
             d->origin[j] = s->x[i]; /* (9.6) */
-        if (run->caputo && order > 1)
+        if (past == FVI_PAST_CAPUTO && order > 1)
             d->drift[j] = run->h * s->p[i] / system->mass[i];
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
@@ -83,7 +84,7 @@ static int start_fractional(fvi_stepper *s)
     int status = fvi_variational_solver(s);
     if (status)
         return status;
-    status = fvi_damping_start(s, &d);
+    status = fvi_damping_start(s, s->run.past, &d);
     s->own = d;
     return status;
 }
@@ -127,6 +128,7 @@ static int step_fractional(fvi_stepper *s)
 const fvi_method fvi_fractional = { .name = "fvi",
                                     .order = "1",
                                     .memory = "full",
+                                    .as_printed = 1,
                                     .start = start_fractional,
                                     .step = step_fractional,
                                     .stop = stop_fractional };
@@ -183,7 +185,8 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                           .h = h,
                           .steps = N,
                           .kappa = kappa,
-                          .alpha = alpha };
+                          .alpha = alpha,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE };
     fvi_stepper *s;
     status = fvi_start(&fvi_fractional, &run, &s); /* only to check them */
     if (status)

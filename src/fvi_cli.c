@@ -98,7 +98,7 @@ static fvi_linear linear_problem(const fvi_options *o)
                          .c = o->spring[0],
                          .rho = o->rho,
                          .alpha = o->alpha,
-                         .caputo = o->caputo,
+                         .past = o->past,
                          .x0 = o->x0[0],
                          .v0 = o->p0[0] / o->mass,
                          .forcing = o->force == 's'   ? FVI_FORCING_STEP

@@ -22,7 +22,7 @@ static const struct {
     [MASS] = { "mass", RUN | EXACT, "1" },
     [POTENTIAL] = { "potential", RUN | EXACT, "harmonic:1" },
     [FORCE] = { "force", RUN | EXACT, "none" },
-    [DERIVATIVE] = { "derivative", RUN | EXACT, "rl" },
+    [DERIVATIVE] = { "derivative", RUN | EXACT, "held" },
     [KAPPA] = { "kappa", RUN, "0.5" },
     [X0] = { "x0", RUN | EXACT, "1" },
     [P0] = { "p0", RUN | EXACT, "0.5" },

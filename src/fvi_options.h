@@ -27,7 +27,7 @@ typedef struct {
     double spring[2];  /* its parameters */
     char force;        /* n, s or c */
     double forcing[2]; /* its parameters */
-    int caputo;
+    fvi_past past;
     fvi_memory_kind memory;
     char columns[FVI_MAX_COLUMNS
                  + 1];    /* first letters of the columns, in order */

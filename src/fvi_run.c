@@ -112,7 +112,7 @@ static fvi_run the_run(const fvi_options *o, const fvi_system *system)
                       .steps = o->steps,
                       .kappa = o->kappa,
                       .alpha = o->alpha,
-                      .caputo = o->caputo,
+                      .past = o->past,
                       .memory = o->memory,
                       .tolerance = o->tolerance };
 }

@@ -89,10 +89,6 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not known to %s",
                           o->method->name);
-    if (!o->method->half_only && o->method != &fvi_fractional) {
-        o->caputo = 1; /* they know nothing else, and the head says so */
-        o->text[DERIVATIVE] = "caputo";
-    }
     return o->text[ERROR] ? interpret_error(o, c) : 0;
 }
 
@@ -116,7 +112,8 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
 /* What run and exact share: the system, its start, the grid, the columns. */
 static int interpret_trajectory(fvi_options *o, fvi_complaint c)
 {
-    static const char *const derivatives[] = { "rl", "caputo", NULL };
+    /* in the order of fvi_past */
+    static const char *const pasts[] = { "held", "caputo", "rl", NULL };
     size_t which = 0;
     int status = number(o, RHO, 0, INFINITY, "[)", &o->rho, c);
     if (!status)
@@ -127,8 +124,8 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = fvi_word_force(o->text[FORCE], &o->force, o->forcing, c);
     if (!status)
-        status = choice(o, DERIVATIVE, derivatives, &which, c);
-    o->caputo = which == 1;
+        status = choice(o, DERIVATIVE, pasts, &which, c);
+    o->past = (fvi_past)which;
     if (!status)
         status = interpret_grid(o, c);
     if (!status)
@@ -155,10 +152,12 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
     if (!status)
         status = fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
-    if (!status && o->command == FVI_COMMAND_EXACT && !o->caputo && o->rho > 0
-        && o->alpha > 0.5 && o->x0[0] != 0)
-        status = fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
-                               "and alpha > 1/2; take caputo");
+    for (size_t i = 0; !status && i < o->d; i++)
+        if (!(o->method && o->method->as_printed)
+            && !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]))
+            status =
+                fvi_refuse(c, "--derivative: 'rl' has no solution for "
+                              "x0 != 0 and alpha > 1/2; take held or caputo");
     if (status)
         fvi_options_free(o);
     return status;

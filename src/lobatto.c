@@ -27,6 +27,8 @@ typedef struct {
     double *v, *Y, *v0;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
     fvi_lobatto_memory *memory;              /* NULL: there is no history */
+    fvi_past_pull fading;
+    double *pull; /* rho A h^(1 + e) of each coordinate, (19.3); NULL: none */
 } lobatto;
 
 static size_t unknowns(const lobatto *o)
@@ -43,6 +45,7 @@ static void stop_lobatto(fvi_stepper *s)
     gsl_permutation_free(o->permutation);
     free(o->share);
     free(o->M);
+    free(o->pull);
     free(o->index);
     free(o);
 }
@@ -243,7 +246,7 @@ static void damp(fvi_stepper *s, lobatto *o)
 
 //> force
 /* S = -h b F, from within the step at its ends: a jump at a node t_k belongs to
- * neither side. */
+ * neither side; and the impulses of the past. */
 static void drive(fvi_stepper *s, lobatto *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
@@ -258,6 +261,13 @@ static void drive(fvi_stepper *s, lobatto *o)
         for (size_t j = 0; j < o->d; j++)
             o->S[i * o->d + j] = -weight(s, o, i, j) * s->F[j];
     }
+    if (!o->pull)
+        return;
+    double impulse[FVI_STAGES];
+    fvi_past_impulses(&o->fading, s->k, impulse);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            o->S[i * o->d + j] += o->share[j] * o->pull[j] * impulse[i];
 }
 //< force
 
@@ -341,6 +351,27 @@ static int prepare(fvi_stepper *s, lobatto *o)
     return status;
 }
 
+/* What a past that is not Caputo's adds, (19.3). */
+static int start_pull(fvi_stepper *s, lobatto *o)
+{
+    const fvi_system *system = s->run.system;
+    const double alpha = s->run.alpha;
+    for (size_t j = 0; j < o->d; j++) {
+        const double A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
+                                            s->p[j] / system->mass[j]);
+        if (A == 0 || system->damping[j] == 0)
+            continue;
+        if (!o->pull) {
+            o->pull = calloc(o->d, sizeof *o->pull);
+            if (!o->pull)
+                GSL_ERROR("no memory for the past", GSL_ENOMEM);
+            fvi_past_prepare(alpha, o->s, o->rule->c, &o->fading);
+        }
+        o->pull[j] = system->damping[j] * A * pow(s->run.h, 1 + o->fading.e);
+    }
+    return GSL_SUCCESS;
+}
+
 static int start(fvi_stepper *s, size_t stages)
 {
     const fvi_system *system = s->run.system;
@@ -358,7 +389,9 @@ static int start(fvi_stepper *s, size_t stages)
         o->v0[o->damped] = s->run.alpha > 0.5 ? s->p[j] / m : 0;
         o->index[o->damped++] = j;
     }
-    status = prepare(s, o);
+    status = start_pull(s, o);
+    if (!status)
+        status = prepare(s, o);
     for (size_t j = 0; !status && j < o->d; j++)
         status =
             invert(o, system->mass[j], system->damping[j], s->run.h, o->M[j]);

@@ -17,8 +17,9 @@
  * the step solves  p_k [i = 1] + (m/h) (K X)_i = S_i  for i = 1, ..., s - 1, and
  * then p_{k+1} = p_k - (S_1 + ... + S_s).
  *
- * Any system in R^d, any alpha in [0, 1]; Caputo wherever x0 or p0 is not zero
- * (run->caputo is not read), kappa is not used. F may jump at nodes t_k, not
+ * Any system in R^d, any alpha in [0, 1], any past: Y is Caputo's, what another past
+ * adds to it is a force that is known beforehand (19.3) and acts by its exact
+ * impulses (19.5). kappa is not used. F may jump at nodes t_k, not
  * inside a step: at stage 1 it is asked for t_k + 8u max(t_k, h), at stage s for
  * t_{k+1} - 8u t_{k+1}, u = 2^-53, which are on the right sides of any jump that
  * is within 4u t_k of the node.

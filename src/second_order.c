@@ -19,6 +19,9 @@ typedef struct {
     double g[FVI_BDF2_TAPS]; /* (13.11) */
     size_t taps, place;      /* taps == 0: no factor */
     double *past; /* the last terms of each, the latest at [place], twice */
+    fvi_past_pull fading;
+    double *pull; /* rho A h^(1 + e) of each, (19.3); NULL: there is none */
+    double impulse[2]; /* of this step, at its ends (19.5) */
 } second_order;
 
 /* ---- what both methods do ---- */
@@ -68,6 +71,17 @@ static int remember(fvi_stepper *s, second_order *o)
     return fvi_memory_push(d->memory, d->z, d->dz, o->H);
 }
 
+/* What the past does at the left or the right end of this step. */
+static void pull(fvi_stepper *s, second_order *o, size_t end)
+{
+    if (!o->pull)
+        return;
+    if (end == 0)
+        fvi_past_impulses(&o->fading, s->k, o->impulse);
+    for (size_t j = 0; j < o->damping->count; j++)
+        s->p[o->damping->index[j]] -= o->pull[j] * o->impulse[end];
+}
+
 /* First line of (13.10): p becomes p_k and its half of F and of the damping, r what
  * remains of it when all of D_{k+1} is taken away but the term with dx. */
 //> right-hand-side
@@ -81,6 +95,7 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
         s->p[i] += half * s->F[i];
     for (size_t j = 0; j < count; j++)
         s->p[d->index[j]] -= (0.5 - theta) * d->factor[j] * o->H[j];
+    pull(s, o, 0);
     memcpy(o->r, s->p, dim * sizeof *o->r);
     if (count == 0 || theta == 0)
         return GSL_SUCCESS;
@@ -114,6 +129,7 @@ static int step_second_order(fvi_stepper *s)
     status = remember(s, o);
     for (size_t j = 0; j < d->count; j++)
         s->p[d->index[j]] -= (0.5 + o->theta) * d->factor[j] * o->H[j];
+    pull(s, o, 1);
     return status;
 }
 //< step
@@ -128,6 +144,7 @@ static void stop_second_order(fvi_stepper *s)
     fvi_damping_free(o->damping);
     free(o->r);
     free(o->H);
+    free(o->pull);
     free(o);
 }
 
@@ -145,6 +162,33 @@ static int solver(fvi_stepper *s, const second_order *o)
                             1 - run->kappa, &s->newton);
 }
 
+static double amplitude(const fvi_stepper *s, size_t i)
+{
+    return fvi_past_amplitude(s->run.past, s->run.alpha, s->x[i],
+                              s->p[i] / s->run.system->mass[i]);
+}
+
+/* The memory is Caputo's; what another past adds is known beforehand. (19.3) */
+static int start_pull(fvi_stepper *s, second_order *o)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_run *run = &s->run;
+    const fvi_damping *d = o->damping;
+    int any = 0;
+    for (size_t j = 0; j < d->count; j++)
+        any |= amplitude(s, d->index[j]) != 0;
+    if (!any)
+        return GSL_SUCCESS;
+    o->pull = malloc(d->count * sizeof *o->pull);
+    if (!o->pull)
+        GSL_ERROR("no memory for the method", GSL_ENOMEM);
+    fvi_past_prepare(run->alpha, 2, ends, &o->fading);
+    for (size_t j = 0; j < d->count; j++)
+        o->pull[j] = run->system->damping[d->index[j]]
+                     * amplitude(s, d->index[j]) * pow(run->h, 1 + o->fading.e);
+    return GSL_SUCCESS;
+}
+
 static int start(fvi_stepper *s, double theta, int is_bdf2)
 {
     second_order *o = s->own = calloc(1, sizeof *o);
@@ -154,8 +198,8 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
     o->r = calloc(s->run.system->d, sizeof *o->r);
     if (!o->r)
         GSL_ERROR("no memory for the method", GSL_ENOMEM);
-    s->run.caputo = 1; /* so that D_0 = 0 */
-    int status = fvi_damping_start(s, &o->damping);
+    int status =
+        fvi_damping_start(s, FVI_PAST_CAPUTO, &o->damping); /* D_0 = 0 */
     if (status)
         return status;
     if (o->damping) {
@@ -167,6 +211,9 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
             GSL_ERROR("no memory for the method", GSL_ENOMEM);
         o->ahead = o->H + count;
         o->past = o->ahead + count;
+        status = start_pull(s, o);
+        if (status)
+            return status;
     }
     return solver(s, o);
 }

@@ -68,7 +68,8 @@ static double distance(const search *o, double *largest)
 static double least_order(const fvi_method *method, const fvi_run *run)
 {
     double least = 0.25;
-    if (method == &fvi_fractional && !run->caputo && run->alpha < 0.5)
+    if (method == &fvi_fractional && run->past == FVI_PAST_RIEMANN_LIOUVILLE
+        && run->alpha < 0.5)
         for (size_t i = 0; i < run->system->d; i++)
             if (run->x0[i] != 0 && run->system->damping[i] > 0)
                 least = fmin(least, 1 - 2 * run->alpha);

@@ -8,6 +8,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+fvi_run fvi_run_default(const fvi_system *system, const double *x0,
+                        const double *p0, double h, size_t steps)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = x0,
+                      .p0 = p0,
+                      .h = h,
+                      .steps = steps,
+                      .kappa = 0.5,
+                      .alpha = 0.5,
+                      .past = FVI_PAST_HELD,
+                      .memory = FVI_MEMORY_AUTO };
+}
+
+static int check_past(const fvi_method *method, const fvi_run *run)
+{
+    if (run->past != FVI_PAST_HELD && run->past != FVI_PAST_CAPUTO
+        && run->past != FVI_PAST_RIEMANN_LIOUVILLE)
+        GSL_ERROR("unknown past", GSL_EINVAL);
+    for (size_t i = 0; i < run->system->d && !method->as_printed; i++)
+        if (!fvi_past_has_solution(run->past, run->alpha,
+                                   run->system->damping[i], run->x0[i]))
+            GSL_ERROR("Riemann-Liouville with x0 != 0 has no solution for "
+                      "alpha > 1/2",
+                      GSL_EDOM);
+    return GSL_SUCCESS;
+}
+
 static int check(const fvi_method *method, const fvi_run *run)
 {
     if (!method || !run || !run->x0 || !run->p0)
@@ -30,7 +58,7 @@ static int check(const fvi_method *method, const fvi_run *run)
     if (!fvi_all_finite(run->system->d, run->x0)
         || !fvi_all_finite(run->system->d, run->p0))
         GSL_ERROR("x0 and p0 must be finite", GSL_EDOM);
-    return GSL_SUCCESS;
+    return check_past(method, run);
 }
 
 int fvi_start(const fvi_method *method, const fvi_run *run,

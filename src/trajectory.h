@@ -15,6 +15,7 @@
 
 #include "memory.h"
 #include "newton.h"
+#include "past.h"
 #include "system.h"
 
 /* fvi_run -- all that determines the numbers of a trajectory.
@@ -25,12 +26,13 @@
  *   steps    N >= 1: the rows are k = 0, ..., N at t_k = k h
  *   kappa    potential taken at kappa x_k + (1 - kappa) x_{k+1}, 0 <= kappa <= 1
  *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1
- *   caputo   0: Riemann-Liouville, as in the paper; else Caputo: the damping
- *            acts on x - x0, and on x - x0 - t v0 where 2 alpha > 1
+ *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
  *   memory   how the history is summed
  *   tolerance  of the compressed memory, relative to the direct sum; 0 means
  *              the default 1e-13; not read where nothing is remembered
  *
+ * What is left out of an initialiser is zero: begin with fvi_run_default, which
+ * sets what must not be zero by accident.
  * The methods: fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
  * (discrete_mechanics.h), fvi_fractional (fvi.h), fvi_shifted, fvi_bdf2
  * (convolution_quadrature.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4 (lobatto.h).
@@ -42,10 +44,15 @@ typedef struct {
     size_t steps;
     double kappa;
     double alpha;
-    int caputo;
+    fvi_past past;
     fvi_memory_kind memory;
     double tolerance;
 } fvi_run;
+
+/* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
+ * at x0, its memory summed in the best way that there is; change what you like. */
+fvi_run fvi_run_default(const fvi_system *system, const double *x0,
+                        const double *p0, double h, size_t steps);
 
 typedef struct fvi_method fvi_method;
 
@@ -66,13 +73,15 @@ typedef struct {
  *
  *   half_only  nonzero if the method knows linear damping only, alpha = 1/2;
  *          fvi_start refuses other runs (GSL_EDOM)
+ *   as_printed  nonzero if the method also runs what has no solution (19.2), as the
+ *          paper does; for the others fvi_start refuses it (GSL_EDOM)
  *   start  refuses runs that the method does not know; prepares newton and own;
  *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
-    int half_only;
+    int half_only, as_printed;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
     void (*stop)(fvi_stepper *s);
@@ -85,7 +94,8 @@ struct fvi_method {
  * fvi_newton_alloc and fvi_memory_alloc return; GSL_EFAULT if a pointer is
  * NULL; GSL_EINVAL if steps == 0 or the method does not take such a system;
  * GSL_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
- * does not know this alpha; GSL_ENOMEM. On error *stepper is untouched. */
+ * does not know this alpha, or if the run has no solution (19.2) and is not one of
+ * fvi_fractional; GSL_ENOMEM. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 

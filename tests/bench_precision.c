@@ -71,7 +71,7 @@ static fvi_run run_of(int P, size_t N, fvi_memory_kind kind)
                       .steps = N,
                       .kappa = 0.5,
                       .alpha = alphas[P],
-                      .caputo = 1,
+                      .past = FVI_PAST_CAPUTO,
                       .memory = kind };
 }
 
@@ -173,7 +173,7 @@ static void find_truth(void)
                                        .c = 1,
                                        .rho = 1,
                                        .alpha = 0.75,
-                                       .caputo = 1,
+                                       .past = FVI_PAST_CAPUTO,
                                        .forcing = FVI_FORCING_STEP,
                                        .A = plate[0],
                                        .T = plate[1] };

@@ -25,7 +25,8 @@ static inline fvi_linear oscillator(double alpha, int caputo, double x0,
                          .c = 1,
                          .rho = RHO,
                          .alpha = alpha,
-                         .caputo = caputo,
+                         .past = caputo ? FVI_PAST_CAPUTO
+                                        : FVI_PAST_RIEMANN_LIOUVILLE,
                          .x0 = x0,
                          .v0 = v0 };
 }

@@ -13,14 +13,8 @@ int main(void)
                                 .mass = mass,
                                 .damping = damping,
                                 .potential = fvi_potential_chain(spring) };
-    const fvi_run run = { .system = &system,
-                          .x0 = x0,
-                          .p0 = p0,
-                          .h = 0.01,
-                          .steps = 2000,
-                          .kappa = 0.5,
-                          .alpha = 0.25,
-                          .caputo = 1 };
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.01, 2000);
+    run.alpha = 0.25; /* the rest is at rest until t = 0, kappa is 1/2 */
     fvi_stepper *s;
     if (fvi_start(&fvi_fractional, &run, &s) != 0)
         return 1;

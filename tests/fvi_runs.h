@@ -52,7 +52,7 @@ static inline fvi_potential potential(int kind, const double cg[2])
 typedef struct {
     double alpha, kappa, h;
     size_t steps;
-    int caputo;
+    fvi_past past;
     double mass, rho, x0, p0;
     int potential;
     double cg[2];
@@ -71,7 +71,7 @@ static inline void run(const fvi_method *method, const setup *a,
                         .steps = a->steps,
                         .kappa = a->kappa,
                         .alpha = a->alpha,
-                        .caputo = a->caputo,
+                        .past = a->past,
                         .memory = FVI_MEMORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(method, &r, x, p, NULL), GSL_SUCCESS);
 }

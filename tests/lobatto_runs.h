@@ -32,6 +32,7 @@ static inline int try_run(const setup *a, double *x, double *p)
                           .h = a->h,
                           .steps = a->steps,
                           .alpha = a->alpha,
+                          .past = FVI_PAST_CAPUTO,
                           .memory = a->memory };
     return fvi_trajectory(methods[a->s], &run, x, p, NULL);
 }

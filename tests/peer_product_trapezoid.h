@@ -22,8 +22,8 @@
  * Each step is solved by Newton's method. Where F jumps it is the mean of both
  * limits, which keeps the order.
  *
- *   run  as for fvi_start, 0 < alpha < 1; caputo, kappa, memory, tolerance are
- *        not read
+ *   run  as for fvi_start, 0 < alpha < 1; the past is Caputo's whatever run->past
+ *        says; kappa, memory, tolerance are not read
  *   x    output, (steps + 1) d positions
  *
  * Cost O(N log^2 N), memory O(N d).

@@ -49,7 +49,7 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
                         .steps = steps,
                         .kappa = stress_kappa(random),
                         .alpha = stress_alpha(random),
-                        .caputo = (int)gsl_rng_uniform_int(random, 2) };
+                        .past = (fvi_past)gsl_rng_uniform_int(random, 3) };
     fvi_stability_step(&c->run, &step);
     if (step == 0) { /* alpha near 1: no step is stable; less damping */
         for (size_t i = 0; i < d; i++)
@@ -71,14 +71,14 @@ double stress_matching(gsl_rng *random, char *describe, size_t size)
     double *x = calloc(5 * (N + 1) * d, sizeof *x), worst = 0, allowed = 0;
     double *p = x + (N + 1) * d, *z = p + (N + 1) * d, *H = z + (N + 1) * d,
            *F = H + (N + 1) * d;
-    snprintf(describe, size, "d=%zu alpha=%.17g kappa=%g h=%g caputo=%d", d,
-             c.run.alpha, c.run.kappa, c.run.h, c.run.caputo);
+    snprintf(describe, size, "d=%zu alpha=%.17g kappa=%g h=%g past=%d", d,
+             c.run.alpha, c.run.kappa, c.run.h, (int)c.run.past);
     int status = fvi_trajectory(&fvi_fractional, &c.run, x, p, NULL);
     for (size_t k = 0; k <= N; k++)
         for (size_t i = 0; i < d; i++) {
             double v0 = c.run.alpha > 0.5 ? c.p0[i] / c.mass[i] : 0;
             z[k * d + i] = x[k * d + i];
-            if (c.run.caputo)
+            if (c.run.past != FVI_PAST_RIEMANN_LIOUVILLE)
                 z[k * d + i] -= c.x0[i] + (double)k * c.run.h * v0;
             allowed =
                 GSL_MAX(allowed, fabs(x[k * d + i]) * c.mass[i] / c.run.h);
@@ -123,7 +123,7 @@ static void random_oscillator(gsl_rng *random, oscillator *o, size_t steps)
                         .h = stress_decades(random, 0.003, 0.03),
                         .kappa = 0.5,
                         .alpha = stress_alpha(random),
-                        .caputo = 1 };
+                        .past = FVI_PAST_CAPUTO };
     o->rho = o->m * stress_decades(random, 1e-4, 0.5);
 }
 

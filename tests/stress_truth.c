@@ -37,7 +37,7 @@ static double error_of_run(const fvi_linear *problem, double kappa, double T,
                           .steps = N,
                           .kappa = kappa,
                           .alpha = problem->alpha,
-                          .caputo = 1 };
+                          .past = FVI_PAST_CAPUTO };
     double *x = malloc(3 * (N + 1) * sizeof *x), *exact, *t, error = GSL_NAN;
     if (!x)
         return error;
@@ -68,7 +68,7 @@ double stress_exact(gsl_rng *random, char *describe, size_t size)
                                  .c = m * w * w,
                                  .rho = r * m * pow(w, 2 - 2 * alpha),
                                  .alpha = alpha,
-                                 .caputo = 1,
+                                 .past = FVI_PAST_CAPUTO,
                                  .x0 = stress_uniform(random, -1, 1),
                                  .v0 = w * stress_uniform(random, -1, 1) };
     double used = 0, error[2];
@@ -140,7 +140,7 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
                           .steps = N,
                           .kappa = kappa,
                           .alpha = alpha,
-                          .caputo = 1,
+                          .past = FVI_PAST_CAPUTO,
                           .memory = FVI_MEMORY_DIRECT };
     double x[N + 1], load = 0, most = 0, off = 0;
     static quad truth[N + 1];

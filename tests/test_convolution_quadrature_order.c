@@ -63,7 +63,7 @@ static void linear(const setup *a, size_t N)
                                  .c = a->cg[0],
                                  .rho = a->rho,
                                  .alpha = a->alpha,
-                                 .caputo = 1,
+                                 .past = FVI_PAST_CAPUTO,
                                  .x0 = a->x0,
                                  .v0 = a->p0 / a->mass,
                                  .forcing =
@@ -86,6 +86,7 @@ START_TEST(eq_13_8_order_two_in_x_and_p_on_the_oscillator)
 {
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
         const setup a = { .alpha = alphas[i / 2],
+                          .past = FVI_PAST_CAPUTO,
                           .kappa = 0.5,
                           .mass = 1,
                           .rho = 0.2,
@@ -133,6 +134,7 @@ START_TEST(eq_13_8_order_two_in_x_and_p_on_a_driven_duffing_oscillator)
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
         const char *name = methods[i % 2]->name;
         setup a = { .alpha = alphas[i / 2],
+                    .past = FVI_PAST_CAPUTO,
                     .kappa = 0.5,
                     .mass = 1.5,
                     .rho = 0.7,
@@ -176,6 +178,7 @@ START_TEST(eq_13_8_order_two_on_a_pendulum_that_both_agree_upon)
 {
     for (size_t i = 0; i < LEN(alphas); i++) {
         setup a = { .alpha = alphas[i],
+                    .past = FVI_PAST_CAPUTO,
                     .kappa = 0.5,
                     .mass = 1,
                     .rho = 0.4,
@@ -213,6 +216,7 @@ START_TEST(eq_13_12_the_jump_of_bagley_and_torvik)
                  known[] = { 3.468424e-3, 8.653632e-4, 2.161186e-4, 5.400051e-5,
                              1.349661e-5 };
     const setup a = { .alpha = 0.75,
+                      .past = FVI_PAST_CAPUTO,
                       .kappa = 0.5,
                       .mass = 1,
                       .rho = 1,
@@ -250,6 +254,7 @@ START_TEST(eq_13_12_a_jump_a_rounding_away_is_at_the_node)
     ck_assert(decimal[1] < product[1]);
     for (size_t j = 0; j < LEN(methods); j++) {
         setup a = { .alpha = 0.3,
+                    .past = FVI_PAST_CAPUTO,
                     .kappa = 0.5,
                     .h = 0.1,
                     .steps = 40,
@@ -291,6 +296,7 @@ START_TEST(eq_13_12_the_force_is_asked_within_the_step)
 {
     for (size_t j = 0; j < LEN(methods); j++) {
         const setup a = { .alpha = 0.3,
+                          .past = FVI_PAST_CAPUTO,
                           .kappa = 0.5,
                           .h = 0.1,
                           .steps = 20,

@@ -52,7 +52,7 @@ START_TEST(eq_13_7_trajectories_are_the_exact_ones)
                           ref_runs[r].kappa,
                           ref_runs[r].h,
                           ref_runs[r].steps,
-                          0,
+                          FVI_PAST_CAPUTO,
                           ref_runs[r].mass,
                           ref_runs[r].rho,
                           ref_runs[r].x0,
@@ -81,8 +81,10 @@ START_TEST(eq_13_10_the_half_derivative_shifted_is_the_midpoint_rule)
 {
     const double kappas[] = { 0, 0.25, 0.5, 1 };
     for (size_t i = 0; i < LEN(kappas); i++) {
-        const setup a = { 0.5, kappas[i], 0.1, 100,      0,        2,
-                          0.7, 0.5,       0.3, HARMONIC, { 1, 0 }, { 0 } };
+        const setup a = {
+            0.5, kappas[i], 0.1, 100,      FVI_PAST_CAPUTO, 2,
+            0.7, 0.5,       0.3, HARMONIC, { 1, 0 },        { 0 }
+        };
         double x[101], p[101], want = a.x0, q = a.p0;
         solve(&fvi_shifted, &a, x, p);
         const double bound = rounding(&fvi_shifted, &a, x, p), K = a.kappa;
@@ -104,8 +106,8 @@ START_TEST(eq_13_14_at_alpha_1_the_damping_is_an_added_mass)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         if (kind == CHAIN)
             continue;
-        setup a = { 1,   0.5, 0.1, 200,  0,          2,
-                    3.5, 0.5, 0.3, kind, { 1, 0.5 }, { 0 } };
+        setup a = { 1,   0.5, 0.1, 200,  FVI_PAST_CAPUTO, 2,
+                    3.5, 0.5, 0.3, kind, { 1, 0.5 },      { 0 } };
         double x[201], p[201], want[201];
         solve(&fvi_shifted, &a, x, p);
         const double bound = rounding(&fvi_shifted, &a, x, p);
@@ -124,8 +126,8 @@ START_TEST(eq_13_10_without_damping_it_is_algorithm_1)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         if (kind == CHAIN)
             continue;
-        const setup a = { 0.3, 0.25, 0.1, 100,  0,        2,
-                          0,   0.5,  0.3, kind, { 1, 1 }, { 0 } };
+        const setup a = { 0.3, 0.25, 0.1, 100,  FVI_PAST_CAPUTO, 2,
+                          0,   0.5,  0.3, kind, { 1, 1 },        { 0 } };
         double x[101], p[101], want[101];
         solve(&fvi_variational, &a, want, NULL);
         for (size_t i = 0; i < LEN(methods); i++) {
@@ -189,7 +191,7 @@ START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
                             0.25,
                             0.125,
                             N,
-                            0,
+                            FVI_PAST_CAPUTO,
                             mass[0],
                             rho[0],
                             1,
@@ -208,9 +210,8 @@ START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
 }
 END_TEST
 
-/* The damping knows no origin and, for 2 alpha > 1, no uniform motion, whatever
- * run.caputo says. Seen: 0.0002 of the bound. */
-START_TEST(eq_13_7_both_are_caputo_always)
+/* Caputo's damping knows no origin and, for 2 alpha > 1, no uniform motion. Seen: 0.0002 of the bound. */
+START_TEST(eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion)
 {
     const double alphas[] = { 0.1, 0.25, 0.5, 0.75, 1 };
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
@@ -219,7 +220,7 @@ START_TEST(eq_13_7_both_are_caputo_always)
                     0.5,
                     0.125,
                     60,
-                    0,
+                    FVI_PAST_CAPUTO,
                     1,
                     0.5,
                     0,
@@ -230,7 +231,6 @@ START_TEST(eq_13_7_both_are_caputo_always)
         double here[61], there[61], p[61];
         solve(method, &a, here, p);
         a.x0 = 8;
-        a.caputo = 1;
         solve(method, &a, there, NULL);
         for (size_t k = 0; k <= 60; k++) {
             ck_assert_near(there[k] - 8, here[k],
@@ -383,7 +383,7 @@ int main(void)
              eq_13_10_without_damping_it_is_algorithm_1,
              eq_13_10_only_damped_coordinates_remember,
              eq_13_7_the_modes_of_a_chain_decouple,
-             eq_13_7_both_are_caputo_always,
+             eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion,
              eq_13_11_all_memories_give_the_same_trajectory);
     ADD_CASE(suite, "errors", runs_that_cannot_be_done_are_refused);
     return run_suite(suite);

@@ -18,6 +18,7 @@ static setup scalar(double alpha, double kappa, double W, double R,
                     size_t steps)
 {
     return (setup){ .alpha = alpha,
+                    .past = FVI_PAST_CAPUTO,
                     .kappa = kappa,
                     .h = 1,
                     .steps = steps,

@@ -145,6 +145,7 @@ static void run_fvi(const fvi_system *system, double alpha, double kappa,
                           .steps = N,
                           .kappa = kappa,
                           .alpha = alpha,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
                           .memory = FVI_MEMORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
                      GSL_SUCCESS);

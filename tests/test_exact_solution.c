@@ -9,14 +9,18 @@
 START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
 {
     for (size_t i = 0; i < LEN(ref_solutions); i++) {
-        fvi_linear p = {
-            ref_solutions[i].m,      ref_solutions[i].c,
-            ref_solutions[i].rho,    ref_solutions[i].alpha,
-            ref_solutions[i].caputo, ref_solutions[i].x0,
-            ref_solutions[i].v0,     (fvi_forcing)ref_solutions[i].forcing,
-            ref_solutions[i].A,      ref_solutions[i].T,
-            ref_solutions[i].w
-        };
+        fvi_linear p = { ref_solutions[i].m,
+                         ref_solutions[i].c,
+                         ref_solutions[i].rho,
+                         ref_solutions[i].alpha,
+                         ref_solutions[i].caputo ? FVI_PAST_CAPUTO
+                                                 : FVI_PAST_RIEMANN_LIOUVILLE,
+                         ref_solutions[i].x0,
+                         ref_solutions[i].v0,
+                         (fvi_forcing)ref_solutions[i].forcing,
+                         ref_solutions[i].A,
+                         ref_solutions[i].T,
+                         ref_solutions[i].w };
         double t = ref_solutions[i].t, x, v, X = ref_solutions[i].size_x;
         solve(&p, t, &x, &v);
         ck_assert_near(x, ref_solutions[i].x, TOL * X, "x, row %zu", i);
@@ -192,7 +196,7 @@ START_TEST(eq_11_7_the_integrator_converges_to_it_at_order_1)
                             .steps = steps,
                             .kappa = 0.5,
                             .alpha = alphas[i],
-                            .caputo = 1 };
+                            .past = FVI_PAST_CAPUTO };
             ck_assert_int_eq(
                 fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
             for (size_t k = unit; k <= steps; k += unit) {
@@ -246,16 +250,16 @@ START_TEST(bad_problems_are_refused_and_outputs_are_untouched)
     REFUSED(GSL_EDOM, .m = 0, .c = 1);
     REFUSED(GSL_EDOM, .m = 1, .c = 1, .alpha = 1 + 0x1p-52);
     REFUSED(GSL_EINVAL, .m = 1, .c = 1, .forcing = (fvi_forcing)9);
-    REFUSED(GSL_EDOM, .m = 1, .c = 1, .rho = 1, .alpha = 0.5 + 0x1p-53,
-            .x0 = 1);
+    REFUSED(GSL_EDOM, .m = 1, .c = 1, .rho = 1, .alpha = 0.5 + 0x1p-53, .x0 = 1,
+            .past = FVI_PAST_RIEMANN_LIOUVILLE);
     /* but not without damping, nor at alpha = 1/2, nor for Caputo */
     fvi_linear p = { .m = 1, .c = 1, .alpha = 0.6, .x0 = 1 };
     ck_assert_near(solve_x(p, 1), cos(1), TOL, "no damping");
     p.rho = 1;
-    p.caputo = 1;
+    p.past = FVI_PAST_CAPUTO;
     solve_x(p, 1);
     p.alpha = 0.5;
-    p.caputo = 0;
+    p.past = FVI_PAST_RIEMANN_LIOUVILLE;
     solve_x(p, 1);
 }
 END_TEST

@@ -55,7 +55,7 @@ START_TEST(eq_11_14_rational_orders_are_complex_error_functions)
                                             .c = p[1],
                                             .rho = p[2],
                                             .alpha = power / 4.0,
-                                            .caputo = 1,
+                                            .past = FVI_PAST_CAPUTO,
                                             .forcing = FVI_FORCING_STEP,
                                             .A = 1,
                                             .T = 1e6 };
@@ -77,7 +77,7 @@ START_TEST(eq_11_14_bagley_torvik_by_error_functions)
                                .c = 1,
                                .rho = 1,
                                .alpha = 0.75,
-                               .caputo = 1,
+                               .past = FVI_PAST_CAPUTO,
                                .forcing = FVI_FORCING_STEP,
                                .A = 8,
                                .T = 1 };

@@ -25,9 +25,19 @@ START_TEST(eq_11_13_integer_orders_have_closed_forms)
     for (size_t i = 0; i < LEN(rhos) * LEN(times) * 4; i++) {
         double rho = rhos[i / 4 / LEN(times)], t = times[i / 4 % LEN(times)];
         size_t k = i % 4; /* alpha = 0, 1 Riemann-Liouville; 1/2, 1 Caputo */
-        fvi_linear p = { 1,     1,       rho, k == 2 ? 0.5 : k == 0 ? 0 : 1,
-                         k > 1, kept[k], v0,  FVI_FORCING_NONE,
-                         0,     0,       0 };
+        fvi_linear p = { 1,
+                         1,
+                         rho,
+                         k == 2   ? 0.5
+                         : k == 0 ? 0
+                                  : 1,
+                         k > 1 ? FVI_PAST_CAPUTO : FVI_PAST_RIEMANN_LIOUVILLE,
+                         kept[k],
+                         v0,
+                         FVI_FORCING_NONE,
+                         0,
+                         0,
+                         0 };
         double mass = 1 + (k % 2 ? rho : 0), spring = 1 + (k == 0 ? rho : 0);
         double jump = k == 1 && t > 0 ? v0 / mass : v0; /* of x' at t = 0 */
         double x, v, X, V;
@@ -61,7 +71,9 @@ START_TEST(eq_11_13_special_closed_forms)
         p = (fvi_linear){ .m = 2, .rho = 4, .x0 = 1, .v0 = 3, .alpha = 0.5 };
         want = 1 - 1.5 * expm1(-2 * t);
         ck_assert_near(solve_x(p, t), want, TOL * want, "t=%g", t);
-        p = (fvi_linear){ .m = 1, .c = 1, .rho = 3, .caputo = 1, .x0 = 4 };
+        p = (fvi_linear){
+            .m = 1, .c = 1, .rho = 3, .past = FVI_PAST_CAPUTO, .x0 = 4
+        };
         ck_assert_near(solve_x(p, t), 3 + cos(2 * t), 4 * TOL, "t=%g", t);
     }
 }
@@ -135,9 +147,10 @@ static double kernel(double u, void *params)
     const fvi_linear *p = params;
     double r = exp(u), t = p->T, b = 2 * p->alpha, y = p->rho * pow(r, b);
     double Q1 = p->m * r * r + p->c, re = Q1 + y * cos(M_PI * b);
-    double im = y * sin(M_PI * b), k1 = p->caputo && b > 1;
-    double top = p->m * (p->v0 - r * p->x0)
-                 + (p->caputo * p->x0 / r - k1 * p->v0 / r / r) * Q1;
+    double im = y * sin(M_PI * b), k1 = p->past == FVI_PAST_CAPUTO && b > 1;
+    double top =
+        p->m * (p->v0 - r * p->x0)
+        + ((p->past == FVI_PAST_CAPUTO) * p->x0 / r - k1 * p->v0 / r / r) * Q1;
     return exp(-r * t) * r * im / M_PI * top / (re * re + im * im);
 }
 
@@ -329,7 +342,7 @@ START_TEST(eq_11_1_units_do_not_matter)
                              .c = units[i],
                              .rho = RHO * units[i],
                              .alpha = 0.25,
-                             .caputo = 1,
+                             .past = FVI_PAST_CAPUTO,
                              .x0 = 1 };
             ck_assert_near(solve_x(p, t), want, 2 * TOL + 4 * t * U, "%g",
                            units[i]);

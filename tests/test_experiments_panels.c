@@ -42,6 +42,7 @@ static fvi_run paper_run(const fvi_system *system, double alpha, double h,
                       .steps = N,
                       .kappa = 0.5,
                       .alpha = alpha,
+                      .past = FVI_PAST_RIEMANN_LIOUVILLE,
                       .memory = FVI_MEMORY_DIRECT };
 }
 

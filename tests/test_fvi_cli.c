@@ -16,7 +16,7 @@ START_TEST(run_prints_head_and_rows)
     const char *head =
         "# method = fvi\n# alpha = 0.5\n# rho = 0.2\n# mass = 1\n"
         "# potential = harmonic:1\n# force = none\n"
-        "# derivative = rl\n# kappa = 0.5\n# x0 = 1\n# p0 = 0.5\n"
+        "# derivative = held\n# kappa = 0.5\n# x0 = 1\n# p0 = 0.5\n"
         "# h = 0.5\n# steps = 2\n# columns = t,x,p,energy\n"
         "# every = 1\n# memory = auto\n# tolerance = 1e-13\n"
         "# t\tx\tp\tenergy\n0\t1\t0.5\t0.625\n0.5\t";
@@ -40,7 +40,7 @@ START_TEST(rows_are_the_numbers_of_the_library)
                           .steps = 40,
                           .kappa = 0.25,
                           .alpha = 0.3,
-                          .caputo = 1,
+                          .past = FVI_PAST_CAPUTO,
                           .memory = FVI_MEMORY_DIRECT };
     double x[41], p[41], energy[41];
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, energy),
@@ -62,7 +62,7 @@ START_TEST(rows_are_the_numbers_of_the_library)
 }
 END_TEST
 
-/* Each method by its name, and the word caputo where it knows nothing else. */
+/* Each method by its name; and all of them have the same past by default. */
 START_TEST(every_method_is_at_hand_by_its_name)
 {
     const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
@@ -87,8 +87,7 @@ START_TEST(every_method_is_at_hand_by_its_name)
         snprintf(line, sizeof line, "run --alpha 0.3 --steps 100 --method %s",
                  methods[i]->name);
         ck_assert_int_eq(fvi(line), 0);
-        ck_assert_ptr_nonnull(
-            strstr(out, i ? "# derivative = caputo\n" : "# derivative = rl\n"));
+        ck_assert_ptr_nonnull(strstr(out, "# derivative = held\n"));
         for (size_t k = 0; k <= 100; k++)
             ck_assert_ulp(cell(k, 1), x[k], 0, "%s, k=%zu", methods[i]->name,
                           k);
@@ -225,7 +224,7 @@ START_TEST(exact_prints_the_exact_solution)
                                  .c = 3,
                                  .rho = 0.5,
                                  .alpha = 0.75,
-                                 .caputo = 1,
+                                 .past = FVI_PAST_CAPUTO,
                                  .x0 = 1,
                                  .v0 = -0.25,
                                  .forcing = FVI_FORCING_COSINE,

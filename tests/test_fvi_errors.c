@@ -41,7 +41,7 @@ START_TEST(bad_use_is_refused)
         "run --potential chain:3,1,1 --p0 1,2,3,4;run -o '';run -o;"
         "run -o a -o b;run --o a;exact --kappa 0.5;exact --potential "
         "pendulum:1;"
-        "exact --potential harmonic:-1;exact --alpha 0.6;"
+        "exact --potential harmonic:-1;exact --alpha 0.6 --derivative rl;"
         "run --time 0;run --time -1;run --time nan;run --time inf;"
         "run --time 1 --h 0.1;exact --time 1 --h 0.1;run --time 1e-320 --steps "
         "1e15;"

@@ -109,7 +109,7 @@ START_TEST(defaults_are_those_of_the_manual)
         fvi_options_parse(2, argv, &o, complaint, sizeof complaint), 0);
     ck_assert(o.alpha == 0.5 && o.rho == 0.2 && o.mass == 1 && o.kappa == 0.5);
     ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
-    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && !o.caputo && !o.output);
+    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_PAST_HELD && !o.output);
     ck_assert(o.potential == 'h' && o.spring[0] == 1 && o.force == 'n');
     ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
     ck_assert(o.error == 0);

@@ -76,6 +76,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const setup a = { .alpha = alphas[r / 5],
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
                           .kappa = 0.25 * (double)(r % 5),
                           .h = 0.05,
                           .steps = N };
@@ -147,8 +148,9 @@ START_TEST(eq_8_5_kappa_0_is_the_fractional_symplectic_euler_method)
     const double alphas[] = { 0.1, 0.3, 0.5, 0.75, 1 }, rho = 0.5, h = 0.05;
     double x[N + 1], p[N + 1], p_alpha[N + 1], term[N + 1], g;
     for (size_t r = 0; r < LEN(alphas); r++) {
-        const setup a = { alphas[r], 0, h,   N,       0,        2,
-                          rho,       1, 0.5, DUFFING, { 1, 1 }, { 0 } };
+        const setup a = { alphas[r], 0,    h, N,   FVI_PAST_RIEMANN_LIOUVILLE,
+                          2,         rho,  1, 0.5, DUFFING,
+                          { 1, 1 },  { 0 } };
         solve(&fvi_fractional, &a, x, p);
         fvi_delta_minus(a.alpha, h, N, 1, x, p_alpha);
         for (size_t k = 0; k <= N; k++)
@@ -178,8 +180,11 @@ START_TEST(eq_8_6_alpha_one_half_is_linear_damping_exactly)
     const int kinds[] = { DUFFING, HARMONIC };
     const size_t steps[] = { 2, 10 };
     for (size_t r = 0; r < 2; r++) {
-        const setup a = { 0.5, 0, h,   steps[r], 0,        m,
-                          rho, 1, 0.5, kinds[r], { 1, 1 }, { 0 } };
+        const setup a = {
+            0.5,      0,    h, steps[r], FVI_PAST_RIEMANN_LIOUVILLE,
+            m,        rho,  1, 0.5,      kinds[r],
+            { 1, 1 }, { 0 }
+        };
         double x[11], p[11];
         solve(&fvi_fractional, &a, x, p);
         for (size_t k = 0; k < steps[r]; k++) {
@@ -208,7 +213,7 @@ START_TEST(eq_8_6_areas_shrink_by_1_minus_h_rho_over_m)
                               0,
                               h,
                               1,
-                              0,
+                              FVI_PAST_RIEMANN_LIOUVILLE,
                               m,
                               rho,
                               0.5 + (column == 0 ? shift : 0),

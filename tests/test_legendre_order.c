@@ -67,7 +67,11 @@ static void paper_errors(double h, double p_error[3], double E_error[3])
 {
     static double x[MOST + 1];
     const size_t N = (size_t)lround(15 / h);
-    const setup a = { .alpha = 0.5, .kappa = 0.5, .h = h, .steps = N };
+    const setup a = { .alpha = 0.5,
+                      .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                      .kappa = 0.5,
+                      .h = h,
+                      .steps = N };
     run(&fvi_fractional, &a, paper(), &x0, &p0, x, NULL);
     for (size_t i = 0; i < CANDIDATES; i++)
         p_error[i] = E_error[i] = 0;
@@ -135,9 +139,11 @@ START_TEST(eq_8_8_the_quotient_loses_an_order_without_damping)
     double error[CANDIDATES][2] = { { 0 } }, sn, cn, dn;
     for (size_t i = 0; i < 2; i++) {
         const size_t N = 800 * (i + 1);
-        const setup a = {
-            .alpha = 0.5, .kappa = 0.5, .h = 5 / (double)N, .steps = N
-        };
+        const setup a = { .alpha = 0.5,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .kappa = 0.5,
+                          .h = 5 / (double)N,
+                          .steps = N };
         gsl_sf_elljac_e(-0.5, k2, &sn, &cn, &dn);
         const double x_0 = A * cn, p_0 = -A * omega * sn * dn;
         run(&fvi_fractional, &a, &system, &x_0, &p_0, x, NULL);
@@ -168,9 +174,11 @@ START_TEST(eq_8_9_the_integrator_moves_the_mass_m_minus_rho_h_over_2)
         for (size_t i = 0; i < 2; i++) {
             const size_t N = 15 * 128 * (i + 1);
             const double h = 15 / (double)N, M = 1 - rho * h / 2;
-            const setup a = {
-                .alpha = 0.5, .kappa = kappa, .h = h, .steps = N
-            };
+            const setup a = { .alpha = 0.5,
+                              .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                              .kappa = kappa,
+                              .h = h,
+                              .steps = N };
             run(&fvi_fractional, &a, paper(), &x0, &p0, x, NULL);
             for (size_t k = 1; k <= N; k++) {
                 double p[CANDIDATES], z, v;
@@ -205,9 +213,11 @@ START_TEST(eq_8_7_kappa_tilde_is_another_start)
     const double h = 0.125, alphas[] = { 0.25, 0.5, 0.75 };
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const double tilde = 0.25 * (double)(r % 5);
-        const setup a = {
-            .alpha = alphas[r / 5], .kappa = 0.25, .h = h, .steps = N
-        };
+        const setup a = { .alpha = alphas[r / 5],
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .kappa = 0.25,
+                          .h = h,
+                          .steps = N };
         const double power = pow(h, 1 - 2 * a.alpha);
         const double start = p0 - tilde * rho * power * x0;
         double x[N + 1], want[N + 1], D[N + 1], p = p0;
@@ -245,9 +255,11 @@ START_TEST(eq_8_7_another_start_is_wrong_at_alpha_one_half)
     exact(1, p0, T, &z, &v);
     for (size_t i = 0; i < 2; i++) {
         const size_t N = 512 * (i + 1);
-        const setup a = {
-            .alpha = 0.5, .kappa = 0.5, .h = T / (double)N, .steps = N
-        };
+        const setup a = { .alpha = 0.5,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .kappa = 0.5,
+                          .h = T / (double)N,
+                          .steps = N };
         const double start = p0 - tilde * rho * x0;
         run(&fvi_fractional, &a, paper(), &x0, &start, x, NULL);
         off[i] = x[N] - z;

@@ -173,7 +173,7 @@ START_TEST(eq_17_13_orders_from_a_start_away_from_zero)
                                              .c = 1,
                                              .rho = 0.3,
                                              .alpha = alpha,
-                                             .caputo = 1,
+                                             .past = FVI_PAST_CAPUTO,
                                              .x0 = 1,
                                              .v0 = 0.5 };
                 solve(&a, x, p);

@@ -214,6 +214,7 @@ static void solve3(const fvi_system *system, size_t s, double alpha,
                           .h = 0.1,
                           .steps = N,
                           .alpha = alpha,
+                          .past = FVI_PAST_CAPUTO,
                           .memory = memory };
     ck_assert_int_eq(fvi_trajectory(methods[s], &run, x, p, NULL), 0);
 }

@@ -38,7 +38,8 @@ static void motion(int which, double beta, size_t N, fvi_memory_kind kind,
                     .steps = N,
                     .kappa = 0.5,
                     .alpha = beta / 2,
-                    .caputo = which == DUFFING,
+                    .past = which == DUFFING ? FVI_PAST_CAPUTO
+                                             : FVI_PAST_RIEMANN_LIOUVILLE,
                     .memory = kind,
                     .tolerance = tolerance };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),

@@ -28,7 +28,7 @@ static fvi_linear any_problem(void)
                          .c = dice(0.2, 5),
                          .rho = dice(0.05, 1),
                          .alpha = dice(0.05, 0.95),
-                         .caputo = 1,
+                         .past = FVI_PAST_CAPUTO,
                          .x0 = dice(-1, 1),
                          .v0 = dice(-1, 1),
                          .forcing = FVI_FORCING_COSINE,
@@ -51,7 +51,7 @@ static void ratios(const fvi_method *method, const fvi_linear *q, double T,
                           .steps = rows,
                           .kappa = 0.5,
                           .alpha = q->alpha,
-                          .caputo = q->caputo };
+                          .past = q->past };
     double x[ROWS + 1], t[ROWS + 1], want[ROWS + 1], worst = 0;
     fvi_step_found found;
     int status = fvi_step_search(method, &run, error, 1 << 24, x, NULL, &found);
@@ -125,7 +125,8 @@ START_TEST(eq_18_2_a_kick_at_the_start_is_not_overlooked)
                           .h = 0.1,
                           .steps = 100,
                           .kappa = 0.5,
-                          .alpha = 0.48 };
+                          .alpha = 0.48,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE };
     double x[101];
     fvi_step_found found;
     ck_assert_int_eq(
@@ -174,7 +175,7 @@ static fvi_run pair_run(const fvi_system *system)
                       .steps = 40,
                       .kappa = 0.5,
                       .alpha = 0.3,
-                      .caputo = 1 };
+                      .past = FVI_PAST_CAPUTO };
 }
 
 /* What is given out is that very run: parts divides each step exactly. */

@@ -22,7 +22,7 @@ enum { MOST_STEPS = 4000 };
 
 /* The order is that of `fields` in model.js. */
 static struct {
-    double method, alpha, rho, potential, c, g, force, a, b, caputo, kappa, x0,
+    double method, alpha, rho, potential, c, g, force, a, b, past, kappa, x0,
         p0, h, steps;
 } input;
 
@@ -106,7 +106,7 @@ static fvi_run the_run(const fvi_system *system)
                       .steps = (size_t)input.steps,
                       .kappa = input.kappa,
                       .alpha = input.alpha,
-                      .caputo = input.caputo != 0,
+                      .past = (fvi_past)input.past,
                       .memory =
                           stages() ? FVI_MEMORY_AUTO : FVI_MEMORY_DIRECT };
 }
@@ -145,7 +145,7 @@ int EXPORT(play_exact)(int every, int parts)
                                  .c = input.potential == 0 ? input.c : 0,
                                  .rho = input.rho,
                                  .alpha = input.alpha,
-                                 .caputo = input.caputo != 0,
+                                 .past = (fvi_past)input.past,
                                  .x0 = input.x0,
                                  .v0 = input.p0 / mass,
                                  .forcing = (fvi_forcing)input.force,
