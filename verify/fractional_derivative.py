@@ -105,7 +105,20 @@ prove("(1.7) does not commute with alpha -> 1",
 # (1.8): Caputo kills the constant; I_+^(1-alpha) of (1 - t)^n at 0 is what is left.
 integral = gamma(n + 1) / gamma(n + 2 - alpha)
 prove("(1.8) G = 1", gammasimp(0 - (right.subs(m, 0) - 1 * integral)))
-prove("(1.8) G = t^m, G(0) = 0: nothing is left", gammasimp(left - right))
+# F = e^(2 (1-t)), G = e^t, alpha = 0.3 and 0.7, with I^(1-alpha) e^(c s) in closed form.
+with mpmath.workdps(30):
+    def mean(o, c, s):
+        """I^(1-o) of e^(c s) at s."""
+        return c ** (o - 1) * mpmath.exp(c * s) * mpmath.gammainc(1 - o, 0, c * s, regularized=True)
+
+    for o in (mpmath.mpf(3) / 10, mpmath.mpf(7) / 10):
+        caputo_side = mpmath.quad(lambda s: mpmath.exp(2 - 2 * s) * mean(o, 1, s), [0, 1])
+        # s = 1 - t: D e^(2 s) = s^-o / Gamma(1-o) + 2 I^(1-o) e^(2 s); s^-o by v = s^(1-o)
+        end = mpmath.quad(lambda v: mpmath.exp(1 - v ** (1 / (1 - o))), [0, 1])
+        other_side = end / mpmath.gamma(2 - o) + mpmath.quad(
+            lambda s: 2 * mean(o, 2, s) * mpmath.exp(1 - s), [0, 1])
+        claim(f"(1.8) F = e^(2 (1-t)), G = e^t, alpha = {o}, to 15 digits",
+              abs(caputo_side - other_side + mean(o, 2, 1)) < 1e-15)
 prove("(1.8) F = G = 1, alpha = 1/2", integral.subs({n: 0, alpha: half}) - 2 / sqrt(pi))
 #< by-parts-ends
 
