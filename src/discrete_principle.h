@@ -23,6 +23,11 @@
  *   x, y         (N + 1) d numbers each
  *   S            output, one number
  *
+ * A body with a past has x - zeta and y - zeta' in the fractional sum. Its
+ * action is S_d of x, y without damping, and what the damping adds to that of
+ * x - zeta, y - zeta' without potential; its gradient likewise. The ranges 0 or
+ * 1 to N - 1 or N then all give the same equations.           [(6.10), (6.11)]
+ *
  * Cost O(N^2 d) and 2 N values of U; memory O(N d).
  * Returns GSL_SUCCESS; what fvi_system_check returns; GSL_EFAULT if a pointer
  * is NULL; GSL_EDOM if alpha, kappa or h is out of range; GSL_EINVAL if N == 0,

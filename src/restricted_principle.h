@@ -82,6 +82,10 @@ int fvi_damped_powers(double alpha, double C, double R, size_t order,
  *   x, xi    powers of t - a;    y, eta    powers of b - t
  *   S, dS    output, one number
  *
+ * A body with a past has x - zeta and y - zeta' in the last term. Its action is
+ * S of x, y without damping, and what the damping adds to that of x - zeta,
+ * y - zeta' without potential; its variation likewise.        [(3.20), (3.21)]
+ *
  * No derivative is moved from one factor to another, so that the integration by
  * parts of the theory can be seen to hold. The integral is taken by the double
  * exponential rule on 193 nodes, which keeps the relative distance to both ends

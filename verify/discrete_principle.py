@@ -1,13 +1,16 @@
 """Chapter 6. The non-local discrete action and its restricted variation.
 
-Proved here, sympy differentiating the action itself:
+Proved here, sympy differentiating the action itself. These are instances: N = 4 and
+d = 1, if nothing else is said; the chapter has the proofs for all N and d. U is any
+function, the weights any numbers, h, rho and kappa symbols.
   (6.3)  the ranges of the sums in Proposition 4.1, generic L^i, N = 5, and the
          coefficients of the end variations;
-  (6.5)  the gradient of the damped action, d = 1 with a generic function U,
-         d = 2 with a general cubic + quartic U; weights, h, rho, kappa symbolic;
-  (6.7)  Theorem 4.1 with its end terms, for all three ranges of the fractional
-         sum; the terms at alpha = 1/3 as rationals; weights that are generic;
-  (6.8)  the mirror with kappa -> 1 - kappa, generic U; the printed indices fail;
+  (6.5)  the gradient of the damped action;
+  (6.6)  also for d = 2, N = 2, U a general cubic and quartic polynomial;
+  (6.7)  Theorem 4.1 with its end terms, for the four ranges of the fractional
+         sum; the terms at alpha = 1/3 as rationals;
+  (6.11) the same with given references, where no end term is left, four ranges;
+  (6.8)  the mirror with kappa -> 1 - kappa;
   (6.9)  the defect of the mirror with the same kappa, and where it vanishes.
 Printed: action and gradient for d = 1 and d = 2 from the symbolic derivatives:
 exact where the data are short binary fractions, else rounded once."""
@@ -39,7 +42,7 @@ X, Y = symbols(f"x0:{M + 1}"), symbols(f"y0:{M + 1}")
 L = [Function(f"L{i}")(*X[:i + 2], *Y[i:]) for i in range(M)]
 S = sum(L)
 for k in range(1, M):
-    prove(f"(6.3) restricted, k = {k}",
+    prove(f"(6.3) restricted, N = {M}, k = {k}",
           diff(S, X[k]) + diff(S, Y[k])
           - sum(diff(L[i], X[k]) for i in range(k - 1, M))
           - sum(diff(L[i], Y[k]) for i in range(k + 1)))
@@ -66,9 +69,10 @@ def plus(z, k):
     return sum(w[n] * z[k + n] for n in range(N - k + 1))
 
 
-def action(first, last, U=U):
+def action(first, last, U=U, left=x, right=y):
+    """(6.2); (6.10) with left = x - zeta, right = y - zeta_bar."""
     return (sum(step(x[k], x[k + 1], U) + step(y[k], y[k + 1], U) for k in range(N))
-            - h * rho * g * sum(minus(x, k) * plus(y, k) for k in range(first, last + 1)))
+            - h * rho * g * sum(minus(left, k) * plus(right, k) for k in range(first, last + 1)))
 #< action
 
 
@@ -91,26 +95,41 @@ def equations(k):
 
 
 RANGES = ((0, N - 1), (1, N), (0, N))
-for first, last in RANGES:
+for first, last in RANGES + ((1, N - 1),):
     A = action(first, last)
     for k in range(1, N):
-        prove(f"(6.5) gx_k, range {first}..{last}, k = {k}",
+        prove(f"(6.5) gx_k, N = {N}, d = 1, range {first}..{last}, k = {k}",
               expand(diff(A, x[k]) - slopes(x, k) + h * rho * g * sum(
                   w[i - k] * plus(y, i) for i in range(max(k, first), last + 1))))
-        prove(f"(6.5) gy_k, range {first}..{last}, k = {k}",
+        prove(f"(6.5) gy_k, N = {N}, d = 1, range {first}..{last}, k = {k}",
               expand(diff(A, y[k]) - slopes(y, k) + h * rho * g * sum(
                   w[k - i] * minus(x, i) for i in range(first, min(k, last) + 1))))
         #> ends
         a, b = equations(k)
         end = h * rho * g * w[0] * (int(first > 0) * w[k] * x[0]
                                     + int(last < N) * w[N - k] * y[N])
-        prove(f"(6.7) range {first}..{last}, k = {k}",
+        prove(f"(6.7) N = {N}, d = 1, range {first}..{last}, k = {k}",
               expand(diff(A, x[k]) + diff(A, y[k]) - a - b - end))
         #< ends
         if (first, last) == (0, N):
-            prove(f"unrestricted variations couple the curves, k = {k}",
+            prove(f"unrestricted variations couple the curves, N = {N}, d = 1, k = {k}",
                   expand(diff(A, x[k]) - slopes(x, k) + h * rho * g * twice(plus, y, k)),
                   expand(diff(A, y[k]) - slopes(y, k) + h * rho * g * twice(minus, x, k)))
+
+
+#> references
+# zeta_0 = x_0 and bar_N = y_N; the other values of the references are any numbers.
+zeta, bar = symbols(f"zeta1:{N + 1}"), symbols(f"bar0:{N}")
+z = (0, *(x[k] - zeta[k - 1] for k in range(1, N + 1)))
+t = (*(y[k] - bar[k] for k in range(N)), 0)
+for first, last in product((0, 1), (N - 1, N)):
+    A = action(first, last, left=z, right=t)
+    for k in range(1, N):
+        a = slopes(x, k) - h * rho * g * twice(minus, z, k)
+        b = slopes(y, k) - h * rho * g * twice(plus, t, k)
+        prove(f"(6.11) N = {N}, d = 1, range {first}..{last}, k = {k}",
+              expand(diff(A, x[k]) + diff(A, y[k]) - a - b))
+#< references
 
 
 def weight(order, n):
@@ -185,14 +204,9 @@ mirrored = dict(zip(y, reversed(x)))
 for k in range(1, N):
     b = equations(k)[1].subs(mirrored, simultaneous=True)
     a = equations(N - k)[0]
-    prove(f"(6.8) y_k = x_(N-k) turns (b, kappa) into (a, 1 - kappa), k = {k}",
+    prove(f"(6.8) N = {N}, d = 1: y_k = x_(N-k) turns (b, kappa) into (a, 1 - kappa), k = {k}",
           expand((b - a.subs(kappa, 1 - kappa)).doit()))
 #< mirror
-k = 1
-claim("the printed index is not the mirrored one", x[N - (k + 1)] != x[(N - k) + 1])
-claim("with the printed indices the neighbours are swapped",
-      expand(equations(k)[1].subs(mirrored, simultaneous=True) - equations(N - k)[0]) != 0)
-
 #> defect
 back, here, ahead = symbols("x_- x_0 x_+")
 

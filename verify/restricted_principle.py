@@ -1,14 +1,17 @@
 """Chapter 3. The restricted Hamilton's principle in continuous time.
 
-Proved here:
-  (3.6)  the first variation after integration by parts: the whole damped action
-         along polynomials with symbolic coefficients, alpha symbolic, U cubic;
-  (3.7)  restricted and unrestricted equations from the partial derivatives of a
-         Lagrangian with a generic L;
+Proved here, d = 1 where nothing else is said (the proofs for all curves stand in
+the chapter; these are instances, each with alpha symbolic):
+  (3.6)  and (3.21), the first variation after integration by parts, for cubic curves
+         and references with symbolic coefficients, U cubic, along three bumps;
+  (3.7)  restricted and unrestricted equations: the variation of every quadratic
+         Lagrangian without (D_- x)^2 and (D_+ y)^2, quadratic curves, two bumps;
   (3.9)  the series solves the equation, term against term, all symbolic;
   (3.10) pairs that are stationary and solve nothing, exactly;
-  (3.11) the change of variables, d = 2, symbolic; constants under Caputo and RL;
+  (3.11) the change of variables, d = 2, symbolic; a constant under Riemann-Liouville;
   (3.12) D_+ R = R D_-, a change of variables in the integral, generic x;
+  (3.22) the derivative of x - zeta, on powers; (3.23) its boundary terms, cubic
+         curves; (3.24) the bracket at the start if a constant is left in x - zeta;
   (3.14) to (3.17) Legendre, Hamiltonian, Hamilton's equations, the mirror of the
          momenta, and the printed forms that fail;
   (3.19) the flow at alpha = 1/2: the pulled back two-form in closed form, Bateman's
@@ -19,7 +22,7 @@ Printed: exact values of powers, of the action (by Beta functions), of the serie
 (by an inverse Laplace transform), of the pulled back form."""
 import mpmath
 from sympy import (Function, Integer, Matrix, Poly, Rational, Symbol, cos,
-                   diff, exp, expand, eye, gamma, gammasimp, hessian,
+                   diff, exp, expand, eye, gamma, gammasimp, hessian, integrate,
                    limit, oo, pi, simplify, sin, solve, sqrt, symbols, zeros)
 
 from refgen import array, claim, header, hexd, hexd_real, prove, table
@@ -45,7 +48,8 @@ prove("no chain rule: D^(1/2) t^2 is 2/3 of 2 t D^(1/2) t",
 
 # ---- (3.6): the whole first variation, polynomials with symbolic coefficients ----
 #> variation
-A, B = symbols("A1:4"), symbols("B1:4")  # x = sum A_i t^i, y = sum B_i (1-t)^i
+A, B = symbols("A0:4"), symbols("B0:4")  # x = sum A_i t^i, y = sum B_i (1-t)^i
+z0, zv, b0, bw = symbols("zeta_0 zeta_1 bar_0 bar_1")  # zeta = z0 + zv t, bar = b0 + bw (1-t)
 s = Symbol("s")
 
 
@@ -67,7 +71,7 @@ def D(z, times=1):
 
 def polynomial(z):
     """{exponent: coefficient} of a polynomial in s."""
-    return {p: v for (p,), v in Poly(z, s).terms()}
+    return {Integer(p): v for (p,), v in Poly(z, s).terms()}
 
 
 def mechanical(z, eta):
@@ -75,12 +79,13 @@ def mechanical(z, eta):
     return (m * diff(z, s) * diff(eta, s) - diff(U(s), s).subs(s, z) * eta).expand()
 
 
-x, y = (sum(C[i] * s ** (i + 1) for i in range(3)) for C in (A, B))
+x, y = (sum(C[i] * s ** i for i in range(4)) for C in (A, B))
+X, Y = polynomial(x - z0 - zv * s), polynomial(y - b0 - bw * s)  # what the coupling sees
 one = {Integer(0): 1}
 for p, q in ((1, 1), (2, 1), (2, 3)):
     eta = expand(s ** p * (1 - s) ** q)  # the variation in t, and in 1 - t:
     other = expand(eta.subs(s, 1 - s))
-    X, Y, E_, O_ = map(polynomial, (x, y, eta, other))
+    E_, O_ = map(polynomial, (eta, other))
     xi_part = (integral(polynomial(mechanical(x, eta)), one) - rho * integral(D(E_), D(Y)))
     eta_part = (integral(polynomial(mechanical(y, other)), one) - rho * integral(D(X), D(O_)))
     equation_a = polynomial(expand((-m * diff(x, s, 2) - diff(U(s), s).subs(s, x)) * eta))
@@ -89,19 +94,82 @@ for p, q in ((1, 1), (2, 1), (2, 3)):
         xi_part - integral(equation_a, one) + rho * integral(E_, D(Y, 2)),
         eta_part - integral(equation_b, one) + rho * integral(D(X, 2), O_)]
     for d in difference:
-        for coefficient in Poly(d, *A, *B, m, rho, c).coeffs():
-            prove(f"(3.6) along t^{p} (1-t)^{q}", gammasimp(coefficient))
+        for coefficient in Poly(d, *A, *B, z0, zv, b0, bw, m, rho, c).coeffs():
+            prove(f"(3.6), (3.21) along t^{p} (1-t)^{q}", gammasimp(coefficient))
 #< variation
 
-# ---- (3.7), (3.8): from the partial derivatives ------------------------------------
+# ---- (3.22), (3.23): the past as a datum ---------------------------------------------
+#> references
+prove("(3.22) s, the part of a velocity that the reference does not have", gammasimp(
+    power(a, Integer(1)) * power(a, 1 - a) - 1 / gamma(2 - 2 * a)))
+prove("(3.22) s^e: Caputo's derivative of order 2 alpha, I^(2-2 alpha) of the second derivative",
+      gammasimp(power(a, e) * power(a, e - a) - e * (e - 1) * power(2 * a - 2, e - 2)))
+# (3.23): delta = sum E_j (1-t)^j need not vanish; the reference of y moves with delta(1).
+E = symbols("E0:4")
+bump = {Integer(i): E[i] for i in range(4)}
+moved = {i: v for i, v in bump.items() if i > 0}
+f = {Integer(i): A[i] for i in range(1, 4)}  # x - zeta
+dressed = {p + 1 - a: v * power(a - 1, p) for p, v in D(f).items()}  # I^(1-alpha) D f
+claim("(3.23) its powers are positive for alpha < 1: it vanishes at t = 0",
+      all(p.subs(a, 0) > 0 and p.subs(a, 1) >= 0 for p in dressed))
+boundary = sum(dressed.values()) * E[0]  # times delta at t = 1
+coupling = integral(D(f), D(moved)) - integral(D(f, 2), bump) + boundary
+for coefficient in Poly(coupling, *A, *E).coeffs():
+    prove("(3.23) the boundary term of the coupling", gammasimp(coefficient))
+kick = {p + 1 - a: v * power(a - 1, p) for p, v in D(one).items()}
+prove("(3.24) with a constant left in f, it is s^(1-2 alpha)/Gamma(2-2 alpha) of it",
+      gammasimp(kick[1 - 2 * a] - 1 / gamma(2 - 2 * a)))
+#< references
+
+# ---- (3.7), (3.8): every quadratic Lagrangian of the six arguments --------------------
 #> equations
-x_, y_, v, w, X, Y = symbols("x y v w X Y")  # X = D_- x, Y = D_+ y
-L = Function("L")
-lagrangian = L(x_, v) + L(y_, w) - X * rho * Y
-prove("restricted: - D_-(dL/dY) is + rho D_- X", -diff(lagrangian, Y) - rho * X)
-prove("restricted: - D_+(dL/dX) is + rho D_+ Y", -diff(lagrangian, X) - rho * Y)
-claim("unrestricted: the x-equation holds D_+(dL/dX) = - rho D_+ Y, no x",
-      not diff(lagrangian, X).has(X, x_))
+# A function is a pair: a sum of powers of t, and one of powers of 1 - t.
+def plus(*parts):
+    """Sum of (factor, sum of powers)."""
+    out = {}
+    for factor, z in parts:
+        for p, v in z.items():
+            out[p] = out.get(p, 0) + factor * v
+    return out
+
+
+def ddt(z, sign=1):
+    """d/dt; sign = -1 for powers of 1 - t."""
+    return {p - 1: sign * v * p for p, v in z.items() if p != 0}
+
+
+def flip(z):
+    """A polynomial in t as one in 1 - t, and the other way round."""
+    return polynomial(expand(sum(v * (1 - s) ** p for p, v in z.items())))
+
+
+def inner(f, bump):
+    """int f bump dt; the bump is a polynomial, known from both ends."""
+    return integral(f[0], bump[1]) + integral(bump[0], f[1])
+
+
+xs = {Integer(i): A[i] for i in (1, 2)}  # x(0) = 0
+ys = {Integer(i): B[i] for i in (1, 2)}  # y(1) = 0
+slots = [(xs, {}), ({}, ys), (ddt(xs), {}), ({}, ddt(ys, -1)), (D(xs), {}), ({}, D(ys))]
+# L = q.Q q / 2, q = (x, y, x', y', X, Y), X = D_- x, Y = D_+ y. Without X^2 and Y^2 the
+# partial by Y is a sum of powers of t, whose D_- is known by the power rule; so is that by X.
+Q = Matrix(6, 6, lambda i, j: 0 if i == j > 3 else Symbol(f"q{min(i, j)}{max(i, j)}"))
+partial = [[plus(*((Q[i, j], slots[j][end]) for j in range(6))) for end in (0, 1)]
+           for i in range(6)]
+by_X = plus((1, flip(plus(*((Q[4, j], slots[j][0]) for j in range(4))))), (1, partial[4][1]))
+by_Y = plus((1, partial[5][0]), (1, flip(plus(*((Q[5, j], slots[j][1]) for j in range(4))))))
+for p, q in ((1, 1), (1, 2)):
+    dt = polynomial(expand(s ** p * (1 - s) ** q))
+    bump, slope = (dt, flip(dt)), (ddt(dt), ddt(flip(dt), -1))
+    dS = (inner(partial[0], bump) + inner(partial[1], bump)  # along delta for both curves
+          + inner(partial[2], slope) + inner(partial[3], slope)
+          + integral(D(dt), by_X) + integral(by_Y, D(flip(dt))))
+    left_sides = [inner((ddt(partial[i + 2][0]), ddt(partial[i + 2][1], -1)), bump)
+                  - inner(partial[i], bump) - inner(fractional, bump)
+                  for i, fractional in enumerate([(D(by_Y), {}), ({}, D(by_X))])]
+    for coefficient in Poly(dS + sum(left_sides), *Q.free_symbols, *A, *B).coeffs():
+        prove(f"(3.7) along t^{p} (1-t)^{q}: minus the sum of both left sides",
+              gammasimp(coefficient))
 #< equations
 
 # ---- (3.9): the series --------------------------------------------------------------
@@ -133,12 +201,22 @@ for n in range(1, 5):
 
 # ---- (3.10): sufficient, not necessary ------------------------------------------------
 #> stationary
-# alpha = 1/2 on [0, 1]: D_- D_- t = 1, and D_+ D_+ (1-t) = 1 = -y' for y = 1 - t.
-dd = power(half, Integer(1)) * power(half, 1 - half)  # of s^1; the power left is s^0
-prove("D D s = 1 from either end", dd - 1)
-residual_a, residual_b = rho * dd, rho * (-dd)  # x = t, y = -(1 - t), U = 0
-prove("the two residuals cancel: stationary", residual_a + residual_b)
-claim("and neither vanishes: no solution", residual_a != 0 and residual_b != 0)
+# alpha = 1/2 on [0, 1], U = 0: x = t, y = -(1 - t), m = 1. The powers are those of (3.2).
+def at_half(z):
+    return {p.subs(a, half): v.subs(a, half) for p, v in z.items()}
+
+
+t_, y_end = {Integer(1): Integer(1)}, {Integer(1): Integer(-1)}
+prove("D_- D_- x = 1 and D_+ D_+ y = -1", at_half(D(t_, 2))[0] - 1, at_half(D(y_end, 2))[0] + 1)
+for p, q in ((1, 1), (2, 1), (1, 3)):
+    eta = expand(s ** p * (1 - s) ** q)
+    E_, O_ = polynomial(eta), polynomial(expand(eta.subs(s, 1 - s)))
+    x_alone = integral(ddt(E_), one) - rho * integral(at_half(D(E_)), at_half(D(y_end)))
+    y_alone = integral(ddt(O_), {Integer(0): Integer(-1)}) - rho * integral(
+        at_half(D(t_)), at_half(D(O_)))
+    prove(f"along t^{p} (1-t)^{q}: + rho and - rho times the integral of the bump",
+          gammasimp(x_alone - rho * integral(E_, one)),
+          gammasimp(y_alone + rho * integral(E_, one)))
 # With a spring: u = x + y and w = x - y. Any u gives a w.
 u = t ** 2 * (1 - t)
 w_ = -(diff(u, t) + c * (t ** 3 / 3 - t ** 4 / 4)) / rho
@@ -150,17 +228,22 @@ claim("that solves neither equation", expand(res[0]) != 0)
 
 # ---- (3.11): changes of variables -------------------------------------------------------
 #> invariance
+# sympy differentiates the Lagrangian of (z, w, z', D_- z, D_+ w), d = 2, U any function.
 Lam = Matrix(2, 2, symbols("l00 l01 l10 l11"))
-M_, R_, K = (Matrix.diag(*symbols(f"{n}0 {n}1")) for n in "mrk")
-acc, dd_, pos = (Matrix(symbols(f"{n}0 {n}1")) for n in ("zdd", "zD", "z"))
-old = M_ * Lam * acc + K * Lam * pos + R_ * Lam * dd_  # the equation at x = Lambda z
-new = (Lam.T * M_ * Lam) * acc + (Lam.T * K * Lam) * pos + (Lam.T * R_ * Lam) * dd_
-prove("(3.11) the equation of L(Lambda z) is Lambda^T times the old one",
-      *(Lam.T * old - new).expand())
+M_, R_ = (Matrix.diag(*symbols(f"{n}0 {n}1")) for n in "mr")
+pos, vel, dm, dp, old = (Matrix(symbols(f"{n}0 {n}1")) for n in ("z", "zd", "zD", "wD", "x"))
+U2 = Function("U")
+there = dict(zip(old, Lam * pos))
+L2 = ((Lam * vel).dot(M_ * Lam * vel) / 2 - U2(*old).subs(there)
+      - (Lam * dm).dot(R_ * Lam * dp))
+force = Matrix([diff(U2(*old), z) for z in old]).subs(there)
+prove("(3.11) momentum, force and damping are Lambda^T times the old ones",
+      *(Matrix([diff(L2, z) for z in vel]) - Lam.T * M_ * Lam * vel).expand(),
+      *(Matrix([diff(L2, z) for z in pos]) + Lam.T * force).doit().expand(),
+      *(Matrix([diff(L2, z) for z in dp]) + Lam.T * R_ * Lam * dm).expand())
 claim("and its damping matrix need not be diagonal", (Lam.T * R_ * Lam)[0, 1] != 0)
-prove("RL: D^(1/2) 1 = 1/sqrt(pi t), so a shift of x is felt",
-      power(half, Integer(0)) - 1 / sqrt(pi))
-claim("Caputo: it has none", diff(Integer(1), t) == 0)
+prove("Riemann-Liouville: D D 1 = s^(-2 alpha)/Gamma(1 - 2 alpha), so a shift of x is felt",
+      gammasimp(D(one, 2)[-2 * a] - 1 / gamma(1 - 2 * a)))
 #< invariance
 
 # ---- (3.12): the mirror -------------------------------------------------------------------
@@ -175,7 +258,7 @@ prove("(3.12) kernels", plus.subs(tau, l - sigma) - minus.subs(s, l - t))
 #< mirror
 eps = Symbol("epsilon", positive=True)
 claim("the kernel (tau - t)^(-2 alpha) is not integrable at alpha = 3/4",
-      limit(2 * (eps ** Rational(-1, 2) - 1), eps, 0) == oo)
+      limit(integrate(tau ** Rational(-3, 2), (tau, eps, 1)), eps, 0) == oo)
 
 # ---- the fractional tangent space ------------------------------------------------------------
 #> tangent
@@ -183,13 +266,15 @@ claim("the kernel (tau - t)^(-2 alpha) is not integrable at alpha = 3/4",
 rows = [[power(half, Integer(n)) * Rational(i) ** (n - 1) for n in range(1, 7)]
         for i in range(1, 7)]
 claim("six independent curves", Matrix(rows).rank() == 6)
-claim("at t > 0 the curves t e_i give all of R^d", power(a, Integer(1)) != 0)
+prove("at t > 0 the curves t e_i give t^(1-alpha) / Gamma(2-alpha) e_i, all of R^d",
+      power(a, Integer(1)) - 1 / gamma(2 - a))
 claim("at t = 0 they give 0", limit(power(half, Integer(1)) * t ** half, t, 0) == 0)
 #< tangent
 
 # ---- Legendre, Hamilton ------------------------------------------------------------------------
 #> legendre
 Up = Function("U")
+x_, y_, v, w, X, Y = symbols("x y v w X Y")  # X = D_- x, Y = D_+ y
 px, py, pX, pY = symbols("p_x p_y p_X p_Y")
 full = m * v ** 2 / 2 - Up(x_) + m * w ** 2 / 2 - Up(y_) - X * rho * Y
 momenta = [diff(full, z) for z in (v, w, X, Y)]  # (m v, m w, -rho Y, -rho X)
@@ -200,17 +285,21 @@ prove("(3.15) the Hamiltonian", expand(
 prove("(3.14) regular iff rho is not 0",
       hessian(full, (v, w, X, Y)).det() + m ** 2 * rho ** 2)
 prove("X = dH/dp_X and Y = dH/dp_Y", diff(H, pX) - back[X], diff(H, pY) - back[Y])
-# p_x' = -dH/dx + D_- p_Y with p_Y = -rho D_- x: the damped equation.
-prove("D_- p_Y is - rho D_- D_- x", back[X].subs(pY, momenta[3]) - X, momenta[3] + rho * X)
+there = dict(zip((px, py, pX, pY), momenta))
+prove("(3.16) is (3.7): dH/dx = -dL/dx, dH/dy = -dL/dy at the momenta of (3.14)",
+      diff(H, x_).subs(there) + diff(full, x_), diff(H, y_).subs(there) + diff(full, y_))
 #< legendre
 #> hamilton
 # The integrand p x' + ... - H, differentiated by p_y: it is y' - dH/dp_y.
 integrand = px * v + py * w + pX * X + pY * Y - H
 prove("delta p_y multiplies y' - dH/dp_y", diff(integrand, py) - (w - diff(H, py)))
-claim("not y' - dH/dy as printed", simplify(diff(integrand, py) - (w - diff(H, y_))) != 0)
+claim("not y' - dH/dy as printed: at y = 1, U = y^2, p_y = 0, y' = 0 that is -2",
+      (w - diff(H, y_)).subs(Up(y_), y_ ** 2).doit().subs({y_: 1, w: 0}) == -2
+      and diff(integrand, py).subs({py: 0, w: 0}) == 0)
 # The mirror: p_X(t) = -rho D_+ y(t) = -rho D_- x(t~) = p_Y(t~). Printed: p_x.
 prove("p_Y(t) = p_X(a+b-t)", momenta[2].subs(Y, X) - momenta[3])
-claim("p_x in its place has other units", simplify(momenta[0] - momenta[3]) != 0)
+claim("p_x in its place: 1 against 0 for m = x' = 1, D_- x = 0",
+      [z.subs({m: 1, v: 1, X: 0}) for z in (momenta[0], momenta[3])] == [1, 0])
 #< hamilton
 
 # ---- (3.18), (3.19): the two-form at alpha = 1/2 ------------------------------------------------
