@@ -161,7 +161,7 @@ $B/fvi: $(PROGRAM:%=$B/src/%.o) $B/libfvi.a
 VERSION  := 0.1.0
 PREFIX   ?= /usr/local
 $(if $(word 2,[$(PREFIX)] [$(DESTDIR)]),$(if $(word 3,[$(PREFIX)] [$(DESTDIR)]),$(error no spaces, please, in PREFIX and DESTDIR)))
-INTERNAL := double_double exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights
+INTERNAL := double_double exact_inverse exact_pole memory_kinds damping lobatto_memory lobatto_weights band
 PUBLIC   := $(filter-out $(INTERNAL:%=src/%.h) src/fvi_%.h,$(wildcard src/*.h))
 
 $B/pic/%.o: src/%.c | tools

@@ -34,7 +34,7 @@ static int complain_of_start(int status)
 static double *room(const fvi_table *t)
 {
     const fvi_options *o = t->o;
-    double bytes = 8 * (double)o->d * (double)o->d; /* Newton's matrix */
+    double bytes = 100 * (double)o->d; /* the state, and Newton's band matrix */
     if (o->error > 0) /* fvi_step_search keeps rows */
         bytes += 40 * (double)o->d * (double)o->steps;
     else if (o->method && !o->method->half_only && o->rho > 0)

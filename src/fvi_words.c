@@ -125,9 +125,9 @@ int fvi_word_potential(const char *text, char *name, size_t *d,
         if (!fvi_word_call(text, known[i].name, known[i].count, p))
             continue;
         int chain = known[i].count == 3;
-        if (chain && !(p[0] >= 1 && p[0] <= 10000 && p[0] == floor(p[0])))
+        if (chain && !(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
             return fvi_refuse(
-                c, "--potential: a chain has 1 to 10000 masses, not '%s'",
+                c, "--potential: a chain has 1 to 1000000 masses, not '%s'",
                 text);
         *name = known[i].name[0];
         *d = chain ? (size_t)p[0] : 1;

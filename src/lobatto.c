@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 50, INNER = FVI_STAGES - 1 };
+enum { INNER = FVI_STAGES - 1 };
 
 /* Stage i of coordinate j stands at [i * d + j]; of the l-th damped coordinate,
  * in v, Y and v0, at [l * s + i]. Stages count from 0 here. */
@@ -21,8 +21,7 @@ typedef struct {
     double *share;                /* of each coordinate, see (17.17) */
     double (*M)[INNER][INNER];    /* of each: the inverse of L in (17.8) */
     double *dX, *S, *grad;        /* X_i - x_k, S_i but for grad U, grad U */
-    double *J, *e;                /* (s - 2) d numbers squared, and once */
-    gsl_permutation *permutation; /* of the LU factors in J */
+    double *r;                    /* of the inner stages, see (17.8) */
     size_t damped, *index;        /* the coordinates that have a Y */
     double *v, *Y, *v0;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
@@ -31,18 +30,12 @@ typedef struct {
     double *pull; /* rho A h^(1 + e) of each coordinate, (19.3); NULL: none */
 } lobatto;
 
-static size_t unknowns(const lobatto *o)
-{
-    return (o->s - 2) * o->d;
-}
-
 static void stop_lobatto(fvi_stepper *s)
 {
     lobatto *o = s->own;
     if (!o)
         return;
     fvi_lobatto_memory_free(o->memory);
-    gsl_permutation_free(o->permutation);
     free(o->share);
     free(o->M);
     free(o->pull);
@@ -101,49 +94,6 @@ static void gradient(fvi_stepper *s, lobatto *o, size_t i)
     u->gradient(o->d, s->dx, u->params, o->grad + i * o->d);
 }
 
-//> inner
-/* J = 1 - M h b Hess U on the inner stages, and its LU factors. */
-static int factorise(fvi_stepper *s, lobatto *o)
-{
-    const fvi_potential *u = &s->run.system->potential;
-    const size_t d = o->d, n = unknowns(o);
-    for (size_t l = 0; l < o->s - 2; l++) {
-        double *H = o->J + n * n;
-        for (size_t j = 0; j < d; j++)
-            s->dx[j] = s->x[j] + o->dX[(l + 1) * d + j];
-        u->hessian(d, s->dx, u->params, H);
-        for (size_t i = 0; i < o->s - 2; i++)
-            for (size_t j = 0; j < d; j++)
-                for (size_t c = 0; c < d; c++)
-                    o->J[(i * d + j) * n + l * d + c] =
-                        (i == l && j == c)
-                        - o->M[j][i][l + 1] * weight(s, o, l + 1, j)
-                              * H[j * d + c];
-    }
-    if (n > 1) {
-        int sign;
-        gsl_matrix_view J = gsl_matrix_view_array(o->J, n, n);
-        gsl_linalg_LU_decomp(&J.matrix, o->permutation, &sign);
-    }
-    for (size_t i = 0; i < n; i++)
-        if (o->J[i * n + i] == 0)
-            GSL_ERROR("the Jacobian is singular", GSL_ESING);
-    return GSL_SUCCESS;
-}
-//< inner
-
-static void apply_inverse(lobatto *o)
-{
-    const size_t n = unknowns(o);
-    if (n == 1) {
-        o->e[0] /= o->J[0];
-        return;
-    }
-    gsl_matrix_view J = gsl_matrix_view_array(o->J, n, n);
-    gsl_vector_view e = gsl_vector_view_array(o->e, n);
-    gsl_linalg_LU_svx(&J.matrix, o->permutation, &e.vector);
-}
-
 /* X_i - x_k of (17.8), coordinate j, for the forces in S and grad. */
 static double solved(const fvi_stepper *s, const lobatto *o, size_t i, size_t j)
 {
@@ -156,45 +106,40 @@ static double solved(const fvi_stepper *s, const lobatto *o, size_t i, size_t j)
     return sum;
 }
 
-//> newton
-/* The inner stages: dX = M (S + h b grad U(x + dX) - p), by Newton's method; a
- * quadratic U takes one step from dX = 0, and no new factors. */
+//> inner
+/* The inner stages: dX - M h b grad U(x + dX) = M (S - p), the first stage's
+ * gradient being known. */
 static int solve_inner(fvi_stepper *s, lobatto *o)
 {
-    const size_t d = o->d, n = unknowns(o);
-    const int linear = s->run.system->potential.constant_hessian;
-    double before = GSL_POSINF, X = 0;
-    for (size_t j = 0; j < d; j++)
-        X = fmax(X, fabs(s->x[j]));
-    for (size_t i = 0; i < n; i++) /* the start, along the momentum */
-        o->dX[d + i] = linear ? 0
-                              : o->rule->c[1 + i / d] * s->run.h * s->p[i % d]
-                                    / s->run.system->mass[i % d];
-    for (int iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
-        for (size_t i = 1; i + 1 < o->s; i++)
-            gradient(s, o, i);
-        int status = linear ? GSL_SUCCESS : factorise(s, o);
-        if (status)
-            return status;
-        for (size_t i = 0; i < n; i++)
-            o->e[i] = solved(s, o, 1 + i / d, i % d) - o->dX[d + i];
-        apply_inverse(o);
-        double update = 0, scale = 0;
-        for (size_t i = 0; i < n; i++) {
-            o->dX[d + i] += o->e[i];
-            update = fmax(update, fabs(o->e[i]));
-            scale = fmax(scale, fabs(o->dX[d + i]));
+    const size_t d = o->d, inner = o->s - 2;
+    memset(o->grad + d, 0, inner * d * sizeof *o->grad);
+    for (size_t i = 0; i < inner; i++)
+        for (size_t j = 0; j < d; j++) {
+            o->r[i * d + j] = solved(s, o, 1 + i, j);
+            o->dX[(1 + i) * d + j] = o->rule->c[1 + i] * s->run.h * s->p[j]
+                                     / s->run.system->mass[j]; /* a guess */
         }
-        if (linear || !gsl_finite(update) || update <= GSL_DBL_EPSILON * scale
-            || (update >= before / 2
-                && update
-                       <= GSL_SQRT_DBL_EPSILON * scale + GSL_DBL_EPSILON * X))
-            return GSL_SUCCESS;
-        before = update;
-    }
-    GSL_ERROR("Newton's method did not converge", GSL_EMAXITER);
+    return fvi_newton_solve(s->newton, s->x, o->r, o->dX + d, o->grad + d);
 }
-//< newton
+
+/* What multiplies grad U there, for the solver. */
+static int prepare_inner(fvi_stepper *s, lobatto *o)
+{
+    const size_t d = o->d, inner = o->s - 2;
+    double *coupling = malloc(d * inner * inner * sizeof *coupling);
+    if (!coupling)
+        GSL_ERROR("no memory for the stages", GSL_ENOMEM);
+    double *to = coupling;
+    for (size_t j = 0; j < d; j++)
+        for (size_t i = 0; i < inner; i++)
+            for (size_t l = 1; l <= inner; l++)
+                *to++ = -o->M[j][i][l] * weight(s, o, l, j);
+    int status = fvi_newton_stages_alloc(s->run.system, inner, coupling,
+                                         &s->newton);
+    free(coupling);
+    return status;
+}
+//< inner
 
 /* ---- a step ---- */
 
@@ -305,8 +250,6 @@ static int step_lobatto(fvi_stepper *s)
 static int allocate(fvi_stepper *s, size_t stages)
 {
     const size_t d = s->run.system->d;
-    const int inner = stages > 2 && s->run.system->potential.gradient;
-    const size_t n = inner ? (stages - 2) * d : 0;
     lobatto *o = s->own = calloc(1, sizeof *o);
     if (!o)
         GSL_ERROR("no memory for the stages", GSL_ENOMEM);
@@ -315,10 +258,8 @@ static int allocate(fvi_stepper *s, size_t stages)
     o->d = d;
     o->M = calloc(d, sizeof *o->M);
     o->index = calloc(d, sizeof *o->index);
-    o->share = calloc(2 * d + 5 * stages * d + n + n * n + (n ? d * d : 0),
-                      sizeof *o->share);
-    o->permutation = n > 1 ? gsl_permutation_alloc(n) : NULL;
-    if (!o->M || !o->index || !o->share || (n > 1 && !o->permutation))
+    o->share = calloc(2 * d + 6 * stages * d, sizeof *o->share);
+    if (!o->M || !o->index || !o->share)
         GSL_ERROR("no memory for the stages", GSL_ENOMEM);
     o->v0 = o->share + d;
     o->dX = o->v0 + d;
@@ -326,8 +267,7 @@ static int allocate(fvi_stepper *s, size_t stages)
     o->grad = o->S + stages * d;
     o->v = o->grad + stages * d;
     o->Y = o->v + stages * d;
-    o->e = o->Y + stages * d;
-    o->J = o->e + n; /* and room for one Hessian */
+    o->r = o->Y + stages * d;
     return GSL_SUCCESS;
 }
 
@@ -398,10 +338,8 @@ static int start(fvi_stepper *s, size_t stages)
     if (status)
         return status;
     gradient(s, o, 0); /* dX is zero */
-    const fvi_potential *u = &system->potential;
-    if (stages > 2 && u->gradient && u->constant_hessian)
-        return factorise(s, o);
-    return GSL_SUCCESS;
+    return stages > 2 && system->potential.gradient ? prepare_inner(s, o)
+                                                    : GSL_SUCCESS;
 }
 
 static int start2(fvi_stepper *s)

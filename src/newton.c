@@ -1,60 +1,38 @@
 /* src/newton.c -- The one equation that a step has to solve.     [Chapter 2] */
 #include "newton.h"
 
+#include "band.h"
+
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 50 };
+enum { NEWTON_STEPS = 50, CAREFUL_STEPS = 1000 };
 
+/* Stage l of coordinate j stands at [l * dim + j] in d, r and g, where the callbacks
+ * want a stage in one piece; in what is eliminated, the rows of J, at [j * q + l],
+ * so that the band is narrow. */
 struct fvi_newton {
     const fvi_system *system;
-    double s, theta;
-    double *A, *point, *residual; /* d numbers each; J follows in the block */
-    double *J;                    /* d * d numbers, or one if d == 1 */
-    gsl_permutation *permutation; /* of the LU factors in J; NULL if d == 1 */
+    size_t q,
+        reach; /* stages, 1 in (2.10); d^2U/dx_j dx_c = 0 if |j - c| > reach */
+    double theta;
+    int implicit, linear;
+    double *A;         /* of each coordinate */
+    double *s;         /* of each coordinate q * q numbers; one in (2.10) */
+    double *point, *H; /* x + theta d of a stage, and Hess U there */
+    double *e, *terms,
+        *moves;            /* what is left of (2.10); see residual, jacobian */
+    double *step;          /* of Newton's method */
+    double *from, *before; /* d and e before it */
+    double size, last,
+        most;   /* of the largest step_i, of the one before, of d_i */
+    fvi_band J; /* (2.11), or its LU factors */
 };
 
-static int is_implicit(const fvi_system *system, double s, double theta)
-{
-    return s * theta != 0 && system->potential.gradient;
-}
-
-/* J = A + s theta Hess U(point), and its LU factors.                 (2.11) */
-static int factorise(fvi_newton *n)
-{
-    const size_t d = n->system->d;
-    n->system->potential.hessian(d, n->point, n->system->potential.params,
-                                 n->J);
-    for (size_t i = 0; i < d * d; i++)
-        n->J[i] *= n->s * n->theta;
-    for (size_t i = 0; i < d; i++)
-        n->J[i * d + i] += n->A[i];
-    if (d > 1) {
-        int sign;
-        gsl_matrix_view J = gsl_matrix_view_array(n->J, d, d);
-        gsl_linalg_LU_decomp(&J.matrix, n->permutation, &sign);
-    }
-    for (size_t i = 0; i < d; i++)
-        if (n->J[i * d + i] == 0)
-            return GSL_ESING;
-    return GSL_SUCCESS;
-}
-
-static void apply_inverse(fvi_newton *n, double *v)
-{
-    const size_t d = n->system->d;
-    if (d == 1) {
-        v[0] /= n->J[0];
-        return;
-    }
-    gsl_matrix_view J = gsl_matrix_view_array(n->J, d, d);
-    gsl_vector_view b = gsl_vector_view_array(v, d);
-    gsl_linalg_LU_svx(&J.matrix, n->permutation, &b.vector);
-}
+/* ---- the equation ---- */
 
 static void gradient(const fvi_newton *n, const double *x, double *g)
 {
@@ -65,12 +43,143 @@ static void gradient(const fvi_newton *n, const double *x, double *g)
         memset(g, 0, n->system->d * sizeof *g);
 }
 
-static void gradient_at_midpoint(fvi_newton *n, const double *x,
-                                 const double *d, double *g)
+/* x + theta d of stage l */
+static const double *point(fvi_newton *n, const double *x, const double *d,
+                           size_t l)
 {
-    for (size_t i = 0; i < n->system->d; i++)
-        n->point[i] = x[i] + n->theta * d[i];
-    gradient(n, n->point, g);
+    const size_t dim = n->system->d;
+    for (size_t j = 0; j < dim; j++)
+        n->point[j] = x[j] + n->theta * d[l * dim + j];
+    return n->point;
+}
+
+static void gradients(fvi_newton *n, const double *x, const double *d,
+                      double *g)
+{
+    for (size_t l = 0; l < n->q; l++)
+        gradient(n, point(n, x, d, l), g + l * n->system->d);
+}
+
+//> residual
+/* e = r - A d - s grad U(x + theta d), and the sum of the sizes of its terms. */
+static void residual(fvi_newton *n, const double *r, const double *d,
+                     const double *g)
+{
+    const size_t dim = n->system->d, q = n->q;
+    const double *s = n->s;
+    double *e = n->e, *terms = n->terms;
+    for (size_t j = 0; j < dim; j++)
+        for (size_t l = 0; l < q; l++, e++, terms++) {
+            const double rl = r[l * dim + j], Ad = n->A[j] * d[l * dim + j];
+            *e = rl - Ad;
+            *terms = fabs(rl) + fabs(Ad);
+            for (size_t i = 0; i < q; i++) {
+                const double sg = *s++ * g[i * dim + j];
+                *e -= sg; /* (2.10) */
+                *terms += fabs(sg);
+            }
+        }
+}
+//< residual
+
+/* d^2U / dx_j dx_c out of H */
+static double curvature(const fvi_newton *n, size_t j, size_t c)
+{
+    const size_t m = n->system->potential.diagonals;
+    if (m == 0)
+        return n->H[j * n->system->d + c];
+    return j <= c ? n->H[j * m + c - j] : n->H[c * m + j - c];
+}
+
+//> jacobian
+/* J = (1 + mu) A + s theta Hess U(x + theta d), mu = 0 in (2.11). And how far s grad U
+ * moves if each coordinate of x and d does by the whole of itself. */
+static void jacobian(fvi_newton *n, const double *x, const double *d, double mu)
+{
+    const fvi_potential *u = &n->system->potential;
+    const size_t dim = n->system->d, q = n->q;
+    fvi_band_clear(&n->J);
+    memset(n->moves, 0, q * dim * sizeof *n->moves);
+    for (size_t i = 0; i < q; i++) {
+        const double *z = point(n, x, d, i), *di = d + i * dim;
+        u->hessian(dim, z, u->params, n->H);
+        for (size_t j = 0; j < dim; j++) {
+            const size_t left = j > n->reach ? j - n->reach : 0,
+                         right = j + n->reach < dim ? j + n->reach : dim - 1;
+            for (size_t c = left; c <= right; c++) {
+                const double H = curvature(n, j, c),
+                             moves = fabs(H) * (fabs(z[c]) + fabs(di[c]));
+                for (size_t l = 0, row = j * q; l < q; l++, row++) {
+                    const double s = n->s[row * q + i];
+                    fvi_band_row(&n->J, row)[c * q + i] = s * n->theta * H;
+                    n->moves[row] += fabs(s) * moves;
+                }
+            }
+        }
+    }
+    for (size_t j = 0, row = 0; j < dim; j++)
+        for (size_t l = 0; l < q; l++, row++)
+            fvi_band_row(&n->J, row)[row] += (1 + mu) * n->A[j];
+}
+//< jacobian
+
+/* ---- a solver ---- */
+
+static int allocate(fvi_newton *n)
+{
+    const fvi_potential *u = &n->system->potential;
+    const size_t dim = n->system->d, rows = n->q * dim, m = u->diagonals;
+    n->reach = (m && m < dim ? m : dim) - 1;
+    const size_t H = n->implicit ? dim * (m ? m : dim) : 0;
+    n->A = calloc(2 * dim + (n->q + 6) * rows + H, sizeof *n->A);
+    if (!n->A)
+        return GSL_ENOMEM;
+    n->point = n->A + dim;
+    n->s = n->point + dim;
+    n->e = n->s + n->q * rows;
+    n->terms = n->e + rows;
+    n->moves = n->terms + rows;
+    n->step = n->moves + rows;
+    n->from = n->step + rows;
+    n->before = n->from + rows;
+    n->H = n->before + rows;
+    return n->implicit ? fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J)
+                       : GSL_SUCCESS;
+}
+
+/* Room for everything, A and s to be filled in. */
+static int make(const fvi_system *system, size_t q, double theta, int implicit,
+                fvi_newton **newton)
+{
+    fvi_newton *n = calloc(1, sizeof *n);
+    if (!n)
+        GSL_ERROR("no memory for the solver", GSL_ENOMEM);
+    const fvi_potential *u = &system->potential;
+    n->system = system;
+    n->q = q;
+    n->theta = theta;
+    n->implicit = implicit && u->gradient;
+    n->linear = !n->implicit || (u->quadratic && u->quadratic(u->params));
+    if (allocate(n)) {
+        fvi_newton_free(n);
+        GSL_ERROR("no memory for the solver", GSL_ENOMEM);
+    }
+    *newton = n;
+    return GSL_SUCCESS;
+}
+
+/* The matrix of a quadratic U is factorised now, at d = 0 of x = 0. */
+static int finish(fvi_newton *n, fvi_newton **newton)
+{
+    if (n->implicit && n->linear) {
+        jacobian(n, n->e, n->e, 0);
+        if (fvi_band_factorise(&n->J)) {
+            fvi_newton_free(n);
+            GSL_ERROR("A + s theta Hess U is singular", GSL_ESING);
+        }
+    }
+    *newton = n;
+    return GSL_SUCCESS;
 }
 
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
@@ -81,43 +190,70 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
         return status;
     if (!A || !newton)
         GSL_ERROR("null pointer", GSL_EFAULT);
-    const size_t d = system->d;
-    for (size_t i = 0; i < d; i++)
+    for (size_t i = 0; i < system->d; i++)
         if (!(gsl_finite(A[i]) && A[i] > 0))
             GSL_ERROR("A must be finite and positive", GSL_EDOM);
     if (!gsl_finite(s) || !gsl_finite(theta))
         GSL_ERROR("s and theta must be finite", GSL_EDOM);
+    fvi_newton *n;
+    status = make(system, 1, theta, s * theta != 0, &n);
+    if (status)
+        return status;
+    for (size_t j = 0; j < system->d; j++) {
+        n->A[j] = A[j];
+        n->s[j] = s;
+    }
+    return finish(n, newton);
+}
 
-    const int implicit = is_implicit(system, s, theta);
-    fvi_newton *n = calloc(1, sizeof *n);
-    double *block = calloc(3 * d + (implicit ? d * d : 0), sizeof *block);
-    gsl_permutation *permutation =
-        implicit && d > 1 ? gsl_permutation_alloc(d) : NULL;
-    if (!n || !block || (implicit && d > 1 && !permutation)) {
-        free(n);
-        free(block);
-        gsl_permutation_free(permutation);
-        GSL_ERROR("no memory for the solver", GSL_ENOMEM);
-    }
-    *n = (fvi_newton){ system,        s,          theta,
-                       block,         block + d,  block + 2 * d,
-                       block + 3 * d, permutation };
-    memcpy(n->A, A, d * sizeof *A);
-    if (implicit && system->potential.constant_hessian && factorise(n)) {
-        fvi_newton_free(n);
-        GSL_ERROR("A + s theta Hess U is singular", GSL_ESING);
-    }
-    *newton = n;
-    return GSL_SUCCESS;
+int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
+                            fvi_newton **newton)
+{
+    int status = fvi_system_check(system);
+    if (status)
+        return status;
+    if (!s || !newton)
+        GSL_ERROR("null pointer", GSL_EFAULT);
+    if (q == 0 || q > 8)
+        GSL_ERROR("from 1 to 8 stages", GSL_EINVAL);
+    if (!fvi_all_finite(system->d * q * q, s))
+        GSL_ERROR("s must be finite", GSL_EDOM);
+    fvi_newton *n;
+    status = make(system, q, 1, 1, &n);
+    if (status)
+        return status;
+    for (size_t j = 0; j < system->d; j++)
+        n->A[j] = 1;
+    memcpy(n->s, s, system->d * q * q * sizeof *s);
+    return finish(n, newton);
 }
 
 void fvi_newton_free(fvi_newton *n)
 {
     if (!n)
         return;
-    gsl_permutation_free(n->permutation);
+    fvi_band_free(&n->J);
     free(n->A);
     free(n);
+}
+
+/* ---- solutions ---- */
+
+/* d becomes d + step. */
+static void take(fvi_newton *n, double *d)
+{
+    const size_t dim = n->system->d;
+    const double *step = n->step;
+    n->last = n->size;
+    n->size = n->most = 0;
+    for (size_t j = 0; j < dim; j++)
+        for (double *at = d + j; at < d + n->q * dim; at += dim, step++) {
+            *at += *step;
+            if (!(fabs(*step) <= n->size)) /* NaN is large */
+                n->size = fabs(*step);
+            if (fabs(*at) > n->most)
+                n->most = fabs(*at);
+        }
 }
 
 /* s theta == 0, or U quadratic: grad U(x + theta d) = grad U(x) + theta Hess U d,
@@ -125,65 +261,166 @@ void fvi_newton_free(fvi_newton *n)
 static void solve_linear(fvi_newton *n, const double *x, const double *r,
                          double *d, double *g)
 {
-    const size_t dim = n->system->d;
-    const int implicit = is_implicit(n->system, n->s, n->theta);
-    if (n->s != 0)
-        gradient(n, x, g);
-    for (size_t i = 0; i < dim; i++)
-        d[i] = n->s != 0 ? r[i] - n->s * g[i] : r[i];
-    if (implicit)
-        apply_inverse(n, d);
+    const size_t rows = n->q * n->system->d;
+    const int pulled = n->implicit || n->s[0] != 0;
+    memset(d, 0, rows * sizeof *d);
+    memset(g, 0, rows * sizeof *g);
+    if (pulled)
+        gradients(n, x, d, g);
+    residual(n, r, d, g);
+    memcpy(n->step, n->e, rows * sizeof *n->e);
+    if (n->implicit)
+        fvi_band_solve(&n->J, n->step);
     else
-        for (size_t i = 0; i < dim; i++)
-            d[i] /= n->A[i];
-    if (n->s == 0 || n->theta != 0)
-        gradient_at_midpoint(n, x, d, g);
+        for (size_t j = 0; j < rows; j++) /* one stage */
+            n->step[j] /= n->A[j];
+    take(n, d);
+    if (!pulled || n->theta != 0)
+        gradients(n, x, d, g);
+}
+
+//> stop
+/* Is each e_i what rounding makes of the terms of its equation? Each of them, and
+ * each coordinate of x + theta d, is off by some 2^-53 of itself, and two or three
+ * roundings come together: d then solves an equation whose terms differ from the
+ * given ones by no more, and no residual can tell that d is wrong. This knows no
+ * unit and no scale, and each equation is judged by its own terms. */
+static int is_noise(const fvi_newton *n)
+{
+    for (size_t i = 0; i < n->q * n->system->d; i++) {
+        const double allowed =
+            2 * GSL_DBL_EPSILON * (n->terms[i] + n->moves[i]) + GSL_DBL_MIN;
+        if (!(fabs(n->e[i]) <= allowed && allowed < GSL_POSINF))
+            return 0;
+    }
+    return 1;
+}
+
+/* Near a simple solution Newton's step is squared each time. One that is below half
+ * of the digits of d and does not even halve tells of a gradient that is less exact
+ * than is_noise takes it to be, or of a double root, which has half the digits. */
+static int is_stuck(const fvi_newton *n)
+{
+    return n->size >= n->last / 2 && n->size <= GSL_SQRT_DBL_EPSILON * n->most;
+}
+//< stop
+
+/* step = J^-1 e, and d + step; status of the factors. */
+static int newton_step(fvi_newton *n, double *d)
+{
+    const size_t rows = n->q * n->system->d;
+    if (fvi_band_factorise(&n->J))
+        return GSL_ESING;
+    memcpy(n->step, n->e, rows * sizeof *n->e);
+    fvi_band_solve(&n->J, n->step);
+    take(n, d);
+    return GSL_SUCCESS;
 }
 
 //> newton
+static int newton(fvi_newton *n, const double *x, const double *r, double *d,
+                  double *g)
+{
+    n->size = GSL_POSINF;
+    for (int i = 0; i < NEWTON_STEPS; i++) {
+        gradients(n, x, d, g);
+        residual(n, r, d, g);
+        jacobian(n, x, d, 0);
+        const int enough = is_noise(n);
+        if (newton_step(n, d))
+            return GSL_ESING;
+        if (enough || is_stuck(n))
+            return GSL_SUCCESS;
+        if (!gsl_finite(n->size))
+            break;
+    }
+    return GSL_EMAXITER;
+}
+//< newton
+
+/* ---- where Newton's method loses its way ---- */
+
+static void look(fvi_newton *n, const double *x, const double *r,
+                 const double *d, double *g)
+{
+    gradients(n, x, d, g);
+    residual(n, r, d, g);
+}
+
+/* Did the step go down, and not far up again behind the bottom? Along a step e is
+ * the slope. Noise is forgiven. */
+static int is_descent(const fvi_newton *n)
+{
+    double down = 0, after = 0, noise = 0;
+    for (size_t i = 0; i < n->q * n->system->d; i++) {
+        down += n->before[i] * n->step[i];
+        after += n->e[i] * n->step[i];
+        noise += (n->terms[i] + n->moves[i]) * fabs(n->step[i]);
+    }
+    noise *= 4 * GSL_DBL_EPSILON;
+    return down >= -noise && after >= -down / 2 - noise;
+}
+
+/* Forces whose squares overflow: the motion has flown away. */
+static int is_hopeless(const fvi_newton *n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n->q * n->system->d; i++)
+        sum += n->terms[i] * n->terms[i];
+    return !gsl_finite(sum);
+}
+
+//> descend
+/* Along A d' = e(d), from d = 0 on, by implicit Euler steps of length 1 / mu:
+ * (J + mu A) step = e. They grow longer as long as they go down; mu = 0 is Newton's
+ * method. */
+static int descend(fvi_newton *n, const double *x, const double *r, double *d,
+                   double *g)
+{
+    const size_t bytes = n->q * n->system->d * sizeof *d;
+    double mu = 1;
+    memset(d, 0, bytes);
+    look(n, x, r, d, g);
+    if (is_hopeless(n)) {
+        d[0] = GSL_NAN;
+        return GSL_SUCCESS;
+    }
+    for (int i = 0; i < CAREFUL_STEPS; i++) {
+        jacobian(n, x, d, mu);
+        if (is_noise(n))
+            return GSL_SUCCESS;
+        memcpy(n->from, d, bytes);
+        memcpy(n->before, n->e, bytes);
+        int good = !newton_step(n, d);
+        if (good && mu == 0 && is_stuck(n))
+            return GSL_SUCCESS;
+        look(n, x, r, d, g);
+        good = good && is_descent(n);
+        mu = !good ? 4 * mu + 0x1p-10 : mu > 0x1p-10 ? mu / 4 : 0;
+        if (!good) {
+            memcpy(d, n->from, bytes);
+            look(n, x, r, d, g);
+        }
+    }
+    return GSL_EMAXITER;
+}
+//< descend
+
 static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
-    const size_t dim = n->system->d;
-    double last = GSL_POSINF, place = 0;
-    for (int iteration = 0; iteration < MAX_ITERATIONS; iteration++) {
-        gradient_at_midpoint(n, x, d, g);
-        if (factorise(n))
-            GSL_ERROR("the Jacobian is singular", GSL_ESING);
-        double rounding = 0, scale = 0, update = 0;
-        for (size_t i = 0; i < dim; i++) {
-            double Ad = n->A[i] * d[i], sg = n->s * g[i];
-            n->residual[i] = r[i] - Ad - sg; /* (2.10) */
-            rounding =
-                fmax(rounding, (fabs(r[i]) + fabs(Ad) + fabs(sg)) / n->A[i]);
-        }
-        apply_inverse(n, n->residual);
-        for (size_t i = 0; i < dim; i++) {
-            d[i] += n->residual[i];
-            update = fmax(update, fabs(n->residual[i]));
-            scale = fmax(scale, fabs(d[i]));
-            place = fmax(place, fabs(x[i]));
-        }
-        const int stuck = update >= last / 2;
-        if (!gsl_finite(update) || update <= GSL_DBL_EPSILON * rounding
-            || (stuck && update <= GSL_SQRT_DBL_EPSILON * scale)
-            || (stuck && update <= 16 * GSL_DBL_EPSILON * place))
-            return GSL_SUCCESS;
-        last = update;
-    }
-    if (last <= 16 * GSL_DBL_EPSILON * place) /* creeping within an ulp of x */
-        return GSL_SUCCESS;
-    GSL_ERROR("Newton's method did not converge", GSL_EMAXITER);
+    const int status = newton(n, x, r, d, g);
+    if (status && descend(n, x, r, d, g))
+        GSL_ERROR("the equation of a step was not solved", status);
+    return GSL_SUCCESS;
 }
-//< newton
 
 int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
                      double *g)
 {
     if (!n || !x || !r || !d || !g)
         GSL_ERROR("null pointer", GSL_EFAULT);
-    if (is_implicit(n->system, n->s, n->theta)
-        && !n->system->potential.constant_hessian)
+    if (!n->linear)
         return solve_nonlinear(n, x, r, d, g);
     solve_linear(n, x, r, d, g);
     return GSL_SUCCESS;

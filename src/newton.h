@@ -4,7 +4,8 @@
  *
  * with A diagonal. Every integrator of this library meets the new position in
  * this form and no other: the start and the step of Algorithms 1, 2 and 3
- * (A = m/h, s = kappa h, theta = 1 - kappa) and the implicit Euler method. */
+ * (A = m/h, s = kappa h, theta = 1 - kappa) and the implicit Euler method; and the
+ * integrators of chapter 17, several d at a time. */
 #ifndef FVI_NEWTON_H
 #define FVI_NEWTON_H
 
@@ -20,9 +21,10 @@ typedef struct fvi_newton fvi_newton;
  *   newton    output; free it with fvi_newton_free
  *
  * If s theta == 0 or there is no potential the equation is explicit, and no
- * matrix is made. If the Hessian is constant, A + s theta Hess U is factorised
- * here, once (GSL's LU). Else Newton's method, with the exact Hessian.
- * Memory O(d) if explicit or d == 1, else O(d^2).
+ * matrix is made. If U is quadratic, A + s theta Hess U is factorised here, once.
+ * Else Newton's method, with the exact Hessian. The factors keep to the diagonals
+ * of the Hessian, with room for exchanges of rows: U need not be convex.
+ * Memory O(d) if explicit, O(d w) for 2 w - 1 diagonals, O(d^2) if it is full.
  *
  * Returns GSL_SUCCESS; what fvi_system_check returns; GSL_EFAULT if A or newton
  * is NULL; GSL_EDOM if A, s or theta is out of range; GSL_ENOMEM; GSL_ESING if
@@ -30,21 +32,41 @@ typedef struct fvi_newton fvi_newton;
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
                      double theta, fvi_newton **newton);
 
-/* fvi_newton_solve -- one solution of (2.10).
+/* fvi_newton_stages_alloc -- prepare the equations of q stages.       [(17.8)]
  *
- *   x, r  d numbers each
+ *     d_l + sum_{i=1}^{q} s_li o grad U(x + d_i) = r_l,   l = 1, ..., q
+ *
+ *   q  1 to 8
+ *   s  d q^2 finite numbers: s_li of coordinate j at [(j * q + l) * q + i]; copied
+ *
+ * o is the product coordinate by coordinate: s couples the stages of one coordinate,
+ * U the coordinates of one stage. With the stages of a coordinate beside each other
+ * the matrix has q times as many diagonals as the Hessian.
+ * Returns as fvi_newton_alloc, and GSL_EINVAL if q is out of range. */
+int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
+                            fvi_newton **newton);
+
+/* fvi_newton_solve -- one solution of (2.10), or of the equations of q stages.
+ *
+ *   x     d numbers
+ *   r     q d numbers, stage after stage, as d and g; q = 1 in (2.10)
  *   d     in: a guess (any finite numbers); out: the solution
- *   g     output: grad U(x + theta d), d numbers
+ *   g     output: grad U(x + theta d)
  *
- * Stops when an update is below the rounding of the residual, or no longer
- * shrinks and is tiny against d, or below 16 ulp of x. Cost: explicit or quadratic,
- * two gradients and O(d^2); else two to four gradients, Hessians and
- * factorisations, O(d^3) each; GSL's factorisation takes d indices from the heap,
- * the only memory that a step asks for.
+ * Stops when what is left of each equation is within the rounding of its terms, and
+ * takes one step more. If fifty steps do not do, or a Jacobian is singular, it begins
+ * again at d = 0 and goes down A d' = r - A d - s grad U(x + theta d) with steps as
+ * long as they may be. Which solution is found where there are several is not said.
  *
- * Returns GSL_SUCCESS; GSL_EFAULT if a pointer is NULL; GSL_EMAXITER if 50
- * iterations were not enough; GSL_ESING if the Jacobian is singular. A value
- * that is not finite is not an error here: it comes back in d. */
+ * Cost: explicit or quadratic, two gradients and the solution with the factors, O(d w)
+ * for a Hessian of 2 w - 1 diagonals, O(d^2) for a full one. Else mostly two to five
+ * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each; up to a thousand
+ * where Newton's method fails.
+ *
+ * Returns GSL_SUCCESS; GSL_EFAULT if a pointer is NULL; GSL_EMAXITER, or GSL_ESING if
+ * it was a singular Jacobian that made it begin again, if no solution was found. A
+ * value that is not finite, or whose square is not, is no error here: d is then
+ * not finite. */
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
                      double *d, double *g);
 

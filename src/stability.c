@@ -98,7 +98,7 @@ static int hessian_at_start(const fvi_run *run, double **K)
     *K = malloc(2 * d * d * sizeof **K);
     if (!*K)
         GSL_ERROR("no memory for the Hessian", GSL_ENOMEM);
-    u->hessian(d, run->x0, u->params, *K);
+    fvi_hessian(run->system, run->x0, *K);
     return GSL_SUCCESS;
 }
 

@@ -4,15 +4,17 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <stdint.h>
+#include <string.h>
 
 int fvi_system_check(const fvi_system *s)
 {
     if (!s || !s->mass || !s->damping)
         GSL_ERROR("a system needs masses and dampings", GSL_EFAULT);
-    if (s->d == 0 || s->d > SIZE_MAX / sizeof(double) / s->d)
-        GSL_ERROR("the dimension must be at least 1 and d * d addressable",
-                  GSL_EINVAL);
     const fvi_potential *u = &s->potential;
+    const size_t row = u->diagonals ? u->diagonals : s->d;
+    if (s->d == 0 || s->d > SIZE_MAX / sizeof(double) / 8 / row)
+        GSL_ERROR("the dimension must be at least 1 and a Hessian addressable",
+                  GSL_EINVAL);
     if (!u->value != !u->gradient || !u->value != !u->hessian)
         GSL_ERROR("a potential needs value, gradient and hessian, or none",
                   GSL_EINVAL);
@@ -34,6 +36,23 @@ double fvi_energy(const fvi_system *s, const double *x, const double *p)
                            ? s->potential.value(s->d, x, s->potential.params)
                            : 0;
     return kinetic / 2 + potential; /* (2.4) */
+}
+
+/* Diagonals are spread in place, from the last number up: nothing is written over
+ * before it has been read. */
+void fvi_hessian(const fvi_system *s, const double *x, double *H)
+{
+    const fvi_potential *u = &s->potential;
+    const size_t d = s->d, m = u->diagonals;
+    memset(H, 0, d * d * sizeof *H);
+    if (u->hessian)
+        u->hessian(d, x, u->params, H);
+    for (size_t i = d; m > 0 && i-- > 0;)
+        for (size_t j = i + (m < d - i ? m : d - i); j-- > i;) {
+            double value = H[i * m + j - i];
+            H[i * m + j - i] = 0;
+            H[i * d + j] = H[j * d + i] = value;
+        }
 }
 
 /* ---- one spring of stretch r: (c + g r^2) r, and what belongs to it ---- */
@@ -76,16 +95,25 @@ static void duffing_hessian(size_t d, const double *x, const void *params,
                             double *H)
 {
     const double *cg = params;
-    for (size_t i = 0; i < d * d; i++)
-        H[i] = 0;
     for (size_t i = 0; i < d; i++)
-        H[i * d + i] = spring_stiffness(cg[0], cg[1], x[i]);
+        H[i] = spring_stiffness(cg[0], cg[1], x[i]);
+}
+
+/* Of springs that are ready to use, duffing and chain: is there no r^4? */
+static int springs_are_linear(const void *params)
+{
+    const double *cg = params;
+    return cg[1] == 0;
 }
 
 fvi_potential fvi_potential_duffing(const double cg[2])
 {
-    return (fvi_potential){ duffing_value, duffing_gradient, duffing_hessian,
-                            cg, cg && cg[1] == 0 };
+    return (fvi_potential){ .value = duffing_value,
+                            .gradient = duffing_gradient,
+                            .hessian = duffing_hessian,
+                            .params = cg,
+                            .quadratic = springs_are_linear,
+                            .diagonals = 1 };
 }
 
 /* Harmonic has its own functions because its parameter is one number. */
@@ -110,10 +138,20 @@ static void harmonic_hessian(size_t d, const double *x, const void *params,
     duffing_hessian(d, x, cg, H);
 }
 
+static int always(const void *params)
+{
+    (void)params;
+    return 1;
+}
+
 fvi_potential fvi_potential_harmonic(const double *c)
 {
-    return (fvi_potential){ harmonic_value, harmonic_gradient, harmonic_hessian,
-                            c, 1 };
+    return (fvi_potential){ .value = harmonic_value,
+                            .gradient = harmonic_gradient,
+                            .hessian = harmonic_hessian,
+                            .params = c,
+                            .quadratic = always,
+                            .diagonals = 1 };
 }
 
 /* ---- pendulum ---- */
@@ -138,16 +176,17 @@ static void pendulum_gradient(size_t d, const double *x, const void *params,
 static void pendulum_hessian(size_t d, const double *x, const void *params,
                              double *H)
 {
-    for (size_t i = 0; i < d * d; i++)
-        H[i] = 0;
     for (size_t i = 0; i < d; i++)
-        H[i * d + i] = *(const double *)params * cos(x[i]);
+        H[i] = *(const double *)params * cos(x[i]);
 }
 
 fvi_potential fvi_potential_pendulum(const double *g)
 {
-    return (fvi_potential){ pendulum_value, pendulum_gradient, pendulum_hessian,
-                            g, 0 };
+    return (fvi_potential){ .value = pendulum_value,
+                            .gradient = pendulum_gradient,
+                            .hessian = pendulum_hessian,
+                            .params = g,
+                            .diagonals = 1 };
 }
 
 /* ---- chain: spring i ties mass i - 1 to mass i; -1 and d are the walls ---- */
@@ -178,29 +217,29 @@ static void chain_gradient(size_t d, const double *x, const void *params,
     }
 }
 
+/* Row i holds k_i + k_{i+1} and -k_{i+1}, the stiffnesses of its two springs. */
 static void chain_hessian(size_t d, const double *x, const void *params,
                           double *H)
 {
     const double *cg = params;
-    for (size_t i = 0; i < d * d; i++)
-        H[i] = 0;
-    for (size_t i = 0; i <= d; i++) {
-        double k = spring_stiffness(cg[0], cg[1], stretch(d, x, i));
-        if (i < d)
-            H[i * d + i] += k;
-        if (i > 0)
-            H[(i - 1) * d + (i - 1)] += k;
-        if (i > 0 && i < d) {
-            H[(i - 1) * d + i] -= k;
-            H[i * d + (i - 1)] -= k;
-        }
+    double left = spring_stiffness(cg[0], cg[1], stretch(d, x, 0));
+    for (size_t i = 0; i < d; i++) {
+        double right = spring_stiffness(cg[0], cg[1], stretch(d, x, i + 1));
+        H[2 * i] = left + right;
+        if (i + 1 < d)
+            H[2 * i + 1] = -right;
+        left = right;
     }
 }
 
 fvi_potential fvi_potential_chain(const double cg[2])
 {
-    return (fvi_potential){ chain_value, chain_gradient, chain_hessian, cg,
-                            cg && cg[1] == 0 };
+    return (fvi_potential){ .value = chain_value,
+                            .gradient = chain_gradient,
+                            .hessian = chain_hessian,
+                            .params = cg,
+                            .quadratic = springs_are_linear,
+                            .diagonals = 2 };
 }
 
 /* ---- forces ---- */

@@ -17,22 +17,33 @@
 
 /* fvi_potential -- U: R^d -> R with its first two derivatives.
  *
- *   value     returns U(x)
- *   gradient  writes the d numbers dU/dx_i to g
- *   hessian   writes the d*d numbers d^2U/dx_i dx_j to H, row by row
- *   params    handed to the three, owned by the caller, may be NULL
- *   constant_hessian  nonzero promises that U is quadratic: its Hessian is
- *             then evaluated and factorised once in a run, not at each step
+ *   value      returns U(x)
+ *   gradient   writes the d numbers dU/dx_i to g
+ *   hessian    writes d^2U/dx_i dx_j to H, in the form that `diagonals` says
+ *   params     handed to the functions, owned by the caller, may be NULL
+ *   quadratic  NULL, or asked once when a run starts: nonzero promises that U is
+ *              quadratic for these params. Its Hessian is then evaluated and
+ *              factorised once in the run, not at each step
+ *   diagonals  0: H is full, d * d numbers, row by row. Else the Hessian is zero
+ *              but for its main diagonal and the diagonals - 1 on either side,
+ *              and a row of H holds one half of them,
+ *                  H[i * diagonals + k] = d^2U / dx_i dx_{i+k},   i + k < d;
+ *              there is no room where i + k >= d. This is LAPACK's band
+ *              storage of a symmetric matrix, UPLO = 'L', LDAB = diagonals
  *
  * All three functions, or none: a zeroed potential is that of a free particle.
  * The library calls them with arrays that do not overlap. A function that cannot
- * give a number writes NaN: the step then ends with GSL_EOVRFLW. */
+ * give a number writes NaN: the step then ends with GSL_EOVRFLW.
+ *
+ * The params may change until fvi_start, and must then stay as they are until
+ * fvi_stop. */
 typedef struct {
     double (*value)(size_t d, const double *x, const void *params);
     void (*gradient)(size_t d, const double *x, const void *params, double *g);
     void (*hessian)(size_t d, const double *x, const void *params, double *H);
     const void *params;
-    int constant_hessian;
+    int (*quadratic)(const void *params);
+    size_t diagonals;
 } fvi_potential;
 
 /* fvi_force -- F(t), d numbers written to F. A zeroed force is none. */
@@ -61,8 +72,8 @@ typedef struct {
 /* fvi_system_check -- is the system one that can be simulated?
  *
  * Returns GSL_SUCCESS; GSL_EFAULT if system, mass or damping is NULL;
- * GSL_EINVAL if d == 0, if d * d numbers cannot be addressed, or if the
- * potential has some of its three functions but not all; GSL_EDOM if a mass is
+ * GSL_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
+ * addressed, or if the potential has some of its three functions but not all; GSL_EDOM if a mass is
  * not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
 int fvi_system_check(const fvi_system *system);
 
@@ -72,6 +83,13 @@ int fvi_system_check(const fvi_system *system);
  *
  * Nothing is checked: this is called once a row. Cost O(d) and one value of U. */
 double fvi_energy(const fvi_system *system, const double *x, const double *p);
+
+/* fvi_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
+ *
+ *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U
+ *
+ * Nothing is checked. Cost O(d^2) and one Hessian. */
+void fvi_hessian(const fvi_system *system, const double *x, double *H);
 
 /* fvi_all_finite -- are all n numbers of v finite? In the header, because every
  * step asks: isfinite is a macro, and no call is made. */
@@ -83,8 +101,11 @@ static inline int fvi_all_finite(size_t n, const double *v)
     return 1;
 }
 
-/* Potentials that are ready to use. The parameters are read when U is, so they
- * must outlive the system. The first three act on every coordinate alike:
+/* Potentials that are ready to use. The parameters are read when a run starts and
+ * when U is, so they must outlive the system. The first three act on every
+ * coordinate alike, and their Hessian is diagonal; that of a chain has two
+ * diagonals. Harmonic is quadratic, the others are if g is zero as the run starts
+ * (a pendulum never says so):
  *
  *     harmonic  c        U = sum_i c x_i^2 / 2
  *     duffing   c, g     U = sum_i c x_i^2 / 2 + g x_i^4 / 4

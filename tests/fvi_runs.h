@@ -44,7 +44,7 @@ static inline fvi_potential potential(int kind, const double cg[2])
         return fvi_potential_pendulum(cg);
     default:
         return (fvi_potential){ cubic_value, cubic_gradient, cubic_hessian, cg,
-                                0 };
+                                0, 0 };
     }
 }
 

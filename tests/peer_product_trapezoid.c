@@ -168,7 +168,7 @@ static int solve(peer *o, double *x)
     for (int iteration = 0; iteration < 50; iteration++) {
         double update = 0, scale = 0;
         u->gradient(d, x, u->params, o->grad);
-        u->hessian(d, x, u->params, o->H);
+        fvi_hessian(s, x, o->H);
         for (size_t i = 0; i < d; i++) {
             double diagonal = s->mass[i] + s->damping[i] * A;
             o->e[i] = o->r[i] + B * (o->F[i] - o->grad[i]) - diagonal * x[i];
@@ -189,7 +189,7 @@ static int solve(peer *o, double *x)
             scale = fmax(scale, fabs(x[i]));
         }
         /* the next update would be about update^2 */
-        if (u->constant_hessian || update <= 1e-8 * scale)
+        if ((u->quadratic && u->quadratic(u->params)) || update <= 1e-8 * scale)
             return GSL_SUCCESS;
     }
     return GSL_EMAXITER;

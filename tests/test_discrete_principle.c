@@ -68,7 +68,7 @@ static const fvi_system coupled = { 2,
                                     mass2,
                                     damping2,
                                     { coupled_value, coupled_gradient,
-                                      coupled_hessian, NULL, 0 },
+                                      coupled_hessian, NULL, NULL, 0 },
                                     { NULL, NULL } };
 
 /* Mass 2, damping 3/2, and the potential of the reference values. */
@@ -79,7 +79,7 @@ static fvi_system cubic(const double c[3])
                          &mass,
                          &damping,
                          { cubic_value, cubic_gradient, cubic_hessian, c,
-                           c[1] == 0 && c[2] == 0 },
+                           NULL, 0 },
                          { NULL, NULL } };
 }
 

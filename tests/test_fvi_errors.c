@@ -133,17 +133,6 @@ START_TEST(no_row_has_a_number_that_is_not_finite)
 }
 END_TEST
 
-/* In z = d/2 the equation of the first step is z^3 - 2 z + 2 = 0, for which
- * Newton's method from 0 goes 0, 1, 0, 1, ... for ever. */
-START_TEST(no_convergence_is_reported_with_its_step)
-{
-    ck_assert_int_eq(fvi("run --potential duffing:-8,2 --x0 0 --p0 -2 --h 1"),
-                     1);
-    ck_assert_str_eq(err, "fvi: step 1: Newton's method did not converge\n");
-    ck_assert_uint_eq(count_rows(), 1);
-}
-END_TEST
-
 /* The best that was reached is said; there are no rows that are not good enough. */
 START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 {
@@ -285,7 +274,6 @@ int main(void)
     ADD_CASE(suite, "errors", bad_use_is_refused,
              overflow_is_reported_with_its_step,
              no_row_has_a_number_that_is_not_finite,
-             no_convergence_is_reported_with_its_step,
              what_error_was_reached_is_said_if_not_the_one_asked_for,
              files_are_complete_or_absent, what_was_there_is_respected,
              an_interrupted_run_leaves_no_file, an_unstable_step_is_warned_of,

@@ -307,10 +307,10 @@ START_TEST(eq_17_8_newton_finds_what_one_factorisation_finds)
                  start[] = { 1, -0.5, 0.3 }, push[] = { 0.2, 0, -0.4 };
     fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 } };
     for (size_t s = 2; s <= 4; s++) {
-        system.potential.constant_hessian = 1;
+        system.potential = fvi_potential_chain(cg);
         solve3(&system, s, 0.3, FVI_MEMORY_AUTO, start, push);
         memcpy(want_x, x, sizeof x);
-        system.potential.constant_hessian = 0;
+        system.potential.quadratic = NULL;
         solve3(&system, s, 0.3, FVI_MEMORY_AUTO, start, push);
         ck_assert_near(farthest(0, 3 * N + 3, x, want_x), 0, 10 * N * U,
                        "s=%zu", s);

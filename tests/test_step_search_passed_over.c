@@ -6,44 +6,37 @@
 
 #include <gsl/gsl_errno.h>
 
-static double claim;
-
 static void claimed(size_t d, const double *x, const void *params, double *H)
 {
     (void)d, (void)x, (void)params;
-    H[0] = claim;
+    H[0] = 0;
 }
 
-/* U = x^2/2, and for its Hessian a number H. Newton's errors are multiplied by
- * 1 - (1/h + h/4) / (1/h + h H/4): -1.21 for H = 0, h = 2.2, too slow to overflow in
- * 50 iterations; and 1/h + h H/4 = 0 for H = -1, h = 2. At h/8 it is 0.02 or less,
- * and the run goes on. */
+/* U = x^2/2, and 0 for its Hessian. Newton's errors are multiplied by
+ * 1 - (1/h + h/4) / (1/h): -1.21 for h = 2.2, and descending from there does not
+ * know how exact its gradients are. At h/8 it is 0.02, and the run goes on. */
 START_TEST(steps_that_cannot_be_solved_are_passed_over)
 {
-    const double one = 1, none = 0, hessians[] = { 0, -1 }, h[] = { 2.2, 2 };
-    const int status[] = { GSL_EMAXITER, GSL_ESING };
-    for (size_t i = 0; i < 2; i++) {
-        fvi_potential u = fvi_potential_harmonic(&one);
-        u.hessian = claimed;
-        u.constant_hessian = 0;
-        claim = hessians[i];
-        const fvi_system system = { 1, &one, &none, u, { 0 } };
-        const fvi_run run = { .system = &system,
-                              .x0 = &one,
-                              .p0 = &one,
-                              .h = h[i],
-                              .steps = 128,
-                              .kappa = 0.5,
-                              .alpha = 0.5 };
-        double x[129];
-        fvi_step_found found;
-        ck_assert_int_eq(fvi_trajectory(&fvi_shifted, &run, x, NULL, NULL),
-                         status[i]);
-        ck_assert_int_eq(
-            fvi_step_search(&fvi_shifted, &run, 1e-2, 1 << 20, x, NULL, &found),
-            GSL_SUCCESS);
-        ck_assert(found.parts >= 8 && found.estimate <= 1e-2);
-    }
+    const double one = 1, none = 0;
+    fvi_potential u = fvi_potential_harmonic(&one);
+    u.hessian = claimed;
+    u.quadratic = NULL;
+    const fvi_system system = { 1, &one, &none, u, { 0 } };
+    const fvi_run run = { .system = &system,
+                          .x0 = &one,
+                          .p0 = &one,
+                          .h = 2.2,
+                          .steps = 128,
+                          .kappa = 0.5,
+                          .alpha = 0.5 };
+    double x[129];
+    fvi_step_found found;
+    ck_assert_int_eq(fvi_trajectory(&fvi_shifted, &run, x, NULL, NULL),
+                     GSL_EMAXITER);
+    ck_assert_int_eq(
+        fvi_step_search(&fvi_shifted, &run, 1e-2, 1 << 20, x, NULL, &found),
+        GSL_SUCCESS);
+    ck_assert(found.parts >= 8 && found.estimate <= 1e-2);
 }
 END_TEST
 

@@ -259,7 +259,7 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         const fvi_system system = {
-            1, one, one, { no_value, sign, claimed, &bad[i].hessian, 0 }, { 0 }
+            1, one, one, { no_value, sign, claimed, &bad[i].hessian, 0, 0 }, { 0 }
         };
         const fvi_run run = { .system = &system,
                               .x0 = &bad[i].x0,
@@ -295,7 +295,7 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
         const double full = method == &fvi_euler_implicit ? -1 : -4;
         const double x0 = -0.5, hessian = i % 2 ? full : 0;
         const fvi_system system = {
-            1, one, none, { no_value, sign, claimed, &hessian, 0 }, { 0 }
+            1, one, none, { no_value, sign, claimed, &hessian, 0, 0 }, { 0 }
         };
         const fvi_run run = { .system = &system,
                               .x0 = &x0,
