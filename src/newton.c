@@ -16,20 +16,18 @@ enum { NEWTON_STEPS = 50, CAREFUL_STEPS = 1000 };
  * so that the band is narrow. */
 struct fvi_newton {
     const fvi_system *system;
-    size_t q,
-        reach; /* stages, 1 in (2.10); d^2U/dx_j dx_c = 0 if |j - c| > reach */
+    size_t q;     /* stages, 1 in (2.10) */
+    size_t reach; /* d^2U / dx_j dx_c = 0 if |j - c| > reach */
     double theta;
     int implicit, linear;
-    double *A;         /* of each coordinate */
-    double *s;         /* of each coordinate q * q numbers; one in (2.10) */
-    double *point, *H; /* x + theta d of a stage, and Hess U there */
-    double *e, *terms,
-        *moves;            /* what is left of (2.10); see residual, jacobian */
-    double *step;          /* of Newton's method */
-    double *from, *before; /* d and e before it */
-    double size, last,
-        most;   /* of the largest step_i, of the one before, of d_i */
-    fvi_band J; /* (2.11), or its LU factors */
+    double *A;                  /* of each coordinate */
+    double *s;                  /* of each q * q numbers; one in (2.10) */
+    double *point, *H;          /* x + theta d of a stage, and Hess U there */
+    double *e, *terms, *moves;  /* see residual and jacobian */
+    double *step;               /* of Newton's method, */
+    double *from, *before;      /* and d and e before it */
+    double size, last, largest; /* of step_i, of the last, of d_i; absolute */
+    fvi_band J;                 /* (2.11), or its LU factors */
 };
 
 /* ---- the equation ---- */
@@ -245,14 +243,14 @@ static void take(fvi_newton *n, double *d)
     const size_t dim = n->system->d;
     const double *step = n->step;
     n->last = n->size;
-    n->size = n->most = 0;
+    n->size = n->largest = 0;
     for (size_t j = 0; j < dim; j++)
         for (double *at = d + j; at < d + n->q * dim; at += dim, step++) {
             *at += *step;
             if (!(fabs(*step) <= n->size)) /* NaN is large */
                 n->size = fabs(*step);
-            if (fabs(*at) > n->most)
-                n->most = fabs(*at);
+            if (fabs(*at) > n->largest)
+                n->largest = fabs(*at);
         }
 }
 
@@ -301,7 +299,8 @@ static int is_noise(const fvi_newton *n)
  * than is_noise takes it to be, or of a double root, which has half the digits. */
 static int is_stuck(const fvi_newton *n)
 {
-    return n->size >= n->last / 2 && n->size <= GSL_SQRT_DBL_EPSILON * n->most;
+    return n->size >= n->last / 2
+           && n->size <= GSL_SQRT_DBL_EPSILON * n->largest;
 }
 //< stop
 

@@ -53,8 +53,8 @@ static void told_hessian(size_t d, const double *x, const void *params,
 
 static fvi_system telling(diary *const *told)
 {
-    const fvi_potential u = { told_value, told_gradient, told_hessian, told,
-                              NULL, 0 };
+    const fvi_potential u = { told_value, told_gradient, told_hessian,
+                              told,       NULL,          0 };
     return (fvi_system){ 1, one, none, u, { 0 } };
 }
 
@@ -247,9 +247,9 @@ END_TEST
 
 /* Newton's method alone finds none of these. U'' = -1 at the guess 0 of the first,
  * and 1 - 1 = 0: what is left is d^3 = r. In z = d/2 the second is z^3 - 2 z + 2 = 0,
- * for which it goes 0, 1, 0, 1, ... for ever; the root is the number below. Both are
- * cubic with a slope: 3 d^2, and (3 z^2 - 2) / 2 to which 4 units of rounding of the
- * terms are to be divided. Seen: 0.5 of it. */
+ * for which it goes 0, 1, 0, 1, ... for ever; the root is the number below. The slopes
+ * are 3 d^2 >= 3 and 3 z^2 - 2 = 7.4 there: a residual that is rounding, of four terms
+ * at most, moves d by less than 4 u of the terms. */
 START_TEST(eq_2_10_is_solved_where_newton_loses_its_way)
 {
     const double well[] = { -1, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
@@ -298,7 +298,8 @@ START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
                         .kappa = 0.5,
                         .alpha = 0.5 };
         cg[1] = final[1];
-        ck_assert_int_eq(fvi_trajectory(methods[i / 2], &run, x, NULL, NULL), 0);
+        ck_assert_int_eq(fvi_trajectory(methods[i / 2], &run, x, NULL, NULL),
+                         0);
         system.potential = potential(kind, final);
         ck_assert_int_eq(fvi_trajectory(methods[i / 2], &run, want, NULL, NULL),
                          0);

@@ -116,11 +116,11 @@ static double reach(const trial *t, int *status)
     return most;
 }
 
-/* Every step of every run is solved, unless the run has blown up, as explicit ones
- * do at long steps: beyond 10^6, from a start within 10, a quartic force of 10^18
- * stands beside others of 1. Every potential here grows faster than |x|, or, the
- * pendulum's, slower than the kinetic part: a solution exists.
- * With Newton's method alone 43 are not. */
+/* Every step of every run is solved, unless the motion has flown away, as unstable
+ * ones do: beyond 10^6, from a start within 10, a cubic force of 10^18 stands beside
+ * others of 1. Every potential here is bounded below, so that (2.10) has a solution:
+ * where its Phi is least. With Newton's method alone 41 runs end too early.
+ * Seen: 939 runs to the end, 61 flown away, none lost. */
 START_TEST(eq_2_10_a_thousand_nonlinear_runs_are_solved)
 {
     uint64_t state = 1;
@@ -139,7 +139,7 @@ START_TEST(eq_2_10_a_thousand_nonlinear_runs_are_solved)
     }
     seen((double)solved, "solved");
     seen((double)flown, "flown away");
-    ck_assert_uint_gt(solved, 9 * RUNS / 10);
+    ck_assert_uint_gt(solved, 9 * RUNS / 10); /* not all have flown away */
 }
 END_TEST
 

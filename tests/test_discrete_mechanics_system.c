@@ -54,8 +54,8 @@ START_TEST(eq_2_1_quadratic_potentials_say_so)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         double cg[] = { 2, 0 };
         const fvi_potential u = potential(kind, cg);
-        ck_assert_int_eq(is_quadratic(&u), kind == HARMONIC || kind == DUFFING
-                                               || kind == CHAIN);
+        ck_assert_int_eq(is_quadratic(&u),
+                         kind == HARMONIC || kind == DUFFING || kind == CHAIN);
         cg[1] = 0x1p-1074;
         ck_assert_int_eq(is_quadratic(&u), kind == HARMONIC);
     }
