@@ -37,6 +37,31 @@ int fvi_stability_load(const fvi_run *run, double *load);
  * rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it. Errors as above. */
 int fvi_stability_step(const fvi_run *run, double *h);
 
+/* fvi_stability_lobatto -- the same for the methods of chapter 17. [(17.18)]
+ *
+ * load > 1: at least one mode grows, and load <= 1: none does, for a quadratic
+ * convex U in one dimension. For s = 2 both are proved, and in R^d: there
+ *
+ *     load = lambda / 4 of the matrix of (14.3) with 1 for (1 - 2 kappa)^2 and the
+ *            number of (17.16) for 4^alpha,  0 if that is negative.
+ *
+ * For s = 3 and 4 load > 1 is proved to be a growing mode; that there is none
+ * otherwise is measured, W and R up to 1000. The steps that are stable are then not
+ * an interval: where the load first passes 1 it is continuous, further on it jumps.
+ * In R^d, s = 3 and 4: exact where M^{-1} K and M^{-1} rho commute, an estimate
+ * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.
+ *
+ *   stages  s = 2, 3 or 4
+ *   run     system, x0, h, alpha are read; the rest may be anything
+ *   load    output, >= 0
+ *
+ * Cost: 10 us and d^3 operations, O(d) without U. Accuracy 1e-12 max(1, load)
+ * (no proof; seen 4e-15). Returns GSL_SUCCESS; what fvi_system_check returns;
+ * GSL_EFAULT if a pointer is NULL; GSL_EINVAL if s is another number; GSL_EDOM if h
+ * or alpha is out of range; GSL_EOVRFLW if W or R is not finite; GSL_ENOMEM; what
+ * GSL's eigenvalues return. On error *load is untouched. */
+int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
+
 /* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:
  * the zeros in |z| < 1 of Q(z) = z P(z),                            [(14.2)]
  *

@@ -82,3 +82,25 @@ static const struct { size_t s; double beta, want; } ref_corrections[] = {
     { 4, 0x1p-1, -0x1.745a75376a38dp-10 }, /* beta = 0.5 */
     { 4, 0x1.999999999999ap-1, -0x1.213587b937062p-8 }, /* beta = 0.8 */
 };
+
+static const struct { size_t s; double alpha, W, R, want; } ref_loads[] = {
+    { 2, 0x1.999999999999ap-4, 0x1p+1, 0x1.8p+1, 0x1.3d419490dde81p+0 }, /* alpha = 0.1, W = 2, R = 3 */
+    { 2, 0x1p-2, 0x1.0624dd2f1a9fcp-10, 0x1.4cccccccccccdp+2, 0x1.0fcb47a7eb243p+0 }, /* alpha = 0.25, W = 0.001, R = 5.2 */
+    { 2, 0x1.8p-1, 0x1.cp+1, 0x1p+1, 0x1.df428ff3d3c2p-5 }, /* alpha = 0.75, W = 3.5, R = 2 */
+    { 3, 0x1.47ae147ae147bp-6, 0x1.0624dd2f1a9fcp-10, 0x1.fcccccccccccdp+2, 0x1.054a3ec5ff809p+0 }, /* alpha = 0.02, W = 0.001, R = 7.95 */
+    { 3, 0x1.999999999999ap-5, 0x1.0624dd2f1a9fcp-10, 0x1.2p+3, 0x1.24d710584da9bp+0 }, /* alpha = 0.05, W = 0.001, R = 9 */
+    { 3, 0x1.999999999999ap-4, 0x1.0624dd2f1a9fcp-10, 0x1.4e66666666666p+4, 0x1.023cc4e7f51a4p+0 }, /* alpha = 0.1, W = 0.001, R = 20.9 */
+    { 3, 0x1p-2, 0x1p+1, 0x1.ep+3, 0x1.b5154c6742b5bp-1 }, /* alpha = 0.25, W = 2, R = 15 */
+    { 3, 0x1p-2, 0x1.0624dd2f1a9fcp-10, 0x1.3cccccccccccdp+4, 0x1.045358ff33e11p+0 }, /* alpha = 0.25, W = 0.001, R = 19.8 */
+    { 3, 0x1.999999999999ap-2, 0x1.0624dd2f1a9fcp-10, 0x1.fp+4, 0x1.0e6c27955d14ap+0 }, /* alpha = 0.4, W = 0.001, R = 31 */
+    { 3, 0x1.3333333333333p-2, 0x1.2p+3, 0x1p-1, 0x1.2cf74753bca1bp+0 }, /* alpha = 0.3, W = 9, R = 0.5 */
+    { 3, 0x1.8p-1, 0x1.cp+2, 0x1.ep+4, 0 }, /* alpha = 0.75, W = 7, R = 30 */
+    { 4, 0x1.999999999999ap-4, 0x1.0624dd2f1a9fcp-10, 0x1.ep+4, 0x1.11f68272151fbp+0 }, /* alpha = 0.1, W = 0.001, R = 30 */
+    { 4, 0x1.999999999999ap-4, 0x1.0624dd2f1a9fcp-10, 0x1.1p+5, 0x1.2c9de800c3704p-1 }, /* alpha = 0.1, W = 0.001, R = 34 */
+    { 4, 0x1.999999999999ap-4, 0x1.0624dd2f1a9fcp-10, 0x1.d8p+5, 0x1.04d3a7131022dp+0 }, /* alpha = 0.1, W = 0.001, R = 59 */
+    { 4, 0x1p-2, 0x1p+2, 0x1.4p+4, 0x1.f108f431860fep-2 }, /* alpha = 0.25, W = 4, R = 20 */
+    { 4, 0x1p-2, 0x1.0624dd2f1a9fcp-10, 0x1.7733333333333p+5, 0x1.02e9ceffa3021p+0 }, /* alpha = 0.25, W = 0.001, R = 46.9 */
+    { 4, 0x1.999999999999ap-2, 0x1.0624dd2f1a9fcp-10, 0x1.e8p+5, 0x1.076f9e9ea91d6p+0 }, /* alpha = 0.4, W = 0.001, R = 61 */
+    { 4, 0x1.3333333333333p-1, 0x1.3cccccccccccdp+3, 0x1.47ae147ae147bp-7, 0x1.05240f639592dp+0 }, /* alpha = 0.6, W = 9.9, R = 0.01 */
+    { 4, 0x1.ccccccccccccdp-1, 0x1.2p+3, 0x1.9p+6, 0 }, /* alpha = 0.9, W = 9, R = 100 */
+};

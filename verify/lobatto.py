@@ -13,9 +13,11 @@ left symbolic:
   (17.10) the resolvent of Delta(z) is N + z a a~^T / (1 - z R);
   (17.11) the Hermitian part of B Delta(z);
   (17.14) c_{s,beta}; (17.15) the first gap of the scheme without damping, both ends;
-  (17.16) the alternating mode for s = 2, alpha symbolic.
+  (17.16) the alternating mode for s = 2, alpha symbolic;
+  (17.18) what the proof for s = 2 computes; (17.19), (17.20): s = 3 in closed form.
 Printed: W_n from Cauchy's integral over a circle, Delta(z)^beta by its
-eigenvalues, 25 and 45 digits; never by roots, series or nodes as in the C code."""
+eigenvalues, 25 and 45 digits; never by roots, series or nodes as in the C code; and
+where the symbol at z = 1 and -1 vanishes, by its determinant."""
 import mpmath
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, eye, factor,
                    integrate, ones, pi, prod, simplify, sin, solve, sqrt, symbols)
@@ -193,6 +195,43 @@ Y = 2**(2 * al - 1) * (cos(angle) * eye(2) + sin(angle) * J) * D[2] * Matrix([1,
 load = (Y[0] - Y[1]) / 2                                                    # R times this
 prove("(17.16)", simplify(load - 2**(2 * al + 1) / sqrt(3) * sin((1 - 2 * al) * pi / 3)))
 
+#> sharp
+# (17.18), s = 2, on z = e^{-i phi}: c = 1 - cos phi, i sin phi = (1/z - z)/2.
+c, sine = symbols("c sine", positive=True)
+Delta = D[2] + 2 * unit(2, 0) * (unit(2, 0) - z * unit(2, 1)).T
+u, u_star = Matrix([1, 1 / z]), Matrix([[1, z]])
+A_ = (1 + mu)**2 + 1 - (z + 1 / z)
+prove("(17.18) u* B (mu + Delta)^(-1) u", simplify(
+    (u_star * (mu * eye(2) + Delta).inv() * u)[0] / 2
+    - (2 + mu - (1 / z - z) / 2) / (A_ + (1 / z - z))))
+A_ = mu**2 + 2 * mu + 2 * c
+prove("(17.18) its imaginary part", simplify(
+    (2 + mu - I * sine) * (A_ - 2 * I * sine)
+    - ((2 + mu) * A_ - 2 * sine**2 - I * sine * (A_ + 4 + 2 * mu))))
+prove("(17.18) 1 < 2 alpha < 2", expand(A_**2 + 4 * (2 * c - c**2) - mu**2 * (A_ + 4 + 2 * mu)
+                                         - (2 * c * mu**2 + 8 * c * mu + 8 * c)))
+prove("(17.18) Delta = u* B Delta u: (1/z - z)/2 at 2 alpha = 1",
+      simplify((u_star * Delta * u)[0] / 2 - (1 / z - z) / 2))
+#< sharp
+#> closed
+# (17.19), s = 3, z = 1: r, the one path with X_3 = X_1 and the mean zero.
+Bs, K = diag(*B[3]), D[3].T * diag(*B[3]) * D[3]
+Delta1 = D[3] + 6 * unit(3, 0) * (unit(3, 0) - unit(3, 2)).T
+r = Matrix([2, -1, 2])
+prove("(17.19) r", (r.T * K * r)[0] - 48, (r.T * Bs * r)[0] - 2, (r.T * Bs * Delta1 * r)[0])
+zero("(17.19) the range of Delta(1)", (Delta1**2 - 6 * Delta1 + 24 * eye(3)) * r)
+# (17.20), s = 3, z = -1: X_3 = -X_1; N^3 = 40, so Delta^(2 alpha) = f0 + f1 N + f2 N^2.
+Delta1 = D[3] + 6 * unit(3, 0) * (unit(3, 0) + unit(3, 2)).T
+f0, f1, f2 = symbols("f0 f1 f2")
+N = Delta1 - 2 * eye(3)
+zero("(17.20) (Delta(-1) - 2)^3 = 40", N**3 - 40 * eye(3))
+E = Matrix([[1, 0], [0, 1], [-1, 0]])
+zero("(17.20) the symbol at -1",
+     E.T * (-K + x * Bs + h * Bs * (f0 * eye(3) + f1 * N + f2 * N**2)) * E
+     - Matrix([[x / 3 - 4 + h * (f0 - 2 * f1 - 8 * f2) / 3, h * 4 * (f1 - 4 * f2) / 3],
+               [-h * 4 * (f1 - 4 * f2) / 3, 2 * x / 3 - Q(16, 3) + h * (2 * f0 - 4 * f1 - 8 * f2) / 3]]))
+#< closed
+
 
 RADIUS = mpmath.mpf(7) / 16      # at 1/2 two eigenvalues of s = 2 coincide
 
@@ -242,7 +281,7 @@ def eigenvalues(s, point):
     return mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
 
 
-def at_precision(digits):
+def at_digits(digits):
     """All matrices at so many digits."""
     mpmath.mp.dps = digits + 25
     for s in STAGES:
@@ -252,6 +291,10 @@ def at_precision(digits):
             for j in range(s):
                 BASE[s][i, j] = number(EXACT[s].subs(Z, 0)[i, j])
         LINEAR[s] = [(number(c.subs(Z, 0)), number(c.subs(Z, 1) - c.subs(Z, 0))) for c in CHARACTER[s]]
+
+
+def at_precision(digits):
+    at_digits(digits)
     return {s: cauchy(s, [mpmath.mpf(b) for b in BETAS], LAGS, 3 * digits + 5) for s in STAGES}
 
 
@@ -318,3 +361,59 @@ for s in STAGES:
             value[digits] = correction(s, mpmath.mpf(beta))
         rows.append([s, hexd(beta), both(value), f"beta = {beta}"])
 table("ref_corrections", "size_t s; double beta, want;", rows)
+
+
+#> loads
+def symbol(s, point, alpha):
+    """K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point, without the constant."""
+    M, rule = BASE[s].copy(), mpmath.diag(BS[s])
+    D_ = mpmath.matrix(s, s)
+    for i in range(s):
+        for j in range(s):
+            D_[i, j] = number(D[s][i, j])
+    M[0, s - 1] -= point / BS[s][0]
+    roots = mpmath.polyroots([a + b * point for a, b in LINEAR[s]], maxsteps=200, extraprec=200)
+    total = mpmath.zeros(s, s)
+    for root in roots:
+        if abs(root) < mpmath.mpf(10)**-20:
+            continue                            # 0^(2 alpha) = 0
+        P = mpmath.eye(s)
+        for other in roots:
+            P = P if other == root else P * (M - other * mpmath.eye(s)) / (root - other)
+        total += root**(2 * alpha) * P
+    E = mpmath.matrix(s, s - 1)
+    for i in range(s - 1):
+        E[i, i] = 1
+    E[s - 1, 0] = point
+    if point == 1:                              # e_i - e_1 - ..., mean zero: any basis
+        E = mpmath.matrix(s, s - 2)
+        for i in range(s - 2):
+            E[i + 1, i], E[0, i], E[s - 1, i] = 1, -BS[s][i + 1] / 2 / BS[s][0], -BS[s][i + 1] / 2 / BS[s][0]
+    return [E.T * X * E for X in (D_.T * rule * D_, rule, rule * total.apply(mpmath.re))]
+
+
+def load(s, alpha, w, r):
+    """The largest of the real eigenvalues, where an odd number exceeds 1, else below."""
+    best = mpmath.mpf(0)
+    for point in (-1, 1)[:1 if s == 2 else 2]:
+        K, W_, R_ = symbol(s, mpmath.mpf(point), alpha)
+        values = mpmath.eig(mpmath.inverse(K) * (w * W_ + r * R_))[0]
+        real = [v.real for v in values if abs(v.imag) < mpmath.mpf(10)**-20 * (1 + abs(v))]
+        above = [v for v in real if v > 1]
+        best = max([best] + (above if len(above) % 2 else [v for v in real if v <= 1]))
+    return best
+#< loads
+
+
+LOADS = [(2, 0.1, 2, 3), (2, 0.25, 0.001, 5.2), (2, 0.75, 3.5, 2), (3, 0.02, 0.001, 7.95), (3, 0.05, 0.001, 9),
+         (3, 0.1, 0.001, 20.9), (3, 0.25, 2, 15), (3, 0.25, 0.001, 19.8), (3, 0.4, 0.001, 31), (3, 0.3, 9, 0.5),
+         (3, 0.75, 7, 30), (4, 0.1, 0.001, 30), (4, 0.1, 0.001, 34), (4, 0.1, 0.001, 59), (4, 0.25, 4, 20),
+         (4, 0.25, 0.001, 46.9), (4, 0.4, 0.001, 61), (4, 0.6, 9.9, 0.01), (4, 0.9, 9, 100)]
+rows = []
+for s, a_, w, r in LOADS:
+    value = {}
+    for digits in (25, 45):
+        at_digits(digits)
+        value[digits] = load(s, mpmath.mpf(a_), mpmath.mpf(w), mpmath.mpf(r))
+    rows.append([s, hexd(a_), hexd(w), hexd(r), both(value), f"alpha = {a_}, W = {w}, R = {r}"])
+table("ref_loads", "size_t s; double alpha, W, R, want;", rows)
