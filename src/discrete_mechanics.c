@@ -142,11 +142,15 @@ static int start_variational(fvi_stepper *s)
 
 const fvi_method fvi_variational = { .name = "variational",
                                      .order = "1 or 2",
+                                     .lowest = 1,
+                                     .highest = 2,
                                      .memory = "none",
                                      .start = start_variational,
                                      .step = step_variational };
 const fvi_method fvi_lagrange_dalembert = { .name = "lda",
                                             .order = "1",
+                                            .lowest = 1,
+                                            .highest = 1,
                                             .memory = "none",
                                             .half_only = 1,
                                             .start = fvi_variational_solver,
@@ -204,11 +208,15 @@ static int step_euler_implicit(fvi_stepper *s)
 
 const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
                                         .order = "1",
+                                        .lowest = 1,
+                                        .highest = 1,
                                         .memory = "none",
                                         .half_only = 1,
                                         .step = step_euler_explicit };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .order = "1",
+                                        .lowest = 1,
+                                        .highest = 1,
                                         .memory = "none",
                                         .half_only = 1,
                                         .start = start_euler_implicit,

@@ -127,6 +127,8 @@ static int step_fractional(fvi_stepper *s)
 
 const fvi_method fvi_fractional = { .name = "fvi",
                                     .order = "1",
+                                    .lowest = 1,
+                                    .highest = 1,
                                     .memory = "full",
                                     .as_printed = 1,
                                     .start = start_fractional,

@@ -71,7 +71,7 @@ static int invert(const lobatto *o, double m, double rho, double h,
     gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
     for (size_t i = 0; i < n; i++)
         if (L[i * n + i] == 0)
-            GSL_ERROR("the equation of a step is singular", GSL_ESING);
+            return GSL_ESING;
     gsl_linalg_LU_invert(&from.matrix, &permutation, &to.matrix);
     return GSL_SUCCESS;
 }
@@ -357,12 +357,13 @@ static int start4(fvi_stepper *s)
     return start(s, 4);
 }
 
-#define METHOD(stages, orders)                                                 \
+#define METHOD(s, orders, from, to)                                            \
     {                                                                          \
-        .name = "fvi-lobatto" #stages, .order = orders, .memory = "full",      \
-        .start = start##stages, .step = step_lobatto, .stop = stop_lobatto     \
+        .name = "fvi-lobatto" #s, .order = orders, .memory = "full",           \
+        .lowest = from, .highest = to, .stages = s, .start = start##s,         \
+        .step = step_lobatto, .stop = stop_lobatto                             \
     }
 
-const fvi_method fvi_lobatto2 = METHOD(2, "2"),
-                 fvi_lobatto3 = METHOD(3, "3 to 4"),
-                 fvi_lobatto4 = METHOD(4, "4 to 6");
+const fvi_method fvi_lobatto2 = METHOD(2, "2", 2, 2),
+                 fvi_lobatto3 = METHOD(3, "3 to 4", 3, 4),
+                 fvi_lobatto4 = METHOD(4, "4 to 6", 4, 6);

@@ -173,7 +173,7 @@ static int finish(fvi_newton *n, fvi_newton **newton)
         jacobian(n, n->e, n->e, 0);
         if (fvi_band_factorise(&n->J)) {
             fvi_newton_free(n);
-            GSL_ERROR("A + s theta Hess U is singular", GSL_ESING);
+            return GSL_ESING;
         }
     }
     *newton = n;
@@ -409,9 +409,7 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
     const int status = newton(n, x, r, d, g);
-    if (status && descend(n, x, r, d, g))
-        GSL_ERROR("the equation of a step was not solved", status);
-    return GSL_SUCCESS;
+    return status && descend(n, x, r, d, g) ? status : GSL_SUCCESS;
 }
 
 int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,

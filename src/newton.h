@@ -64,7 +64,8 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  * where Newton's method fails.
  *
  * Returns GSL_SUCCESS; GSL_EFAULT if a pointer is NULL; GSL_EMAXITER, or GSL_ESING if
- * it was a singular Jacobian that made it begin again, if no solution was found. A
+ * it was a singular Jacobian that made it begin again, if no solution was found (both
+ * without a call of GSL's error handler, as in fvi_newton_alloc). A
  * value that is not finite, or whose square is not, is no error here: d is then
  * not finite. */
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,

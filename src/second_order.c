@@ -230,12 +230,16 @@ static int start_bdf2(fvi_stepper *s)
 
 const fvi_method fvi_shifted = { .name = "fvi-shifted",
                                  .order = "2",
+                                 .lowest = 2,
+                                 .highest = 2,
                                  .memory = "full",
                                  .start = start_shifted,
                                  .step = step_second_order,
                                  .stop = stop_second_order };
 const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .order = "2",
+                              .lowest = 2,
+                              .highest = 2,
                               .memory = "full",
                               .start = start_bdf2,
                               .step = step_second_order,

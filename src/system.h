@@ -8,7 +8,8 @@
  *
  * Errors of the library are those of GSL, <gsl/gsl_errno.h>: each first calls
  * GSL's error handler, whose default prints and aborts; after
- * gsl_set_error_handler_off() the code comes back. */
+ * gsl_set_error_handler_off() the code comes back. Only a step that cannot be made
+ * (trajectory.h) and a search without success (step_search.h) come back at once. */
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 

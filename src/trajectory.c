@@ -105,7 +105,7 @@ int fvi_step(fvi_stepper *s)
     if (status)
         return status;
     if (!fvi_all_finite(2 * s->run.system->d, s->x)) /* x, then p */
-        GSL_ERROR("a value is no longer finite", GSL_EOVRFLW);
+        return GSL_EOVRFLW; /* no mistake of the caller: no handler */
     s->k++;
     s->t = (double)s->k * s->run.h;
     return GSL_SUCCESS;

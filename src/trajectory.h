@@ -69,8 +69,12 @@ typedef struct {
     const fvi_method *method;
 } fvi_stepper;
 
-/* fvi_method -- an integrator. name, order and memory are for people.
+/* fvi_method -- an integrator. name, order and memory are for people, and may be
+ * NULL.
  *
+ *   lowest, highest  the order as numbers: the lowest and the highest that x has at
+ *          a fixed time, over all alpha (a kick or kappa != 1/2 may cost more)
+ *   stages  s, of the methods of Lobatto; 0 for all others
  *   half_only  nonzero if the method knows linear damping only, alpha = 1/2;
  *          fvi_start refuses other runs (GSL_EDOM)
  *   as_printed  nonzero if the method also runs what has no solution (19.2), as the
@@ -81,6 +85,7 @@ typedef struct {
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
+    int lowest, highest, stages;
     int half_only, as_printed;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
@@ -103,7 +108,9 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  *
  * Returns GSL_SUCCESS; GSL_EFAULT if s is NULL; GSL_EINVAL if the run is over;
  * GSL_EMAXITER or GSL_ESING if the equation of the step could not be solved;
- * GSL_EOVRFLW if a value stopped being finite. After an error s->k is still k
+ * GSL_EOVRFLW if a value stopped being finite. These three are what came out, no
+ * mistake of the caller: GSL's error handler is not called for them, here or by
+ * fvi_start (GSL_ESING). After an error s->k is still k
  * and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);
 
