@@ -158,13 +158,16 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
         fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
     if (terminal)
         fprintf(stderr, "\r\033[K");
+    const fvi_method *other =
+        status == GSL_ETOL ? fvi_step_search_other(o->method, r) : NULL;
     if (status == GSL_ETOL && isfinite(found->estimate))
         fprintf(stderr,
                 "fvi: --error: %g is out of reach; the smallest estimate was "
-                "%.2g, with the step %.4g\n",
-                o->error, found->estimate, o->h / (double)found->parts);
+                "%.2g, with the step %.4g%s%s\n",
+                o->error, found->estimate, o->h / (double)found->parts,
+                other ? "; try --method " : "", other ? other->name : "");
     else if (status == GSL_ETOL)
-        fvi_complain("--error: no step gives a result");
+        fvi_complain("--error: no step gives a result that can be trusted");
     else if (status)
         complain_of_start(status);
     else
