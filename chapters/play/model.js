@@ -2,25 +2,26 @@
 // Nothing here knows of a document: test_play.mjs runs the same lines in node.
 
 // What a method takes. kappa: it takes U at kappa x_k + (1 - kappa) x_{k+1}; half: it knows
-// alpha = 1/2 only; caputo: it knows nothing else; stages: of a step, and its weights are
-// those of velocities; bound: the equation that says when it is stable.
+// alpha = 1/2 only; printed: it runs also what has no solution, as the paper does; stages: of
+// a step, and its weights are those of velocities; bound: the equation that says when it is
+// stable.
 const methods = {
-  "fvi": { kappa: true, bound: "(14.3)" },
+  "fvi": { kappa: true, printed: true, bound: "(14.3)" },
   "lda": { kappa: true, half: true, bound: "(14.3)" },
   "euler-explicit": { half: true, bound: "(10.4)" },
   "euler-implicit": { half: true, bound: "(10.4)" },
-  "fvi-shifted": { kappa: true, caputo: true, bound: "(13.14)" },
-  "fvi-bdf2": { kappa: true, caputo: true, bound: "(13.14)" },
-  "fvi-lobatto2": { caputo: true, stages: 2, bound: "(17.15)" },
-  "fvi-lobatto3": { caputo: true, stages: 3, bound: "(17.15)" },
-  "fvi-lobatto4": { caputo: true, stages: 4, bound: "(17.15)" },
+  "fvi-shifted": { kappa: true, bound: "(13.14)" },
+  "fvi-bdf2": { kappa: true, bound: "(13.14)" },
+  "fvi-lobatto2": { stages: 2, bound: "(17.15)" },
+  "fvi-lobatto3": { stages: 3, bound: "(17.15)" },
+  "fvi-lobatto4": { stages: 4, bound: "(17.15)" },
 };
 // What a run is made of. Names, words and defaults are those of `build/fvi run`.
 const choices = {
   method: Object.keys(methods),
   potential: ["harmonic", "duffing", "pendulum", "free"],
   force: ["none", "step", "cosine"],
-  derivative: ["rl", "caputo"],
+  past: ["held", "caputo", "rl"],
 };
 // [least, most, default, step of the slider]; "log": the slider moves by ratios.
 const ranges = {
@@ -37,13 +38,16 @@ const ranges = {
   b: [0, 10, 1, 0.05],
 };
 // The order of the numbers in `input` of play.c.
-const fields = ["method", "alpha", "rho", "potential", "c", "g", "force", "a", "b", "derivative",
+const fields = ["method", "alpha", "rho", "potential", "c", "g", "force", "a", "b", "past",
   "kappa", "x0", "p0", "h", "steps"];
 // The parameters that a word takes: harmonic:C, duffing:C,G, step:A,T, cosine:A,W.
 const parameters = {
   harmonic: ["c"], duffing: ["c", "g"], pendulum: ["c"], free: [],
   none: [], step: ["a", "b"], cosine: ["a", "b"],
 };
+
+// What a link without a word shows: the defaults, but with a memory.
+const first = "alpha=0.3";
 
 function defaults() {
   const state = {};
@@ -118,11 +122,12 @@ function settle(state) {
 // there has its default.
 function parse(hash) {
   const state = defaults(), wrong = [], seen = new Set();
-  for (const pair of hash.replace(/^#/, "").split("&").filter(Boolean)) {
+  for (const pair of (hash.replace(/^#/, "") || first).split("&").filter(Boolean)) {
     const equals = pair.indexOf("=");
     let name = pair.slice(0, Math.max(equals, 0)), text = pair.slice(equals + 1), complaint;
     try {
       text = decodeURIComponent(text);
+      if (name === "derivative") name = "past"; // as older links call it
       if (equals < 1) complaint = `'${text}' is not name=value`;
       else if (seen.has(name)) complaint = `${name}: given twice`;
       else complaint = take(state, name, text);
@@ -137,19 +142,16 @@ function parse(hash) {
   return { state, wrong };
 }
 
-// name -> value as text, for every option of the program.
+// name -> value as text, for every number and word of the link.
 function words(state) {
   const call = word => word + (parameters[word].length ? ":" : "")
     + parameters[word].map(name => state[name]).join(",");
   return {
     method: state.method, alpha: state.alpha, rho: state.rho, potential: call(state.potential),
-    force: call(state.force), derivative: state.derivative, kappa: state.kappa, x0: state.x0,
+    force: call(state.force), past: state.past, kappa: state.kappa, x0: state.x0,
     p0: state.p0, h: state.h, steps: state.steps,
   };
 }
-
-// What the run takes: some methods know only Caputo.
-const derivative = state => methods[state.method].caputo ? "caputo" : state.derivative;
 
 // What differs from the defaults, as a link and as a command.
 function changes(state) {
@@ -157,14 +159,36 @@ function changes(state) {
   return Object.entries(words(state)).filter(([name, value]) => value !== usual[name]);
 }
 function link(state) {
-  return "#" + changes(state).map(([name, value]) => `${name}=${value}`).join("&");
+  return "#" + (changes(state).map(([name, value]) => `${name}=${value}`).join("&") || `alpha=${state.alpha}`);
 }
 function command(state) {
-  return ["build/fvi run", ...changes(state).map(([name, value]) => `--${name} ${value}`),
+  const option = name => name === "past" ? "derivative" : name;
+  return ["build/fvi run", ...changes(state).map(([name, value]) => `--${option(name)} ${value}`),
     ...methods[state.method].stages ? [] : ["--memory direct"]].join(" ");
 }
 
 // ---- what is known of a run ----
+
+// What the body did before t = 0, and so on what D acts.
+function before({ past, alpha, rho, x0 }) {
+  if (rho === 0) return "Without damping the past does not matter.";
+  if (alpha === 0.5) return "D is d/dt, without memory: all three pasts have the same future.";
+  if (past === "held")
+    return `It rested at x0 and was let go with p0: D acts on x − x0.${alpha < 0.5 ? " So does Caputo’s here." : ""}`;
+  if (past === "caputo")
+    return alpha > 0.5 ? "It came along the straight line of its start: D acts on x − x0 − t v0."
+      : "D acts on x − x0, as if held; the straight line matters for α > 1/2.";
+  return `It was at 0, then put at x0: D acts on x.${x0 === 0 ? " With x0 = 0 that is held." : ""}`;
+}
+
+// Why there is no exact curve; "" if there is one.
+function lacking({ method, potential }, { solvable, exact }) {
+  if (solvable)
+    return exact.x.length ? "" : `No exact curve: U of ${potential} is not quadratic, and no formula is known.`;
+  return "This problem has no solution: for α > 1/2 the damping answers the jump from 0 to x0 with an infinite impulse. "
+    + (methods[method].printed ? `${method} runs it, as Algorithm 3 is printed: another h, another curve.`
+      : `${method} refuses it.`) + " Take another past, or x0 = 0.";
+}
 
 const short = value => Number.isFinite(value) ? String(Number(value.toPrecision(5))) : String(value);
 
@@ -173,8 +197,8 @@ const decay = ({ method, alpha }) => methods[method].stages ? -2 * alpha : -1 - 
 
 // Is the step stable? { text, crossed, load, largest }, from the load and the largest step
 // that the C says; load is NaN where there is none.
-function stability(state, load, largest) {
-  const { method, potential, alpha, rho, h } = state, { half, kappa, stages, bound } = methods[method];
+function stability(state, load, largest, solvable) {
+  const { method, potential, alpha, rho, h } = state, { half, kappa, printed, stages, bound } = methods[method];
   const linear = potential === "harmonic" || potential === "free";
   const upTo = largest === 0 ? "no step is stable" : largest === Infinity ? "every step is stable"
     : `stable up to h = ${short(largest)}`;
@@ -196,6 +220,8 @@ function stability(state, load, largest) {
   const from = spring && stages === 2 ? "(17.16)" : bound, crossed = load > 1;
   // With (17.15) damping may help; three and four stages are stable again beyond a gap.
   const sure = !stages || (stages === 2 && (rho === 0 || alpha < 0.5 || alpha === 1));
+  if (!solvable && !(printed && crossed))
+    return { crossed, load: NaN, largest, text: "stability: nothing is said, as there is no motion to stay near" };
   const now = crossed ? `${sure ? "unstable" : "beyond the bound"}: load ${short(load)} is above 1`
     : `stability: load ${short(Math.max(load, 0))} of 1`;
   return { crossed, load, largest, text: `${now}; ${upTo}, by ${from}${where}` };
@@ -218,14 +244,13 @@ async function kernel(text) {
     // Everything that the page shows of a state. The arrays are views: read them
     // before the next call.
     run(state, points = 400) {
-      const meant = { ...state, derivative: derivative(state) };
       new Float64Array(c.memory.buffer, c.play_input(), fields.length).set(fields.map(name =>
-        name in choices ? choices[name].indexOf(meant[name]) : meant[name]));
+        name in choices ? choices[name].indexOf(state[name]) : state[name]));
       const every = Math.ceil(state.steps / points), parts = Math.floor(Math.max(1, points / state.steps));
-      const rows = c.play_run(), exact = c.play_exact(every, parts), count = state.steps + 1;
+      const solvable = Boolean(c.play_solvable()), rows = c.play_run(), exact = c.play_exact(every, parts), count = state.steps + 1;
       c.play_weights(count);
       return {
-        rows, every, parts, stability: stability(state, c.play_load(), c.play_step()),
+        solvable, rows, every, parts, stability: stability(state, c.play_load(), c.play_step(), solvable),
         x: array(0, rows), p: array(1, rows), energy: array(2, rows), weights: array(3, count),
         exact: { t: array(4, exact), x: array(5, exact), v: array(6, exact) },
       };

@@ -10,6 +10,7 @@
 #include "fvi.h"
 #include "lobatto.h"
 #include "lobatto_memory.h"
+#include "past.h"
 #include "stability.h"
 
 #include <gsl/gsl_errno.h>
@@ -113,6 +114,20 @@ static fvi_run the_run(const fvi_system *system)
 
 /* ---- runs ---- */
 
+/* 0 if no motion starts there: fvi_start then refuses but for Algorithm 3. */
+int EXPORT(play_solvable)(void)
+{
+    return fvi_past_has_solution((fvi_past)input.past, input.alpha, input.rho,
+                                 input.x0);
+}
+
+/* Whether U is a multiple of x^2. */
+static int quadratic(void)
+{
+    return !((input.potential == 1 && input.g != 0)
+             || (input.potential == 2 && input.c != 0));
+}
+
 /* How many rows of x, p and energy there are: steps + 1, less if a value stopped
  * being finite or the equation of a step was not solved, 0 if refused. */
 int EXPORT(play_run)(void)
@@ -142,7 +157,7 @@ int EXPORT(play_run)(void)
 int EXPORT(play_exact)(int every, int parts)
 {
     const fvi_linear problem = { .m = mass,
-                                 .c = input.potential == 0 ? input.c : 0,
+                                 .c = input.potential == 3 ? 0 : input.c,
                                  .rho = input.rho,
                                  .alpha = input.alpha,
                                  .past = (fvi_past)input.past,
@@ -152,7 +167,7 @@ int EXPORT(play_exact)(int every, int parts)
                                  .A = input.a,
                                  .T = input.b,
                                  .w = input.b };
-    if (input.potential == 1 || input.potential == 2)
+    if (!quadratic())
         return 0;
     size_t n = 0;
     for (int k = 0; k <= (int)input.steps * parts; k += every)

@@ -5,7 +5,7 @@ const notes = {
   kappa: "U taken at κ xₖ + (1 − κ) xₖ₊₁", x0: "start x(0)", p0: "start p(0)",
   c: "stiffness C", g: "cubic stiffness G", a: "size A", b: "until T",
 };
-const spelled = { rl: "Riemann-Liouville", caputo: "Caputo" };
+const spelled = { held: "held at x0", caputo: "on a line (Caputo)", rl: "at 0 (Riemann-Liouville)" };
 
 const middle = 0.6; // of the run: the moment to look at, 0 the first, 1 the last
 let state, fvi, result, look = middle;
@@ -27,29 +27,42 @@ function sayStability() {
   if (element("load-text").textContent !== text) element("load-text").textContent = text;
 }
 
-// Why there is no exact solution, or how far the run is from it.
+// Does the past of a step act on it?
+const remembers = () => !methods[state.method].half && state.rho > 0;
+
+// What is not drawn is not in the legend, and it is said why.
+function sayExact() {
+  const { exact, rows, solvable } = result, why = lacking(state, result);
+  element("legend-run").hidden = rows === 0;
+  element("legend-past").hidden = rows === 0 || !remembers();
+  element("legend-exact").hidden = exact.x.length === 0;
+  element("lacking").hidden = !why;
+  element("lacking").classList.toggle("lit", !solvable);
+  if (element("lacking").textContent !== why) element("lacking").textContent = why;
+}
+
+// How far the run is from the exact solution.
 function compare() {
   const { exact, every, parts, x, rows } = result;
-  if (exact.x.length === 0)
-    return "duffing pendulum".includes(state.potential) ? "no exact solution: U is not quadratic"
-      : "no exact solution: with Riemann-Liouville, α > 1/2 and x0 ≠ 0 there is none";
+  if (exact.x.length === 0) return "";
   let worst = 0;
   for (let i = 0; i * every < rows && i * parts < exact.x.length; i++)
     worst = Math.max(worst, Math.abs(x[i * every] - exact.x[i * parts]));
-  return `largest error ${Number(worst.toPrecision(2))}`;
+  return `; largest error ${Number(worst.toPrecision(2))} at ${every === 1 ? "the nodes" : `one node in ${every}`}`;
 }
 
 function moment() {
-  return Math.round(look * (result.rows - 1));
+  return Math.round(look * Math.max(result.rows - 1, 0));
 }
 
 function sayMoment() {
   const k = moment(), { x, p, energy, rows } = result;
   const ended = rows <= state.steps ? `; step ${rows} gave no finite value` : "";
-  const text = `k = ${k}: t = ${short(k * state.h)}, x = ${short(x[k])}, p = ${short(p[k])}, `
-    + `E = ${short(energy[k])}; ${compare()}${ended}`;
+  const text = rows === 0 ? "no run" : `k = ${k}: t = ${short(k * state.h)}, x = ${short(x[k])}, `
+    + `p = ${short(p[k])}, E = ${short(energy[k])}${compare()}${ended}`;
   element("moment").textContent = text;
-  element("look").max = rows - 1;
+  element("look").disabled = rows === 0;
+  element("look").max = Math.max(rows - 1, 1);
   element("look").value = k;
   element("look").setAttribute("aria-valuetext", `k = ${k}`);
   element("x").setAttribute("aria-label", `Position against time, ${state.method}, ${text}`);
@@ -59,8 +72,8 @@ function sayMoment() {
 
 // The past of step k, each x_j with a dot as large as its weight: area by power 2/3.
 function drawPast(at, times) {
-  const k = moment(), { x, weights } = result, damped = !methods[state.method].half && state.rho > 0;
-  for (let n = damped ? k : 0; n > 0; n--) {
+  const k = moment(), { x, weights } = result;
+  for (let n = remembers() ? k : 0; n > 0; n--) {
     const radius = 7 * Math.cbrt(Math.abs(weights[n]));
     if (radius > 0.3) at.dot(times[k - n], x[k - n], "past", radius);
   }
@@ -73,7 +86,7 @@ function drawPast(at, times) {
 function drawMotion() {
   const { x, p, energy, exact, rows } = result, k = moment(), dash = [8, 5];
   const times = Float64Array.from({ length: rows }, (_, i) => i * state.h);
-  const c = state.potential === "harmonic" ? state.c : 0;
+  const c = state.potential === "free" ? 0 : state.c; // of a U with an exact solution
   const exactEnergy = exact.x.map((x, i) => (exact.v[i] ** 2 + c * x * x) / 2);
   const t = [0, Math.max(rows - 1, 1) * state.h];
   const at = motion = picture(element("x"), { x: t, y: span(x, exact.x), names: ["t", "x"] });
@@ -88,6 +101,15 @@ function drawMotion() {
   phase.curve(x, p, "run", [], 1.2);
   phase.curve(exact.x, exact.v, "exact", dash, 1.2);
   phase.dot(x[k], p[k], "run", 4);
+}
+
+// The axes alone, of a run that is refused.
+function drawNothing() {
+  const t = [0, state.steps * state.h], y = [-1, 1];
+  for (const [id, x, names] of [["energy", t, ["t", "E"]], ["phase", y, ["x", "p"]], ["x", t, ["t", "x"]]]) {
+    motion = picture(element(id), { x, y, names }); // that of x is the last
+    motion.note("no run");
+  }
 }
 
 function drawWeights() {
@@ -120,10 +142,11 @@ function draw() {
   const began = performance.now();
   readColours();
   result = fvi.run(state);
-  if (result.rows === 0) return say(["The library refuses this run"]);
   sayStability();
+  sayExact();
   sayMoment();
-  drawMotion();
+  if (result.rows === 0) drawNothing();
+  else drawMotion();
   drawWeights();
   const took = performance.now() - began;
   document.documentElement.dataset.frame = took.toFixed(2);
@@ -178,7 +201,7 @@ function change() {
 // The controls say what the state is; what does not matter is not there.
 function show() {
   const asked = [...parameters[state.potential], ...parameters[state.force]];
-  const { half, kappa, caputo } = methods[state.method];
+  const { half, kappa } = methods[state.method];
   for (const name in ranges) {
     const slider = element(`${name}-slider`), field = element(name), values = stops(name);
     let nearest = 0;
@@ -199,8 +222,9 @@ function show() {
     row.hidden = "cgab".includes(name) && !asked.includes(name);
     slider.disabled = field.disabled = Boolean(unused);
   }
-  for (const name in choices) element(name).value = name === "derivative" ? derivative(state) : state[name];
-  element("derivative").disabled = Boolean(half || caputo);
+  for (const name in choices) element(name).value = state[name];
+  element("past").disabled = Boolean(half);
+  element("before").textContent = before(state);
   element("command").replaceChildren(...command(state).split(/ (?=--)/).flatMap(words => {
     const option = document.createElement("span"); // is not broken over two lines
     option.textContent = words;
@@ -231,7 +255,7 @@ function build() {
   });
   element("x").addEventListener("pointermove", drag);
   element("reset").addEventListener("click", () => {
-    state = defaults();
+    state = parse("").state;
     look = middle;
     say([]);
     change();

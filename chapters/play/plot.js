@@ -88,6 +88,8 @@ function picture(canvas, axes) {
   pen.fillText(axes.names[1], 4, top - 2);
 
   const note = text => {
+    const wide = pen.measureText(text).width + 8;
+    pen.clearRect((left + right - wide) / 2, (top + bottom) / 2 - 10, wide, 20); // no line through it
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     pen.fillText(text, (left + right) / 2, (top + bottom) / 2);

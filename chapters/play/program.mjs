@@ -12,8 +12,8 @@ export const page = readFileSync(pageName, "utf8");
 export const [, wasm, source] =
   page.match(/<script>const wasm = "([^"]*)";<\/script>\n<script>\n([^]*?)<\/script>/);
 vm.runInThisContext(source);
-export const model = vm.runInThisContext(`({ methods, choices, ranges, defaults, stops, fault, parse, link, command,
-  decay, unpack, kernel })`);
+export const model = vm.runInThisContext(`({ methods, choices, ranges, first, defaults, stops, fault, parse, link,
+  command, before, lacking, decay, unpack, kernel })`);
 export const fvi = await model.kernel(wasm);
 
 // What the program prints and says.

@@ -4,7 +4,7 @@ import { fileURLToPath } from "node:url";
 import assert from "node:assert/strict";
 import { asked, fvi, meant, model, page, test, wasm } from "./program.mjs";
 
-const { methods, choices, ranges, defaults, stops, fault, parse, link, command, unpack } = model;
+const { methods, choices, ranges, first, defaults, stops, fault, parse, link, command, unpack } = model;
 const source = name => readFileSync(fileURLToPath(new URL(name, import.meta.url)), "utf8");
 
 await test("the methods are those of the program, in its order", () => {
@@ -22,19 +22,38 @@ await test("alpha = 1/2 is kept for those methods only that know no other", () =
   }
 });
 
-await test("kappa and the derivative matter to those methods that show them", () => {
+await test("kappa and the past matter to those methods that show them", () => {
   for (const method of choices.method) {
-    const { half, kappa, caputo } = methods[method];
-    const start = `#method=${method}&potential=duffing:1,1${half ? "" : "&alpha=0.3"}`;
+    const { half, kappa } = methods[method];
+    const start = `#method=${method}&potential=duffing:1,1`, low = half ? "" : "&alpha=0.3", high = half ? "" : "&alpha=0.7";
     const ends = rest => { const { x, p } = fvi.run(meant(start + rest)); return [x.at(-1), p.at(-1)]; };
     const differ = (a, b) => ends(a).some((value, i) => value !== ends(b)[i]);
-    assert.equal(differ("", "&kappa=0.3"), Boolean(kappa), method);
-    assert.equal(differ("", "&derivative=caputo"), !half && !caputo, method);
+    assert.equal(differ(low, low + "&kappa=0.3"), Boolean(kappa), method);
+    assert.equal(differ(low, low + "&past=rl"), !half, method);
+    assert.equal(differ(low, low + "&past=caputo"), false, method);
+    assert.equal(differ(high, high + "&past=caputo"), !half, method);
+    assert.equal(differ(high + "&x0=0", high + "&x0=0&past=rl"), false, method);
+    assert.equal(differ("", "&past=caputo") || differ("", "&past=rl"), false, `${method}: alpha = 1/2`);
   }
 });
 
+await test("links from before there were three pasts mean what they say", () => {
+  for (const past of ["caputo", "rl"]) {
+    assert.equal(meant(`#alpha=0.9&derivative=${past}`).past, past);
+    assert.equal(link(meant(`#derivative=${past}`)), `#past=${past}`);
+    assert.equal(command(meant(`#past=${past}`)), `build/fvi run --derivative ${past} --memory direct`);
+  }
+  assert.equal(meant("#rho=1").past, "held");
+  assert.match(parse("#derivative=rl&past=held").wrong[0], /past: given twice/);
+});
+
+await test("a link without a word is the first view, and no other run has it", () => {
+  for (const empty of ["", "#"]) assert.equal(link(meant(empty)), "#" + first);
+  assert.equal(link(defaults()), "#alpha=0.5");
+  assert.equal(meant("#rho=1").alpha, 0.5); // a link with a word has the program's defaults
+});
+
 await test("a link is the state, whatever it is", () => {
-  assert.equal(link(defaults()), "#");
   const pick = values => values[Math.floor(random() * values.length)];
   let seed = 1;
   const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
@@ -46,7 +65,8 @@ await test("a link is the state, whatever it is", () => {
     const again = meant(link(state));
     assert.equal(link(again), link(state));
     assert.equal(command(again), command(state));
-    assert.ok(fvi.run({ ...state, steps: 10 }).rows > 0);
+    const { rows, solvable } = fvi.run({ ...state, steps: 10 });
+    assert.equal(rows > 0, solvable || Boolean(methods[state.method].printed));
   }
 });
 
@@ -88,12 +108,12 @@ await test("nonsense in a link is named, and has its default", () => {
     ["method=lda&alpha=0.25", "lda knows only 0.5"], ["rho=1&rho=2", "given twice"],
     ["alpha", "is not name=value"], ["=1", "is not name=value"], ["alpha=%", "is not a link's text"],
     ["__proto__=1", "no such parameter"], ["toString=1", "no such parameter"],
-    ["derivative=constructor", "is none of"], ["<img onerror=x>", "no such parameter"],
+    ["past=constructor", "is none of"], ["derivative=free", "past: 'free' is none of held"], ["<img onerror=x>", "no such parameter"],
   ];
   for (const [hash, complaint] of cases) {
     const { state, wrong } = parse("#" + hash);
     assert.ok(wrong.length === 1 && wrong[0].includes(complaint), `${hash}: ${wrong}`);
-    if (!hash.startsWith("rho=1")) assert.equal(link(state).replace("method=lda", ""), "#", hash);
+    if (!hash.startsWith("rho=1")) assert.equal(link(state).replace("method=lda", "alpha=0.5"), "#alpha=0.5", hash);
   }
   const { state, wrong } = parse("#alpha=7&rho=1.5&nonsense&&h=0.02");
   assert.equal(wrong.length, 2);
