@@ -192,6 +192,14 @@ await test("a run that is refused leaves no curve of another", async () => {
   assert.match(await text("lacking"), /no solution.*fvi-bdf2 refuses it/);
   assert.equal(await text("moment"), "no run");
   for (const id of ["legend-run", "legend-exact", "legend-past"]) assert.equal(await shown(id), false, id);
+  assert.equal(await evaluate(`(() => {
+    const pen = CanvasRenderingContext2D.prototype, write = pen.fillText, words = [];
+    pen.fillText = word => words.push(word);
+    draw();
+    pen.fillText = write;
+    return words.filter(word => word === "no run").length;
+  })()`), 3);
+  await evaluate("draw()");
   const pictures = () => Promise.all(["x", "energy", "phase"].map(ink));
   const empty = await pictures();
   await start("#alpha=0.75&past=rl&method=fvi-bdf2");
