@@ -20,7 +20,9 @@ const size = (width, height) => call("Emulation.setDeviceMetricsOverride",
   { width, height, deviceScaleFactor: 1, mobile: width < 500 });
 const scheme = value => call("Emulation.setEmulatedMedia",
   { features: [{ name: "prefers-color-scheme", value }] });
-const pause = (ms = 300) => new Promise(done => setTimeout(done, ms)); // a frame, and the link
+// Until the page has drawn and its link, 150 ms later, is there: its own clock, however slow the machine.
+const pause = (ms = 200) => evaluate(`new Promise(done => setTimeout(() =>
+  requestAnimationFrame(() => requestAnimationFrame(done)), ${ms}))`);
 const text = id => evaluate(`document.getElementById("${id}").textContent`);
 const value = id => evaluate(`document.getElementById("${id}").value`);
 const hash = () => evaluate("location.hash");
@@ -32,6 +34,7 @@ const box = id => evaluate(`(e => {
 })(document.getElementById("${id}"))`);
 async function start(link = "") {
   await browser.go(page + link);
+  await evaluate("(async () => { while (!result) await new Promise(requestAnimationFrame); })()");
   await pause();
 }
 async function drag(id, from, to) {
