@@ -138,7 +138,7 @@ START_TEST(eq_19_9_orders_at_fixed_times)
         for (int of = OF_X; of <= OF_P; of++) {
             const double got = slope(e + of, 2e-13),
                          want = at_fixed_t(&q, method, of);
-            seen(got - want, "from the table");
+            seen(fabs(got - want), "from the table");
             expect(&q, method, of, got, want, 0.2, 0.2);
         }
     }
@@ -166,7 +166,7 @@ START_TEST(eq_19_9_orders_over_all_nodes)
             const double got = slope(e + of, 1e-13),
                          want = for_all_t(&q, method, of);
             if (!late)
-                seen(got - want, "from the table");
+                seen(fabs(got - want), "from the table");
             expect(&q, method, of, got, want, 0.3, late ? 0.5 : 0.1);
         }
     }
@@ -245,13 +245,14 @@ START_TEST(eq_19_9_orders_of_a_duffing_oscillator)
             const double fixed = at_fixed_t(&q, method, of),
                          less = is_kicked(&q) && method == LOBATTO4 ? 1 : 0,
                          got = slope(late + of, 1e-11);
-            seen(fixed - less - got, "below, at fixed t");
-            seen(got - fixed, "above, at fixed t");
+            if (less == 0)
+                seen(fabs(got - fixed), "from the table");
             expect(&q, method, of, got, fixed, 0.35 + 0.6 * less, 0.2);
             const int hidden = of == OF_P && method == SHIFTED && q.alpha < 0.5;
             const double start = slope(all + of, 5e-13),
                          want = for_all_t(&q, method, of);
-            seen(want - start, "below, for all t");
+            if (!hidden)
+                seen(fabs(want - start), "from the table");
             expect(&q, method, of, start, want, 0.35, hidden ? 0.5 : 0.4);
         }
     }
