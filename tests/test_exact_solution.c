@@ -13,8 +13,7 @@ START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
                          ref_solutions[i].c,
                          ref_solutions[i].rho,
                          ref_solutions[i].alpha,
-                         ref_solutions[i].caputo ? FVI_PAST_CAPUTO
-                                                 : FVI_PAST_RIEMANN_LIOUVILLE,
+                         (fvi_past)ref_solutions[i].past,
                          ref_solutions[i].x0,
                          ref_solutions[i].v0,
                          (fvi_forcing)ref_solutions[i].forcing,

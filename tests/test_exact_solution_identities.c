@@ -118,6 +118,23 @@ START_TEST(eq_11_2_caputo_jumps_just_above_one_half)
 }
 END_TEST
 
+/* A held body's motion is a push from the origin, which Riemann-Liouville has too, and
+ * a release at rest, which Caputo has too. TOL for each of the three, |x| < 2. */
+START_TEST(eq_11_2_held_is_a_push_and_a_release)
+{
+    const double alphas[] = { 0, 0.2, 0.5, 0.7, 0.95, 1 };
+    for (size_t i = 0; i < LEN(alphas); i++)
+        for (double t = 1e-3; t < 99; t *= 2) {
+            fvi_linear held = oscillator(alphas[i], 1, 1, 0.5);
+            held.past = FVI_PAST_HELD;
+            ck_assert_near(solve_x(held, t),
+                           solve_x(oscillator(alphas[i], 0, 0, 0.5), t)
+                               + solve_x(oscillator(alphas[i], 1, 1, 0), t),
+                           6 * TOL, "alpha=%g t=%g", alphas[i], t);
+        }
+}
+END_TEST
+
 /* Four and two terms of order 1; the transforms are the same functions. */
 START_TEST(eq_11_3_a_step_response_is_one_minus_caputo)
 {
@@ -362,6 +379,7 @@ int main(void)
     ADD_CASE(suite, "identities", eq_11_1_units_do_not_matter,
              eq_11_2_caputo_jumps_just_above_one_half,
              eq_11_2_the_velocity_is_the_solution_of_another_start,
+             eq_11_2_held_is_a_push_and_a_release,
              eq_11_3_a_step_response_is_one_minus_caputo,
              eq_11_7_the_wave_of_a_pulse_is_that_of_two_steps,
              eq_11_7_short_pulses_and_late_ones,

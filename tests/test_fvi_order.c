@@ -207,7 +207,8 @@ static double series(const setup *a, double t)
  * 1 - 2 alpha, negative from alpha = 1/2 on. Caputo has order 1, and so has the
  * start that takes the kick of (9.5) away. As printed, the next term is h^(2 alpha)
  * smaller: slow for alpha = 0.1, where Caputo's is slow, too. Seen: 0.775, 0.494,
- * 0.199, -0.200, -0.500, -0.800; 0.99 to 1.00; 0.957, then 0.99 to 1.00. */
+ * 0.199, -0.200, -0.500, -0.800; 0.99 to 1.00; 0.957, then 0.99 to 1.00, and so
+ * held. */
 START_TEST(eq_9_5_order_is_lost_where_x0_is_not_zero_and_eq_9_6_restores_it)
 {
     const double alphas[] = { 0.1, 0.25, 0.4, 0.6, 0.75, 0.9 };
@@ -219,12 +220,16 @@ START_TEST(eq_9_5_order_is_lost_where_x0_is_not_zero_and_eq_9_6_restores_it)
                      no_kick = slope(a, 2, 320, without_kick, series);
         a.past = FVI_PAST_CAPUTO;
         const double caputo = slope(a, 2, 320, as_it_is, series);
+        a.past = FVI_PAST_HELD;
+        const double held = slope(a, 2, 320, as_it_is, series);
         ck_assert_near(printed, 1 - 2 * a.alpha, 0.04, "as printed, %zu", i);
         ck_assert_near(no_kick, 1, 0.04, "without the kick, %zu", i);
         ck_assert_near(caputo, 1, 0.06, "Caputo, %zu", i);
+        ck_assert_near(held, 1, 0.06, "held, %zu", i);
         seen(printed, "as printed, %g", a.alpha);
         seen(no_kick, "without the kick, %g", a.alpha);
         seen(caputo, "Caputo, %g", a.alpha);
+        seen(held, "held, %g", a.alpha);
     }
 }
 END_TEST

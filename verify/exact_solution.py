@@ -46,6 +46,8 @@ prove("(11.2) Riemann-Liouville, x = 1 and x = t: nothing is subtracted",
       simplify(of_derivative(1, beta) - s**beta * of_power(1)))
 prove("(11.2) Caputo, x = 1 and, beta > 1, x = t: the derivative is zero",
       s**beta * of_power(0) - s ** (beta - 1), s**beta * of_power(1) - s ** (beta - 2))
+prove("(11.2) held, x = 1 and x = t: only the first is zero",
+      s**beta * of_power(0) - s ** (beta - 1), of_derivative(1, beta) - s ** (beta - 2))
 #< transform
 
 prove("(11.3) c / (s Q) = 1/s - (m s + rho s^(beta-1)) / Q",
@@ -140,19 +142,21 @@ prove("(11.13) resonance without damping",
 
 # ---- reference values ----
 
+HELD, CAPUTO, RL = 0, 1, 2  # as in src/past.h
+
 
 class Problem:
     """One row. Every number is a double, taken as exact."""
 
-    def __init__(self, m=1, c=1, rho=1, alpha=0.25, caputo=0, x0=0, v0=0, forcing=0,
+    def __init__(self, m=1, c=1, rho=1, alpha=0.25, past=RL, x0=0, v0=0, forcing=0,
                  A=0, T=0, w=0):
-        self.row = [m, c, rho, alpha, caputo, x0, v0, forcing, A, T, w]
+        self.row = [m, c, rho, alpha, past, x0, v0, forcing, A, T, w]
         (self.m, self.c, self.rho, self.alpha, _, self.x0, self.v0, _, self.A, self.T,
          self.w) = [mpf(float(q)) for q in self.row]
         self.forcing = forcing
         self.beta = 2 * self.alpha
-        self.k0 = 1 if caputo or alpha == 0.5 else 0
-        self.k1 = 1 if caputo and alpha > 0.5 else 0
+        self.k0 = 1 if past != RL or alpha == 0.5 else 0
+        self.k1 = 1 if past == CAPUTO and alpha > 0.5 else 0
 
     def Q(self, z, power=None):
         power = z**self.beta if power is None else power
@@ -290,34 +294,40 @@ SHORT = [
     (Problem(alpha=0.1, x0=1, v0=0.5, rho=0.2), [1e-4, 0.5, 8]),
     (Problem(alpha=2.0**-1060, x0=1, v0=0.5, rho=0.2), [8]),
     (Problem(alpha=0.45, x0=1, v0=0.5, rho=3), [1e-4, 0.5, 8]),
-    (Problem(alpha=0.25, caputo=1, x0=1, v0=0.5, rho=0.2), [1e-4, 3, 15]),
-    (Problem(alpha=0.75, caputo=1, x0=1, v0=0.5, rho=0.2), [1e-4, 3, 15]),
-    (Problem(alpha=0.95, caputo=1, x0=1, v0=-2, rho=7), [0.1, 5]),
-    (Problem(alpha=0.02, caputo=1, x0=1, v0=1, rho=40), [0.01, 0.6]),
+    (Problem(alpha=0.25, past=CAPUTO, x0=1, v0=0.5, rho=0.2), [1e-4, 3, 15]),
+    (Problem(alpha=0.75, past=CAPUTO, x0=1, v0=0.5, rho=0.2), [1e-4, 3, 15]),
+    (Problem(alpha=0.95, past=CAPUTO, x0=1, v0=-2, rho=7), [0.1, 5]),
+    (Problem(alpha=0.02, past=CAPUTO, x0=1, v0=1, rho=40), [0.01, 0.6]),
     (Problem(alpha=0.5, x0=1, v0=0.5, rho=0.2), [1, 15]),
-    (Problem(alpha=0.499, caputo=1, x0=1, v0=0.5, rho=2), [0.01, 2, 9]),
+    (Problem(alpha=0.499, past=CAPUTO, x0=1, v0=0.5, rho=2), [0.01, 2, 9]),
     (Problem(alpha=0.501, x0=0, v0=0.5, rho=2.02), [0.01, 2, 9]),
     (Problem(alpha=0.51, v0=1, rho=50), [0.001, 1, 12]),
-    (Problem(alpha=0.3, caputo=1, x0=1, v0=0.1, rho=900), [1e-5, 0.01]),
-    (Problem(m=1e-3, c=250, rho=1.5, alpha=0.6, caputo=1, x0=0.1, v0=-3), [1e-5, 0.03]),
+    (Problem(alpha=0.3, past=CAPUTO, x0=1, v0=0.1, rho=900), [1e-5, 0.01]),
+    (Problem(m=1e-3, c=250, rho=1.5, alpha=0.6, past=CAPUTO, x0=0.1, v0=-3), [1e-5, 0.03]),
     (Problem(m=2e4, c=3e-2, rho=60, alpha=0.35, x0=1, v0=0.001), [1, 9000]),
     (Problem(alpha=0.25, c=0, v0=1, x0=1, rho=0.7), [1e-6, 1, 10]),
     (Problem(alpha=0.8, c=0, v0=1, x0=0, rho=0.7), [1e-6, 1, 1e4]),
     (Problem(alpha=0.3, rho=0.4, forcing=1, A=2, T=1), [0.5, 1, 1.25, 2, 7]),
-    (Problem(alpha=0.9, caputo=1, x0=1, v0=1, rho=0.4, forcing=1, A=2, T=3), [2, 3.5, 12]),
+    (Problem(alpha=0.9, past=CAPUTO, x0=1, v0=1, rho=0.4, forcing=1, A=2, T=3), [2, 3.5, 12]),
     (Problem(alpha=0.4, c=1e-6, rho=1e-3, forcing=1, A=1, T=0.5), [0.25, 0.75, 20]),
     (Problem(alpha=0.3, x0=1, v0=1, rho=0.4, forcing=2, A=2, w=1.5), [1e-3, 1, 9]),
     (Problem(alpha=0.7, rho=0.05, forcing=2, A=1, w=1), [1e-6, 0.1, 3, 14]),
     (Problem(alpha=0.25, rho=2.0**-20, forcing=2, A=1, w=1), [1, 14]),
     (Problem(alpha=0.65, c=0, v0=1, rho=0.3, forcing=2, A=1, w=0.5), [1, 20]),
+    (Problem(alpha=0.25, past=HELD, x0=1, v0=0.5, rho=0.2), [3]),
+    (Problem(alpha=0.501, past=HELD, x0=1, v0=0.5, rho=2), [1e-4, 2, 9]),
+    (Problem(alpha=0.75, past=HELD, x0=1, v0=0.5, rho=0.2), [1e-4, 3, 15]),
+    (Problem(alpha=0.97, past=HELD, x0=1, v0=-2, rho=7), [1e-6, 0.1, 5]),
+    (Problem(m=2, alpha=0.6, past=HELD, x0=1, v0=1, rho=0.4, forcing=1, A=2, T=3), [2, 12]),
 ]
 LONG = [
     (Problem(alpha=0.25, v0=1, rho=0.2), [100, 1e4]),
     (Problem(alpha=0.4, x0=1, v0=1, rho=2.0**-14), [1e4]),
-    (Problem(alpha=0.75, caputo=1, x0=1, v0=1, rho=0.01), [100, 1e4]),
+    (Problem(alpha=0.75, past=CAPUTO, x0=1, v0=1, rho=0.01), [100, 1e4]),
     (Problem(alpha=0.97, v0=1, rho=0.3), [1e4]),
+    (Problem(alpha=0.8, past=HELD, x0=1, v0=1, rho=0.02), [100, 1e4]),
     (Problem(alpha=0, x0=1, v0=1, rho=0.3), [1e4]),
-    (Problem(alpha=1, v0=1, x0=1, caputo=1, rho=0.3), [1e4]),
+    (Problem(alpha=1, v0=1, x0=1, past=CAPUTO, rho=0.3), [1e4]),
     (Problem(alpha=0.5, v0=1, x0=1, rho=2.0**-14), [1e4]),
     (Problem(alpha=0.5, v0=1, x0=1, rho=0, m=3), [1e4]),
     (Problem(alpha=0.5, v0=1, x0=1, rho=0, m=3, forcing=2, A=1, w=0.125), [1e4]),
@@ -332,7 +342,7 @@ claim("Talbot's rule and the integral along the cut give the same",
       all(abs(x_ - y_) < mpf(10) ** -28 for x_, y_ in zip(*both)))
 
 header("verify/exact_solution.py")
-fields = ("double m, c, rho, alpha; int caputo; double x0, v0; int forcing; "
+fields = ("double m, c, rho, alpha; int past; double x0, v0; int forcing; "
           "double A, T, w, t, x, v, size_x, size_v;")
 table("ref_solutions", fields,
       [row for p_, times in SHORT for row in rows_of(p_, times, by_talbot)]
