@@ -100,6 +100,36 @@ START_TEST(eq_19_1_where_two_pasts_are_one)
 }
 END_TEST
 
+/* Four times the mass, the spring, the damping and the momentum: no bit of x moves. */
+START_TEST(eq_19_3_units_of_mass_do_not_matter)
+{
+    const double mass = 4, rho = 0.8, c = 4, p0 = 2;
+    for (size_t i = 0; i < METHODS * LEN(pasts) * 2; i++) {
+        const problem q = { pasts[i / METHODS % LEN(pasts)],
+                            i < METHODS * LEN(pasts) ? 0.3 : 0.8,
+                            0.2,
+                            i < METHODS * LEN(pasts) ? 1 : 0,
+                            0.5,
+                            { 1, 0 } };
+        const fvi_system system = { .d = 1,
+                                    .mass = &mass,
+                                    .damping = &rho,
+                                    .potential = fvi_potential_harmonic(&c) };
+        fvi_run run = fvi_run_default(&system, &q.x0, &p0, 0.05, N);
+        run.alpha = q.alpha;
+        run.past = q.past;
+        solve(methods[i % METHODS], &q, 0.05, N, x, p);
+        ck_assert_int_eq(
+            fvi_trajectory(methods[i % METHODS], &run, other_x, other_p, NULL),
+            0);
+        for (size_t k = 0; k <= N; k++) {
+            ck_assert_ulp(other_x[k], x[k], 0, "x, %zu", i);
+            ck_assert_ulp(other_p[k], 4 * p[k], 0, "p, %zu", i);
+        }
+    }
+}
+END_TEST
+
 /* ---- alpha = 1/2 and alpha = 1 ---- */
 
 /* Duffing, m = c = 1, g = 1/2, rho = 2/5, x0 = 1, p0 = 1/2: x(20) a millionth above
@@ -289,6 +319,7 @@ int main(void)
     ADD_CASE(suite, "impulses", eq_19_5_impulses_are_the_integrals,
              eq_19_5_they_are_exact_on_polynomials);
     ADD_CASE(suite, "pasts", eq_19_1_where_two_pasts_are_one,
+             eq_19_3_units_of_mass_do_not_matter,
              eq_19_6_caputo_jumps_at_one_half_and_held_does_not,
              eq_19_6_held_is_continuous_in_alpha,
              eq_19_7_a_velocity_jumps_at_alpha_1);
