@@ -259,7 +259,7 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
             status = load_of_mode(ends, 0, R[i], &worst);
     }
     if (u->hessian) {
-        u->hessian(d, run->x0, u->params, W);
+        fvi_hessian(system, run->x0, W);
         for (size_t i = 0; i < rows * d; i++)
             W[i] *= gsl_pow_2(run->h)
                     / sqrt(system->mass[i / d] * system->mass[i % d]);

@@ -11,7 +11,7 @@ import zlib
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
-MODULES = ("coefficients convolution_quadrature discrete_mechanics exact_inverse exact_pole exact_solution fvi "
+MODULES = ("band coefficients convolution_quadrature discrete_mechanics exact_inverse exact_pole exact_solution fvi "
            "lobatto lobatto_memory lobatto_weights memory newton past second_order stability system trajectory").split()
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the
 # last digits would differ.
