@@ -28,6 +28,7 @@
  *
  *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
  *
+ * (x as p for Riemann-Liouville with x0 != 0; near t = 0 as in Chapter 19)
  * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0. p_k is the momentum of the
  * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
@@ -56,6 +57,7 @@ extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
  * central difference of x; rows without neighbours on both sides (one at each
  * end for s = 2, else two) are left as they are. Nothing is done for alpha = 0,
  * 1/2, 1, nor for s = 2 and alpha < 1/2, where the leading error is another one.
+ * No order is gained for Riemann-Liouville with x0 != 0.
  *
  *   method  fvi_lobatto2, 3 or 4
  *   run     as it was run
