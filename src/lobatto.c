@@ -271,6 +271,22 @@ static int allocate(fvi_stepper *s, size_t stages)
     return GSL_SUCCESS;
 }
 
+//> finer
+/* What the memory has to keep, so that the impulse of its error, over the whole time
+ * T, is no more than the tolerance of m max|v|. (17.21) */
+static double finer(const fvi_stepper *s, double beta)
+{
+    const fvi_system *system = s->run.system;
+    const double T = s->run.h * (double)s->run.steps,
+                 Y = pow(beta > 0 ? s->run.h : T, -beta),
+                 wish = s->run.tolerance > 0 ? s->run.tolerance : 1e-13;
+    double worst = 1;
+    for (size_t j = 0; j < system->d; j++)
+        worst = fmax(worst, T * system->damping[j] * Y / system->mass[j]);
+    return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
+}
+//< finer
+
 /* W_0 and the memory for the order beta = 2 alpha - 1; W = 0 if none is damped. */
 static int prepare(fvi_stepper *s, lobatto *o)
 {
@@ -283,7 +299,7 @@ static int prepare(fvi_stepper *s, lobatto *o)
     }
     int status =
         fvi_lobatto_memory_alloc(o->s, beta, o->damped, s->run.steps,
-                                 s->run.memory, s->run.tolerance, &o->memory);
+                                 s->run.memory, finer(s, beta), &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =

@@ -24,7 +24,8 @@
  * t_{k+1} - 8u t_{k+1}, u = 2^-53, which are on the right sides of any jump that
  * is within 4u t_k of the node.
  *
- * Order, away from t = 0 and from jumps, beta != 0 and |beta| < 1:
+ * Order at a fixed t, one step or more away from t = 0 and from jumps, beta != 0 and
+ * |beta| < 1; over all t it is lower (table 17.22 of the chapter):
  *
  *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
  *
@@ -34,14 +35,12 @@
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
  * goes to 1 the order of x goes to s and that of p to s - 1.
  * Stable for rho = 0 and U = m w^2 x^2 / 2 if h w < 2, 2 sqrt(2), 3.1127 (17.15).
- * For alpha >= 1/2 damping has shown no bound of its own, up to R = 10^4. For
- * alpha < 1/2 it acts in part as a spring: (17.16) for s = 2; for s = 3 and 4 no
- * closed bound is known, but without U nothing grows up to R = 7.5 and 9.5.
+ * With damping: fvi_stability_lobatto (stability.h) says which steps are stable.
  *
  * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
- * run->tolerance is relative to the sum Y h^beta of the history. The damping is
- * h^(-beta) times that, so for alpha near 1 and very short steps x feels more than
- * the tolerance: ask for less, or take longer steps.
+ * run->tolerance t: the impulse of what compression leaves out, over the whole run,
+ * is at most t m max|v - v0|; the memory is asked for t / max(1, T rho h^(-beta) / m),
+ * or with T^(-beta) where beta < 0, T = h steps, but never for less than 1e-14. (17.21)
  * rho = 0, alpha = 0, 1/2, 1: no history is kept.
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the LU factors of an (s - 2) d matrix (once a run

@@ -19,6 +19,7 @@ typedef struct {
     fvi_force force;
     fvi_memory_kind memory;
     double mass; /* 0 stands for 1 */
+    double tolerance;
 } setup;
 
 static inline int try_run(const setup *a, double *x, double *p)
@@ -33,7 +34,8 @@ static inline int try_run(const setup *a, double *x, double *p)
                           .steps = a->steps,
                           .alpha = a->alpha,
                           .past = FVI_PAST_CAPUTO,
-                          .memory = a->memory };
+                          .memory = a->memory,
+                          .tolerance = a->tolerance };
     return fvi_trajectory(methods[a->s], &run, x, p, NULL);
 }
 

@@ -59,6 +59,44 @@ START_TEST(eq_17_12_compressed_runs_equal_direct_ones)
         }
 }
 END_TEST
+
+/* (17.21), as alpha goes to 1: what a tolerance leaves of x and p, relative to the
+ * largest. Seen: 0.03 of it; of a memory that keeps the tolerance itself, 65. */
+START_TEST(eq_17_21_the_tolerance_is_kept_as_alpha_goes_to_1)
+{
+    enum { LONG = 2000 };
+    static double X[LONG + 1], P[LONG + 1], y[LONG + 1], q[LONG + 1];
+    const double near_one[] = { 0.75, 0.9, 0.97 }, springs[] = { 1, 1e4 },
+                 tolerances[] = { 1e-4, 1e-6 };
+    for (size_t s = 2; s <= 4; s++)
+        for (size_t i = 0; i < 6; i++)
+            for (double rho = 1e3; rho < 2e5; rho *= 100) {
+                setup a = { .s = s,
+                            .alpha = near_one[i / 2],
+                            .rho = rho,
+                            .x0 = 1,
+                            .p0 = 0.5,
+                            .h = 1e-3,
+                            .steps = LONG,
+                            .cg = { springs[i % 2], 0 },
+                            .memory = FVI_MEMORY_DIRECT };
+                solve(&a, X, P);
+                a.memory = FVI_MEMORY_EXPONENTIALS;
+                for (size_t t = 0; t < LEN(tolerances); t++) {
+                    a.tolerance = tolerances[t];
+                    solve(&a, y, q);
+                    const double off =
+                        fmax(farthest(0, LONG + 1, y, X)
+                                 / farthest(0, LONG + 1, X, NULL),
+                             farthest(0, LONG + 1, q, P)
+                                 / farthest(0, LONG + 1, P, NULL));
+                    seen(off / a.tolerance, "of the tolerance");
+                    ck_assert_near(off, 0, a.tolerance, "s=%zu alpha=%g rho=%g",
+                                   s, a.alpha, rho);
+                }
+            }
+}
+END_TEST
 //< memories
 
 //> ends
@@ -323,6 +361,7 @@ int main(void)
     gsl_set_error_handler_off();
     Suite *suite = suite_create("lobatto_runs");
     ADD_CASE(suite, "identities", eq_17_12_compressed_runs_equal_direct_ones,
+             eq_17_21_the_tolerance_is_kept_as_alpha_goes_to_1,
              eq_17_17_the_ends_are_a_spring_and_a_mass,
              eq_17_8_without_damping_time_runs_both_ways,
              eq_17_8_without_damping_the_energy_stays,
