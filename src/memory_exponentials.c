@@ -49,11 +49,11 @@ size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
 //< nodes
 
 //> delta
-/* (12.11): a tenth of the tolerance; small enough for (12.13) to dissipate. */
+/* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
 double fvi_exponentials_delta(size_t steps, double tolerance)
 {
     double wish = tolerance == 0 ? 1e-14 : tolerance / 10;
-    return fmin(wish, FVI_WINDOW / fmax((double)steps, 50 * FVI_WINDOW));
+    return fmin(wish, 16 / fmax((double)steps, 32000));
 }
 //< delta
 

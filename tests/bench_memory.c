@@ -157,7 +157,7 @@ static void against_tolerance(void)
     printf("# against the tolerance, N = %zu\n#> tolerance\n"
            "# toler.\tms\tmodes\t|x(T) - that of the direct sum|\n",
            N);
-    for (double tolerance = 1e-2; tolerance > 0.9e-14; tolerance /= 10) {
+    for (double tolerance = 1e-3; tolerance > 0.9e-14; tolerance /= 10) {
         double t = seconds(1, N, 0.5, FVI_MEMORY_EXPONENTIALS, tolerance, &x);
         double delta = fvi_exponentials_delta(N, tolerance);
         printf("%.0e\t%.3f\t%zu\t%.1e\n", tolerance, 1e3 * t,
