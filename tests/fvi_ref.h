@@ -314,3 +314,16 @@ static const struct { double x, p, x_units, p_units; } ref_rows[] = {
     { -0x1.9bc0830590c1ap-2, -0x1.7406d19824876p-1, 61, 197 },
     { 0x1.f032870e58772p-2, 0x1.37663c5d056d1p+0, 28, 142 },
 };
+
+/* The delayed equation (9.7), t = 1/4, 1/2, ..., 2 */
+
+static const struct { double alpha, x0; size_t steps; double x[8]; } ref_delayed[] = {
+    { 0x1.3333333333333p-3, 1, 64, { 0x1.36bd423bf7c76p+0, 0x1.579425086292fp+0, 0x1.5fcadafbd709dp+0, 0x1.4f50f93286613p+0, 0x1.28752b427c167p+0, 0x1.df05a7a4d045ap-1, 0x1.547c62d5e1884p-1, 0x1.7d212946e3f23p-2 } }, /* alpha = 0.15 */
+    { 0x1.3333333333333p-3, 1, 128, { 0x1.36b930e18c46ap+0, 0x1.57890a9947826p+0, 0x1.5fb9c64f0b391p+0, 0x1.4f3dc7bb5029ap+0, 0x1.286583371218ap+0, 0x1.def9f94e74b84p-1, 0x1.548fc5a53daa1p-1, 0x1.7d965909dccd7p-2 } }, /* alpha = 0.15 */
+    { 0x1.3333333333333p-2, 1, 64, { 0x1.3617fa2fb3d62p+0, 0x1.5528c1778a418p+0, 0x1.5b9b5be93eee7p+0, 0x1.4a89261cce2fbp+0, 0x1.250ffc228da1p+0, 0x1.df8c3c091dc56p-1, 0x1.6055ca2b50948p-1, 0x1.b0602069d26dep-2 } }, /* alpha = 0.3 */
+    { 0x1.3333333333333p-2, 1, 128, { 0x1.360967299397ep+0, 0x1.550a2358dd56fp+0, 0x1.5b7549381d83p+0, 0x1.4a67edf14ec9ep+0, 0x1.25005fc8b9181p+0, 0x1.dfa58b19e7b33p-1, 0x1.60b502fb4a185p-1, 0x1.b1b0d9208e67ep-2 } }, /* alpha = 0.3 */
+    { 0x1p-1, 1, 64, { 0x1.3444ee3ef7baep+0, 0x1.50373ea1dab1fp+0, 0x1.550f146c384e8p+0, 0x1.453f7b12cf246p+0, 0x1.24289659ca42cp+0, 0x1.eb9162a314eb4p-1, 0x1.7cdaaaf61e5b8p-1, 0x1.04d21cfda11e3p-1 } }, /* alpha = 0.5 */
+    { 0x1p-1, 1, 128, { 0x1.3415fc7599762p+0, 0x1.4ff5c73dbbdc8p+0, 0x1.54d6dd24972b6p+0, 0x1.452635309e31p+0, 0x1.243c6f5853fe9p+0, 0x1.ec1f93597eadp-1, 0x1.7dcc156d5f444p-1, 0x1.0615edd05adf7p-1 } }, /* alpha = 0.5 */
+    { 0x1.8p-1, 1, 64, { 0x1.38492adbfcb68p+0, 0x1.612151ac142f4p+0, 0x1.7a0b13da72e66p+0, 0x1.82ff5ba30802p+0, 0x1.7c96125a982f6p+0, 0x1.67fff44163eb8p+0, 0x1.46f3ba12bc194p+0, 0x1.1b949fcda8a56p+0 } }, /* alpha = 0.75 */
+    { 0x1.8p-1, 1, 128, { 0x1.38641ff3a95cep+0, 0x1.616bd7af1dd41p+0, 0x1.7a8d8f9ad8d7cp+0, 0x1.83bb86a154aa8p+0, 0x1.7d87bb182e392p+0, 0x1.691d9c8f925cap+0, 0x1.482f67cd75405p+0, 0x1.1cdce79bc747ep+0 } }, /* alpha = 0.75 */
+};

@@ -2,7 +2,7 @@
 potential all left open): the three-term equation (9.2) is what a restricted
 variation of the discrete action leaves for x, and it is (9.3) when written out;
 the momentum form (9.4) is the same equation; kappa and 1 - kappa differ only
-beyond quadratic U; the kick (9.5); the modified equation (9.7); what a force at
+beyond quadratic U; the kick (9.5); the delay (9.7); what a force at
 t = 0 leaves out, (9.8). And y_k = x_{N-k} satisfies the advanced equation with
 1 - kappa.
 
@@ -13,10 +13,12 @@ what rounding can do to the C code: the operations of (9.4) are repeated in an
 arithmetic in which every number carries the error that the doubles may have. In
 passing this shows once more that (9.4) and (9.2) have the same solutions."""
 from fractions import Fraction as Q
+from functools import lru_cache
 from math import ceil
 
 import mpmath
-from sympy import Function, Rational, diff, exp, expand, gamma, ratsimp, simplify, symbols
+from sympy import (Function, Rational, coth, diff, exp, expand, gamma, ratsimp, simplify, sinh,
+                   symbols)
 
 from refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -91,7 +93,9 @@ for k in range(N - 1):
           expand(after + D1(x[k + 1], x[k + 2]) - three_terms(k + 1)))
 #< momentum-form
 
-# y_k = x_{N-k}: the advanced equation at k, with 1 - kappa, is (9.3) at N - k.
+# y_k = x_{N-k}: the advanced equation at k, with 1 - kappa and the force F(t_{N-k}), is
+# (9.3) at N - k. The part of (9.1) in y, divided by -h:
+part_of_y = lambda k: -(diff(free + work, y[k]) + diff(memory, x[k])) / h
 mirror = [x[N - k] for k in range(N + 1)]
 twice_ahead = lambda z, k: advanced([advanced(z, j) for j in range(N + 1)], k)
 for k in range(1, N):
@@ -100,6 +104,11 @@ for k in range(1, N):
     prove("the mirror has 1 - kappa",
           expand(forces(mirror, 1 - kappa, k) - forces(x, kappa, N - k)),
           expand(twice_ahead(mirror, k) - twice(x, N - k)))
+    reversed_ = part_of_y(k).doit().subs(kappa, 1 - kappa)
+    reversed_ = reversed_.subs(dict(zip(y + F, mirror + [F[N - j] for j in range(N + 1)])),
+                               simultaneous=True)
+    prove("the mirror solves the y-part with 1 - kappa, where the force is reversed too",
+          expand(reversed_ + three_terms(N - k) / h))
 
 # kappa and 1 - kappa: one recurrence for quadratic U, two for cubic U.
 def mean_force(force, K):
@@ -130,11 +139,27 @@ prove("(9.8) the start of a forced motion",
       expand(begin).subs(step, 0) - m * v0,
       diff(expand(begin), step).subs(step, 0).doit() - F[0] / 2 - (kappa - Rational(1, 2)) * g(x[0]))
 
-# (9.7): the weights on e^{st} give s^beta (1 - beta s h / 2 + O(h^2)).
+#> late
+# (9.7): on e^{st} the weights of order beta are s^beta, late by beta h / 2, times an even
+# function of h; and the transform of the start, x_0 and p_0, is even in h.
 s, beta = symbols("s beta", positive=True)
-symbol = ((1 - exp(-s)) / s).series(s, 0, 3).removeO()
-prove("(9.7) the modified equation", ((symbol**beta).series(s, 0, 2).removeO()
-                                      - (1 - beta * s / 2)))
+even = lambda f: prove("even in h", simplify((f - f.subs(h, -h)).rewrite(exp)))
+prove("(9.7) the base of the weights",
+      simplify((1 - exp(-s * h)) / h - (exp(-s * h / 2) * 2 / h * sinh(s * h / 2)).rewrite(exp)))
+even(sinh(s * h / 2) / h)
+even(h / 2 * coth(s * h / 2))               # of a constant, first term halved
+even((h / 2)**2 / sinh(s * h / 2)**2)       # of t
+z, c, X = symbols("z c X", positive=True)   # z = e^{-sh}; x_k = b^k, |b z| < 1: sums known
+geometric = 1 / (1 - X * z)
+Phi = h * (geometric - Rational(1, 2))
+A_ = m + h**2 * c / 4
+left = (h * A_ * (X - 2 + 1 / X) / h**2 + h * c) * (geometric - 1)
+start = A_ * (X - 1) / h + h * c / 2        # p_0 = -D_1 L_d for kappa = 1/2
+prove("(9.7) p_0 for kappa = 1/2", expand(
+    start - (m * (X - 1) / h + h / 2 * c * (1 + X) / 2)))
+prove("(9.7) the transform of (9.3) with its start", ratsimp(
+    left + start - (A_ * ((1 / z - 2 + z) / h**2 * Phi - (1 / z - z) / (2 * h)) + c * Phi)))
+#< late
 
 
 # ---- trajectories ----
@@ -411,3 +436,45 @@ table("ref_runs", "const char *name; size_t d; double alpha, kappa, h; size_t st
 print("\n/* x_k and p_k, component after component, step after step, and how many units")
 print(" * of 2^-53 the results of the C code may be away from them. */")
 table("ref_rows", "double x, p, x_units, p_units;", rows)
+
+
+rgamma = lru_cache(None)(lambda e, digits: mpmath.rgamma(e))
+
+
+#> delayed
+def delayed(alpha, x0, step, t):
+    """x'' + x + (1/2) D^{2 alpha} z (t - alpha h) = 0, v_0 = 1, Caputo: the transform is a
+    geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, inverted term by term."""
+    total, order = mpmath.mpf(0), 2 * alpha
+    power = lambda later, e: later**e * rgamma(e + 1, mpmath.mp.dps) if later > 0 else 0
+    for j in range(45):
+        now, then = t - j * alpha * step, t - (j + 1) * alpha * step
+        if now <= 0:
+            break
+        for i in range(16):
+            factor, e = mpmath.binomial(i + j, i) * (-1)**i * mpmath.mpf(-0.5)**j, 2 * i + (2 - order) * j
+            total += factor * (x0 * power(now, e) + power(now, e + 1)
+                               + x0 / 2 * power(then, e + 2 - order))
+            if order > 1:
+                total += factor / 2 * power(then, e + 3 - order)
+    return total
+#< delayed
+
+
+rows = []
+for number in (0.15, 0.3, 0.5, 0.75):
+    for x0 in (1,):
+        for count in (64, 128):
+            text = []
+            for k in range(1, 9):
+                both = {}
+                for digits in (20, 30):
+                    mpmath.mp.dps = digits + 15
+                    both[digits] = mpmath.nstr(delayed(mpmath.mpf(number), x0, mpmath.mpf(2) / count,
+                                                       mpmath.mpf(k) / 4), digits)
+                lo, hi = hexd(Q(both[20])), hexd(Q(both[30]))
+                claim("the nearest double at both precisions", lo == hi)
+                text.append(lo)
+            rows.append([hexd(number), x0, count, "{ " + ", ".join(text) + " }", f"alpha = {number}"])
+print("\n/* The delayed equation (9.7), t = 1/4, 1/2, ..., 2 */")
+table("ref_delayed", "double alpha, x0; size_t steps; double x[8];", rows)
