@@ -169,6 +169,11 @@ static plane random_plane(gsl_rng *random, fvi_memory_kind kind)
     return a;
 }
 
+static int plane_quadratic(const void *params)
+{
+    return params != NULL;
+}
+
 /* From a held past; how many steps, fewer than asked for if it overflows. */
 static size_t run_plane(const plane *a, double *x, double *load)
 {
@@ -176,7 +181,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                                 a->mass,
                                 a->rho,
                                 { plane_value, plane_gradient, plane_hessian,
-                                  a->C, 1 },
+                                  a->C, plane_quadratic, 0 },
                                 { 0 } };
     const fvi_run run = { .system = &system,
                           .x0 = a->x0,
