@@ -127,6 +127,8 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
     if (pole->s == 0)
         return 0;
     polish(pole);
+    if (rho == 0 || beta == 2) /* nothing decays: a rounded rate would count */
+        pole->low = I * cimag(pole->low);
     return 1;
 }
 
@@ -135,6 +137,12 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
 double complex fvi_pole_from(const fvi_pole *p, double complex z)
 {
     return (z - p->s) - p->low;
+}
+
+double fvi_pole_phase_error(const fvi_pole *p, double t)
+{
+    const double u = GSL_DBL_EPSILON / 2;
+    return u * u * cabs(p->s) * t * exp(creal(p->s) * t);
 }
 
 double complex fvi_pole_quotient(const fvi_pole *p, double complex z)

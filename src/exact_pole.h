@@ -34,6 +34,10 @@ double complex fvi_pole_derivative(const fvi_pole *pole);
 /* fvi_pole_from -- z - (s + low) without a cancellation. */
 double complex fvi_pole_from(const fvi_pole *pole, double complex z);
 
+/* fvi_pole_phase_error -- what the rounding of s + low, u^2 |s|, may have done to
+ * e^{st} at a time t > 0. */
+double fvi_pole_phase_error(const fvi_pole *pole, double t);
+
 /* fvi_pole_quotient -- (Q(z) - Q(s)) / (z - s), also where z is close to s. */
 double complex fvi_pole_quotient(const fvi_pole *pole, double complex z);
 

@@ -4,6 +4,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 
+static const double LOST = 1e-14; /* what a phase may be wrong */
+
 static int in_range(double a, double low, double high)
 {
     return gsl_finite(a) && a >= low && a <= high;
@@ -103,6 +105,9 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
         double vi = t[i] > 0 ? 0 : problem->v0;
         fvi_event at[2];
         size_t events = t[i] > 0 ? events_at(problem, t[i], at) : 0;
+        if (S.root.s != 0 && t[i] > 0
+            && fvi_pole_phase_error(&S.root, t[i]) > LOST)
+            GSL_ERROR("the phase of the oscillation is lost", GSL_ELOSS);
         for (size_t j = 0; j < events; j++)
             fvi_inverse_add(&S, &at[j], &xi, &vi);
         status = put(i, xi, vi, x, v);

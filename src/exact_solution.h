@@ -59,7 +59,9 @@ typedef struct {
  * Returns GSL_SUCCESS; GSL_EFAULT if problem or t is NULL, or x and v both are;
  * GSL_EINVAL if n == 0 or forcing is unknown; GSL_EDOM if a number is out of its
  * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
- * these errors x and v are untouched. GSL_EOVRFLW if a value is not finite: the
+ * these errors x and v are untouched. GSL_EOVRFLW if a value is not finite, and
+ * GSL_ELOSS if the body has swung so often, w t above 8e17, that twice the digits
+ * of a double do not hold the phase (not where the swing has died away): the
  * values before it stand. */
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v);

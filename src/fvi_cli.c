@@ -38,6 +38,7 @@ int fvi_stopped_at(size_t step, int status)
         : status == GSL_ESING   ? "the equation of the step is singular"
         : status == GSL_EOVRFLW ? "a value is no longer finite"
         : status == GSL_EDOM    ? "a number is out of range"
+        : status == GSL_ELOSS   ? "a phase of so many swings is not known"
                                 : gsl_strerror(status);
     fvi_progress_clear();
     fprintf(stderr, "fvi: step %zu: %s\n", step, what);

@@ -66,24 +66,51 @@ int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
 
 /* ---- getopt ---- */
 
-static int command_of(const char *name, fvi_command *command)
+static int is_help(const char *word)
 {
-    static const char *const names[] = {
-        "run", "coefficients", "exact", "methods", "--help", "--version"
-    };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0) {
-            *command = (fvi_command)i;
-            return 1;
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+static int command_of(const char *name, fvi_command *command, fvi_complaint c)
+{
+    /* in the order of fvi_command, then other words for the help */
+    static const char *const commands[] = { "run",       "coefficients",
+                                            "exact",     "methods",
+                                            "help",      "--version",
+                                            "--help",    "-h",
+                                            NULL };
+    for (size_t i = 0; commands[i]; i++)
+        if (strcmp(name, commands[i]) == 0) {
+            *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
+            return 0;
         }
-    return 0;
+    const char *nearest = fvi_word_nearest(name, strlen(name), commands);
+    return fvi_refuse(c, "'%s' is not a command%s%s%s", name,
+                      nearest ? "; did you mean " : "", nearest ? nearest : "",
+                      nearest ? "?" : "");
+}
+
+/* A word that is none of the options of this command. */
+static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
+{
+    const char *names[OPTIONS + 2], *word = given + strspn(given, "-");
+    size_t n = 0;
+    for (int i = 0; i < OUTPUT; i++)
+        if (table[i].commands & mask(o->command))
+            names[n++] = table[i].name;
+    names[n++] = "help";
+    names[n] = NULL;
+    const char *nearest = fvi_word_nearest(word, strcspn(word, "="), names);
+    return fvi_refuse(c, "%s: no such option%s%s%s", given,
+                      nearest ? "; did you mean --" : "",
+                      nearest ? nearest : "", nearest ? "?" : "");
 }
 
 /* One more option with its text. A long name must be written in full. */
 static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
 {
     if (found == '?')
-        return fvi_refuse(c, "%s: no such option", given);
+        return unknown(o, given, c);
     if (found == ':')
         return fvi_refuse(c, "%s: a value is missing", given);
     option_index i = (option_index)(found - 256);
@@ -91,7 +118,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     if (i != OUTPUT
         && (length != strlen(table[i].name) + 2
             || strncmp(given + 2, table[i].name, length - 2) != 0))
-        return fvi_refuse(c, "%s: no such option", given);
+        return unknown(o, given, c);
     if (!(table[i].commands & mask(o->command)))
         return fvi_refuse(c, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", table[i].name);
@@ -103,8 +130,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     return 0;
 }
 
-/* The words behind the command into o->text; --help among them changes the
- * command. */
+/* The words behind the command into o->text; --help or -h among them changes
+ * the command. */
 static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
@@ -117,17 +144,18 @@ static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
     opterr = 0;
     for (;;) {
         const char *given = words[optind ? optind : 1];
-        int found = getopt_long(count, words, "+:o:", longs, NULL);
+        int found = getopt_long(count, words, "+:o:h", longs, NULL);
         if (found == -1)
             break;
-        if (found == 256 + OPTIONS && strcmp(given, "--help") == 0) {
+        if ((found == 256 + OPTIONS || found == 'h') && is_help(given)) {
             o->about = o->command;
             o->command = FVI_COMMAND_HELP;
             return 0;
         }
-        found = found == 'o'             ? 256 + OUTPUT
-                : found == 256 + OPTIONS ? '?' /* short for --help */
-                                         : found;
+        found = found == 'o' ? 256 + OUTPUT
+                : found == 256 + OPTIONS || found == 'h'
+                    ? '?' /* --hel, -h0.1 */
+                    : found;
         int status = take(o, found, given, c);
         if (status)
             return status;
@@ -159,9 +187,12 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
     *o = (fvi_options){ .about = FVI_COMMAND_HELP };
     if (argc < 2)
         return fvi_refuse(c, "a command is missing");
-    if (!command_of(argv[1], &o->command))
-        return fvi_refuse(c, "'%s' is not a command", argv[1]);
-    int status = take_all(o, argc - 1, argv + 1, c);
+    int status = command_of(argv[1], &o->command, c);
+    const int about = !status && o->command == FVI_COMMAND_HELP && argc > 2;
+    if (about) /* fvi help run */
+        status = command_of(argv[2], &o->about, c);
+    if (!status)
+        status = take_all(o, argc - 1 - about, argv + 1 + about, c);
     if (!status && mask(o->command))
         status = fill_in(o, c);
     return !status && mask(o->command) ? fvi_options_interpret(o, c) : status;

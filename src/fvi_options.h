@@ -18,7 +18,7 @@ enum { FVI_MAX_COLUMNS = 5 };
 /* The words of the command line, understood and in range. */
 typedef struct {
     fvi_command command;
-    fvi_command about; /* of what --help speaks; HELP itself for the whole */
+    fvi_command about; /* of what help speaks; HELP itself for the whole */
     const fvi_method *method;
     double alpha, rho, mass, kappa, h, tolerance;
     double error; /* 0: the step is h; else it is to be found */
@@ -28,6 +28,7 @@ typedef struct {
     char force;        /* n, s or c */
     double forcing[2]; /* its parameters */
     fvi_past past;
+    int no_solution; /* 1: only the method that does what is printed runs it */
     fvi_memory_kind memory;
     char columns[FVI_MAX_COLUMNS
                  + 1];    /* first letters of the columns, in order */

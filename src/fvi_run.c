@@ -6,6 +6,8 @@
 #include "fvi.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "lobatto.h"
+#include "lobatto_memory.h"
 #include "stability.h"
 #include "step_search.h"
 
@@ -29,18 +31,41 @@ static int complain_of_start(int status)
                              : gsl_strerror(status));
 }
 
+enum { FEW = 128 /* masses whose modes are found in a moment */ };
+
+/* The stages of a Lobatto method; 0 for the others. */
+static size_t stages(const fvi_method *m)
+{
+    return m == &fvi_lobatto2   ? 2
+           : m == &fvi_lobatto3 ? 3
+           : m == &fvi_lobatto4 ? 4
+                                : 0;
+}
+
+/* What a run surely takes: its state, Newton's band matrix, its history. */
+static double run_bytes(const fvi_options *o)
+{
+    const size_t s = stages(o->method), d = o->d;
+    const double bytes = 100 * (double)d;
+    if (o->method->half_only || o->rho == 0 || (s > 0 && o->alpha == 1))
+        return bytes;
+    if (s > 0)
+        return bytes
+               + fvi_lobatto_memory_bytes(s, 2 * o->alpha - 1, d, o->steps,
+                                          o->memory, o->tolerance);
+    return bytes
+           + (double)fvi_memory_bytes(2 * o->alpha, d, o->steps, o->memory,
+                                      o->tolerance);
+}
+
 /* Room for the rows that are kept; NULL if what is surely asked for is more
  * than the machine has. */
 static double *room(const fvi_table *t)
 {
     const fvi_options *o = t->o;
-    double bytes = 100 * (double)o->d; /* the state, and Newton's band matrix */
-    if (o->error > 0) /* fvi_step_search keeps rows */
-        bytes += 40 * (double)o->d * (double)o->steps;
-    else if (o->method && !o->method->half_only && o->rho > 0)
-        bytes += (double)fvi_memory_bytes(2 * o->alpha, o->d, o->steps,
-                                          o->memory, o->tolerance);
-    return fvi_table_room(t, bytes);
+    return fvi_table_room(t, o->error > 0 /* fvi_step_search keeps rows */
+                                 ? 40 * (double)o->d * (double)o->steps
+                                 : run_bytes(o));
 }
 
 /* Returns 0, or 1 after it has said at which step the run ended. */
@@ -72,35 +97,57 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
     return 0;
 }
 
-/* A warning before a run that must blow up; it goes on all the same. The load of
- * fvi-bdf2 is that of Algorithm 3 with 4^alpha times the damping, (13.14); that of
- * fvi-shifted with 1 - 2 alpha times, none from alpha = 1/2 on. */
-static void warn_if_unstable(const fvi_options *o, const fvi_run *r)
+/* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
+ * step is stable, NaN if h is not known. The load of fvi-bdf2 is that of Algorithm 3
+ * with 4^alpha times the damping, (13.14); that of fvi-shifted with 1 - 2 alpha
+ * times, none from alpha = 1/2 on. Returns 0, or another number if the load is not
+ * known, or would take d^3 operations that no run of a long chain does. */
+static int load_of(const fvi_options *o, const fvi_run *r, double *load,
+                   double *h)
 {
-    double share = o->method == &fvi_fractional           ? 1
-                   : o->method == &fvi_lagrange_dalembert ? 1
-                   : o->method == &fvi_bdf2               ? pow(4, o->alpha)
-                   : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
-                                               : -1;
-    double load, h,
-        *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
+    *h = NAN;
+    if (stages(o->method) > 0)
+        return o->d > FEW ? -1
+                          : fvi_stability_lobatto(stages(o->method), r, load);
+    const double share = o->method == &fvi_fractional           ? 1
+                         : o->method == &fvi_lagrange_dalembert ? 1
+                         : o->method == &fvi_bdf2 ? pow(4, o->alpha)
+                         : o->method == &fvi_shifted
+                             ? fmax(0, 1 - 2 * o->alpha)
+                             : -1;
+    double *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
     if (!damping)
-        return;
+        return -1;
     for (size_t i = 0; i < o->d; i++)
         damping[i] = share * o->rho;
     fvi_system system = *r->system;
     fvi_run run = *r;
     system.damping = damping;
     run.system = &system;
-    int status = fvi_stability_load(&run, &load);
-    if (!status && load > 1 && !fvi_stability_step(&run, &h))
-        fprintf(stderr,
-                "fvi: warning: this step is unstable (load %.4g, above 1); %s "
-                "%.4g\n",
-                load,
-                h > 0 ? "stable below h =" : "no step is stable: rho / m is",
-                h > 0 ? h : o->rho / o->mass);
+    int status = fvi_stability_load(&run, load);
+    if (!status && *load > 1)
+        status = fvi_stability_step(&run, h);
     free(damping);
+    return status;
+}
+
+/* Warnings before a run that has no limit, or must blow up; it goes on all the
+ * same. */
+static void warn(const fvi_options *o, const fvi_run *r)
+{
+    double load = 0, h = 0;
+    if (fvi_table_warning(o))
+        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
+    if (load_of(o, r, &load, &h) != 0 || load <= 1)
+        return;
+    fprintf(stderr, "fvi: warning: this step is unstable (load %.4g, above 1)",
+            load);
+    if (h > 0)
+        fprintf(stderr, "; stable below h = %.4g", h);
+    else if (h == 0)
+        fprintf(stderr, "; no step is stable: rho / m is %.4g",
+                o->rho / o->mass);
+    fputc('\n', stderr);
 }
 
 static fvi_run the_run(const fvi_options *o, const fvi_system *system)
@@ -131,7 +178,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     } else if (!(t.out = fvi_output_open(o->output))) {
         fvi_cannot_write(o->output);
     } else {
-        warn_if_unstable(o, &r);
+        warn(o, &r);
         fvi_table_head(t.out, o);
         fvi_table_names(&t);
         failed = steps_and_rows(&t, s);

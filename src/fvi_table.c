@@ -3,18 +3,30 @@
 #include "fvi_table.h"
 
 #include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 /* ---- the head ---- */
 
+const char *fvi_table_warning(const fvi_options *o)
+{
+    return o->no_solution
+               ? "rl with x0 != 0 and alpha > 1/2 has no solution; these rows "
+                 "depend on h and come near to no motion"
+               : NULL;
+}
+
 void fvi_table_head(FILE *out, const fvi_options *o)
 {
-    const char *name, *value;
+    const char *name, *value, *warning = fvi_table_warning(o);
     fprintf(out, "# fvi " FVI_VERSION "\n");
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         fprintf(out, "# %s = %s\n", name, value);
+    if (warning)
+        fprintf(out, "# warning = %s\n", warning);
 }
 
 static const char *column_name(char letter)
@@ -70,7 +82,8 @@ void fvi_table_shape(fvi_table *t, const fvi_options *o,
 
 double fvi_machine_bytes(void)
 {
-    return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    return fmin((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE),
+                (double)(SIZE_MAX / 2));
 }
 
 double *fvi_table_room(const fvi_table *t, double bytes)

@@ -24,14 +24,19 @@ typedef struct {
 void fvi_table_shape(fvi_table *t, const fvi_options *o,
                      const fvi_system *system);
 
-/* fvi_machine_bytes -- the memory of this machine. */
+/* fvi_machine_bytes -- the memory of this machine, as far as a program of its word
+ * length can address it. */
 double fvi_machine_bytes(void);
 
 /* fvi_table_room -- rows for a table that has its shape, to be freed by the caller;
  * NULL if these and `bytes` more are more than the machine has. */
 double *fvi_table_room(const fvi_table *t, double bytes);
 
-/* fvi_table_head -- "# name = value" lines, for any command. */
+/* fvi_table_warning -- what the reader of the table must know before all, one line;
+ * NULL if there is nothing. */
+const char *fvi_table_warning(const fvi_options *o);
+
+/* fvi_table_head -- "# name = value" lines, for any command, and the warning. */
 void fvi_table_head(FILE *out, const fvi_options *o);
 
 /* fvi_table_names -- the line with the names of the columns. */

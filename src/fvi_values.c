@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -27,10 +28,12 @@ static int number(const fvi_options *o, option_index i, double low, double high,
                            value, c);
 }
 
+/* Counts of rows are added and doubled: half of what a size_t holds is enough. */
 static int whole(const fvi_options *o, option_index i, size_t *value,
                  fvi_complaint c)
 {
-    return fvi_word_whole(fvi_option_name(i), o->text[i], value, c);
+    return fvi_word_whole(fvi_option_name(i), o->text[i], SIZE_MAX / 2, value,
+                          c);
 }
 
 static int choice(const fvi_options *o, option_index i,
@@ -61,6 +64,28 @@ static int is_lobatto(const fvi_method *m)
     return m == &fvi_lobatto2 || m == &fvi_lobatto3 || m == &fvi_lobatto4;
 }
 
+/* Does the number kappa reach this method? */
+static int has_kappa(const fvi_method *m)
+{
+    return !is_lobatto(m) && m != &fvi_euler_explicit
+           && m != &fvi_euler_implicit;
+}
+
+/* What is asked for is done or refused: the words that a method cannot honour. */
+static int check_method(const fvi_options *o, fvi_complaint c)
+{
+    const char *name = o->method->name;
+    if (o->method->half_only && o->alpha != 0.5)
+        return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
+                          o->text[ALPHA], name);
+    if (!has_kappa(o->method) && o->kappa != 0.5)
+        return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
+                          o->text[KAPPA], name);
+    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
+        return fvi_refuse(c, "--memory: 'fft' is not known to %s", name);
+    return 0;
+}
+
 static int interpret_run(fvi_options *o, fvi_complaint c)
 {
     static const char *const memories[] = { "auto", "direct", "fft",
@@ -83,13 +108,8 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     if (status)
         return status;
     o->method = fvi_options_methods[which];
-    if (o->method->half_only && o->alpha != 0.5)
-        return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
-                          o->text[ALPHA], o->method->name);
-    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
-        return fvi_refuse(c, "--memory: 'fft' is not known to %s",
-                          o->method->name);
-    return o->text[ERROR] ? interpret_error(o, c) : 0;
+    status = check_method(o, c);
+    return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
 /* The rows are at t_k = k h: by --h, or by --time. */
@@ -107,6 +127,31 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
     snprintf(o->step, sizeof o->step, "%.17g", o->h);
     o->text[H] = o->step; /* the head says what follows */
     return status;
+}
+
+static int interpret_start(fvi_options *o, fvi_complaint c)
+{
+    o->x0 = malloc(2 * o->d * sizeof *o->x0);
+    if (!o->x0) {
+        fvi_refuse(c, "no memory for the start");
+        return 1;
+    }
+    o->p0 = o->x0 + o->d;
+    int status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
+    return status ? status : fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
+}
+
+/* A problem without a solution is for `run` with the paper's method alone, and not
+ * with --error, as there is nothing to be near to. (19.2) */
+static int check_solution(fvi_options *o, fvi_complaint c)
+{
+    for (size_t i = 0; i < o->d; i++)
+        o->no_solution |=
+            !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]);
+    if (o->no_solution && !(o->method && o->method->as_printed && o->error == 0))
+        return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
+                             "and alpha > 1/2; take held or caputo");
+    return 0;
 }
 
 /* What run and exact share: the system, its start, the grid, the columns. */
@@ -143,21 +188,9 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (status)
         return status;
 
-    o->x0 = malloc(2 * o->d * sizeof *o->x0);
-    if (!o->x0) {
-        fvi_refuse(c, "no memory for the start");
-        return 1;
-    }
-    o->p0 = o->x0 + o->d;
-    status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
+    status = interpret_start(o, c);
     if (!status)
-        status = fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
-    for (size_t i = 0; !status && i < o->d; i++)
-        if (!(o->method && o->method->as_printed)
-            && !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]))
-            status =
-                fvi_refuse(c, "--derivative: 'rl' has no solution for "
-                              "x0 != 0 and alpha > 1/2; take held or caputo");
+        status = check_solution(o, c);
     if (status)
         fvi_options_free(o);
     return status;

@@ -19,9 +19,14 @@ __attribute__((format(printf, 2, 3))) int fvi_refuse(fvi_complaint c,
 int fvi_word_number(const char *name, const char *text, double low, double high,
                     const char *brackets, double *value, fvi_complaint c);
 
-/* A whole number from 1 to 2^53; "1e6" is one too. */
-int fvi_word_whole(const char *name, const char *text, size_t *value,
-                   fvi_complaint c);
+/* A whole number from 1 to `most`, at most 2^53; "1e6" is one too. */
+int fvi_word_whole(const char *name, const char *text, size_t most,
+                   size_t *value, fvi_complaint c);
+
+/* The word, of those ended by NULL, that is nearest to the first `length` letters
+ * of text, if a slip of the finger leads from the one to the other; else NULL. */
+const char *fvi_word_nearest(const char *text, size_t length,
+                             const char *const *words);
 
 /* Which of the words, ended by NULL. */
 int fvi_word_choice(const char *name, const char *text,

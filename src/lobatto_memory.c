@@ -48,6 +48,37 @@ static int check(size_t s, double beta, size_t d, size_t steps,
     return GSL_SUCCESS;
 }
 
+/* How many modes and how many W_n there will be, for arguments that are checked. */
+static void plan(size_t s, double beta, size_t steps, fvi_memory_kind kind,
+                 double keep, size_t *Q, size_t *lags)
+{
+    const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
+    const int direct =
+        (few || kind == FVI_MEMORY_DIRECT) && beta != 0 && beta != -1;
+    *lags = direct ? steps : FVI_LAGS;
+    *Q = direct ? 0
+                : padded(fvi_lobatto_nodes(s, beta, (double)steps + 1, keep,
+                                           NULL, NULL, NULL, 0));
+}
+
+/* The default stands for a tolerance of 0. */
+static double kept(double tolerance)
+{
+    return tolerance >= 1e-14 ? tolerance : 1e-13;
+}
+
+double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
+                                fvi_memory_kind kind, double tolerance)
+{
+    size_t Q, lags;
+    if (check(s, beta, d, steps, kind, tolerance))
+        return 0;
+    plan(s, beta, steps, kind, kept(tolerance), &Q, &lags);
+    const double ring = (double)lags * (double)(s * (s + d)),
+                 rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
+    return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_memory);
+}
+
 int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_memory_kind kind, double tolerance,
                              fvi_lobatto_memory **memory)
@@ -57,16 +88,11 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
     int status = check(s, beta, d, steps, kind, tolerance);
     if (status)
         return status;
-    if (kind == FVI_MEMORY_AUTO)
-        kind = steps <= SHORT ? FVI_MEMORY_DIRECT : FVI_MEMORY_EXPONENTIALS;
-    const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
-    const double keep = tolerance >= 1e-14 ? tolerance : 1e-13;
-    const double N = (double)steps + 1;
-    const size_t lags = direct ? steps : FVI_LAGS,
-                 Q = direct ? 0
-                            : padded(fvi_lobatto_nodes(s, beta, N, keep, NULL,
-                                                       NULL, NULL, 0)),
-                 size = (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
+    const double keep = kept(tolerance), N = (double)steps + 1;
+    size_t Q, lags;
+    plan(s, beta, steps, kind, keep, &Q, &lags);
+    const size_t size =
+        (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
     fvi_lobatto_memory *m = malloc(sizeof *m);
     double *block = calloc(size, sizeof *block);
     if (!m || !block) {
