@@ -202,7 +202,7 @@ EXTRA_exact_solution_erfc = $(CERF_LIBS)
 # The parser is tested in the process, the program by running it.
 EXTRA_fvi_options := $(patsubst %,$B/src/%.o,fvi_options fvi_values fvi_words)
 $B/tests/test_fvi_options: $(EXTRA_fvi_options)
-test-fvi_cli test-fvi_errors: $B/fvi
+test-fvi_cli test-fvi_errors test-fvi_files test-fvi_past: $B/fvi
 
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	@FVI=$B/fvi $<

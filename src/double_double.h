@@ -5,7 +5,17 @@
 #ifndef FVI_DOUBLE_DOUBLE_H
 #define FVI_DOUBLE_DOUBLE_H
 
+#include <float.h>
 #include <math.h>
+
+/* Every module is compiled with the same options, so one of them may ask. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)                    \
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "not with -ffast-math: the weights need their roundings as written"
+#endif
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: but for _Float16 */
+#error "doubles must be computed as doubles; on x86: -msse2 -mfpmath=sse"
+#endif
 
 //> double-double
 /* An unevaluated sum hi + lo with lo at most some ulp(hi): about 106 bits. */

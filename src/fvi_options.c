@@ -74,11 +74,10 @@ static int is_help(const char *word)
 static int command_of(const char *name, fvi_command *command, fvi_complaint c)
 {
     /* in the order of fvi_command, then other words for the help */
-    static const char *const commands[] = { "run",       "coefficients",
-                                            "exact",     "methods",
-                                            "help",      "--version",
-                                            "--help",    "-h",
-                                            NULL };
+    static const char *const commands[] = {
+        "run",       "coefficients", "exact", "methods", "help",
+        "--version", "--help",       "-h",    NULL
+    };
     for (size_t i = 0; commands[i]; i++)
         if (strcmp(name, commands[i]) == 0) {
             *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;

@@ -3,6 +3,7 @@
 #include "fvi_output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -13,6 +14,7 @@
 
 static char target[PATH_MAX];    /* the name that the file is to have */
 static char temporary[PATH_MAX]; /* the name that it has; "" if there is none */
+static int shared;               /* does the target have other names, too? */
 
 static void remove_and_die(int signal_number)
 {
@@ -52,15 +54,56 @@ static FILE *open_temporary(mode_t mode)
     return fdopen(file, "w");
 }
 
+/* The number of the open file that a name such as /dev/stdout stands for, by the
+ * links that lead to it; -1 if it is a name like others. */
+static int descriptor(const char *name)
+{
+    char at[PATH_MAX], folder[PATH_MAX], link[PATH_MAX], ours[64];
+    snprintf(ours, sizeof ours, "/proc/%ld/fd", (long)getpid());
+    if (strlen(name) >= sizeof at)
+        return -1;
+    strcpy(at, name);
+    for (int links = 0; links < 40; links++) {
+        char *slash = strrchr(at, '/'), *last = slash ? slash + 1 : at;
+        const char in = *last;
+        *last = '\0'; /* for a moment: the folder alone */
+        const int known = realpath(*at ? at : ".", folder) != NULL;
+        *last = in;
+        if (known && strcmp(folder, ours) == 0 && in >= '0' && in <= '9')
+            return atoi(last);
+        const ssize_t length = readlink(at, link, sizeof link - 1);
+        if (!known || length < 0)
+            return -1;
+        link[length] = '\0';
+        if (link[0] == '/')
+            last = at;
+        if ((size_t)(last - at) + (size_t)length >= sizeof at)
+            return -1;
+        strcpy(last, link);
+    }
+    return -1;
+}
+
+/* An open file goes on where it stands: >> has chosen the end. */
+static FILE *open_descriptor(int file)
+{
+    if (file == STDOUT_FILENO)
+        return stdout;
+    const int copy = dup(file);
+    return copy < 0 ? NULL : fdopen(copy, "w");
+}
+
 FILE *fvi_output_open(const char *name)
 {
     struct stat old = { 0 };
     temporary[0] = '\0';
-    if (!name)
-        return stdout;
+    const int file = name ? descriptor(name) : STDOUT_FILENO;
+    if (file >= 0)
+        return open_descriptor(file);
     if (stat(name, &old) == 0) {
         if (!S_ISREG(old.st_mode))
             return fopen(name, "w");
+        shared = old.st_nlink > 1;
         if (access(name, W_OK) != 0 || !realpath(name, target))
             return NULL; /* a link stays a link */
         FILE *stream = open_temporary(old.st_mode & 0777);
@@ -75,9 +118,62 @@ FILE *fvi_output_open(const char *name)
         return NULL;
     }
     strcpy(target, name);
+    shared = 0;
     mode_t mask = umask(0);
     umask(mask);
     return open_temporary(0666 & ~mask);
+}
+
+/* Make room for `size` bytes in a file of `old` bytes, or leave it as it is. */
+static int reserve(int file, off_t old, off_t size)
+{
+    const int why = size > old ? posix_fallocate(file, old, size - old) : 0;
+    if (why == 0 || why == EOPNOTSUPP || why == EINVAL) /* no such service */
+        return 0;
+    if (ftruncate(file, old) != 0)
+        return -1;
+    errno = why;
+    return -1;
+}
+
+static int copy(int from, int to, off_t size)
+{
+    char block[1 << 14];
+    ssize_t count;
+    while ((count = read(from, block, sizeof block)) > 0)
+        if (write(to, block, (size_t)count) != count)
+            return -1;
+    return count < 0 ? -1 : ftruncate(to, size);
+}
+
+/* The complete table into the file that is there, under all its names. A full disk
+ * or a signal comes before the old contents are touched, or not at all. */
+static int overwrite(void)
+{
+    struct stat new, old;
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
+    const int from = open(temporary, O_RDONLY), to = open(target, O_RDWR);
+    int failed = from < 0 || to < 0 || fstat(from, &new) || fstat(to, &old)
+                 || reserve(to, old.st_size, new.st_size)
+                 || copy(from, to, new.st_size);
+    const int why = errno;
+    if (from >= 0)
+        close(from);
+    if (to >= 0 && close(to) != 0 && !failed)
+        failed = 1;
+    else
+        errno = why;
+    if (!failed)
+        unlink(temporary);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return failed ? -1 : 0;
+}
+
+static int put_in_place(void)
+{
+    return shared ? overwrite() : rename(temporary, target);
 }
 
 int fvi_output_close(FILE *stream, int keep)
@@ -88,7 +184,7 @@ int fvi_output_close(FILE *stream, int keep)
         failed = 1;
         why = errno;
     }
-    if (temporary[0] && keep && !failed && rename(temporary, target) != 0) {
+    if (temporary[0] && keep && !failed && put_in_place() != 0) {
         failed = 1;
         why = errno;
     }

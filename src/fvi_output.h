@@ -8,14 +8,16 @@
  *
  *   name  a file's name, or NULL for standard output
  *
- * An ordinary file is written under a temporary name beside it and takes its
- * name in fvi_output_close; a signal that ends the program removes it. It has the
- * permissions of the file that it replaces and, where that is allowed, its owner. What is no ordinary file (a pipe, a
- * device) is written to directly; a link that leads nowhere is refused.
+ * An ordinary file is written under a temporary name beside it and takes its name
+ * in fvi_output_close; a signal that ends the program removes it. It has the
+ * permissions of the file that it replaces and, where that is allowed, its owner. A
+ * file of several names (hard links) keeps them: the complete table is copied into
+ * it. What is no ordinary file (a pipe, a device), and a file that is open already
+ * (/dev/stdout), is written to as it stands; a link that leads nowhere is refused.
  * Returns the stream, or NULL with errno set. One output at a time. */
 FILE *fvi_output_open(const char *name);
 
-/* fvi_output_close -- keep != 0: flush, check, rename; else remove.
+/* fvi_output_close -- keep != 0: flush, check, put in place; else remove.
  * Returns 0, or -1 with errno set and nothing left behind. */
 int fvi_output_close(FILE *stream, int keep);
 

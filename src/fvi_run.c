@@ -111,10 +111,9 @@ static int load_of(const fvi_options *o, const fvi_run *r, double *load,
                           : fvi_stability_lobatto(stages(o->method), r, load);
     const double share = o->method == &fvi_fractional           ? 1
                          : o->method == &fvi_lagrange_dalembert ? 1
-                         : o->method == &fvi_bdf2 ? pow(4, o->alpha)
-                         : o->method == &fvi_shifted
-                             ? fmax(0, 1 - 2 * o->alpha)
-                             : -1;
+                         : o->method == &fvi_bdf2    ? pow(4, o->alpha)
+                         : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
+                                                     : -1;
     double *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
     if (!damping)
         return -1;

@@ -148,7 +148,8 @@ static int check_solution(fvi_options *o, fvi_complaint c)
     for (size_t i = 0; i < o->d; i++)
         o->no_solution |=
             !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]);
-    if (o->no_solution && !(o->method && o->method->as_printed && o->error == 0))
+    if (o->no_solution
+        && !(o->method && o->method->as_printed && o->error == 0))
         return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
                              "and alpha > 1/2; take held or caputo");
     return 0;

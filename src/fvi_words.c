@@ -42,8 +42,8 @@ static size_t distance(const char *a, size_t n, const char *b)
         now[0] = i;
         for (size_t j = 1; j <= m; j++) {
             const int x = tolower((unsigned char)a[i - 1]), y = b[j - 1];
-            now[j] = least(last[j - 1] + (x != y),
-                           1 + least(last[j], now[j - 1]));
+            now[j] =
+                least(last[j - 1] + (x != y), 1 + least(last[j], now[j - 1]));
             if (i > 1 && j > 1 && x == b[j - 2]
                 && y == tolower((unsigned char)a[i - 2]))
                 now[j] = least(now[j], before[j - 2] + 1);
@@ -64,10 +64,10 @@ const char *fvi_word_nearest(const char *text, size_t length,
     size_t best = least(length, 2 + (length > 4) * (length - 2) / 3);
     const char *nearest = NULL;
     for (; *words && length <= LONGEST; words++) {
-        size_t far =
-            strlen(*words) > LONGEST                ? best
-            : strncmp(text, *words, length) == 0 ? 1
-                                                 : distance(text, length, *words);
+        size_t far = strlen(*words) > LONGEST ? best
+                     : strncmp(text, *words, length) == 0
+                         ? 1
+                         : distance(text, length, *words);
         if (far < best) {
             best = far;
             nearest = *words;
@@ -121,8 +121,8 @@ int fvi_word_whole(const char *name, const char *text, size_t most,
                    size_t *value, fvi_complaint c)
 {
     double v;
-    int status = fvi_word_number(name, text, 1, fmin((double)most, 0x1p53),
-                                 "[]", &v, c);
+    int status =
+        fvi_word_number(name, text, 1, fmin((double)most, 0x1p53), "[]", &v, c);
     if (!status && v != floor(v))
         return fvi_refuse(c, "--%s: '%s' is not a whole number", name, text);
     if (!status)

@@ -162,74 +162,6 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 }
 END_TEST
 
-START_TEST(files_are_complete_or_absent)
-{
-    ck_assert_int_eq(fvi("run --steps 3"), 0);
-    char *want = strdup(out);
-    ck_assert_int_eq(fvi("run --steps 3 -o table"), 0);
-    ck_assert_str_eq(out, "");
-    ck_assert_int_eq(shell("cat table"), 0);
-    ck_assert_str_eq(out, want);
-    free(want);
-    ck_assert_int_eq(fvi("run --steps 3 -o missing/table"), 1);
-    ck_assert(!exists("missing/table"));
-    ck_assert_int_eq(fvi("run --steps 3 -o ."), 1);
-    ck_assert_int_eq(shell("ulimit -f 1; \"$FVI\" run --steps 5000 -o large"),
-                     1);
-    ck_assert(!exists("large"));
-    ck_assert_int_eq(fvi("run -o /dev/full"), 1);
-    ck_assert_int_eq(shell("\"$FVI\" run > /dev/full; test $? = 1"), 0);
-    ck_assert_int_eq(shell("\"$FVI\" methods > /dev/full; test $? = 1"), 0);
-    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
-}
-END_TEST
-
-/* The file keeps its permissions; no link is replaced by a file; the words for
- * standard error never come into the table. */
-START_TEST(what_was_there_is_respected)
-{
-    ck_assert_int_eq(shell("umask 022; touch open; chmod 666 open; "
-                           "\"$FVI\" run --steps 3 -o open; ls -l open"),
-                     0);
-    ck_assert(strncmp(out, "-rw-rw-rw-", 10) == 0);
-    ck_assert_int_eq(
-        shell("umask 077; \"$FVI\" run --steps 3 -o new; ls -l new"), 0);
-    ck_assert(strncmp(out, "-rw-------", 10) == 0);
-    ck_assert_int_eq(shell("ln -s new link; \"$FVI\" run --steps 4 -o link; "
-                           "test -L link && grep -c '^[0-9]' new"),
-                     0);
-    ck_assert_str_eq(out, "5\n");
-    ck_assert_int_eq(shell("ln -s nowhere lost; \"$FVI\" run -o lost"), 1);
-    ck_assert_str_eq(err,
-                     "fvi: cannot write lost: No such file or directory\n");
-    ck_assert(!exists("nowhere"));
-    ck_assert_int_eq(shell("ln -s round round; \"$FVI\" run -o round"), 1);
-    ck_assert_int_eq(shell("\"$FVI\" run --kappa 0 --h 3 --steps 3 -o warned "
-                           "2>&-; cat warned"),
-                     0);
-    ck_assert(strncmp(out, "# fvi", 5) == 0);
-    ck_assert_int_eq(shell("\"$FVI\" run --steps 3 >&-; test $? = 1"), 0);
-}
-END_TEST
-
-/* A run that is stopped leaves neither its file nor a temporary one. */
-START_TEST(an_interrupted_run_leaves_no_file)
-{
-    ck_assert_int_eq(
-        shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
-              "-o gone & pid=$!; sleep 0.3; "
-              "kill $pid; wait $pid; test $? = 143"),
-        0);
-    ck_assert(!exists("gone"));
-    ck_assert_int_eq(shell("trap '' HUP; \"$FVI\" run --steps 1e5 --alpha 0.3 "
-                           "--memory direct -o kept & pid=$!; sleep 0.3; "
-                           "kill -HUP $pid; sleep 0.1; kill $pid; "
-                           "wait $pid; test $? = 143"),
-                     0);
-    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
-}
-END_TEST
-
 /* The bound of chapter 14: R = rho h / m = 2 at alpha = kappa = 1/2. */
 START_TEST(an_unstable_step_is_warned_of)
 {
@@ -257,6 +189,55 @@ START_TEST(an_unstable_step_is_warned_of)
 }
 END_TEST
 
+/* (17.16): for two stages no step is stable once rho is large and alpha small. */
+START_TEST(an_unstable_step_with_stages_is_warned_of)
+{
+    ck_assert_int_eq(fvi("run --method fvi-lobatto2 --alpha 0.1 --rho 500 "
+                         "--steps 30"),
+                     0);
+    double load = 0;
+    ck_assert_int_eq(sscanf(err,
+                            "fvi: warning: this step is unstable (load %lg, "
+                            "above 1)\n",
+                            &load),
+                     1);
+    ck_assert(load > 1 && count_lines(err) == 1);
+    ck_assert(fabs(cell(30, 1)) > 1e9); /* and it is */
+    for (int s = 2; s <= 4; s++) { /* h w < 2, 2 sqrt(2), 3.1127: (17.15) */
+        const double bound[] = { 2, 2.8284, 3.1127 };
+        for (int above = 0; above < 2; above++) {
+            char line[200];
+            snprintf(line, sizeof line,
+                     "run --method fvi-lobatto%d --rho 0 --steps 3 --h %.4f", s,
+                     bound[s - 2] + (above ? 0.001 : -0.001));
+            ck_assert_int_eq(fvi(line), 0);
+            ck_assert_uint_eq(count_lines(err), (size_t)above);
+        }
+    }
+    ck_assert_int_eq(fvi("run --method fvi-lobatto4 --alpha 0.3"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+/* sqrt(c/m) = 10^80: where the body is after so many swings depends on digits of m
+ * that a double does not have. Where the swing has died away all is well. */
+START_TEST(a_lost_phase_is_an_error)
+{
+    const char *said = "fvi: step 1: a phase of so many swings is not known\n";
+    ck_assert_int_eq(fvi("exact --mass 1e-160 --rho 0"), 1);
+    ck_assert_str_eq(err, said);
+    ck_assert_int_eq(fvi("exact --mass 1e-160 --alpha 1 --rho 1e-100"), 1);
+    ck_assert_str_eq(err, said);
+    ck_assert_int_eq(fvi("exact --mass 1e-160 --alpha 1 --rho 1e-100 --p0 0 "
+                         "--h 1e-50 --steps 1 --columns x"),
+                     0);
+    ck_assert_near(cell(1, 0), cos(1), 1e-13, "10^50 swings a second");
+    ck_assert_int_eq(fvi("exact --mass 1e-160"), 0);
+    ck_assert_int_eq(fvi("exact --mass 1e-160 --alpha 0.3 --p0 0"), 0);
+    ck_assert_uint_eq(count_rows(), 201);
+}
+END_TEST
+
 START_TEST(too_large_a_run_is_refused_before_it_starts)
 {
     ck_assert_int_eq(fvi("run --steps 1e15 --alpha 0.3 --memory direct"), 1);
@@ -274,15 +255,71 @@ START_TEST(too_large_a_run_is_refused_before_it_starts)
 }
 END_TEST
 
+/* ---- what is not even compiled ---- */
+
+static int compiles(const char *options)
+{
+    char line[1000];
+    snprintf(line, sizeof line,
+             "echo '#include \"double_double.h\"' | "
+             "${CC:-cc} -std=c11 %s -I\"$SOURCES\" -x c -fsyntax-only -",
+             options);
+    return shell(line) == 0;
+}
+
+/* The weights need their roundings as they are written. */
+START_TEST(other_roundings_are_not_compiled)
+{
+    ck_assert(compiles("-O2"));
+    ck_assert(!compiles("-ffast-math"));
+    ck_assert_ptr_nonnull(strstr(err, "not with -ffast-math"));
+    ck_assert(!compiles("-ffinite-math-only"));
+    ck_assert(!compiles("-include float.h -U__FLT_EVAL_METHOD__ "
+                        "-D__FLT_EVAL_METHOD__=2")); /* as the x87 says */
+    ck_assert_ptr_nonnull(strstr(err, "computed as doubles"));
+}
+END_TEST
+
+/* What FVI_VECTORS stands for, with these headers in the place of the library's. */
+static int asks_the_loader(const char *header, const char *options)
+{
+    char line[1000];
+    snprintf(line, sizeof line,
+             "mkdir -p fake; for h in stddef stdint; do echo '%s' > "
+             "fake/$h.h; done; printf '#include \"memory_kinds.h\"\n"
+             "FVI_VECTORS\n' | ${CC:-cc} -nostdinc -Ifake -D__x86_64__ %s "
+             "-I\"$SOURCES\" -x c -E - | tail -n 1",
+             header, options);
+    ck_assert_int_eq(shell(line), 0);
+    return strstr(out, "target_clones") != NULL;
+}
+
+/* musl's loader cannot choose, and under ThreadSanitizer none must. */
+START_TEST(only_a_loader_that_can_is_asked_to_choose)
+{
+    const char *clang = "-U__has_feature '-D__has_feature(x)=1'";
+    ck_assert(asks_the_loader("#define __GLIBC__ 2", ""));
+    ck_assert(!asks_the_loader("", ""));
+    ck_assert(!asks_the_loader("#define __GLIBC__ 2", "-fsanitize=thread"));
+    ck_assert(!asks_the_loader("#define __GLIBC__ 2", clang));
+}
+END_TEST
+
 int main(void)
 {
+    char *sources = realpath("src", NULL);
+    setenv("SOURCES", sources ? sources : "src", 1);
+    free(sources);
+
     Suite *suite = suite_create("the program fvi: what it refuses");
     ADD_CASE(suite, "errors", bad_use_is_refused,
              overflow_is_reported_with_its_step,
              no_row_has_a_number_that_is_not_finite,
              what_error_was_reached_is_said_if_not_the_one_asked_for,
-             files_are_complete_or_absent, what_was_there_is_respected,
-             an_interrupted_run_leaves_no_file, an_unstable_step_is_warned_of,
-             too_large_a_run_is_refused_before_it_starts);
+             a_lost_phase_is_an_error, an_unstable_step_is_warned_of,
+             an_unstable_step_with_stages_is_warned_of,
+             too_large_a_run_is_refused_before_it_starts,
+             other_roundings_are_not_compiled,
+             only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);
 }

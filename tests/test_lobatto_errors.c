@@ -1,9 +1,11 @@
 /* tests/test_lobatto_errors.c -- Chapter 17: corrected momenta, what is not taken
  * and what is refused. Run alone: make test-lobatto_errors */
+#include "lobatto_memory.h"
 #include "lobatto_runs.h"
 
 #include "lobatto_ref.h"
 
+#include <malloc.h>
 #include <stdlib.h>
 
 /* ---- momenta ---- */
@@ -283,6 +285,48 @@ START_TEST(momenta_refuse)
 }
 END_TEST
 
+static double heap(void)
+{
+#ifdef __GLIBC__
+    struct mallinfo2 info = mallinfo2();
+    return (double)(info.uordblks + info.hblkhd);
+#else
+    return 0;
+#endif
+}
+
+/* The heap keeps what was announced, and what malloc adds: up to 64 bytes in front
+ * of a block, rounding up to a page if it is large; it may hand out freed blocks
+ * first. Where malloc does not count (sanitizers), no one can tell. */
+START_TEST(bytes_of_the_stages_are_what_is_kept)
+{
+    const double betas[] = { -1, -0.4, 0, 0.4, 1 };
+    const size_t steps[] = { 3, 65, 3000 };
+    for (size_t i = 0; i < 3 * LEN(steps) * LEN(betas) * 2; i++) {
+        const size_t s = 2 + i % 3, N = steps[i / 3 % 3], d = i % 2 ? 40 : 1;
+        const double beta = betas[i / 9 % 5];
+        const fvi_memory_kind kind =
+            i < 45 ? FVI_MEMORY_DIRECT : FVI_MEMORY_AUTO;
+        fvi_lobatto_memory *m = NULL;
+        const double before = heap();
+        ck_assert_int_eq(fvi_lobatto_memory_alloc(s, beta, d, N, kind, 0, &m),
+                         GSL_SUCCESS);
+        const double taken = heap() - before,
+                     said = fvi_lobatto_memory_bytes(s, beta, d, N, kind, 0);
+        fvi_lobatto_memory_free(m);
+        if (heap() > 0)
+            ck_assert_msg(fabs(taken - said) <= 8192,
+                          "s=%zu beta=%g d=%zu N=%zu: said %g, kept %g", s,
+                          beta, d, N, said, taken);
+    }
+    ck_assert(fvi_lobatto_memory_bytes(5, 0.4, 1, 9, FVI_MEMORY_AUTO, 0) == 0);
+    /* more than can be addressed, or nearly */
+    ck_assert(fvi_lobatto_memory_bytes(4, 0.4, 1, (size_t)1 << 40,
+                                       FVI_MEMORY_DIRECT, 0)
+              > 8 * 20 * 1e12);
+}
+END_TEST
+
 int main(void)
 {
     gsl_set_error_handler_off();
@@ -293,6 +337,7 @@ int main(void)
              eq_17_8_rest_away_from_the_origin_is_solved,
              a_mass_that_vanishes_against_the_step_is_refused,
              stages_that_find_no_room_are_refused,
-             lobatto_steps_fail_with_their_code, momenta_refuse);
+             lobatto_steps_fail_with_their_code, momenta_refuse,
+             bytes_of_the_stages_are_what_is_kept);
     return run_suite(suite);
 }

@@ -60,7 +60,7 @@ def build(folder, entry, test):
     parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_options", "fvi_values", "fvi_words")]
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
                     "-o", folder / "test"], check=True)
-    if test.stem in ("test_fvi_cli", "test_fvi_errors"):
+    if '"program.h"' in test.read_text():
         subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)
 
 
