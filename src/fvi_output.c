@@ -84,22 +84,15 @@ static int descriptor(const char *name)
     return -1;
 }
 
-/* An open file goes on where it stands: >> has chosen the end. */
-static FILE *open_descriptor(int file)
-{
-    if (file == STDOUT_FILENO)
-        return stdout;
-    const int copy = dup(file);
-    return copy < 0 ? NULL : fdopen(copy, "w");
-}
-
 FILE *fvi_output_open(const char *name)
 {
     struct stat old = { 0 };
     temporary[0] = '\0';
-    const int file = name ? descriptor(name) : STDOUT_FILENO;
+    if (!name)
+        return stdout;
+    int file = descriptor(name); /* >> has chosen where it goes on */
     if (file >= 0)
-        return open_descriptor(file);
+        return (file = dup(file)) < 0 ? NULL : fdopen(file, "w");
     if (stat(name, &old) == 0) {
         if (!S_ISREG(old.st_mode))
             return fopen(name, "w");

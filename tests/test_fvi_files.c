@@ -85,6 +85,7 @@ START_TEST(the_rows_before_a_failure_are_kept_on_standard_output_alone)
     snprintf(line, sizeof line, "%s -o none", fails);
     ck_assert_int_eq(fvi(line), 1);
     ck_assert(!exists("none"));
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
 }
 END_TEST
 
