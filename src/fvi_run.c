@@ -31,7 +31,7 @@ static int complain_of_start(int status)
                              : gsl_strerror(status));
 }
 
-enum { FEW = 128 /* masses whose modes are found in a moment */ };
+enum { FEW = 256 /* masses whose modes are found in a moment */ };
 
 /* The stages of a Lobatto method; 0 for the others. */
 static size_t stages(const fvi_method *m)
@@ -101,14 +101,16 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
  * step is stable, NaN if h is not known. The load of fvi-bdf2 is that of Algorithm 3
  * with 4^alpha times the damping, (13.14); that of fvi-shifted with 1 - 2 alpha
  * times, none from alpha = 1/2 on. Returns 0, or another number if the load is not
- * known, or would take d^3 operations that no run of a long chain does. */
+ * known, or would take d^3 operations, which no run of a long chain does. */
 static int load_of(const fvi_options *o, const fvi_run *r, double *load,
                    double *h)
 {
+    const size_t s = stages(o->method);
     *h = NAN;
-    if (stages(o->method) > 0)
-        return o->d > FEW ? -1
-                          : fvi_stability_lobatto(stages(o->method), r, load);
+    if (o->d > FEW && (s > 0 || o->kappa != 0.5)) /* a full Hessian */
+        return -1;
+    if (s > 0)
+        return fvi_stability_lobatto(s, r, load);
     const double share = o->method == &fvi_fractional           ? 1
                          : o->method == &fvi_lagrange_dalembert ? 1
                          : o->method == &fvi_bdf2    ? pow(4, o->alpha)

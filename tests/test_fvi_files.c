@@ -75,13 +75,14 @@ END_TEST
  * failure stand, also by its other name. */
 START_TEST(the_rows_before_a_failure_are_kept_on_standard_output_alone)
 {
-    const char *fails = "run --potential duffing:-8,2 --x0 0 --p0 -2 --h 1";
+    const char *fails = "run --alpha 1 --rho 1e300 --steps 20";
     char line[200];
     ck_assert_int_eq(fvi(fails), 1);
-    ck_assert_uint_eq(count_rows(), 1);
+    const size_t rows = count_rows();
+    ck_assert(rows > 1 && rows < 20);
     snprintf(line, sizeof line, "%s -o /dev/stdout", fails);
     ck_assert_int_eq(fvi(line), 1);
-    ck_assert_uint_eq(count_rows(), 1);
+    ck_assert_uint_eq(count_rows(), rows);
     snprintf(line, sizeof line, "%s -o none", fails);
     ck_assert_int_eq(fvi(line), 1);
     ck_assert(!exists("none"));
