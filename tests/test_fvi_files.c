@@ -75,7 +75,7 @@ END_TEST
  * failure stand, also by its other name. */
 START_TEST(the_rows_before_a_failure_are_kept_on_standard_output_alone)
 {
-    const char *fails = "run --alpha 1 --rho 1e300 --steps 20";
+    const char *fails = "run --alpha 1 --rho 1e30 --steps 20 --columns x";
     char line[200];
     ck_assert_int_eq(fvi(fails), 1);
     const size_t rows = count_rows();
