@@ -64,6 +64,11 @@ static int prepare(const fvi_linear *problem, size_t n, const double *t,
     return status;
 }
 
+static int phase_is_lost(const fvi_inverse *S, double t)
+{
+    return S->root.s != 0 && t > 0 && fvi_pole_phase_error(&S->root, t) > LOST;
+}
+
 static int put(size_t i, double xi, double vi, double *x, double *v)
 {
     if (!gsl_finite(xi) || !gsl_finite(vi))
@@ -105,8 +110,7 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
         double vi = t[i] > 0 ? 0 : problem->v0;
         fvi_event at[2];
         size_t events = t[i] > 0 ? events_at(problem, t[i], at) : 0;
-        if (S.root.s != 0 && t[i] > 0
-            && fvi_pole_phase_error(&S.root, t[i]) > LOST)
+        if (phase_is_lost(&S, t[i]))
             GSL_ERROR("the phase of the oscillation is lost", GSL_ELOSS);
         for (size_t j = 0; j < events; j++)
             fvi_inverse_add(&S, &at[j], &xi, &vi);
@@ -127,6 +131,8 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
     for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
         fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
+        if (phase_is_lost(&S, t[i]))
+            GSL_ERROR("the phase of the oscillation is lost", GSL_ELOSS);
         if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
             at.lasts = problem->T;
             at.sign = problem->T > 0;

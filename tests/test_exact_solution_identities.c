@@ -372,6 +372,34 @@ START_TEST(eq_11_1_units_do_not_matter)
 }
 END_TEST
 
+/* Where nothing decays the rate is 0, not the rounding of one: at |s| = 10^40 that
+ * would be a growth of 10^6 a second. After 8e17 swings the phase is not known. */
+START_TEST(what_is_not_damped_does_not_decay)
+{
+    const double alphas[] = { 0, 0.3, 1 };
+    for (size_t i = 0; i < LEN(alphas); i++)
+        for (int exponent = -300; exponent <= 280; exponent += 20) {
+            fvi_linear p = { .m = pow(10, exponent),
+                             .c = 1,
+                             .alpha = alphas[i],
+                             .x0 = 1 };
+            p.rho = alphas[i] == 1 ? 1e20 * p.m : 0;
+            double re = 1, im = 0, x = 7, t;
+            ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), GSL_SUCCESS);
+            ck_assert(re == 0 && im > 0);
+            t = 1e17 / im;
+            ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, NULL), GSL_SUCCESS);
+            ck_assert(fabs(x) <= 1 + 1e-13);
+            x = 7;
+            t = 1e18 / im;
+            ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, NULL), GSL_ELOSS);
+            ck_assert_int_eq(fvi_exact_oscillation(&p, 1, &t, &x, NULL),
+                             GSL_ELOSS);
+            ck_assert(x == 7);
+        }
+}
+END_TEST
+
 int main(void)
 {
     gsl_set_error_handler_off(); /* the default handler aborts */
@@ -387,6 +415,7 @@ int main(void)
              eq_11_9_power_series_for_small_times, eq_11_9_tails,
              eq_11_12_resonance, eq_11_13_integer_orders_have_closed_forms,
              eq_11_13_special_closed_forms,
-             eq_11_13_alpha_passes_0_one_half_and_1_without_a_jump);
+             eq_11_13_alpha_passes_0_one_half_and_1_without_a_jump,
+             what_is_not_damped_does_not_decay);
     return run_suite(suite);
 }
