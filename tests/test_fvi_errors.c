@@ -83,6 +83,13 @@ START_TEST(overflow_is_reported_with_its_step)
         "%s", err);
     ck_assert_uint_eq(count_rows(), step); /* rows 0 ... step - 1 */
 
+    /* nothing that is printed is infinite: it is the step itself that fails */
+    ck_assert_int_eq(fvi("run --alpha 1 --rho 1e30 --steps 20 --columns t"), 1);
+    said = strstr(err, "fvi: step ");
+    ck_assert(said && sscanf(said, "fvi: step %u: a value", &step) == 1);
+    ck_assert_uint_gt(step, 1);
+    ck_assert_uint_eq(count_rows(), step);
+
     char line[200];
     snprintf(line, sizeof line, "%s -o kept", unstable);
     ck_assert_int_eq(fvi("run --steps 2 -o kept"), 0);
