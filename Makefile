@@ -30,6 +30,7 @@ TESTS    := $(patsubst tests/test_%.c,%,$(wildcard tests/test_*.c))
 BENCHES  := $(patsubst tests/bench_%.c,%,$(wildcard tests/bench_*.c))
 TABLE_memory    := figures/memory_bench.tsv
 TABLE_precision := figures/step_search.tsv
+TABLE_chain     := figures/chain_bench.tsv
 PROOFS   := $(filter-out refgen excerpts links mutants quoted,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*.c))
 DIAGRAMS := $(filter-out $(SCENES) style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
