@@ -5,7 +5,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -140,8 +139,8 @@ typedef struct {
     size_t d, N;
     integral two, gamma;
     double *work; /* for the transforms */
-    double *r, *F, *grad, *H, *e;
-    gsl_permutation *permutation;
+    double *r, *F, *grad, *delta, *e;
+    fvi_newton *newton;
 } peer;
 
 /* F at t, from both sides of a jump. */
@@ -157,42 +156,29 @@ static void force(peer *o, double t)
         o->F[i] = (o->F[i] + o->e[i]) / 2;
 }
 
-/* (m + rho A) x - B (F - grad U(x)) = r by Newton's method, from x on. */
+/* (m + rho A) x - B (F - grad U(x)) = r for x = old x + delta: (2.10), by the solver
+ * that our integrators have. */
 static int solve(peer *o, double *x)
 {
     const fvi_system *s = o->run->system;
-    const size_t d = o->d;
     const double A = o->gamma.factor, B = o->two.factor;
-    const fvi_potential *u = &s->potential;
-    int sign;
-    for (int iteration = 0; iteration < 50; iteration++) {
-        double update = 0, scale = 0;
-        u->gradient(d, x, u->params, o->grad);
-        fvi_hessian(s, x, o->H);
-        for (size_t i = 0; i < d; i++) {
-            double diagonal = s->mass[i] + s->damping[i] * A;
-            o->e[i] = o->r[i] + B * (o->F[i] - o->grad[i]) - diagonal * x[i];
-            for (size_t j = 0; j < d; j++)
-                o->H[i * d + j] = B * o->H[i * d + j] + (i == j ? diagonal : 0);
-        }
-        if (d == 1) {
-            o->e[0] /= o->H[0];
-        } else {
-            gsl_matrix_view H = gsl_matrix_view_array(o->H, d, d);
-            gsl_vector_view e = gsl_vector_view_array(o->e, d);
-            gsl_linalg_LU_decomp(&H.matrix, o->permutation, &sign);
-            gsl_linalg_LU_svx(&H.matrix, o->permutation, &e.vector);
-        }
-        for (size_t i = 0; i < d; i++) {
-            x[i] += o->e[i];
-            update = fmax(update, fabs(o->e[i]));
-            scale = fmax(scale, fabs(x[i]));
-        }
-        /* the next update would be about update^2 */
-        if ((u->quadratic && u->quadratic(u->params)) || update <= 1e-8 * scale)
-            return GSL_SUCCESS;
+    for (size_t i = 0; i < o->d; i++) {
+        o->e[i] =
+            o->r[i] + B * o->F[i] - (s->mass[i] + s->damping[i] * A) * x[i];
+        o->delta[i] = 0;
     }
-    return GSL_EMAXITER;
+    int status = fvi_newton_solve(o->newton, x, o->e, o->delta, o->grad);
+    for (size_t i = 0; i < o->d; i++)
+        x[i] += o->delta[i];
+    return status;
+}
+
+static int prepare_solver(peer *o)
+{
+    const fvi_system *s = o->run->system;
+    for (size_t i = 0; i < o->d; i++)
+        o->e[i] = s->mass[i] + s->damping[i] * o->gamma.factor;
+    return fvi_newton_alloc(s, o->e, o->two.factor, 1, &o->newton);
 }
 
 /* g_n of both integrals, once x_n is known. */
@@ -246,16 +232,18 @@ int peer_product_trapezoid(const fvi_run *run, double *x)
     size_t longest = BLOCK;
     while (longest < 2 * (N + 1))
         longest *= 2;
-    o.work = malloc((longest + 4 * d + d * d) * sizeof *o.work);
-    o.permutation = gsl_permutation_alloc(d);
-    if (!o.work || !o.permutation)
+    o.work = malloc((longest + 5 * d) * sizeof *o.work);
+    if (!o.work)
         status = GSL_ENOMEM;
     if (!status) {
         o.r = o.work + longest;
         o.F = o.r + d;
         o.grad = o.F + d;
         o.e = o.grad + d;
-        o.H = o.e + d;
+        o.delta = o.e + d;
+        status = prepare_solver(&o);
+    }
+    if (!status) {
         memcpy(x, run->x0, d * sizeof *x);
         force(&o, 0);
         remember(&o, 0, x);
@@ -263,7 +251,7 @@ int peer_product_trapezoid(const fvi_run *run, double *x)
     for (size_t n = 1; n <= N && !status; n++)
         status = step(&o, n, x);
     free(o.work);
-    gsl_permutation_free(o.permutation);
+    fvi_newton_free(o.newton);
     release(&o.two);
     release(&o.gamma);
     return status;
