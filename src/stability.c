@@ -42,6 +42,68 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
     return status;
 }
 
+/* Does the symmetric matrix with a on the diagonal and b beside it have an eigenvalue
+ * above x? Its Gaussian elimination less x has as many positive pivots. */
+static int is_above(size_t d, const double *a, const double *b, double x)
+{
+    double pivot = 1;
+    for (size_t i = 0; i < d; i++) {
+        pivot = a[i] - x - (i > 0 ? b[i - 1] / pivot * b[i - 1] : 0);
+        if (pivot > 0)
+            return 1;
+        if (pivot == 0)
+            pivot = -GSL_DBL_MIN;
+    }
+    return 0;
+}
+
+/* The largest, by bisection, between the largest entry of a and the largest sum of a
+ * row. Cost O(d), some sixty times. */
+static double largest_of_tridiagonal(size_t d, const double *a, const double *b)
+{
+    double low = a[0], high = a[0];
+    for (size_t i = 0; i < d; i++) {
+        low = fmax(low, a[i]);
+        high = fmax(high, a[i] + (i > 0 ? fabs(b[i - 1]) : 0)
+                              + (i + 1 < d ? fabs(b[i]) : 0));
+    }
+    for (double x; (x = low + (high - low) / 2) > low && x < high;) {
+        if (is_above(d, a, b, x))
+            low = x;
+        else
+            high = x;
+    }
+    return high;
+}
+
+/* The Hessian of one or two diagonals is kept as such. */
+static int is_tridiagonal(const fvi_system *system)
+{
+    return system->potential.diagonals == 1 || system->potential.diagonals == 2;
+}
+
+static size_t numbers(const fvi_system *system)
+{
+    return is_tridiagonal(system) ? 2 * system->d : system->d * system->d;
+}
+
+/* The matrix of (14.3) for K in diagonals: its own in A and A + d. */
+static int weigh_diagonals(const fvi_system *system, double spring,
+                           double damper, const double *K, double *A)
+{
+    const size_t d = system->d, m = system->potential.diagonals;
+    const double *mass = system->mass;
+    for (size_t i = 0; i < d; i++) {
+        A[i] = (spring * K[i * m] + damper * system->damping[i]) / mass[i];
+        A[d + i] = m == 2 && i + 1 < d
+                       ? spring * K[i * m + 1] / sqrt(mass[i] * mass[i + 1])
+                       : 0;
+    }
+    if (!fvi_all_finite(2 * d, A))
+        GSL_ERROR("the load is not finite", GSL_EOVRFLW);
+    return GSL_SUCCESS;
+}
+
 /* The matrix of (14.3), in A. */
 static int weigh(const fvi_system *system, double spring, double damper,
                  const double *K, double *A)
@@ -74,6 +136,11 @@ static int load_at(const fvi_run *run, double h, const double *K, double *A,
         for (size_t i = 0; i < system->d; i++)
             largest =
                 fmax(largest, damper * system->damping[i] / system->mass[i]);
+    } else if (is_tridiagonal(system)) {
+        int status = weigh_diagonals(system, spring, damper, K, A);
+        if (status)
+            return status;
+        largest = largest_of_tridiagonal(system->d, A, A + system->d);
     } else {
         int status = weigh(system, spring, damper, K, A);
         if (!status)
@@ -95,10 +162,13 @@ static int hessian_at_start(const fvi_run *run, double **K)
     *K = NULL;
     if (!u->hessian || run->kappa == 0.5)
         return GSL_SUCCESS;
-    *K = malloc(2 * d * d * sizeof **K);
+    *K = malloc(2 * numbers(run->system) * sizeof **K);
     if (!*K)
         GSL_ERROR("no memory for the Hessian", GSL_ENOMEM);
-    fvi_hessian(run->system, run->x0, *K);
+    if (is_tridiagonal(run->system))
+        u->hessian(d, run->x0, u->params, *K);
+    else
+        fvi_hessian(run->system, run->x0, *K);
     return GSL_SUCCESS;
 }
 
@@ -110,10 +180,10 @@ int fvi_stability_load(const fvi_run *run, double *load)
     if (!(gsl_finite(run->h) && run->h > 0))
         GSL_ERROR("h must be finite and positive", GSL_EDOM);
     double *K;
-    const size_t d = run->system->d;
     status = hessian_at_start(run, &K);
     if (!status)
-        status = load_at(run, run->h, K, K ? K + d * d : NULL, load);
+        status =
+            load_at(run, run->h, K, K ? K + numbers(run->system) : NULL, load);
     free(K);
     return status;
 }
@@ -124,7 +194,6 @@ int fvi_stability_step(const fvi_run *run, double *h)
     if (status)
         return status;
     double *K;
-    const size_t d = run->system->d;
     status = hessian_at_start(run, &K);
     if (status)
         return status;
@@ -134,7 +203,8 @@ int fvi_stability_step(const fvi_run *run, double *h)
     double low = -500, high = 500;
     while (high - low > 0x1p-51 * fmax(1, fabs(low))) {
         double middle = (low + high) / 2, load = GSL_POSINF;
-        status = load_at(run, exp2(middle), K, K ? K + d * d : NULL, &load);
+        status = load_at(run, exp2(middle), K,
+                         K ? K + numbers(run->system) : NULL, &load);
         if (status && status != GSL_EOVRFLW)
             break;
         status = GSL_SUCCESS;

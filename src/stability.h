@@ -20,7 +20,8 @@
  *   run   system, x0, h, kappa, alpha are read; the rest may be anything
  *   load  output, >= 0 if K is positive semidefinite
  *
- * Cost O(d^3) by GSL's symmetric eigenvalues, O(d) if kappa = 1/2 or U = 0.
+ * Cost O(d) if the Hessian has one or two diagonals, by bisection, or if kappa = 1/2
+ * or U = 0; else O(d^3) by GSL's symmetric eigenvalues.
  * Accuracy: 8 d u relative to the larger term, u = 2^-53.
  * Returns GSL_SUCCESS; what fvi_system_check returns; GSL_EFAULT if a pointer is
  * NULL; GSL_EDOM if h, kappa or alpha is out of range; GSL_EOVRFLW if an entry is

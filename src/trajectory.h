@@ -94,7 +94,7 @@ struct fvi_method {
 
 /* fvi_start -- check the run, stand at k = 0.
  *
- * Memory O(d), O(d^2) for the Jacobian of a nonlinear potential, and what the
+ * Memory O(d), what fvi_newton_alloc takes for the Hessian's diagonals, and what the
  * method's memory takes. Returns GSL_SUCCESS; what fvi_system_check,
  * fvi_newton_alloc and fvi_memory_alloc return; GSL_EFAULT if a pointer is
  * NULL; GSL_EINVAL if steps == 0 or the method does not take such a system;

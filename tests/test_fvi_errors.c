@@ -140,6 +140,17 @@ START_TEST(no_row_has_a_number_that_is_not_finite)
 }
 END_TEST
 
+/* x is 0, 10^308, and then too large; nothing else is printed that could be. */
+START_TEST(a_step_that_fails_is_reported_with_its_number)
+{
+    ck_assert_int_eq(fvi("run --potential free --rho 0 --x0 0 --p0 1e308 --h 1 "
+                         "--steps 5 --columns t"),
+                     1);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: step 2: "));
+    ck_assert_uint_eq(count_rows(), 2);
+}
+END_TEST
+
 /* The best that was reached is said; there are no rows that are not good enough. */
 START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 {
@@ -322,6 +333,7 @@ int main(void)
     ADD_CASE(suite, "errors", bad_use_is_refused,
              overflow_is_reported_with_its_step,
              no_row_has_a_number_that_is_not_finite,
+             a_step_that_fails_is_reported_with_its_number,
              what_error_was_reached_is_said_if_not_the_one_asked_for,
              a_lost_phase_is_an_error, an_unstable_step_is_warned_of,
              an_unstable_step_with_stages_is_warned_of,
