@@ -245,6 +245,16 @@ START_TEST(eq_14_3_long_chains)
 }
 END_TEST
 
+static void full_chain_hessian(size_t d, const double *x, const void *params,
+                               double *H)
+{
+    const double none[5] = { 0 };
+    const fvi_system chain = {
+        d, none, none, fvi_potential_chain(params), { 0 }
+    };
+    fvi_hessian(&chain, x, H);
+}
+
 /* In R^d: a chain of five, unequal dampings. The largest step from the matrix,
  * then runs just inside and outside of it. */
 START_TEST(eq_14_3_a_chain_of_masses)
@@ -276,6 +286,13 @@ START_TEST(eq_14_3_a_chain_of_masses)
             end = fmax(end, fabs(last[5 * 4000 + i]));
         ck_assert_msg(outside ? end > 1e6 : end < 1, "h = %g: %g", run.h, end);
     }
+    fvi_system full = chain; /* by another road to the eigenvalues */
+    full.potential.hessian = full_chain_hessian;
+    full.potential.diagonals = 0;
+    run.system = &full;
+    double again;
+    ck_assert_int_eq(fvi_stability_load(&run, &again), GSL_SUCCESS);
+    ck_assert_near(again, load, 5 * 8 * U * load, "a full Hessian");
 }
 END_TEST
 
