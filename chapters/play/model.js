@@ -163,7 +163,8 @@ function link(state) {
 }
 function command(state) {
   const option = name => name === "past" ? "derivative" : name;
-  return ["build/fvi run", ...changes(state).map(([name, value]) => `--${option(name)} ${value}`),
+  const taken = ([name]) => name !== "kappa" || methods[state.method].kappa; // the program refuses it, too
+  return ["build/fvi run", ...changes(state).filter(taken).map(([name, value]) => `--${option(name)} ${value}`),
     ...methods[state.method].stages ? [] : ["--memory direct"]].join(" ");
 }
 
