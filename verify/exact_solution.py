@@ -142,7 +142,7 @@ prove("(11.13) resonance without damping",
 
 # ---- reference values ----
 
-HELD, CAPUTO, RL = 0, 1, 2  # as in src/past.h
+HELD, CAPUTO, RL = 0, 1, 2  # as in src/fvi/past.h
 
 
 class Problem:

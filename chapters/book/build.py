@@ -54,7 +54,7 @@ def chapter(path):
     text = re.sub(r"\]\((\d\d-\w+)\.md(?:#([^)]*))?\)",
                   lambda m: f"](#{m[1]}{'--' + m[2] if m[2] else ''})", text)
     text = re.sub(r"\]\(#(?!\d\d-)([^)]*)\)", rf"](#{name}--\1)", text)
-    text = re.sub(r"\]\(\.\./figures/(\w+\.svg)\)", r"](figures/\1)", text)
+    text = re.sub(r"\]\(\.\./figures/\w+/(\w+\.svg)\)", r"](figures/\1)", text)
     text = re.sub(r"\]\(\.\./([^)]*)\)", r"](../../\1)", text)
     text = re.sub(r"\]\((README\.md|play/[^)]*)\)", r"](../../chapters/\1)", text)
     return name, text
@@ -108,7 +108,7 @@ def check_links(page):
 def main():
     shutil.rmtree(OUT, ignore_errors=True)
     (OUT / "figures").mkdir(parents=True)
-    for figure in pathlib.Path("figures").glob("*.svg"):
+    for figure in pathlib.Path("figures").glob("*/*.svg"):
         shutil.copy(figure, OUT / "figures")
     shutil.copytree(KATEX / "fonts", OUT / "fonts")
     shutil.copy(KATEX / "katex.min.css", OUT)

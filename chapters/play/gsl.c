@@ -3,10 +3,10 @@
  * The modules of src/ are compiled for the page with GSL's own headers; what they
  * call is here. In one dimension an eigenvalue is the number itself, and linear
  * equations come from the stages of chapter 17 only: at most four. */
-#include "memory_kinds.h"
+#include "memory/memory_kinds.h"
 
 #include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
+#include <fvi/error.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -77,7 +77,7 @@ int gsl_eigen_symm(gsl_matrix *A, gsl_vector *values,
 {
     (void)work;
     values->data[0] = A->data[0];
-    return GSL_SUCCESS;
+    return FVI_SUCCESS;
 }
 
 void gsl_eigen_symm_free(gsl_eigen_symm_workspace *work)
@@ -141,7 +141,7 @@ int gsl_linalg_LU_decomp(gsl_matrix *A, gsl_permutation *p, int *sign)
                 of_i[k] -= of_i[j] * A->data[j * row + k];
         }
     }
-    return GSL_SUCCESS;
+    return FVI_SUCCESS;
 }
 
 int gsl_linalg_LU_svx(const gsl_matrix *LU, const gsl_permutation *p,
@@ -160,7 +160,7 @@ int gsl_linalg_LU_svx(const gsl_matrix *LU, const gsl_permutation *p,
         y[i] /= LU->data[i * LU->tda + i];
         x->data[i] = y[i];
     }
-    return GSL_SUCCESS;
+    return FVI_SUCCESS;
 }
 
 /* V becomes the inverse of U, and below its diagonal that of L, in place: the
@@ -203,7 +203,7 @@ int gsl_linalg_LU_invert(const gsl_matrix *LU, const gsl_permutation *p,
             inverse->data[i * inverse->tda + p->data[j]] =
                 i <= j ? V[i][j] + sum : sum;
         }
-    return GSL_SUCCESS;
+    return FVI_SUCCESS;
 }
 
 /* ---- the memory: the page sums directly, the fast ways stay outside ---- */
@@ -217,7 +217,7 @@ size_t fvi_blocks_bytes(size_t d, size_t steps)
 fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
 {
     (void)nu, (void)d, (void)steps;
-    return NULL; /* fvi_memory_alloc then returns GSL_ENOMEM */
+    return NULL; /* fvi_memory_alloc then returns FVI_ENOMEM */
 }
 
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H)

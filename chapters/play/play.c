@@ -3,17 +3,18 @@
  * Compiled to WebAssembly together with modules of src/, as they are. The page
  * writes the numbers of a run to `input`, calls, and reads the arrays. Nothing
  * is imported: no file, no clock, no console. */
-#include "coefficients.h"
-#include "convolution_quadrature.h"
-#include "discrete_mechanics.h"
-#include "exact_solution.h"
-#include "fvi.h"
-#include "lobatto.h"
-#include "lobatto_memory.h"
-#include "past.h"
-#include "stability.h"
+#include <fvi/coefficients.h>
+#include <fvi/convolution_quadrature.h>
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/discrete_mechanics.h>
+#include <fvi/exact_solution.h>
+#include <fvi/fvi.h>
+#include <fvi/lobatto.h>
+#include "memory/lobatto_memory.h"
+#include <fvi/past.h>
+#include <fvi/stability.h>
 
-#include <gsl/gsl_errno.h>
+#include <fvi/error.h>
 #include <math.h>
 #include <string.h>
 
@@ -145,7 +146,7 @@ int EXPORT(play_run)(void)
         if (!isfinite(energy[rows])) /* no row, as in build/fvi */
             break;
         rows++;
-        status = s->k < run.steps ? fvi_step(s) : GSL_EINVAL;
+        status = s->k < run.steps ? fvi_step(s) : FVI_EINVAL;
     } while (!status);
     fvi_stop(s);
     return rows;
@@ -197,7 +198,7 @@ static int stage_weights(size_t s, size_t count)
         memset(v, 0, sizeof v);
     }
     fvi_lobatto_memory_free(m);
-    return GSL_SUCCESS;
+    return FVI_SUCCESS;
 }
 
 /* weights[n], n < count: those of x_{k-n}, of the order 2 alpha of the damping; of

@@ -127,7 +127,7 @@ await test("the sines of huge numbers", () => {
   assert.ok(equal > 0.9 * starts.length);
 });
 
-// Each of the two is within 4e-14 max|x| of the truth (src/exact_solution.h).
+// Each of the two is within 4e-14 max|x| of the truth (src/fvi/exact_solution.h).
 await test("the exact solution is that of fvi exact", () => {
   let worst = 0;
   for (const hash of ["#", "#alpha=0.25&past=rl", "#alpha=0.75", "#past=rl", "#alpha=0.75&rho=1&x0=0&p0=0&force=step:8,1&h=0.05&steps=400",

@@ -1,0 +1,33 @@
+# figures/convolution_quadrature/convolution_quadrature.gp -- Chapter 13: error against h, orders 1 and 2.
+# Input: figures/convolution_quadrature/convolution_quadrature.c. Output: figures/convolution_quadrature/convolution_quadrature.svg.
+width = 920; height = 480
+load 'figures/style.gp'
+array name[3] = ["fvi", "fvi-shifted", "fvi-bdf2"]
+array slope[6]; array level[6]
+do for [b=0:1] { do for [i=1:3] { # slopes over the finer half of the steps
+    stats dat index b every ::3 using (log($1)):(log(column(i + 1))) name "S" nooutput
+    slope[3*b + i] = S_slope; level[3*b + i] = S_intercept
+} }
+order(i) = i == 1 ? 1 : 2
+# The line of order 1 or 2 that meets the fit at h = 0.002.
+line(j, i, h) = exp(level[j] + (slope[j] - order(i)) * log(0.002)) * h**order(i)
+legend(j, i) = sprintf("%s: slope %.2f, line %d", name[i], slope[j], order(i))
+set logscale xy
+set format x "10^{%L}"
+set format y "10^{%L}"
+set xlabel "h"
+set multiplot layout 1,2 margins 0.085,0.985,0.33,0.92 spacing 0.085
+set key at graph 0.5, graph -0.24 center top vertical maxrows 3 samplen 4
+
+set title "Bagley-Torvik, α = 3/4, t ≤ 20"
+set ylabel "largest error of x"
+set xrange [1e-3:0.15]
+plot for [i=1:3] line(i, i, x) with lines ls i notitle, \
+     for [i=1:3] dat index 0 using 1:(column(i + 1)) with points ls i ps 0.9 title legend(i, i)
+
+set title "Duffing along t⁴, α = 1/4, t ≤ 1"
+unset ylabel
+set xrange [2.5e-4:0.08]
+plot for [i=1:3] line(3 + i, i, x) with lines ls i notitle, \
+     for [i=1:3] dat index 1 using 1:(column(i + 1)) with points ls i ps 0.9 title legend(3 + i, i)
+unset multiplot

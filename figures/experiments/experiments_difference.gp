@@ -1,0 +1,13 @@
+# figures/experiments/experiments_difference.gp -- Chapter 10: FVI minus Lagrange-d'Alembert.
+# Input: figures/experiments/experiments_difference.c. Output: figures/experiments/experiments_difference.svg.
+width = 860; height = 400
+load 'figures/style.gp'
+set title "x^{FVI} − x^{LdA}, α = 1/2, h = 0.2"
+set xlabel "t"
+set ylabel "difference, in units of 2^{-53}"
+set xrange [0:30]
+set yrange [-18:18]
+set xzeroaxis lc rgb "#444444"
+set key top right
+plot dat using 1:3 with linespoints ls 2 title "Algorithm 3 as printed, two sums", \
+     '' using 1:2 with linespoints ls 1 title "momentum form"

@@ -1,0 +1,58 @@
+/* src/exact/exact_inverse.h -- Inverting the Laplace transform.        [Chapter 11]
+ *
+ * What exact_solution.c is made of: the transform of a checked problem is
+ * prepared once, and inverted at as many times as one likes. */
+#ifndef FVI_EXACT_INVERSE_H
+#define FVI_EXACT_INVERSE_H
+
+#include <fvi/exact_solution.h>
+#include "exact_pole.h"
+
+enum { FVI_POLES = 2, FVI_NODES = 160 };
+
+//> contour
+/* The hyperbola z(u) of (11.10) at u = (k + 1/2) h, and what the integrand has on
+ * it for every problem of this order and every time. */
+typedef struct {
+    size_t count;
+    double complex z[FVI_NODES], weight[FVI_NODES], power[FVI_NODES];
+} fvi_contour;
+//< contour
+
+/* A pole s + low of the transform, and its residues without e^{st}. */
+typedef struct {
+    double complex s, low;
+    double complex start, force; /* what x0 and v0 give, what F gives */
+} fvi_residue;
+
+/* All that does not depend on t. */
+typedef struct {
+    fvi_linear p;
+    double beta;                 /* 2 alpha */
+    int keeps_x0, keeps_v0;      /* 1 or 0: kappa_0 and kappa_1 of (11.2) */
+    fvi_pole root;               /* the zero of Q; root.s == 0: none */
+    fvi_residue pole[FVI_POLES]; /* that of Q first, then that of a cosine */
+    size_t poles;
+    int closed; /* the transform has these poles and no other singularity */
+    fvi_contour contour[FVI_POLES + 1];
+} fvi_inverse;
+
+/* What acts: the start, if `start` is 1, and `sign` times the force, which lasts
+ * for `lasts` if that is > 0. t is the time since then. */
+typedef struct {
+    double t, start, sign, lasts;
+} fvi_event;
+
+/* fvi_inverse_prepare -- poles, residues, contours. The problem is a valid one. */
+void fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S);
+
+/* fvi_inverse_add -- add to x and v what an event does; t > 0, and t >= 2 lasts. */
+void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,
+                     double *v);
+
+/* fvi_inverse_oscillation -- of that only the residues of the zeros of Q, which
+ * must exist; t >= lasts will do. */
+void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_event *at,
+                             double *x, double *v);
+
+#endif

@@ -1,0 +1,45 @@
+/* src/fvi/coefficients.h -- Grunwald-Letnikov weights.               [Chapter 4] */
+#ifndef FVI_COEFFICIENTS_H
+#define FVI_COEFFICIENTS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_coefficients -- the weights of order alpha.                  [(4.1)]
+ *
+ *     w[n] = (-1)^n binom(alpha, n),     n = 0, ..., count - 1,
+ *
+ * the coefficients of (1 - z)^alpha. The step size is NOT included: the
+ * derivative is h^(-alpha) sum_n w[n] x_{k-n}.
+ *
+ *   alpha  order, 0 <= alpha <= 2 (an integrator asks for 2 alpha)
+ *   count  number of weights, count >= 1
+ *   w      output, length count, owned by the caller
+ *
+ * The recurrence runs in double-double arithmetic on w[n] / alpha. Accuracy:
+ * the nearest double or one of its two neighbours for every n < 10^8 (bound and
+ * proof in Chapter 4); exact where the weights are short binary fractions, and
+ * exact zeros +0 where they vanish (alpha = 0, 1, 2).
+ * Cost O(count), two divisions a weight; no memory.
+ * Returns FVI_SUCCESS; FVI_EFAULT if w is NULL; FVI_EINVAL if count == 0;
+ * FVI_EDOM if alpha is not in [0, 2]. On error w is untouched. */
+int fvi_coefficients(double alpha, size_t count, double *w);
+
+/* fvi_coefficients_simple -- the same weights by the textbook recurrence
+ * w[n] = w[n-1] (n - 1 - alpha) / n in plain doubles.               [(4.2)]
+ *
+ * For reading and for comparison: of the order of 0.2 n units of roundoff are
+ * lost after n steps, unless alpha is a short binary fraction.
+ * Arguments, cost, errors: as fvi_coefficients. */
+int fvi_coefficients_simple(double alpha, size_t count, double *w);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

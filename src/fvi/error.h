@@ -1,0 +1,49 @@
+/* src/fvi/error.h -- What a function says when it could not do it.
+ *
+ * A function returns 0, or one of these codes; its header says which and why. The
+ * library prints nothing, ends no process and calls no handler of its own accord:
+ * GSL's default handler aborts, which is not for a library to decide. The codes are
+ * GSL's numbers, so that gsl_strerror knows them too. */
+#ifndef FVI_ERROR_H
+#define FVI_ERROR_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+enum {
+    FVI_SUCCESS = 0,
+    FVI_EDOM = 1,      /* a number is out of its range */
+    FVI_EFAULT = 3,    /* a null pointer */
+    FVI_EINVAL = 4,    /* a length, a count or a name that cannot be */
+    FVI_ENOMEM = 8,    /* no memory */
+    FVI_EBADFUNC = 9,  /* a function of the caller gave what is not finite */
+    FVI_EMAXITER = 11, /* an iteration did not come to its end */
+    FVI_ETOL = 14,     /* the accuracy that was asked for cannot be had */
+    FVI_EOVRFLW = 16,  /* a value stopped being finite */
+    FVI_ELOSS = 17,    /* not a digit of the result would be right */
+    FVI_EROUND = 18,   /* rounding hides what was asked for */
+    FVI_ESING = 21,    /* an equation has no unique solution */
+    FVI_EUNSUP = 24    /* the method has no such thing */
+};
+
+/* fvi_strerror -- a code in words: a constant text, for any number. */
+const char *fvi_strerror(int code);
+
+/* fvi_error_handler -- called, if one is set, where an error arises, before its code
+ * is returned: what is wrong, in which file and line, and the code. GSL's gsl_error
+ * is one. It may end the process, or return. */
+typedef void fvi_error_handler(const char *reason, const char *file, int line,
+                               int code);
+
+/* fvi_set_error_handler -- for all threads. Returns the one before; at first there is
+ * none, NULL. */
+fvi_error_handler *fvi_set_error_handler(fvi_error_handler *handler);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,100 @@
+/* src/fvi/exact_solution.h -- The linear problem, solved exactly.    [Chapter 11] */
+#ifndef FVI_EXACT_SOLUTION_H
+#define FVI_EXACT_SOLUTION_H
+
+#include "past.h"
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+typedef enum {
+    FVI_FORCING_NONE,
+    FVI_FORCING_STEP,  /* F = A for 0 <= t <= T, then 0 */
+    FVI_FORCING_COSINE /* F = A cos(w t) */
+} fvi_forcing;
+
+/* fvi_linear -- one linear problem in one dimension.               [(11.1)]
+ *
+ *     m x'' + c x + rho D^{2 alpha} x = F(t),   x(0) = x0,  x'(0) = v0
+ *
+ *   m        mass, finite, > 0
+ *   c        stiffness, finite, >= 0 (0: a free particle)
+ *   rho      damping, finite, >= 0
+ *   alpha    0 <= alpha <= 1
+ *   past     on what D acts (past.h); zeroed: on x - x0
+ *   x0, v0   start, finite. Riemann-Liouville with x0 != 0 has a solution for
+ *            alpha < 1/2 only, and for alpha = 1/2 where D^1 means d/dt
+ *   forcing  which F
+ *   A        its size, finite       (read for STEP and COSINE)
+ *   T        finite, >= 0           (read for STEP)
+ *   w        finite                 (read for COSINE)
+ *
+ * What is left out of an initialiser is zero and does nothing. */
+typedef struct {
+    double m, c, rho, alpha;
+    fvi_past past;
+    double x0, v0;
+    fvi_forcing forcing;
+    double A, T, w;
+} fvi_linear;
+
+/* fvi_exact -- the solution at n times.                    [(11.7), (11.10)]
+ *
+ *   problem  as above
+ *   n        number of times, n >= 1
+ *   t        n times, finite, >= 0, in any order
+ *   x, v     outputs, n numbers each, x(t[i]) and x'(t[i]); one of them may be
+ *            NULL, one of them may be t
+ *
+ * At t = 0 the start is returned (x' jumps there to m v0 / (m + rho) if
+ * alpha = 1 and the past is not Caputo's).
+ * Residues of the complex poles and a contour integral around the rest of the
+ * singularities. Accuracy: the error of x is at most 4e-14 max|x|, that of x'
+ * at most 4e-14 (max|x'| + max|x| / t), the maxima over [0, t], for all m, c,
+ * rho, alpha, while w t < 10^8 for every frequency w there is (a double pole on
+ * the cut and resonance included). Seen: 1e-15. Near t = 0 also relative to x.
+ * Cost: O(1) a time, a sum over at most 160 nodes that are computed once; no sum
+ * where rho = 0 or 2 alpha is an integer and the formula closes.
+ * Memory: 25 kB of stack.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if problem or t is NULL, or x and v both are;
+ * FVI_EINVAL if n == 0 or forcing is unknown; FVI_EDOM if a number is out of its
+ * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
+ * these errors x and v are untouched. FVI_EOVRFLW if a value is not finite, and
+ * FVI_ELOSS if the body has swung so often, w t above 8e17, that twice the digits
+ * of a double do not hold the phase (not where the swing has died away): the
+ * values before it stand. */
+int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
+              double *v);
+
+/* fvi_exact_oscillation -- the part 2 Re(a e^{s t}) of the solution.  [(11.7)]
+ *
+ * Only the two complex poles s, conj(s) of the equation. What is left, after
+ * the answer A Re(e^{iwt} / Q(iw)) to a cosine is also taken away, is the
+ * integral along the branch cut: the tail. Arguments, errors: as fvi_exact;
+ * also FVI_EDOM if there are no complex poles (see fvi_exact_pole). */
+int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
+                          double *x, double *v);
+
+/* fvi_exact_pole -- s = re + i im with m s^2 + c + rho s^{2 alpha} = 0, the only
+ * such number with 0 < arg s < pi; -re is the rate of decay.         [(11.4)]
+ *
+ *   re, im  outputs, one number each
+ *
+ * Accuracy: nearest doubles but for some units of roundoff of |re|.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL, FVI_EDOM as
+ * fvi_exact for the problem; FVI_EDOM if there is none: alpha = 1/2 and
+ * rho >= 2 sqrt(m c), or c = 0 and alpha >= 1/2, or c = rho = 0. On error re and
+ * im are untouched. */
+int fvi_exact_pole(const fvi_linear *problem, double *re, double *im);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,58 @@
+/* src/fvi/fvi.h -- Fractional variational integrators.           [Chapter 9]
+ *
+ * With it comes the rest of the library, but for what only the paper needs: that is in
+ * fvi/paper. */
+#ifndef FVI_H
+#define FVI_H
+
+#include "coefficients.h"
+#include "convolution_quadrature.h"
+#include "convolution_quadrature_methods.h"
+#include "convolution_quadrature_stability.h"
+#include "discrete_mechanics.h"
+#include "error.h"
+#include "exact_solution.h"
+#include "lobatto.h"
+#include "memory.h"
+#include "past.h"
+#include "stability.h"
+#include "step_search.h"
+#include "system.h"
+#include "trajectory.h"
+#include "version.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_fractional -- Algorithm 3, the fractional variational integrator. [(9.4)]
+ *
+ *     D1 L_d(x_k, x_{k+1}) + D2 L_d(x_{k-1}, x_k)
+ *         - h rho Delta_-^alpha Delta_-^alpha x_k + h F(t_k) = 0,
+ *     p_0 = -D1 L_d(x_0, x_1),
+ *
+ * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1].
+ * Done in momentum form, which is the same equation with the smallest rounding:
+ * p_k = -D1 L_d(x_k, x_k + dx) gives dx, then
+ *
+ *     x_{k+1} = x_k + dx,
+ *     p_{k+1} = p_k - h grad U - h rho Delta_-^alpha Delta_-^alpha x_{k+1}
+ *               + h F(t_{k+1}).
+ *
+ * p_k is the matched momentum of Chapter 8 for every k <= N. Order 1; in p near
+ * t = 0 only 2 - 2 alpha for a held body with alpha > 1/2 (19.11);
+ * for Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha if alpha < 1/2, and
+ * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, F(0) = 0 (9.8).
+ * run->past says on what the memory acts (9.6).
+ * Steps must be short enough (fvi_stability_step); at alpha = 1 and rho >= m none is.
+ * Cost of a step: as fvi_newton_solve plus as fvi_memory_push for the damped
+ * coordinates. rho = 0 has no memory at all. */
+extern const fvi_method fvi_fractional;
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

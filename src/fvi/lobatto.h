@@ -1,0 +1,83 @@
+/* src/fvi/lobatto.h -- Variational integrators of order 2, 4, 6.    [Chapter 17] */
+#ifndef FVI_LOBATTO_H
+#define FVI_LOBATTO_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_lobatto2, 3, 4 -- Galerkin variational integrators on s = 2, 3, 4 Lobatto
+ * nodes, with Lobatto IIIC convolution quadrature for the damping.     [(17.8)]
+ *
+ * The path of a step is a polynomial with the values X_1 = x_k, X_2, ..., X_s =
+ * x_{k+1} at the nodes t_k + c_i h. With K = D^T B D, B = diag(b), and
+ *
+ *     S_i = h b_i (grad U(X_i) + rho Y_i - F(t_k + c_i h)),
+ *     Y = h^(-beta) sum_{n=0}^{k} W_n (v_{k-n} - [beta > 0] p_0/m),
+ *     v_k = D X / h,   beta = 2 alpha - 1,
+ *
+ * the step solves  p_k [i = 1] + (m/h) (K X)_i = S_i  for i = 1, ..., s - 1, and
+ * then p_{k+1} = p_k - (S_1 + ... + S_s).
+ *
+ * Any system in R^d, any alpha in [0, 1], any past: Y is Caputo's, what another past
+ * adds to it is a force that is known beforehand (19.3) and acts by its exact
+ * impulses (19.5). kappa is not used. F may jump at nodes t_k, not
+ * inside a step: at stage 1 it is asked for t_k + 8u max(t_k, h), at stage s for
+ * t_{k+1} - 8u t_{k+1}, u = 2^-53, which are on the right sides of any jump that
+ * is within 4u t_k of the node.
+ *
+ * Order at a fixed t, one step or more away from t = 0 and from jumps, beta != 0 and
+ * |beta| < 1; over all t it is lower (table 17.22 of the chapter):
+ *
+ *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
+ *
+ * (x as p for Riemann-Liouville with x0 != 0; near t = 0 as in Chapter 19)
+ * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0. p_k is the momentum of the
+ * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
+ * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
+ * goes to 1 the order of x goes to s and that of p to s - 1.
+ * Stable for rho = 0 and U = m w^2 x^2 / 2 if h w < 2, 2 sqrt(2), 3.1127 (17.15).
+ * With damping: fvi_stability_lobatto (stability.h) says which steps are stable.
+ *
+ * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
+ * run->tolerance t: the impulse of what compression leaves out, over the whole run,
+ * is at most t m max|v - v0|; the memory is asked for t / max(1, T rho h^(-beta) / m),
+ * or with T^(-beta) where beta < 0, T = h steps, but never for less than 1e-14. (17.21)
+ * rho = 0, alpha = 0, 1/2, 1: no history is kept.
+ * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
+ * s - 2 more, with Hessians, and the factors of an (s - 2) d matrix with s - 2 times
+ * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each damped coordinate, Q about 90.
+ * Errors as fvi_start and fvi_step, and FVI_EUNSUP for FFT. */
+extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
+
+/* fvi_lobatto_momenta -- better momenta of a finished run.     [(17.14)]
+ *
+ *     p_k += rho c_{s,beta} h^(s - beta) x^(s)(t_k),    0 < k < N
+ *
+ * takes away the leading error of p_k, which is local. The derivative is a
+ * central difference of x; rows without neighbours on both sides (one at each
+ * end for s = 2, else two) are left as they are. Nothing is done for alpha = 0,
+ * 1/2, 1, nor for s = 2 and alpha < 1/2, where the leading error is another one.
+ * No order is gained for Riemann-Liouville with x0 != 0.
+ *
+ *   method  fvi_lobatto2, 3 or 4
+ *   run     as it was run
+ *   x       (steps + 1) d positions, rows k = 0, ..., N
+ *   p       as x: momenta, corrected in place
+ *
+ * Not across a jump of F. Cost O(N d). Returns FVI_SUCCESS; FVI_EFAULT if a
+ * pointer is NULL; what fvi_system_check returns; FVI_EINVAL for another method
+ * or no steps; FVI_EDOM if alpha is not in [0, 1], or h not finite and positive.
+ * On error p is untouched. */
+int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
+                        const double *x, double *p);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,105 @@
+/* src/fvi/memory.h -- The history of a fractional derivative.       [Chapter 12]
+ *
+ *     H_k = sum_{n=0}^{k} w_n x_{k-n},     w_n = (-1)^n binom(beta, n)   (12.1)
+ *
+ * for k = 0, 1, 2, ... as the x_k come in, in d dimensions. A sweep over starts,
+ * dampings or forces at one beta can be d such systems in one memory. */
+#ifndef FVI_MEMORY_H
+#define FVI_MEMORY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* How the sum is done. N is the number of steps, Q about 40 to 100.
+ *
+ *   AUTO          what fvi_memory_choose says
+ *   DIRECT        the sum as it stands: O(N^2) time, O(N d) memory
+ *   FFT           convolutions in blocks that double: O(N log^2 N), O(N d)
+ *   EXPONENTIALS  the last 32 terms and Q decaying modes: O(N Q), O(Q d) */
+typedef enum {
+    FVI_MEMORY_AUTO,
+    FVI_MEMORY_DIRECT,
+    FVI_MEMORY_FFT,
+    FVI_MEMORY_EXPONENTIALS,
+} fvi_memory_kind;
+
+typedef struct fvi_memory fvi_memory;
+
+/* fvi_memory_alloc -- prepare for at most steps + 1 terms.     [(12.2), (12.6)]
+ *
+ *   beta   order of the derivative, 0 <= beta <= 2 (2 alpha for the damping)
+ *   d      dimension, d >= 1
+ *   steps  the last index k that will be pushed; at most 10^9 for EXPONENTIALS
+ *   kind   how to sum
+ *   tolerance  EXPONENTIALS: 0 for the default 1e-13, or from 1e-14 to below 1.
+ *          Every weight that is replaced is kept to a relative error of
+ *          tolerance / 10, and trajectories to tolerance max |x| as far as
+ *          (12.14) says. The other kinds have only rounding errors.
+ *   memory output; free it with fvi_memory_free
+ *
+ * beta = 0, 1, 2 have 1, 2, 3 weights that are not zero: nothing is stored then
+ * but the last term, whatever the kind. Cost: EXPONENTIALS 10 microseconds,
+ * DIRECT 10 ns a step, FFT also that of as many transforms as N/64 has bits.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if d == 0, if
+ * kind is unknown, if steps and d are too large to be addressed, or beyond 10^9
+ * steps of EXPONENTIALS; FVI_EDOM if beta is not in [0, 2] or tolerance not in
+ * [0, 1); FVI_ETOL if EXPONENTIALS would have to keep less than 1e-14;
+ * FVI_ENOMEM. On error *memory is untouched. */
+int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
+                     double tolerance, fvi_memory **memory);
+
+/* fvi_memory_choose -- what AUTO stands for, by the crossover measured in
+ * figures/memory/memory_bench.tsv: DIRECT up to 256 steps, and where no memory is
+ * needed; else EXPONENTIALS. The FFT is never the fastest. */
+fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
+
+/* fvi_memory_bytes -- what fvi_memory_alloc will take from the heap. Arguments
+ * as there. Returns 0, and calls the error handler, where that would refuse. */
+size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
+                        fvi_memory_kind kind, double tolerance);
+
+/* fvi_memory_push -- take in x_k, give out H_k.                        [(12.1)]
+ * The step size is NOT included: the derivative is h^(-beta) H_k.
+ *
+ *   x   x_k, d numbers
+ *   dx  x_k - x_{k-1}, d numbers; x_0 for k = 0
+ *   H   output, d numbers, may be x or dx
+ *
+ * Both are asked for because the sum is done on the one that rounds less: the
+ * increments with weights of order beta - 1 where beta >= 1 (an identity, as
+ * (1-z)^beta = (1-z)^(beta-1) (1-z)), the positions where beta < 1.
+ * Cost: DIRECT O(k d), FFT O(d log^2 N) on the average, EXPONENTIALS O(Q d).
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
+ * steps + 1 terms. On error H is untouched. */
+int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
+                    double *H);
+
+/* fvi_memory_ahead -- H_{k+1} as it will be if x_{k+1} = x_k.          [(12.1)]
+ *
+ *     H_{k+1} = ahead + (x_{k+1} - x_k)      for any x_{k+1}, as w_0 = 1:
+ *
+ * for a step whose equation contains H_{k+1}. Nothing is taken in.
+ *
+ *   x      x_k, the last that was pushed, d numbers (zeros before the first)
+ *   ahead  output, d numbers, may be x
+ *
+ * Cost: none for EXPONENTIALS, DIRECT O(k d), FFT at most 64 d products.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
+ * steps + 1 terms. On error ahead is untouched. */
+int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
+
+/* fvi_memory_free -- give everything back. NULL is allowed. */
+void fvi_memory_free(fvi_memory *memory);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,54 @@
+/* src/fvi/paper/half_derivative.h -- Half a derivative, twice.             [Chapter 7] */
+#ifndef FVI_HALF_DERIVATIVE_H
+#define FVI_HALF_DERIVATIVE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_coefficients_product -- the weights of two derivatives in a row. [(7.2)]
+ *
+ *     c[k] = sum_{n=0}^{k} alpha_n beta_{k-n},     k = 0, ..., count - 1,
+ *
+ * summed as printed. By (1-z)^alpha (1-z)^beta = (1-z)^(alpha+beta) these are
+ * the weights of order alpha + beta; alpha = beta = 1/2 gives 1, -1, 0, 0, ...
+ *
+ *   alpha, beta  orders, each in [0, 2]
+ *   count        number of weights, count >= 1
+ *   c            output, length count, owned by the caller
+ *
+ * Cost O(count^2), memory O(count). Absolute error of c[k] at most
+ * (k + 5) u sum_n |alpha_n beta_{k-n}|, u = 2^-53: small against 1, not against
+ * c[k]. To integrate, use fvi_coefficients(alpha + beta).
+ * Returns FVI_SUCCESS; FVI_EFAULT if c is NULL; FVI_EINVAL if count == 0 or
+ * 2 count numbers cannot be addressed; FVI_EDOM if an order is out of range;
+ * FVI_ENOMEM. On error c is untouched. */
+int fvi_coefficients_product(double alpha, double beta, size_t count,
+                             double *c);
+
+/* fvi_delta_twice -- Delta_-^alpha Delta_-^alpha z, by two sums, as the paper
+ * prints it.                                                        [(7.1)]
+ *
+ * Arguments, layout, errors: as fvi_delta_minus (integration_by_parts.h).
+ * Cost O(N^2 d), memory O(N d). */
+int fvi_delta_twice(double alpha, double h, size_t N, size_t d, const double *z,
+                    double *out);
+
+/* fvi_backward_difference -- what (7.1) collapses to for alpha = 1/2. [(7.3)]
+ *
+ *     out_k = (z_k - z_{k-1}) / h,  k = 1, ..., N;      out_0 = z_0 / h
+ *
+ * The value at k = 0 is that of the sums: the sequence comes out of nothing.
+ * Arguments and errors as fvi_delta_minus, without alpha. Cost O(N d). */
+int fvi_backward_difference(double h, size_t N, size_t d, const double *z,
+                            double *out);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

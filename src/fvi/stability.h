@@ -1,0 +1,108 @@
+/* src/fvi/stability.h -- Is this step stable?                       [Chapter 14] */
+#ifndef FVI_STABILITY_H
+#define FVI_STABILITY_H
+
+#include "trajectory.h"
+
+#include <gsl/gsl_math.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_stability_load -- how much of the stable range a run takes.   [(14.3)]
+ *
+ *     load = lambda / 4,  lambda = the largest eigenvalue of
+ *         M^{-1/2} ((1 - 2 kappa)^2 h^2 K + 4^alpha h^(2 - 2 alpha) rho) M^{-1/2}
+ *
+ * with K = Hess U(x0). The integrators fvi and lda are stable if load < 1, and
+ * have a growing, sign-alternating mode if load > 1; this is exact if U is
+ * quadratic and convex, and speaks of small motions about x0 if not. In one
+ * dimension: (W (1 - 2 kappa)^2 + 4^alpha R) / 4, W = h^2 c / m,
+ * R = rho h^(2 - 2 alpha) / m.
+ *
+ *   run   system, x0, h, kappa, alpha are read; the rest may be anything
+ *   load  output, >= 0 if K is positive semidefinite
+ *
+ * Cost O(d) if the Hessian has one or two diagonals, by bisection, or if kappa = 1/2
+ * or U = 0; else O(d^3) by GSL's symmetric eigenvalues.
+ * Accuracy: 8 d u relative to the larger term, u = 2^-53.
+ * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is
+ * NULL; FVI_EDOM if h, kappa or alpha is out of range; FVI_EOVRFLW if an entry is
+ * not finite; FVI_ENOMEM. On error *load is untouched. */
+int fvi_stability_load(const fvi_run *run, double *load);
+
+/* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
+ *
+ *   run  as above; its h is not read
+ *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
+ *        (alpha = 1 and strong damping)
+ *
+ * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads; a load's own
+ * rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it. Errors as above. */
+int fvi_stability_step(const fvi_run *run, double *h);
+
+/* fvi_stability_lobatto -- the same for the methods of chapter 17. [(17.18)]
+ *
+ * load > 1: at least one mode grows, and load <= 1: none does, for a quadratic
+ * convex U in one dimension. For s = 2 both are proved, and in R^d: there
+ *
+ *     load = lambda / 4 of the matrix of (14.3) with 1 for (1 - 2 kappa)^2 and the
+ *            number of (17.16) for 4^alpha,  0 if that is negative.
+ *
+ * For s = 3 and 4 load > 1 is proved to be a growing mode; that there is none
+ * otherwise is measured, W and R up to 1000. The steps that are stable are then not
+ * an interval: where the load first passes 1 it is continuous, further on it jumps.
+ * In R^d, s = 3 and 4: exact where M^{-1} K and M^{-1} rho commute, an estimate
+ * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.
+ *
+ *   stages  s = 2, 3 or 4
+ *   run     system, x0, h, alpha are read; the rest may be anything
+ *   load    output, >= 0
+ *
+ * Cost: 10 us and d^3 operations, O(d) without U. Accuracy 1e-12 max(1, load)
+ * (no proof; seen 4e-15). Returns FVI_SUCCESS; what fvi_system_check returns;
+ * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if s is another number; FVI_EDOM if h
+ * or alpha is out of range; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM; what
+ * GSL's eigenvalues return. On error *load is untouched. */
+int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
+
+/* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:
+ * the zeros in |z| < 1 of Q(z) = z P(z),                            [(14.2)]
+ *
+ *     P(z) = (1 + kappa (1 - kappa) W) (1/z - 2 + z) + W + R (1 - z)^{2 alpha},
+ *
+ * counted by the argument principle along |z| = 1.
+ *
+ *   alpha, kappa  in [0, 1]
+ *   W, R          finite, > 0
+ *   modes         output
+ *
+ * Not for values on the boundary, where P vanishes on the circle. Cost: some
+ * thousand values of P. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EDOM. */
+int fvi_unstable_modes(double alpha, double kappa, double W, double R,
+                       int *modes);
+
+/* fvi_growth -- the factor 1/|z| by which the unstable mode grows in a step, 1
+ * if there is none. Arguments and errors as fvi_unstable_modes.     [(14.5)]
+ * Cost and accuracy as fvi_growth_of_symbol. */
+int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
+
+/* fvi_growth_of_symbol -- the same for any symbol, with Q(0) > 0 on (end, 0) and
+ * one change of sign there if Q(end) < 0.                          [(14.5)]
+ *
+ *   Q       Q(z) = z P(z) for real z
+ *   end     -1, or just inside where Q is infinite at -1
+ *   growth  output: 1/|z| at the zero, 1 if Q(end) >= 0
+ *
+ * By GSL's Brent solver, to 8 ulp of z. Returns FVI_SUCCESS; FVI_ENOMEM; what
+ * GSL's solver returns. On error *growth is untouched. */
+int fvi_growth_of_symbol(gsl_function Q, double end, double *growth);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,91 @@
+/* src/fvi/step_search.h -- The step that a wanted error needs.      [Chapter 18] */
+#ifndef FVI_STEP_SEARCH_H
+#define FVI_STEP_SEARCH_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* What a search found. */
+typedef struct {
+    size_t parts;    /* each step of the run was cut into so many */
+    double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
+    double order;    /* q of (18.2); 1 where D is rounding */
+} fvi_step_found;
+
+/* fvi_step_search -- halve the step until the error of x is small enough.
+ *                                            [(18.1), (18.2), (18.5) - (18.7)]
+ * The run is repeated with steps h, h/2, h/4, ...: x^(0), x^(1), x^(2), ... With
+ *
+ *     D_j = max |x^(j) - x^(j-1)|,   q_j = log2(D_{j-1} / D_j),
+ *
+ * the error of x^(j) is estimated, after Richardson, to be
+ *
+ *     D_j / (2^q - 1) + tolerance max |x^(j)|,    q = min(q_{j-1}, q_j, p),
+ *
+ * p the order of x that the method has on this run at a fixed t, tolerance that of
+ * the run's memory (and of its rounding). The search ends when the estimate is
+ * <= error and is believed, which takes four runs at least:
+ *
+ *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
+ *         (p' = p but for fvi_variational, 1, and fvi_lobatto3, fvi_lobatto4, whose
+ *         order over all t may be as low as 3 - 2 alpha. p = 1 - 2 alpha in
+ *         fvi_fractional, Riemann-Liouville, alpha < 1/2, where a damped coordinate
+ *         does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
+ *     F, at 128 random times, is at most half as far from its linear interpolant
+ *         between nodes as with steps twice as long                       (18.7)
+ *         (the random times are the same in each search);
+ *     if D_{j-1} and D_j are rounding, <= 10 tolerance max |x|, the estimate is
+ *         D_j + tolerance max |x| and, in place of (18.5),
+ *         h_j^2 max_i sum_j |U_ij| / m_i <= 1 at the rows of the run      (18.6).
+ *
+ * A run that overflows, or does not converge, says only that its step is too long.
+ *
+ *   method  which integrator; its lowest, highest and stages are read
+ *   run     as for fvi_start; run->h and run->steps give the rows t_k = k h, which
+ *           stay where they are. If there are less than 128 of them, more times,
+ *           evenly between, are compared too
+ *   error   what max |x_k - x(t_k)| may be, finite, > 0
+ *   most    no run of more steps than this is made
+ *   x, p    outputs, (steps + 1) d numbers, rows k = 0, ..., N of the last run; p
+ *           may be NULL
+ *   found   output
+ *
+ * It is an estimate, no bound: finitely many samples bound no error. What all steps
+ * h / 2^j do wrong alike is not seen unless (18.7) sees it; a single jump of F
+ * between two rows is not seen, nor a pulse shorter than the steps, nor a fast part
+ * of F much smaller than the deviation in (18.7). The error of p is another matter.
+ * Time: at most twice that of the last run, which is about one halving more than
+ * the estimate alone would ask for. Memory: three times that of x; a Hessian more
+ * for (18.6), which is taken to fail if it cannot be had.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if method, run, x or found is NULL; FVI_EDOM if
+ * error is not finite and > 0, or if the run has no solution (19.2); FVI_EINVAL if
+ * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_start
+ * returns; FVI_ENOMEM; FVI_ETOL if the error was not reached, because of most or
+ * because rounding made it grow again: *found then is the smallest estimate that was
+ * believed (infinite if there was none). FVI_ETOL is an answer: GSL's error handler
+ * is not called for it, nor for the runs that fail. On error x, p and, but for
+ * FVI_ETOL, *found are untouched. */
+int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
+                    size_t most, double *x, double *p, fvi_step_found *found);
+
+/* fvi_step_search_other -- a method that may reach what this one did not.
+ *
+ *   method, run  as above, not NULL; the run is one that fvi_start takes
+ *
+ * Returns that of the highest order that takes such a run, fvi_lobatto4 or, with
+ * FVI_MEMORY_FFT, fvi_shifted; NULL if its order is not higher than the order of
+ * method on this run. That it reaches the error is not tried here. */
+const fvi_method *fvi_step_search_other(const fvi_method *method,
+                                        const fvi_run *run);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,139 @@
+/* src/fvi/system.h -- A mechanical system, as data.                  [Chapter 2]
+ *
+ *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t),     x in R^d.
+ *
+ * A system holds the masses, the dampings, the potential and the force. The
+ * order of the damping and everything that has to do with time steps belong to
+ * a run (trajectory.h), not to the system.
+ *
+ * Errors of the library are those of GSL, "system/fail.h": each first calls
+ * GSL's error handler, whose default prints and aborts; after
+ * gsl_set_error_handler_off() the code comes back. Only a step that cannot be made
+ * (trajectory.h) and a search without success (step_search.h) come back at once. */
+#ifndef FVI_SYSTEM_H
+#define FVI_SYSTEM_H
+
+#include <math.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_potential -- U: R^d -> R with its first two derivatives.
+ *
+ *   value      returns U(x)
+ *   gradient   writes the d numbers dU/dx_i to g
+ *   hessian    writes d^2U/dx_i dx_j to H, in the form that `diagonals` says
+ *   params     handed to the functions, owned by the caller, may be NULL
+ *   quadratic  NULL, or asked once when a run starts: nonzero promises that U is
+ *              quadratic for these params. Its Hessian is then evaluated and
+ *              factorised once in the run, not at each step
+ *   diagonals  0: H is full, d * d numbers, row by row. Else the Hessian is zero
+ *              but for its main diagonal and the diagonals - 1 on either side,
+ *              and a row of H holds one half of them,
+ *                  H[i * diagonals + k] = d^2U / dx_i dx_{i+k},   i + k < d;
+ *              there is no room where i + k >= d. This is LAPACK's band
+ *              storage of a symmetric matrix, UPLO = 'L', LDAB = diagonals
+ *
+ * All three functions, or none: a zeroed potential is that of a free particle.
+ * The library calls them with arrays that do not overlap. A function that cannot
+ * give a number writes NaN: the step then ends with FVI_EOVRFLW.
+ *
+ * The params may change until fvi_start, and must then stay as they are until
+ * fvi_stop. */
+typedef struct {
+    double (*value)(size_t d, const double *x, const void *params);
+    void (*gradient)(size_t d, const double *x, const void *params, double *g);
+    void (*hessian)(size_t d, const double *x, const void *params, double *H);
+    const void *params;
+    int (*quadratic)(const void *params);
+    size_t diagonals;
+} fvi_potential;
+
+/* fvi_force -- F(t), d numbers written to F. A zeroed force is none. */
+typedef struct {
+    void (*value)(double t, size_t d, const void *params, double *F);
+    const void *params;
+} fvi_force;
+
+/* fvi_system -- one mechanical system. The arrays belong to the caller and
+ * must outlive every run that uses the system.
+ *
+ *   d        dimension, d >= 1
+ *   mass     d masses, finite, > 0
+ *   damping  d coefficients rho, finite, >= 0
+ *   potential, force  as above */
+//> system
+typedef struct {
+    size_t d;
+    const double *mass;
+    const double *damping;
+    fvi_potential potential;
+    fvi_force force;
+} fvi_system;
+//< system
+
+/* fvi_system_check -- is the system one that can be simulated?
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL;
+ * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
+ * addressed, or if the potential has some of its three functions but not all; FVI_EDOM if a mass is
+ * not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
+int fvi_system_check(const fvi_system *system);
+
+/* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
+ *
+ *   x, p  d numbers each
+ *
+ * Nothing is checked: this is called once a row. Cost O(d) and one value of U. */
+double fvi_energy(const fvi_system *system, const double *x, const double *p);
+
+/* fvi_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
+ *
+ *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U
+ *
+ * Nothing is checked. Cost O(d^2) and one Hessian. */
+void fvi_hessian(const fvi_system *system, const double *x, double *H);
+
+/* fvi_all_finite -- are all n numbers of v finite? In the header, because every
+ * step asks: isfinite is a macro, and no call is made. */
+static inline int fvi_all_finite(size_t n, const double *v)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!isfinite(v[i]))
+            return 0;
+    return 1;
+}
+
+/* Potentials that are ready to use. The parameters are read when a run starts and
+ * when U is, so they must outlive the system. The first three act on every
+ * coordinate alike, and their Hessian is diagonal; that of a chain has two
+ * diagonals. Harmonic is quadratic, the others are if g is zero as the run starts
+ * (a pendulum never says so):
+ *
+ *     harmonic  c        U = sum_i c x_i^2 / 2
+ *     duffing   c, g     U = sum_i c x_i^2 / 2 + g x_i^4 / 4
+ *     pendulum  g        U = sum_i g (1 - cos x_i)
+ *     chain     c, g     U = sum_{i=0}^{d} c r_i^2 / 2 + g r_i^4 / 4,
+ *                        r_i = x_i - x_{i-1}, x_{-1} = x_d = 0:
+ *                        d masses in a row between two walls, d + 1 springs */
+fvi_potential fvi_potential_harmonic(const double *c);
+fvi_potential fvi_potential_duffing(const double cg[2]);
+fvi_potential fvi_potential_pendulum(const double *g);
+fvi_potential fvi_potential_chain(const double cg[2]);
+
+/* Forces that are ready to use, the same on every mass:
+ *
+ *     step    a, T   F = a for 0 <= t <= T, then 0
+ *     cosine  a, w   F = a cos(w t) */
+fvi_force fvi_force_step(const double aT[2]);
+fvi_force fvi_force_cosine(const double aw[2]);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

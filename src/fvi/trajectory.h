@@ -1,0 +1,140 @@
+/* src/fvi/trajectory.h -- Runs: a start, a step size, a method.      [Chapter 2]
+ *
+ * A stepper holds x_k, p_k and what the method needs to go on, and nothing
+ * else: no array over the time steps is made unless the caller makes it. The
+ * caller reads x and p between steps, so rows can be printed as they come:
+ *
+ *     fvi_stepper *s;
+ *     if (fvi_start(&fvi_fractional, &run, &s) == FVI_SUCCESS) {
+ *         while (s->k < run.steps && fvi_step(s) == FVI_SUCCESS)
+ *             printf("%g %g\n", s->t, s->x[0]);
+ *         fvi_stop(s);
+ *     } */
+#ifndef FVI_TRAJECTORY_H
+#define FVI_TRAJECTORY_H
+
+#include "memory.h"
+#include "past.h"
+#include "system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_run -- all that determines the numbers of a trajectory.
+ *
+ *   system   what moves; must outlive the run
+ *   x0, p0   start, d finite numbers each; copied
+ *   h        step, finite, > 0
+ *   steps    N >= 1: the rows are k = 0, ..., N at t_k = k h
+ *   kappa    potential taken at kappa x_k + (1 - kappa) x_{k+1}, 0 <= kappa <= 1
+ *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1
+ *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
+ *   memory   how the history is summed
+ *   tolerance  of the compressed memory, relative to the direct sum; 0 means
+ *              the default 1e-13; not read where nothing is remembered
+ *
+ * What is left out of an initialiser is zero: begin with fvi_run_default, which
+ * sets what must not be zero by accident.
+ * The methods: fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
+ * (discrete_mechanics.h), fvi_fractional (fvi.h), fvi_shifted, fvi_bdf2
+ * (convolution_quadrature.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4 (lobatto.h).
+ * Runs that share no stepper may go on in several threads. */
+typedef struct {
+    const fvi_system *system;
+    const double *x0, *p0;
+    double h;
+    size_t steps;
+    double kappa;
+    double alpha;
+    fvi_past past;
+    fvi_memory_kind memory;
+    double tolerance;
+} fvi_run;
+
+/* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
+ * at x0, its memory summed in the best way that there is; change what you like. */
+fvi_run fvi_run_default(const fvi_system *system, const double *x0,
+                        const double *p0, double h, size_t steps);
+
+typedef struct fvi_method fvi_method;
+
+/* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */
+typedef struct {
+    size_t k;      /* steps done */
+    double t;      /* k h, one product */
+    double *x, *p; /* position and momentum, d numbers each */
+
+    double *dx, *g, *F; /* the last increment, gradient and force */
+    struct fvi_newton *newton;
+    void *own; /* what only this method has */
+    fvi_run run;
+    const fvi_method *method;
+} fvi_stepper;
+
+/* fvi_method -- an integrator. name, order and memory are for people, and may be
+ * NULL.
+ *
+ *   lowest, highest  the order as numbers: the lowest and the highest that x has at
+ *          a fixed time, over all alpha (a kick or kappa != 1/2 may cost more)
+ *   stages  s, of the methods of Lobatto; 0 for all others
+ *   half_only  nonzero if the method knows linear damping only, alpha = 1/2;
+ *          fvi_start refuses other runs (FVI_EDOM)
+ *   as_printed  nonzero if the method also runs what has no solution (19.2), as the
+ *          paper does; for the others fvi_start refuses it (FVI_EDOM)
+ *   start  refuses runs that the method does not know; prepares newton and own;
+ *          may be NULL
+ *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
+ *   stop   gives own back; may be NULL */
+struct fvi_method {
+    const char *name, *order, *memory;
+    int lowest, highest, stages;
+    int half_only, as_printed;
+    int (*start)(fvi_stepper *s);
+    int (*step)(fvi_stepper *s);
+    void (*stop)(fvi_stepper *s);
+};
+
+/* fvi_start -- check the run, stand at k = 0.
+ *
+ * Memory O(d), what fvi_newton_alloc takes for the Hessian's diagonals, and what the
+ * method's memory takes. Returns FVI_SUCCESS; what fvi_system_check,
+ * fvi_newton_alloc and fvi_memory_alloc return; FVI_EFAULT if a pointer is
+ * NULL; FVI_EINVAL if steps == 0 or the method does not take such a system;
+ * FVI_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
+ * does not know this alpha, or if the run has no solution (19.2) and is not one of
+ * fvi_fractional; FVI_ENOMEM. On error *stepper is untouched. */
+int fvi_start(const fvi_method *method, const fvi_run *run,
+              fvi_stepper **stepper);
+
+/* fvi_step -- from k to k + 1.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
+ * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
+ * FVI_EOVRFLW if a value stopped being finite. These three are what came out, no
+ * mistake of the caller: GSL's error handler is not called for them, here or by
+ * fvi_start (FVI_ESING). After an error s->k is still k
+ * and x, p are not those of any step: stop. */
+int fvi_step(fvi_stepper *s);
+
+/* fvi_stop -- give everything back. NULL is allowed. */
+void fvi_stop(fvi_stepper *s);
+
+/* fvi_trajectory -- a whole run into arrays.
+ *
+ *   x, p    NULL, or (steps + 1) d numbers: component i of row k at [k * d + i]
+ *   energy  NULL, or steps + 1 numbers
+ *
+ * What is NULL is not computed. Returns what fvi_start and fvi_step return, and
+ * FVI_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_start
+ * refuses, the arrays are untouched; if step k fails, rows 0 ... k - 1 stand. */
+int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
+                   double *p, double *energy);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

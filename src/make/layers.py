@@ -1,0 +1,95 @@
+"""Arrows between the rooms of src/ point down only.      layers.py ARCHIVE...
+
+A room is a folder. A file may include headers of its own room and of those below, and
+an object of an ARCHIVE may use symbols of its own room and of those below;
+the public headers in src/fvi/ belong to the room that keeps what they declare, and
+fvi/fvi.h, which hands on all the others, to none. The drawing in chapters/README.md
+must be the one that the sources give. Only the standard library is used."""
+import pathlib
+import re
+import subprocess
+import sys
+
+SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
+# From the roof to the ground; rooms of one floor know nothing of each other.
+FLOORS = [
+    {"program": "build/fvi: words, tables, files"},
+    {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
+    {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
+    {"stability": "the longest step"},
+    {"run": "a start, a step, a whole trajectory"},
+    {"memory": "weights, and sums over the past"},
+    {"system": "potentials, forces, the one equation of a step, errors"},
+]
+FLOOR = {room: -number for number, rooms in enumerate(FLOORS) for room in rooms}
+
+
+def rooms_of_files():
+    """Path below src/ -> room. A header of src/fvi/ lives where the source of its name does."""
+    rooms = {}
+    for path in SRC.rglob("*.[ch]"):
+        room = path.parts[1]
+        if room not in FLOOR:
+            continue
+        rooms[str(path.relative_to(SRC))] = room
+        for place in ("fvi", "fvi/paper"):
+            if path.suffix == ".c" and (SRC / place / f"{path.stem}.h").exists():
+                rooms[f"{place}/{path.stem}.h"] = room
+    rooms.pop("fvi/fvi.h", None)
+    return rooms
+
+
+def includes(rooms):
+    """(file, its room, the room of what it includes, that header)"""
+    for here in sorted(rooms):
+        for word in re.findall(r'#include ["<]([\w/]+\.h)[">]', (SRC / here).read_text()):
+            beside = str(pathlib.Path(here).parent / word)
+            header = beside if (SRC / beside).exists() else word
+            if header in rooms:
+                yield here, rooms[here], rooms[header], header
+
+
+def symbols(archives):
+    """(object, its room, the room of a symbol it uses, that symbol)"""
+    room = {path.stem: path.parts[1] for path in SRC.glob("*/*.c")}
+    home, wants = {}, []
+    for line in subprocess.run(["nm", "-A", *archives], capture_output=True, text=True, check=True).stdout.splitlines():
+        if line.count(":") < 2:
+            continue
+        member = line.split(":")[1].removesuffix(".o")
+        kind, symbol = line.split()[-2:]
+        if kind == "U":
+            wants.append((member, symbol))
+        elif kind.isupper():
+            home[symbol] = member
+    for member, symbol in wants:
+        if symbol in home:
+            yield member, room[member], room[home[symbol]], symbol
+
+
+def drawing(arrows):
+    """A line a room, and the rooms that it knows."""
+    for rooms in FLOORS:
+        for room, what in rooms.items():
+            known = sorted((low for high, low in arrows if high == room), key=list(FLOOR).index)
+            yield f"{room:>9}  {what:<58}{'-> ' + ', '.join(known) if known else ''}".rstrip()
+
+
+def main():
+    faults, arrows = [], set()
+    for room in sorted({path.parts[1] for path in SRC.glob("*/*.c")} - set(FLOOR)):
+        sys.exit(f"src/{room}/: on which floor is it? see {sys.argv[0]}")
+    for who, high, low, what in [*includes(rooms_of_files()), *symbols(sys.argv[1:])]:
+        if high != low:
+            arrows.add((high, low))
+            if FLOOR[high] <= FLOOR[low]:
+                faults.append(f"{high}/ must not know {low}/: {who} uses {what}")
+    picture = "\n".join(drawing(arrows))
+    if picture not in MAP.read_text():
+        faults.append(f"{MAP}: the drawing of the rooms is to be\n{picture}")
+    if faults:
+        sys.exit("\n".join(sorted(set(faults))))
+    print(f"layers: {len(FLOOR)} rooms, {len(arrows)} arrows, all down")
+
+
+main()

@@ -1,0 +1,60 @@
+/* src/memory/coefficients.c -- Grunwald-Letnikov weights.               [Chapter 4] */
+#include <fvi/coefficients.h>
+
+#include "double_double.h"
+#include "system/fail.h"
+
+#include <math.h>
+
+static int check(double alpha, size_t count, const double *w)
+{
+    if (!w)
+        FVI_FAIL("w is a null pointer", FVI_EFAULT);
+    if (count == 0)
+        FVI_FAIL("count must be at least 1", FVI_EINVAL);
+    if (!(alpha >= 0 && alpha <= 2))
+        FVI_FAIL("alpha must be in [0, 2]", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+int fvi_coefficients_simple(double alpha, size_t count, double *w)
+{
+    int status = check(alpha, count, w);
+    if (status)
+        return status;
+    //> textbook
+    w[0] = 1;
+    for (size_t n = 1; n < count; n++)
+        w[n] = w[n - 1] * ((double)n - 1 - alpha) / (double)n; /* (4.2) */
+    //< textbook
+    return FVI_SUCCESS;
+}
+
+//> over
+/* a / n for a positive integer n below 2^53; |lo| <= ulp(hi)/2 again. */
+static dd over(dd a, double n)
+{
+    double hi = a.hi / n;
+    double lo = (fma(-hi, n, a.hi) + a.lo) / n; /* the remainder, divided */
+    return (dd){ hi + lo, lo - ((hi + lo) - hi) };
+}
+//< over
+
+int fvi_coefficients(double alpha, size_t count, double *w)
+{
+    int status = check(alpha, count, w);
+    if (status)
+        return status;
+    //> weights
+    w[0] = 1;
+    dd s = { -1, 0 }; /* w[n] / alpha, about -1/n even if alpha is 1e-310 */
+    for (size_t n = 1; n < count; n++) {
+        double x = (double)n;
+        if (n > 1)
+            s = over(times(s, two_sum(x - 1, -alpha)), x); /* (4.2) */
+        dd product = times(s, (dd){ alpha, 0 });
+        w[n] = product.hi + product.lo; /* a zero comes out as +0 */
+    }
+    //< weights
+    return FVI_SUCCESS;
+}

@@ -1,0 +1,85 @@
+/* src/memory/convolution_quadrature.c -- Weights of other rules. [Chapter 13] */
+#include <fvi/convolution_quadrature.h>
+
+#include <fvi/coefficients.h>
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+//> factor
+size_t fvi_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
+{
+    double power = pow(1.5, beta); /* (3/2)^beta (1 - z/3)^beta */
+    fvi_coefficients(beta, FVI_BDF2_TAPS, g);
+    for (size_t n = 0; n < FVI_BDF2_TAPS; n++) {
+        g[n] *= power; /* (13.11) */
+        power /= 3;
+    }
+    size_t taps = FVI_BDF2_TAPS;
+    while (taps > 1 && g[taps - 1] == 0)
+        taps--;
+    return taps;
+}
+//< factor
+
+/* delta = (1 - z) (3 - z)/2: from the end, so that w_n is read before it is
+ * written. */
+static void bdf2(double beta, size_t count, double *w)
+{
+    double g[FVI_BDF2_TAPS];
+    const size_t taps = fvi_bdf2_factor(beta, g);
+    fvi_coefficients(beta, count, w);
+    for (size_t n = count; n-- > 0;) {
+        double sum = 0;
+        for (size_t j = 0; j < taps && j <= n; j++)
+            sum += g[j] * w[n - j];
+        w[n] = sum;
+    }
+}
+
+/* (1 - z^2) f' = -2 beta f for f = ((1 - z)/(1 + z))^beta, term by term. */
+static void trapezoid(double beta, size_t count, double *w)
+{
+    w[0] = pow(2, beta);
+    if (count > 1)
+        w[1] = -2 * beta * w[0];
+    for (size_t n = 2; n < count; n++)
+        w[n] = (-2 * beta * w[n - 1] + ((double)n - 2) * w[n - 2]) / (double)n;
+}
+
+/* (13.5): the slopes of a piecewise linear path under the integral. */
+static void l1(double beta, size_t count, double *w)
+{
+    const double unit = 1 / tgamma(2 - beta);
+    double before = 0, after = 1; /* (n+1)^(1-beta) - n^(1-beta), at n - 1, n */
+    w[0] = unit;
+    for (size_t n = 1; n < count; n++) {
+        before = after;
+        after = pow((double)n + 1, 1 - beta) - pow((double)n, 1 - beta);
+        w[n] = unit * (after - before);
+    }
+}
+
+int fvi_quadrature_weights(fvi_quadrature kind, double beta, size_t count,
+                           double *w)
+{
+    if (!w)
+        FVI_FAIL("w is a null pointer", FVI_EFAULT);
+    if (count == 0)
+        FVI_FAIL("count must be at least 1", FVI_EINVAL);
+    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2
+        && kind != FVI_QUADRATURE_TRAPEZOID && kind != FVI_QUADRATURE_L1)
+        FVI_FAIL("unknown quadrature", FVI_EINVAL);
+    if (!(beta >= 0 && (kind == FVI_QUADRATURE_L1 ? beta < 1 : beta <= 2)))
+        FVI_FAIL("beta is out of range", FVI_EDOM);
+    if (kind == FVI_QUADRATURE_EULER)
+        fvi_coefficients(beta, count, w);
+    else if (kind == FVI_QUADRATURE_BDF2)
+        bdf2(beta, count, w);
+    else if (kind == FVI_QUADRATURE_TRAPEZOID)
+        trapezoid(beta, count, w);
+    else
+        l1(beta, count, w);
+    return FVI_SUCCESS;
+}

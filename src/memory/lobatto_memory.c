@@ -1,0 +1,200 @@
+/* src/memory/lobatto_memory.c -- The history of a derivative on Lobatto nodes.
+ *                                                               [Chapter 17] */
+#include "lobatto_memory.h"
+
+#include "memory_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES = 8, SHORT = 64 /* runs that AUTO sums directly */ };
+
+struct fvi_lobatto_memory {
+    size_t s, d, steps, k;
+    size_t lags;       /* how many W_n are summed as they are */
+    size_t Q;          /* modes, padded to a multiple of LANES */
+    double *q, *p, *a; /* of each mode; s entries a, Q apart */
+    double *z;         /* Q modes for each coordinate */
+    double *W;         /* W_0, ..., W_lags */
+    double *past;      /* the last `lags` v, a ring */
+};
+
+static size_t padded(size_t n)
+{
+    return (n + LANES - 1) / LANES * LANES;
+}
+
+static int check(size_t s, double beta, size_t d, size_t steps,
+                 fvi_memory_kind kind, double tolerance)
+{
+    if (!fvi_lobatto(s))
+        FVI_FAIL("the stages must be 2, 3 or 4", FVI_EINVAL);
+    if (kind == FVI_MEMORY_FFT)
+        FVI_FAIL("there is no FFT for the stages", FVI_EUNSUP);
+    if (d == 0 || kind < FVI_MEMORY_AUTO || kind > FVI_MEMORY_EXPONENTIALS)
+        FVI_FAIL("d must be at least 1 and the kind known", FVI_EINVAL);
+    if (!(beta >= -1 && beta <= 1))
+        FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
+    if (!(tolerance >= 0 && tolerance < 1))
+        FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
+    const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
+    const size_t most = SIZE_MAX / sizeof(double) / 1024;
+    if (d > most || (direct && steps > most / d))
+        FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
+    if (kind == FVI_MEMORY_EXPONENTIALS && tolerance > 0 && tolerance < 1e-14)
+        FVI_FAIL("no tolerance below 1e-14", FVI_ETOL);
+    return FVI_SUCCESS;
+}
+
+/* How many modes and how many W_n there will be, for arguments that are checked. */
+static void plan(size_t s, double beta, size_t steps, fvi_memory_kind kind,
+                 double keep, size_t *Q, size_t *lags)
+{
+    const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
+    const int direct =
+        (few || kind == FVI_MEMORY_DIRECT) && beta != 0 && beta != -1;
+    *lags = direct ? steps : FVI_LAGS;
+    *Q = direct ? 0
+                : padded(fvi_lobatto_nodes(s, beta, (double)steps + 1, keep,
+                                           NULL, NULL, NULL, 0));
+}
+
+/* The default stands for a tolerance of 0. */
+static double kept(double tolerance)
+{
+    return tolerance >= 1e-14 ? tolerance : 1e-13;
+}
+
+double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
+                                fvi_memory_kind kind, double tolerance)
+{
+    size_t Q, lags;
+    if (check(s, beta, d, steps, kind, tolerance))
+        return 0;
+    plan(s, beta, steps, kind, kept(tolerance), &Q, &lags);
+    const double ring = (double)lags * (double)(s * (s + d)),
+                 rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
+    return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_memory);
+}
+
+int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
+                             fvi_memory_kind kind, double tolerance,
+                             fvi_lobatto_memory **memory)
+{
+    if (!memory)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = check(s, beta, d, steps, kind, tolerance);
+    if (status)
+        return status;
+    const double keep = kept(tolerance), N = (double)steps + 1;
+    size_t Q, lags;
+    plan(s, beta, steps, kind, keep, &Q, &lags);
+    const size_t size =
+        (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
+    fvi_lobatto_memory *m = malloc(sizeof *m);
+    double *block = calloc(size, sizeof *block);
+    if (!m || !block) {
+        free(m);
+        free(block);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    }
+    *m = (fvi_lobatto_memory){
+        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .q = block
+    };
+    m->p = m->q + Q;
+    m->a = m->p + Q;
+    m->z = m->a + s * Q;
+    m->W = m->z + d * Q;
+    m->past = m->W + (lags + 1) * s * s;
+    status = fvi_lobatto_weights(s, beta, lags + 1, m->W);
+    if (status) {
+        fvi_lobatto_memory_free(m);
+        return status;
+    }
+    if (Q > 0)
+        fvi_lobatto_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
+    for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
+        for (size_t l = 0; l < FVI_LAGS; l++)
+            m->q[j] -= m->p[j] * m->q[j];
+    *memory = m;
+    return FVI_SUCCESS;
+}
+
+void fvi_lobatto_memory_free(fvi_lobatto_memory *m)
+{
+    if (!m)
+        return;
+    free(m->q);
+    free(m);
+}
+
+const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
+{
+    return m->W;
+}
+
+/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
+ * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
+ * make the digits independent of the width of the vectors. */
+FVI_VECTORS static void
+advance_stages(size_t s, size_t Q, const double *restrict q,
+               const double *restrict p, const double *restrict a,
+               const double *u, double *restrict z, double *H)
+{
+    const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
+    double sum[FVI_STAGES][LANES] = { { 0 } };
+    for (size_t j = 0; j < Q; j += LANES) {
+#pragma GCC unroll 8
+        //> modes
+        for (size_t l = 0; l < LANES; l++) {
+            const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
+                         x3 = a3[j + l];
+            z[j + l] += (u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
+                        - p[j + l] * z[j + l]; /* (17.12) */
+            const double y = q[j + l] * z[j + l];
+            sum[0][l] += x0 * y;
+            sum[1][l] += x1 * y;
+            sum[2][l] += x2 * y;
+            sum[3][l] += x3 * y;
+        }
+        //< modes
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += sum[i][l];
+}
+
+//> push
+int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
+{
+    if (!m || !v || !H)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (m->k >= m->steps)
+        FVI_FAIL("the memory is full", FVI_EINVAL);
+    const size_t s = m->s, k = ++m->k, lags = m->lags;
+    const double *b = fvi_lobatto(s)->b;
+    for (size_t i = 0; i < m->d; i++, v += s, H += s) {
+        double *past = m->past + i * lags * s,
+               *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
+               sum[FVI_STAGES] = { 0 };
+        /* v_{k-1-lags} leaves the ring, as u = P B v, and goes to the modes. */
+        for (size_t l = 0; l < s; l++) {
+            u[s - 1 - l] = b[l] * place[l];
+            place[l] = v[l];
+        }
+        for (size_t n = 1; n <= lags && n <= k; n++) { /* (17.9) */
+            const double *W = m->W + n * s * s,
+                         *term = past + (k - n) % lags * s;
+            for (size_t l = 0; l < s; l++)
+                for (size_t j = 0; j < s; j++)
+                    sum[l] += W[l * s + j] * term[j];
+        }
+        if (m->Q > 0)
+            advance_stages(s, m->Q, m->q, m->p, m->a, u, m->z + i * m->Q, sum);
+        memcpy(H, sum, s * sizeof *H);
+    }
+    return FVI_SUCCESS;
+}
+//< push

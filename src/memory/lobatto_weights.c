@@ -1,0 +1,269 @@
+/* src/memory/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
+#include "lobatto_weights.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the rules ---- */
+
+#define R 2.23606797749978969641 /* sqrt(5) */
+
+//> rules
+static const fvi_lobatto_rule rules[] = {
+    { { 0, 1 }, { 1. / 2, 1. / 2 }, { { -1, 1 }, { -1, 1 } } },
+    { { 0, 1. / 2, 1 },
+      { 1. / 6, 4. / 6, 1. / 6 },
+      { { -3, 4, -1 }, { -1, 0, 1 }, { 1, -4, 3 } } },
+    { { 0, (5 - R) / 10, (5 + R) / 10, 1 },
+      { 1. / 12, 5. / 12, 5. / 12, 1. / 12 },
+      { { -6, 5 * (1 + R) / 2, 5 * (1 - R) / 2, 1 },
+        { -(1 + R) / 2, 0, R, (1 - R) / 2 },
+        { (R - 1) / 2, -R, 0, (1 + R) / 2 },
+        { -1, 5 * (R - 1) / 2, -5 * (1 + R) / 2, 6 } } },
+};
+//< rules
+
+const fvi_lobatto_rule *fvi_lobatto(size_t s)
+{
+    return s >= 2 && s <= FVI_STAGES ? &rules[s - 2] : NULL;
+}
+
+/* ---- power series of s x s matrices, up to z^3 ---- */
+
+typedef fvi_lobatto_series series;
+
+enum { TERMS = FVI_LAGS + 1 };
+
+/* out = p x + q y */
+static void combine(size_t s, double p, const series *x, double q,
+                    const series *y, series *out)
+{
+    for (size_t n = 0; n < TERMS; n++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t j = 0; j < s; j++)
+                out->w[n][i][j] = p * x->w[n][i][j] + q * y->w[n][i][j];
+}
+
+/* out -= (or +=) x times y, matrices */
+static void add_product(size_t s, double sign, double x[FVI_STAGES][FVI_STAGES],
+                        double y[FVI_STAGES][FVI_STAGES],
+                        double out[FVI_STAGES][FVI_STAGES])
+{
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < s; l++)
+            for (size_t j = 0; j < s; j++)
+                out[i][j] += sign * x[i][l] * y[l][j];
+}
+
+static series multiply(size_t s, series *x, series *y)
+{
+    series out = { 0 };
+    for (size_t n = 0; n < TERMS; n++)
+        for (size_t l = 0; l <= n; l++)
+            add_product(s, 1, x->w[l], y->w[n - l], out.w[n]);
+    return out;
+}
+
+static series identity(size_t s)
+{
+    series one = { 0 };
+    for (size_t i = 0; i < s; i++)
+        one.w[0][i][i] = 1;
+    return one;
+}
+
+/* y_0 = x_0^(-1), y_n = -y_0 (x_1 y_{n-1} + ... + x_n y_0) */
+static series invert(size_t s, series *x)
+{
+    series y = { 0 }, work = *x;
+    size_t order[FVI_STAGES];
+    gsl_permutation permutation = { s, order };
+    int sign;
+    gsl_matrix_view from =
+        gsl_matrix_view_array_with_tda(work.w[0][0], s, s, FVI_STAGES);
+    gsl_matrix_view to =
+        gsl_matrix_view_array_with_tda(y.w[0][0], s, s, FVI_STAGES);
+    gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
+    gsl_linalg_LU_invert(&from.matrix, &permutation, &to.matrix);
+    for (size_t n = 1; n < TERMS; n++) {
+        double sum[FVI_STAGES][FVI_STAGES] = { 0 };
+        for (size_t l = 1; l <= n; l++)
+            add_product(s, 1, x->w[l], y.w[n - l], sum);
+        add_product(s, -1, y.w[0], sum, y.w[n]);
+    }
+    return y;
+}
+
+/* The largest sum of a row of |x|. */
+static double norm(size_t s, const series *x)
+{
+    double largest = 0;
+    for (size_t i = 0; i < s; i++) {
+        double sum = 0;
+        for (size_t n = 0; n < TERMS; n++)
+            for (size_t j = 0; j < s; j++)
+                sum += fabs(x->w[n][i][j]);
+        largest = fmax(largest, sum);
+    }
+    return largest;
+}
+
+//> root
+/* Denman and Beavers: y -> sqrt(x) and z -> 1/sqrt(x), quadratically. */
+static series root(size_t s, series *x)
+{
+    series y = *x, z = identity(s), change;
+    for (int i = 0; i < 20; i++) {
+        series inverse_y = invert(s, &y), inverse_z = invert(s, &z);
+        combine(s, -0.5, &y, 0.5, &inverse_z, &change);
+        combine(s, 0.5, &y, 0.5, &inverse_z, &y);
+        combine(s, 0.5, &z, 0.5, &inverse_y, &z);
+        if (norm(s, &change) <= 4 * GSL_DBL_EPSILON * norm(s, &y))
+            break;
+    }
+    return y;
+}
+//< root
+
+//> near
+/* Delta(z)^beta: roots until Delta^(1/2^k) = 1 + E with a small E, the binomial
+ * series of (1 + E)^beta, and k squares. */
+void fvi_lobatto_near(size_t s, double beta, fvi_lobatto_series *W)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    const series one = identity(s);
+    series x = { 0 }, E, term = one, sum = one;
+    for (size_t i = 0; i < s; i++)
+        memcpy(x.w[0][i], rule->D[i], s * sizeof(double));
+    x.w[0][0][0] += 1 / rule->b[0];     /* (17.3) */
+    x.w[1][0][s - 1] = -1 / rule->b[0]; /* (17.5) */
+    int k = 0;
+    for (; combine(s, 1, &x, -1, &one, &E), norm(s, &E) > 0.25; k++)
+        x = root(s, &x);
+    for (int j = 0; j < 40; j++) {
+        term = multiply(s, &term, &E);
+        combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
+        combine(s, 1, &sum, 1, &term, &sum);
+    }
+    while (k-- > 0)
+        sum = multiply(s, &sum, &sum);
+    *W = sum;
+}
+//< near
+
+/* ---- the rank-one integral ---- */
+
+/* (mu + A^(-1)) a = e_1 / b_1. */
+static void node(size_t s, double mu, double *a)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    double m[FVI_STAGES * FVI_STAGES];
+    size_t order[FVI_STAGES];
+    gsl_permutation permutation = { s, order };
+    int sign;
+    for (size_t i = 0; i < s; i++) {
+        for (size_t j = 0; j < s; j++)
+            m[i * s + j] = rule->D[i][j];
+        m[i * s + i] += mu;
+        a[i] = 0;
+    }
+    m[0] += 1 / rule->b[0];
+    a[0] = 1 / rule->b[0];
+    gsl_matrix_view M = gsl_matrix_view_array(m, s, s);
+    gsl_vector_view v = gsl_vector_view_array(a, s);
+    gsl_linalg_LU_decomp(&M.matrix, &permutation, &sign);
+    gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
+}
+
+//> nodes
+size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
+                         double *q, double *p, double *a, size_t stride)
+{
+    static const double decay[] = { 2, 6, 12 }; /* R(-mu) ~ decay/mu^2 */
+    const double *b = fvi_lobatto(s)->b, L = -log(tolerance);
+    const double first = -L / (3 + beta) - log(N),
+                 last = fmax((L + FVI_LAGS * log(decay[s - 2])
+                              + 2 * log((double)s / b[0]))
+                                 / (2 * FVI_LAGS + 1 - beta),
+                             M_LN2 * 3);
+    const double step = M_PI * M_PI / (L + M_LN10), e0 = 1 + beta;
+    const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
+    const double factor = beta < 0 ? -sine * step : sine * step;
+    size_t Q = 1 + (size_t)ceil((last - first) / step);
+    Q = beta == 0 ? 0 : beta == -1 ? 1 : Q + 1; /* and the tail */
+    for (size_t j = 0; q && j < Q; j++) {
+        double mu = exp(first + ((double)j - 1) * step), vector[FVI_STAGES];
+        q[j] = factor * pow(mu, e0);
+        if (j == 0) { /* all nodes below the first, by two moments: (17.12) */
+            mu *= exp(step);
+            double S0 = pow(mu, e0) / expm1(e0 * step),
+                   S1 = pow(mu, e0 + 1) / expm1((e0 + 1) * step);
+            q[j] = beta == -1 ? 1 : factor * S0;
+            mu = beta == -1 ? 0 : S1 / S0;
+        }
+        node(s, mu, vector);
+        p[j] = 0;
+        for (size_t i = 0; i < s; i++) {
+            a[i * stride + j] = vector[i];
+            p[j] += mu * b[i] * vector[i]; /* 1 - R(-mu), to all digits */
+        }
+    }
+    return Q;
+}
+//< nodes
+
+/* ---- the weights ---- */
+
+#define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
+
+/* W_n = sum_j q_j R_j^(n-1) a_j a~_j^T for q that holds the powers too. */
+static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
+                      double *W)
+{
+    const double *b = fvi_lobatto(s)->b;
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < s; l++) {
+            const double *x = a + i * Q, *y = a + (s - 1 - l) * Q;
+            double sum = 0;
+            for (size_t j = 0; j < Q; j++)
+                sum += q[j] * x[j] * y[j];
+            W[i * s + l] = b[l] * sum;
+        }
+}
+
+int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
+{
+    if (!W)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!fvi_lobatto(s))
+        FVI_FAIL("the stages must be 2, 3 or 4", FVI_EINVAL);
+    if (n == 0 || n > SIZE_MAX / sizeof(double) / (s * s))
+        FVI_FAIL("n must be at least 1 and addressable", FVI_EINVAL);
+    if (!(beta >= -1 && beta <= 1))
+        FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
+    const size_t Q =
+        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, NULL, NULL, NULL, 0);
+    double *q = calloc((2 + s) * Q + 1, sizeof *q);
+    if (!q)
+        FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
+    double *p = q + Q, *a = q + 2 * Q;
+    fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, q, p, a, Q);
+
+    fvi_lobatto_series near;
+    fvi_lobatto_near(s, beta, &near);
+    for (size_t k = 0; k < n; k++, W += s * s) {
+        for (size_t j = 0; k >= 2 && j < Q; j++)
+            q[j] -= p[j] * q[j]; /* q_j R_j^(k-1) */
+        for (size_t i = 0; k < TERMS && i < s; i++)
+            memcpy(W + i * s, near.w[k][i], s * sizeof *W);
+        if (k >= TERMS)
+            sum_nodes(s, Q, q, a, W);
+    }
+    free(q);
+    return FVI_SUCCESS;
+}

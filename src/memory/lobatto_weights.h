@@ -1,0 +1,64 @@
+/* src/memory/lobatto_weights.h -- Convolution quadrature on Lobatto nodes. [Chapter 17]
+ *
+ *     Delta(z)^beta = sum_n W_n z^n,
+ *     Delta(z) = (A + z/(1-z) 1 b^T)^(-1) = A^(-1) - (z/b_1) e_1 e_s^T   (17.5)
+ *
+ * with the s stages of the Lobatto IIIC method. W_n is an s x s matrix. */
+#ifndef FVI_LOBATTO_WEIGHTS_H
+#define FVI_LOBATTO_WEIGHTS_H
+
+#include <stddef.h>
+
+enum { FVI_STAGES = 4 /* at most */, FVI_LAGS = 3 /* near ones */ };
+
+/* The s Lobatto nodes c of [0, 1], their weights b, and D, which differentiates
+ * the polynomial through s values at c, there.                          [(17.1)] */
+typedef struct {
+    double c[FVI_STAGES], b[FVI_STAGES], D[FVI_STAGES][FVI_STAGES];
+} fvi_lobatto_rule;
+
+/* fvi_lobatto -- the rule of s stages, s = 2, 3 or 4; NULL for another s. */
+const fvi_lobatto_rule *fvi_lobatto(size_t s);
+
+/* fvi_lobatto_weights -- the matrices W_0, ..., W_{n-1}.      [(17.5), (17.10)]
+ *
+ *   s      stages, 2, 3 or 4
+ *   beta   -1 <= beta <= 1
+ *   n      how many, n >= 1
+ *   W      output, n s s numbers: entry (i, j) of W_k at [(k * s + i) * s + j]
+ *
+ * Step size is NOT included: multiply by h^(-beta). Cost 0.2 ms, then O(n Q),
+ * Q about 100. Accuracy, in units of 2^-53 max|W_0|: the first four matrices 1000
+ * (no proof; seen 160), the others 100 (seen 13).
+ * Returns FVI_SUCCESS; FVI_EFAULT if W is NULL; FVI_EINVAL if s is none of 2, 3,
+ * 4 or n is 0 or too large to be addressed; FVI_EDOM if beta is out of range;
+ * FVI_ENOMEM. On error W is untouched. */
+int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
+
+/* ---- for lobatto_memory.c: nothing is checked ---- */
+
+/* W_0, ..., W_3 by power series arithmetic, entry (i, j) of W_n at [n][i][j].
+ * Cost 0.1 to 0.3 ms. */
+typedef struct {
+    double w[FVI_LAGS + 1][FVI_STAGES][FVI_STAGES];
+} fvi_lobatto_series;
+
+void fvi_lobatto_near(size_t s, double beta, fvi_lobatto_series *W);
+
+/* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
+ *
+ *     W_n = sum_j q_j R_j^(n-1) a_j a~_j^T,   R_j = 1 - p_j,
+ *     a~_j: the entries of a_j backwards, entry i times b_i
+ *
+ *   N          the longest lag, N >= 1
+ *   tolerance  what the nodes leave of it, relative to W_0, 1e-16 to below 1
+ *   q, p       outputs, Q numbers each
+ *   a          output, s Q numbers: entry i of a_j at [i * stride + j]
+ *   stride     from one entry to the next, >= Q
+ *
+ * q may be NULL, and then only Q is returned: about (ln N + 20) ln(10/tolerance)
+ * / 10; none for beta = 0, one for beta = -1. Cost 0.5 us a node. */
+size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
+                         double *q, double *p, double *a, size_t stride);
+
+#endif

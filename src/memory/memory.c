@@ -1,0 +1,247 @@
+/* src/memory/memory.c -- The history of a fractional derivative.       [Chapter 12] */
+#include <fvi/memory.h>
+
+#include <fvi/coefficients.h>
+#include "memory_kinds.h"
+#include "system/fail.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+/* Up to here the direct sum is the faster one: see figures/memory/memory_bench.tsv. */
+enum { FEW_STEPS = 256 };
+
+struct fvi_memory {
+    double order; /* of the weights: beta, or beta - 1 on increments */
+    double delta; /* relative error of a compressed weight */
+    int on_increments;
+    fvi_memory_kind kind; /* never AUTO */
+    size_t d, steps, k;   /* k terms have come in */
+    size_t bytes;         /* what all this takes */
+    double *last;         /* d numbers: the last term, if order is 0 or 1 */
+    double *weights;      /* direct: w_n at [steps - n], so that both factors */
+    double *history;      /* ascend; component i of term k at [i (steps+1)+k] */
+    fvi_blocks *blocks;
+    fvi_exponentials *exponentials;
+};
+
+static int is_local(double order)
+{
+    return order == 0 || order == 1;
+}
+
+/* (12.2). The difference is exact. */
+static double order_of(double beta)
+{
+    return beta < 1 ? beta : beta - 1;
+}
+
+fvi_memory_kind fvi_memory_choose(double beta, size_t steps)
+{
+    return steps <= FEW_STEPS || is_local(order_of(beta))
+               ? FVI_MEMORY_DIRECT
+               : FVI_MEMORY_EXPONENTIALS;
+}
+
+static size_t direct_bytes(size_t d, size_t steps)
+{
+    if (steps >= SIZE_MAX / sizeof(double) / 2 / d - 1)
+        return SIZE_MAX;
+    return (d + 1) * (steps + 1) * sizeof(double);
+}
+
+/* All that is known before anything is allocated. */
+static int plan(double beta, size_t d, size_t steps, fvi_memory_kind kind,
+                double tolerance, fvi_memory *m)
+{
+    if (kind != FVI_MEMORY_AUTO && kind != FVI_MEMORY_DIRECT
+        && kind != FVI_MEMORY_FFT && kind != FVI_MEMORY_EXPONENTIALS)
+        FVI_FAIL("unknown kind of memory", FVI_EINVAL);
+    if (d == 0 || d > SIZE_MAX / 8 / sizeof(double))
+        FVI_FAIL("d must be at least 1 and addressable", FVI_EINVAL);
+    if (!(beta >= 0 && beta <= 2))
+        FVI_FAIL("beta must be in [0, 2]", FVI_EDOM);
+    if (!(tolerance >= 0 && tolerance < 1))
+        FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
+    *m = (fvi_memory){ .order = order_of(beta),
+                       .on_increments = beta >= 1,
+                       .d = d,
+                       .steps = steps };
+    m->kind = kind == FVI_MEMORY_AUTO ? fvi_memory_choose(beta, steps) : kind;
+    if (is_local(m->order)) {
+        m->bytes = d * sizeof(double);
+    } else if (m->kind == FVI_MEMORY_DIRECT) {
+        m->bytes = direct_bytes(d, steps);
+    } else if (m->kind == FVI_MEMORY_FFT) {
+        m->bytes = fvi_blocks_bytes(d, steps);
+    } else {
+        if (steps > FVI_LONGEST)
+            FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
+                      FVI_EINVAL);
+        if (tolerance != 0 && tolerance < FVI_LEAST_TOLERANCE)
+            FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on",
+                      FVI_ETOL);
+        m->delta = fvi_exponentials_delta(steps, tolerance);
+        m->bytes = fvi_exponentials_bytes(m->order, d, steps, m->delta);
+    }
+    if (m->bytes > SIZE_MAX - sizeof *m)
+        FVI_FAIL("so many steps cannot be addressed", FVI_EINVAL);
+    m->bytes += sizeof *m;
+    return FVI_SUCCESS;
+}
+
+size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
+                        fvi_memory_kind kind, double tolerance)
+{
+    fvi_memory m;
+    return plan(beta, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
+}
+
+/* w_n at [steps - n] */
+static int alloc_direct(fvi_memory *m)
+{
+    const size_t count = m->steps + 1;
+    m->weights = malloc(count * sizeof *m->weights);
+    m->history = malloc(count * m->d * sizeof *m->history);
+    if (!m->weights || !m->history)
+        return 0;
+    fvi_coefficients(m->order, count, m->weights);
+    for (size_t i = 0, j = m->steps; i < j; i++, j--) {
+        double swap = m->weights[i];
+        m->weights[i] = m->weights[j];
+        m->weights[j] = swap;
+    }
+    return 1;
+}
+
+static int alloc_kind(fvi_memory *m)
+{
+    if (is_local(m->order)) {
+        m->last = calloc(m->d, sizeof *m->last);
+        return m->last != NULL;
+    }
+    if (m->kind == FVI_MEMORY_DIRECT)
+        return alloc_direct(m);
+    if (m->kind == FVI_MEMORY_FFT) {
+        m->blocks = fvi_blocks_alloc(m->order, m->d, m->steps);
+        return m->blocks != NULL;
+    }
+    m->exponentials =
+        fvi_exponentials_alloc(m->order, m->d, m->steps, m->delta);
+    return m->exponentials != NULL;
+}
+
+int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
+                     double tolerance, fvi_memory **memory)
+{
+    if (!memory)
+        FVI_FAIL("memory is a null pointer", FVI_EFAULT);
+    fvi_memory m;
+    int status = plan(beta, d, steps, kind, tolerance, &m);
+    if (status)
+        return status;
+    fvi_memory *out = malloc(sizeof *out);
+    if (out)
+        *out = m;
+    if (!out || !alloc_kind(out)) {
+        fvi_memory_free(out);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    }
+    *memory = out;
+    return FVI_SUCCESS;
+}
+
+void fvi_memory_free(fvi_memory *m)
+{
+    if (!m)
+        return;
+    free(m->last);
+    free(m->weights);
+    free(m->history);
+    fvi_blocks_free(m->blocks);
+    fvi_exponentials_free(m->exponentials);
+    free(m);
+}
+
+/* sum_{j < n} a[j] b[j]: partial sum l takes every eighth product. */
+FVI_VECTORS static double dot(size_t n, const double *restrict a,
+                              const double *restrict b)
+{
+    double sum[8] = { 0 };
+    size_t j = 0;
+    //> dot
+    for (; j + 8 <= n; j += 8) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < 8; l++)
+            sum[l] += a[j + l] * b[j + l];
+    }
+    //< dot
+    for (; j < n; j++)
+        sum[0] += a[j] * b[j];
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
+           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
+static void push_local(fvi_memory *m, const double *term, double *H)
+{
+    for (size_t i = 0; i < m->d; i++) { /* weights 1, or 1 and -1 */
+        double new = term[i];
+        H[i] = m->order == 0 ? new : new - m->last[i];
+        m->last[i] = new;
+    }
+}
+
+//> direct
+static void push_direct(fvi_memory *m, const double *term, double *H)
+{
+    for (size_t i = 0; i < m->d; i++) {
+        double *history = m->history + i * (m->steps + 1);
+        history[m->k] = term[i];
+        H[i] = dot(m->k + 1, m->weights + (m->steps - m->k), history);
+    }
+}
+//< direct
+
+//> push
+int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
+{
+    if (!m || !x || !dx || !H)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (m->k > m->steps)
+        FVI_FAIL("more terms than were announced", FVI_EINVAL);
+    const double *term = m->on_increments ? dx : x; /* (12.2) */
+    if (m->exponentials)
+        fvi_exponentials_push(m->exponentials, term, H);
+    else if (m->last)
+        push_local(m, term, H);
+    else if (m->blocks)
+        fvi_blocks_push(m->blocks, term, H);
+    else
+        push_direct(m, term, H);
+    m->k++;
+    return FVI_SUCCESS;
+}
+//< push
+
+//> ahead
+int fvi_memory_ahead(const fvi_memory *m, const double *x, double *ahead)
+{
+    if (!m || !x || !ahead)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (m->k > m->steps)
+        FVI_FAIL("more terms than were announced", FVI_EINVAL);
+    for (size_t i = 0; i < m->d; i++) {
+        ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1}, no increment */
+        if (m->last)
+            ahead[i] -= m->order == 0 ? 0 : m->last[i];
+        else if (m->history)
+            ahead[i] += dot(m->k, m->weights + (m->steps - m->k),
+                            m->history + i * (m->steps + 1));
+    }
+    if (m->blocks)
+        fvi_blocks_ahead(m->blocks, ahead);
+    if (m->exponentials)
+        fvi_exponentials_ahead(m->exponentials, ahead);
+    return FVI_SUCCESS;
+}
+//< ahead

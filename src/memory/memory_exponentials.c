@@ -1,0 +1,183 @@
+/* src/memory/memory_exponentials.c -- A window and decaying modes.     [Chapter 12] */
+#include <fvi/coefficients.h>
+#include "memory_kinds.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sf_gamma.h>
+#include <gsl/gsl_sf_lambert.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the nodes ---- */
+
+//> step
+/* The step for which (12.8) promises delta / 2, with eps at its optimum. */
+static double step(double nu, double delta)
+{
+    double h = 0.3;
+    for (int i = 0; i < 15; i++) { /* contracts by 1/5 or less */
+        double eps = (1 + nu) * h / (2 * M_PI);
+        h = 2 * M_PI * (M_PI_2 - eps)
+            / log1p(24 / (delta * pow(sin(eps), 1 + nu)));
+    }
+    return h;
+}
+//< step
+
+//> nodes
+size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
+                              double *c)
+{
+    const double x = FVI_TAIL - nu, L = log(4 / delta), h = step(nu, delta);
+    const double A = (L - gsl_sf_lngamma(2 + nu)) / (1 + nu) + 0.04;
+    const double left = gsl_sf_lambert_W0(exp(A)) - A; /* (12.9) */
+    const double X =
+        N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
+    const double right = log(X) + 1 / X;
+    const size_t Q = 1 + (size_t)ceil((right - left) / h);
+    const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * h;
+    for (size_t q = 0; s && q < Q; q++) { /* (12.7) */
+        double t = left + (double)q * h;
+        s[q] = exp(t - exp(-t)) / N;
+        c[q] = factor * s[q] * (1 + exp(-t)) * pow(expm1(s[q]), nu);
+    }
+    return Q;
+}
+//< nodes
+
+//> delta
+/* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
+double fvi_exponentials_delta(size_t steps, double tolerance)
+{
+    double wish = tolerance == 0 ? 1e-14 : tolerance / 10;
+    return fmin(wish, 16 / fmax((double)steps, 32000));
+}
+//< delta
+
+/* ---- the sums ---- */
+
+enum { LANES = 8 }; /* doubles in the widest vector, and in a cache line */
+
+struct fvi_exponentials {
+    size_t d, Q, k;  /* Q padded to a multiple of LANES */
+    double w1;       /* of lag 1; that of lag 0 is 1 */
+    double *p, *c;   /* Q numbers: z += x - p z, worth c z */
+    double *weights; /* 0, w_32, w_31, ..., w_2 */
+    double *z;       /* Q modes for each coordinate */
+    double *past;    /* the last 32 terms of each, twice over: a ring */
+    double *far;     /* d sums over the lags >= 1, one step ahead */
+};
+
+static size_t padded(size_t Q)
+{
+    return (Q + LANES - 1) / LANES * LANES;
+}
+
+/* The nodes are made for N lags, or for 128 where that is more. */
+static size_t count(double nu, size_t steps, double delta, double *s, double *c)
+{
+    return fvi_exponentials_nodes(nu, fmax((double)steps, 128), delta, s, c);
+}
+
+static size_t numbers(size_t Q, size_t d) /* a multiple of 8 */
+{
+    return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(d);
+}
+
+size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta)
+{
+    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
+    if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
+        return SIZE_MAX;
+    return sizeof(fvi_exponentials) + numbers(Q, d) * sizeof(double);
+}
+
+fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
+                                         double delta)
+{
+    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
+    const size_t n = numbers(Q, d);
+    fvi_exponentials *e = malloc(sizeof *e);
+    double *block = aligned_alloc(64, n * sizeof *block);
+    if (!e || !block) {
+        free(e);
+        free(block);
+        return NULL;
+    }
+    memset(block, 0, n * sizeof *block);
+    *e = (fvi_exponentials){ .d = d, .Q = Q, .p = block, .c = block + Q };
+    e->weights = e->c + Q;
+    e->z = e->weights + FVI_WINDOW;
+    e->past = e->z + d * Q;
+    e->far = e->past + d * 2 * FVI_WINDOW;
+
+    double w[FVI_WINDOW + 1];
+    fvi_coefficients(nu, FVI_WINDOW + 1, w);
+    e->w1 = w[1];
+    for (size_t n2 = 2; n2 <= FVI_WINDOW; n2++)
+        e->weights[FVI_WINDOW + 1 - n2] = w[n2];
+    count(nu, steps, delta, e->p, e->c);
+    for (size_t q = 0; q < Q; q++) { /* p holds s; padding ends as c = 0 */
+        e->c[q] *= exp(-FVI_TAIL * e->p[q]);
+        e->p[q] = -expm1(-e->p[q]);
+    }
+    return e;
+}
+
+void fvi_exponentials_free(fvi_exponentials *e)
+{
+    if (!e)
+        return;
+    free(e->p);
+    free(e);
+}
+
+/* All modes one step on, and their sum; then the window. Partial sum l takes
+ * every eighth term, from the l-th on, on every machine: vectors of 2, 4 or 8
+ * doubles change the time and not one digit. Nothing here waits for the term
+ * that has just come in. */
+FVI_VECTORS static double advance(size_t Q, const double *restrict p,
+                                  const double *restrict c, double *restrict z,
+                                  const double *restrict weights,
+                                  const double *restrict past)
+{
+    double sum[LANES] = { 0 }, x = past[0];
+    //> modes
+    for (size_t q = 0; q < Q; q += LANES) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++) {
+            z[q + l] += x - p[q + l] * z[q + l]; /* (12.12) */
+            sum[l] += c[q + l] * z[q + l];
+        }
+    }
+    //< modes
+    for (size_t j = 0; j < FVI_WINDOW; j += LANES) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++)
+            sum[l] += weights[j + l] * past[j + l];
+    }
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
+           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
+//> push
+void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
+{
+    const size_t place = e->k++ % FVI_WINDOW;
+    for (size_t i = 0; i < e->d; i++) {
+        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
+        H[i] = new + e->far[i];
+        e->far[i] = advance(e->Q, e->p, e->c, e->z + i * e->Q, e->weights, past)
+                    + e->w1 * new;
+        past[0] = past[FVI_WINDOW] = new;
+    }
+}
+//< push
+
+void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
+{
+    for (size_t i = 0; i < e->d; i++)
+        sum[i] += e->far[i];
+}

@@ -1,0 +1,83 @@
+/* src/memory/memory_kinds.h -- The ways to sum behind memory.h.        [Chapter 12]
+ *
+ * Internal: memory.c chooses one and checks the arguments; nothing is checked
+ * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n),
+ * and each kind has the same five functions: bytes, alloc, push, ahead, free.
+ * bytes is what alloc will ask for, SIZE_MAX if that cannot be addressed; alloc
+ * returns NULL if it is not there; push takes d terms and writes d sums; ahead
+ * adds to `sum` the d sums to come next, their first terms left out. */
+#ifndef FVI_MEMORY_KINDS_H
+#define FVI_MEMORY_KINDS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* A function so marked is compiled for plain x86-64, AVX2 and AVX-512, and
+ * the loader picks. -ffp-contract=off holds in all, and the order of the sums
+ * is written down: the digits are the same. The loader must be glibc's, which any
+ * header of the C library tells, and must not ask code that ThreadSanitizer has
+ * not made ready yet. */
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer) /* clang's word for it */
+#define FVI_THREADS_ARE_WATCHED
+#endif
+#elif defined(__SANITIZE_THREAD__)
+#define FVI_THREADS_ARE_WATCHED
+#endif
+#if defined(__x86_64__) && defined(__GLIBC__)                                  \
+    && !defined(FVI_THREADS_ARE_WATCHED)                                       \
+    && ((defined(__clang__) && __clang_major__ >= 14)                          \
+        || (!defined(__clang__) && defined(__GNUC__)))
+#define FVI_VECTORS __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define FVI_VECTORS
+#endif
+
+/* ---- blocks of convolutions (memory_fft.c) ---- */
+
+typedef struct fvi_blocks fvi_blocks;
+
+size_t fvi_blocks_bytes(size_t d, size_t steps);
+fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps);
+void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
+void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
+void fvi_blocks_free(fvi_blocks *b);
+
+/* ---- a window and decaying exponentials (memory_exponentials.c) ---- */
+
+enum {
+    FVI_WINDOW = 32, /* lags 1 ... 32 are summed with their own weights */
+    FVI_TAIL = 33    /* from here on the weights are sums of exponentials */
+};
+
+/* Beyond this many steps, or below this tolerance, rounding and not the nodes
+ * would decide. */
+#define FVI_LONGEST 1000000000
+#define FVI_LEAST_TOLERANCE 1e-14
+
+/* fvi_exponentials_nodes -- the sum of exponentials.           [(12.6), (12.7)]
+ *
+ *     |w_n - sum_q c_q exp(-n s_q)| <= delta |w_n|,   FVI_TAIL <= n <= N
+ *
+ *   nu     0 < nu < 1
+ *   N      the longest lag, 128 <= N <= FVI_LONGEST
+ *   delta  relative error of a weight, 1e-15 <= delta <= 1/50
+ *   s, c   outputs, both NULL or Q numbers each: 0 < s_0 < s_1 < ..., c_q <= 0
+ *
+ * Returns Q, about (ln(N/33) + ln(1/delta) ...)/h: see (12.7). */
+size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
+                              double *c);
+
+typedef struct fvi_exponentials fvi_exponentials;
+
+/* delta of (12.6) for a run: see (12.11). */
+double fvi_exponentials_delta(size_t steps, double tolerance);
+
+size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta);
+fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
+                                         double delta);
+void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
+void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
+void fvi_exponentials_free(fvi_exponentials *e);
+
+#endif

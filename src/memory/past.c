@@ -1,0 +1,82 @@
+/* src/memory/past.c -- What the body did before t = 0.                  [Chapter 19] */
+#include <fvi/past.h>
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+
+int fvi_past_has_solution(fvi_past past, double alpha, double rho, double x0)
+{
+    return past != FVI_PAST_RIEMANN_LIOUVILLE || alpha <= 0.5 || rho == 0
+           || x0 == 0;
+}
+
+//> amplitude
+double fvi_past_amplitude(fvi_past past, double alpha, double x0, double v0)
+{
+    if (past == FVI_PAST_CAPUTO || alpha == 0.5)
+        return 0;
+    if (alpha > 0.5)
+        return v0;
+    return past == FVI_PAST_RIEMANN_LIOUVILLE ? x0 : 0; /* (19.3) */
+}
+//< amplitude
+
+/* l_i as a polynomial in s - origin: a product of (s - c_j) / (c_i - c_j). */
+static void lagrange(size_t n, const double *c, size_t i, double origin,
+                     double *l)
+{
+    for (size_t degree = 0; degree < n; degree++)
+        l[degree] = degree == 0;
+    for (size_t j = 0; j < n; j++) {
+        if (j == i)
+            continue;
+        for (size_t degree = n - 1; degree > 0; degree--)
+            l[degree] =
+                (l[degree - 1] - (c[j] - origin) * l[degree]) / (c[i] - c[j]);
+        l[0] *= (origin - c[j]) / (c[i] - c[j]);
+    }
+}
+
+void fvi_past_prepare(double alpha, size_t n, const double *c,
+                      fvi_past_pull *pull)
+{
+    const double e = alpha < 0.5 ? -2 * alpha : 1 - 2 * alpha;
+    const double whole = 1 / tgamma(2 + e); /* int_0^1 s^e / Gamma(1 + e) ds */
+    *pull = (fvi_past_pull){ .e = e, .size = (1 + e) * whole, .nodes = n };
+    for (size_t i = 0; i < n; i++) {
+        double l[FVI_PAST_NODES];
+        lagrange(n, c, i, 0, l);
+        pull->first[i] = l[0] * whole;
+        for (size_t degree = 1; degree < n; degree++)
+            pull->first[i] += l[degree] * pull->size / (1 + e + (double)degree);
+        lagrange(n, c, i, 0.5, pull->basis[i]);
+    }
+}
+
+//> impulses
+/* int (k + 1/2 + x)^e x^degree dx over |x| <= 1/2 by the binomial series; what is
+ * left out is a geometric series of ratio (2 k + 1)^-2, below u / 8. */
+static double moment(double e, size_t k, size_t degree)
+{
+    const double middle = (double)k + 0.5;
+    double term = 1, sum = 0; /* term = binomial(e, j) (2 middle)^-j */
+    for (size_t j = 0; fabs(term) > GSL_DBL_EPSILON / 16; j++) {
+        if ((j + degree) % 2 == 0)
+            sum += term / (double)(j + degree + 1);
+        term *= (e - (double)j) / ((double)(j + 1) * 2 * middle);
+    }
+    return sum * pow(middle, e) * exp2(-(double)degree);
+}
+
+void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
+{
+    double moments[FVI_PAST_NODES];
+    for (size_t degree = 0; degree < pull->nodes && k > 0; degree++)
+        moments[degree] = pull->size * moment(pull->e, k, degree);
+    for (size_t i = 0; i < pull->nodes; i++) {
+        impulse[i] = k > 0 ? 0 : pull->first[i];
+        for (size_t degree = 0; degree < pull->nodes && k > 0; degree++)
+            impulse[i] += pull->basis[i][degree] * moments[degree];
+    }
+}
+//< impulses

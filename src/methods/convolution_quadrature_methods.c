@@ -1,0 +1,247 @@
+/* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [Chapter 13] */
+#include <fvi/convolution_quadrature.h>
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/discrete_mechanics.h>
+#include "damping.h"
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    fvi_damping *damping; /* NULL if nothing is damped */
+    double theta;
+    double *r;               /* right-hand side of the step, d numbers */
+    double *H;               /* h^(2 alpha) D_k of each damped coordinate */
+    double *ahead;           /* that of the next step if x stands still */
+    double g[FVI_BDF2_TAPS]; /* (13.11) */
+    size_t taps, place;      /* taps == 0: no factor */
+    double *past; /* the last terms of each, the latest at [place], twice */
+    fvi_past_pull fading;
+    double *pull; /* rho A h^(1 + e) of each, (19.3); NULL: there is none */
+    double impulse[2]; /* of this step, at its ends (19.5) */
+} second_order;
+
+/* ---- what both methods do ---- */
+
+//> force
+/* The limits of F at t_k from below and from above. h, the product k h and the place
+ * of a jump may each be off by half an ulp, and T / N for h by as much again: four
+ * ulp on either side are enough. (13.12) */
+static void force_before(fvi_stepper *s, size_t k)
+{
+    fvi_force_at(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
+}
+
+static void force_after(fvi_stepper *s, size_t k)
+{
+    double t = (double)k * s->run.h * (1 + 4 * GSL_DBL_EPSILON);
+    fvi_force_at(s, fmax(t, GSL_DBL_MIN));
+}
+//< force
+
+//> filter
+/* ((3 - z)/2)^beta applied to the term that has come in.             (13.11) */
+static void filter(second_order *o, size_t count, double *term)
+{
+    if (o->taps == 0)
+        return;
+    o->place = (o->place + FVI_BDF2_TAPS - 1) % FVI_BDF2_TAPS;
+    for (size_t j = 0; j < count; j++) {
+        double *past = o->past + j * 2 * FVI_BDF2_TAPS + o->place, sum = 0;
+        past[0] = past[FVI_BDF2_TAPS] = term[j];
+        for (size_t n = 0; n < o->taps; n++)
+            sum += o->g[n] * past[n];
+        term[j] = sum;
+    }
+}
+//< filter
+
+/* x_{k+1} has come: H of step k + 1. */
+static int remember(fvi_stepper *s, second_order *o)
+{
+    fvi_damping *d = o->damping;
+    for (size_t j = 0; j < d->count; j++) {
+        d->z[j] = s->x[d->index[j]] - d->origin[j];
+        d->dz[j] = s->dx[d->index[j]] - d->drift[j];
+    }
+    filter(o, d->count, 2 * s->run.alpha < 1 ? d->z : d->dz);
+    return fvi_memory_push(d->memory, d->z, d->dz, o->H);
+}
+
+/* What the past does at the left or the right end of this step. */
+static void pull(fvi_stepper *s, second_order *o, size_t end)
+{
+    if (!o->pull)
+        return;
+    if (end == 0)
+        fvi_past_impulses(&o->fading, s->k, o->impulse);
+    for (size_t j = 0; j < o->damping->count; j++)
+        s->p[o->damping->index[j]] -= o->pull[j] * o->impulse[end];
+}
+
+/* First line of (13.10): p becomes p_k and its half of F and of the damping, r what
+ * remains of it when all of D_{k+1} is taken away but the term with dx. */
+//> right-hand-side
+static int right_hand_side(fvi_stepper *s, second_order *o)
+{
+    const fvi_damping *d = o->damping;
+    const size_t dim = s->run.system->d, count = d ? d->count : 0;
+    const double theta = o->theta, half = s->run.h / 2;
+    force_after(s, s->k);
+    for (size_t i = 0; i < dim; i++)
+        s->p[i] += half * s->F[i];
+    for (size_t j = 0; j < count; j++)
+        s->p[d->index[j]] -= (0.5 - theta) * d->factor[j] * o->H[j];
+    pull(s, o, 0);
+    memcpy(o->r, s->p, dim * sizeof *o->r);
+    if (count == 0 || theta == 0)
+        return FVI_SUCCESS;
+    for (size_t j = 0; j < count; j++)
+        d->z[j] = s->x[d->index[j]] - d->origin[j];
+    int status = fvi_memory_ahead(d->memory, d->z, o->ahead);
+    for (size_t j = 0; j < count; j++)
+        o->r[d->index[j]] -= theta * d->factor[j] * (o->ahead[j] - d->drift[j]);
+    return status;
+}
+//< right-hand-side
+
+//> step
+static int step_second_order(fvi_stepper *s)
+{
+    second_order *o = s->own;
+    const fvi_damping *d = o->damping;
+    const double h = s->run.h;
+    int status = right_hand_side(s, o);
+    if (!status)
+        status = fvi_newton_solve(s->newton, s->x, o->r, s->dx, s->g);
+    if (status)
+        return status;
+    force_before(s, s->k + 1);
+    for (size_t i = 0; i < s->run.system->d; i++) {
+        s->x[i] += s->dx[i];
+        s->p[i] += h / 2 * s->F[i] - h * s->g[i];
+    }
+    if (!d)
+        return FVI_SUCCESS;
+    status = remember(s, o);
+    for (size_t j = 0; j < d->count; j++)
+        s->p[d->index[j]] -= (0.5 + o->theta) * d->factor[j] * o->H[j];
+    pull(s, o, 1);
+    return status;
+}
+//< step
+
+/* ---- starts ---- */
+
+static void stop_second_order(fvi_stepper *s)
+{
+    second_order *o = s->own;
+    if (!o)
+        return;
+    fvi_damping_free(o->damping);
+    free(o->r);
+    free(o->H);
+    free(o->pull);
+    free(o);
+}
+
+/* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha):
+ * in D_{k+1} the weight w_0 = 1 stands before x_{k+1}. (13.10) */
+static int solver(fvi_stepper *s, const second_order *o)
+{
+    const fvi_run *run = &s->run;
+    const fvi_damping *damping = o->damping;
+    for (size_t i = 0; i < run->system->d; i++)
+        o->r[i] = run->system->mass[i] / run->h;
+    for (size_t j = 0; damping && j < damping->count; j++)
+        o->r[damping->index[j]] += o->theta * damping->factor[j];
+    return fvi_newton_alloc(run->system, o->r, run->kappa * run->h,
+                            1 - run->kappa, &s->newton);
+}
+
+static double amplitude(const fvi_stepper *s, size_t i)
+{
+    return fvi_past_amplitude(s->run.past, s->run.alpha, s->x[i],
+                              s->p[i] / s->run.system->mass[i]);
+}
+
+/* The memory is Caputo's; what another past adds is known beforehand. (19.3) */
+static int start_pull(fvi_stepper *s, second_order *o)
+{
+    static const double ends[] = { 0, 1 };
+    const fvi_run *run = &s->run;
+    const fvi_damping *d = o->damping;
+    int any = 0;
+    for (size_t j = 0; j < d->count; j++)
+        any |= amplitude(s, d->index[j]) != 0;
+    if (!any)
+        return FVI_SUCCESS;
+    o->pull = malloc(d->count * sizeof *o->pull);
+    if (!o->pull)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    fvi_past_prepare(run->alpha, 2, ends, &o->fading);
+    for (size_t j = 0; j < d->count; j++)
+        o->pull[j] = run->system->damping[d->index[j]]
+                     * amplitude(s, d->index[j]) * pow(run->h, 1 + o->fading.e);
+    return FVI_SUCCESS;
+}
+
+static int start(fvi_stepper *s, double theta, int is_bdf2)
+{
+    second_order *o = s->own = calloc(1, sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    o->theta = theta;
+    o->r = calloc(s->run.system->d, sizeof *o->r);
+    if (!o->r)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    int status =
+        fvi_damping_start(s, FVI_PAST_CAPUTO, &o->damping); /* D_0 = 0 */
+    if (status)
+        return status;
+    if (o->damping) {
+        const size_t count = o->damping->count;
+        if (is_bdf2)
+            o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
+        o->H = calloc((2 + 2 * FVI_BDF2_TAPS) * count, sizeof *o->H);
+        if (!o->H)
+            FVI_FAIL("no memory for the method", FVI_ENOMEM);
+        o->ahead = o->H + count;
+        o->past = o->ahead + count;
+        status = start_pull(s, o);
+        if (status)
+            return status;
+    }
+    return solver(s, o);
+}
+
+static int start_shifted(fvi_stepper *s)
+{
+    return start(s, s->run.alpha, 0);
+}
+
+static int start_bdf2(fvi_stepper *s)
+{
+    return start(s, 0, 1);
+}
+
+const fvi_method fvi_shifted = { .name = "fvi-shifted",
+                                 .order = "2",
+                                 .lowest = 2,
+                                 .highest = 2,
+                                 .memory = "full",
+                                 .start = start_shifted,
+                                 .step = step_second_order,
+                                 .stop = stop_second_order };
+const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
+                              .order = "2",
+                              .lowest = 2,
+                              .highest = 2,
+                              .memory = "full",
+                              .start = start_bdf2,
+                              .step = step_second_order,
+                              .stop = stop_second_order };

@@ -1,0 +1,33 @@
+/* src/methods/damping.h -- The damped coordinates of a run and their memory. [Chapter 9]
+ *
+ * Internal: what the integrators of chapters 9 and 13 have in common. */
+#ifndef FVI_DAMPING_H
+#define FVI_DAMPING_H
+
+#include <fvi/trajectory.h>
+
+typedef struct {
+    size_t count;   /* how many coordinates have rho > 0 */
+    size_t *index;  /* which */
+    double *factor; /* rho h^(1 - 2 alpha) of each */
+    double *origin; /* x_0 of each, 0 for Riemann-Liouville */
+    double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
+    double *z, *dz; /* x - origin and its increment, gathered */
+    fvi_memory *memory;
+} fvi_damping;
+
+/* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
+ *
+ *   s        a stepper at k = 0
+ *   past     of the memory; s->run.past is not read
+ *   damping  output; NULL, and no memory at all, if nothing is damped
+ *
+ * Returns FVI_SUCCESS; what fvi_memory_alloc returns; FVI_ENOMEM. After an error
+ * what was made so far is in *damping: free it in any case. */
+int fvi_damping_start(const fvi_stepper *s, fvi_past past,
+                      fvi_damping **damping);
+
+/* fvi_damping_free -- give everything back. NULL is allowed. */
+void fvi_damping_free(fvi_damping *damping);
+
+#endif

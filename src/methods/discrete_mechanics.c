@@ -1,0 +1,225 @@
+/* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [Chapter 2] */
+#include <fvi/discrete_mechanics.h>
+
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+/* ---- L_d and its slopes, as printed ---- */
+
+/* Checks, and makes the point S = kappa x + (1 - kappa) y and room for grad U. */
+static int prepare(const fvi_system *system, double kappa, double h,
+                   const double *x, const double *y, double **S)
+{
+    int status = fvi_system_check(system);
+    if (status)
+        return status;
+    if (!x || !y)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(kappa >= 0 && kappa <= 1))
+        FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
+    if (!(gsl_finite(h) && h > 0))
+        FVI_FAIL("h must be finite and positive", FVI_EDOM);
+    *S = calloc(2 * system->d, sizeof **S);
+    if (!*S)
+        FVI_FAIL("no memory for the midpoint", FVI_ENOMEM);
+    for (size_t i = 0; i < system->d; i++)
+        (*S)[i] = kappa * x[i] + (1 - kappa) * y[i];
+    return FVI_SUCCESS;
+}
+
+int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
+                            const double *x, const double *y, double *L)
+{
+    if (!L)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    double *S;
+    int status = prepare(system, kappa, h, x, y, &S);
+    if (status)
+        return status;
+    const fvi_potential *u = &system->potential;
+    double kinetic = 0;
+    for (size_t i = 0; i < system->d; i++)
+        kinetic += (y[i] - x[i]) * system->mass[i] * (y[i] - x[i]) / (2 * h);
+    double potential = u->value ? u->value(system->d, S, u->params) : 0;
+    *L = kinetic - h * potential; /* (2.5) */
+    free(S);
+    return FVI_SUCCESS;
+}
+
+int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
+                        const double *x, const double *y, double *D1,
+                        double *D2)
+{
+    double *S;
+    int status = prepare(system, kappa, h, x, y, &S);
+    if (status)
+        return status;
+    const size_t d = system->d;
+    const fvi_potential *u = &system->potential;
+    double *g = S + d;
+    if (u->gradient)
+        u->gradient(d, S, u->params, g);
+    for (size_t i = 0; i < d; i++) {
+        double momentum = system->mass[i] * (y[i] - x[i]) / h;
+        if (D1)
+            D1[i] = -momentum - kappa * h * g[i]; /* (2.6) */
+        if (D2)
+            D2[i] = momentum - (1 - kappa) * h * g[i];
+    }
+    free(S);
+    return FVI_SUCCESS;
+}
+
+/* ---- what the methods share ---- */
+
+int fvi_variational_solver(fvi_stepper *s)
+{
+    const fvi_run *run = &s->run;
+    const size_t d = run->system->d;
+    double *A = malloc(d * sizeof *A);
+    if (!A)
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    for (size_t i = 0; i < d; i++)
+        A[i] = run->system->mass[i] / run->h;
+    int status = fvi_newton_alloc(run->system, A, run->kappa * run->h,
+                                  1 - run->kappa, &s->newton);
+    free(A);
+    return status;
+}
+
+void fvi_force_at(fvi_stepper *s, double t)
+{
+    const fvi_force *force = &s->run.system->force;
+    if (force->value)
+        force->value(t, s->run.system->d, force->params, s->F);
+}
+
+/* ---- Algorithms 1 and 2 ---- */
+
+//> algorithm-1
+/* p_k = -D1 L_d(x_k, x_{k+1}) gives x_{k+1}; p_{k+1} = D2 L_d(x_k, x_{k+1}). */
+static int step_variational(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    const double h = s->run.h, kappa = s->run.kappa;
+    int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    if (status)
+        return status;
+    for (size_t i = 0; i < system->d; i++) {
+        s->x[i] += s->dx[i];
+        s->p[i] = system->mass[i] * s->dx[i] / h - (1 - kappa) * h * s->g[i];
+    }
+    return FVI_SUCCESS;
+}
+//< algorithm-1
+
+//> algorithm-2
+/* The same with the discrete force f^+ = -rho (x_{k+1} - x_k) + h F(t_{k+1}). */
+static int step_forced(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    int status = step_variational(s);
+    if (status)
+        return status;
+    fvi_force_at(s, (double)(s->k + 1) * s->run.h);
+    for (size_t i = 0; i < system->d; i++)
+        s->p[i] += -system->damping[i] * s->dx[i] + s->run.h * s->F[i];
+    return FVI_SUCCESS;
+}
+//< algorithm-2
+
+static int start_variational(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    for (size_t i = 0; i < system->d; i++)
+        if (system->damping[i] != 0)
+            FVI_FAIL("Algorithm 1 has no damping", FVI_EINVAL);
+    if (system->force.value)
+        FVI_FAIL("Algorithm 1 has no force", FVI_EINVAL);
+    return fvi_variational_solver(s);
+}
+
+const fvi_method fvi_variational = { .name = "variational",
+                                     .order = "1 or 2",
+                                     .lowest = 1,
+                                     .highest = 2,
+                                     .memory = "none",
+                                     .start = start_variational,
+                                     .step = step_variational };
+const fvi_method fvi_lagrange_dalembert = { .name = "lda",
+                                            .order = "1",
+                                            .lowest = 1,
+                                            .highest = 1,
+                                            .memory = "none",
+                                            .half_only = 1,
+                                            .start = fvi_variational_solver,
+                                            .step = step_forced };
+
+/* ---- Euler's methods ---- */
+
+static int step_euler_explicit(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_potential *u = &system->potential;
+    const double h = s->run.h;
+    if (u->gradient)
+        u->gradient(system->d, s->x, u->params, s->g);
+    fvi_force_at(s, s->t);
+    for (size_t i = 0; i < system->d; i++) {
+        double v = s->p[i] / system->mass[i];
+        s->x[i] += h * v;
+        s->p[i] += h * (-s->g[i] - system->damping[i] * v + s->F[i]);
+    }
+    return FVI_SUCCESS;
+}
+
+/* x_{k+1} - x_k = dx = h p_{k+1} / m in the equation for p_{k+1}:
+ * (m / h + rho) dx + h grad U(x_k + dx) = p_k + h F(t_{k+1}).         (2.10) */
+static int start_euler_implicit(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    double *A = malloc(system->d * sizeof *A);
+    if (!A)
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    for (size_t i = 0; i < system->d; i++)
+        A[i] = system->mass[i] / s->run.h + system->damping[i];
+    int status = fvi_newton_alloc(system, A, s->run.h, 1, &s->newton);
+    free(A);
+    return status;
+}
+
+static int step_euler_implicit(fvi_stepper *s)
+{
+    const fvi_system *system = s->run.system;
+    const double h = s->run.h;
+    fvi_force_at(s, (double)(s->k + 1) * h);
+    for (size_t i = 0; i < system->d; i++)
+        s->p[i] += h * s->F[i];
+    int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    if (status)
+        return status;
+    for (size_t i = 0; i < system->d; i++) {
+        s->x[i] += s->dx[i];
+        s->p[i] = system->mass[i] * s->dx[i] / h;
+    }
+    return FVI_SUCCESS;
+}
+
+const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
+                                        .order = "1",
+                                        .lowest = 1,
+                                        .highest = 1,
+                                        .memory = "none",
+                                        .half_only = 1,
+                                        .step = step_euler_explicit };
+const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
+                                        .order = "1",
+                                        .lowest = 1,
+                                        .highest = 1,
+                                        .memory = "none",
+                                        .half_only = 1,
+                                        .start = start_euler_implicit,
+                                        .step = step_euler_implicit };

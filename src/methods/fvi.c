@@ -1,0 +1,63 @@
+/* src/methods/fvi.c -- Fractional variational integrators.               [Chapter 9] */
+#include <fvi/fvi.h>
+
+#include "damping.h"
+#include "system/fail.h"
+#include "system/newton.h"
+
+static int start_fractional(fvi_stepper *s)
+{
+    fvi_damping *d;
+    int status = fvi_variational_solver(s);
+    if (status)
+        return status;
+    status = fvi_damping_start(s, s->run.past, &d);
+    s->own = d;
+    return status;
+}
+
+static void stop_fractional(fvi_stepper *s)
+{
+    fvi_damping_free(s->own);
+}
+
+//> damp
+/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
+static int damp(fvi_stepper *s, fvi_damping *d)
+{
+    for (size_t j = 0; j < d->count; j++) {
+        d->z[j] = s->x[d->index[j]] - d->origin[j];
+        d->dz[j] = s->dx[d->index[j]] - d->drift[j];
+    }
+    int status = fvi_memory_push(d->memory, d->z, d->dz, d->z);
+    for (size_t j = 0; j < d->count; j++)
+        s->p[d->index[j]] -= d->factor[j] * d->z[j];
+    return status;
+}
+//< damp
+
+//> step
+static int step_fractional(fvi_stepper *s)
+{
+    const double h = s->run.h;
+    int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    if (status)
+        return status;
+    fvi_force_at(s, (double)(s->k + 1) * h);
+    for (size_t i = 0; i < s->run.system->d; i++) {
+        s->x[i] += s->dx[i];
+        s->p[i] += h * (s->F[i] - s->g[i]);
+    }
+    return s->own ? damp(s, s->own) : FVI_SUCCESS; /* (9.4) */
+}
+//< step
+
+const fvi_method fvi_fractional = { .name = "fvi",
+                                    .order = "1",
+                                    .lowest = 1,
+                                    .highest = 1,
+                                    .memory = "full",
+                                    .as_printed = 1,
+                                    .start = start_fractional,
+                                    .step = step_fractional,
+                                    .stop = stop_fractional };

@@ -1,0 +1,228 @@
+/* src/program/fvi_cli.c -- The program build/fvi. */
+#define _GNU_SOURCE
+#include <fvi/coefficients.h>
+#include <fvi/error.h>
+#include <fvi/exact_solution.h>
+#include "fvi_commands.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+#include "fvi_usage.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- what went wrong ---- */
+
+int fvi_complain(const char *what)
+{
+    fprintf(stderr, "fvi: %s\n", what);
+    return 1;
+}
+
+int fvi_cannot_write(const char *name)
+{
+    const int why = errno;
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: cannot write %s: %s\n",
+            name ? name : "standard output", strerror(why));
+    return 1;
+}
+
+int fvi_stopped_at(size_t step, int status)
+{
+    const char *what =
+        status == FVI_EMAXITER  ? "Newton's method did not converge"
+        : status == FVI_ESING   ? "the equation of the step is singular"
+        : status == FVI_EOVRFLW ? "a value is no longer finite"
+        : status == FVI_EDOM    ? "a number is out of range"
+        : status == FVI_ELOSS   ? "a phase of so many swings is not known"
+                                : fvi_strerror(status);
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: step %zu: %s\n", step, what);
+    return 1;
+}
+
+/* ---- commands ---- */
+
+/* The rows of the steps in a batch, at most BATCH: each call of fvi_exact costs one
+ * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
+ * has said what is wrong. */
+enum { BATCH = 512 };
+static int exact_batch(const fvi_table *t, const fvi_linear *problem,
+                       size_t count, const size_t *step)
+{
+    double time[BATCH], x[BATCH], v[BATCH];
+    size_t n = 0; /* times that are finite */
+    for (size_t i = 0; i < count; i++) {
+        time[i] = (double)step[i] * t->o->h;
+        n += isfinite(time[i]) != 0;
+        x[i] = v[i] = NAN;
+    }
+    int status = n > 0 ? fvi_exact(problem, n, time, x, v) : FVI_SUCCESS;
+    fvi_progress_clear(); /* the rows may go to the same terminal */
+    for (size_t i = 0; i < count; i++) {
+        double p = problem->m * v[i];
+        if (isnan(x[i]))
+            return fvi_stopped_at(step[i], status ? status : FVI_EOVRFLW);
+        int finite = fvi_table_take(t, step[i], &x[i], &p);
+        if (finite != FVI_SUCCESS)
+            return fvi_stopped_at(step[i], finite);
+    }
+    fvi_progress(step[count - 1], t->o->steps);
+    return 0;
+}
+
+static int exact_rows(const fvi_table *t, const fvi_linear *problem)
+{
+    size_t step[BATCH], count = 1;
+    step[0] = 0;
+    while (count > 0 && !ferror(t->out)) {
+        size_t last = step[count - 1];
+        if (count < BATCH && last < t->o->steps) {
+            step[count++] = fvi_table_next(t, last);
+            continue;
+        }
+        if (exact_batch(t, problem, count, step))
+            return 1;
+        step[0] = last < t->o->steps ? fvi_table_next(t, last) : last;
+        count = last < t->o->steps;
+    }
+    return 0;
+}
+
+static fvi_linear linear_problem(const fvi_options *o)
+{
+    return (fvi_linear){ .m = o->mass,
+                         .c = o->spring[0],
+                         .rho = o->rho,
+                         .alpha = o->alpha,
+                         .past = o->past,
+                         .x0 = o->x0[0],
+                         .v0 = o->p0[0] / o->mass,
+                         .forcing = o->force == 's'   ? FVI_FORCING_STEP
+                                    : o->force == 'c' ? FVI_FORCING_COSINE
+                                                      : FVI_FORCING_NONE,
+                         .A = o->forcing[0],
+                         .T = o->forcing[1],
+                         .w = o->forcing[1] };
+}
+
+/* The same table from the exact solution; p = m v. */
+static int exact(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_linear problem = linear_problem(o);
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    if (!(t.rows = fvi_table_room(&t, 0)))
+        return fvi_complain("not enough memory");
+    int failed = 1;
+    if (!(t.out = fvi_output_open(o->output))) {
+        fvi_cannot_write(o->output);
+    } else {
+        fvi_table_head(t.out, o);
+        fvi_table_names(&t);
+        failed = exact_rows(&t, &problem);
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = fvi_cannot_write(o->output);
+    }
+    free(t.rows);
+    return failed;
+}
+
+/* The head and the weights, a line each. */
+static int coefficients(const fvi_options *o)
+{
+    const double bytes = 8 * (double)o->count;
+    double *w =
+        bytes < fvi_machine_bytes() ? malloc(o->count * sizeof *w) : NULL;
+    if (!w)
+        return fvi_complain("not enough memory");
+    fvi_coefficients(o->alpha, o->count, w);
+    FILE *out = fvi_output_open(o->output);
+    int failed = !out;
+    if (out) {
+        fvi_table_head(out, o);
+        fprintf(out, "# n\talpha_n\n");
+        for (size_t n = 0; n < o->count && !ferror(out); n++)
+            fprintf(out, "%zu\t%.17g\n", n, w[n]);
+        failed = fvi_output_close(out, 1) != 0;
+    }
+    free(w);
+    return failed ? fvi_cannot_write(o->output) : 0;
+}
+
+static int print_methods(void)
+{
+    for (size_t i = 0; fvi_options_methods[i]; i++) {
+        const fvi_method *m = fvi_options_methods[i];
+        printf("%s\t%s\t%s\n", m->name, m->order, m->memory);
+    }
+    return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
+}
+
+static int print_text(const char *text)
+{
+    fputs(text, stdout);
+    return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
+}
+
+/* Both commands speak of a system; its masses and dampings live here. */
+static int with_system(const fvi_options *o,
+                       int (*command)(const fvi_options *, const fvi_system *))
+{
+    double *storage = malloc(2 * o->d * sizeof *storage);
+    if (!storage)
+        return fvi_complain("not enough memory");
+    const fvi_system system = fvi_options_system(o, storage);
+    int status = command(o, &system);
+    free(storage);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    fvi_options o;
+    char complaint[400];
+    for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
+            return 1;
+    gsl_set_error_handler_off(); /* the default handler aborts */
+    int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
+    if (status) {
+        fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",
+                complaint);
+        return status;
+    }
+    switch (o.command) {
+    case FVI_COMMAND_RUN:
+        status =
+            with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
+        break;
+    case FVI_COMMAND_EXACT:
+        status = with_system(&o, exact);
+        break;
+    case FVI_COMMAND_COEFFICIENTS:
+        status = coefficients(&o);
+        break;
+    case FVI_COMMAND_METHODS:
+        status = print_methods();
+        break;
+    case FVI_COMMAND_VERSION:
+        status = print_text("fvi " FVI_VERSION "\n");
+        break;
+    default:
+        status = print_text(o.about == FVI_COMMAND_RUN     ? usage_run
+                            : o.about == FVI_COMMAND_EXACT ? usage_exact
+                            : o.about == FVI_COMMAND_COEFFICIENTS
+                                ? usage_coefficients
+                                : usage);
+    }
+    fvi_options_free(&o);
+    return status;
+}

@@ -1,0 +1,23 @@
+/* src/program/fvi_commands.h -- The commands of build/fvi, and how they fail.
+ *
+ * A command prints its table where o->output says, and returns the exit code:
+ * 0, or 1 after it has said on standard error what could not be done. */
+#ifndef FVI_COMMANDS_H
+#define FVI_COMMANDS_H
+
+#include "fvi_options.h"
+
+/* fvi_command_run -- `fvi run`: o->steps steps of o->h. */
+int fvi_command_run(const fvi_options *o, const fvi_system *system);
+
+/* fvi_command_error -- `fvi run --error`: with the longest step that fvi_step_search
+ * finds good enough; prints nothing where there is none. */
+int fvi_command_error(const fvi_options *o, const fvi_system *system);
+
+/* What went wrong, as a line on standard error; each returns 1. */
+int fvi_complain(const char *what);
+int fvi_cannot_write(
+    const char *name); /* as errno says; NULL: standard output */
+int fvi_stopped_at(size_t step, int status); /* a GSL code */
+
+#endif

@@ -1,0 +1,29 @@
+/* src/program/fvi_output.h -- A file that is complete or not there at all. */
+#ifndef FVI_OUTPUT_H
+#define FVI_OUTPUT_H
+
+#include <stdio.h>
+
+/* fvi_output_open -- where the program writes.
+ *
+ *   name  a file's name, or NULL for standard output
+ *
+ * An ordinary file is written under a temporary name beside it and takes its name
+ * in fvi_output_close; a signal that ends the program removes it. It has the
+ * permissions of the file that it replaces and, where that is allowed, its owner. A
+ * file of several names (hard links) keeps them: the complete table is copied into
+ * it. What is no ordinary file (a pipe, a device), and a file that is open already
+ * (/dev/stdout), is written to as it stands; a link that leads nowhere is refused.
+ * Returns the stream, or NULL with errno set. One output at a time. */
+FILE *fvi_output_open(const char *name);
+
+/* fvi_output_close -- keep != 0: flush, check, put in place; else remove.
+ * Returns 0, or -1 with errno set and nothing left behind. */
+int fvi_output_close(FILE *stream, int keep);
+
+/* fvi_progress -- at step k of `steps`: after the first second a line on standard
+ * error, if that is a terminal. fvi_progress_clear takes it away again. */
+void fvi_progress(size_t k, size_t steps);
+void fvi_progress_clear(void);
+
+#endif

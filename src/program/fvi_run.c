@@ -1,0 +1,268 @@
+/* src/program/fvi_run.c -- The command `fvi run`, step by step or to a wanted error. */
+#include <fvi/fvi.h>
+#include "fvi_commands.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+#include "memory/lobatto_memory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* Why a run could not begin. What the parser let through is in range: FVI_EINVAL
+ * is then a number of steps that no memory is made for, FVI_EDOM an m / h. */
+static int complain_of_start(int status)
+{
+    if (status == FVI_ESING)
+        return fvi_stopped_at(1, status);
+    return fvi_complain(
+        status == FVI_ENOMEM ? "not enough memory"
+        : status == FVI_EINVAL
+            ? "--steps: the compressed memory reaches back 10^9 steps at most"
+        : status == FVI_EDOM ? "--h: mass / h is not a finite number"
+                             : fvi_strerror(status));
+}
+
+enum { FEW = 256 /* masses whose modes are found in a moment */ };
+
+/* The stages of a Lobatto method; 0 for the others. */
+static size_t stages(const fvi_method *m)
+{
+    return m == &fvi_lobatto2   ? 2
+           : m == &fvi_lobatto3 ? 3
+           : m == &fvi_lobatto4 ? 4
+                                : 0;
+}
+
+/* What a run surely takes: its state, Newton's band matrix, its history. */
+static double run_bytes(const fvi_options *o)
+{
+    const size_t s = stages(o->method), d = o->d;
+    const double bytes = 100 * (double)d;
+    if (o->method->half_only || o->rho == 0 || (s > 0 && o->alpha == 1))
+        return bytes;
+    if (s > 0)
+        return bytes
+               + fvi_lobatto_memory_bytes(s, 2 * o->alpha - 1, d, o->steps,
+                                          o->memory, o->tolerance);
+    return bytes
+           + (double)fvi_memory_bytes(2 * o->alpha, d, o->steps, o->memory,
+                                      o->tolerance);
+}
+
+/* Room for the rows that are kept; NULL if what is surely asked for is more
+ * than the machine has. */
+static double *room(const fvi_table *t)
+{
+    const fvi_options *o = t->o;
+    return fvi_table_room(t, o->error > 0 /* fvi_step_search keeps rows */
+                                 ? 40 * (double)o->d * (double)o->steps
+                                 : run_bytes(o));
+}
+
+/* Returns 0, or 1 after it has said at which step the run ended. */
+static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
+{
+    const size_t steps = t->o->steps, d = t->o->d;
+    const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
+    size_t next = fvi_table_next(t, 0),
+           look = often; /* divided by at no step */
+    int status = fvi_table_take(t, 0, s->x, s->p);
+    if (status)
+        return fvi_stopped_at(0, status);
+    while (s->k < steps && !ferror(t->out)) {
+        status = fvi_step(s);
+        if (status)
+            return fvi_stopped_at(s->k + 1, status);
+        if (s->k == look) {
+            fvi_progress(s->k, steps);
+            look += often;
+        }
+        if (s->k != next)
+            continue;
+        fvi_progress_clear(); /* the rows may go to the same terminal */
+        status = fvi_table_take(t, next, s->x, s->p);
+        if (status)
+            return fvi_stopped_at(next, status);
+        next = next < steps ? fvi_table_next(t, next) : steps;
+    }
+    return 0;
+}
+
+/* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
+ * step is stable, NaN if h is not known. The load of fvi-bdf2 is that of Algorithm 3
+ * with 4^alpha times the damping, (13.14); that of fvi-shifted with 1 - 2 alpha
+ * times, none from alpha = 1/2 on. Returns 0, or another number if the load is not
+ * known, or would take d^3 operations, which no run of a long chain does. */
+static int load_of(const fvi_options *o, const fvi_run *r, double *load,
+                   double *h)
+{
+    const size_t s = stages(o->method);
+    *h = NAN;
+    if (o->d > FEW && (s > 0 || o->kappa != 0.5)) /* a full Hessian */
+        return -1;
+    if (s > 0)
+        return fvi_stability_lobatto(s, r, load);
+    const double share = o->method == &fvi_fractional           ? 1
+                         : o->method == &fvi_lagrange_dalembert ? 1
+                         : o->method == &fvi_bdf2    ? pow(4, o->alpha)
+                         : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
+                                                     : -1;
+    double *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
+    if (!damping)
+        return -1;
+    for (size_t i = 0; i < o->d; i++)
+        damping[i] = share * o->rho;
+    fvi_system system = *r->system;
+    fvi_run run = *r;
+    system.damping = damping;
+    run.system = &system;
+    int status = fvi_stability_load(&run, load);
+    if (!status && *load > 1)
+        status = fvi_stability_step(&run, h);
+    free(damping);
+    return status;
+}
+
+/* Warnings before a run that has no limit, or must blow up; it goes on all the
+ * same. */
+static void warn(const fvi_options *o, const fvi_run *r)
+{
+    double load = 0, h = 0;
+    if (fvi_table_warning(o))
+        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
+    if (load_of(o, r, &load, &h) != 0 || load <= 1)
+        return;
+    fprintf(stderr, "fvi: warning: this step is unstable (load %.4g, above 1)",
+            load);
+    if (h > 0)
+        fprintf(stderr, "; stable below h = %.4g", h);
+    else if (h == 0)
+        fprintf(stderr, "; no step is stable: rho / m is %.4g",
+                o->rho / o->mass);
+    fputc('\n', stderr);
+}
+
+static fvi_run the_run(const fvi_options *o, const fvi_system *system)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = o->x0,
+                      .p0 = o->p0,
+                      .h = o->h,
+                      .steps = o->steps,
+                      .kappa = o->kappa,
+                      .alpha = o->alpha,
+                      .past = o->past,
+                      .memory = o->memory,
+                      .tolerance = o->tolerance };
+}
+
+int fvi_command_run(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = the_run(o, system);
+    fvi_table t;
+    fvi_stepper *s = NULL;
+    int failed = 1, status = FVI_ENOMEM;
+    fvi_table_shape(&t, o, system);
+    if ((t.rows = room(&t)))
+        status = fvi_start(o->method, &r, &s);
+    if (status) {
+        complain_of_start(status);
+    } else if (!(t.out = fvi_output_open(o->output))) {
+        fvi_cannot_write(o->output);
+    } else {
+        warn(o, &r);
+        fvi_table_head(t.out, o);
+        fvi_table_names(&t);
+        failed = steps_and_rows(&t, s);
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = fvi_cannot_write(o->output);
+    }
+    fvi_stop(s);
+    free(t.rows);
+    return failed;
+}
+
+/* ---- run --error ---- */
+
+/* Find the step; say what was found, or how near it came. */
+static int find_step(const fvi_options *o, const fvi_run *r, double *x,
+                     double *p, fvi_step_found *found)
+{
+    const int terminal = isatty(STDERR_FILENO);
+    if (terminal)
+        fprintf(stderr, "looking for the step ...");
+    int status =
+        fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
+    if (terminal)
+        fprintf(stderr, "\r\033[K");
+    const fvi_method *other =
+        status == FVI_ETOL ? fvi_step_search_other(o->method, r) : NULL;
+    if (status == FVI_ETOL && isfinite(found->estimate))
+        fprintf(stderr,
+                "fvi: --error: %g is out of reach; the smallest estimate was "
+                "%.2g, with the step %.4g%s%s\n",
+                o->error, found->estimate, o->h / (double)found->parts,
+                other ? "; try --method " : "", other ? other->name : "");
+    else if (status == FVI_ETOL)
+        fvi_complain("--error: no step gives a result that can be trusted");
+    else if (status)
+        complain_of_start(status);
+    else
+        fprintf(stderr,
+                "fvi: the error of x is about %.2g, with the step %.4g\n",
+                found->estimate, o->h / (double)found->parts);
+    return status != 0;
+}
+
+static int print_found(const fvi_options *o, const fvi_system *system,
+                       const fvi_step_found *found, const double *x,
+                       const double *p)
+{
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    if (!(t.rows = room(&t)))
+        return fvi_complain("not enough memory");
+    int failed = 1;
+    if ((t.out = fvi_output_open(o->output))) {
+        fvi_table_head(t.out, o);
+        fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
+                o->h / (double)found->parts, found->estimate);
+        fvi_table_names(&t);
+        int status = 0;
+        size_t k = 0;
+        for (; k <= o->steps && !status && !ferror(t.out); k++)
+            status = fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
+        failed = status ? fvi_stopped_at(k - 1, status) : 0;
+        if (!failed)
+            fvi_table_finish(&t);
+        if (fvi_output_close(t.out, !failed) != 0)
+            failed = fvi_cannot_write(o->output);
+    } else {
+        fvi_cannot_write(o->output);
+    }
+    free(t.rows);
+    return failed;
+}
+
+int fvi_command_error(const fvi_options *o, const fvi_system *system)
+{
+    const fvi_run r = the_run(o, system);
+    fvi_step_found found;
+    fvi_table t;
+    fvi_table_shape(&t, o, system);
+    double *rows = room(&t); /* is there enough, before anything is tried? */
+    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
+    free(rows);
+    if (!x)
+        return fvi_complain("not enough memory");
+    double *p = x + (o->steps + 1) * o->d;
+    int failed = find_step(o, &r, x, p, &found);
+    if (!failed)
+        failed = print_found(o, system, &found, x, p);
+    free(x);
+    return failed;
+}

@@ -1,0 +1,153 @@
+/* src/program/fvi_table.c -- The table that the program prints. */
+#define _GNU_SOURCE /* _SC_PHYS_PAGES */
+#include "fvi_table.h"
+
+#include <fvi/error.h>
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- the head ---- */
+
+const char *fvi_table_warning(const fvi_options *o)
+{
+    return o->no_solution
+               ? "rl with x0 != 0 and alpha > 1/2 has no solution; these rows "
+                 "depend on h and come near to no motion"
+               : NULL;
+}
+
+void fvi_table_head(FILE *out, const fvi_options *o)
+{
+    const char *name, *value, *warning = fvi_table_warning(o);
+    fprintf(out, "# fvi " FVI_VERSION "\n");
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        fprintf(out, "# %s = %s\n", name, value);
+    if (warning)
+        fprintf(out, "# warning = %s\n", warning);
+}
+
+static const char *column_name(char letter)
+{
+    static const char *const names[] = { "t", "x", "p", "energy", "y" };
+    size_t i = 0;
+    while (names[i][0] != letter)
+        i++;
+    return names[i];
+}
+
+static size_t column_width(const fvi_options *o, char letter)
+{
+    return letter == 't' || letter == 'e' ? 1 : o->d;
+}
+
+void fvi_table_names(const fvi_table *t)
+{
+    const char *separator = "# ";
+    for (const char *c = t->o->columns; *c; c++) {
+        size_t width = column_width(t->o, *c);
+        for (size_t i = 1; i <= width; i++, separator = "\t") {
+            fprintf(t->out, "%s%s", separator, column_name(*c));
+            if (t->o->potential == 'c' && *c != 't' && *c != 'e')
+                fprintf(t->out, "%zu", i);
+        }
+    }
+    fputc('\n', t->out);
+}
+
+/* ---- rows ---- */
+
+static int is_printed(const fvi_options *o, size_t k)
+{
+    return k % o->every == 0 || k == o->steps;
+}
+
+static size_t row_number(const fvi_options *o, size_t k)
+{
+    return k / o->every + (k == o->steps && k % o->every != 0);
+}
+
+void fvi_table_shape(fvi_table *t, const fvi_options *o,
+                     const fvi_system *system)
+{
+    *t = (fvi_table){ .o = o,
+                      .system = system,
+                      .wait = strchr(o->columns, 'y') != NULL };
+    for (const char *c = o->columns; *c; c++)
+        t->width += column_width(o, *c);
+    t->height = t->wait ? row_number(o, o->steps) + 1 : 1;
+}
+
+double fvi_machine_bytes(void)
+{
+    return fmin((double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE),
+                (double)(SIZE_MAX / 2));
+}
+
+double *fvi_table_room(const fvi_table *t, double bytes)
+{
+    bytes += (double)sizeof *t->rows * (double)t->height * (double)t->width;
+    return bytes < fvi_machine_bytes()
+               ? calloc(t->height * t->width, sizeof *t->rows)
+               : NULL;
+}
+
+size_t fvi_table_next(const fvi_table *t, size_t k)
+{
+    const size_t N = t->o->steps, every = t->o->every;
+    size_t step = every - k % every;
+    if (t->wait && 1 + (N - k - 1) % every < step)
+        step = 1 + (N - k - 1) % every; /* then N - k is a row */
+    return step < N - k ? k + step : N;
+}
+
+static void print_row(const fvi_table *t, const double *row)
+{
+    for (size_t i = 0; i < t->width; i++)
+        fprintf(t->out, i ? "\t%.17g" : "%.17g", row[i]);
+    fputc('\n', t->out);
+}
+
+/* The columns of row k; or, mirrored, only y. */
+static void fill(const fvi_table *t, size_t k, const double *x, const double *p,
+                 int mirror, double *row)
+{
+    for (const char *c = t->o->columns; *c; c++) {
+        size_t width = column_width(t->o, *c);
+        if (mirror == (*c == 'y')) {
+            if (*c == 't')
+                *row = (double)k * t->o->h; /* one product */
+            else if (*c == 'e')
+                *row = fvi_energy(t->system, x, p);
+            else
+                memcpy(row, *c == 'p' ? p : x, width * sizeof *row);
+        }
+        row += width;
+    }
+}
+
+int fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                   const double *p)
+{
+    const fvi_options *o = t->o;
+    if (is_printed(o, k)) {
+        double *row = t->rows + (t->wait ? row_number(o, k) * t->width : 0);
+        fill(t, k, x, p, 0, row);
+        if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
+            return FVI_EOVRFLW;
+        if (!t->wait)
+            print_row(t, row);
+    }
+    if (t->wait && is_printed(o, o->steps - k))
+        fill(t, k, x, p, 1, t->rows + row_number(o, o->steps - k) * t->width);
+    return FVI_SUCCESS;
+}
+
+void fvi_table_finish(const fvi_table *t)
+{
+    for (size_t i = 0; t->wait && i < t->height; i++)
+        print_row(t, t->rows + i * t->width);
+}

@@ -1,0 +1,57 @@
+/* src/program/fvi_table.h -- The table that the program prints. */
+#ifndef FVI_TABLE_H
+#define FVI_TABLE_H
+
+#include <fvi/version.h>
+#include "fvi_options.h"
+
+#include <stdio.h>
+
+/* A table on its way out. Rows go out as they come, unless the mirror
+ * y_k = x_{N-k} is asked for: then all wait for the end of the run. */
+typedef struct {
+    const fvi_options *o;
+    const fvi_system *system;
+    FILE *out;
+    size_t width;  /* numbers in a row */
+    size_t height; /* rows that are kept: one, or all of them */
+    double *rows;
+    int wait;
+} fvi_table;
+
+/* fvi_table_shape -- fill everything but out and rows. */
+void fvi_table_shape(fvi_table *t, const fvi_options *o,
+                     const fvi_system *system);
+
+/* fvi_machine_bytes -- the memory of this machine, as far as a program of its word
+ * length can address it. */
+double fvi_machine_bytes(void);
+
+/* fvi_table_room -- rows for a table that has its shape, to be freed by the caller;
+ * NULL if these and `bytes` more are more than the machine has. */
+double *fvi_table_room(const fvi_table *t, double bytes);
+
+/* fvi_table_warning -- what the reader of the table must know before all, one line;
+ * NULL if there is nothing. */
+const char *fvi_table_warning(const fvi_options *o);
+
+/* fvi_table_head -- "# name = value" lines, for any command, and the warning. */
+void fvi_table_head(FILE *out, const fvi_options *o);
+
+/* fvi_table_names -- the line with the names of the columns. */
+void fvi_table_names(const fvi_table *t);
+
+/* fvi_table_next -- the first step after k, k < N, of which the table wants
+ * something: its row, or its mirror N - k for y. */
+size_t fvi_table_next(const fvi_table *t, size_t k);
+
+/* fvi_table_take -- step k is at x, p: keep or print what is asked for.
+ * Returns FVI_SUCCESS, or FVI_EOVRFLW if a number to be printed is not finite; that
+ * row is not printed. */
+int fvi_table_take(const fvi_table *t, size_t k, const double *x,
+                   const double *p);
+
+/* fvi_table_finish -- print the rows that waited. */
+void fvi_table_finish(const fvi_table *t);
+
+#endif

@@ -1,0 +1,245 @@
+/* src/program/fvi_values.c -- From the words of the command line to values. */
+#include "fvi_values.h"
+
+#include <fvi/fvi.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+const fvi_method *const fvi_options_methods[] = {
+    &fvi_fractional,     &fvi_lagrange_dalembert,
+    &fvi_euler_explicit, &fvi_euler_implicit,
+    &fvi_shifted,        &fvi_bdf2,
+    &fvi_lobatto2,       &fvi_lobatto3,
+    &fvi_lobatto4,       NULL
+};
+
+/* The number of option i; see fvi_word_number. */
+static int number(const fvi_options *o, option_index i, double low, double high,
+                  const char *brackets, double *value, fvi_complaint c)
+{
+    return fvi_word_number(fvi_option_name(i), o->text[i], low, high, brackets,
+                           value, c);
+}
+
+/* Counts of rows are added and doubled: half of what a size_t holds is enough. */
+static int whole(const fvi_options *o, option_index i, size_t *value,
+                 fvi_complaint c)
+{
+    return fvi_word_whole(fvi_option_name(i), o->text[i], SIZE_MAX / 2, value,
+                          c);
+}
+
+static int choice(const fvi_options *o, option_index i,
+                  const char *const *words, size_t *which, fvi_complaint c)
+{
+    return fvi_word_choice(fvi_option_name(i), o->text[i], words, which, c);
+}
+
+/* ---- what belongs together ---- */
+
+/* A jump of the force that is not at a row is what no estimate can see. */
+static int interpret_error(fvi_options *o, fvi_complaint c)
+{
+    int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
+    if (status || o->force != 's')
+        return status;
+    const double end = o->forcing[1] / o->h, row = round(end);
+    if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
+        return fvi_refuse(c,
+                          "--error: the force '%s' ends between two rows; "
+                          "take other --steps",
+                          o->text[FORCE]);
+    return 0;
+}
+
+static int is_lobatto(const fvi_method *m)
+{
+    return m == &fvi_lobatto2 || m == &fvi_lobatto3 || m == &fvi_lobatto4;
+}
+
+/* Does the number kappa reach this method? */
+static int has_kappa(const fvi_method *m)
+{
+    return !is_lobatto(m) && m != &fvi_euler_explicit
+           && m != &fvi_euler_implicit;
+}
+
+/* What is asked for is done or refused: the words that a method cannot honour. */
+static int check_method(const fvi_options *o, fvi_complaint c)
+{
+    const char *name = o->method->name;
+    if (o->method->half_only && o->alpha != 0.5)
+        return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
+                          o->text[ALPHA], name);
+    if (!has_kappa(o->method) && o->kappa != 0.5)
+        return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
+                          o->text[KAPPA], name);
+    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
+        return fvi_refuse(c, "--memory: 'fft' is not known to %s", name);
+    return 0;
+}
+
+static int interpret_run(fvi_options *o, fvi_complaint c)
+{
+    static const char *const memories[] = { "auto", "direct", "fft",
+                                            "exponentials", NULL };
+    size_t which;
+    int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
+    if (!status)
+        status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
+    if (!status)
+        status = choice(o, MEMORY, memories, &which, c);
+    if (status)
+        return status;
+    o->memory = (fvi_memory_kind)which;
+
+    const char *names[sizeof fvi_options_methods / sizeof *fvi_options_methods];
+    for (which = 0; fvi_options_methods[which]; which++)
+        names[which] = fvi_options_methods[which]->name;
+    names[which] = NULL;
+    status = choice(o, METHOD, names, &which, c);
+    if (status)
+        return status;
+    o->method = fvi_options_methods[which];
+    status = check_method(o, c);
+    return !status && o->text[ERROR] ? interpret_error(o, c) : status;
+}
+
+/* The rows are at t_k = k h: by --h, or by --time. */
+static int interpret_grid(fvi_options *o, fvi_complaint c)
+{
+    int status = whole(o, STEPS, &o->steps, c);
+    if (status || !o->text[TIME])
+        return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
+    double time = 0;
+    status = number(o, TIME, 0, INFINITY, "()", &time, c);
+    o->h = time / (double)o->steps;
+    if (!status && !(o->h > 0))
+        return fvi_refuse(c, "--time: '%s' is too short for so many steps",
+                          o->text[TIME]);
+    snprintf(o->step, sizeof o->step, "%.17g", o->h);
+    o->text[H] = o->step; /* the head says what follows */
+    return status;
+}
+
+static int interpret_start(fvi_options *o, fvi_complaint c)
+{
+    o->x0 = malloc(2 * o->d * sizeof *o->x0);
+    if (!o->x0) {
+        fvi_refuse(c, "no memory for the start");
+        return 1;
+    }
+    o->p0 = o->x0 + o->d;
+    int status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
+    return status ? status : fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
+}
+
+/* A problem without a solution is for `run` with the paper's method alone, and not
+ * with --error, as there is nothing to be near to. (19.2) */
+static int check_solution(fvi_options *o, fvi_complaint c)
+{
+    for (size_t i = 0; i < o->d; i++)
+        o->no_solution |=
+            !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]);
+    if (o->no_solution
+        && !(o->method && o->method->as_printed && o->error == 0))
+        return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
+                             "and alpha > 1/2; take held or caputo");
+    return 0;
+}
+
+/* What run and exact share: the system, its start, the grid, the columns. */
+static int interpret_trajectory(fvi_options *o, fvi_complaint c)
+{
+    /* in the order of fvi_past */
+    static const char *const pasts[] = { "held", "caputo", "rl", NULL };
+    size_t which = 0;
+    int status = number(o, RHO, 0, INFINITY, "[)", &o->rho, c);
+    if (!status)
+        status = number(o, MASS, 0, INFINITY, "()", &o->mass, c);
+    if (!status)
+        status = fvi_word_potential(o->text[POTENTIAL], &o->potential, &o->d,
+                                    o->spring, c);
+    if (!status)
+        status = fvi_word_force(o->text[FORCE], &o->force, o->forcing, c);
+    if (!status)
+        status = choice(o, DERIVATIVE, pasts, &which, c);
+    o->past = (fvi_past)which;
+    if (!status)
+        status = interpret_grid(o, c);
+    if (!status)
+        status = whole(o, EVERY, &o->every, c);
+    if (!status)
+        status = fvi_word_columns(o->text[COLUMNS], o->columns, c);
+    if (!status && o->command == FVI_COMMAND_RUN)
+        status = interpret_run(o, c);
+    if (!status && o->command == FVI_COMMAND_EXACT
+        && !(o->potential == 'f' || (o->potential == 'h' && o->spring[0] >= 0)))
+        return fvi_refuse(c,
+                          "--potential: '%s' has no exact solution here; "
+                          "harmonic:C with C >= 0 and free have",
+                          o->text[POTENTIAL]);
+    if (status)
+        return status;
+
+    status = interpret_start(o, c);
+    if (!status)
+        status = check_solution(o, c);
+    if (status)
+        fvi_options_free(o);
+    return status;
+}
+
+int fvi_options_interpret(fvi_options *o, fvi_complaint c)
+{
+    if (o->text[OUTPUT] && !*o->text[OUTPUT])
+        return fvi_refuse(c, "-o: '' is not a file's name");
+    o->output = o->text[OUTPUT];
+    /* The weights go up to the order 2 alpha of the damping. */
+    int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
+    int status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+    if (status)
+        return status;
+    return only_weights ? whole(o, COUNT, &o->count, c)
+                        : interpret_trajectory(o, c);
+}
+
+void fvi_options_free(fvi_options *o)
+{
+    free(o->x0);
+    o->x0 = o->p0 = NULL;
+}
+
+fvi_system fvi_options_system(const fvi_options *o, double *storage)
+{
+    fvi_system s = { .d = o->d, .mass = storage, .damping = storage + o->d };
+    for (size_t i = 0; i < o->d; i++) {
+        storage[i] = o->mass;
+        storage[o->d + i] = o->rho;
+    }
+    switch (o->potential) {
+    case 'h':
+        s.potential = fvi_potential_harmonic(o->spring);
+        break;
+    case 'd':
+        s.potential = fvi_potential_duffing(o->spring);
+        break;
+    case 'p':
+        s.potential = fvi_potential_pendulum(o->spring);
+        break;
+    case 'c':
+        s.potential = fvi_potential_chain(o->spring);
+        break;
+    default:
+        break; /* free */
+    }
+    if (o->force == 's')
+        s.force = fvi_force_step(o->forcing);
+    else if (o->force == 'c')
+        s.force = fvi_force_cosine(o->forcing);
+    return s;
+}

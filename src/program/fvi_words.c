@@ -1,0 +1,258 @@
+/* src/program/fvi_words.c -- From the words of a command line to values. */
+#include "fvi_words.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_refuse(fvi_complaint c, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(c.text, c.size, format, arguments);
+    va_end(arguments);
+    for (char *t = c.text; *t; t++) /* one line, whatever was typed */
+        if ((unsigned char)*t < ' ')
+            *t = '?';
+    return 2;
+}
+
+/* ---- the nearest known word ---- */
+
+enum { LONGEST = 31 /* letters of a word that is compared */ };
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* How many letters have to be put in, left out, changed or swapped with their
+ * neighbour to make b of the first n letters of a; capitals count as small ones. */
+static size_t distance(const char *a, size_t n, const char *b)
+{
+    size_t rows[3][LONGEST + 1], *before = rows[0], *last = rows[1],
+                                 *now = rows[2];
+    const size_t m = strlen(b);
+    for (size_t j = 0; j <= m; j++)
+        last[j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        now[0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            const int x = tolower((unsigned char)a[i - 1]), y = b[j - 1];
+            now[j] =
+                least(last[j - 1] + (x != y), 1 + least(last[j], now[j - 1]));
+            if (i > 1 && j > 1 && x == b[j - 2]
+                && y == tolower((unsigned char)a[i - 2]))
+                now[j] = least(now[j], before[j - 2] + 1);
+        }
+        size_t *oldest = before;
+        before = last;
+        last = now;
+        now = oldest;
+    }
+    return last[m];
+}
+
+const char *fvi_word_nearest(const char *text, size_t length,
+                             const char *const *words)
+{
+    /* One slip in up to four letters; a beginning is one, too. Something of the
+     * word must be left. */
+    size_t best = least(length, 2 + (length > 4) * (length - 2) / 3);
+    const char *nearest = NULL;
+    for (; *words && length <= LONGEST; words++) {
+        size_t far = strlen(*words) > LONGEST ? best
+                     : strncmp(text, *words, length) == 0
+                         ? 1
+                         : distance(text, length, *words);
+        if (far < best) {
+            best = far;
+            nearest = *words;
+        }
+    }
+    return nearest;
+}
+
+/* "; did you mean x?", in the place of a complaint; empty if there is none. */
+static const char *hint(const char *text, size_t length,
+                        const char *const *words, char place[64])
+{
+    const char *nearest = fvi_word_nearest(text, length, words);
+    place[0] = '\0';
+    if (nearest)
+        snprintf(place, 64, "; did you mean %s?", nearest);
+    return place;
+}
+
+/* ---- numbers ---- */
+
+/* A finite number that ends at the end of the text or before `end`. strtod would
+ * skip spaces first; 0x1p-1 is a number too. Never "0,5": the locale is C. */
+static int number(const char *text, char end, double *value, const char **rest)
+{
+    char *stop;
+    if (*text == '\0' || strchr(" \t\n\v\f\r", *text))
+        return 0;
+    *value = strtod(text, &stop);
+    *rest = stop;
+    return stop != text && (*stop == '\0' || (end && *stop == end))
+           && isfinite(*value);
+}
+
+int fvi_word_number(const char *name, const char *text, double low, double high,
+                    const char *brackets, double *value, fvi_complaint c)
+{
+    const char *rest;
+    double v;
+    if (!number(text, '\0', &v, &rest))
+        return fvi_refuse(c, "--%s: '%s' is not a finite number", name, text);
+    if (!(brackets[0] == '[' ? v >= low : v > low)
+        || !(brackets[1] == ']' ? v <= high : v < high))
+        return fvi_refuse(c, "--%s: '%s' is outside %c%g, %g%c", name, text,
+                          brackets[0], low, high, brackets[1]);
+    *value = v;
+    return 0;
+}
+
+int fvi_word_whole(const char *name, const char *text, size_t most,
+                   size_t *value, fvi_complaint c)
+{
+    double v;
+    int status =
+        fvi_word_number(name, text, 1, fmin((double)most, 0x1p53), "[]", &v, c);
+    if (!status && v != floor(v))
+        return fvi_refuse(c, "--%s: '%s' is not a whole number", name, text);
+    if (!status)
+        *value = (size_t)v;
+    return status;
+}
+
+/* ---- words ---- */
+
+int fvi_word_choice(const char *name, const char *text,
+                    const char *const *words, size_t *which, fvi_complaint c)
+{
+    char known[200] = "", place[64];
+    for (size_t i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *which = i;
+            return 0;
+        }
+        size_t end = strlen(known);
+        snprintf(known + end, sizeof known - end, "%s%s", i ? ", " : "",
+                 words[i]);
+    }
+    return fvi_refuse(c, "--%s: '%s' is none of %s%s", name, text, known,
+                      hint(text, strlen(text), words, place));
+}
+
+int fvi_word_list(const char *name, const char *text, size_t d, double *values,
+                  fvi_complaint c)
+{
+    const char *at = text;
+    size_t n = 0;
+    for (;; at++) {
+        double value;
+        if (!number(at, ',', &value, &at))
+            return fvi_refuse(c, "--%s: '%s' is not a list of finite numbers",
+                              name, text);
+        if (n < d)
+            values[n] = value;
+        n++;
+        if (*at == '\0')
+            break;
+    }
+    for (size_t j = 1; n == 1 && j < d; j++)
+        values[j] = values[0];
+    if (n != 1 && n != d)
+        return fvi_refuse(c, "--%s: '%s' has %zu numbers, not %s%zu", name,
+                          text, n, d > 1 ? "1 or " : "", d);
+    return 0;
+}
+
+int fvi_word_call(const char *text, const char *word, int count, double *p)
+{
+    size_t length = strlen(word);
+    if (strncmp(text, word, length) != 0)
+        return 0;
+    text += length;
+    for (int n = 0; n < count; n++)
+        if (*text != (n ? ',' : ':') || !number(text + 1, ',', &p[n], &text))
+            return 0;
+    return *text == '\0';
+}
+
+int fvi_word_potential(const char *text, char *name, size_t *d,
+                       double spring[2], fvi_complaint c)
+{
+    static const char *const known[] = { "harmonic", "duffing", "pendulum",
+                                         "free",     "chain",   NULL };
+    static const int parameters[] = { 1, 2, 1, 0, 3 };
+    double p[3] = { 0 };
+    char place[64];
+    for (size_t i = 0; known[i]; i++) {
+        if (!fvi_word_call(text, known[i], parameters[i], p))
+            continue;
+        int chain = parameters[i] == 3;
+        if (chain && !(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
+            return fvi_refuse(
+                c, "--potential: a chain has 1 to 1000000 masses, not '%s'",
+                text);
+        *name = known[i][0];
+        *d = chain ? (size_t)p[0] : 1;
+        memcpy(spring, chain ? p + 1 : p, 2 * sizeof *spring);
+        return 0;
+    }
+    return fvi_refuse(c,
+                      "--potential: '%s' is none of harmonic:C, duffing:C,G, "
+                      "pendulum:G, free, chain:D,C,G%s",
+                      text, hint(text, strcspn(text, ":"), known, place));
+}
+
+int fvi_word_force(const char *text, char *name, double forcing[2],
+                   fvi_complaint c)
+{
+    static const char *const names[] = { "none", "step", "cosine", NULL };
+    char place[64];
+    if (strcmp(text, "none") == 0)
+        *name = 'n';
+    else if (fvi_word_call(text, "step", 2, forcing))
+        *name = 's';
+    else if (fvi_word_call(text, "cosine", 2, forcing))
+        *name = 'c';
+    else
+        return fvi_refuse(
+            c, "--force: '%s' is none of none, step:A,T, cosine:A,W%s", text,
+            hint(text, strcspn(text, ":"), names, place));
+    if (*name == 's' && forcing[1] < 0)
+        return fvi_refuse(c, "--force: '%s' ends before it begins", text);
+    return 0;
+}
+
+int fvi_word_columns(const char *text, char *columns, fvi_complaint c)
+{
+    static const char *const known[] = { "t", "x", "p", "energy", "y", NULL };
+    const char *at = text;
+    char place[64];
+    for (size_t n = 0;; at++) {
+        size_t length = strcspn(at, ","), i = 0;
+        while (i < 5
+               && (strlen(known[i]) != length || strncmp(at, known[i], length)))
+            i++;
+        if (i == 5)
+            return fvi_refuse(c,
+                              "--columns: '%s' has a column that is none of "
+                              "t, x, p, energy, y%s",
+                              text, hint(at, length, known, place));
+        if (strchr(columns, known[i][0]))
+            return fvi_refuse(c, "--columns: '%s' names %s twice", text,
+                              known[i]);
+        columns[n++] = known[i][0];
+        at += length;
+        if (*at == '\0')
+            return 0;
+    }
+}

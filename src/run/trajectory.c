@@ -1,0 +1,154 @@
+/* src/run/trajectory.c -- Runs: a start, a step size, a method.      [Chapter 2] */
+#include <fvi/trajectory.h>
+
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+fvi_run fvi_run_default(const fvi_system *system, const double *x0,
+                        const double *p0, double h, size_t steps)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = x0,
+                      .p0 = p0,
+                      .h = h,
+                      .steps = steps,
+                      .kappa = 0.5,
+                      .alpha = 0.5,
+                      .past = FVI_PAST_HELD,
+                      .memory = FVI_MEMORY_AUTO };
+}
+
+static int check_past(const fvi_method *method, const fvi_run *run)
+{
+    if (run->past != FVI_PAST_HELD && run->past != FVI_PAST_CAPUTO
+        && run->past != FVI_PAST_RIEMANN_LIOUVILLE)
+        FVI_FAIL("unknown past", FVI_EINVAL);
+    for (size_t i = 0; i < run->system->d && !method->as_printed; i++)
+        if (!fvi_past_has_solution(run->past, run->alpha,
+                                   run->system->damping[i], run->x0[i]))
+            FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
+                      "alpha > 1/2",
+                      FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+static int check(const fvi_method *method, const fvi_run *run)
+{
+    if (!method || !run || !run->x0 || !run->p0)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = fvi_system_check(run->system);
+    if (status)
+        return status;
+    if (run->steps == 0)
+        FVI_FAIL("a run has at least one step", FVI_EINVAL);
+    if (!(gsl_finite(run->h) && run->h > 0))
+        FVI_FAIL("h must be finite and positive", FVI_EDOM);
+    if (!(run->kappa >= 0 && run->kappa <= 1))
+        FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
+    if (!(run->alpha >= 0 && run->alpha <= 1))
+        FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
+    if (method->half_only && run->alpha != 0.5)
+        FVI_FAIL("this method knows only alpha = 1/2", FVI_EDOM);
+    if (!(run->tolerance >= 0 && run->tolerance < 1))
+        FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
+    if (!fvi_all_finite(run->system->d, run->x0)
+        || !fvi_all_finite(run->system->d, run->p0))
+        FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
+    return check_past(method, run);
+}
+
+int fvi_start(const fvi_method *method, const fvi_run *run,
+              fvi_stepper **stepper)
+{
+    if (!stepper)
+        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
+    int status = check(method, run);
+    if (status)
+        return status;
+    const size_t d = run->system->d;
+    fvi_stepper *s = calloc(1, sizeof *s);
+    double *block = calloc(5 * d, sizeof *block);
+    if (!s || !block) {
+        free(s);
+        free(block);
+        FVI_FAIL("no memory for the state", FVI_ENOMEM);
+    }
+    *s = (fvi_stepper){ .x = block,
+                        .p = block + d,
+                        .dx = block + 2 * d,
+                        .g = block + 3 * d,
+                        .F = block + 4 * d,
+                        .run = *run,
+                        .method = method };
+    memcpy(s->x, run->x0, d * sizeof *s->x);
+    memcpy(s->p, run->p0, d * sizeof *s->p);
+    status = method->start ? method->start(s) : FVI_SUCCESS;
+    if (status) {
+        fvi_stop(s);
+        return status;
+    }
+    *stepper = s;
+    return FVI_SUCCESS;
+}
+
+int fvi_step(fvi_stepper *s)
+{
+    if (!s)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (s->k >= s->run.steps)
+        FVI_FAIL("the run is over", FVI_EINVAL);
+    int status = s->method->step(s);
+    if (status)
+        return status;
+    if (!fvi_all_finite(2 * s->run.system->d, s->x)) /* x, then p */
+        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+    s->k++;
+    s->t = (double)s->k * s->run.h;
+    return FVI_SUCCESS;
+}
+
+void fvi_stop(fvi_stepper *s)
+{
+    if (!s)
+        return;
+    if (s->method->stop)
+        s->method->stop(s);
+    fvi_newton_free(s->newton);
+    free(s->x);
+    free(s);
+}
+
+static void store(const fvi_stepper *s, double *x, double *p, double *energy)
+{
+    const size_t d = s->run.system->d;
+    if (x)
+        memcpy(x + s->k * d, s->x, d * sizeof *x);
+    if (p)
+        memcpy(p + s->k * d, s->p, d * sizeof *p);
+    if (energy)
+        energy[s->k] = fvi_energy(s->run.system, s->x, s->p);
+}
+
+int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
+                   double *p, double *energy)
+{
+    fvi_stepper *s;
+    int status = fvi_start(method, run, &s);
+    if (status)
+        return status;
+    if (run->steps >= SIZE_MAX / sizeof(double) / run->system->d) {
+        fvi_stop(s);
+        FVI_FAIL("steps must be addressable", FVI_EINVAL);
+    }
+    store(s, x, p, energy);
+    while (s->k < run->steps && (status = fvi_step(s)) == FVI_SUCCESS)
+        store(s, x, p, energy);
+    fvi_stop(s);
+    return status;
+}

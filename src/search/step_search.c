@@ -1,0 +1,366 @@
+/* src/search/step_search.c -- The step that a wanted error needs.      [Chapter 18] */
+#include <fvi/step_search.h>
+
+#include <fvi/fvi.h>
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FEWEST = 128, PATIENCE = 3, PROBES = 128 };
+
+/* Rows 0, ..., rows of a run, parts steps apart. x and p have equal length. */
+typedef struct {
+    const fvi_method *method;
+    const fvi_run *run;
+    size_t first;        /* parts between the rows of the caller and of these */
+    size_t rows, length; /* rows; (rows + 1) d */
+    double *x, *before;  /* this run and the one with steps twice as long */
+    double *p;
+    double *H; /* a Hessian, made when it is needed */
+    unsigned long long seed;
+    /* three values of F; how far it is off a line, for this step and the one before */
+    double *left, *right, *middle, *deviation, *coarse;
+} search;
+
+/* What is known of a run when it has been compared with the two before. */
+typedef struct {
+    double D, D_before, q, q_before; /* (18.1) */
+    double largest;                  /* |x| */
+    double floor;                    /* below which D means nothing */
+} comparison;
+
+//> trial
+/* One run with each step of the caller's cut into first * parts. */
+static int trial(const search *o, size_t parts)
+{
+    const size_t d = o->run->system->d;
+    fvi_run run = *o->run;
+    run.h /= (double)(o->first * parts); /* a power of two: exact */
+    run.steps = o->rows * parts;
+    fvi_stepper *s;
+    int status = fvi_start(o->method, &run, &s);
+    if (status)
+        return status;
+    for (size_t row = 0;; row++) {
+        memcpy(o->x + row * d, s->x, d * sizeof *o->x);
+        memcpy(o->p + row * d, s->p, d * sizeof *o->p);
+        for (size_t i = 0; i < parts && row < o->rows && !status; i++)
+            status = fvi_step(s);
+        if (status || row == o->rows)
+            break;
+    }
+    fvi_stop(s);
+    return status;
+}
+//< trial
+
+static int too_long(int status)
+{
+    return status == FVI_EOVRFLW || status == FVI_EMAXITER
+           || status == FVI_ESING;
+}
+
+/* max |x|, and D = max |x - before| */
+static double distance(const search *o, double *largest)
+{
+    double D = 0;
+    *largest = 0;
+    for (size_t i = 0; i < o->length; i++) {
+        D = fmax(D, fabs(o->x[i] - o->before[i]));
+        *largest = fmax(*largest, fabs(o->x[i]));
+    }
+    return D;
+}
+
+/* ---- the order that a method has on a run ---- */
+
+/* fvi_fractional, Riemann-Liouville: a damped coordinate that starts away from 0. */
+static int is_kicked(const fvi_method *method, const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    int kicked = 0;
+    for (size_t i = 0; i < system->d; i++)
+        kicked |= run->x0[i] != 0 && system->damping[i] > 0;
+    return kicked && method == &fvi_fractional
+           && run->past == FVI_PAST_RIEMANN_LIOUVILLE && run->alpha < 0.5;
+}
+
+//> order
+/* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). */
+static void orders(const fvi_method *method, const fvi_run *run, double *least,
+                   double *most)
+{
+    const double alpha = run->alpha, s = method->stages;
+    *least = method->lowest;
+    *most = method->highest;
+    if (method->stages == 0 && run->kappa != 0.5)
+        *least = *most = 1;
+    if (is_kicked(method, run))
+        *least = *most = 1 - 2 * alpha; /* (9.5) */
+    if (method->stages > 0)
+        *least = *most = 2 * s - 2;
+    if (method->stages > 2 && alpha != 0 && alpha != 0.5) {
+        *most = fmin(2 * s - 2, s + 2 - 2 * alpha);
+        *least = fmin(*most, 3 - 2 * alpha);
+    }
+}
+//< order
+
+const fvi_method *fvi_step_search_other(const fvi_method *method,
+                                        const fvi_run *run)
+{
+    const fvi_method *other =
+        run->memory == FVI_MEMORY_FFT ? &fvi_shifted : &fvi_lobatto4;
+    double least, most, others;
+    orders(method, run, &least, &most);
+    orders(other, run, &least, &others);
+    return others > most ? other : NULL;
+}
+
+/* ---- F between the nodes ---- */
+
+/* Uniform in [0, 1): always the same numbers, so that a search can be repeated. */
+static double dice(search *o)
+{
+    o->seed = o->seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return 0x1p-53 * (double)(o->seed >> 11);
+}
+
+static void force(const search *o, double t, double *F)
+{
+    const fvi_system *system = o->run->system;
+    system->force.value(t, system->d, system->force.params, F);
+}
+
+//> probe
+/* (18.7): between nodes, at random times, F has come twice as near to the line
+ * through its limits at both as it was with steps twice as long. */
+static int is_resolved(search *o, size_t parts)
+{
+    const size_t d = o->run->system->d;
+    const double steps = (double)(o->rows * parts),
+                 h = o->run->h / (double)(o->first * parts);
+    int resolved = 1;
+    if (!o->run->system->force.value)
+        return 1;
+    memcpy(o->coarse, o->deviation, d * sizeof *o->coarse);
+    memset(o->deviation, 0, d * sizeof *o->deviation);
+    for (int n = 0; n < PROBES; n++) {
+        const double k = floor(steps * dice(o)), theta = dice(o);
+        const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
+        force(o, k * h + within, o->left); /* at a node F may jump */
+        force(o, (k + 1) * h - within, o->right);
+        force(o, (k + theta) * h, o->middle);
+        for (size_t i = 0; i < d; i++) {
+            const double l = o->left[i], r = o->right[i], m = o->middle[i],
+                         rounding = fabs(l) + fabs(r) + fabs(m),
+                         off = fabs(m - ((1 - theta) * l + theta * r));
+            o->deviation[i] =
+                fmax(o->deviation[i], off - 16 * GSL_DBL_EPSILON * rounding);
+        }
+    }
+    for (size_t i = 0; i < d; i++)
+        resolved &= o->deviation[i] <= o->coarse[i] / 2;
+    return resolved;
+}
+//< probe
+
+/* ---- the estimate ---- */
+
+/* sum_j |H_ij|; of a band, row i holds the diagonal and what is right of it. */
+static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
+{
+    double sum = 0;
+    for (size_t j = 0; j < d && diagonals == 0; j++)
+        sum += fabs(H[i * d + j]);
+    for (size_t k = 0; k < diagonals; k++) {
+        sum += i + k < d ? fabs(H[i * diagonals + k]) : 0;
+        sum += k > 0 && k <= i ? fabs(H[(i - k) * diagonals + k]) : 0;
+    }
+    return sum;
+}
+
+/* max over the rows of sum_j |U_ij| / m_i, not below any |eigenvalue| of
+ * M^{-1} Hess U (Gershgorin); NaN, too stiff, if there is no memory for it. */
+static double stiffness(search *o)
+{
+    const fvi_system *system = o->run->system;
+    const fvi_potential *u = &system->potential;
+    const size_t d = system->d, width = u->diagonals ? u->diagonals : d;
+    double most = 0;
+    if (!u->hessian)
+        return 0;
+    if (!o->H && !(o->H = malloc(d * width * sizeof *o->H)))
+        return GSL_NAN;
+    const int constant = u->quadratic && u->quadratic(u->params);
+    for (size_t row = 0; row <= (constant ? 0 : o->rows); row++) {
+        u->hessian(d, o->x + row * d, u->params, o->H);
+        for (size_t i = 0; i < d; i++)
+            most =
+                fmax(most, row_sum(o->H, d, u->diagonals, i) / system->mass[i]);
+    }
+    return most;
+}
+
+/* (18.6): no potential swings so fast that these steps could pass over it. */
+static int is_short(search *o, size_t parts)
+{
+    const double h = o->run->h / (double)(o->first * parts);
+    return h * h * stiffness(o) <= 1;
+}
+
+//> estimate
+/* (18.2), with the order in *order; infinite where (18.5) is not so. */
+static double estimate(const comparison *c, double least, double most,
+                       double *order)
+{
+    const double q = fmin(c->q, c->q_before);
+    *order = fmin(q, most);
+    return q >= fmax(least - 0.5, least / 2)
+               ? c->D / expm1(*order * M_LN2) + c->floor
+               : GSL_POSINF;
+}
+//< estimate
+
+static int is_rounding(const comparison *c)
+{
+    return fmax(c->D, c->D_before) <= 10 * c->floor;
+}
+
+/* The run in o->x, as it compares with the one before, which may have failed. */
+static comparison compare(const search *o, const comparison *last, int failed,
+                          int failed_before)
+{
+    const double tolerance = o->run->tolerance;
+    comparison c = { GSL_POSINF, last->D, GSL_NEGINF, last->q, 0, 0 };
+    if (failed || failed_before)
+        return c;
+    c.D = distance(o, &c.largest);
+    c.floor = (tolerance > 0 ? tolerance : 1e-13) * c.largest;
+    if (gsl_finite(c.D_before))
+        c.q = c.D > 0 ? log2(c.D_before / c.D) : GSL_POSINF;
+    return c;
+}
+
+//> search
+/* Halve; the rows of the last run stay in o->x and o->p. What stands still by (18.6)
+ * and what F hides may yet be seen: only runs without such an excuse wear patience. */
+static int halve(search *o, double error, size_t most, fvi_step_found *found)
+{
+    comparison c = { GSL_POSINF, GSL_POSINF, GSL_NEGINF, GSL_NEGINF, 0, 0 };
+    double least, highest;
+    int failed = 1, worse = 0;
+    orders(o->method, o->run, &least, &highest);
+    found->estimate = GSL_POSINF;
+    for (size_t parts = 1; o->rows <= most / parts; parts *= 2) {
+        const int failed_before = failed, resolved = is_resolved(o, parts);
+        failed = trial(o, parts);
+        if (failed && !too_long(failed))
+            return failed;
+        c = compare(o, &c, failed, failed_before);
+        fvi_step_found now = { .parts = o->first * parts };
+        now.estimate = estimate(&c, least, highest, &now.order);
+        int still = 0;
+        if (is_rounding(&c)) {
+            still = !is_short(o, parts);
+            now.estimate = still ? GSL_POSINF : c.D + c.floor;
+            now.order = 1;
+        }
+        if (resolved && now.estimate < found->estimate) {
+            *found = now;
+            worse = 0;
+        } else if (resolved && !still
+                   && c.D <= GSL_SQRT_DBL_EPSILON * c.largest) {
+            worse++;
+        }
+        if (found->estimate <= error)
+            return FVI_SUCCESS;
+        if (worse == PATIENCE)
+            break;
+        double *swap = o->x;
+        o->x = o->before;
+        o->before = swap;
+    }
+    return FVI_ETOL;
+}
+//< search
+
+static int check(const fvi_method *method, const fvi_run *run, double error,
+                 const double *x, const fvi_step_found *found)
+{
+    if (!x || !found)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(gsl_finite(error) && error > 0))
+        FVI_FAIL("error must be finite and positive", FVI_EDOM);
+    fvi_stepper *s;
+    fvi_run shortest;
+    if (run) { /* one step of it is enough to check it */
+        shortest = *run;
+        shortest.steps = run->steps > 0;
+    }
+    int status = fvi_start(method, run ? &shortest : NULL, &s);
+    if (status && !too_long(status))
+        return status;
+    if (!status)
+        fvi_stop(s);
+    for (size_t i = 0; i < run->system->d; i++) /* fvi_fractional runs it */
+        if (!fvi_past_has_solution(run->past, run->alpha,
+                                   run->system->damping[i], run->x0[i]))
+            FVI_FAIL("there is no solution to be near to", FVI_EDOM);
+    if (method->lowest < 1)
+        FVI_FAIL("the method does not say its order", FVI_EINVAL);
+    return FVI_SUCCESS;
+}
+
+/* The arrays of a search, in one block, which is returned; NULL: no memory. */
+static double *make_room(search *o, size_t d)
+{
+    double *block = malloc((3 * o->length + 5 * d) * sizeof *block);
+    if (!block)
+        return NULL;
+    o->x = block;
+    o->before = o->x + o->length;
+    o->p = o->before + o->length;
+    o->left = o->p + o->length;
+    o->right = o->left + d;
+    o->middle = o->right + d;
+    o->coarse = o->middle + d;
+    o->deviation = o->coarse + d;
+    for (size_t i = 0; i < d; i++)
+        o->deviation[i] = GSL_POSINF;
+    return block;
+}
+
+int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
+                    size_t most, double *x, double *p, fvi_step_found *found)
+{
+    int status = check(method, run, error, x, found);
+    if (status)
+        return status;
+    const size_t d = run->system->d;
+    search o = { .method = method, .run = run, .first = 1, .seed = 1 };
+    while (run->steps * o.first < FEWEST)
+        o.first *= 2;
+    if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first)
+        FVI_FAIL("rows must be addressable", FVI_EINVAL);
+    o.rows = run->steps * o.first;
+    o.length = (o.rows + 1) * d;
+    double *block = make_room(&o, d);
+    if (!block)
+        FVI_FAIL("no memory for the rows", FVI_ENOMEM);
+    fvi_step_found best = { 0 };
+    status = halve(&o, error, most, &best);
+    for (size_t k = 0; !status && k <= run->steps; k++) {
+        memcpy(x + k * d, o.x + k * o.first * d, d * sizeof *x);
+        if (p)
+            memcpy(p + k * d, o.p + k * o.first * d, d * sizeof *p);
+    }
+    free(o.H);
+    free(block);
+    if (!status || status == FVI_ETOL)
+        *found = best;
+    return status;
+}

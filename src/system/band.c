@@ -1,0 +1,103 @@
+/* src/system/band.c -- Linear equations with a band matrix.             [Chapter 2] */
+#include "band.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+int fvi_band_alloc(size_t n, size_t w, fvi_band *J)
+{
+    const int full = 3 * w + 1 >= n;
+    const size_t row = full ? n : 3 * w + 1;
+    *J = (fvi_band){ .n = n, .w = least(w, n - 1) };
+    if (n > SIZE_MAX / sizeof(double) / row)
+        return FVI_ENOMEM;
+    J->stride = full ? n : 3 * w;
+    J->size = n * row;
+    J->block = calloc(J->size, sizeof *J->block);
+    J->pivot = calloc(n, sizeof *J->pivot);
+    if (!J->block || !J->pivot) {
+        fvi_band_free(J);
+        return FVI_ENOMEM;
+    }
+    J->entry = J->block + (full ? 0 : w);
+    return FVI_SUCCESS;
+}
+
+void fvi_band_free(fvi_band *J)
+{
+    free(J->block);
+    free(J->pivot);
+    *J = (fvi_band){ 0 };
+}
+
+void fvi_band_clear(fvi_band *J)
+{
+    memset(J->block, 0, J->size * sizeof *J->block);
+}
+
+/* The largest entry of column k from the diagonal down comes up. */
+static size_t pivot_row(const fvi_band *J, size_t k, size_t below)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < below; i++)
+        if (fabs(fvi_band_row(J, i)[k]) > fabs(fvi_band_row(J, best)[k]))
+            best = i;
+    return best;
+}
+
+//> factorise
+int fvi_band_factorise(fvi_band *J)
+{
+    size_t right = 0; /* rows above and at k end before this column */
+    for (size_t k = 0; k < J->n; k++) {
+        const size_t below = least(J->n, k + J->w + 1);
+        const size_t p = J->pivot[k] = pivot_row(J, k, below);
+        double *top = fvi_band_row(J, k), *other = fvi_band_row(J, p);
+        right = right > p + J->w + 1 ? right : least(J->n, p + J->w + 1);
+        if (other[k] == 0)
+            return FVI_ESING;
+        for (size_t j = k; p != k && j < right; j++) {
+            double swap = top[j];
+            top[j] = other[j];
+            other[j] = swap;
+        }
+        for (size_t i = k + 1; i < below; i++) {
+            double *row = fvi_band_row(J, i), l = row[k] /= top[k];
+#pragma omp simd
+            for (size_t j = k + 1; j < right; j++)
+                row[j] -= l * top[j];
+        }
+    }
+    return FVI_SUCCESS;
+}
+//< factorise
+
+void fvi_band_solve(const fvi_band *J, double *v)
+{
+    const size_t n = J->n, w = J->w;
+    for (size_t k = 0; k < n; k++) {
+        const size_t below = least(n, k + w + 1), p = J->pivot[k];
+        double top = v[p];
+        v[p] = v[k];
+        v[k] = top;
+        for (size_t i = k + 1; i < below; i++)
+            v[i] -= fvi_band_row(J, i)[k] * top;
+    }
+    for (size_t k = n; k-- > 0;) {
+        const size_t right = least(n, k + 2 * w + 1);
+        const double *row = fvi_band_row(J, k);
+        double sum = v[k];
+        for (size_t j = k + 1; j < right; j++)
+            sum -= row[j] * v[j];
+        v[k] = sum / row[k];
+    }
+}

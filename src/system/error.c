@@ -1,0 +1,88 @@
+/* src/system/error.c -- What a function says when it could not do it. */
+#include <fvi/version.h>
+#include "system/fail.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdatomic.h>
+#include <stddef.h>
+
+static fvi_error_handler *handler;
+
+fvi_error_handler *fvi_set_error_handler(fvi_error_handler *next)
+{
+    fvi_error_handler *before = handler;
+    handler = next;
+    return before;
+}
+
+int fvi_fail(const char *reason, const char *file, int line, int code)
+{
+    if (handler)
+        handler(reason, file, line, code);
+    return code;
+}
+
+/* ---- GSL's handler ---- */
+
+static atomic_flag busy = ATOMIC_FLAG_INIT; /* a lock that is held for no time */
+static size_t quiet;                        /* pairs that are open */
+static gsl_error_handler_t *of_gsl;         /* what GSL had before the first */
+
+void fvi_quiet(void)
+{
+    while (atomic_flag_test_and_set(&busy)) {
+    }
+    if (quiet++ == 0)
+        of_gsl = gsl_set_error_handler_off();
+    atomic_flag_clear(&busy);
+}
+
+void fvi_loud(void)
+{
+    while (atomic_flag_test_and_set(&busy)) {
+    }
+    if (--quiet == 0)
+        gsl_set_error_handler(of_gsl);
+    atomic_flag_clear(&busy);
+}
+
+/* ---- words ---- */
+
+const char *fvi_strerror(int code)
+{
+    switch (code) {
+    case FVI_SUCCESS:
+        return "success";
+    case FVI_EDOM:
+        return "a number is out of its range";
+    case FVI_EFAULT:
+        return "a null pointer";
+    case FVI_EINVAL:
+        return "a length, a count or a name that cannot be";
+    case FVI_ENOMEM:
+        return "no memory";
+    case FVI_EBADFUNC:
+        return "a function of the caller gave what is not finite";
+    case FVI_EMAXITER:
+        return "the iteration did not converge";
+    case FVI_ETOL:
+        return "the accuracy that was asked for cannot be had";
+    case FVI_EOVRFLW:
+        return "a value stopped being finite";
+    case FVI_ELOSS:
+        return "not a digit of the result would be right";
+    case FVI_EROUND:
+        return "rounding hides what was asked for";
+    case FVI_ESING:
+        return "the equation has no unique solution";
+    case FVI_EUNSUP:
+        return "the method has no such thing";
+    default:
+        return "an error of the caller's own functions";
+    }
+}
+
+const char *fvi_version(void)
+{
+    return FVI_VERSION;
+}

@@ -1,0 +1,19 @@
+/* src/system/fail.h -- How a function of the library fails. */
+#ifndef FVI_FAIL_H
+#define FVI_FAIL_H
+
+#include <fvi/error.h>
+
+/* fvi_quiet, fvi_loud -- around calls of GSL's that may fail: GSL's own handler, which
+ * is one for the process and aborts, is off in between. Pairs may be nested, and may
+ * overlap in several threads. */
+void fvi_quiet(void);
+void fvi_loud(void);
+
+/* Tell the handler, if there is one; returns code. */
+int fvi_fail(const char *reason, const char *file, int line, int code);
+
+#define FVI_FAIL(reason, code)                                                 \
+    return fvi_fail(reason, __FILE__, __LINE__, code)
+
+#endif

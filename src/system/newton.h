@@ -1,0 +1,77 @@
+/* src/system/newton.h -- The one equation that a step has to solve.     [Chapter 2]
+ *
+ *     A d + s grad U(x + theta d) = r      for d in R^d,            (2.10)
+ *
+ * with A diagonal. Every integrator of this library meets the new position in
+ * this form and no other: the start and the step of Algorithms 1, 2 and 3
+ * (A = m/h, s = kappa h, theta = 1 - kappa) and the implicit Euler method; and the
+ * integrators of chapter 17, several d at a time. */
+#ifndef FVI_NEWTON_H
+#define FVI_NEWTON_H
+
+#include <fvi/system.h>
+
+typedef struct fvi_newton fvi_newton;
+
+/* fvi_newton_alloc -- prepare (2.10) for one system.
+ *
+ *   system    d, potential; must outlive the solver
+ *   A         d numbers, finite, > 0; copied
+ *   s, theta  finite
+ *   newton    output; free it with fvi_newton_free
+ *
+ * If s theta == 0 or there is no potential the equation is explicit, and no
+ * matrix is made. If U is quadratic, A + s theta Hess U is factorised here, once.
+ * Else Newton's method, with the exact Hessian. The factors keep to the diagonals
+ * of the Hessian, with room for exchanges of rows: U need not be convex.
+ * Memory O(d) if explicit, O(d w) for 2 w - 1 diagonals, O(d^2) if it is full.
+ *
+ * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if A or newton
+ * is NULL; FVI_EDOM if A, s or theta is out of range; FVI_ENOMEM; FVI_ESING if
+ * the constant matrix is singular. On error *newton is untouched. */
+int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
+                     double theta, fvi_newton **newton);
+
+/* fvi_newton_stages_alloc -- prepare the equations of q stages.       [(17.8)]
+ *
+ *     d_l + sum_{i=1}^{q} s_li o grad U(x + d_i) = r_l,   l = 1, ..., q
+ *
+ *   q  1 to 8
+ *   s  d q^2 finite numbers: s_li of coordinate j at [(j * q + l) * q + i]; copied
+ *
+ * o is the product coordinate by coordinate: s couples the stages of one coordinate,
+ * U the coordinates of one stage. With the stages of a coordinate beside each other
+ * the matrix has q times as many diagonals as the Hessian.
+ * Returns as fvi_newton_alloc, and FVI_EINVAL if q is out of range. */
+int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
+                            fvi_newton **newton);
+
+/* fvi_newton_solve -- one solution of (2.10), or of the equations of q stages.
+ *
+ *   x     d numbers
+ *   r     q d numbers, stage after stage, as d and g; q = 1 in (2.10)
+ *   d     in: a guess (any finite numbers); out: the solution
+ *   g     output: grad U(x + theta d)
+ *
+ * Stops when what is left of each equation is within the rounding of its terms, and
+ * takes one step more. If fifty steps do not do, or a Jacobian is singular, it begins
+ * again at d = 0 and goes down A d' = r - A d - s grad U(x + theta d) with steps as
+ * long as they may be. Which solution is found where there are several is not said.
+ *
+ * Cost: explicit or quadratic, two gradients and the solution with the factors, O(d w)
+ * for a Hessian of 2 w - 1 diagonals, O(d^2) for a full one. Else mostly two to five
+ * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each; up to a thousand
+ * where Newton's method fails.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EMAXITER, or FVI_ESING if
+ * it was a singular Jacobian that made it begin again, if no solution was found (both
+ * without a call of GSL's error handler, as in fvi_newton_alloc). A
+ * value that is not finite, or whose square is not, is no error here: d is then
+ * not finite. */
+int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
+                     double *d, double *g);
+
+/* fvi_newton_free -- give everything back. NULL is allowed. */
+void fvi_newton_free(fvi_newton *newton);
+
+#endif

@@ -1,0 +1,31 @@
+/* tests/bench/bench.h -- On which machine a table was measured.    [Chapters 12, 18]
+ * The file that includes this asks for _POSIX_C_SOURCE 200809L first. */
+#ifndef BENCH_H
+#define BENCH_H
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/utsname.h>
+
+/* The processor's name, if the kernel tells. */
+static inline void describe(void)
+{
+    char line[256] = "", *name = line;
+    struct utsname u;
+    FILE *cpu = fopen("/proc/cpuinfo", "r");
+    while (cpu && fgets(line, sizeof line, cpu))
+        if (strncmp(line, "model name", 10) == 0 && (name = strchr(line, ':')))
+            break;
+    if (cpu)
+        fclose(cpu);
+    name = name && *name ? name + 2 : line;
+    name[strcspn(name, "\n")] = 0;
+    printf("# machine: %s, %s; one core\n", name, uname(&u) ? "?" : u.machine);
+#ifdef __clang__
+    printf("# compiler: clang %s\n", __clang_version__);
+#else
+    printf("# compiler: gcc %s\n", __VERSION__);
+#endif
+}
+
+#endif

@@ -1,0 +1,112 @@
+/* tests/bench/bench_chain.c -- Chapter 12: what a long chain costs.
+ *
+ * Prints three tables; some twenty seconds. A chain of d masses between two walls,
+ * springs r + r^3 / 2, mass 1, h = 0.1, kappa = 1/2. A time is that of the processor,
+ * for the steps alone, the least of several. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
+#include <fvi/fvi.h>
+#include "bench.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <time.h>
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Seconds of N steps of d masses, x_i = cos(b i) and p_i = 1/2 at first. */
+static double run_once(const fvi_method *method, size_t d, size_t N, double b,
+                       double damping, double alpha)
+{
+    static const double cg[] = { 1, 0.5 };
+    double *mass = malloc(4 * d * sizeof *mass), *rho = mass + d,
+           *x0 = mass + 2 * d, *p0 = mass + 3 * d;
+    if (!mass)
+        exit(EXIT_FAILURE);
+    for (size_t i = 0; i < d; i++) {
+        mass[i] = 1;
+        rho[i] = damping;
+        x0[i] = cos(b * (double)i);
+        p0[i] = 0.5;
+    }
+    const fvi_system system = { .d = d,
+                                .mass = mass,
+                                .damping = rho,
+                                .potential = fvi_potential_chain(cg) };
+    const fvi_run run = { .system = &system,
+                          .x0 = x0,
+                          .p0 = p0,
+                          .h = 0.1,
+                          .steps = N,
+                          .kappa = 0.5,
+                          .alpha = alpha,
+                          .memory = FVI_MEMORY_EXPONENTIALS };
+    fvi_stepper *s;
+    if (fvi_start(method, &run, &s))
+        exit(EXIT_FAILURE);
+    const double begin = now();
+    while (s->k < N)
+        if (fvi_step(s))
+            exit(EXIT_FAILURE);
+    const double seconds = now() - begin;
+    fvi_stop(s);
+    free(mass);
+    return seconds;
+}
+
+/* In ns a mass and step, a row for each d. Twenty steps from x_i = cos i: every spring
+ * is stretched, no two alike, and Newton's method needs as many steps for any d. */
+static void against_masses(const char *name, double damping)
+{
+    enum { N = 20 };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
+                                                 &fvi_lobatto4 };
+    printf("# ns per mass and step, %s\n#> %s\n# d\tfvi\tfvi-shifted"
+           "\tfvi-lobatto4\n",
+           damping > 0 ? "damping 1/5 of order 3/2, exponentials"
+                       : "no damping",
+           name);
+    for (size_t d = 100; d <= 100000; d *= 10) {
+        printf("%zu", d);
+        for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+            double best = 1e30, sum = 0;
+            for (int i = 0; i < 3 || sum < 0.3; i++) {
+                const double t = run_once(methods[m], d, N, 1, damping, 0.75);
+                best = fmin(best, t);
+                sum += t;
+            }
+            printf("\t%.0f", 1e9 * best / (double)(N * d));
+        }
+        printf("\n");
+    }
+    printf("#< %s\n\n\n", name);
+}
+
+/* The run fvi run --potential chain:10000,1,0.5 --method fvi-shifted --steps 400. It is
+ * the first, for the memory is the most that the process ever had. */
+static void one_run(void)
+{
+    struct rusage usage;
+    double best = 1e30;
+    for (int i = 0; i < 3; i++)
+        best = fmin(best, run_once(&fvi_shifted, 10000, 400, 0, 0.2, 0.5));
+    getrusage(RUSAGE_SELF, &usage);
+    printf("# fvi-shifted, 10^4 masses, 400 steps, damping 1/5 of order 1\n"
+           "#> run\n# of what\tis\nseconds\t%.2f\nMB\t%.1f\n#< run\n\n\n",
+           best, (double)usage.ru_maxrss / 1e3); /* kB on Linux */
+}
+
+int main(void)
+{
+    describe();
+    one_run();
+    against_masses("solver", 0);
+    against_masses("memory", 0.2);
+    return EXIT_SUCCESS;
+}

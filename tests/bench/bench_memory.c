@@ -1,0 +1,225 @@
+/* tests/bench/bench_memory.c -- Chapter 12: what the three memories take.
+ *
+ * Prints a table in blocks (gnuplot: index 0, 1, ...); the progress is on
+ * standard error. Some twenty seconds. Every run is the Bagley-Torvik equation
+ *     x'' + D^{3/2} x + x = F(t),  F = 8 for t <= 1, then 0,  x(0) = x'(0) = 0,
+ * to T = 20, by the integrator of chapter 9. A time is the least of several. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include <fvi/fvi.h>
+#include "bench.h"
+#include "memory/memory_kinds.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char *const names[] = { "auto", "direct", "fft", "exponentials" };
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* One line on a terminal, written over by the next. */
+static void progress(const char *what, size_t n)
+{
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%-40s %10zu", what, n);
+}
+
+/* One run of d equal systems; x(T) of the first. */
+static double run_once(size_t d, size_t N, double kappa, fvi_memory_kind kind,
+                       double tolerance)
+{
+    enum { MOST = 32 };
+    static double one[MOST], zero[MOST];
+    static const double c = 1, force[2] = { 8, 1 };
+    for (size_t i = 0; i < MOST; i++)
+        one[i] = 1;
+    fvi_system system = { .d = d,
+                          .mass = one,
+                          .damping = one,
+                          .potential = fvi_potential_harmonic(&c),
+                          .force = fvi_force_step(force) };
+    fvi_run run = { .system = &system,
+                    .x0 = zero,
+                    .p0 = zero,
+                    .h = 20 / (double)N,
+                    .steps = N,
+                    .kappa = kappa,
+                    .alpha = 0.75,
+                    .memory = kind,
+                    .tolerance = tolerance };
+    fvi_stepper *s;
+    if (fvi_start(&fvi_fractional, &run, &s))
+        exit(EXIT_FAILURE);
+    while (s->k < N)
+        if (fvi_step(s))
+            exit(EXIT_FAILURE);
+    double x = s->x[0];
+    fvi_stop(s);
+    return x;
+}
+
+/* Seconds of a run: the least of two or of a fifth of a second's worth. */
+static double seconds(size_t d, size_t N, double kappa, fvi_memory_kind kind,
+                      double tolerance, double *x)
+{
+    double best = 1e30, begin = now();
+    for (int i = 0; i < 2 || (now() - begin < 0.2 && i < 1000); i++) {
+        double start = now();
+        *x = run_once(d, N, kappa, kind, tolerance);
+        best = fmin(best, now() - start);
+        if (best > 2)
+            break;
+    }
+    return best;
+}
+
+static void against_steps(void)
+{
+    /* The method is of first order: two long runs give x(T) to 10^-12. */
+    progress("reference", 10000000);
+    double exact = 2 * run_once(1, 10000000, 0.5, FVI_MEMORY_AUTO, 0)
+                   - run_once(1, 5000000, 0.5, FVI_MEMORY_AUTO, 0);
+    printf("\n\n# run time against N, 2 alpha = 3/2, default tolerance\n"
+           "# memory\tN\tseconds\tns per step\tbytes\terror of x(T)\n");
+    const double all[] = { 32,  64,  128, 192, 256, 384, 512, 1e3, 2e3,
+                           5e3, 1e4, 2e4, 5e4, 1e5, 3e5, 1e6, 3e6, 1e7 };
+    const double most[] = { 0, 2e4, 3e6, 1e7 };
+    for (int kind = FVI_MEMORY_DIRECT; kind <= FVI_MEMORY_EXPONENTIALS;
+         kind++) {
+        for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+            if (all[i] > most[kind])
+                break;
+            size_t N = (size_t)all[i];
+            progress(names[kind], N);
+            double x, t = seconds(1, N, 0.5, (fvi_memory_kind)kind, 0, &x);
+            printf("%s\t%zu\t%.4g\t%.4g\t%zu\t%.3g\n", names[kind], N, t,
+                   1e9 * t / (double)N,
+                   fvi_memory_bytes(1.5, 1, N, (fvi_memory_kind)kind, 0),
+                   fabs(x - exact));
+        }
+        printf("\n\n");
+    }
+}
+
+/* The direct sum of N terms, and N bare dot products of the same lengths. */
+static double bare(size_t N, double *a, double *b)
+{
+    double start = now(), total = 0;
+    for (size_t k = 1; k <= N; k++) {
+        double sum = 0;
+#pragma omp simd reduction(+ : sum)
+        for (size_t j = 0; j < k; j++)
+            sum += a[j] * b[j];
+        total += sum;
+    }
+    a[0] = 1e-300 * total; /* so that the sums are not left out */
+    return now() - start;
+}
+
+static void ratios(void)
+{
+    double x, y, direct = seconds(1, 20000, 0.5, FVI_MEMORY_DIRECT, 0, &x);
+    double dots = 1e30, *a = calloc(40000, sizeof *a);
+    for (int i = 0; a && i < 5; i++)
+        dots = fmin(dots, bare(20000, a, a + 20000));
+    free(a);
+    progress("ratios", 1000000);
+    double fft = seconds(1, 1000000, 0.5, FVI_MEMORY_FFT, 0, &x);
+    double modes = seconds(1, 1000000, 0.5, FVI_MEMORY_EXPONENTIALS, 0, &y);
+    static const char row[] = "%-56s\t%.*g\n";
+    printf("# ratios of run times, and how far apart the results are\n"
+           "#> ratios\n# %-54s\tis\n",
+           "of what");
+    printf(row, "direct, ns a product, N = 2 10^4", 3, 1e9 * direct / 2e8);
+    printf(row, "direct over bare dot products, N = 2 10^4", 3, direct / dots);
+    printf(row, "FFT blocks over exponentials, N = 10^6", 3, fft / modes);
+    printf(row, "direct, 50^2 times that of N = 2 10^4, over exponentials", 3,
+           2500 * direct / modes);
+    printf(row, "x(T) by FFT blocks minus by exponentials, N = 10^6", 2,
+           fabs(x - y));
+    printf("#< ratios\n\n\n");
+}
+
+/* Time against error: what does a tolerance cost, and what does it keep? */
+static void against_tolerance(void)
+{
+    const size_t N = 20000;
+    progress("against the tolerance", N);
+    double want = run_once(1, N, 0.5, FVI_MEMORY_DIRECT, 0), x;
+    printf("# against the tolerance, N = %zu\n#> tolerance\n"
+           "# toler.\tms\tmodes\t|x(T) - that of the direct sum|\n",
+           N);
+    for (double tolerance = 1e-3; tolerance > 0.9e-14; tolerance /= 10) {
+        double t = seconds(1, N, 0.5, FVI_MEMORY_EXPONENTIALS, tolerance, &x);
+        double delta = fvi_exponentials_delta(N, tolerance);
+        printf("%.0e\t%.3f\t%zu\t%.1e\n", tolerance, 1e3 * t,
+               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL),
+               fabs(x - want));
+    }
+    printf("#< tolerance\n\n\n");
+}
+
+/* d systems in one memory against d runs. kappa = 1 is the explicit step: no
+ * d by d matrix hides the memory. */
+static void against_batch(void)
+{
+    const size_t N = 200000;
+    double x, alone = seconds(1, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x);
+    printf("# a batch: d systems in one memory, N = %zu, explicit\n#> batch\n"
+           "# d\tns per step and system\ttimes as fast as one by one\n",
+           N);
+    for (size_t d = 1; d <= 32; d *= 2) {
+        progress("batch", d);
+        double t = seconds(d, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x) / (double)d;
+        printf("%zu\t%.1f\t%.2f\n", d, 1e9 * t / (double)N, alone / t);
+    }
+    printf("#< batch\n\n\n");
+}
+
+/* The module alone, x_{k+1} made from H_k as a step would: ns a push against
+ * the number of modes. */
+static void against_modes(void)
+{
+    const size_t N = 500000;
+    progress("one push", N);
+    printf(
+        "# one push of the exponentials, order 1/2\n#> modes\n# modes\tns\n");
+    for (double tolerance = 1e-3; tolerance > 0.9e-14; tolerance /= 10) {
+        double delta = fvi_exponentials_delta(N, tolerance), best = 1e30;
+        for (int i = 0; i < 5; i++) {
+            fvi_exponentials *e = fvi_exponentials_alloc(0.5, 1, N, delta);
+            double x = 1, v = 0, H, start = now();
+            for (size_t k = 0; e && k <= N; k++) {
+                fvi_exponentials_push(e, &x, &H);
+                v -= 1e-5 * (x + H);
+                x += 1e-5 * v;
+            }
+            best = fmin(best, now() - start);
+            fvi_exponentials_free(e);
+        }
+        printf("%zu\t%.1f\n",
+               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL),
+               1e9 * best / (double)N);
+    }
+    printf("#< modes\n");
+}
+
+int main(void)
+{
+    describe();
+    against_steps();
+    ratios();
+    against_tolerance();
+    against_batch();
+    against_modes();
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%52s\r", "");
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,389 @@
+/* tests/convolution_quadrature/test_convolution_quadrature_runs.c -- Chapter 13: both integrators of order
+ * 2 against exact values and against what is known of them.
+ * Run alone: make test-convolution_quadrature_runs */
+#include <fvi/convolution_quadrature.h>
+#include <fvi/convolution_quadrature_methods.h>
+#include "harness/fvi_runs.h"
+
+#include "convolution_quadrature_ref.h"
+
+#include <gsl/gsl_math.h>
+
+static const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2 };
+static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
+                                         FVI_MEMORY_EXPONENTIALS,
+                                         FVI_MEMORY_AUTO };
+
+/* ---- trajectories ---- */
+
+/* As in Chapter 9: what two runs may differ by that are equal but for rounding.
+ * A rounding in a step acts like an impulse, a run answers a unit impulse with G;
+ * in each step some 20 roundings of the size of p, h grad U (8 h X), h F and
+ * m x / h, and (n + 50) u times sum |w_n| |x| <= 16^alpha X in the memory, twice. */
+static double rounding(const fvi_method *method, const setup *a,
+                       const double *x, const double *p)
+{
+    double answer[201];
+    setup unit = *a;
+    unit.x0 = 0;
+    unit.p0 = 1;
+    unit.potential = HARMONIC;
+    unit.force.value = NULL;
+    solve(method, &unit, answer, NULL);
+    const size_t n = a->steps + 1;
+    double G = farthest(n, answer, NULL), X = farthest(n, x, NULL),
+           P = farthest(n, p, NULL);
+    double step = 20 * (P + 8 * a->h * X + a->mass / a->h * X)
+                  + 2 * ((double)n + 50) * a->rho * pow(16, a->alpha)
+                        * pow(a->h, 1 - 2 * a->alpha) * X;
+    return (a->potential == HARMONIC ? 1 : 10) * (double)n * U * G * step;
+}
+
+//> values
+/* (13.7), (13.9). In the exact cases every number that occurs is a short binary
+ * fraction: 0 ulp. Else the bound above, and m/h times that for p. Seen: 3e-16,
+ * 0.0006 of it. */
+START_TEST(eq_13_7_trajectories_are_the_exact_ones)
+{
+    for (size_t r = 0; r < LEN(ref_runs); r++) {
+        const int kind = ref_runs[r].cg[1] != 0 ? CUBIC : HARMONIC;
+        const fvi_method *method = methods[ref_runs[r].bdf2];
+        const setup a = { ref_runs[r].alpha,
+                          ref_runs[r].kappa,
+                          ref_runs[r].h,
+                          ref_runs[r].steps,
+                          FVI_PAST_CAPUTO,
+                          ref_runs[r].mass,
+                          ref_runs[r].rho,
+                          ref_runs[r].x0,
+                          ref_runs[r].p0,
+                          kind,
+                          { ref_runs[r].cg[0], ref_runs[r].cg[1] },
+                          fvi_force_step(ref_runs[r].step) };
+        double x[30], p[30];
+        solve(method, &a, x, p);
+        const double bound = ref_runs[r].exact ? 0 : rounding(method, &a, x, p);
+        for (size_t k = 0; k <= a.steps; k++) {
+            const size_t row = ref_runs[r].first + k;
+            ck_assert_near(x[k], ref_rows[row].x, bound, "%s: x, k=%zu",
+                           ref_runs[r].name, k);
+            ck_assert_near(p[k], ref_rows[row].p, bound * (a.mass / a.h),
+                           "%s: p, k=%zu", ref_runs[r].name, k);
+        }
+    }
+}
+END_TEST
+//< values
+
+/* (13.10) at alpha = 1/2: f^+ = f^- = -rho (x_{k+1} - x_k)/2, the midpoint rule of
+ * Lagrange and d'Alembert. Seen: 1.1e-16, 3e-5 of the bound. */
+START_TEST(eq_13_10_the_half_derivative_shifted_is_the_midpoint_rule)
+{
+    const double kappas[] = { 0, 0.25, 0.5, 1 };
+    for (size_t i = 0; i < LEN(kappas); i++) {
+        const setup a = {
+            0.5, kappas[i], 0.1, 100,      FVI_PAST_CAPUTO, 2,
+            0.7, 0.5,       0.3, HARMONIC, { 1, 0 },        { 0 }
+        };
+        double x[101], p[101], want = a.x0, q = a.p0;
+        solve(&fvi_shifted, &a, x, p);
+        const double bound = rounding(&fvi_shifted, &a, x, p), K = a.kappa;
+        for (size_t k = 0; k <= a.steps; k++) {
+            ck_assert_near(x[k], want, bound, "kappa=%g k=%zu", K, k);
+            double dx = (q - K * a.h * want)
+                        / (a.mass / a.h + a.rho / 2 + K * (1 - K) * a.h);
+            q -= a.rho * dx + a.h * (want + (1 - K) * dx);
+            want += dx;
+        }
+    }
+}
+END_TEST
+
+/* alpha = 1: Algorithm 1 with the mass m + rho, and the velocity p_0/m. The same x.
+ * Seen: 4e-15; the bound takes the memory at its worst, 10^-8. */
+START_TEST(eq_13_14_at_alpha_1_the_damping_is_an_added_mass)
+{
+    for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
+        if (kind == CHAIN)
+            continue;
+        setup a = { 1,   0.5, 0.1, 200,  FVI_PAST_CAPUTO, 2,
+                    3.5, 0.5, 0.3, kind, { 1, 0.5 },      { 0 } };
+        double x[201], p[201], want[201];
+        solve(&fvi_shifted, &a, x, p);
+        const double bound = rounding(&fvi_shifted, &a, x, p);
+        a.p0 *= (a.mass + a.rho) / a.mass;
+        a.mass += a.rho;
+        a.rho = 0;
+        solve(&fvi_variational, &a, want, NULL);
+        ck_assert_near(farthest(201, x, want), 0, bound, "potential %d", kind);
+    }
+}
+END_TEST
+
+/* rho = 0: both are Algorithm 1. Seen: 0.0008 of the bound. */
+START_TEST(eq_13_10_without_damping_it_is_algorithm_1)
+{
+    for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
+        if (kind == CHAIN)
+            continue;
+        const setup a = { 0.3, 0.25, 0.1, 100,  FVI_PAST_CAPUTO, 2,
+                          0,   0.5,  0.3, kind, { 1, 1 },        { 0 } };
+        double x[101], p[101], want[101];
+        solve(&fvi_variational, &a, want, NULL);
+        for (size_t i = 0; i < LEN(methods); i++) {
+            solve(methods[i], &a, x, p);
+            ck_assert_near(farthest(101, x, want), 0,
+                           rounding(methods[i], &a, x, p), "potential %d",
+                           kind);
+        }
+    }
+}
+END_TEST
+
+/* Three masses that do not feel each other, two damped: each does what it does
+ * alone, bit for bit. */
+START_TEST(eq_13_10_only_damped_coordinates_remember)
+{
+    const double mass[] = { 2, 1, 3 }, rho[] = { 0, 0.5, 0.2 },
+                 x0[] = { -0.5, 1, 0.25 }, p0[] = { 0.7, 0.2, 0 }, c = 1,
+                 step[] = { 1, 2 }, alphas[] = { 0.3, 0.5, 0.8 };
+    const fvi_system system = { 3, mass, rho, fvi_potential_harmonic(&c),
+                                fvi_force_step(step) };
+    for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
+        const fvi_method *method = methods[i / LEN(alphas)];
+        double both[153], alone[51];
+        for (size_t j = 0; j < 3; j++) {
+            setup a = { .h = 0.125, .steps = 50, .cg = { c, 0 }, .kappa = 0.5 };
+            a.alpha = alphas[i % LEN(alphas)];
+            a.mass = mass[j];
+            a.rho = rho[j];
+            a.x0 = x0[j];
+            a.p0 = p0[j];
+            a.force = system.force;
+            run(method, &a, &system, x0, p0, both, NULL);
+            solve(method, &a, alone, NULL);
+            for (size_t k = 0; k <= 50; k++)
+                ck_assert_ulp(both[3 * k + j], alone[k], 0, "%s mass %zu k=%zu",
+                              method->name, j, k);
+        }
+    }
+}
+END_TEST
+
+/* As in Chapter 9: each mode of a chain moves as one mass does. Seen: 1.3e-15, 0.00015
+ * of the bound. */
+START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
+{
+    enum { D = 5, N = 40 };
+    const double mass[D] = { 1.5, 1.5, 1.5, 1.5, 1.5 }, c[] = { 2, 0 },
+                 rho[D] = { 0.4, 0.4, 0.4, 0.4, 0.4 },
+                 alphas[] = { 0.1, 0.5, 0.8 };
+    const fvi_system system = { D, mass, rho, fvi_potential_chain(c), { 0 } };
+    for (size_t i = 0; i < LEN(alphas) * D * LEN(methods); i++) {
+        const fvi_method *method = methods[i / LEN(alphas) / D];
+        const double j = (double)(i % D) + 1, s = sin(M_PI / 2 * j / (D + 1));
+        double x0[D], p0[D], x[(N + 1) * D], mode[N + 1], p[N + 1];
+        for (size_t n = 0; n < D; n++) {
+            x0[n] = sin(M_PI * j * (double)(n + 1) / (D + 1));
+            p0[n] = 0.5 * x0[n];
+        }
+        const setup one = { alphas[i / D % LEN(alphas)],
+                            0.25,
+                            0.125,
+                            N,
+                            FVI_PAST_CAPUTO,
+                            mass[0],
+                            rho[0],
+                            1,
+                            0.5,
+                            HARMONIC,
+                            { 4 * c[0] * s * s, 0 },
+                            { 0 } };
+        run(method, &one, &system, x0, p0, x, NULL);
+        solve(method, &one, mode, p);
+        for (size_t k = 0; k < (N + 1) * D; k++)
+            ck_assert_near(x[k], mode[k / D] * x0[k % D],
+                           (3 * D + 1) * rounding(method, &one, mode, p),
+                           "%s alpha=%g mode %g k=%zu", method->name, one.alpha,
+                           j, k / D);
+    }
+}
+END_TEST
+
+/* Caputo's damping knows no origin and, for 2 alpha > 1, no uniform motion. Seen: 0.0002 of the bound. */
+START_TEST(eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion)
+{
+    const double alphas[] = { 0.1, 0.25, 0.5, 0.75, 1 };
+    for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
+        const fvi_method *method = methods[i / LEN(alphas)];
+        setup a = { alphas[i % LEN(alphas)],
+                    0.5,
+                    0.125,
+                    60,
+                    FVI_PAST_CAPUTO,
+                    1,
+                    0.5,
+                    0,
+                    0.75,
+                    HARMONIC,
+                    { 0, 0 },
+                    { 0 } };
+        double here[61], there[61], p[61];
+        solve(method, &a, here, p);
+        a.x0 = 8;
+        solve(method, &a, there, NULL);
+        for (size_t k = 0; k <= 60; k++) {
+            ck_assert_near(there[k] - 8, here[k],
+                           rounding(method, &a, there, p), "alpha=%g k=%zu",
+                           a.alpha, k);
+            if (a.alpha > 0.5)
+                ck_assert_near(here[k], 0.75 * 0.125 * (double)k,
+                               rounding(method, &a, there, p), "alpha=%g k=%zu",
+                               a.alpha, k);
+        }
+    }
+}
+END_TEST
+
+/* ---- memories ---- */
+
+static void motion(const fvi_method *method, int which, double alpha, size_t N,
+                   fvi_memory_kind kind, double *x)
+{
+    static const double one[] = { 1, 1, 1, 1 }, zero[4], cg[] = { 1, 1 },
+                        pushes[] = { 8, 1 }, wave[] = { 0.5, 1.2 },
+                        up[] = { 1, 0, -0.5, 0.2 };
+    /* within the stable steps of both, (13.14) */
+    const double R = method == &fvi_bdf2 && alpha > 0.75 ? 0.2 : 1,
+                 rho[] = { R, 0, 0.3 * R, 0.7 * R };
+    fvi_system system = { 1, one, rho, fvi_potential_harmonic(one),
+                          fvi_force_step(pushes) };
+    if (which == 1)
+        system = (fvi_system){ 4, one, rho, fvi_potential_chain(cg),
+                               fvi_force_cosine(wave) };
+    if (which == 2)
+        system = (fvi_system){ 1, one, rho, fvi_potential_pendulum(one),
+                               fvi_force_cosine(wave) };
+    const fvi_run run = { .system = &system,
+                          .x0 = which ? up : zero,
+                          .p0 = zero,
+                          .h = 20 / (double)N,
+                          .steps = N,
+                          .kappa = 0.5,
+                          .alpha = alpha,
+                          .memory = kind };
+    ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), FVI_SUCCESS);
+}
+
+/* The promise of memory.h is 1e-13 max |x|; a factor of 10 for motions that part,
+ * and for the factor of BDF2, sum |g_n| <= 4. FFT: rounding only, as in Chapter 12.
+ * Bagley and Torvik, a quartic chain, a driven pendulum. Seen: 1.2e-14. */
+//> memories
+START_TEST(eq_13_11_all_memories_give_the_same_trajectory)
+{
+    enum { N = 3000 };
+    const double alphas[] = { 0, 0.1, 0.25, 0.5, 0.75, 0.9, 1 };
+    static double want[4 * N + 4], x[4 * N + 4];
+    for (size_t i = 0; i < LEN(methods) * LEN(alphas) * 3; i++) {
+        const size_t which = i % 3, count = which == 1 ? 4 * N + 4 : N + 1;
+        const double alpha = alphas[i / 3 % LEN(alphas)];
+        const fvi_method *method = methods[i / 3 / LEN(alphas)];
+        motion(method, (int)which, alpha, N, FVI_MEMORY_DIRECT, want);
+        for (size_t k = 1; k < LEN(kinds); k++) {
+            motion(method, (int)which, alpha, N, kinds[k], x);
+            const double off =
+                farthest(count, x, want) / farthest(count, want, NULL);
+            seen(off, "difference");
+            ck_assert_near(off, 0, 1e-12, "%s alpha=%g problem %zu kind %zu",
+                           method->name, alpha, which, k);
+        }
+    }
+}
+END_TEST
+//< memories
+
+/* ---- errors ---- */
+
+START_TEST(runs_that_cannot_be_done_are_refused)
+{
+    const double one = 1, c = 1, minus = -1;
+    fvi_system good = { 1, &one, &one, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system light = good;
+    light.mass = &minus;
+    const struct {
+        const fvi_system *system;
+        double alpha, kappa, h;
+        size_t steps;
+        fvi_memory_kind kind;
+        double tolerance;
+        int status;
+    } bad[] = {
+        { NULL, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EFAULT },
+        { &light, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
+        { &good, 1.1, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 1.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 0.5, 0, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 0.5, 0.1, 0, FVI_MEMORY_AUTO, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, 9, (fvi_memory_kind)9, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 1, FVI_EDOM },
+        { &good, 0.3, 0.5, 0.1, SIZE_MAX, FVI_MEMORY_FFT, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, (size_t)1 << 50, FVI_MEMORY_FFT, 0,
+          FVI_ENOMEM },
+        { &good, 0.3, 0.5, 0.1, 1000, FVI_MEMORY_AUTO, 1e-15, FVI_ETOL },
+    };
+    fvi_stepper *const sentinel = (fvi_stepper *)&good, *s = sentinel;
+    for (size_t i = 0; i < LEN(bad) * LEN(methods); i++) {
+        const size_t r = i / 2;
+        const fvi_run run = { .system = bad[r].system,
+                              .x0 = &one,
+                              .p0 = &one,
+                              .h = bad[r].h,
+                              .steps = bad[r].steps,
+                              .kappa = bad[r].kappa,
+                              .alpha = bad[r].alpha,
+                              .memory = bad[r].kind,
+                              .tolerance = bad[r].tolerance };
+        ck_assert_int_eq(fvi_start(methods[i % 2], &run, &s), bad[r].status);
+        ck_assert_ptr_eq(s, sentinel);
+    }
+    /* theta rho h^(1 - 2 alpha) = 10^320; a motion that leaves the doubles */
+    fvi_run run = { .system = &good,
+                    .x0 = &one,
+                    .p0 = &one,
+                    .h = 1e-320,
+                    .steps = 9,
+                    .kappa = 0.5,
+                    .alpha = 1 };
+    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &s), FVI_EDOM);
+    const double far = 1.7e308;
+    run.h = 1;
+    run.x0 = run.p0 = &far;
+    double x[10] = { 0 };
+    for (size_t i = 0; i < LEN(methods); i++)
+        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
+                         FVI_EOVRFLW);
+}
+END_TEST
+
+/* Under AddressSanitizer, too, malloc may say no. */
+const char *__asan_default_options(void);
+const char *__asan_default_options(void)
+{
+    return "allocator_may_return_null=1";
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("13 convolution quadrature: runs");
+    ADD_CASE(suite, "values", eq_13_7_trajectories_are_the_exact_ones);
+    ADD_CASE(suite, "identities",
+             eq_13_10_the_half_derivative_shifted_is_the_midpoint_rule,
+             eq_13_14_at_alpha_1_the_damping_is_an_added_mass,
+             eq_13_10_without_damping_it_is_algorithm_1,
+             eq_13_10_only_damped_coordinates_remember,
+             eq_13_7_the_modes_of_a_chain_decouple,
+             eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion,
+             eq_13_11_all_memories_give_the_same_trajectory);
+    ADD_CASE(suite, "errors", runs_that_cannot_be_done_are_refused);
+    return run_suite(suite);
+}

@@ -1,0 +1,522 @@
+/* tests/discrete_mechanics/test_discrete_mechanics_newton.c -- Chapter 2: the equation of a step.
+ * Run alone: make test-discrete_mechanics_newton */
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/error.h>
+#include <fvi/lobatto.h>
+#include "harness/fvi_runs.h"
+#include "harness/ulp.h"
+#include "system/band.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+static const double one[] = { 1, 1, 1, 1, 1 }, none[5];
+
+static fvi_newton *solver(const fvi_system *system, const double *A, double s,
+                          double theta)
+{
+    fvi_newton *newton = NULL;
+    ck_assert_int_eq(fvi_newton_alloc(system, A, s, theta, &newton), 0);
+    return newton;
+}
+
+/* ---- a Duffing spring that writes down what it is asked ---- */
+
+typedef struct {
+    size_t gradients, hessians;
+    double point[64]; /* of each gradient, d == 1 */
+} diary;
+
+static const double spring[] = { 1, 1 };
+
+static double told_value(size_t d, const double *x, const void *params)
+{
+    (void)params;
+    return fvi_potential_duffing(spring).value(d, x, spring);
+}
+
+static void told_gradient(size_t d, const double *x, const void *params,
+                          double *g)
+{
+    diary *told = *(diary *const *)params;
+    told->point[told->gradients++ % 64] = x[0];
+    fvi_potential_duffing(spring).gradient(d, x, spring, g);
+}
+
+static void told_hessian(size_t d, const double *x, const void *params,
+                         double *H)
+{
+    (*(diary *const *)params)->hessians++;
+    fvi_potential_duffing(spring).hessian(d, x, spring, H);
+}
+
+static fvi_system telling(diary *const *told)
+{
+    const fvi_potential u = { told_value, told_gradient, told_hessian,
+                              told,       NULL,          0 };
+    return (fvi_system){ 1, one, none, u, { 0 } };
+}
+
+/* ---- values ---- */
+
+/* Short binary fractions: A d + s c (x + theta d) = r, 0 ulp. In two dimensions
+ * the chain's matrix is [[4, -1], [-1, 4]] here, whose LU factors are not
+ * short: 16/15. Two units of rounding each for the factors and the solution. */
+START_TEST(eq_2_10_linear_equations)
+{
+    const double c[] = { 2, 0 }, x[] = { 1, -3 }, r[] = { 8, 2 };
+    const double A[] = { 1, 3 }, two[] = { 2, 2 };
+    double d[2] = { 7, 7 }, g[2];
+    fvi_system system = { 2, one, none, fvi_potential_harmonic(c), { 0 } };
+    fvi_newton *newton = solver(&system, A, 1, 0.5);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
+    ck_assert(d[0] == 3 && d[1] == 2 && g[0] == 5 && g[1] == -4);
+    fvi_newton_free(newton);
+
+    const double stiff[] = { 1, 0 };
+    system.potential = fvi_potential_chain(stiff);
+    newton = solver(&system, two, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
+    /* J d = r - H x = (8 - 5, 2 + 7) = (3, 9), d = (21, 39) / 15 */
+    ck_assert_near(d[0], 1.4, 8 * U * 2.6, "chain, first");
+    ck_assert_near(d[1], 2.6, 8 * U * 2.6, "chain, second");
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* s theta = 0: nothing is solved, and no Hessian is asked for. g belongs to
+ * x + theta d all the same. */
+START_TEST(eq_2_10_is_explicit_at_both_ends_of_kappa)
+{
+    diary page = { 0 }, *told = &page;
+    const fvi_system system = telling(&told);
+    const double x = 0.5, r = 3, A = 2;
+    double d = 7, g = 7;
+    fvi_newton *newton = solver(&system, &A, 0, 1); /* kappa = 0 */
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), FVI_SUCCESS);
+    ck_assert(d == 1.5 && g == 2 + 8 && page.gradients == 1);
+    fvi_newton_free(newton);
+    newton = solver(&system, &A, 0.5, 0); /* kappa = 1 */
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), FVI_SUCCESS);
+    ck_assert(d == (3 - 0.5 * 0.625) / 2 && g == 0.625);
+    fvi_newton_free(newton);
+    g = 7;
+    newton = solver(&system, &A, 0, 0);
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), FVI_SUCCESS);
+    ck_assert(d == 1.5 && g == 0.625);
+    ck_assert_uint_eq(page.hessians, 0);
+    fvi_newton_free(newton);
+
+    const fvi_system freely = { 2, one, none, { 0 }, { 0 } };
+    const double r2[] = { 3, -1 }, x2[] = { 1, 1 };
+    double d2[2], g2[2] = { 7, 7 };
+    newton = solver(&freely, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x2, r2, d2, g2), FVI_SUCCESS);
+    ck_assert(d2[0] == 3 && d2[1] == -1 && g2[0] == 0 && g2[1] == 0);
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* ---- identities ---- */
+
+/* The residual of what comes back, put into (2.10) by hand. Rounding makes an
+ * error of at most (4 + d) u in each of r, A d, s grad U and in the point
+ * x + theta d, which the Jacobian multiplies; solving with LU factors adds d u
+ * of the Jacobian times d, and so does the rounding of d. Together at most
+ * 4 (4 + d) u |J| (|x| + |d| + |r| / A). Seen: 0.03 of it. */
+START_TEST(eq_2_10_solutions_satisfy_it)
+{
+    const double cg[] = { 1, 2 }, A[] = { 10, 7, 12, 9, 20 };
+    const double x[] = { 0.3, -1.2, 2.1, 0.7, -0.4 };
+    const double s[] = { 0.03, 0.1, 1, 8 }, theta[] = { 0.2, 0.5, 1 };
+    for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
+        const size_t dim = kind == CUBIC ? 1 : 5;
+        const fvi_system system = {
+            dim, one, none, potential(kind, cg), { 0 }
+        };
+        for (size_t i = 0; i < LEN(s) * LEN(theta); i++) {
+            const double si = s[i % LEN(s)], ti = theta[i / LEN(s)];
+            double r[] = { 5, -3, 0.1, 7, 2 }, d[5] = { 0 }, g[5], z[5];
+            double H[25], norm = 0, size = 0;
+            fvi_newton *newton = solver(&system, A, si, ti);
+            ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), 0);
+            fvi_newton_free(newton);
+            for (size_t j = 0; j < dim; j++)
+                z[j] = x[j] + ti * d[j];
+            fvi_hessian(&system, z, H);
+            for (size_t j = 0; j < dim; j++) {
+                double sum = A[j];
+                for (size_t k = 0; k < dim; k++)
+                    sum += si * ti * fabs(H[j * dim + k]);
+                norm = fmax(norm, sum);
+                size = fmax(size, fabs(x[j]) + fabs(d[j]) + fabs(r[j]) / A[j]);
+            }
+            for (size_t j = 0; j < dim; j++)
+                ck_assert_near(A[j] * d[j] + si * g[j], r[j],
+                               4 * (4 + (double)dim) * U * norm * size,
+                               "kind %d, s %g, theta %g", kind, si, ti);
+            system.potential.gradient(dim, z, cg, H); /* g is of this point */
+            for (size_t j = 0; j < dim; j++)
+                ck_assert_near(g[j], H[j],
+                               4 * (4 + (double)dim) * U * norm * size / si,
+                               "gradient, kind %d", kind);
+        }
+    }
+}
+END_TEST
+
+/* (2.11) is exact: with f the left side of (2.10), f'' = 6 s theta^2 z and
+ * f' >= A + s theta, Newton's errors obey e_{j+1} <= max |f''| / (2 min f') e_j^2,
+ * and at the end 16 u. The diary has every iterate: z_j = x + theta d_j.
+ * Seen: from 1.7 in 7 gradients; a Jacobian that is 1 % off needs 10. */
+START_TEST(eq_2_11_newton_converges_quadratically)
+{
+    diary page = { 0 }, *told = &page;
+    const fvi_system system = telling(&told);
+    const double x = 1, r = 6, A = 1, s = 0.5, theta = 0.5;
+    double d = 0, g, largest = 0;
+    fvi_newton *newton = solver(&system, &A, s, theta);
+    ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), FVI_SUCCESS);
+    fvi_newton_free(newton);
+    ck_assert_uint_eq(page.hessians, page.gradients);
+    ck_assert_uint_le(page.gradients, 8);
+    for (size_t j = 0; j < page.gradients; j++)
+        largest = fmax(largest, fabs(page.point[j]));
+    const double K = 6 * s * theta * theta * largest / (2 * (A + s * theta));
+    double last = fabs((page.point[0] - x) / theta - d);
+    ck_assert_double_gt(last, 1); /* it began far away */
+    for (size_t j = 1; j < page.gradients; j++) {
+        double error = fabs((page.point[j] - x) / theta - d);
+        ck_assert_msg(error <= K * last * last + 16 * U,
+                      "iterate %zu: %g after %g", j, error, last);
+        last = error;
+    }
+}
+END_TEST
+
+/* A constant Hessian is asked for once, when the solver is made. */
+START_TEST(eq_2_11_a_constant_hessian_is_factorised_once)
+{
+    diary page = { 0 }, *told = &page;
+    fvi_system system = telling(&told);
+    /* not true, but counted */
+    system.potential.quadratic = fvi_potential_harmonic(NULL).quadratic;
+    const double x = 1, r = 1;
+    double d = 0, g;
+    fvi_newton *newton = solver(&system, one, 0.5, 0.5);
+    ck_assert_uint_eq(page.hessians, 1);
+    for (size_t i = 0; i < 10; i++)
+        ck_assert_int_eq(fvi_newton_solve(newton, &x, &r, &d, &g), 0);
+    ck_assert(page.hessians == 1 && page.gradients == 20);
+    fvi_newton_free(newton);
+}
+END_TEST
+
+/* ---- errors ---- */
+
+/* Two wells, at x = 1 and -1; a mass comes to rest in one. There an update is the
+ * rounding of x, not of d: some u |x|. The force x^3 - x is off by 3 u at the place
+ * of rest, where its slope is 2; the damping forgets no faster than a power of t. */
+START_TEST(eq_2_10_is_solved_where_a_motion_dies_away_from_zero)
+{
+    enum { N = 5000 };
+    static double x[N + 1];
+    static const fvi_method *const methods[] = { &fvi_fractional,
+                                                 &fvi_lagrange_dalembert,
+                                                 &fvi_euler_implicit,
+                                                 &fvi_shifted, &fvi_bdf2 };
+    const double well[] = { -1, 1 }, rho = 0.5, x0 = 0.5, p0 = 0;
+    const fvi_system system = {
+        1, one, &rho, fvi_potential_duffing(well), { 0 }
+    };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        const fvi_run run = { .system = &system,
+                              .x0 = &x0,
+                              .p0 = &p0,
+                              .h = 0.1,
+                              .steps = N,
+                              .kappa = 0.5,
+                              .alpha = 0.5 };
+        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
+                         FVI_SUCCESS);
+        ck_assert_near(fabs(x[N]), 1, 16 * U, "%s", methods[i]->name);
+    }
+}
+END_TEST
+
+/* Newton's method alone finds none of these. U'' = -1 at the guess 0 of the first,
+ * and 1 - 1 = 0: what is left is d^3 = r. In z = d/2 the second is z^3 - 2 z + 2 = 0,
+ * for which it goes 0, 1, 0, 1, ... for ever; the root is the number below. The slopes
+ * are 3 d^2 >= 3 and 3 z^2 - 2 = 7.4 there: a residual that is rounding, of four terms
+ * at most, moves d by less than 4 u of the terms. */
+START_TEST(eq_2_10_is_solved_where_newton_loses_its_way)
+{
+    const double well[] = { -1, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
+    double d[2], g[2];
+    for (size_t dim = 1; dim <= 2; dim++) {
+        const fvi_system flat = {
+            dim, one, none, fvi_potential_duffing(well), { 0 }
+        };
+        fvi_newton *newton = solver(&flat, one, 1, 1);
+        d[0] = d[1] = 0;
+        ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
+        fvi_newton_free(newton);
+        for (size_t i = 0; i < dim; i++)
+            ck_assert_near(d[i], cbrt(r[i]), 4 * U * (1 + fabs(r[i])),
+                           "flat, %zu", i);
+    }
+    const double deep[] = { -8, 2 }, push = -2, z = -1.7692923542386314;
+    const fvi_system round = {
+        1, one, none, fvi_potential_duffing(deep), { 0 }
+    };
+    fvi_newton *newton = solver(&round, one, 0.5, 0.5);
+    d[0] = 0;
+    ck_assert_int_eq(fvi_newton_solve(newton, x, &push, d, g), FVI_SUCCESS);
+    fvi_newton_free(newton);
+    ck_assert_near(d[0], 2 * z, 4 * U * (2 + 4 * fabs(z)), "round");
+}
+END_TEST
+
+/* Whether a potential is quadratic is asked when a run starts. */
+START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
+{
+    enum { N = 20 };
+    static const fvi_method *const methods[] = { &fvi_fractional,
+                                                 &fvi_lobatto3 };
+    const double x0[] = { 1, -0.5 }, p0[] = { 0, 0.25 }, final[] = { 1, 2 };
+    double x[2 * N + 2], want[2 * N + 2];
+    for (int i = 0; i < 4; i++) {
+        const int kind = i % 2 ? CHAIN : DUFFING;
+        double cg[] = { 1, 0 };
+        fvi_system system = { 2, one, one, potential(kind, cg), { 0 } };
+        fvi_run run = { .system = &system,
+                        .x0 = x0,
+                        .p0 = p0,
+                        .h = 0.25,
+                        .steps = N,
+                        .kappa = 0.5,
+                        .alpha = 0.5 };
+        cg[1] = final[1];
+        ck_assert_int_eq(fvi_trajectory(methods[i / 2], &run, x, NULL, NULL),
+                         0);
+        system.potential = potential(kind, final);
+        ck_assert_int_eq(fvi_trajectory(methods[i / 2], &run, want, NULL, NULL),
+                         0);
+        ck_assert_mem_eq(x, want, sizeof x);
+    }
+}
+END_TEST
+
+/* ---- band matrices ---- */
+
+/* Zeros on the diagonal, ones beside it: every pivot has to be exchanged. With
+ * v = (1, 2, ..., n) the right side is v_{i-1} + v_{i+1}, all exact. */
+START_TEST(eq_2_11_pivots_are_exchanged)
+{
+    enum { N = 8 };
+    fvi_band J;
+    double v[N];
+    ck_assert_int_eq(fvi_band_alloc(N, 1, &J), 0);
+    for (size_t i = 0; i < N; i++) {
+        v[i] = (i > 0 ? (double)i : 0) + (i + 1 < N ? (double)i + 2 : 0);
+        if (i > 0)
+            fvi_band_row(&J, i)[i - 1] = fvi_band_row(&J, i - 1)[i] = 1;
+    }
+    ck_assert_int_eq(fvi_band_factorise(&J), 0);
+    fvi_band_solve(&J, v);
+    for (size_t i = 0; i < N; i++)
+        ck_assert_double_eq(v[i], (double)i + 1);
+    fvi_band_clear(&J);
+    ck_assert_int_eq(fvi_band_factorise(&J), FVI_ESING);
+    fvi_band_free(&J);
+}
+END_TEST
+
+/* All widths, full ones too: what was solved is put back. With exchanges the factors
+ * of a matrix with entries up to 1 are some n times as large at most here, and a
+ * product of theirs has n roundings: n^2 u |v|. Seen: 0.1 of it. */
+START_TEST(eq_2_11_band_matrices_of_all_widths_are_inverted)
+{
+    enum { N = 12 };
+    for (size_t w = 0; w < N; w++) {
+        fvi_band J;
+        double entries[N][N] = { { 0 } }, b[N], v[N], largest = 0;
+        ck_assert_int_eq(fvi_band_alloc(N, w, &J), 0);
+        for (size_t i = 0; i < N; i++) {
+            v[i] = b[i] = cos((double)i);
+            for (size_t j = i > w ? i - w : 0; j < N && j <= i + w; j++)
+                entries[i][j] = fvi_band_row(&J, i)[j] =
+                    sin((double)(1 + i * i + 7 * j + 3 * i * j));
+        }
+        ck_assert_int_eq(fvi_band_factorise(&J), 0);
+        fvi_band_solve(&J, v);
+        for (size_t i = 0; i < N; i++)
+            largest = fmax(largest, fabs(v[i]));
+        for (size_t i = 0; i < N; i++) {
+            double sum = 0;
+            for (size_t j = 0; j < N; j++)
+                sum += entries[i][j] * v[j];
+            ck_assert_near(sum, b[i], N * N * U * largest, "w %zu, row %zu", w,
+                           i);
+        }
+        fvi_band_free(&J);
+    }
+}
+END_TEST
+
+static void full_chain_hessian(size_t d, const double *x, const void *params,
+                               double *H)
+{
+    const fvi_system chain = {
+        d, one, none, fvi_potential_chain(params), { 0 }
+    };
+    fvi_hessian(&chain, x, H);
+}
+
+/* A chain with two diagonals, and the same with a full Hessian: one step's rounding
+ * each, which N steps add up. Seen: 0.02 of the bound. */
+START_TEST(eq_2_11_bands_and_full_matrices_agree)
+{
+    enum { D = 5, N = 50 };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_lobatto3,
+                                                 &fvi_lobatto4 };
+    const double cg[] = { 1, 2 }, x0[D] = { 1, -0.5, 0.25, 0, 2 };
+    double x[D * (N + 1)], want[D * (N + 1)];
+    for (size_t m = 0; m < LEN(methods); m++) {
+        fvi_system system = { D, one, one, fvi_potential_chain(cg), { 0 } };
+        const fvi_run run = { .system = &system,
+                              .x0 = x0,
+                              .p0 = none,
+                              .h = 0.125,
+                              .steps = N,
+                              .kappa = 0.5,
+                              .alpha = 0.75 };
+        ck_assert_int_eq(fvi_trajectory(methods[m], &run, x, NULL, NULL), 0);
+        system.potential.hessian = full_chain_hessian;
+        system.potential.diagonals = 0;
+        ck_assert_int_eq(fvi_trajectory(methods[m], &run, want, NULL, NULL), 0);
+        ck_assert_near(farthest(LEN(x), x, want), 0, 10 * N * U, "%s",
+                       methods[m]->name);
+    }
+}
+END_TEST
+
+START_TEST(bad_solvers_are_refused)
+{
+    const double c = 1, bad[] = { 0, -1, GSL_NAN, GSL_POSINF };
+    const fvi_system good = { 2, one, none, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system broken = good;
+    broken.mass = NULL;
+    fvi_newton *const kept = (fvi_newton *)&broken, *n = kept;
+    ck_assert_int_eq(fvi_newton_alloc(NULL, one, 1, 1, &n), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&broken, one, 1, 1, &n), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&good, NULL, 1, 1, &n), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, 1, 1, NULL), FVI_EFAULT);
+    for (size_t i = 0; i < LEN(bad); i++) {
+        const double A[] = { 1, bad[i] };
+        ck_assert_int_eq(fvi_newton_alloc(&good, A, 1, 1, &n), FVI_EDOM);
+    }
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, GSL_NAN, 1, &n), FVI_EDOM);
+    ck_assert_int_eq(fvi_newton_alloc(&good, one, 1, GSL_NEGINF, &n), FVI_EDOM);
+
+    /* A = 1, s theta = 1: 1 - 1 = 0; and [[-1, 1], [1, -1]] in two dimensions. */
+    const double soft[] = { -1, 0 };
+    fvi_system singular = { 1, one, none, fvi_potential_duffing(soft), { 0 } };
+    ck_assert_int_eq(fvi_newton_alloc(&singular, one, 1, 1, &n), FVI_ESING);
+    singular.d = 2;
+    singular.potential = fvi_potential_chain(soft);
+    ck_assert_int_eq(fvi_newton_alloc(&singular, one, 1, 1, &n), FVI_ESING);
+    ck_assert_int_eq(fvi_newton_stages_alloc(NULL, 1, one, &n), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_stages_alloc(&good, 1, NULL, &n), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_stages_alloc(&good, 1, one, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_stages_alloc(&good, 0, one, &n), FVI_EINVAL);
+    ck_assert_int_eq(fvi_newton_stages_alloc(&good, 9, one, &n), FVI_EINVAL);
+    ck_assert_int_eq(fvi_newton_stages_alloc(&good, 1, bad + 2, &n), FVI_EDOM);
+    ck_assert_ptr_eq(n, kept);
+    fvi_newton_free(NULL);
+}
+END_TEST
+
+/* A full Jacobian has 2^44 numbers; that of a chain 2^24, and without a potential
+ * there is none. */
+START_TEST(a_jacobian_that_finds_no_room_is_refused)
+{
+    enum { D = 1 << 22 };
+    double *ones = malloc(D * sizeof *ones);
+    ck_assert_ptr_nonnull(ones);
+    for (size_t i = 0; i < D; i++)
+        ones[i] = 1;
+    fvi_system system = { D, ones, ones, potential(CUBIC, ones), { 0 } };
+    fvi_newton *n = NULL;
+    ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), FVI_ENOMEM);
+    ck_assert_ptr_null(n);
+    const fvi_potential small[] = { { 0 }, fvi_potential_chain(ones) };
+    for (size_t i = 0; i < LEN(small); i++) {
+        system.potential = small[i];
+        ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), 0);
+        fvi_newton_free(n);
+    }
+    free(ones);
+}
+END_TEST
+
+START_TEST(equations_that_cannot_be_solved_are_reported)
+{
+    /* U = z^3 / 3: d + d^2 = -1 has no real solution. */
+    const double cubic[] = { 0, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
+    double d[] = { 0, 0 }, g[2];
+    const fvi_system hopeless = {
+        1, one, none, potential(CUBIC, cubic), { 0 }
+    };
+    fvi_newton *newton = solver(&hopeless, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_EMAXITER);
+    fvi_newton_free(newton);
+
+    newton = solver(&hopeless, one, 1, 1);
+    d[0] = -0.5; /* where 1 + 2 d = 0 */
+    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_ESING);
+    fvi_newton_free(newton);
+}
+END_TEST
+
+START_TEST(null_pointers_are_refused_and_infinities_come_back)
+{
+    const fvi_system duffing = {
+        1, one, none, fvi_potential_duffing(spring), { 0 }
+    };
+    const double x = 1, r = 1, nan = GSL_NAN;
+    double d = 0, g = 7;
+    fvi_newton *n = solver(&duffing, one, 1, 1);
+    ck_assert_int_eq(fvi_newton_solve(NULL, &x, &r, &d, &g), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, NULL, &r, &d, &g), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, NULL, &d, &g), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &r, NULL, &g), FVI_EFAULT);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &r, &d, NULL), FVI_EFAULT);
+    ck_assert(d == 0 && g == 7);
+    ck_assert_int_eq(fvi_newton_solve(n, &x, &nan, &d, &g), FVI_SUCCESS);
+    ck_assert(gsl_isnan(d));
+    fvi_newton_free(n);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("02 the equation of a step");
+    ADD_CASE(suite, "values", eq_2_10_linear_equations,
+             eq_2_10_is_explicit_at_both_ends_of_kappa);
+    ADD_CASE(suite, "identities", eq_2_10_solutions_satisfy_it,
+             eq_2_10_is_solved_where_a_motion_dies_away_from_zero,
+             eq_2_10_is_solved_where_newton_loses_its_way,
+             eq_2_10_parameters_may_change_until_a_run_starts,
+             eq_2_11_newton_converges_quadratically,
+             eq_2_11_pivots_are_exchanged,
+             eq_2_11_band_matrices_of_all_widths_are_inverted,
+             eq_2_11_bands_and_full_matrices_agree,
+             eq_2_11_a_constant_hessian_is_factorised_once);
+    ADD_CASE(suite, "errors", bad_solvers_are_refused,
+             a_jacobian_that_finds_no_room_is_refused,
+             equations_that_cannot_be_solved_are_reported,
+             null_pointers_are_refused_and_infinities_come_back);
+    return run_suite(suite);
+}

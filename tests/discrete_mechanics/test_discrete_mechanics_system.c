@@ -1,0 +1,201 @@
+/* tests/discrete_mechanics/test_discrete_mechanics_system.c -- Chapter 2: systems as data.
+ * Run alone: make test-discrete_mechanics_system */
+#include <fvi/error.h>
+#include <fvi/system.h>
+#include "harness/fvi_runs.h"
+#include "harness/ulp.h"
+
+#include "discrete_mechanics_ref.h"
+
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+
+static const double one[] = { 1, 1, 1 };
+
+/* ---- values ---- */
+
+/* The data of the springs are short binary fractions: every operation is exact,
+ * 0 ulp. Of the pendulum: sin is within 1 ulp, 2 u, and g sin x has one rounding
+ * more, so 3 u and half a unit of the reference: 4 ulp. In U, sin enters squared
+ * (4 u), two products, two sums and g add 5 u: 10 ulp. Seen: 1. */
+START_TEST(eq_2_1_potentials_and_their_derivatives)
+{
+    for (size_t r = 0; r < LEN(ref_potentials); r++) {
+        const size_t d = ref_potentials[r].d;
+        const double *x = ref_potentials[r].x;
+        const fvi_potential u =
+            potential(ref_potentials[r].kind, ref_potentials[r].cg);
+        const int exact = ref_potentials[r].kind != PENDULUM;
+        const fvi_system system = { d, one, one, u, { 0 } };
+        double g[3], H[9];
+        u.gradient(d, x, u.params, g);
+        fvi_hessian(&system, x, H);
+        ck_assert_ulp(u.value(d, x, u.params), ref_potentials[r].value,
+                      exact ? 0 : 10, "U, row %zu", r);
+        for (size_t i = 0; i < d; i++)
+            ck_assert_ulp(g[i], ref_potentials[r].gradient[i], exact ? 0 : 4,
+                          "gradient %zu, row %zu", i, r);
+        for (size_t i = 0; i < d * d; i++)
+            ck_assert_ulp(H[i], ref_potentials[r].hessian[i], exact ? 0 : 4,
+                          "Hessian %zu, row %zu", i, r);
+    }
+}
+END_TEST
+
+static int is_quadratic(const fvi_potential *u)
+{
+    return u->quadratic && u->quadratic(u->params);
+}
+
+/* A promise of a constant Hessian is kept: it is made where g = 0, or where the
+ * potential has no g, and nowhere else; and for the g of now, not for that of the
+ * time when the potential was made. */
+START_TEST(eq_2_1_quadratic_potentials_say_so)
+{
+    for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
+        double cg[] = { 2, 0 };
+        const fvi_potential u = potential(kind, cg);
+        ck_assert_int_eq(is_quadratic(&u),
+                         kind == HARMONIC || kind == DUFFING || kind == CHAIN);
+        cg[1] = 0x1p-1074;
+        ck_assert_int_eq(is_quadratic(&u), kind == HARMONIC);
+    }
+}
+END_TEST
+
+/* Between two masses a spring pulls both, in opposite directions: in the sum over
+ * all masses only the springs at the walls are left. */
+START_TEST(eq_2_1_a_chain_pulls_only_at_its_walls)
+{
+    const double cg[] = { 1, 2 }, x[] = { 0.5, -1.25, 3, 0.75, 0.25 };
+    const fvi_potential chain = fvi_potential_chain(cg);
+    double g[5], sum = 0;
+    chain.gradient(5, x, cg, g);
+    for (size_t i = 0; i < 5; i++)
+        sum += g[i]; /* exact: short binary fractions */
+    ck_assert_double_eq(sum, (1 + 2 * 0.25) * 0.5 + (1 + 2 * 0.0625) * 0.25);
+}
+END_TEST
+
+START_TEST(eq_2_1_forces)
+{
+    const double aT[] = { 8, 1 }, aw[] = { 3, 2 };
+    const fvi_force step = fvi_force_step(aT), cosine = fvi_force_cosine(aw);
+    const double at[] = { 0, 0.5, 1, 1 + 0x1p-52, -0x1p-1074, 7 };
+    const double want[] = { 8, 8, 8, 0, 0, 0 };
+    double F[2];
+    for (size_t i = 0; i < LEN(at); i++) {
+        step.value(at[i], 2, step.params, F);
+        ck_assert(F[0] == want[i] && F[1] == want[i]);
+        cosine.value(at[i], 2, cosine.params, F);
+        ck_assert(F[0] == 3 * cos(2 * at[i]) && F[1] == F[0]);
+    }
+}
+END_TEST
+
+/* E = 1/2 (3^2/2 + (-2)^2/4) + U; exact. A free particle has no U. */
+START_TEST(eq_2_4_energy)
+{
+    const double mass[] = { 2, 4 }, none[] = { 0, 0 }, cg[] = { 1, 2 };
+    const double x[] = { 1, -1 }, p[] = { 3, -2 };
+    fvi_system system = { 2, mass, none, fvi_potential_duffing(cg), { 0 } };
+    ck_assert_double_eq(fvi_energy(&system, x, p), 2.75 + 2 * (0.5 + 0.5));
+    system.potential = (fvi_potential){ 0 };
+    ck_assert_double_eq(fvi_energy(&system, x, p), 2.75);
+}
+END_TEST
+
+/* ---- identities ---- */
+
+/* With no table and no sympy: along a line, the slope of U is the gradient, and
+ * the slope of the gradient the Hessian. For a quartic, the quotient of five
+ * points (-1, 8, -8, 1)/12 d is the derivative, exactly, so only rounding is
+ * left: (8 + 8 + 1 + 1)/(12 d) values with at most 20 roundings each. */
+START_TEST(eq_2_1_derivatives_by_differences)
+{
+    const double cg[] = { 1.5, 0.75 }, delta = 0.25;
+    const double x[] = { 0.5, -1.25, 0.875 };
+    const double weight[] = { 1, -8, 0, 8, -1 };
+    for (int kind = HARMONIC; kind < PENDULUM; kind++) {
+        if (kind == CUBIC) /* only one-dimensional, and not the library's */
+            continue;
+        const fvi_potential u = potential(kind, cg);
+        const fvi_system system = { 3, one, one, u, { 0 } };
+        double g[3], H[9];
+        u.gradient(3, x, cg, g);
+        fvi_hessian(&system, x, H);
+        for (size_t i = 0; i < 3; i++) {
+            double slope = 0, slopes[3] = { 0 }, size = 0;
+            for (size_t j = 0; j < 5; j++) {
+                double z[3], gz[3];
+                memcpy(z, x, sizeof z);
+                z[i] += ((double)j - 2) * delta;
+                u.gradient(3, z, cg, gz);
+                slope += weight[j] * u.value(3, z, cg) / (12 * delta);
+                size = fmax(size, u.value(3, z, cg));
+                for (size_t k = 0; k < 3; k++) {
+                    slopes[k] += weight[j] * gz[k] / (12 * delta);
+                    size = fmax(size, fabs(gz[k]));
+                }
+            }
+            const double bound = 20 * 18 / (12 * delta) * size * U;
+            ck_assert_near(slope, g[i], bound, "U, kind %d", kind);
+            for (size_t k = 0; k < 3; k++)
+                ck_assert_near(slopes[k], H[3 * i + k], bound,
+                               "gradient, kind %d", kind);
+        }
+    }
+}
+END_TEST
+
+/* ---- errors ---- */
+
+START_TEST(systems_that_cannot_move_are_refused)
+{
+    const double c = 1;
+    const double bad_mass[] = { 0, -1, GSL_NAN, GSL_POSINF };
+    const double bad_damping[] = { -0x1p-1074, GSL_NAN, GSL_POSINF };
+    const fvi_system good = { 2, one, one, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system s = good;
+    ck_assert_int_eq(fvi_system_check(&good), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_system_check(NULL), FVI_EFAULT);
+    s.mass = NULL;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EFAULT);
+    s = good, s.damping = NULL;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EFAULT);
+    s = good, s.d = 0;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    s.d = SIZE_MAX / 2; /* before a mass is read */
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    s = good, s.potential.value = NULL;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    s = good, s.potential.gradient = NULL;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    s = good, s.potential.hessian = NULL;
+    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    s = good, s.potential = (fvi_potential){ 0 };
+    ck_assert_int_eq(fvi_system_check(&s), FVI_SUCCESS);
+    for (size_t i = 0; i < LEN(bad_mass); i++) {
+        const double mass[] = { 1, bad_mass[i] }; /* the second one, too */
+        s = good, s.mass = mass;
+        ck_assert_int_eq(fvi_system_check(&s), FVI_EDOM);
+    }
+    for (size_t i = 0; i < LEN(bad_damping); i++) {
+        const double damping[] = { 0, bad_damping[i] };
+        s = good, s.damping = damping;
+        ck_assert_int_eq(fvi_system_check(&s), FVI_EDOM);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("02 systems");
+    ADD_CASE(suite, "values", eq_2_1_potentials_and_their_derivatives,
+             eq_2_1_quadratic_potentials_say_so,
+             eq_2_1_a_chain_pulls_only_at_its_walls, eq_2_1_forces,
+             eq_2_4_energy);
+    ADD_CASE(suite, "identities", eq_2_1_derivatives_by_differences);
+    ADD_CASE(suite, "errors", systems_that_cannot_move_are_refused);
+    return run_suite(suite);
+}

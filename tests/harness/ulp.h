@@ -1,0 +1,89 @@
+/* tests/harness/ulp.h -- Comparing doubles in units in the last place.
+ *
+ * The distance of two doubles is the number of steps from one to the next
+ * double that lead from a to b; +0 and -0 are the same place. */
+#ifndef ULP_H
+#define ULP_H
+
+#include "seen.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#define LEN(array) (sizeof(array) / sizeof((array)[0]))
+
+/* Unit roundoff: the largest relative error of one rounding to nearest. */
+#define U 0x1p-53
+
+/* x < y if and only if place(x) < place(y). */
+static inline int64_t ulp_place(double x)
+{
+    int64_t i;
+    memcpy(&i, &x, sizeof i);
+    return i < 0 ? INT64_MIN - i : i;
+}
+
+static inline uint64_t ulp_distance(double a, double b)
+{
+    if (isnan(a) || isnan(b))
+        return UINT64_MAX;
+    int64_t i = ulp_place(a), j = ulp_place(b);
+    return i < j ? (uint64_t)j - (uint64_t)i : (uint64_t)i - (uint64_t)j;
+}
+
+/* got is within ulps steps of want; the rest is a printf format that says where. */
+#define ck_assert_ulp(got, want, ulps, ...)                                    \
+    do {                                                                       \
+        double got_ = (got), want_ = (want);                                   \
+        uint64_t ulps_ = (ulps), distance_ = ulp_distance(got_, want_);        \
+        char where_[200];                                                      \
+        snprintf(where_, sizeof where_, __VA_ARGS__);                          \
+        seen_worst((double)distance_, "ulp");                                  \
+        ck_assert_msg(distance_ <= ulps_,                                      \
+                      "%s: got %.17g (%a), want %.17g (%a): %llu ulp, "        \
+                      "allowed %llu",                                          \
+                      where_, got_, got_, want_, want_,                        \
+                      (unsigned long long)distance_,                           \
+                      (unsigned long long)ulps_);                              \
+    } while (0)
+
+/* |got - want| <= bound, for values near zero or after a cancellation. */
+#define ck_assert_near(got, want, bound, ...)                                  \
+    do {                                                                       \
+        double got_ = (got), want_ = (want), bound_ = (bound);                 \
+        char where_[200];                                                      \
+        snprintf(where_, sizeof where_, __VA_ARGS__);                          \
+        seen_worst(fabs(got_ - want_) / bound_, "of the bound");               \
+        ck_assert_msg(fabs(got_ - want_) <= bound_,                            \
+                      "%s: got %.17g, want %.17g: off by %.3g, allowed %.3g",  \
+                      where_, got_, want_, fabs(got_ - want_), bound_);        \
+    } while (0)
+
+/* Run a suite; a run of no test at all is a failure. Exit status for main. */
+static inline int run_suite(Suite *suite)
+{
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int ran = srunner_ntests_run(runner),
+        failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    if (ran == 0)
+        fprintf(stderr, "no test was run\n");
+    return ran == 0 || failed > 0;
+}
+
+/* A test case of the suite, with its tests. */
+#define ADD_CASE(suite, name, ...)                                             \
+    do {                                                                       \
+        const TTest *tests_[] = { __VA_ARGS__ };                               \
+        TCase *case_ = tcase_create(name);                                     \
+        tcase_set_timeout(case_, 60);                                          \
+        for (size_t i_ = 0; i_ < LEN(tests_); i_++)                            \
+            tcase_add_test(case_, tests_[i_]);                                 \
+        suite_add_tcase(suite, case_);                                         \
+    } while (0)
+
+#endif

@@ -1,0 +1,116 @@
+"""The tests are tested: build each wrong version of tests/*/mutants.txt, run the
+test file that must notice, and see that the named test fails.
+
+    mutants.py BUILD [STEM ...]     (make mutants; CC, CFLAGS, LIBS from there)
+
+An entry of tests/*/mutants.txt is four lines and a blank one:
+    file   src/methods/fvi.c
+    right  one piece of that file, standing there exactly once
+    wrong  what it becomes
+    named  the test that must fail
+A mutant that does not compile, survives, or dies without its test fails the run."""
+import concurrent.futures
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import time
+
+BUILD = pathlib.Path(sys.argv[1])
+STEMS = set(sys.argv[2:])
+CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
+LIBS = shlex.split(os.environ["LIBS"])
+PROGRAM = sorted(path.stem for path in pathlib.Path("src/program").glob("*.c"))
+FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"))
+         for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
+TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]
+
+
+def entries():
+    pages = [path.read_text() for path in sorted(pathlib.Path("tests").glob("*/mutants.txt"))]
+    text = re.sub(r"^#.*\n", "", "\n\n".join(pages), flags=re.M)
+    for block in filter(str.strip, re.split(r"\n\s*\n", text)):
+        entry = dict(line.split(None, 1) for line in block.strip().splitlines())
+        if set(entry) != {"file", "right", "wrong", "named"}:
+            sys.exit(f"tests/*/mutants.txt: not four lines:\n{block}")
+        if not STEMS or pathlib.Path(entry["file"]).stem in STEMS:
+            yield entry
+
+
+def compile_object(source, target, *beside):
+    subprocess.run([*CC, "-w", "-Isrc", "-Itests", *beside, "-c", source, "-o", target], check=True)
+    return target
+
+
+def build(folder, entry, test):
+    """The test binary, and the program if the test runs it, with the mutant in."""
+    file = pathlib.Path(entry["file"])
+    text = file.read_text()
+    if text.count(entry["right"]) != 1:
+        raise ValueError(f"'{entry['right']}' stands {text.count(entry['right'])} times there")
+    if file.suffix == ".h":
+        raise ValueError("a header is no mutant's place")
+    mutant = folder / file.name
+    mutant.write_text(text.replace(entry["right"], entry["wrong"]))
+    wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent))
+    program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
+    library = [] if file.stem in PROGRAM else [wrong]
+    library.append(BUILD / "libfvi.a")
+    parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_options", "fvi_values", "fvi_words")]
+    subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
+                    "-o", folder / "test"], check=True)
+    if '"program.h"' in test.read_text():
+        subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)
+
+
+def run(number, entry):
+    """None if the mutant was named, else what happened."""
+    try:
+        test = TESTS[entry["named"]]
+        folder = BUILD / "mutants" / str(number)
+        folder.mkdir(parents=True, exist_ok=True)
+        build(folder, entry, test)
+        environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
+                           CK_DEFAULT_TIMEOUT="20")
+        result = subprocess.run([folder / "test"], env=environment, capture_output=True,
+                                text=True, timeout=120)
+    except KeyError:
+        return f"there is no test {entry['named']}"
+    except ValueError as error:
+        return str(error)
+    except subprocess.CalledProcessError:
+        return "it does not compile"
+    except subprocess.TimeoutExpired:
+        return "no end within two minutes"
+    failed = re.findall(r":[FE]:\w+:(\w+):", result.stdout)
+    if entry["named"] in failed:
+        return None
+    return "it survived" if not failed else "it was named by " + ", ".join(sorted(set(failed)))
+
+
+def main():
+    began = time.time()
+    if len(TESTS) != len(NAMES):
+        sys.exit("two tests have the same name: " + ", ".join(n for n in TESTS if NAMES.count(n) > 1))
+    todo = list(entries())
+    if not todo:
+        sys.exit("no mutant was tried")
+    (BUILD / "mutants").mkdir(parents=True, exist_ok=True)
+    for name in PROGRAM:
+        compile_object(f"src/program/{name}.c", BUILD / "mutants" / f"{name}.o")
+    for test in {TESTS[e["named"]] for e in todo if e["named"] in TESTS}:
+        compile_object(test, BUILD / "mutants" / f"{test.stem}.o")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        verdicts = list(pool.map(run, range(len(todo)), todo))
+    for entry, verdict in zip(todo, verdicts):
+        if verdict:
+            print(f"{entry['file']}: {entry['right']} -> {entry['wrong']}: {verdict}")
+    bad = sum(map(bool, verdicts))
+    print(f"{len(todo) - bad} of {len(todo)} mutants named by their test, "
+          f"{time.time() - began:.0f} s")
+    sys.exit(bad > 0)
+
+
+main()

@@ -1,0 +1,117 @@
+/* tests/program/program.h -- Running build/fvi as a user would, in a folder of its own. */
+#ifndef PROGRAM_H
+#define PROGRAM_H
+
+#include "harness/ulp.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static char out[1 << 20], err[4096]; /* what the last command printed */
+static char folder[PATH_MAX];        /* made beside the program */
+
+static inline void read_file(const char *name, char *text, size_t size)
+{
+    FILE *f = fopen(name, "r");
+    size_t n = f ? fread(text, 1, size - 1, f) : 0;
+    text[n] = '\0';
+    if (f)
+        fclose(f);
+}
+
+/* Run a shell command in the test's own folder; fill out and err. $FVI is the
+ * program. */
+static inline int shell(const char *command)
+{
+    char line[PATH_MAX + 2000], name[PATH_MAX + 10];
+    snprintf(line, sizeof line, "cd '%s' && ( %s ) >out 2>err", folder,
+             command);
+    int status = system(line);
+    snprintf(name, sizeof name, "%s/out", folder);
+    read_file(name, out, sizeof out);
+    snprintf(name, sizeof name, "%s/err", folder);
+    read_file(name, err, sizeof err);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+static inline int fvi(const char *arguments)
+{
+    char line[1800];
+    snprintf(line, sizeof line, "\"$FVI\" %s", arguments);
+    return shell(line);
+}
+
+static inline int exists(const char *name)
+{
+    char path[PATH_MAX + 100];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return access(path, F_OK) == 0;
+}
+
+static inline size_t count_lines(const char *text)
+{
+    size_t n = 0;
+    for (; *text; text++)
+        n += *text == '\n';
+    return n;
+}
+
+/* The first row of the table in out. */
+static inline const char *first_row(void)
+{
+    const char *row = out;
+    while (*row == '#')
+        row = strchr(row, '\n') + 1;
+    return row;
+}
+
+static inline size_t count_rows(void)
+{
+    return count_lines(first_row());
+}
+
+/* Column c of row k of the table in out. */
+static inline double cell(size_t k, size_t c)
+{
+    const char *at = first_row();
+    while (k-- > 0)
+        at = strchr(at, '\n') + 1;
+    while (c-- > 0)
+        at = strchr(at, '\t') + 1;
+    return strtod(at, NULL);
+}
+
+/* The folder, and $FVI as an absolute path. */
+static inline int prepare(void)
+{
+    const char *program = getenv("FVI");
+    char *path = realpath(program ? program : "build/fvi", NULL);
+    if (!path)
+        return -1;
+    setenv("FVI", path, 1);
+    int length = snprintf(folder, sizeof folder, "%s-test-XXXXXX", path);
+    free(path);
+    return length < (int)sizeof folder && mkdtemp(folder) ? 0 : -1;
+}
+
+static inline int clean_up(void)
+{
+    char line[PATH_MAX + 100];
+    snprintf(line, sizeof line, "rm -rf '%s'", folder);
+    return system(line);
+}
+
+/* Run the suite in its folder. Exit status for main. */
+static inline int run_suite_of_program(Suite *suite)
+{
+    if (prepare() != 0) {
+        perror("build/fvi, or a folder for it");
+        return 1;
+    }
+    int failed = run_suite(suite);
+    return clean_up() != 0 || failed;
+}
+
+#endif

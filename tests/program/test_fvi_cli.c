@@ -1,0 +1,351 @@
+/* tests/program/test_fvi_cli.c -- The program build/fvi: what comes out.
+ * Run alone: make test-fvi_cli */
+#define _GNU_SOURCE
+#include <fvi/fvi.h>
+#include "program.h"
+
+START_TEST(run_prints_head_and_rows)
+{
+    ck_assert_int_eq(fvi("run --steps 2 --h 0.5"), 0);
+    ck_assert_str_eq(err, "");
+    const char *head =
+        "# method = fvi\n# alpha = 0.5\n# rho = 0.2\n# mass = 1\n"
+        "# potential = harmonic:1\n# force = none\n"
+        "# derivative = held\n# kappa = 0.5\n# x0 = 1\n# p0 = 0.5\n"
+        "# h = 0.5\n# steps = 2\n# columns = t,x,p,energy\n"
+        "# every = 1\n# memory = auto\n# tolerance = 1e-13\n"
+        "# t\tx\tp\tenergy\n0\t1\t0.5\t0.625\n0.5\t";
+    ck_assert(strncmp(out, "# fvi ", 6) == 0);
+    ck_assert_msg(strstr(out, head) == strchr(out, '\n') + 1, "%s", out);
+    ck_assert_uint_eq(count_rows(), 3);
+}
+END_TEST
+
+/* What is printed is the library's number to the last bit: %.17g is exact. */
+START_TEST(rows_are_the_numbers_of_the_library)
+{
+    double m = 1.5, rho = 0.3, x0 = 0.7, p0 = -0.2, cg[2] = { 1, 0.5 },
+           aw[2] = { 0.3, 2 };
+    const fvi_system system = { 1, &m, &rho, fvi_potential_duffing(cg),
+                                fvi_force_cosine(aw) };
+    const fvi_run run = { .system = &system,
+                          .x0 = &x0,
+                          .p0 = &p0,
+                          .h = 0.05,
+                          .steps = 40,
+                          .kappa = 0.25,
+                          .alpha = 0.3,
+                          .past = FVI_PAST_CAPUTO,
+                          .memory = FVI_MEMORY_DIRECT };
+    double x[41], p[41], energy[41];
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, energy),
+                     FVI_SUCCESS);
+    ck_assert_int_eq(
+        fvi("run --alpha 0.3 --rho 0.3 --mass 1.5 --potential duffing:1,0.5 "
+            "--force cosine:0.3,2 --derivative caputo --kappa 0.25 "
+            "--x0 0.7 --p0 -0.2 --h 0.05 --steps 40 --memory direct "
+            "--columns y,energy,p,x,t"),
+        0);
+    ck_assert_uint_eq(count_rows(), 41);
+    for (size_t k = 0; k <= 40; k++) {
+        ck_assert_ulp(cell(k, 0), x[40 - k], 0, "y, k=%zu", k);
+        ck_assert_ulp(cell(k, 1), energy[k], 0, "energy, k=%zu", k);
+        ck_assert_ulp(cell(k, 2), p[k], 0, "p, k=%zu", k);
+        ck_assert_ulp(cell(k, 3), x[k], 0, "x, k=%zu", k);
+        ck_assert_ulp(cell(k, 4), (double)k * 0.05, 0, "t, k=%zu", k);
+    }
+}
+END_TEST
+
+/* Each method by its name; and all of them have the same past by default. */
+START_TEST(every_method_is_at_hand_by_its_name)
+{
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
+                                          &fvi_bdf2,       &fvi_lobatto2,
+                                          &fvi_lobatto3,   &fvi_lobatto4 };
+    const double m = 1, rho = 0.2, c = 1, x0 = 1, p0 = 0.5;
+    const fvi_system system = {
+        1, &m, &rho, fvi_potential_harmonic(&c), { 0 }
+    };
+    const fvi_run run = { .system = &system,
+                          .x0 = &x0,
+                          .p0 = &p0,
+                          .h = 0.1,
+                          .steps = 100,
+                          .kappa = 0.5,
+                          .alpha = 0.3 };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        double x[101];
+        char line[100];
+        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
+                         FVI_SUCCESS);
+        snprintf(line, sizeof line, "run --alpha 0.3 --steps 100 --method %s",
+                 methods[i]->name);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_ptr_nonnull(strstr(out, "# derivative = held\n"));
+        for (size_t k = 0; k <= 100; k++)
+            ck_assert_ulp(cell(k, 1), x[k], 0, "%s, k=%zu", methods[i]->name,
+                          k);
+    }
+}
+END_TEST
+
+/* --time T is --h T/N, and the head says which h that is; a word of exact too. */
+START_TEST(a_time_is_as_good_as_a_step)
+{
+    ck_assert_int_eq(fvi("run --steps 8 --h 0.25"), 0);
+    char *want = strdup(first_row());
+    ck_assert_int_eq(fvi("run --steps 8 --time 2"), 0);
+    ck_assert_str_eq(first_row(), want);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# h = 0.25\n# steps = 8\n# time = 2\n# columns"));
+    free(want);
+    ck_assert_int_eq(fvi("exact --steps 8 --time 2 --columns t"), 0);
+    ck_assert(cell(8, 0) == 2);
+}
+END_TEST
+
+/* The error that was asked for, against the exact solution on the same rows. */
+START_TEST(an_error_is_as_good_as_a_step)
+{
+    const char *rest = "--alpha 0.3 --derivative caputo --steps 10 --time 5 "
+                       "--columns t,x,p,y";
+    char line[200];
+    double want[11], x[11], p[11];
+    snprintf(line, sizeof line, "exact %s", rest);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 10; k++)
+        want[k] = cell(k, 1);
+    snprintf(line, sizeof line, "run --method fvi-lobatto3 --error 1e-8 %s",
+             rest);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_uint_eq(count_rows(), 11);
+    double said = 0, step = 0, estimate = 0;
+    ck_assert_int_eq(
+        sscanf(err, "fvi: the error of x is about %lg, with the step %lg\n",
+               &said, &step),
+        2);
+    ck_assert_uint_eq(count_lines(err), 1);
+    const char *head = strstr(out, "# error estimate = ");
+    ck_assert(head && sscanf(head, "# error estimate = %lg", &estimate) == 1);
+    ck_assert(said == estimate && estimate <= 1e-8);
+    ck_assert_ptr_nonnull(strstr(out, "# time = 5\n# error = 1e-8\n"));
+    for (size_t k = 0; k <= 10; k++) {
+        x[k] = cell(k, 1);
+        p[k] = cell(k, 2);
+        ck_assert(cell(k, 0) == (double)k * 0.5);
+        ck_assert_near(x[k], want[k], 1e-8, "k=%zu", k);
+    }
+    for (size_t k = 0; k <= 10; k++)
+        ck_assert(cell(k, 3) == x[10 - k]);
+    /* the same rows by hand, from the step that was reported */
+    const char *line_of_step = strstr(out, "# step = ");
+    ck_assert(line_of_step && sscanf(line_of_step, "# step = %lg", &step) == 1);
+    snprintf(line, sizeof line,
+             "run --method fvi-lobatto3 --alpha 0.3 --h %.17g --steps %.0f "
+             "--every %.0f",
+             step, 5 / step, 0.5 / step);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 10; k++) {
+        ck_assert_ulp(cell(k, 1), x[k], 0, "x, k=%zu", k);
+        ck_assert_ulp(cell(k, 2), p[k], 0, "p, k=%zu", k);
+    }
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 10"), 0);
+    ck_assert(cell(10, 0) == 20);
+}
+END_TEST
+
+START_TEST(every_keeps_each_kth_row_and_the_last)
+{
+    ck_assert_int_eq(fvi("run --steps 10 --h 1 --every 4 --columns t,x,y"), 0);
+    ck_assert_uint_eq(count_rows(), 4);
+    const double t[4] = { 0, 4, 8, 10 };
+    double x10 = cell(3, 1), x0 = cell(0, 1);
+    for (size_t i = 0; i < 4; i++)
+        ck_assert_ulp(cell(i, 0), t[i], 0, "row %zu", i);
+    ck_assert_ulp(cell(0, 2), x10, 0, "y_0 = x_N");
+    ck_assert_ulp(cell(3, 2), x0, 0, "y_N = x_0");
+    double y4 = cell(1, 2); /* y_4 = x_6 */
+    ck_assert_int_eq(fvi("run --steps 10 --h 1 --every 6 --columns x"), 0);
+    ck_assert_ulp(y4, cell(1, 0), 0, "y_4 = x_6");
+    ck_assert_int_eq(fvi("run --steps 3 --every 100 --columns t"), 0);
+    ck_assert_uint_eq(count_rows(), 2);
+}
+END_TEST
+
+START_TEST(a_chain_has_numbered_columns)
+{
+    ck_assert_int_eq(fvi("run --potential chain:3,1,0.1 --x0 1,2,3 --p0 0 "
+                         "--steps 1 --columns x,t,p"),
+                     0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# x1\tx2\tx3\tt\tp1\tp2\tp3\n1\t2\t3\t0\t0\t0\t0\n"));
+    ck_assert_int_eq(fvi("run --potential chain:1,1,0 --columns y,t,x"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# y1\tt\tx1\n"));
+}
+END_TEST
+
+/* One step at rest but for a kick: each parameter of the chain has its place. */
+START_TEST(a_chain_moves_as_the_library_says)
+{
+    const double ones[] = { 1, 1, 1 }, none[] = { 0, 0, 0 },
+                 x0[] = { 1, 2, -1 };
+    const double p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1.25, 0.5 };
+    const fvi_system chain = { 3, ones, none, fvi_potential_chain(cg), { 0 } };
+    const fvi_run run = { .system = &chain,
+                          .x0 = x0,
+                          .p0 = p0,
+                          .h = 0.1,
+                          .steps = 5,
+                          .kappa = 0.5,
+                          .alpha = 0.5 };
+    double x[18];
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
+                     FVI_SUCCESS);
+    ck_assert_int_eq(
+        fvi("run --potential chain:3,1.25,0.5 --rho 0 --x0 1,2,-1 --steps 5 "
+            "--columns x"),
+        0);
+    for (size_t k = 0; k <= 5; k++)
+        for (size_t i = 0; i < 3; i++)
+            ck_assert_ulp(cell(k, i), x[3 * k + i], 0, "k=%zu i=%zu", k, i);
+}
+END_TEST
+
+/* The same table, from the library's exact solution. 1500 rows: three batches. */
+START_TEST(exact_prints_the_exact_solution)
+{
+    const fvi_linear problem = { .m = 2,
+                                 .c = 3,
+                                 .rho = 0.5,
+                                 .alpha = 0.75,
+                                 .past = FVI_PAST_CAPUTO,
+                                 .x0 = 1,
+                                 .v0 = -0.25,
+                                 .forcing = FVI_FORCING_COSINE,
+                                 .A = 0.5,
+                                 .w = 2 };
+    ck_assert_int_eq(
+        fvi("exact --mass 2 --potential harmonic:3 --rho 0.5 --alpha 0.75 "
+            "--derivative caputo --p0 -0.5 --force cosine:0.5,2 --h 0.01 "
+            "--steps 1499 --columns t,x,p,y"),
+        0);
+    ck_assert_uint_eq(count_rows(), 1500);
+    for (size_t k = 0; k < 1500; k += 100) {
+        double t = (double)k * 0.01, mirrored = (double)(1499 - k) * 0.01, x, v,
+               y;
+        ck_assert_int_eq(fvi_exact(&problem, 1, &t, &x, &v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact(&problem, 1, &mirrored, &y, NULL),
+                         FVI_SUCCESS);
+        ck_assert_ulp(cell(k, 0), t, 0, "t, k=%zu", k);
+        ck_assert_ulp(cell(k, 1), x, 0, "x, k=%zu", k);
+        ck_assert_ulp(cell(k, 2), 2 * v, 0, "p, k=%zu", k);
+        ck_assert_ulp(cell(k, 3), y, 0, "y, k=%zu", k);
+    }
+    ck_assert_int_eq(
+        fvi("exact --potential free --rho 0 --h 2 --steps 1 --columns x"), 0);
+    ck_assert_near(cell(1, 0), 2, 1e-13 * 2,
+                   "1 + 2 * 0.5, to what fvi_exact says");
+}
+END_TEST
+
+START_TEST(coefficients_and_methods_and_help)
+{
+    ck_assert_int_eq(fvi("coefficients --alpha 0.5 --count 4"), 0);
+    ck_assert_ptr_nonnull(strstr(out,
+                                 "# alpha = 0.5\n# count = 4\n# n\talpha_n\n"
+                                 "0\t1\n1\t-0.5\n2\t-0.125\n3\t-0.0625\n"));
+    ck_assert_int_eq(fvi("coefficients --alpha 2 --count 5"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "0\t1\n1\t-2\n2\t1\n3\t0\n4\t0\n"));
+    ck_assert_int_eq(fvi("methods"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "fvi\t1\tfull\nlda\t1\tnone\n"));
+    ck_assert_ptr_nonnull(
+        strstr(out, "\neuler-explicit\t1\tnone\neuler-implicit\t1\tnone\n"
+                    "fvi-shifted\t2\tfull\nfvi-bdf2\t2\tfull\n"
+                    "fvi-lobatto2\t2\tfull\nfvi-lobatto3\t3 to 4\tfull\n"
+                    "fvi-lobatto4\t4 to 6\tfull\n"));
+    ck_assert_uint_eq(count_lines(out), 9);
+    ck_assert_int_eq(fvi("--help"), 0);
+    ck_assert(strncmp(out, "usage: fvi run", 14) == 0);
+    ck_assert_int_eq(fvi("run --help"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "--kappa"));
+    ck_assert_int_eq(fvi("--version"), 0);
+    ck_assert(strncmp(out, "fvi ", 4) == 0 && count_lines(out) == 1);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+START_TEST(a_repeated_option_is_fine_if_it_says_the_same)
+{
+    ck_assert_int_eq(fvi("run --steps 1 --alpha 0.3 --alpha 0.3 --alpha=0.3"),
+                     0);
+    ck_assert_int_eq(fvi("run --steps 1e0"), 0);
+    ck_assert_uint_eq(count_rows(), 2);
+}
+END_TEST
+
+/* The help of each command, by each of its names. */
+START_TEST(help_is_asked_for_in_many_ways)
+{
+    static const char *const ways[][3] = {
+        { "help", "--help", "-h" },
+        { "help run", "run --help", "run -h" },
+        { "help exact", "exact --help", "exact --alpha 0.3 -h" },
+        { "help coefficients", "coefficients --help", "coefficients -h" },
+        { "help methods", "methods --help", "methods -h" }
+    };
+    for (size_t i = 0; i < LEN(ways); i++) {
+        char *want = NULL;
+        for (size_t j = 0; j < 3; j++) {
+            ck_assert_msg(fvi(ways[i][j]) == 0, "%s: %s", ways[i][j], err);
+            ck_assert_str_eq(err, "");
+            ck_assert(strncmp(out, "usage: fvi ", 11) == 0);
+            if (j == 0)
+                want = strdup(out);
+            ck_assert_str_eq(out, want);
+        }
+        free(want);
+    }
+    ck_assert_int_eq(fvi("help run"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "[held]"));
+    ck_assert_int_eq(fvi("help run x"), 2);
+    ck_assert_int_eq(fvi("run -h0.1"), 2); /* not the step, nor the help */
+}
+END_TEST
+
+/* A locale with a comma, which the test makes itself where it may: that it is in
+ * force is seen by the shell's own printf. Nothing else would tell a program that
+ * asks for the user's locale from one that does not. */
+START_TEST(the_decimal_point_is_a_point_everywhere)
+{
+    shell("localedef -i de_DE -f UTF-8 ./comma.utf8");
+    ck_assert_int_eq(
+        shell("for l in comma.utf8 $(locale -a); do export LC_ALL=$l; "
+              "test -d comma.utf8 && export LOCPATH=$PWD; "
+              "test \"$(locale decimal_point)\" = , || continue; echo '# '$l; "
+              "\"$FVI\" run --steps 1 --h 0.5 --columns t,x; break; done"),
+        0);
+    if (*out == '\0') { /* no such locale to be had */
+        ck_assert_int_eq(shell("nm -D \"$FVI\" | grep setlocale"), 1);
+        return;
+    }
+    ck_assert_ptr_nonnull(strstr(out, "\n0.5\t"));
+    ck_assert(cell(0, 1) == 1 && cell(1, 0) == 0.5);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: what comes out");
+    ADD_CASE(suite, "values", run_prints_head_and_rows,
+             rows_are_the_numbers_of_the_library,
+             every_method_is_at_hand_by_its_name, a_time_is_as_good_as_a_step,
+             an_error_is_as_good_as_a_step,
+             every_keeps_each_kth_row_and_the_last,
+             a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,
+             exact_prints_the_exact_solution, coefficients_and_methods_and_help,
+             help_is_asked_for_in_many_ways,
+             a_repeated_option_is_fine_if_it_says_the_same,
+             the_decimal_point_is_a_point_everywhere);
+    return run_suite_of_program(suite);
+}

@@ -1,0 +1,160 @@
+/* tests/program/test_fvi_files.c -- The program build/fvi: where it writes.
+ * Run alone: make test-fvi_files */
+#define _GNU_SOURCE
+#include "program.h"
+
+START_TEST(files_are_complete_or_absent)
+{
+    ck_assert_int_eq(fvi("run --steps 3"), 0);
+    char *want = strdup(out);
+    ck_assert_int_eq(fvi("run --steps 3 -o table"), 0);
+    ck_assert_str_eq(out, "");
+    ck_assert_int_eq(shell("cat table"), 0);
+    ck_assert_str_eq(out, want);
+    free(want);
+    ck_assert_int_eq(fvi("run --steps 3 -o missing/table"), 1);
+    ck_assert(!exists("missing/table"));
+    ck_assert_int_eq(fvi("run --steps 3 -o ."), 1);
+    ck_assert_int_eq(shell("ulimit -f 1; \"$FVI\" run --steps 5000 -o large"),
+                     1);
+    ck_assert(!exists("large"));
+    ck_assert_int_eq(fvi("run -o /dev/full"), 1);
+    ck_assert_int_eq(shell("\"$FVI\" run > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("\"$FVI\" methods > /dev/full; test $? = 1"), 0);
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
+}
+END_TEST
+
+/* The file keeps its permissions; no link is replaced by a file; the words for
+ * standard error never come into the table. */
+START_TEST(what_was_there_is_respected)
+{
+    ck_assert_int_eq(shell("umask 022; touch open; chmod 666 open; "
+                           "\"$FVI\" run --steps 3 -o open; ls -l open"),
+                     0);
+    ck_assert(strncmp(out, "-rw-rw-rw-", 10) == 0);
+    ck_assert_int_eq(
+        shell("umask 077; \"$FVI\" run --steps 3 -o new; ls -l new"), 0);
+    ck_assert(strncmp(out, "-rw-------", 10) == 0);
+    ck_assert_int_eq(shell("ln -s new link; \"$FVI\" run --steps 4 -o link; "
+                           "test -L link && grep -c '^[0-9]' new"),
+                     0);
+    ck_assert_str_eq(out, "5\n");
+    ck_assert_int_eq(shell("ln -s nowhere lost; \"$FVI\" run -o lost"), 1);
+    ck_assert_str_eq(err,
+                     "fvi: cannot write lost: No such file or directory\n");
+    ck_assert(!exists("nowhere"));
+    ck_assert_int_eq(shell("ln -s round round; \"$FVI\" run -o round"), 1);
+    ck_assert_int_eq(shell("\"$FVI\" run --kappa 0 --h 3 --steps 3 -o warned "
+                           "2>&-; cat warned"),
+                     0);
+    ck_assert(strncmp(out, "# fvi", 5) == 0);
+    ck_assert_int_eq(shell("\"$FVI\" run --steps 3 >&-; test $? = 1"), 0);
+}
+END_TEST
+
+/* A run that is stopped leaves neither its file nor a temporary one. */
+START_TEST(an_interrupted_run_leaves_no_file)
+{
+    ck_assert_int_eq(
+        shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
+              "-o gone & pid=$!; sleep 0.3; "
+              "kill $pid; wait $pid; test $? = 143"),
+        0);
+    ck_assert(!exists("gone"));
+    ck_assert_int_eq(shell("trap '' HUP; \"$FVI\" run --steps 1e5 --alpha 0.3 "
+                           "--memory direct -o kept & pid=$!; sleep 0.3; "
+                           "kill -HUP $pid; sleep 0.1; kill $pid; "
+                           "wait $pid; test $? = 143"),
+                     0);
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
+}
+END_TEST
+
+/* Complete or not at all is what a file is; on standard output the rows before the
+ * failure stand, also by its other name. */
+START_TEST(the_rows_before_a_failure_are_kept_on_standard_output_alone)
+{
+    const char *fails = "run --alpha 1 --rho 1e30 --steps 20 --columns x";
+    char line[200];
+    ck_assert_int_eq(fvi(fails), 1);
+    const size_t rows = count_rows();
+    ck_assert(rows > 1 && rows < 20);
+    snprintf(line, sizeof line, "%s -o /dev/stdout", fails);
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert_uint_eq(count_rows(), rows);
+    snprintf(line, sizeof line, "%s -o none", fails);
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert(!exists("none"));
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
+}
+END_TEST
+
+/* What is open already is written to where it stands: nothing that others wrote is
+ * lost, whatever the name of it. */
+START_TEST(an_open_file_is_written_to_where_it_stands)
+{
+    static const char *const names[] = { "/dev/stdout", "/dev/fd/1",
+                                         "/proc/self/fd/1", "../out-there",
+                                         "../name" };
+    ck_assert_int_eq(shell("ln -s /dev/stdout out-there; mkdir -p in; "
+                           "ln -s out-there name"),
+                     0);
+    for (size_t i = 0; i < LEN(names); i++) {
+        char line[400];
+        snprintf(line, sizeof line,
+                 "echo first > f; cd in; \"$FVI\" run --steps 2 -o %s >> "
+                 "../f; cat ../f",
+                 names[i]);
+        ck_assert_int_eq(shell(line), 0);
+        ck_assert_msg(strncmp(out, "first\n# fvi ", 12) == 0, "%s: %s",
+                      names[i], out);
+        ck_assert_uint_eq(count_lines(strstr(out, "# t\t")), 4);
+        snprintf(line, sizeof line,
+                 "cd in; { echo a; \"$FVI\" run --steps 2 -o %s; echo b; } "
+                 "> ../f; cat ../f",
+                 names[i]);
+        ck_assert_int_eq(shell(line), 0);
+        ck_assert(strncmp(out, "a\n# fvi ", 8) == 0);
+        ck_assert_str_eq(strrchr(out, 'b'), "b\n");
+    }
+    ck_assert_int_eq(shell("echo first > f; "
+                           "\"$FVI\" run --steps 2 -o /dev/stderr 2>> f; "
+                           "cat f; test -L /dev/stdout"),
+                     0);
+    ck_assert(strncmp(out, "first\n# fvi ", 12) == 0);
+    ck_assert_int_eq(shell("\"$FVI\" run -o /dev/stdout >&-; test $? = 1"), 0);
+}
+END_TEST
+
+/* A file of two names is one file afterwards, too, and has the whole table, be it
+ * longer or shorter than what was there; or the old contents. */
+START_TEST(a_file_keeps_all_its_names)
+{
+    ck_assert_int_eq(shell("echo old > one; ln one two; "
+                           "\"$FVI\" run --steps 9 -o one && "
+                           "test one -ef two && grep -c '^[0-9]' two"),
+                     0);
+    ck_assert_str_eq(out, "10\n");
+    ck_assert_int_eq(shell("\"$FVI\" run --steps 2 -o two; \"$FVI\" run "
+                           "--steps 2 > three; test one -ef two && "
+                           "cmp one three"),
+                     0);
+    ck_assert_int_eq(shell("\"$FVI\" run --x0 1e200 -o one; cmp one three"), 0);
+    ck_assert_int_eq(shell("ulimit -f 1; \"$FVI\" run --steps 5000 -o one; "
+                           "cmp one three"),
+                     0);
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1); /* no leftovers */
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: where it writes");
+    ADD_CASE(suite, "files", files_are_complete_or_absent,
+             what_was_there_is_respected, an_interrupted_run_leaves_no_file,
+             the_rows_before_a_failure_are_kept_on_standard_output_alone,
+             an_open_file_is_written_to_where_it_stands,
+             a_file_keeps_all_its_names);
+    return run_suite_of_program(suite);
+}

@@ -1,0 +1,228 @@
+/* tests/program/test_fvi_options.c -- The parser of the command line, in the process.
+ * Run alone: make test-fvi_options */
+#include "harness/ulp.h"
+#include "program/fvi_options.h"
+#include "program/fvi_words.h"
+
+#include <stdint.h>
+
+static unsigned long long seed = 20240229;
+
+static size_t dice(size_t n)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (size_t)(seed >> 33) % n;
+}
+
+/* Random words never crash the parser, and what it accepts is in range. */
+START_TEST(random_words_are_understood_or_refused)
+{
+    static char words[][24] = { "--alpha",
+                                "--rho",
+                                "--mass",
+                                "--potential",
+                                "--force",
+                                "--derivative",
+                                "--kappa",
+                                "--x0",
+                                "--p0",
+                                "--h",
+                                "--steps",
+                                "--columns",
+                                "--every",
+                                "--memory",
+                                "--tolerance",
+                                "--time",
+                                "--error",
+                                "--method",
+                                "--count",
+                                "-o",
+                                "--",
+                                "-",
+                                "",
+                                "0.5",
+                                "1",
+                                "-1",
+                                "1e6",
+                                "nan",
+                                "inf",
+                                "0x1p-1",
+                                "1,2,3",
+                                ",",
+                                ":",
+                                "harmonic:1",
+                                "chain:3,1,1",
+                                "chain:99999,1,1",
+                                "duffing:1,2",
+                                "free",
+                                "pendulum:9",
+                                "step:1,2",
+                                "cosine:1,2",
+                                "none",
+                                "held",
+                                "rl",
+                                "caputo",
+                                "-h",
+                                "--apha",
+                                "help",
+                                "fvi",
+                                "lda",
+                                "fvi-lobatto3",
+                                "fft",
+                                "direct",
+                                "t,x,y",
+                                "energy",
+                                "--alpha=0.2",
+                                "--h=",
+                                "\x01\xff",
+                                "--help",
+                                "1e-999",
+                                "9007199254740993" };
+    static char run[] = "run", weights[] = "coefficients", program[] = "fvi";
+    size_t accepted = 0;
+    for (size_t round = 0; round < 100000; round++) {
+        char *argv[12] = { program, dice(4) ? run : weights },
+             complaint[100] = "";
+        int argc = 2 + (int)dice(9);
+        for (int i = 2; i < argc; i++)
+            argv[i] = words[dice(LEN(words))];
+        fvi_options o;
+        int status =
+            fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
+        ck_assert(status == 0 || status == 2);
+        ck_assert((status == 0) == (complaint[0] == '\0'));
+        ck_assert_ptr_null(strchr(complaint, '\n'));
+        if (status == 0 && o.command == FVI_COMMAND_RUN) {
+            ck_assert(o.alpha >= 0 && o.alpha <= 1 && o.h > 0 && o.steps >= 1);
+            ck_assert(o.error >= 0
+                      && (o.method->half_only ? o.alpha == 0.5 : 1));
+            ck_assert(o.rho >= 0 && o.mass > 0 && o.d >= 1 && o.x0 && o.method);
+            accepted++;
+        }
+        if (status == 0)
+            fvi_options_free(&o);
+    }
+    ck_assert_uint_gt(accepted, 500); /* else nothing was tried */
+}
+END_TEST
+
+/* What was not said has the value of the manual. */
+START_TEST(defaults_are_those_of_the_manual)
+{
+    char program[] = "fvi", run[] = "run", complaint[100];
+    char *argv[] = { program, run, NULL };
+    fvi_options o;
+    ck_assert_int_eq(
+        fvi_options_parse(2, argv, &o, complaint, sizeof complaint), 0);
+    ck_assert(o.alpha == 0.5 && o.rho == 0.2 && o.mass == 1 && o.kappa == 0.5);
+    ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
+    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_PAST_HELD
+              && !o.output);
+    ck_assert(o.potential == 'h' && o.spring[0] == 1 && o.force == 'n');
+    ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
+    ck_assert(o.error == 0);
+    ck_assert_str_eq(o.columns, "txpe");
+    ck_assert_str_eq(o.method->name, "fvi");
+    fvi_options_free(&o);
+}
+END_TEST
+
+/* Parse up to two words behind the program's name; the exit code. */
+static int parse(const char *first, const char *second, const char *third,
+                 char *complaint, size_t size)
+{
+    static char words[4][40] = { "fvi" };
+    char *argv[5] = { words[0], words[1], words[2], words[3], NULL };
+    const char *const given[] = { first, second, third };
+    int argc = 1;
+    for (size_t i = 0; i < LEN(given) && given[i]; i++)
+        snprintf(words[argc++], sizeof *words, "%s", given[i]);
+    fvi_options o;
+    int status = fvi_options_parse(argc, argv, &o, complaint, size);
+    if (status == 0)
+        fvi_options_free(&o);
+    return status;
+}
+
+/* A slip of the finger: a letter too many, too few, another one, two swapped, a word
+ * not written out, capitals. NULL: nothing that is near enough. */
+START_TEST(the_nearest_known_word_is_named)
+{
+    static const struct {
+        const char *first, *second, *third, *meant;
+    } slips[] = { { "run", "--apha", "1", "--alpha" },
+                  { "run", "--apha=1", NULL, "--alpha" },
+                  { "run", "--alhpa", "1", "--alpha" },
+                  { "run", "-alpha", "1", "--alpha" },
+                  { "run", "--alp", "1", "--alpha" },
+                  { "run", "--potental", "free", "--potential" },
+                  { "run", "--Mass", "1", "--mass" },
+                  { "run", "--halp", NULL, "--help" },
+                  { "run", "--bogus", "1", NULL },
+                  { "run", "-x", NULL, NULL },
+                  { "exact", "--kapa", "1", NULL }, /* not its option */
+                  { "coefficients", "--cuont", "1", "--count" },
+                  { "rnu", NULL, NULL, "run" },
+                  { "exat", NULL, NULL, "exact" },
+                  { "help", "method", NULL, "methods" },
+                  { "--hlp", NULL, NULL, "--help" },
+                  { "walk", NULL, NULL, NULL },
+                  { "", NULL, NULL, NULL },
+                  { "run", "--method", "fvi-lobato3", "fvi-lobatto3" },
+                  { "run", "--method", "LDA", "lda" },
+                  { "run", "--method", "rk4", NULL },
+                  { "run", "--derivative", "cauputo", "caputo" },
+                  { "run", "--derivative", "hled", "held" },
+                  { "run", "--derivative", "riemann", NULL },
+                  { "run", "--potential", "duffin:1,1", "duffing" },
+                  { "run", "--potential", "chian:3,1,1", "chain" },
+                  { "run", "--force", "cosin:1,2", "cosine" },
+                  { "run", "--memory", "exponential", "exponentials" },
+                  { "run", "--columns", "t,enrgy,x", "energy" },
+                  { "run", "--columns", "t,q", NULL } };
+    for (size_t i = 0; i < LEN(slips); i++) {
+        char complaint[400] = "", hint[60];
+        ck_assert_int_eq(parse(slips[i].first, slips[i].second, slips[i].third,
+                               complaint, sizeof complaint),
+                         2);
+        const char *said = strstr(complaint, "; did you mean ");
+        if (!slips[i].meant) {
+            ck_assert_msg(!said, "%s", complaint);
+            continue;
+        }
+        snprintf(hint, sizeof hint, "; did you mean %s?", slips[i].meant);
+        ck_assert_msg(said && strcmp(said, hint) == 0, "%s", complaint);
+    }
+}
+END_TEST
+
+/* On 32 bits a size_t ends at 4 294 967 295, and half of that is what is taken; more
+ * known words than there is room for are cut, not written behind it. */
+START_TEST(words_stay_within_their_bounds)
+{
+    char text[400] = "";
+    const fvi_complaint c = { text, sizeof text };
+    size_t value = 7;
+    ck_assert_int_eq(fvi_word_whole("steps", "1e10", 2147483647, &value, c), 2);
+    ck_assert_str_eq(text, "--steps: '1e10' is outside [1, 2.14748e+09]");
+    ck_assert_uint_eq(value, 7);
+    ck_assert_int_eq(fvi_word_whole("steps", "2e9", 2147483647, &value, c), 0);
+    ck_assert_uint_eq(value, 2000000000);
+    ck_assert_int_eq(fvi_word_whole("steps", "1e16", SIZE_MAX, &value, c), 2);
+    const char *many[101];
+    for (size_t i = 0; i < 100; i++)
+        many[i] = "a-word-of-some-length";
+    many[100] = NULL;
+    ck_assert_int_eq(fvi_word_choice("x", "else", many, &value, c), 2);
+    ck_assert_uint_lt(strlen(text), 300);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the words of fvi");
+    ADD_CASE(suite, "values", defaults_are_those_of_the_manual);
+    ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
+             the_nearest_known_word_is_named, words_stay_within_their_bounds);
+    return run_suite(suite);
+}
