@@ -142,8 +142,8 @@ int EXPORT(play_run)(void)
     do {
         x[rows] = s->x[0];
         p[rows] = s->p[0];
-        energy[rows] = fvi_energy(&system, s->x, s->p);
-        if (!isfinite(energy[rows])) /* no row, as in build/fvi */
+        if (fvi_energy(&system, s->x, s->p, energy + rows)
+            || !isfinite(energy[rows])) /* no row, as in build/fvi */
             break;
         rows++;
         status = s->k < run.steps ? fvi_step(s) : FVI_EINVAL;
@@ -230,8 +230,8 @@ static double load_of_stages(size_t s, double h)
     const double bound[] = { 4, 8, 42 - 6 * sqrt(29) }, alpha = input.alpha;
     const fvi_potential u = potential();
     double stiffness = 0, share = 0;
-    if (u.hessian)
-        u.hessian(1, &input.x0, u.params, &stiffness);
+    if (u.hessian && u.hessian(1, &input.x0, u.params, &stiffness))
+        return -1;
     if (alpha == 0 || (s == 2 && alpha < 0.5))
         share =
             pow(2, 2 * alpha + 1) / sqrt(3) * sin((1 - 2 * alpha) * M_PI / 3);

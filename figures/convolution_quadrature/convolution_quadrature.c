@@ -17,12 +17,13 @@ static double x[MOST + 1], t[MOST + 1], want[MOST + 1];
 
 /* What drives a Duffing oscillator along t^4; D^{1/2} t^4 = Gamma(5)/Gamma(9/2)
  * t^(7/2). */
-static void drive(double time, size_t d, const void *params, double *F)
+static int drive(double time, size_t d, void *params, double *F)
 {
     const double q = gsl_pow_4(time);
     (void)d, (void)params;
     F[0] = 12 * time * time + q + q * q * q
            + tgamma(5) / tgamma(4.5) * pow(time, 3.5);
+    return 0;
 }
 
 static double error(const fvi_method *method, const fvi_system *system,

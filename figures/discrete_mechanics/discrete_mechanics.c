@@ -15,6 +15,13 @@ enum { STEPS = 100000, INTERVAL = 400 };
 
 static const double one = 1, none = 0;
 
+/* The energy as a number. */
+static double energy(const fvi_system *system, const double *x, const double *p)
+{
+    double E;
+    return fvi_energy(system, x, p, &E) ? (double)NAN : E;
+}
+
 static fvi_stepper *start(const fvi_method *method, const fvi_run *run)
 {
     fvi_stepper *s;
@@ -44,7 +51,7 @@ static void harmonic(void)
     fvi_stepper *s[] = { start(&fvi_euler_explicit, &run),
                          start(&fvi_euler_implicit, &run),
                          start(&fvi_variational, &run) };
-    const double E0 = fvi_energy(&system, run.x0, run.p0);
+    const double E0 = energy(&system, run.x0, run.p0);
     const double factor = 1 + run.h * run.h;
     printf(
         "# harmonic oscillator, h = %g: k, E/E0 of explicit Euler, implicit "
@@ -54,7 +61,7 @@ static void harmonic(void)
         if (k % 5000 == 0) {
             printf("%zu", k);
             for (size_t i = 0; i < 3; i++)
-                printf(" %.17g", fvi_energy(&system, s[i]->x, s[i]->p) / E0);
+                printf(" %.17g", energy(&system, s[i]->x, s[i]->p) / E0);
             printf(" %.17g %.17g\n", pow(factor, (double)k),
                    pow(factor, -(double)k));
         }
@@ -80,14 +87,14 @@ static void pendulum(double kappa, double h)
                           .kappa = kappa,
                           .alpha = 0.5 };
     fvi_stepper *s = start(&fvi_variational, &run);
-    const double E0 = fvi_energy(&system, s->x, s->p);
+    const double E0 = energy(&system, s->x, s->p);
     double far = 0;
     printf("# pendulum, kappa = %g, h = %g: k, largest |E/E0 - 1| in %d steps, "
            "kappa, h\n",
            kappa, h, INTERVAL);
     while (s->k < STEPS) {
         advance(s);
-        far = fmax(far, fabs(fvi_energy(&system, s->x, s->p) / E0 - 1));
+        far = fmax(far, fabs(energy(&system, s->x, s->p) / E0 - 1));
         if (s->k % INTERVAL == 0) {
             printf("%zu %.17g %.17g %.17g\n", s->k, far, kappa, h);
             far = 0;

@@ -6,12 +6,20 @@
 #include <fvi/fvi.h>
 #include <fvi/paper/experiments.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { FINE = 300, T = 15 };
 
 static const double one = 1, rho = 0.2, x0 = 1, p0 = 0.5;
+
+/* The energy as a number. */
+static double energy(const fvi_system *system, const double *x, const double *p)
+{
+    double E;
+    return fvi_energy(system, x, p, &E) ? (double)NAN : E;
+}
 
 static int print_run(const fvi_system *system, const fvi_method *method,
                      double h, size_t steps)
@@ -26,7 +34,7 @@ static int print_run(const fvi_system *system, const fvi_method *method,
     printf("\n\n# %s, h = %g: t x energy\n", method->name, h);
     do {
         printf("%.17g %.17g %.17g\n", s->t, s->x[0],
-               fvi_energy(system, s->x, s->p));
+               energy(system, s->x, s->p));
     } while (s->k < steps && (status = fvi_step(s)) == 0);
     fvi_stop(s);
     return status;
@@ -43,7 +51,7 @@ int main(void)
         double x, p, t = (double)k * T / FINE;
         if (fvi_damped_oscillator(1, rho, 1, x0, p0, t, &x, &p))
             return EXIT_FAILURE;
-        printf("%.17g %.17g %.17g\n", t, x, fvi_energy(&system, &x, &p));
+        printf("%.17g %.17g %.17g\n", t, x, energy(&system, &x, &p));
     }
     int status = print_run(&system, &fvi_fractional, 0.2, 75);
     if (!status)

@@ -21,7 +21,7 @@ extern "C" {
  *
  * Cost: one value of U. Returns FVI_SUCCESS; what fvi_system_check returns;
  * FVI_EFAULT if a pointer is NULL; FVI_EDOM if kappa or h is out of range;
- * FVI_ENOMEM. On error L is untouched. */
+ * FVI_ENOMEM; what the potential returned. On error L is untouched. */
 int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
                             const double *x, const double *y, double *L);
 
@@ -32,7 +32,8 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
  *
  *   D1, D2  outputs, d numbers each; NULL for one that is not wanted
  *
- * Cost: one gradient of U. Errors as fvi_discrete_lagrangian. */
+ * Cost: one gradient of U. Errors as fvi_discrete_lagrangian; D1 and D2 are then
+ * untouched. */
 int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
                         const double *x, const double *y, double *D1,
                         double *D2);
@@ -57,8 +58,8 @@ extern const fvi_method fvi_euler_implicit;
 int fvi_variational_solver(fvi_stepper *s);
 
 /* fvi_force_at -- for methods: s->F = F(t). A system without force leaves s->F
- * zero, as it was made. */
-void fvi_force_at(fvi_stepper *s, double t);
+ * zero, as it was made. Returns FVI_SUCCESS, or what the force returned. */
+int fvi_force_at(fvi_stepper *s, double t);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -30,7 +30,7 @@ extern "C" {
  * Accuracy: 8 d u relative to the larger term, u = 2^-53.
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is
  * NULL; FVI_EDOM if h, kappa or alpha is out of range; FVI_EOVRFLW if an entry is
- * not finite; FVI_ENOMEM. On error *load is untouched. */
+ * not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
 int fvi_stability_load(const fvi_run *run, double *load);
 
 /* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
@@ -65,7 +65,7 @@ int fvi_stability_step(const fvi_run *run, double *h);
  * (no proof; seen 4e-15). Returns FVI_SUCCESS; what fvi_system_check returns;
  * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if s is another number; FVI_EDOM if h
  * or alpha is out of range; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM; what
- * GSL's eigenvalues return. On error *load is untouched. */
+ * GSL's eigenvalues return; what the Hessian returned. On error *load is untouched. */
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
 
 /* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:

@@ -67,9 +67,11 @@ typedef struct {
  * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_start
  * returns; FVI_ENOMEM; FVI_ETOL if the error was not reached, because of most or
  * because rounding made it grow again: *found then is the smallest estimate that was
- * believed (infinite if there was none). FVI_ETOL is an answer: GSL's error handler
- * is not called for it, nor for the runs that fail. On error x, p and, but for
- * FVI_ETOL, *found are untouched. */
+ * believed (infinite if there was none). FVI_ETOL is an answer: no error handler is
+ * called for it, nor for the runs that fail. What a callback of the caller's returned
+ * comes back; but FVI_EOVRFLW, FVI_EMAXITER or FVI_ESING, in a run, says that its
+ * steps are too long, and the search goes on with shorter ones. On error x, p and,
+ * but for FVI_ETOL, *found are untouched. */
 int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
                     size_t most, double *x, double *p, fvi_step_found *found);
 

@@ -6,10 +6,11 @@
  * order of the damping and everything that has to do with time steps belong to
  * a run (trajectory.h), not to the system.
  *
- * Errors of the library are those of GSL, "system/fail.h": each first calls
- * GSL's error handler, whose default prints and aborts; after
- * gsl_set_error_handler_off() the code comes back. Only a step that cannot be made
- * (trajectory.h) and a search without success (step_search.h) come back at once. */
+ * The functions of a potential and of a force are the caller's callbacks. They return
+ * 0, or any other int, which ends the call of the library in which they were asked:
+ * that call returns the same int and calls no error handler. Negative numbers are
+ * never codes of the library's (error.h); a number that is one says what it says
+ * there. Only fvi_step_search goes on after one (step_search.h). */
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
@@ -23,8 +24,8 @@ extern "C" {
 
 /* fvi_potential -- U: R^d -> R with its first two derivatives.
  *
- *   value      returns U(x)
- *   gradient   writes the d numbers dU/dx_i to g
+ *   value      writes U(x) to *value
+ *   gradient   writes the d numbers dU/dx_i to grad
  *   hessian    writes d^2U/dx_i dx_j to H, in the form that `diagonals` says
  *   params     handed to the functions, owned by the caller, may be NULL
  *   quadratic  NULL, or asked once when a run starts: nonzero promises that U is
@@ -39,23 +40,24 @@ extern "C" {
  *
  * All three functions, or none: a zeroed potential is that of a free particle.
  * The library calls them with arrays that do not overlap. A function that cannot
- * give a number writes NaN: the step then ends with FVI_EOVRFLW.
+ * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW.
  *
- * The params may change until fvi_start, and must then stay as they are until
- * fvi_stop. */
+ * The params may change until fvi_start. From then until fvi_stop the functions must
+ * give the same numbers for the same x; what else stands in the params, a count of the
+ * calls, say, is theirs to write. Runs in several threads share it. */
 typedef struct {
-    double (*value)(size_t d, const double *x, const void *params);
-    void (*gradient)(size_t d, const double *x, const void *params, double *g);
-    void (*hessian)(size_t d, const double *x, const void *params, double *H);
-    const void *params;
+    int (*value)(size_t d, const double *x, void *params, double *value);
+    int (*gradient)(size_t d, const double *x, void *params, double *grad);
+    int (*hessian)(size_t d, const double *x, void *params, double *H);
+    void *params;
     int (*quadratic)(const void *params);
     size_t diagonals;
 } fvi_potential;
 
 /* fvi_force -- F(t), d numbers written to F. A zeroed force is none. */
 typedef struct {
-    void (*value)(double t, size_t d, const void *params, double *F);
-    const void *params;
+    int (*value)(double t, size_t d, void *params, double *F);
+    void *params;
 } fvi_force;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and
@@ -85,17 +87,31 @@ int fvi_system_check(const fvi_system *system);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
  *
- *   x, p  d numbers each
+ *   x, p  d numbers each     E  output, one number
  *
- * Nothing is checked: this is called once a row. Cost O(d) and one value of U. */
-double fvi_energy(const fvi_system *system, const double *x, const double *p);
+ * Nothing is checked: this is called once a row. Cost O(d) and one value of U.
+ * Returns FVI_SUCCESS, or what the potential returned; E is then untouched. */
+int fvi_energy(const fvi_system *system, const double *x, const double *p,
+               double *E);
+
+/* fvi_potential_value, fvi_gradient -- U and grad U at x; 0 if there is no U.
+ *
+ *   x     d numbers
+ *   value  output, one number
+ *   grad  output, d numbers, not x
+ *
+ * Nothing is checked. Returns FVI_SUCCESS, or what the potential returned. */
+int fvi_potential_value(const fvi_system *system, const double *x,
+                        double *value);
+int fvi_gradient(const fvi_system *system, const double *x, double *grad);
 
 /* fvi_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
  *
  *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U
  *
- * Nothing is checked. Cost O(d^2) and one Hessian. */
-void fvi_hessian(const fvi_system *system, const double *x, double *H);
+ * Nothing is checked. Cost O(d^2) and one Hessian.
+ * Returns FVI_SUCCESS, or what the potential returned; H is then of no use. */
+int fvi_hessian(const fvi_system *system, const double *x, double *H);
 
 /* fvi_all_finite -- are all n numbers of v finite? In the header, because every
  * step asks: isfinite is a macro, and no call is made. */

@@ -104,7 +104,8 @@ struct fvi_method {
  * NULL; FVI_EINVAL if steps == 0 or the method does not take such a system;
  * FVI_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
  * does not know this alpha, or if the run has no solution (19.2) and is not one of
- * fvi_fractional; FVI_ENOMEM. On error *stepper is untouched. */
+ * fvi_fractional; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; what the
+ * potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
@@ -112,10 +113,10 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
- * FVI_EOVRFLW if a value stopped being finite. These three are what came out, no
- * mistake of the caller: GSL's error handler is not called for them, here or by
- * fvi_start (FVI_ESING). After an error s->k is still k
- * and x, p are not those of any step: stop. */
+ * FVI_EOVRFLW if a value stopped being finite; what the force or the potential
+ * returned. These four are what came out, no mistake of the caller: the error handler
+ * is not called for them, here or by fvi_start. After an error, but for FVI_EFAULT
+ * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);
 
 /* fvi_stop -- give everything back. NULL is allowed. */
@@ -128,7 +129,8 @@ void fvi_stop(fvi_stepper *s);
  *
  * What is NULL is not computed. Returns what fvi_start and fvi_step return, and
  * FVI_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_start
- * refuses, the arrays are untouched; if step k fails, rows 0 ... k - 1 stand. */
+ * refuses, the arrays are untouched; if the step to row k, or U in its energy, fails,
+ * rows 0 ... k - 1 stand. */
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
                    double *p, double *energy);
 

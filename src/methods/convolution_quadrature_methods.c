@@ -31,15 +31,15 @@ typedef struct {
 /* The limits of F at t_k from below and from above. h, the product k h and the place
  * of a jump may each be off by half an ulp, and T / N for h by as much again: four
  * ulp on either side are enough. (13.12) */
-static void force_before(fvi_stepper *s, size_t k)
+static int force_before(fvi_stepper *s, size_t k)
 {
-    fvi_force_at(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
+    return fvi_force_at(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
 }
 
-static void force_after(fvi_stepper *s, size_t k)
+static int force_after(fvi_stepper *s, size_t k)
 {
     double t = (double)k * s->run.h * (1 + 4 * GSL_DBL_EPSILON);
-    fvi_force_at(s, fmax(t, GSL_DBL_MIN));
+    return fvi_force_at(s, fmax(t, GSL_DBL_MIN));
 }
 //< force
 
@@ -91,7 +91,9 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
     const fvi_damping *d = o->damping;
     const size_t dim = s->run.system->d, count = d ? d->count : 0;
     const double theta = o->theta, half = s->run.h / 2;
-    force_after(s, s->k);
+    int status = force_after(s, s->k);
+    if (status)
+        return status;
     for (size_t i = 0; i < dim; i++)
         s->p[i] += half * s->F[i];
     for (size_t j = 0; j < count; j++)
@@ -102,7 +104,7 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
         return FVI_SUCCESS;
     for (size_t j = 0; j < count; j++)
         d->z[j] = s->x[d->index[j]] - d->origin[j];
-    int status = fvi_memory_ahead(d->memory, d->z, o->ahead);
+    status = fvi_memory_ahead(d->memory, d->z, o->ahead);
     for (size_t j = 0; j < count; j++)
         o->r[d->index[j]] -= theta * d->factor[j] * (o->ahead[j] - d->drift[j]);
     return status;
@@ -118,9 +120,10 @@ static int step_second_order(fvi_stepper *s)
     int status = right_hand_side(s, o);
     if (!status)
         status = fvi_newton_solve(s->newton, s->x, o->r, s->dx, s->g);
+    if (!status)
+        status = force_before(s, s->k + 1);
     if (status)
         return status;
-    force_before(s, s->k + 1);
     for (size_t i = 0; i < s->run.system->d; i++) {
         s->x[i] += s->dx[i];
         s->p[i] += h / 2 * s->F[i] - h * s->g[i];

@@ -39,14 +39,14 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
     int status = prepare(system, kappa, h, x, y, &S);
     if (status)
         return status;
-    const fvi_potential *u = &system->potential;
-    double kinetic = 0;
+    double kinetic = 0, potential;
     for (size_t i = 0; i < system->d; i++)
         kinetic += (y[i] - x[i]) * system->mass[i] * (y[i] - x[i]) / (2 * h);
-    double potential = u->value ? u->value(system->d, S, u->params) : 0;
-    *L = kinetic - h * potential; /* (2.5) */
+    status = fvi_potential_value(system, S, &potential);
+    if (!status)
+        *L = kinetic - h * potential; /* (2.5) */
     free(S);
-    return FVI_SUCCESS;
+    return status;
 }
 
 int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
@@ -58,11 +58,9 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
     if (status)
         return status;
     const size_t d = system->d;
-    const fvi_potential *u = &system->potential;
     double *g = S + d;
-    if (u->gradient)
-        u->gradient(d, S, u->params, g);
-    for (size_t i = 0; i < d; i++) {
+    status = fvi_gradient(system, S, g);
+    for (size_t i = 0; !status && i < d; i++) {
         double momentum = system->mass[i] * (y[i] - x[i]) / h;
         if (D1)
             D1[i] = -momentum - kappa * h * g[i]; /* (2.6) */
@@ -70,7 +68,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
             D2[i] = momentum - (1 - kappa) * h * g[i];
     }
     free(S);
-    return FVI_SUCCESS;
+    return status;
 }
 
 /* ---- what the methods share ---- */
@@ -90,11 +88,11 @@ int fvi_variational_solver(fvi_stepper *s)
     return status;
 }
 
-void fvi_force_at(fvi_stepper *s, double t)
+int fvi_force_at(fvi_stepper *s, double t)
 {
     const fvi_force *force = &s->run.system->force;
-    if (force->value)
-        force->value(t, s->run.system->d, force->params, s->F);
+    return force->value ? force->value(t, s->run.system->d, force->params, s->F)
+                        : FVI_SUCCESS;
 }
 
 /* ---- Algorithms 1 and 2 ---- */
@@ -122,9 +120,10 @@ static int step_forced(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
     int status = step_variational(s);
+    if (!status)
+        status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
     if (status)
         return status;
-    fvi_force_at(s, (double)(s->k + 1) * s->run.h);
     for (size_t i = 0; i < system->d; i++)
         s->p[i] += -system->damping[i] * s->dx[i] + s->run.h * s->F[i];
     return FVI_SUCCESS;
@@ -163,11 +162,12 @@ const fvi_method fvi_lagrange_dalembert = { .name = "lda",
 static int step_euler_explicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
-    const fvi_potential *u = &system->potential;
     const double h = s->run.h;
-    if (u->gradient)
-        u->gradient(system->d, s->x, u->params, s->g);
-    fvi_force_at(s, s->t);
+    int status = fvi_gradient(system, s->x, s->g);
+    if (!status)
+        status = fvi_force_at(s, s->t);
+    if (status)
+        return status;
     for (size_t i = 0; i < system->d; i++) {
         double v = s->p[i] / system->mass[i];
         s->x[i] += h * v;
@@ -195,10 +195,12 @@ static int step_euler_implicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
     const double h = s->run.h;
-    fvi_force_at(s, (double)(s->k + 1) * h);
+    int status = fvi_force_at(s, (double)(s->k + 1) * h);
+    if (status)
+        return status;
     for (size_t i = 0; i < system->d; i++)
         s->p[i] += h * s->F[i];
-    int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
     if (status)
         return status;
     for (size_t i = 0; i < system->d; i++) {

@@ -41,9 +41,10 @@ static int step_fractional(fvi_stepper *s)
 {
     const double h = s->run.h;
     int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
+    if (!status)
+        status = fvi_force_at(s, (double)(s->k + 1) * h);
     if (status)
         return status;
-    fvi_force_at(s, (double)(s->k + 1) * h);
     for (size_t i = 0; i < s->run.system->d; i++) {
         s->x[i] += s->dx[i];
         s->p[i] += h * (s->F[i] - s->g[i]);

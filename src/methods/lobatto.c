@@ -85,14 +85,11 @@ static double weight(const fvi_stepper *s, const lobatto *o, size_t i, size_t j)
 }
 
 /* grad U at x_k + dX_i */
-static void gradient(fvi_stepper *s, lobatto *o, size_t i)
+static int gradient(fvi_stepper *s, lobatto *o, size_t i)
 {
-    const fvi_potential *u = &s->run.system->potential;
-    if (!u->gradient)
-        return;
     for (size_t j = 0; j < o->d; j++)
         s->dx[j] = s->x[j] + o->dX[i * o->d + j];
-    u->gradient(o->d, s->dx, u->params, o->grad + i * o->d);
+    return fvi_gradient(s->run.system, s->dx, o->grad + i * o->d);
 }
 
 /* X_i - x_k of (17.8), coordinate j, for the forces in S and grad. */
@@ -193,7 +190,7 @@ static void damp(fvi_stepper *s, lobatto *o)
 //> force
 /* S = -h b F, from within the step at its ends: a jump at a node t_k belongs to
  * neither side; and the impulses of the past. */
-static void drive(fvi_stepper *s, lobatto *o)
+static int drive(fvi_stepper *s, lobatto *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
                  right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
@@ -203,17 +200,20 @@ static void drive(fvi_stepper *s, lobatto *o)
             t = left + in * fmax(left, h);
         else if (i + 1 == o->s)
             t = right - in * right;
-        fvi_force_at(s, t);
+        int status = fvi_force_at(s, t);
+        if (status)
+            return status;
         for (size_t j = 0; j < o->d; j++)
             o->S[i * o->d + j] = -weight(s, o, i, j) * s->F[j];
     }
     if (!o->pull)
-        return;
+        return FVI_SUCCESS;
     double impulse[FVI_STAGES];
     fvi_past_impulses(&o->fading, s->k, impulse);
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)
             o->S[i * o->d + j] += o->share[j] * o->pull[j] * impulse[i];
+    return FVI_SUCCESS;
 }
 //< force
 
@@ -222,18 +222,21 @@ static int step_lobatto(fvi_stepper *s)
 {
     lobatto *o = s->own;
     const size_t d = o->d, end = o->s - 1;
-    drive(s, o);
-    int status = remember(s, o);
+    int status = drive(s, o);
+    if (!status)
+        status = remember(s, o);
     if (!status && end > 1 && s->run.system->potential.gradient)
         status = solve_inner(s, o);
+    for (size_t i = 1; !status && i < end; i++)
+        status = gradient(s, o, i);
     if (status)
         return status;
-    for (size_t i = 1; i < end; i++)
-        gradient(s, o, i);
     for (size_t i = 1; i <= end; i++)
         for (size_t j = 0; j < d; j++)
             o->dX[i * d + j] = solved(s, o, i, j);
-    gradient(s, o, end);
+    status = gradient(s, o, end);
+    if (status)
+        return status;
     damp(s, o);
     for (size_t j = 0; j < d; j++) {
         for (size_t i = 0; i <= end; i++) /* (17.8) */
@@ -352,9 +355,10 @@ static int start(fvi_stepper *s, size_t stages)
     for (size_t j = 0; !status && j < o->d; j++)
         status =
             invert(o, system->mass[j], system->damping[j], s->run.h, o->M[j]);
+    if (!status)
+        status = gradient(s, o, 0); /* dX is zero */
     if (status)
         return status;
-    gradient(s, o, 0); /* dX is zero */
     return stages > 2 && system->potential.gradient ? prepare_inner(s, o)
                                                     : FVI_SUCCESS;
 }

@@ -17,16 +17,19 @@ static int three_terms(const fvi_system *system, double kappa, double h,
                        size_t N, double p0, const double *c, double factor,
                        double *x)
 {
+    const fvi_force *force = &system->force;
+    int status = FVI_SUCCESS;
     double p = p0, F = 0; /* p_0 = -D1 L_d(x_0, x_1) gives x_1 */
     for (size_t k = 0; k < N; k++) {
         if (k > 0) {
             double D = 0; /* Delta_-^alpha Delta_-^alpha x_k */
             for (size_t n = 0; n <= k; n++)
                 D += factor * c[n] * x[k - n];
-            if (system->force.value)
-                system->force.value((double)k * h, 1, system->force.params, &F);
+            if (force->value)
+                status = force->value((double)k * h, 1, force->params, &F);
             /* p = D2 L_d(x_{k-1}, x_k) - h rho D + h F(t_k) */
-            int status = fvi_legendre_plus(system, kappa, h, x + k - 1, x + k,
+            if (!status)
+                status = fvi_legendre_plus(system, kappa, h, x + k - 1, x + k,
                                            &D, &F, &p);
             if (status)
                 return status;
@@ -34,8 +37,7 @@ static int three_terms(const fvi_system *system, double kappa, double h,
         if (!gsl_finite(p))
             FVI_FAIL("a value is no longer finite", FVI_EOVRFLW);
         /* x_{k+1} from -D1 L_d(x_k, x_{k+1}) = p */
-        int status =
-            fvi_legendre_inverse(system, kappa, h, x + k, &p, x + k + 1);
+        status = fvi_legendre_inverse(system, kappa, h, x + k, &p, x + k + 1);
         if (status)
             return status;
     }

@@ -95,12 +95,14 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
     double worst[3] = { 0 };
     //> errors
     while (s->k < N && (status = fvi_step(s)) == FVI_SUCCESS) {
-        double x, p; /* the row k = 0 is exact */
+        double x, p, E, E_k; /* the row k = 0 is exact */
         status = fvi_damped_oscillator(m, rho, c, x0, p0, s->t, &x, &p);
+        if (!status)
+            status = fvi_energy(&system, &x, &p, &E);
+        if (!status)
+            status = fvi_energy(&system, s->x, s->p, &E_k);
         if (status)
             break;
-        double E = fvi_energy(&system, &x, &p);
-        double E_k = fvi_energy(&system, s->x, s->p);
         worst[0] = fmax(worst[0], fabs(s->x[0] - x)); /* (10.2) */
         worst[1] = fmax(worst[1], fabs(s->p[0] - p));
         worst[2] = fmax(worst[2], fabs(E_k - E));
@@ -148,12 +150,10 @@ static int column(double m, double rho, double c, double alpha, double h,
     return FVI_SUCCESS;
 }
 
-static double force_at(fvi_force force, double t)
+static int force_at(fvi_force force, double t, double *F)
 {
-    double F = 0;
-    if (force.value)
-        force.value(t, 1, force.params, &F);
-    return F;
+    *F = 0;
+    return force.value ? force.value(t, 1, force.params, F) : FVI_SUCCESS;
 }
 
 /* The n values y to the caller's x, if all of them are numbers. */
@@ -178,8 +178,9 @@ int fvi_matrix_method(double m, double rho, double c, double alpha,
     status = column(m, rho, c, alpha, h, N, a);
     //> substitution
     for (size_t k = 2; k <= N && !status; k++) {
-        double rest = force_at(force, (double)k * h);
-        for (size_t j = 2; j < k; j++)
+        double rest;
+        status = force_at(force, (double)k * h, &rest);
+        for (size_t j = 2; j < k && !status; j++)
             rest -= a[k - j] * y[j];
         y[k] = rest / a[0];
     }
@@ -207,10 +208,10 @@ int fvi_matrix_method_simple(double m, double rho, double c, double alpha,
     //> matrix
     gsl_matrix_view A = gsl_matrix_view_array(y + N + 1, rows, rows);
     gsl_vector_view X = gsl_vector_view_array(y + 2, rows);
-    for (size_t i = 0; i < rows; i++) {
+    for (size_t i = 0; i < rows && !status; i++) {
         for (size_t j = 0; j <= i; j++)
             gsl_matrix_set(&A.matrix, i, j, a[i - j]);
-        y[i + 2] = force_at(force, (double)(i + 2) * h);
+        status = force_at(force, (double)(i + 2) * h, y + i + 2);
     }
     if (!status)
         status = gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit,

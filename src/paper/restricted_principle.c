@@ -99,39 +99,45 @@ static sample sample_at(const fvi_powers *f, const double *factors,
 /* d/dt is d/ds for x and xi, -d/ds for y and eta: in the products of two
  * velocities of one end the signs cancel. z[0], z[1], z[2], z[3] are x, y and
  * their variations xi, eta. */
-static double density(const fvi_system *system, const sample *z)
+static int density(const fvi_system *system, const sample *z, double *f)
 {
-    const fvi_potential *u = &system->potential;
     const double m = *system->mass, rho = *system->damping;
     double sum = -z[0].fractional * rho * z[1].fractional;
-    for (size_t i = 0; i < 2; i++)
-        sum += m * z[i].slope * z[i].slope / 2
-               - (u->value ? u->value(1, &z[i].value, u->params) : 0);
-    return sum; /* (3.3) */
+    for (size_t i = 0; i < 2; i++) {
+        double U;
+        int status = fvi_potential_value(system, &z[i].value, &U);
+        if (status)
+            return status;
+        sum += m * z[i].slope * z[i].slope / 2 - U;
+    }
+    *f = sum; /* (3.3) */
+    return FVI_SUCCESS;
 }
 
-static double density_variation(const fvi_system *system, const sample *z)
+static int density_variation(const fvi_system *system, const sample *z,
+                             double *f)
 {
-    const fvi_potential *u = &system->potential;
     const double m = *system->mass, rho = *system->damping;
     double sum = -z[2].fractional * rho * z[1].fractional
                  - z[0].fractional * rho * z[3].fractional;
     for (size_t i = 0; i < 2; i++) {
-        double dU = 0;
-        if (u->gradient)
-            u->gradient(1, &z[i].value, u->params, &dU);
+        double dU;
+        int status = fvi_gradient(system, &z[i].value, &dU);
+        if (status)
+            return status;
         sum += m * z[i].slope * z[i + 2].slope - dU * z[i + 2].value;
     }
-    return sum; /* (3.5) */
+    *f = sum; /* (3.5) */
+    return FVI_SUCCESS;
 }
 
 enum { HALF = 96, PER_UNIT = 16 }; /* nodes i/16, i = -96, ..., 96 */
 
 //> rule
 /* s = T/(1 + exp(-pi sinh tau)), r = T - s without a subtraction. */
-static double integrate(const fvi_system *system, double alpha, double T,
-                        size_t count, const fvi_powers *const *curve,
-                        double *const *factors)
+static int integrate(const fvi_system *system, double alpha, double T,
+                     size_t count, const fvi_powers *const *curve,
+                     double *const *factors, double *out)
 {
     double sum = 0;
     for (int i = -HALF; i <= HALF; i++) {
@@ -142,11 +148,15 @@ static double integrate(const fvi_system *system, double alpha, double T,
         for (size_t c = 0; c < count; c++)
             z[c] = sample_at(curve[c], factors[c], alpha,
                              c % 2 == 0 ? T * p : T * q);
-        double f =
-            count == 2 ? density(system, z) : density_variation(system, z);
+        double f;
+        int status = count == 2 ? density(system, z, &f)
+                                : density_variation(system, z, &f);
+        if (status)
+            return status;
         sum += weight * f;
     }
-    return sum;
+    *out = sum;
+    return FVI_SUCCESS;
 }
 //< rule
 
@@ -188,21 +198,21 @@ static int evaluate(const fvi_system *system, double alpha, double T,
     int status = check(system, alpha, T, count, curve, out);
     if (status)
         return status;
+    int all = 1;
     double *factors[4] = { NULL, NULL, NULL, NULL };
     for (size_t c = 0; c < count; c++) {
         factors[c] = calloc(curve[c]->terms + 1, sizeof *factors[c]);
-        if (!factors[c])
-            status = FVI_ENOMEM;
+        all &= factors[c] != NULL;
         for (size_t j = 0; factors[c] && j < curve[c]->terms; j++)
             factors[c][j] = factor(curve[c]->exponent[j], alpha);
     }
-    if (!status)
-        *out = integrate(system, alpha, T, count, curve, factors);
+    if (all)
+        status = integrate(system, alpha, T, count, curve, factors, out);
     for (size_t c = 0; c < count; c++)
         free(factors[c]);
-    if (status)
+    if (!all)
         FVI_FAIL("no memory for the factors", FVI_ENOMEM);
-    return FVI_SUCCESS;
+    return status;
 }
 
 int fvi_action(const fvi_system *system, double alpha, double T,

@@ -112,21 +112,23 @@ static void print_row(const fvi_table *t, const double *row)
 }
 
 /* The columns of row k; or, mirrored, only y. */
-static void fill(const fvi_table *t, size_t k, const double *x, const double *p,
-                 int mirror, double *row)
+static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
+                int mirror, double *row)
 {
+    int status = FVI_SUCCESS;
     for (const char *c = t->o->columns; *c; c++) {
         size_t width = column_width(t->o, *c);
         if (mirror == (*c == 'y')) {
             if (*c == 't')
                 *row = (double)k * t->o->h; /* one product */
             else if (*c == 'e')
-                *row = fvi_energy(t->system, x, p);
+                status = fvi_energy(t->system, x, p, row);
             else
                 memcpy(row, *c == 'p' ? p : x, width * sizeof *row);
         }
         row += width;
     }
+    return status;
 }
 
 int fvi_table_take(const fvi_table *t, size_t k, const double *x,
@@ -135,14 +137,17 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
     const fvi_options *o = t->o;
     if (is_printed(o, k)) {
         double *row = t->rows + (t->wait ? row_number(o, k) * t->width : 0);
-        fill(t, k, x, p, 0, row);
+        int status = fill(t, k, x, p, 0, row);
+        if (status)
+            return status;
         if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
             return FVI_EOVRFLW;
         if (!t->wait)
             print_row(t, row);
     }
     if (t->wait && is_printed(o, o->steps - k))
-        fill(t, k, x, p, 1, t->rows + row_number(o, o->steps - k) * t->width);
+        return fill(t, k, x, p, 1,
+                    t->rows + row_number(o, o->steps - k) * t->width);
     return FVI_SUCCESS;
 }
 

@@ -124,15 +124,15 @@ void fvi_stop(fvi_stepper *s)
     free(s);
 }
 
-static void store(const fvi_stepper *s, double *x, double *p, double *energy)
+static int store(const fvi_stepper *s, double *x, double *p, double *energy)
 {
     const size_t d = s->run.system->d;
     if (x)
         memcpy(x + s->k * d, s->x, d * sizeof *x);
     if (p)
         memcpy(p + s->k * d, s->p, d * sizeof *p);
-    if (energy)
-        energy[s->k] = fvi_energy(s->run.system, s->x, s->p);
+    return energy ? fvi_energy(s->run.system, s->x, s->p, energy + s->k)
+                  : FVI_SUCCESS;
 }
 
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
@@ -146,9 +146,12 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
         fvi_stop(s);
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
     }
-    store(s, x, p, energy);
-    while (s->k < run->steps && (status = fvi_step(s)) == FVI_SUCCESS)
-        store(s, x, p, energy);
+    status = store(s, x, p, energy);
+    while (!status && s->k < run->steps) {
+        status = fvi_step(s);
+        if (!status)
+            status = store(s, x, p, energy);
+    }
     fvi_stop(s);
     return status;
 }

@@ -129,31 +129,35 @@ static double dice(search *o)
     return 0x1p-53 * (double)(o->seed >> 11);
 }
 
-static void force(const search *o, double t, double *F)
+static int force(const search *o, double t, double *F)
 {
     const fvi_system *system = o->run->system;
-    system->force.value(t, system->d, system->force.params, F);
+    return system->force.value(t, system->d, system->force.params, F);
 }
 
 //> probe
 /* (18.7): between nodes, at random times, F has come twice as near to the line
  * through its limits at both as it was with steps twice as long. */
-static int is_resolved(search *o, size_t parts)
+static int probe(search *o, size_t parts, int *resolved)
 {
     const size_t d = o->run->system->d;
     const double steps = (double)(o->rows * parts),
                  h = o->run->h / (double)(o->first * parts);
-    int resolved = 1;
+    *resolved = 1;
     if (!o->run->system->force.value)
-        return 1;
+        return FVI_SUCCESS;
     memcpy(o->coarse, o->deviation, d * sizeof *o->coarse);
     memset(o->deviation, 0, d * sizeof *o->deviation);
     for (int n = 0; n < PROBES; n++) {
         const double k = floor(steps * dice(o)), theta = dice(o);
         const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
-        force(o, k * h + within, o->left); /* at a node F may jump */
-        force(o, (k + 1) * h - within, o->right);
-        force(o, (k + theta) * h, o->middle);
+        int status = force(o, k * h + within, o->left); /* a node: F may jump */
+        if (!status)
+            status = force(o, (k + 1) * h - within, o->right);
+        if (!status)
+            status = force(o, (k + theta) * h, o->middle);
+        if (status)
+            return status;
         for (size_t i = 0; i < d; i++) {
             const double l = o->left[i], r = o->right[i], m = o->middle[i],
                          rounding = fabs(l) + fabs(r) + fabs(m),
@@ -163,8 +167,8 @@ static int is_resolved(search *o, size_t parts)
         }
     }
     for (size_t i = 0; i < d; i++)
-        resolved &= o->deviation[i] <= o->coarse[i] / 2;
-    return resolved;
+        *resolved &= o->deviation[i] <= o->coarse[i] / 2;
+    return FVI_SUCCESS;
 }
 //< probe
 
@@ -185,31 +189,38 @@ static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
 
 /* max over the rows of sum_j |U_ij| / m_i, not below any |eigenvalue| of
  * M^{-1} Hess U (Gershgorin); NaN, too stiff, if there is no memory for it. */
-static double stiffness(search *o)
+static int stiffness(search *o, double *most)
 {
     const fvi_system *system = o->run->system;
     const fvi_potential *u = &system->potential;
     const size_t d = system->d, width = u->diagonals ? u->diagonals : d;
-    double most = 0;
+    *most = 0;
     if (!u->hessian)
-        return 0;
-    if (!o->H && !(o->H = malloc(d * width * sizeof *o->H)))
-        return GSL_NAN;
+        return FVI_SUCCESS;
+    if (!o->H && !(o->H = malloc(d * width * sizeof *o->H))) {
+        *most = GSL_NAN;
+        return FVI_SUCCESS;
+    }
     const int constant = u->quadratic && u->quadratic(u->params);
     for (size_t row = 0; row <= (constant ? 0 : o->rows); row++) {
-        u->hessian(d, o->x + row * d, u->params, o->H);
+        int status = u->hessian(d, o->x + row * d, u->params, o->H);
+        if (status)
+            return status;
         for (size_t i = 0; i < d; i++)
-            most =
-                fmax(most, row_sum(o->H, d, u->diagonals, i) / system->mass[i]);
+            *most = fmax(*most,
+                         row_sum(o->H, d, u->diagonals, i) / system->mass[i]);
     }
-    return most;
+    return FVI_SUCCESS;
 }
 
-/* (18.6): no potential swings so fast that these steps could pass over it. */
-static int is_short(search *o, size_t parts)
+/* Not (18.6): the potential may swing so fast that these steps pass over it. */
+static int passes_over(search *o, size_t parts, int *still)
 {
     const double h = o->run->h / (double)(o->first * parts);
-    return h * h * stiffness(o) <= 1;
+    double most;
+    int status = stiffness(o, &most);
+    *still = !(h * h * most <= 1);
+    return status;
 }
 
 //> estimate
@@ -256,16 +267,20 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
     orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
     for (size_t parts = 1; o->rows <= most / parts; parts *= 2) {
-        const int failed_before = failed, resolved = is_resolved(o, parts);
+        const int failed_before = failed;
+        int resolved, still = 0, status = probe(o, parts, &resolved);
+        if (status)
+            return status;
         failed = trial(o, parts);
         if (failed && !too_long(failed))
             return failed;
         c = compare(o, &c, failed, failed_before);
         fvi_step_found now = { .parts = o->first * parts };
         now.estimate = estimate(&c, least, highest, &now.order);
-        int still = 0;
         if (is_rounding(&c)) {
-            still = !is_short(o, parts);
+            status = passes_over(o, parts, &still);
+            if (status)
+                return status;
             now.estimate = still ? GSL_POSINF : c.D + c.floor;
             now.order = 1;
         }

@@ -155,7 +155,7 @@ static int load_at(const fvi_run *run, double h, const double *K, double *A,
     return FVI_SUCCESS;
 }
 
-/* Room for the Hessian and for A; the Hessian at x0. */
+/* Room for the Hessian and for A, to be freed in any case; the Hessian at x0. */
 static int hessian_at_start(const fvi_run *run, double **K)
 {
     const fvi_potential *u = &run->system->potential;
@@ -166,11 +166,8 @@ static int hessian_at_start(const fvi_run *run, double **K)
     *K = malloc(2 * numbers(run->system) * sizeof **K);
     if (!*K)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
-    if (is_tridiagonal(run->system))
-        u->hessian(d, run->x0, u->params, *K);
-    else
-        fvi_hessian(run->system, run->x0, *K);
-    return FVI_SUCCESS;
+    return is_tridiagonal(run->system) ? u->hessian(d, run->x0, u->params, *K)
+                                       : fvi_hessian(run->system, run->x0, *K);
 }
 
 int fvi_stability_load(const fvi_run *run, double *load)
@@ -196,8 +193,10 @@ int fvi_stability_step(const fvi_run *run, double *h)
         return status;
     double *K;
     status = hessian_at_start(run, &K);
-    if (status)
+    if (status) {
+        free(K);
         return status;
+    }
     //> step
     /* The load grows with h. Bisection of log2 h over all doubles that leave
      * h^2 finite; a load that overflows is a load above 1. */

@@ -257,8 +257,9 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
         if (!status && !u->hessian)
             status = load_of_mode(ends, 0, R[i], &worst);
     }
-    if (u->hessian) {
-        fvi_hessian(system, run->x0, W);
+    if (u->hessian)
+        status = fvi_hessian(system, run->x0, W);
+    if (u->hessian && !status) {
         for (size_t i = 0; i < rows * d; i++)
             W[i] *= gsl_pow_2(run->h)
                     / sqrt(system->mass[i / d] * system->mass[i % d]);

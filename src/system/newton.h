@@ -28,7 +28,8 @@ typedef struct fvi_newton fvi_newton;
  *
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if A or newton
  * is NULL; FVI_EDOM if A, s or theta is out of range; FVI_ENOMEM; FVI_ESING if
- * the constant matrix is singular. On error *newton is untouched. */
+ * the constant matrix is singular; what the Hessian returned, if U is quadratic. On
+ * error *newton is untouched. */
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
                      double theta, fvi_newton **newton);
 
@@ -64,9 +65,9 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  * where Newton's method fails.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EMAXITER, or FVI_ESING if
- * it was a singular Jacobian that made it begin again, if no solution was found (both
- * without a call of GSL's error handler, as in fvi_newton_alloc). A
- * value that is not finite, or whose square is not, is no error here: d is then
+ * it was a singular Jacobian that made it begin again, if no solution was found; what
+ * the potential returned (these without a call of the error handler, as in
+ * fvi_newton_alloc). A value that is not finite, or whose square is not, is no error here: d is then
  * not finite. */
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
                      double *d, double *g);

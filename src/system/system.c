@@ -28,32 +28,52 @@ int fvi_system_check(const fvi_system *s)
     return FVI_SUCCESS;
 }
 
-double fvi_energy(const fvi_system *s, const double *x, const double *p)
+int fvi_potential_value(const fvi_system *s, const double *x, double *U)
 {
-    double kinetic = 0;
+    const fvi_potential *u = &s->potential;
+    if (u->value)
+        return u->value(s->d, x, u->params, U);
+    *U = 0;
+    return FVI_SUCCESS;
+}
+
+int fvi_gradient(const fvi_system *s, const double *x, double *grad)
+{
+    const fvi_potential *u = &s->potential;
+    if (u->gradient)
+        return u->gradient(s->d, x, u->params, grad);
+    memset(grad, 0, s->d * sizeof *grad);
+    return FVI_SUCCESS;
+}
+
+int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
+{
+    double kinetic = 0, potential;
     for (size_t i = 0; i < s->d; i++)
         kinetic += p[i] / s->mass[i] * p[i];
-    double potential = s->potential.value
-                           ? s->potential.value(s->d, x, s->potential.params)
-                           : 0;
-    return kinetic / 2 + potential; /* (2.4) */
+    int status = fvi_potential_value(s, x, &potential);
+    if (!status)
+        *E = kinetic / 2 + potential; /* (2.4) */
+    return status;
 }
 
 /* Diagonals are spread in place, from the last number up: nothing is written over
  * before it has been read. */
-void fvi_hessian(const fvi_system *s, const double *x, double *H)
+int fvi_hessian(const fvi_system *s, const double *x, double *H)
 {
     const fvi_potential *u = &s->potential;
     const size_t d = s->d, m = u->diagonals;
     memset(H, 0, d * d * sizeof *H);
-    if (u->hessian)
-        u->hessian(d, x, u->params, H);
+    int status = u->hessian ? u->hessian(d, x, u->params, H) : FVI_SUCCESS;
+    if (status)
+        return status;
     for (size_t i = d; m > 0 && i-- > 0;)
         for (size_t j = i + (m < d - i ? m : d - i); j-- > i;) {
             double value = H[i * m + j - i];
             H[i * m + j - i] = 0;
             H[i * d + j] = H[j * d + i] = value;
         }
+    return FVI_SUCCESS;
 }
 
 /* ---- one spring of stretch r: (c + g r^2) r, and what belongs to it ---- */
@@ -73,31 +93,36 @@ static double spring_stiffness(double c, double g, double r)
     return c + 3 * g * r * r;
 }
 
+/* What is ready to use only reads its params: the casts below take no const away from
+ * anything that is written. */
+
 /* ---- harmonic and Duffing: a spring from each mass to its own origin ---- */
 
-static double duffing_value(size_t d, const double *x, const void *params)
+static int duffing_value(size_t d, const double *x, void *params, double *value)
 {
     const double *cg = params;
     double sum = 0;
     for (size_t i = 0; i < d; i++)
         sum += spring_energy(cg[0], cg[1], x[i]);
-    return sum;
+    *value = sum;
+    return 0;
 }
 
-static void duffing_gradient(size_t d, const double *x, const void *params,
-                             double *grad)
+static int duffing_gradient(size_t d, const double *x, void *params,
+                            double *grad)
 {
     const double *cg = params;
     for (size_t i = 0; i < d; i++)
         grad[i] = spring_force(cg[0], cg[1], x[i]);
+    return 0;
 }
 
-static void duffing_hessian(size_t d, const double *x, const void *params,
-                            double *H)
+static int duffing_hessian(size_t d, const double *x, void *params, double *H)
 {
     const double *cg = params;
     for (size_t i = 0; i < d; i++)
         H[i] = spring_stiffness(cg[0], cg[1], x[i]);
+    return 0;
 }
 
 /* Of springs that are ready to use, duffing and chain: is there no r^4? */
@@ -112,31 +137,32 @@ fvi_potential fvi_potential_duffing(const double cg[2])
     return (fvi_potential){ .value = duffing_value,
                             .gradient = duffing_gradient,
                             .hessian = duffing_hessian,
-                            .params = cg,
+                            .params = (void *)cg,
                             .quadratic = springs_are_linear,
                             .diagonals = 1 };
 }
 
 /* Harmonic has its own functions because its parameter is one number. */
-static double harmonic_value(size_t d, const double *x, const void *params)
+static int harmonic_value(size_t d, const double *x, void *params,
+                          double *value)
 {
-    const double cg[2] = { *(const double *)params, 0 };
-    return duffing_value(d, x, cg);
+    double cg[2] = { *(const double *)params, 0 };
+    return duffing_value(d, x, cg, value);
 }
 
-static void harmonic_gradient(size_t d, const double *x, const void *params,
-                              double *grad)
+static int harmonic_gradient(size_t d, const double *x, void *params,
+                             double *grad)
 {
     const double c = *(const double *)params;
     for (size_t i = 0; i < d; i++)
         grad[i] = c * x[i];
+    return 0;
 }
 
-static void harmonic_hessian(size_t d, const double *x, const void *params,
-                             double *H)
+static int harmonic_hessian(size_t d, const double *x, void *params, double *H)
 {
-    const double cg[2] = { *(const double *)params, 0 };
-    duffing_hessian(d, x, cg, H);
+    double cg[2] = { *(const double *)params, 0 };
+    return duffing_hessian(d, x, cg, H);
 }
 
 static int always(const void *params)
@@ -150,35 +176,38 @@ fvi_potential fvi_potential_harmonic(const double *c)
     return (fvi_potential){ .value = harmonic_value,
                             .gradient = harmonic_gradient,
                             .hessian = harmonic_hessian,
-                            .params = c,
+                            .params = (void *)c,
                             .quadratic = always,
                             .diagonals = 1 };
 }
 
 /* ---- pendulum ---- */
 
-static double pendulum_value(size_t d, const double *x, const void *params)
+static int pendulum_value(size_t d, const double *x, void *params,
+                          double *value)
 {
     double sum = 0;
     for (size_t i = 0; i < d; i++) {
         double s = sin(x[i] / 2);
         sum += 2 * s * s; /* 1 - cos x, without the cancellation at small x */
     }
-    return *(const double *)params * sum;
+    *value = *(const double *)params * sum;
+    return 0;
 }
 
-static void pendulum_gradient(size_t d, const double *x, const void *params,
-                              double *grad)
+static int pendulum_gradient(size_t d, const double *x, void *params,
+                             double *grad)
 {
     for (size_t i = 0; i < d; i++)
         grad[i] = *(const double *)params * sin(x[i]);
+    return 0;
 }
 
-static void pendulum_hessian(size_t d, const double *x, const void *params,
-                             double *H)
+static int pendulum_hessian(size_t d, const double *x, void *params, double *H)
 {
     for (size_t i = 0; i < d; i++)
         H[i] = *(const double *)params * cos(x[i]);
+    return 0;
 }
 
 fvi_potential fvi_potential_pendulum(const double *g)
@@ -186,7 +215,7 @@ fvi_potential fvi_potential_pendulum(const double *g)
     return (fvi_potential){ .value = pendulum_value,
                             .gradient = pendulum_gradient,
                             .hessian = pendulum_hessian,
-                            .params = g,
+                            .params = (void *)g,
                             .diagonals = 1 };
 }
 
@@ -197,17 +226,17 @@ static double stretch(size_t d, const double *x, size_t i)
     return (i < d ? x[i] : 0) - (i > 0 ? x[i - 1] : 0);
 }
 
-static double chain_value(size_t d, const double *x, const void *params)
+static int chain_value(size_t d, const double *x, void *params, double *value)
 {
     const double *cg = params;
     double sum = 0;
     for (size_t i = 0; i <= d; i++)
         sum += spring_energy(cg[0], cg[1], stretch(d, x, i));
-    return sum;
+    *value = sum;
+    return 0;
 }
 
-static void chain_gradient(size_t d, const double *x, const void *params,
-                           double *grad)
+static int chain_gradient(size_t d, const double *x, void *params, double *grad)
 {
     const double *cg = params;
     double left = spring_force(cg[0], cg[1], stretch(d, x, 0));
@@ -216,11 +245,11 @@ static void chain_gradient(size_t d, const double *x, const void *params,
         grad[i] = left - right;
         left = right;
     }
+    return 0;
 }
 
 /* Row i holds k_i + k_{i+1} and -k_{i+1}, the stiffnesses of its two springs. */
-static void chain_hessian(size_t d, const double *x, const void *params,
-                          double *H)
+static int chain_hessian(size_t d, const double *x, void *params, double *H)
 {
     const double *cg = params;
     double left = spring_stiffness(cg[0], cg[1], stretch(d, x, 0));
@@ -231,6 +260,7 @@ static void chain_hessian(size_t d, const double *x, const void *params,
             H[2 * i + 1] = -right;
         left = right;
     }
+    return 0;
 }
 
 fvi_potential fvi_potential_chain(const double cg[2])
@@ -238,34 +268,36 @@ fvi_potential fvi_potential_chain(const double cg[2])
     return (fvi_potential){ .value = chain_value,
                             .gradient = chain_gradient,
                             .hessian = chain_hessian,
-                            .params = cg,
+                            .params = (void *)cg,
                             .quadratic = springs_are_linear,
                             .diagonals = 2 };
 }
 
 /* ---- forces ---- */
 
-static void step_value(double t, size_t d, const void *params, double *F)
+static int step_value(double t, size_t d, void *params, double *F)
 {
     const double *aT = params;
     for (size_t i = 0; i < d; i++)
         F[i] = t >= 0 && t <= aT[1] ? aT[0] : 0;
+    return 0;
 }
 
 fvi_force fvi_force_step(const double aT[2])
 {
-    return (fvi_force){ step_value, aT };
+    return (fvi_force){ step_value, (void *)aT };
 }
 
-static void cosine_value(double t, size_t d, const void *params, double *F)
+static int cosine_value(double t, size_t d, void *params, double *F)
 {
     const double *aw = params;
     double value = aw[0] * cos(aw[1] * t);
     for (size_t i = 0; i < d; i++)
         F[i] = value;
+    return 0;
 }
 
 fvi_force fvi_force_cosine(const double aw[2])
 {
-    return (fvi_force){ cosine_value, aw };
+    return (fvi_force){ cosine_value, (void *)aw };
 }

@@ -2,6 +2,7 @@
  *                                                               [Chapter 18] */
 #include <fvi/error.h>
 #include "peer_product_trapezoid.h"
+#include "system/newton.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -144,16 +145,20 @@ typedef struct {
 } peer;
 
 /* F at t, from both sides of a jump. */
-static void force(peer *o, double t)
+static int force(peer *o, double t)
 {
     const fvi_force *f = &o->run->system->force;
     memset(o->F, 0, o->d * sizeof *o->F);
     if (!f->value)
-        return;
-    f->value(t * (1 - 4 * GSL_DBL_EPSILON), o->d, f->params, o->e);
-    f->value(t * (1 + 4 * GSL_DBL_EPSILON), o->d, f->params, o->F);
+        return FVI_SUCCESS;
+    int status = f->value(t * (1 - 4 * GSL_DBL_EPSILON), o->d, f->params, o->e);
+    if (!status)
+        status = f->value(t * (1 + 4 * GSL_DBL_EPSILON), o->d, f->params, o->F);
+    if (status)
+        return status;
     for (size_t i = 0; i < o->d; i++)
         o->F[i] = (o->F[i] + o->e[i]) / 2;
+    return FVI_SUCCESS;
 }
 
 /* (m + rho A) x - B (F - grad U(x)) = r for x = old x + delta: (2.10), by the solver
@@ -182,14 +187,14 @@ static int prepare_solver(peer *o)
 }
 
 /* g_n of both integrals, once x_n is known. */
-static void remember(peer *o, size_t n, const double *x)
+static int remember(peer *o, size_t n, const double *x)
 {
-    const fvi_potential *u = &o->run->system->potential;
-    u->gradient(o->d, x, u->params, o->grad);
-    for (size_t i = 0; i < o->d; i++) {
+    int status = fvi_gradient(o->run->system, x, o->grad);
+    for (size_t i = 0; i < o->d && !status; i++) {
         o->two.g[n * o->d + i] = o->F[i] - o->grad[i];
         o->gamma.g[n * o->d + i] = x[i];
     }
+    return status;
 }
 
 //> step
@@ -214,11 +219,11 @@ static int step(peer *o, size_t n, double *x)
             s->mass[i] * (x0 + t * v0) + history(&o->two, n, d, i)
             + s->damping[i] * (x0 * T0 + v0 * T1 - history(&o->gamma, n, d, i));
     }
-    force(o, t);
+    status = force(o, t);
     memcpy(x + n * d, x + (n - 1) * d, d * sizeof *x);
-    status = solve(o, x + n * d);
-    remember(o, n, x + n * d);
-    return status;
+    if (!status)
+        status = solve(o, x + n * d);
+    return status ? status : remember(o, n, x + n * d);
 }
 //< step
 
@@ -245,8 +250,9 @@ int peer_product_trapezoid(const fvi_run *run, double *x)
     }
     if (!status) {
         memcpy(x, run->x0, d * sizeof *x);
-        force(&o, 0);
-        remember(&o, 0, x);
+        status = force(&o, 0);
+        if (!status)
+            status = remember(&o, 0, x);
     }
     for (size_t n = 1; n <= N && !status; n++)
         status = step(&o, n, x);

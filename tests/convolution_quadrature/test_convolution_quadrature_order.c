@@ -106,7 +106,7 @@ END_TEST
 //< linear
 
 /* x = x_0 + t^4, and what drives m x'' + c x + g x^3 + rho D^{2 alpha} x = F. */
-static void drive(double t, size_t d, const void *params, double *F)
+static int drive(double t, size_t d, void *params, double *F)
 {
     const setup *a = params;
     const double q = a->x0 + gsl_pow_4(t), b = 2 * a->alpha,
@@ -114,6 +114,7 @@ static void drive(double t, size_t d, const void *params, double *F)
     for (size_t i = 0; i < d; i++)
         F[i] = a->mass * 12 * t * t + (a->cg[0] + a->cg[1] * q * q) * q
                + a->rho * D;
+    return 0;
 }
 
 static void driven(const setup *a, size_t N)
@@ -282,11 +283,12 @@ END_TEST
 static double asked[40];
 static size_t calls;
 
-static void listen(double t, size_t d, const void *params, double *F)
+static int listen(double t, size_t d, void *params, double *F)
 {
     (void)d, (void)params;
     asked[calls++] = t;
     F[0] = 0;
+    return 0;
 }
 
 /* Two values of F in a step, each from within it: just after t_k, just before

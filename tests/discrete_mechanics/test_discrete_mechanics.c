@@ -12,11 +12,12 @@
 
 static const double none[3], one[] = { 1, 1, 1 };
 
-static void ramp(double t, size_t d, const void *params, double *F)
+static int ramp(double t, size_t d, void *params, double *F)
 {
     const double *slope = params;
     for (size_t i = 0; i < d; i++)
         F[i] = slope[i] * t;
+    return 0;
 }
 
 /* ---- values ---- */
@@ -65,7 +66,7 @@ START_TEST(eq_2_7_and_2_8_trajectories_are_the_exact_ones)
                               potential(ref_runs[r].kind, ref_runs[r].cg),
                               { 0 } };
         if (ref_runs[r].method != &fvi_variational)
-            system.force = (fvi_force){ ramp, ref_runs[r].ramp };
+            system.force = (fvi_force){ ramp, (void *)ref_runs[r].ramp };
         const setup a = { .alpha = 0.5,
                           .kappa = ref_runs[r].kappa,
                           .h = ref_runs[r].h,
@@ -105,7 +106,8 @@ START_TEST(eq_2_7_runs_make_the_action_stationary)
                                         mass3,
                                         forced ? rho : none,
                                         fvi_potential_chain(quartic),
-                                        { forced ? ramp : NULL, push } };
+                                        { forced ? ramp : NULL,
+                                          (void *)push } };
             const setup a = {
                 .alpha = 0.5, .kappa = kappa, .h = 0.05, .steps = N
             };

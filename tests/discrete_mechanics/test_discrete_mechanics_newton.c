@@ -28,33 +28,31 @@ typedef struct {
     double point[64]; /* of each gradient, d == 1 */
 } diary;
 
-static const double spring[] = { 1, 1 };
+static double spring[] = { 1, 1 };
 
-static double told_value(size_t d, const double *x, const void *params)
+static int told_value(size_t d, const double *x, void *params, double *value)
 {
     (void)params;
-    return fvi_potential_duffing(spring).value(d, x, spring);
+    return fvi_potential_duffing(spring).value(d, x, spring, value);
 }
 
-static void told_gradient(size_t d, const double *x, const void *params,
-                          double *g)
+static int told_gradient(size_t d, const double *x, void *params, double *g)
 {
     diary *told = *(diary *const *)params;
     told->point[told->gradients++ % 64] = x[0];
-    fvi_potential_duffing(spring).gradient(d, x, spring, g);
+    return fvi_potential_duffing(spring).gradient(d, x, spring, g);
 }
 
-static void told_hessian(size_t d, const double *x, const void *params,
-                         double *H)
+static int told_hessian(size_t d, const double *x, void *params, double *H)
 {
     (*(diary *const *)params)->hessians++;
-    fvi_potential_duffing(spring).hessian(d, x, spring, H);
+    return fvi_potential_duffing(spring).hessian(d, x, spring, H);
 }
 
 static fvi_system telling(diary *const *told)
 {
-    const fvi_potential u = { told_value, told_gradient, told_hessian,
-                              told,       NULL,          0 };
+    const fvi_potential u = { told_value,   told_gradient, told_hessian,
+                              (void *)told, NULL,          0 };
     return (fvi_system){ 1, one, none, u, { 0 } };
 }
 
@@ -156,7 +154,7 @@ START_TEST(eq_2_10_solutions_satisfy_it)
                 ck_assert_near(A[j] * d[j] + si * g[j], r[j],
                                4 * (4 + (double)dim) * U * norm * size,
                                "kind %d, s %g, theta %g", kind, si, ti);
-            system.potential.gradient(dim, z, cg, H); /* g is of this point */
+            fvi_gradient(&system, z, H); /* g is of this point */
             for (size_t j = 0; j < dim; j++)
                 ck_assert_near(g[j], H[j],
                                4 * (4 + (double)dim) * U * norm * size / si,
@@ -365,13 +363,14 @@ START_TEST(eq_2_11_band_matrices_of_all_widths_are_inverted)
 }
 END_TEST
 
-static void full_chain_hessian(size_t d, const double *x, const void *params,
-                               double *H)
+static int full_chain_hessian(size_t d, const double *x, void *params,
+                              double *H)
 {
     const fvi_system chain = {
         d, one, none, fvi_potential_chain(params), { 0 }
     };
     fvi_hessian(&chain, x, H);
+    return 0;
 }
 
 /* A chain with two diagonals, and the same with a full Hessian: one step's rounding

@@ -36,17 +36,17 @@ static size_t one_of(uint64_t *state, size_t n)
 
 /* A potential with a full Hessian: every mass on a spring cg to its origin, and on
  * a quartic one between all: the fourth power of the sum. */
-static double full_value(size_t d, const double *x, const void *params)
+static int full_value(size_t d, const double *x, void *params, double *value)
 {
     double sum = 0;
     for (size_t i = 0; i < d; i++)
         sum += x[i];
-    return fvi_potential_duffing(params).value(d, x, params)
-           + gsl_pow_4(sum) / 4;
+    int status = fvi_potential_duffing(params).value(d, x, params, value);
+    *value += gsl_pow_4(sum) / 4;
+    return status;
 }
 
-static void full_gradient(size_t d, const double *x, const void *params,
-                          double *g)
+static int full_gradient(size_t d, const double *x, void *params, double *g)
 {
     double sum = 0;
     for (size_t i = 0; i < d; i++)
@@ -54,10 +54,10 @@ static void full_gradient(size_t d, const double *x, const void *params,
     fvi_potential_duffing(params).gradient(d, x, params, g);
     for (size_t i = 0; i < d; i++)
         g[i] += gsl_pow_3(sum);
+    return 0;
 }
 
-static void full_hessian(size_t d, const double *x, const void *params,
-                         double *H)
+static int full_hessian(size_t d, const double *x, void *params, double *H)
 {
     double sum = 0, own[MOST];
     for (size_t i = 0; i < d; i++)
@@ -65,6 +65,7 @@ static void full_hessian(size_t d, const double *x, const void *params,
     fvi_potential_duffing(params).hessian(d, x, params, own);
     for (size_t i = 0; i < d * d; i++)
         H[i] = 3 * sum * sum + (i % (d + 1) == 0 ? own[i / (d + 1)] : 0);
+    return 0;
 }
 
 typedef struct {

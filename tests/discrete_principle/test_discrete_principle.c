@@ -11,54 +11,56 @@
 /* ---- potentials with cubic and quartic terms ---- */
 
 /* d = 1: U = c2 z^2/2 + c3 z^3 + c4 z^4. */
-static double cubic_value(size_t d, const double *z, const void *params)
+static int cubic_value(size_t d, const double *z, void *params, double *value)
 {
     const double *c = params;
     (void)d;
-    return ((c[2] * z[0] + c[1]) * z[0] + c[0] / 2) * z[0] * z[0];
+    *value = ((c[2] * z[0] + c[1]) * z[0] + c[0] / 2) * z[0] * z[0];
+    return 0;
 }
 
-static void cubic_gradient(size_t d, const double *z, const void *params,
-                           double *g)
+static int cubic_gradient(size_t d, const double *z, void *params, double *g)
 {
     const double *c = params;
     (void)d;
     g[0] = ((4 * c[2] * z[0] + 3 * c[1]) * z[0] + c[0]) * z[0];
+    return 0;
 }
 
-static void cubic_hessian(size_t d, const double *z, const void *params,
-                          double *H)
+static int cubic_hessian(size_t d, const double *z, void *params, double *H)
 {
     const double *c = params;
     (void)d;
     H[0] = (12 * c[2] * z[0] + 6 * c[1]) * z[0] + c[0];
+    return 0;
 }
 
 /* d = 2: U = a^2/2 + 3 b^2/2 + a^2 b/2 + (a b)^2/4. */
-static double coupled_value(size_t d, const double *z, const void *params)
+static int coupled_value(size_t d, const double *z, void *params, double *value)
 {
     double a = z[0], b = z[1];
     (void)d, (void)params;
-    return a * a / 2 + 3 * b * b / 2 + a * a * b / 2 + a * b * a * b / 4;
+    *value = a * a / 2 + 3 * b * b / 2 + a * a * b / 2 + a * b * a * b / 4;
+    return 0;
 }
 
-static void coupled_gradient(size_t d, const double *z, const void *params,
-                             double *g)
+static int coupled_gradient(size_t d, const double *z, void *params, double *g)
 {
     double a = z[0], b = z[1];
     (void)d, (void)params;
     g[0] = a + a * b + a * b * b / 2;
     g[1] = 3 * b + a * a / 2 + a * a * b / 2;
+    return 0;
 }
 
-static void coupled_hessian(size_t d, const double *z, const void *params,
-                            double *H)
+static int coupled_hessian(size_t d, const double *z, void *params, double *H)
 {
     double a = z[0], b = z[1];
     (void)d, (void)params;
     H[0] = 1 + b + b * b / 2;
     H[1] = H[2] = a + a * b;
     H[3] = 3 + a * a / 2;
+    return 0;
 }
 
 static const double mass2[] = { 1, 2 }, damping2[] = { 0.5, 0.75 };
@@ -76,8 +78,8 @@ static fvi_system cubic(const double c[3])
     return (fvi_system){ 1,
                          &mass,
                          &damping,
-                         { cubic_value, cubic_gradient, cubic_hessian, c,
-                           NULL, 0 },
+                         { cubic_value, cubic_gradient, cubic_hessian,
+                           (void *)c, NULL, 0 },
                          { NULL, NULL } };
 }
 

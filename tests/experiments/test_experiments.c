@@ -175,11 +175,12 @@ START_TEST(bad_error_studies_are_refused_and_outputs_untouched)
 }
 END_TEST
 
-static void infinite(double t, size_t d, const void *params, double *F)
+static int infinite(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = t > 2 ? GSL_POSINF : 0;
+    return 0;
 }
 
 START_TEST(bad_matrix_methods_are_refused_and_x_is_untouched)

@@ -8,10 +8,11 @@
 
 static const int one_dimensional[] = { HARMONIC, CUBIC, DUFFING, PENDULUM };
 
-static void ramp(double t, size_t d, const void *params, double *F)
+static int ramp(double t, size_t d, void *params, double *F)
 {
     for (size_t i = 0; i < d; i++)
         F[i] = ((const double *)params)[i] * t;
+    return 0;
 }
 
 /* ---- values ---- */
@@ -29,7 +30,7 @@ START_TEST(eq_9_2_trajectories_are_the_exact_ones)
                                     ref_runs[r].rho,
                                     potential(ref_runs[r].potential,
                                               ref_runs[r].cg),
-                                    { ramp, ref_runs[r].ramp } };
+                                    { ramp, (void *)ref_runs[r].ramp } };
         const setup a = { .alpha = ref_runs[r].alpha,
                           .kappa = ref_runs[r].kappa,
                           .h = ref_runs[r].h,
@@ -116,18 +117,10 @@ START_TEST(eq_9_4_momentum_form_equals_the_three_terms)
         const double alpha = alphas[i % LEN(alphas)],
                      kappa = kappas[i / LEN(alphas) % LEN(kappas)];
         const int kind = one_dimensional[i / LEN(alphas) / LEN(kappas)];
-        const setup a = { alpha,
-                          kappa,
-                          0.1,
-                          60,
-                          FVI_PAST_RIEMANN_LIOUVILLE,
-                          2,
-                          0.3,
-                          0.5,
-                          0.3,
-                          kind,
-                          { 1, 1 },
-                          { ramp, &slope } };
+        const setup a = {
+            alpha, kappa, 0.1,  60,       FVI_PAST_RIEMANN_LIOUVILLE, 2, 0.3,
+            0.5,   0.3,   kind, { 1, 1 }, { ramp, (void *)&slope }
+        };
         double fast[61], p[61], literal[61];
         solve(&fvi_fractional, &a, fast, p);
         solve_as_printed(&a, literal);
@@ -188,7 +181,7 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
                  p0[] = { 0.2, 0.7 }, slope[] = { 0.1, 0.3 }, c = 1;
     const double alphas[] = { 0.3, 0.8 }, kappas[] = { 0, 0.5, 1 };
     const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { ramp, slope }
+        2, mass, rho, fvi_potential_harmonic(&c), { ramp, (void *)slope }
     };
     double undamped[51] = { 0 };
     for (size_t i = 0; i < LEN(alphas) * LEN(kappas); i++) {
@@ -201,7 +194,7 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
             a.rho = rho[j];
             a.x0 = x0[j];
             a.p0 = p0[j];
-            a.force = (fvi_force){ ramp, slope + j };
+            a.force = (fvi_force){ ramp, (void *)(slope + j) };
             run(&fvi_fractional, &a, &system, x0, p0, both, NULL);
             solve(&fvi_fractional, &a, alone, NULL);
             for (size_t k = 0; k <= 50; k++)

@@ -132,7 +132,7 @@ static double cube(const setup *a, double t)
 }
 
 /* The same for the delayed equation: the damping asks for x at t - alpha h. */
-static void drive(double t, size_t d, const void *params, double *F)
+static int drive(double t, size_t d, void *params, double *F)
 {
     const setup *a = params;
     const double x = cube(a, t), b = 2 * a->alpha,
@@ -140,6 +140,7 @@ static void drive(double t, size_t d, const void *params, double *F)
                  D = tgamma(4) / tgamma(4 - b) * pow(ago, 3 - b);
     for (size_t i = 0; i < d; i++)
         F[i] = a->mass * 6 * t + (a->cg[0] + a->cg[1] * x * x) * x + a->rho * D;
+    return 0;
 }
 
 //> delayed

@@ -2,6 +2,7 @@
  * refused. Run alone: make test-trajectory */
 #include <fvi/fvi.h>
 #include <fvi/paper/algorithm_3.h>
+#include "harness/energy.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>
@@ -10,24 +11,27 @@ static const double one[] = { 1, 1 }, none[] = { 0, 0 }, half[] = { 0.5, -0.5 };
 
 /* ---- potentials that no step can cope with, in one dimension ---- */
 
-static double no_value(size_t d, const double *x, const void *params)
+static int no_value(size_t d, const double *x, void *params, double *value)
 {
     (void)d, (void)params;
-    return fabs(x[0]);
+    *value = fabs(x[0]);
+    return 0;
 }
 
 /* grad U = sign(x): Newton's method jumps to and fro. */
-static void sign(size_t d, const double *x, const void *params, double *g)
+static int sign(size_t d, const double *x, void *params, double *g)
 {
     (void)d, (void)params;
     g[0] = x[0] >= 0 ? 1 : -1;
+    return 0;
 }
 
 /* The Hessian is a number that the test chooses, and not the right one. */
-static void claimed(size_t d, const double *x, const void *params, double *H)
+static int claimed(size_t d, const double *x, void *params, double *H)
 {
     (void)d, (void)x;
     H[0] = *(const double *)params;
+    return 0;
 }
 
 /* ---- rows ---- */
@@ -58,7 +62,7 @@ START_TEST(rows_are_the_same_streamed_and_stored)
         ck_assert_double_eq(s->t, (double)k * 0.1);
         ck_assert_mem_eq(s->x, x + 2 * k, 2 * sizeof *x);
         ck_assert_mem_eq(s->p, p + 2 * k, 2 * sizeof *p);
-        ck_assert_double_eq(energy[k], fvi_energy(&system, s->x, s->p));
+        ck_assert_double_eq(energy[k], energy_of(&system, s->x, s->p));
         ck_assert_int_eq(fvi_step(s), k < N ? FVI_SUCCESS : FVI_EINVAL);
     }
     ck_assert_uint_eq(s->k, N); /* the run was over, and nothing was touched */
@@ -218,11 +222,12 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
 }
 END_TEST
 
-static void explodes(double t, size_t d, const void *params, double *F)
+static int explodes(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = t >= 2 ? GSL_POSINF : 0;
+    return 0;
 }
 
 /* An infinite force reaches the momentum one step before the position. */
@@ -256,9 +261,12 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
         { -4, -0.5, FVI_ESING },   /* J = 1 - 4/4 */
     };
     for (size_t i = 0; i < LEN(bad); i++) {
-        const fvi_system system = {
-            1, one, one, { no_value, sign, claimed, &bad[i].hessian, 0, 0 }, { 0 }
-        };
+        const fvi_system system = { 1,
+                                    one,
+                                    one,
+                                    { no_value, sign, claimed,
+                                      (void *)&bad[i].hessian, 0, 0 },
+                                    { 0 } };
         const fvi_run run = { .system = &system,
                               .x0 = &bad[i].x0,
                               .p0 = one,
@@ -292,9 +300,12 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
         const fvi_method *method = methods[i / 2];
         const double full = method == &fvi_euler_implicit ? -1 : -4;
         const double x0 = -0.5, hessian = i % 2 ? full : 0;
-        const fvi_system system = {
-            1, one, none, { no_value, sign, claimed, &hessian, 0, 0 }, { 0 }
-        };
+        const fvi_system system = { 1,
+                                    one,
+                                    none,
+                                    { no_value, sign, claimed, (void *)&hessian,
+                                      0, 0 },
+                                    { 0 } };
         const fvi_run run = { .system = &system,
                               .x0 = &x0,
                               .p0 = one,

@@ -7,24 +7,28 @@
 #include "ulp.h"
 
 /* U = c x^2/2 + g x^3/3 in one dimension. */
-static inline double cubic_value(size_t d, const double *x, const void *params)
+static inline int cubic_value(size_t d, const double *x, void *params,
+                              double *value)
 {
     const double *cg = params;
-    return (double)d * (cg[0] / 2 + cg[1] / 3 * x[0]) * x[0] * x[0];
+    *value = (double)d * (cg[0] / 2 + cg[1] / 3 * x[0]) * x[0] * x[0];
+    return 0;
 }
 
-static inline void cubic_gradient(size_t d, const double *x, const void *params,
-                                  double *g)
+static inline int cubic_gradient(size_t d, const double *x, void *params,
+                                 double *g)
 {
     const double *cg = params;
     g[0] = (double)d * (cg[0] + cg[1] * x[0]) * x[0];
+    return 0;
 }
 
-static inline void cubic_hessian(size_t d, const double *x, const void *params,
-                                 double *H)
+static inline int cubic_hessian(size_t d, const double *x, void *params,
+                                double *H)
 {
     const double *cg = params;
     H[0] = (double)d * (cg[0] + 2 * cg[1] * x[0]);
+    return 0;
 }
 
 enum { HARMONIC, CUBIC, CHAIN, DUFFING, PENDULUM };
@@ -41,8 +45,9 @@ static inline fvi_potential potential(int kind, const double cg[2])
     case PENDULUM:
         return fvi_potential_pendulum(cg);
     default:
-        return (fvi_potential){ cubic_value, cubic_gradient, cubic_hessian, cg,
-                                0, 0 };
+        return (fvi_potential){
+            cubic_value, cubic_gradient, cubic_hessian, (void *)cg, 0, 0
+        };
     }
 }
 

@@ -53,11 +53,12 @@ END_TEST
 
 /* ---- identities ---- */
 
-static void ramp(double t, size_t d, const void *params, double *F)
+static int ramp(double t, size_t d, void *params, double *F)
 {
     const double *slope = params;
     for (size_t i = 0; i < d; i++)
         F[i] = slope[i] * t;
+    return 0;
 }
 
 /* A run of Algorithm 3, three masses in a quartic chain, two of them damped, and a
@@ -72,7 +73,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
     const double rho[] = { 0.5, 0, 0.25 }, push[] = { 0.25, 0, -0.5 };
     const double alphas[] = { 0, 0.3, 0.5, 0.75, 1 };
     const fvi_system system = {
-        3, mass3, rho, fvi_potential_chain(quartic), { ramp, push }
+        3, mass3, rho, fvi_potential_chain(quartic), { ramp, (void *)push }
     };
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
@@ -90,7 +91,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
         for (size_t k = 0; k <= N; k++) {
             const double *at = x + 3 * k;
             double minus[3], plus[3], F[3];
-            ramp((double)k * a.h, 3, push, F);
+            ramp((double)k * a.h, 3, (void *)push, F);
             if (k < N)
                 fvi_legendre_minus(&system, a.kappa, a.h, at, at + 3, minus);
             if (k > 0)

@@ -3,6 +3,7 @@
 #include <fvi/error.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/legendre.h>
+#include "harness/energy.h"
 #include "harness/fvi_runs.h"
 #include "harness/ulp.h"
 
@@ -81,10 +82,10 @@ static void paper_errors(double h, double p_error[3], double E_error[3])
         candidates(paper(), 0.5, h, x, k, p);
         exact(1, p0, (double)k * h, &xt, &vt);
         for (size_t i = 0; i < CANDIDATES; i++) {
-            double E = fvi_energy(paper(), x + k, p + i);
+            double E = energy_of(paper(), x + k, p + i);
             p_error[i] = fmax(p_error[i], fabs(p[i] - vt));
             E_error[i] =
-                fmax(E_error[i], fabs(E - fvi_energy(paper(), &xt, &vt)));
+                fmax(E_error[i], fabs(E - energy_of(paper(), &xt, &vt)));
         }
     }
 }

@@ -67,23 +67,26 @@ END_TEST
 
 /* ---- errors ---- */
 
-static double no_value(size_t d, const double *q, const void *params)
+static int no_value(size_t d, const double *q, void *params, double *value)
 {
     (void)d, (void)params;
-    return fabs(q[0]);
+    *value = fabs(q[0]);
+    return 0;
 }
 
 /* grad U = 1e3 sign(x): Newton's method jumps to and fro. */
-static void sign(size_t d, const double *q, const void *params, double *g)
+static int sign(size_t d, const double *q, void *params, double *g)
 {
     (void)d, (void)params;
     g[0] = q[0] >= 0 ? 1e3 : -1e3;
+    return 0;
 }
 
-static void claimed(size_t d, const double *q, const void *params, double *H)
+static int claimed(size_t d, const double *q, void *params, double *H)
 {
     (void)d, (void)q;
     H[0] = *(const double *)params;
+    return 0;
 }
 
 START_TEST(lobatto_start_refuses)
@@ -236,7 +239,7 @@ START_TEST(lobatto_steps_fail_with_their_code)
 {
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
     fvi_system system = {
-        1, &one, &none, { no_value, sign, claimed, &flat, 0, 0 }, { 0 }
+        1, &one, &none, { no_value, sign, claimed, (void *)&flat, 0, 0 }, { 0 }
     };
     ck_assert_int_eq(last_step(&system, &start, 3), FVI_EMAXITER);
     ck_assert_int_eq(last_step(&system, &start, 4), FVI_EMAXITER);

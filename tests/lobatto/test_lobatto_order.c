@@ -46,13 +46,14 @@ typedef struct {
     double alpha, rho;
 } driving;
 
-static void drive(double t, size_t d, const void *params, double *F)
+static int drive(double t, size_t d, void *params, double *F)
 {
     const driving *a = params;
     const double b = 2 * a->alpha, q = pow(t, 8),
                  D = tgamma(9) / tgamma(9 - b) * pow(t, 8 - b);
     for (size_t i = 0; i < d; i++)
         F[i] = 56 * pow(t, 6) + (1 + q * q) * q + a->rho * D;
+    return 0;
 }
 
 /* The largest errors on [0, 1] with N = 20, 40, ..., 1280 steps; fixed: of the
@@ -62,7 +63,7 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
 {
     const double one = 1, zero = 0, cg[] = { 1, 1 };
     const fvi_system system = {
-        1, &one, &a->rho, fvi_potential_duffing(cg), { drive, a }
+        1, &one, &a->rho, fvi_potential_duffing(cg), { drive, (void *)a }
     };
     ex->count = ep->count = fixed->count = 0;
     for (size_t N = 20; N <= 1280; N *= 2) {

@@ -122,27 +122,28 @@ typedef struct {
     fvi_memory_kind kind;
 } plane;
 
-static double plane_value(size_t d, const double *x, const void *params)
+static int plane_value(size_t d, const double *x, void *params, double *value)
 {
     const double *C = params;
-    return (double)d / 4
-           * (x[0] * (C[0] * x[0] + C[1] * x[1])
-              + x[1] * (C[2] * x[0] + C[3] * x[1]));
+    *value = (double)d / 4
+             * (x[0] * (C[0] * x[0] + C[1] * x[1])
+                + x[1] * (C[2] * x[0] + C[3] * x[1]));
+    return 0;
 }
 
-static void plane_gradient(size_t d, const double *x, const void *params,
-                           double *g)
+static int plane_gradient(size_t d, const double *x, void *params, double *g)
 {
     const double *C = params;
     for (size_t i = 0; i < d; i++)
         g[i] = C[2 * i] * x[0] + C[2 * i + 1] * x[1];
+    return 0;
 }
 
-static void plane_hessian(size_t d, const double *x, const void *params,
-                          double *H)
+static int plane_hessian(size_t d, const double *x, void *params, double *H)
 {
     (void)x;
     memcpy(H, params, d * d * sizeof *H);
+    return 0;
 }
 
 /* C = B B^T, W up to 3; R up to 1.5 times the bound of kappa = 1/2, 4^{1-alpha}. */
@@ -179,7 +180,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                                 a->mass,
                                 a->rho,
                                 { plane_value, plane_gradient, plane_hessian,
-                                  a->C, plane_quadratic, 0 },
+                                  (void *)a->C, plane_quadratic, 0 },
                                 { 0 } };
     const fvi_run run = { .system = &system,
                           .x0 = a->x0,
@@ -209,14 +210,15 @@ static double energy(const plane *a, const double *x, double *size)
 {
     const double d[] = { x[2] - x[0], x[3] - x[1] },
                  S[] = { (x[0] + x[2]) / 2, (x[1] + x[3]) / 2 };
-    double kinetic = 0, reach = 0;
+    double kinetic = 0, reach = 0, of_d, of_S;
     for (size_t i = 0; i < 2; i++) {
         kinetic += a->mass[i] * d[i] * d[i] / 2;
         reach += fabs(x[i]) + fabs(x[2 + i]);
     }
     *size = fmax(*size, 8 * reach * reach); /* mass and C are below 2 */
-    return kinetic - gsl_pow_2(1 - 2 * a->kappa) / 4 * plane_value(2, d, a->C)
-           + plane_value(2, S, a->C);
+    plane_value(2, d, (void *)a->C, &of_d);
+    plane_value(2, S, (void *)a->C, &of_S);
+    return kinetic - gsl_pow_2(1 - 2 * a->kappa) / 4 * of_d + of_S;
 }
 
 //> energy

@@ -242,14 +242,15 @@ START_TEST(eq_14_3_long_chains)
 }
 END_TEST
 
-static void full_chain_hessian(size_t d, const double *x, const void *params,
-                               double *H)
+static int full_chain_hessian(size_t d, const double *x, void *params,
+                              double *H)
 {
     const double none[5] = { 0 };
     const fvi_system chain = {
         d, none, none, fvi_potential_chain(params), { 0 }
     };
     fvi_hessian(&chain, x, H);
+    return 0;
 }
 
 /* In R^d: a chain of five, unequal dampings. The largest step from the matrix,

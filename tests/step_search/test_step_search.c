@@ -228,10 +228,11 @@ END_TEST
 
 static size_t forces;
 
-static void count(double t, size_t d, const void *params, double *F)
+static int count(double t, size_t d, void *params, double *F)
 {
     fvi_force_cosine(params).value(t, d, params, F);
     forces++;
+    return 0;
 }
 
 START_TEST(an_error_out_of_reach_is_reported_with_the_best)

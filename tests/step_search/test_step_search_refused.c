@@ -269,32 +269,35 @@ END_TEST
 /* At rest in 0, D is 0. The fast link is beside the diagonal of the Hessian, which
  * is 0: a matrix, or a band of two diagonals; the light mass is the second or the
  * first. */
-static double link_value(size_t d, const double *x, const void *params)
+static int link_value(size_t d, const double *x, void *params, double *value)
 {
     (void)d, (void)params;
-    return 1e30 * x[0] * x[1];
+    *value = 1e30 * x[0] * x[1];
+    return 0;
 }
 
-static void link_gradient(size_t d, const double *x, const void *params,
-                          double *g)
+static int link_gradient(size_t d, const double *x, void *params, double *g)
 {
     (void)d, (void)params;
     g[0] = 1e30 * x[1];
     g[1] = 1e30 * x[0];
+    return 0;
 }
 
-static void link_band(size_t d, const double *x, const void *params, double *H)
+static int link_band(size_t d, const double *x, void *params, double *H)
 {
     (void)d, (void)x, (void)params;
     H[0] = H[2] = 0;
     H[1] = 1e30;
+    return 0;
 }
 
-static void link_full(size_t d, const double *x, const void *params, double *H)
+static int link_full(size_t d, const double *x, void *params, double *H)
 {
     link_band(d, x, params, H);
     H[2] = H[1];
     H[3] = 0;
+    return 0;
 }
 
 static int always(const void *params)
@@ -331,11 +334,12 @@ END_TEST
 static double fast; /* the frequency of what hides */
 
 /* Coordinate 0 hides a hundredth that all nodes see in one phase. */
-static void two_tones(double t, size_t d, const void *params, double *F)
+static int two_tones(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = cos(t) + (i == 0 ? 0.01 * cos(fast * t) : 0);
+    return 0;
 }
 
 START_TEST(eq_18_7_a_small_fast_part_of_a_force_is_seen)
@@ -367,18 +371,20 @@ END_TEST
 
 /* Forces that jump at every row, and at no other time: there they have the limit
  * from the right, or that from the left, and both limits are compared. */
-static void from_right(double t, size_t d, const void *params, double *F)
+static int from_right(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = fmod(floor(8 * t), 2) == 0 ? 1 : -1;
+    return 0;
 }
 
-static void from_left(double t, size_t d, const void *params, double *F)
+static int from_left(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = fmod(ceil(8 * t), 2) == 0 ? 1 : -1;
+    return 0;
 }
 
 START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)

@@ -75,7 +75,8 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
  * matrix is not stored. Cost O(N^2) time, O(N) memory.
  * Returns FVI_SUCCESS; FVI_EFAULT if x is NULL; FVI_EINVAL if N < 2 or if N is
  * too large to be addressed; FVI_EDOM if a number is out of range; FVI_ENOMEM;
- * FVI_EOVRFLW if a value is not finite. On error x is untouched. */
+ * FVI_EOVRFLW if a value is not finite; what the force returned. On error x is
+ * untouched. */
 int fvi_matrix_method(double m, double rho, double c, double alpha,
                       fvi_force force, double h, size_t N, double *x);
 

@@ -101,7 +101,8 @@ int fvi_damped_powers(double alpha, double C, double R, size_t order,
  * it more, which is felt for alpha > 0.94. Cost: 193 n powers for each curve.
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer
  * is NULL; FVI_EINVAL if d != 1; FVI_EDOM if alpha, T, an exponent or a
- * coefficient is out of range; FVI_ENOMEM. On error the output is untouched. */
+ * coefficient is out of range; FVI_ENOMEM; what the potential returned. On error the
+ * output is untouched. */
 int fvi_action(const fvi_system *system, double alpha, double T,
                const fvi_powers *x, const fvi_powers *y, double *S);
 int fvi_action_variation(const fvi_system *system, double alpha, double T,

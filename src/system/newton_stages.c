@@ -1,0 +1,214 @@
+/* src/system/newton_stages.c -- The equations of the stages, their Jacobian. [Chapter 2] */
+#include "newton_stages.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the equation ---- */
+
+/* x + theta d of stage l */
+static const double *point(fvi_newton *n, const double *x, const double *d,
+                           size_t l)
+{
+    const size_t dim = n->system->d;
+    for (size_t j = 0; j < dim; j++)
+        n->point[j] = x[j] + n->theta * d[l * dim + j];
+    return n->point;
+}
+
+int fvi_newton_gradients(fvi_newton *n, const double *x, const double *d,
+                         double *g)
+{
+    for (size_t l = 0; l < n->q && !n->theirs; l++)
+        n->theirs =
+            fvi_gradient(n->system, point(n, x, d, l), g + l * n->system->d);
+    return n->theirs;
+}
+
+//> residual
+void fvi_newton_residual(fvi_newton *n, const double *r, const double *d,
+                         const double *g)
+{
+    const size_t dim = n->system->d, q = n->q;
+    const double *s = n->s;
+    double *e = n->e, *terms = n->terms;
+    for (size_t j = 0; j < dim; j++)
+        for (size_t l = 0; l < q; l++, e++, terms++) {
+            const double rl = r[l * dim + j], Ad = n->A[j] * d[l * dim + j];
+            *e = rl - Ad;
+            *terms = fabs(rl) + fabs(Ad);
+            for (size_t i = 0; i < q; i++) {
+                const double sg = *s++ * g[i * dim + j];
+                *e -= sg; /* (2.10) */
+                *terms += fabs(sg);
+            }
+        }
+}
+//< residual
+
+/* d^2U / dx_j dx_c out of H */
+static double curvature(const fvi_newton *n, size_t j, size_t c)
+{
+    const size_t m = n->system->potential.diagonals;
+    if (m == 0)
+        return n->H[j * n->system->d + c];
+    return j <= c ? n->H[j * m + c - j] : n->H[c * m + j - c];
+}
+
+/* Stage i's columns of J, but for A; and what they add to moves. z is x + theta d. */
+static void add_stage(fvi_newton *n, size_t i, const double *z, const double *d)
+{
+    const size_t dim = n->system->d, q = n->q;
+    for (size_t j = 0; j < dim; j++) {
+        const size_t left = j > n->reach ? j - n->reach : 0,
+                     right = j + n->reach < dim ? j + n->reach : dim - 1;
+        for (size_t c = left; c <= right; c++) {
+            const double H = curvature(n, j, c),
+                         moves = fabs(H) * (fabs(z[c]) + fabs(d[c]));
+            for (size_t l = 0, row = j * q; l < q; l++, row++) {
+                const double s = n->s[row * q + i];
+                fvi_band_row(&n->J, row)[c * q + i] = s * n->theta * H;
+                n->moves[row] += fabs(s) * moves;
+            }
+        }
+    }
+}
+
+int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
+                        double mu)
+{
+    const fvi_potential *u = &n->system->potential;
+    const size_t dim = n->system->d, q = n->q;
+    fvi_band_clear(&n->J);
+    memset(n->moves, 0, q * dim * sizeof *n->moves);
+    for (size_t i = 0; i < q; i++) {
+        const double *z = point(n, x, d, i);
+        n->theirs = u->hessian(dim, z, u->params, n->H);
+        if (n->theirs)
+            return n->theirs;
+        add_stage(n, i, z, d + i * dim);
+    }
+    for (size_t j = 0, row = 0; j < dim; j++)
+        for (size_t l = 0; l < q; l++, row++)
+            fvi_band_row(&n->J, row)[row] += (1 + mu) * n->A[j];
+    return FVI_SUCCESS;
+}
+
+/* ---- a solver ---- */
+
+static int allocate(fvi_newton *n)
+{
+    const fvi_potential *u = &n->system->potential;
+    const size_t dim = n->system->d, rows = n->q * dim, m = u->diagonals;
+    n->reach = (m && m < dim ? m : dim) - 1;
+    const size_t H = n->implicit ? dim * (m ? m : dim) : 0;
+    n->A = calloc(2 * dim + (n->q + 6) * rows + H, sizeof *n->A);
+    if (!n->A)
+        return FVI_ENOMEM;
+    n->point = n->A + dim;
+    n->s = n->point + dim;
+    n->e = n->s + n->q * rows;
+    n->terms = n->e + rows;
+    n->moves = n->terms + rows;
+    n->step = n->moves + rows;
+    n->from = n->step + rows;
+    n->before = n->from + rows;
+    n->H = n->before + rows;
+    return n->implicit ? fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J)
+                       : FVI_SUCCESS;
+}
+
+/* Room for everything, A and s to be filled in. */
+static int make(const fvi_system *system, size_t q, double theta, int implicit,
+                fvi_newton **newton)
+{
+    fvi_newton *n = calloc(1, sizeof *n);
+    if (!n)
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    const fvi_potential *u = &system->potential;
+    n->system = system;
+    n->q = q;
+    n->theta = theta;
+    n->implicit = implicit && u->gradient;
+    n->linear = !n->implicit || (u->quadratic && u->quadratic(u->params));
+    if (allocate(n)) {
+        fvi_newton_free(n);
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    }
+    *newton = n;
+    return FVI_SUCCESS;
+}
+
+/* The matrix of a quadratic U is factorised now, at d = 0 of x = 0. */
+static int finish(fvi_newton *n, fvi_newton **newton)
+{
+    int status = FVI_SUCCESS;
+    if (n->implicit && n->linear) {
+        status = fvi_newton_jacobian(n, n->e, n->e, 0);
+        if (!status)
+            status = fvi_band_factorise(&n->J);
+    }
+    if (status)
+        fvi_newton_free(n);
+    else
+        *newton = n;
+    return status;
+}
+
+int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
+                     double theta, fvi_newton **newton)
+{
+    int status = fvi_system_check(system);
+    if (status)
+        return status;
+    if (!A || !newton)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    for (size_t i = 0; i < system->d; i++)
+        if (!(gsl_finite(A[i]) && A[i] > 0))
+            FVI_FAIL("A must be finite and positive", FVI_EDOM);
+    if (!gsl_finite(s) || !gsl_finite(theta))
+        FVI_FAIL("s and theta must be finite", FVI_EDOM);
+    fvi_newton *n;
+    status = make(system, 1, theta, s * theta != 0, &n);
+    if (status)
+        return status;
+    for (size_t j = 0; j < system->d; j++) {
+        n->A[j] = A[j];
+        n->s[j] = s;
+    }
+    return finish(n, newton);
+}
+
+int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
+                            fvi_newton **newton)
+{
+    int status = fvi_system_check(system);
+    if (status)
+        return status;
+    if (!s || !newton)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (q == 0 || q > 8)
+        FVI_FAIL("from 1 to 8 stages", FVI_EINVAL);
+    if (!fvi_all_finite(system->d * q * q, s))
+        FVI_FAIL("s must be finite", FVI_EDOM);
+    fvi_newton *n;
+    status = make(system, q, 1, 1, &n);
+    if (status)
+        return status;
+    for (size_t j = 0; j < system->d; j++)
+        n->A[j] = 1;
+    memcpy(n->s, s, system->d * q * q * sizeof *s);
+    return finish(n, newton);
+}
+
+void fvi_newton_free(fvi_newton *n)
+{
+    if (!n)
+        return;
+    fvi_band_free(&n->J);
+    free(n->A);
+    free(n);
+}
