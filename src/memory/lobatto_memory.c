@@ -26,6 +26,19 @@ static size_t padded(size_t n)
     return (n + LANES - 1) / LANES * LANES;
 }
 
+/* Whether all W_n are summed as they are, and whether modes stand for most of them;
+ * beta = 0 and beta = -1 are neither, as they need no history. */
+static int is_direct(double beta, size_t steps, fvi_memory_kind kind)
+{
+    const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
+    return (few || kind == FVI_MEMORY_DIRECT) && beta != 0 && beta != -1;
+}
+
+static int is_compressed(double beta, size_t steps, fvi_memory_kind kind)
+{
+    return !is_direct(beta, steps, kind) && beta != 0 && beta != -1;
+}
+
 static int check(size_t s, double beta, size_t d, size_t steps,
                  fvi_memory_kind kind, double tolerance)
 {
@@ -39,11 +52,11 @@ static int check(size_t s, double beta, size_t d, size_t steps,
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
     if (!(tolerance >= 0 && tolerance < 1))
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
-    const int direct = kind == FVI_MEMORY_DIRECT && beta != 0 && beta != -1;
+    const int direct = is_direct(beta, steps, kind);
     const size_t most = SIZE_MAX / sizeof(double) / 1024;
     if (d > most || (direct && steps > most / d))
         FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
-    if (kind == FVI_MEMORY_EXPONENTIALS && tolerance > 0 && tolerance < 1e-14)
+    if (is_compressed(beta, steps, kind) && tolerance > 0 && tolerance < 1e-14)
         FVI_FAIL("no tolerance below 1e-14", FVI_ETOL);
     return FVI_SUCCESS;
 }
@@ -52,9 +65,7 @@ static int check(size_t s, double beta, size_t d, size_t steps,
 static void plan(size_t s, double beta, size_t steps, fvi_memory_kind kind,
                  double keep, size_t *Q, size_t *lags)
 {
-    const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
-    const int direct =
-        (few || kind == FVI_MEMORY_DIRECT) && beta != 0 && beta != -1;
+    const int direct = is_direct(beta, steps, kind);
     *lags = direct ? steps : FVI_LAGS;
     *Q = direct ? 0
                 : padded(fvi_lobatto_nodes(s, beta, (double)steps + 1, keep,
@@ -91,8 +102,7 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
     const double keep = kept(tolerance), N = (double)steps + 1;
     size_t Q, lags;
     plan(s, beta, steps, kind, keep, &Q, &lags);
-    const size_t size =
-        (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
+    const size_t size = (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
     fvi_lobatto_memory *m = malloc(sizeof *m);
     double *block = calloc(size, sizeof *block);
     if (!m || !block) {

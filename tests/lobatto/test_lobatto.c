@@ -299,6 +299,7 @@ START_TEST(bad_stages_are_refused)
     REFUSED(3, 0.5, 1, 9, direct, 1, FVI_EDOM)
     REFUSED(3, 0.5, 1, 9, direct, GSL_NAN, FVI_EDOM)
     REFUSED(3, 0.5, 1, 9, fast, 1e-15, FVI_ETOL)
+    REFUSED(3, 0.5, 1, 65, FVI_MEMORY_AUTO, 1e-15, FVI_ETOL)
     REFUSED(3, 0.5, 1, (size_t)1 << 50, direct, 0, FVI_ENOMEM)
 #undef REFUSED
     ck_assert_int_eq(fvi_lobatto_memory_alloc(3, 0.5, 1, 9, direct, 0, NULL),
@@ -317,9 +318,18 @@ START_TEST(bad_stages_are_refused)
     ck_assert_double_eq(H[0], 7);
     fvi_lobatto_memory_free(m);
     fvi_lobatto_memory_free(NULL);
+    ck_assert_int_eq(/* summed directly, so nothing is left out */
+                     fvi_lobatto_memory_alloc(3, 0.5, 1, 64, FVI_MEMORY_AUTO,
+                                              1e-15, &m),
+                     FVI_SUCCESS);
+    fvi_lobatto_memory_free(m);
     for (int beta = -1; beta <= 0; beta++) { /* no history, whatever the kind */
         ck_assert_int_eq(
             fvi_lobatto_memory_alloc(3, beta, 1, SIZE_MAX, direct, 0, &m),
+            FVI_SUCCESS);
+        fvi_lobatto_memory_free(m);
+        ck_assert_int_eq(
+            fvi_lobatto_memory_alloc(3, beta, 1, 9, fast, 1e-15, &m),
             FVI_SUCCESS);
         fvi_lobatto_memory_free(m);
     }
