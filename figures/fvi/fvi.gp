@@ -1,15 +1,15 @@
-# figures/fvi/fvi.gp -- Chapter 9: x(0) != 0, Riemann-Liouville against Caputo.
+# figures/fvi/fvi.gp -- Chapter 9: x(0) != 0, Riemann-Liouville against held.
 # Input: figures/fvi/fvi.c. Output: figures/fvi/fvi.svg.
 width = 900; height = 540
 load 'figures/style.gp'
-array a[5]; array printed[5]; array p0[5]; array caputo[5]; array c0[5]
+array a[5]; array printed[5]; array p0[5]; array held[5]; array h0[5]
 do for [i=1:5] { # slopes over the finer half of the steps
     stats dat index i-1 every ::4 using (log($2)):(log($3)) name "P" nooutput
-    stats dat index i-1 every ::4 using (log($2)):(log($4)) name "C" nooutput
+    stats dat index i-1 every ::4 using (log($2)):(log($4)) name "H" nooutput
     stats dat index i-1 using 1 name "A" nooutput
     a[i] = A_min
     printed[i] = P_slope; p0[i] = P_intercept
-    caputo[i] = C_slope; c0[i] = C_intercept
+    held[i] = H_slope; h0[i] = H_intercept
 }
 signed(v) = sprintf(v < 0 ? "−%.2f" : "%.2f", abs(v))
 set logscale xy
@@ -29,11 +29,11 @@ plot for [i=1:5] exp(p0[i]) * x**(1 - 2*a[i]) * exp((printed[i] - 1 + 2*a[i]) * 
      for [i=1:5] keyentry with linespoints ls i ps 0.9 \
          title sprintf("α = %.2f: slope %s, line %s", a[i], signed(printed[i]), signed(1 - 2*a[i]))
 
-set title "Caputo: it acts on x − x_{0}, or x − x_{0} − t v_{0}"
+set title "Held: it acts on x − x_{0}"
 unset ylabel
 set yrange [5e-6:1e-1]
-plot for [i=1:5] exp(c0[i]) * x * exp((caputo[i] - 1) * log(1e-3)) with lines ls i notitle, \
+plot for [i=1:5] exp(h0[i]) * x * exp((held[i] - 1) * log(1e-3)) with lines ls i notitle, \
      for [i=1:5] dat index i-1 using 2:4 with points ls i ps 0.9 notitle, \
      for [i=1:5] keyentry with linespoints ls i ps 0.9 \
-         title sprintf("α = %.2f: slope %.2f, line 1", a[i], caputo[i])
+         title sprintf("α = %.2f: slope %.2f, line 1", a[i], held[i])
 unset multiplot

@@ -1,5 +1,5 @@
 /* figures/fvi/fvi_kick.c -- Chapter 9: one run at finer and finer steps, as printed and
- * with Caputo's derivative.
+ * held at x_0 before.
  *
  * x'' + x + D^{9/5} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, alpha = 0.9, to
  * t = 15. A block for each h, thinned to 150 steps. */
@@ -10,7 +10,7 @@
 
 enum { MOST = 3750, ROWS = 150 };
 
-static void run(size_t N, int caputo, double *x)
+static void run(size_t N, int held, double *x)
 {
     const double one = 1, rho = 0.2, x0 = 1, p0 = 0.5;
     const fvi_system system = { .d = 1,
@@ -24,24 +24,24 @@ static void run(size_t N, int caputo, double *x)
                         .steps = N,
                         .kappa = 0.5,
                         .alpha = 0.9,
-                        .past = caputo ? FVI_PAST_CAPUTO
-                                       : FVI_PAST_RIEMANN_LIOUVILLE };
+                        .past =
+                            held ? FVI_PAST_HELD : FVI_PAST_RIEMANN_LIOUVILLE };
     if (fvi_trajectory(&fvi_fractional, &r, x, NULL, NULL) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
 }
 
 int main(void)
 {
-    static double printed[MOST + 1], caputo[MOST + 1];
+    static double printed[MOST + 1], held[MOST + 1];
     for (size_t N = 30; N <= MOST; N *= 5) {
         const double h = 15 / (double)N;
         run(N, 0, printed);
-        run(N, 1, caputo);
-        printf("# h, t, x as printed, x with Caputo's derivative; alpha = 0.9, "
+        run(N, 1, held);
+        printf("# h, t, x as printed, x of a held body; alpha = 0.9, "
                "rho = 1/5, x0 = 1, p0 = 1/2\n");
         for (size_t k = 0; k <= N; k += N > ROWS ? N / ROWS : 1)
             printf("%.17g %.17g %.17g %.17g\n", h, (double)k * h, printed[k],
-                   caputo[k]);
+                   held[k]);
         printf("\n\n");
     }
     return EXIT_SUCCESS;

@@ -17,7 +17,7 @@ set ylabel "x" offset 1,0
 set yrange [-16:16]
 plot for [i=1:4] dat index i-1 using 2:3 with lines ls 5-i title sprintf("h = %g", h[i])
 
-set title "Caputo: it acts on x − x_{0} − t v_{0}"
+set title "Held: it acts on x − x_{0}"
 unset ylabel
 set yrange [-1.6:1.6]
 plot for [i=1:4] dat index i-1 using 2:4 with lines ls 5-i title sprintf("h = %g", h[i])

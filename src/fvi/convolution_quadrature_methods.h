@@ -10,15 +10,17 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Two integrators of order 2 in x and in p, for kappa = 1/2 (else of order 1):
+/* Two integrators of order 2 in x and in p, measured at a fixed t at which F does not
+ * jump, for kappa = 1/2 (else of order 1); over all t it may be lower (19.9):
  *
  *     D1 L_d(x_k, x_{k+1}) + D2 L_d(x_{k-1}, x_k)
  *         - h rho ((1 - theta) D_k + theta D_{k+1}) + h F_k = 0,     [(13.7)]
  *
  * D_k = h^(-2 alpha) sum_n w_n z_{k-n}. p_k is the momentum (13.9), from p_0 on.
  *
- *   fvi_shifted  theta = alpha, EULER: implicit, stable for every step if
- *                alpha >= 1/2 and kappa = 1/2; no artificial loss at alpha = 1
+ *   fvi_shifted  theta = alpha, EULER: implicit; for a quadratic U >= 0 stable for
+ *                every step if alpha >= 1/2 and kappa = 1/2 (13.14); at alpha = 1
+ *                nothing is lost
  *   fvi_bdf2     theta = 0, BDF2: explicit memory, stable for shorter steps than
  *                Algorithm 3
  *

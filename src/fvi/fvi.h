@@ -33,7 +33,7 @@ extern "C" {
  *     p_0 = -D1 L_d(x_0, x_1),
  *
  * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1].
- * Done in momentum form, which is the same equation with the smallest rounding:
+ * Done in momentum form, which is the same equation with less rounding:
  * p_k = -D1 L_d(x_k, x_k + dx) gives dx, then
  *
  *     x_{k+1} = x_k + dx,

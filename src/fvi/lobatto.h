@@ -29,12 +29,12 @@ extern "C" {
  * t_{k+1} - 8u t_{k+1}, u = 2^-53, which are on the right sides of any jump that
  * is within 4u t_k of the node.
  *
- * Order at a fixed t, one step or more away from t = 0 and from jumps, beta != 0 and
- * |beta| < 1; over all t it is lower (table 17.22 of the chapter):
+ * Order, measured, at a fixed t > 0 at which F does not jump, for beta != 0 and
+ * |beta| < 1; over all t it is lower (19.9):
  *
  *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
  *
- * (x as p for Riemann-Liouville with x0 != 0; near t = 0 as in Chapter 19)
+ * (x as p for Riemann-Liouville with x0 != 0)
  * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0. p_k is the momentum of the
  * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
@@ -44,8 +44,9 @@ extern "C" {
  *
  * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
  * run->tolerance t: the impulse of what compression leaves out, over the whole run,
- * is at most t m max|v - v0|; the memory is asked for t / max(1, T rho h^(-beta) / m),
- * or with T^(-beta) where beta < 0, T = h steps, but never for less than 1e-14. (17.21)
+ * is at most t m max|v| (v - v0 where beta > 0); the memory is asked for
+ * t / max(1, T rho h^(-beta) / m), or with T^(-beta) where beta < 0, T = h steps, but
+ * never for less than 1e-14; a t below that is refused (FVI_ETOL). (17.21)
  * rho = 0, alpha = 0, 1/2, 1: no history is kept.
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the factors of an (s - 2) d matrix with s - 2 times

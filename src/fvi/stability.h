@@ -52,7 +52,7 @@ int fvi_stability_step(const fvi_run *run, double *h);
  *            number of (17.16) for 4^alpha,  0 if that is negative.
  *
  * For s = 3 and 4 load > 1 is proved to be a growing mode; that there is none
- * otherwise is measured, W and R up to 1000. The steps that are stable are then not
+ * otherwise is measured, W and R up to 1000. The stable steps are then not always
  * an interval: where the load first passes 1 it is continuous, further on it jumps.
  * In R^d, s = 3 and 4: exact where M^{-1} K and M^{-1} rho commute, an estimate
  * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.

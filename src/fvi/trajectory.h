@@ -39,7 +39,8 @@ extern "C" {
  * sets what must not be zero by accident.
  * The methods: fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
  * (discrete_mechanics.h), fvi_fractional (fvi.h), fvi_shifted, fvi_bdf2
- * (convolution_quadrature.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4 (lobatto.h).
+ * (convolution_quadrature_methods.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4
+ * (lobatto.h).
  * Runs that share no stepper may go on in several threads. */
 typedef struct {
     const fvi_system *system;
