@@ -94,6 +94,17 @@ int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
  * steps + 1 terms. On error ahead is untouched. */
 int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
 
+/* fvi_memory_copy -- the same memory again, at the same term: both go on with the same
+ * digits, and neither knows of the other.
+ *
+ *   from  a memory
+ *   to    output; free it with fvi_memory_free
+ *
+ * Cost: as many bytes as fvi_memory_bytes says are copied; FFT also makes its tables
+ * of cosines anew. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM.
+ * On error *to is untouched. */
+int fvi_memory_copy(const fvi_memory *from, fvi_memory **to);
+
 /* fvi_memory_free -- give everything back. NULL is allowed. */
 void fvi_memory_free(fvi_memory *memory);
 

@@ -87,6 +87,8 @@ typedef struct {
  *   start  refuses runs that the method does not know; prepares newton and own;
  *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
+ *   copy   makes to->own out of from->own; NULL only if own is never set. The rest of
+ *          *to is there, and stop will be called for it, whatever copy returns
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
@@ -94,6 +96,7 @@ struct fvi_method {
     int half_only, as_printed;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
+    int (*copy)(const fvi_stepper *from, fvi_stepper *to);
     void (*stop)(fvi_stepper *s);
 };
 
@@ -119,6 +122,26 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * is not called for them, here or by fvi_start. After an error, but for FVI_EFAULT
  * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);
+
+/* fvi_copy -- the same trajectory again, at the same k, history included: a fork, or a
+ * place to come back to. Both go on with the same digits, and neither knows of the
+ * other; the system is the one and only, and must outlive both.
+ *
+ *   from  a stepper in which no step failed
+ *   to    output; stop it with fvi_stop
+ *
+ * Cost: the bytes of the stepper and of its memory are copied; with FVI_MEMORY_FFT the
+ * tables of cosines are made anew. No callback is called.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
+ * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
+int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
+
+/* fvi_reset -- back to k = 0 of the same run, also after a step that failed. The digits
+ * are the same again. s->x and s->p are other arrays then.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; what fvi_start returns: s is then as it
+ * was. */
+int fvi_reset(fvi_stepper *s);
 
 /* fvi_stop -- give everything back. NULL is allowed. */
 void fvi_stop(fvi_stepper *s);

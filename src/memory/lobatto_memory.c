@@ -90,6 +90,32 @@ double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
     return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_memory);
 }
 
+static size_t numbers(const fvi_lobatto_memory *m)
+{
+    return (2 + m->s + m->d) * m->Q + (m->lags + 1) * m->s * m->s
+           + m->lags * m->s * m->d;
+}
+
+/* Zeros of such sizes, and nothing else; or NULL. */
+static fvi_lobatto_memory *make(fvi_lobatto_memory sizes)
+{
+    fvi_lobatto_memory *m = malloc(sizeof *m);
+    double *block = calloc(numbers(&sizes), sizeof *block);
+    if (!m || !block) {
+        free(m);
+        free(block);
+        return NULL;
+    }
+    *m = sizes;
+    m->q = block;
+    m->p = m->q + m->Q;
+    m->a = m->p + m->Q;
+    m->z = m->a + m->s * m->Q;
+    m->W = m->z + m->d * m->Q;
+    m->past = m->W + (m->lags + 1) * m->s * m->s;
+    return m;
+}
+
 int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_memory_kind kind, double tolerance,
                              fvi_lobatto_memory **memory)
@@ -102,22 +128,10 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
     const double keep = kept(tolerance), N = (double)steps + 1;
     size_t Q, lags;
     plan(s, beta, steps, kind, keep, &Q, &lags);
-    const size_t size = (2 + s + d) * Q + (lags + 1) * s * s + lags * s * d;
-    fvi_lobatto_memory *m = malloc(sizeof *m);
-    double *block = calloc(size, sizeof *block);
-    if (!m || !block) {
-        free(m);
-        free(block);
+    fvi_lobatto_memory *m = make((fvi_lobatto_memory){
+        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q });
+    if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    }
-    *m = (fvi_lobatto_memory){
-        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .q = block
-    };
-    m->p = m->q + Q;
-    m->a = m->p + Q;
-    m->z = m->a + s * Q;
-    m->W = m->z + d * Q;
-    m->past = m->W + (lags + 1) * s * s;
     status = fvi_lobatto_weights(s, beta, lags + 1, m->W);
     if (status) {
         fvi_lobatto_memory_free(m);
@@ -129,6 +143,17 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
         for (size_t l = 0; l < FVI_LAGS; l++)
             m->q[j] -= m->p[j] * m->q[j];
     *memory = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
+                            fvi_lobatto_memory **to)
+{
+    fvi_lobatto_memory *m = make(*from);
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    memcpy(m->q, from->q, numbers(m) * sizeof *m->q);
+    *to = m;
     return FVI_SUCCESS;
 }
 

@@ -39,6 +39,11 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
 double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_memory_kind kind, double tolerance);
 
+/* fvi_lobatto_memory_copy -- the same memory again, at the same step.
+ * Returns FVI_SUCCESS or FVI_ENOMEM; *to is then untouched. */
+int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
+                            fvi_lobatto_memory **to);
+
 /* fvi_lobatto_memory_now -- W_0, entry (i, j) at [i * s + j]. It belongs to the
  * memory. */
 const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *memory);

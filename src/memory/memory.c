@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Up to here the direct sum is the faster one: see figures/memory/memory_bench.tsv. */
 enum { FEW_STEPS = 256 };
@@ -148,6 +149,42 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     }
     *memory = out;
+    return FVI_SUCCESS;
+}
+
+/* n numbers again, or NULL; nothing of nothing. */
+static double *duplicate(const double *from, size_t n, int *all)
+{
+    double *to = from ? malloc(n * sizeof *to) : NULL;
+    if (to)
+        memcpy(to, from, n * sizeof *to);
+    *all &= !from == !to;
+    return to;
+}
+
+int fvi_memory_copy(const fvi_memory *from, fvi_memory **to)
+{
+    if (!from || !to)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int all = 1;
+    const size_t count = from->steps + 1;
+    fvi_memory *m = malloc(sizeof *m);
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    *m = *from;
+    m->last = duplicate(from->last, from->d, &all);
+    m->weights = duplicate(from->weights, count, &all);
+    m->history = duplicate(from->history, count * from->d, &all);
+    m->blocks = from->blocks ? fvi_blocks_copy(from->blocks) : NULL;
+    m->exponentials =
+        from->exponentials ? fvi_exponentials_copy(from->exponentials) : NULL;
+    all &= !from->blocks == !m->blocks
+           && !from->exponentials == !m->exponentials;
+    if (!all) {
+        fvi_memory_free(m);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    }
+    *to = m;
     return FVI_SUCCESS;
 }
 

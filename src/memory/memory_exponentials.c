@@ -94,10 +94,9 @@ size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta)
     return sizeof(fvi_exponentials) + numbers(Q, d) * sizeof(double);
 }
 
-fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
-                                         double delta)
+/* Zeros, or NULL. */
+static fvi_exponentials *make(size_t Q, size_t d)
 {
-    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
     const size_t n = numbers(Q, d);
     fvi_exponentials *e = malloc(sizeof *e);
     double *block = aligned_alloc(64, n * sizeof *block);
@@ -112,7 +111,16 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
     e->z = e->weights + FVI_WINDOW;
     e->past = e->z + d * Q;
     e->far = e->past + d * 2 * FVI_WINDOW;
+    return e;
+}
 
+fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
+                                         double delta)
+{
+    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
+    fvi_exponentials *e = make(Q, d);
+    if (!e)
+        return NULL;
     double w[FVI_WINDOW + 1];
     fvi_coefficients(nu, FVI_WINDOW + 1, w);
     e->w1 = w[1];
@@ -123,6 +131,17 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
         e->c[q] *= exp(-FVI_TAIL * e->p[q]);
         e->p[q] = -expm1(-e->p[q]);
     }
+    return e;
+}
+
+fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
+{
+    fvi_exponentials *e = make(from->Q, from->d);
+    if (!e)
+        return NULL;
+    memcpy(e->p, from->p, numbers(e->Q, e->d) * sizeof *e->p);
+    e->w1 = from->w1;
+    e->k = from->k;
     return e;
 }
 

@@ -75,7 +75,8 @@ static void transform_weights(fvi_blocks *b, double nu)
     }
 }
 
-fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
+/* Room and tables for so many terms, the weights yet to come; or NULL. */
+static fvi_blocks *make(size_t d, size_t steps)
 {
     fvi_blocks *b = calloc(1, sizeof *b);
     double *block = calloc(numbers(d, steps), sizeof *block);
@@ -106,9 +107,27 @@ fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
             return NULL;
         }
     }
+    return b;
+}
+
+fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
+{
+    fvi_blocks *b = make(d, steps);
+    if (!b)
+        return NULL;
     fvi_coefficients(nu, BASE, b->near);
     if (b->levels)
         transform_weights(b, nu);
+    return b;
+}
+
+fvi_blocks *fvi_blocks_copy(const fvi_blocks *from)
+{
+    fvi_blocks *b = make(from->d, from->steps);
+    if (!b)
+        return NULL;
+    memcpy(b->near, from->near, numbers(b->d, b->steps) * sizeof *b->near);
+    b->k = from->k;
     return b;
 }
 

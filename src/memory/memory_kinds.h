@@ -39,6 +39,7 @@ typedef struct fvi_blocks fvi_blocks;
 
 size_t fvi_blocks_bytes(size_t d, size_t steps);
 fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps);
+fvi_blocks *fvi_blocks_copy(const fvi_blocks *from);
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
 void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
 void fvi_blocks_free(fvi_blocks *b);
@@ -76,6 +77,7 @@ double fvi_exponentials_delta(size_t steps, double tolerance);
 size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta);
 fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
                                          double delta);
+fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from);
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
 void fvi_exponentials_free(fvi_exponentials *e);

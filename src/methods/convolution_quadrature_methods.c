@@ -152,6 +152,49 @@ static void stop_second_order(fvi_stepper *s)
     free(o);
 }
 
+/* H, ahead and past of so many damped coordinates. */
+static int make_rows(second_order *o, size_t count)
+{
+    o->H = calloc((2 + 2 * FVI_BDF2_TAPS) * count, sizeof *o->H);
+    if (!o->H)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    o->ahead = o->H + count;
+    o->past = o->ahead + count;
+    return FVI_SUCCESS;
+}
+
+static int copy_rows(const second_order *from, second_order *to)
+{
+    const size_t count = from->damping->count;
+    int status = make_rows(to, count);
+    if (status)
+        return status;
+    memcpy(to->H, from->H, (2 + 2 * FVI_BDF2_TAPS) * count * sizeof *to->H);
+    if (!from->pull)
+        return FVI_SUCCESS;
+    to->pull = malloc(count * sizeof *to->pull);
+    if (!to->pull)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    memcpy(to->pull, from->pull, count * sizeof *to->pull);
+    return FVI_SUCCESS;
+}
+
+static int copy_second_order(const fvi_stepper *from, fvi_stepper *to)
+{
+    const second_order *old = from->own;
+    second_order *o = to->own = malloc(sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    *o = *old;
+    o->damping = NULL;
+    o->H = o->ahead = o->past = o->pull = NULL;
+    o->r = calloc(from->run.system->d, sizeof *o->r); /* of one step only */
+    if (!o->r)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    int status = fvi_damping_copy(old->damping, &o->damping);
+    return status || !old->damping ? status : copy_rows(old, o);
+}
+
 /* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha):
  * in D_{k+1} the weight w_0 = 1 stands before x_{k+1}. (13.10) */
 static int solver(fvi_stepper *s, const second_order *o)
@@ -210,12 +253,9 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
         const size_t count = o->damping->count;
         if (is_bdf2)
             o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
-        o->H = calloc((2 + 2 * FVI_BDF2_TAPS) * count, sizeof *o->H);
-        if (!o->H)
-            FVI_FAIL("no memory for the method", FVI_ENOMEM);
-        o->ahead = o->H + count;
-        o->past = o->ahead + count;
-        status = start_pull(s, o);
+        status = make_rows(o, count);
+        if (!status)
+            status = start_pull(s, o);
         if (status)
             return status;
     }
@@ -239,6 +279,7 @@ const fvi_method fvi_shifted = { .name = "fvi-shifted",
                                  .memory = "full",
                                  .start = start_shifted,
                                  .step = step_second_order,
+                                 .copy = copy_second_order,
                                  .stop = stop_second_order };
 const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .order = "2",
@@ -247,4 +288,5 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .memory = "full",
                               .start = start_bdf2,
                               .step = step_second_order,
+                              .copy = copy_second_order,
                               .stop = stop_second_order };

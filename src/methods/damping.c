@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void fvi_damping_free(fvi_damping *d)
 {
@@ -69,4 +70,18 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
     if (!status)
         status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
     return status;
+}
+
+int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
+{
+    *to = NULL;
+    if (!from)
+        return FVI_SUCCESS;
+    int status = damping_alloc(from->count, to);
+    if (status)
+        return status;
+    (*to)->count = from->count;
+    memcpy((*to)->index, from->index, from->count * sizeof *from->index);
+    memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);
+    return fvi_memory_copy(from->memory, &(*to)->memory);
 }

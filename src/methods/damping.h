@@ -27,6 +27,10 @@ typedef struct {
 int fvi_damping_start(const fvi_stepper *s, fvi_past past,
                       fvi_damping **damping);
 
+/* fvi_damping_copy -- the same again, memory included; NULL of NULL.
+ * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
+int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
+
 /* fvi_damping_free -- give everything back. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);
 

@@ -21,6 +21,14 @@ static void stop_fractional(fvi_stepper *s)
     fvi_damping_free(s->own);
 }
 
+static int copy_fractional(const fvi_stepper *from, fvi_stepper *to)
+{
+    fvi_damping *d;
+    int status = fvi_damping_copy(from->own, &d);
+    to->own = d;
+    return status;
+}
+
 //> damp
 /* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
 static int damp(fvi_stepper *s, fvi_damping *d)
@@ -61,4 +69,5 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .as_printed = 1,
                                     .start = start_fractional,
                                     .step = step_fractional,
+                                    .copy = copy_fractional,
                                     .stop = stop_fractional };

@@ -363,6 +363,31 @@ static int start(fvi_stepper *s, size_t stages)
                                                     : FVI_SUCCESS;
 }
 
+static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
+{
+    const lobatto *old = from->own;
+    int status = allocate(to, old->s);
+    if (status)
+        return status;
+    lobatto *o = to->own;
+    const size_t d = o->d;
+    o->damped = old->damped;
+    o->scale = old->scale;
+    o->fading = old->fading;
+    memcpy(o->W, old->W, sizeof o->W);
+    memcpy(o->M, old->M, d * sizeof *o->M);
+    memcpy(o->index, old->index, d * sizeof *o->index);
+    memcpy(o->share, old->share, (2 + 6 * o->s) * d * sizeof *o->share);
+    if (old->pull) {
+        o->pull = malloc(d * sizeof *o->pull);
+        if (!o->pull)
+            FVI_FAIL("no memory for the past", FVI_ENOMEM);
+        memcpy(o->pull, old->pull, d * sizeof *o->pull);
+    }
+    return old->memory ? fvi_lobatto_memory_copy(old->memory, &o->memory)
+                       : FVI_SUCCESS;
+}
+
 static int start2(fvi_stepper *s)
 {
     return start(s, 2);
@@ -382,7 +407,7 @@ static int start4(fvi_stepper *s)
     {                                                                          \
         .name = "fvi-lobatto" #s, .order = orders, .memory = "full",           \
         .lowest = from, .highest = to, .stages = s, .start = start##s,         \
-        .step = step_lobatto, .stop = stop_lobatto                             \
+        .step = step_lobatto, .copy = copy_lobatto, .stop = stop_lobatto                             \
     }
 
 const fvi_method fvi_lobatto2 = METHOD(2, "2", 2, 2),

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { NUMBERS = 7 }; /* of a stepper, for each coordinate */
+
 fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                         const double *p0, double h, size_t steps)
 {
@@ -63,21 +65,16 @@ static int check(const fvi_method *method, const fvi_run *run)
     return check_past(method, run);
 }
 
-int fvi_start(const fvi_method *method, const fvi_run *run,
-              fvi_stepper **stepper)
+/* At k = 0, x0, p0 and the run's in one block of its own; or NULL. */
+static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
 {
-    if (!stepper)
-        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
-    int status = check(method, run);
-    if (status)
-        return status;
     const size_t d = run->system->d;
     fvi_stepper *s = calloc(1, sizeof *s);
-    double *block = calloc(5 * d, sizeof *block);
+    double *block = calloc(NUMBERS * d, sizeof *block);
     if (!s || !block) {
         free(s);
         free(block);
-        FVI_FAIL("no memory for the state", FVI_ENOMEM);
+        return NULL;
     }
     *s = (fvi_stepper){ .x = block,
                         .p = block + d,
@@ -86,8 +83,24 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
                         .F = block + 4 * d,
                         .run = *run,
                         .method = method };
+    s->run.x0 = memcpy(block + 5 * d, run->x0, d * sizeof *s->x);
+    s->run.p0 = memcpy(block + 6 * d, run->p0, d * sizeof *s->p);
     memcpy(s->x, run->x0, d * sizeof *s->x);
     memcpy(s->p, run->p0, d * sizeof *s->p);
+    return s;
+}
+
+int fvi_start(const fvi_method *method, const fvi_run *run,
+              fvi_stepper **stepper)
+{
+    if (!stepper)
+        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
+    int status = check(method, run);
+    if (status)
+        return status;
+    fvi_stepper *s = make(method, run);
+    if (!s)
+        FVI_FAIL("no memory for the state", FVI_ENOMEM);
     status = method->start ? method->start(s) : FVI_SUCCESS;
     if (status) {
         fvi_stop(s);
@@ -110,6 +123,44 @@ int fvi_step(fvi_stepper *s)
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */
     s->k++;
     s->t = (double)s->k * s->run.h;
+    return FVI_SUCCESS;
+}
+
+int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
+{
+    if (!from || !to)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (from->own && !from->method->copy)
+        FVI_FAIL("the method has no copy", FVI_EUNSUP);
+    fvi_stepper *s = make(from->method, &from->run);
+    if (!s)
+        FVI_FAIL("no memory for the state", FVI_ENOMEM);
+    s->k = from->k;
+    s->t = from->t;
+    memcpy(s->x, from->x, NUMBERS * s->run.system->d * sizeof *s->x);
+    int status = FVI_SUCCESS;
+    if (from->newton)
+        status = fvi_newton_copy(from->newton, &s->newton);
+    if (!status && from->own)
+        status = s->method->copy(from, s);
+    if (status)
+        fvi_stop(s);
+    else
+        *to = s;
+    return status;
+}
+
+int fvi_reset(fvi_stepper *s)
+{
+    if (!s)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    fvi_stepper *fresh, old = *s;
+    int status = fvi_start(s->method, &s->run, &fresh);
+    if (status)
+        return status;
+    *s = *fresh;
+    *fresh = old;
+    fvi_stop(fresh);
     return FVI_SUCCESS;
 }
 

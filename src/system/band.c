@@ -32,6 +32,12 @@ int fvi_band_alloc(size_t n, size_t w, fvi_band *J)
     return FVI_SUCCESS;
 }
 
+void fvi_band_copy(const fvi_band *from, fvi_band *to)
+{
+    memcpy(to->block, from->block, from->size * sizeof *to->block);
+    memcpy(to->pivot, from->pivot, from->n * sizeof *to->pivot);
+}
+
 void fvi_band_free(fvi_band *J)
 {
     free(J->block);

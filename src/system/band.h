@@ -21,6 +21,9 @@ typedef struct {
  * Returns 0 or FVI_ENOMEM; no error handler is called. */
 int fvi_band_alloc(size_t n, size_t w, fvi_band *J);
 
+/* fvi_band_copy -- the entries, or factors, of a matrix of the same sizes. */
+void fvi_band_copy(const fvi_band *from, fvi_band *to);
+
 /* fvi_band_clear -- all entries zero, to be filled anew. */
 void fvi_band_clear(fvi_band *J);
 

@@ -189,10 +189,9 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g)
 {
     const int status = newton(n, x, r, d, g);
-    if (!status || n->theirs)
-        return status;
-    const int again = descend(n, x, r, d, g);
-    return n->theirs || !again ? again : status;
+    if (!status || !descend(n, x, r, d, g))
+        return FVI_SUCCESS;
+    return n->theirs ? n->theirs : status;
 }
 
 int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,

@@ -72,6 +72,10 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
                      double *d, double *g);
 
+/* fvi_newton_copy -- a solver of its own for the same equation, factors included.
+ * Returns FVI_SUCCESS or FVI_ENOMEM; *to is then untouched. */
+int fvi_newton_copy(const fvi_newton *from, fvi_newton **to);
+
 /* fvi_newton_free -- give everything back. NULL is allowed. */
 void fvi_newton_free(fvi_newton *newton);
 

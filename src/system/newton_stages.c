@@ -99,13 +99,20 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 
 /* ---- a solver ---- */
 
+/* In the block that begins with A. */
+static size_t numbers(const fvi_newton *n)
+{
+    const size_t dim = n->system->d, m = n->system->potential.diagonals;
+    return 2 * dim + (n->q + 6) * n->q * dim
+           + (n->implicit ? dim * (m ? m : dim) : 0);
+}
+
 static int allocate(fvi_newton *n)
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, rows = n->q * dim, m = u->diagonals;
     n->reach = (m && m < dim ? m : dim) - 1;
-    const size_t H = n->implicit ? dim * (m ? m : dim) : 0;
-    n->A = calloc(2 * dim + (n->q + 6) * rows + H, sizeof *n->A);
+    n->A = calloc(numbers(n), sizeof *n->A);
     if (!n->A)
         return FVI_ENOMEM;
     n->point = n->A + dim;
@@ -202,6 +209,24 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
         n->A[j] = 1;
     memcpy(n->s, s, system->d * q * q * sizeof *s);
     return finish(n, newton);
+}
+
+int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
+{
+    fvi_newton *n = malloc(sizeof *n);
+    if (!n)
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    *n = *from;
+    n->J = (fvi_band){ 0 };
+    if (allocate(n)) {
+        fvi_newton_free(n);
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    }
+    memcpy(n->A, from->A, numbers(n) * sizeof *n->A);
+    if (n->implicit)
+        fvi_band_copy(&from->J, &n->J);
+    *to = n;
+    return FVI_SUCCESS;
 }
 
 void fvi_newton_free(fvi_newton *n)

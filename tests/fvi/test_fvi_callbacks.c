@@ -164,6 +164,42 @@ START_TEST(a_callback_that_fails_ends_the_run_with_its_code)
 }
 END_TEST
 
+/* grad U = sign(x), with a flat Hessian: Newton's method jumps to and fro. */
+static int sign(size_t d, const double *x, void *params, double *g)
+{
+    (void)d;
+    g[0] = x[0] >= 0 ? 1 : -1;
+    return fails(params, GRADIENT);
+}
+
+static int flat(size_t d, const double *x, void *params, double *H)
+{
+    (void)d, (void)x, (void)params;
+    H[0] = 0;
+    return 0;
+}
+
+/* Fifty steps of Newton's method, then the descent: the 200th gradient is its. */
+START_TEST(a_callback_that_fails_where_newton_loses_its_way)
+{
+    const double at = -0.5;
+    patient a = { { 0, 0 }, { 0, 0 }, GRADIENT, -7, SIZE_MAX, 0, 0 };
+    const fvi_system system = {
+        1, ones, ones, { value, sign, flat, &a, NULL, 0 }, { 0 }
+    };
+    fvi_run run = fvi_run_default(&system, &at, ones, 1, N);
+    run.alpha = 0.3;
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, NULL, NULL, NULL),
+                     FVI_EMAXITER);
+    ck_assert_uint_gt(a.calls, 200);
+    a.calls = 0;
+    a.call = 199;
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, NULL, NULL, NULL),
+                     -7);
+    ck_assert_uint_eq(a.calls, 200);
+}
+END_TEST
+
 /* ---- everything else that asks ---- */
 
 static int load(const fvi_system *s)
@@ -314,6 +350,7 @@ int main(void)
     Suite *suite = suite_create("09 callbacks");
     ADD_CASE(suite, "callbacks",
              a_callback_that_fails_ends_the_run_with_its_code,
+             a_callback_that_fails_where_newton_loses_its_way,
              what_a_callback_returns_comes_back_from_every_function,
              a_code_of_too_long_a_step_lets_a_search_go_on);
     return run_suite(suite);

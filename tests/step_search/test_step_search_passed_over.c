@@ -1,10 +1,12 @@
 /* tests/step_search/test_step_search_passed_over.c -- Chapter 18: steps that are no steps.
  * Run alone: make test-step_search_passed_over
  *
- * All of it under GSL's default error handler, which ends the process: a step that
- * is too long is no mistake of the caller, and no handler is to be called for it. */
+ * All of it under error handlers that end the process, GSL's and one of ours: a step
+ * that is too long is no mistake of the caller, and none is to be called for it. */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
+
+#include <stdlib.h>
 
 static int claimed(size_t d, const double *x, void *params, double *H)
 {
@@ -99,8 +101,15 @@ START_TEST(a_search_in_vain_ends_no_process)
 }
 END_TEST
 
+static void end(const char *reason, const char *file, int line, int code)
+{
+    fprintf(stderr, "%s:%d: %s (%d)\n", file, line, reason, code);
+    abort();
+}
+
 int main(void)
 {
+    fvi_set_error_handler(end);
     Suite *suite = suite_create("the search for a step: passed over");
     ADD_CASE(suite, "steps", steps_that_cannot_be_solved_are_passed_over,
              steps_that_do_not_start_are_passed_over,

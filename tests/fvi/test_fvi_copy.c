@@ -1,0 +1,190 @@
+/* tests/fvi/test_fvi_copy.c -- Runs that are forked, and runs that begin anew.
+ * Run alone: make test-fvi_copy */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { N = 300, D = 3, ROWS = (N + 1) * D };
+
+static const fvi_method *const methods[] = {
+    &fvi_fractional,     &fvi_shifted,        &fvi_bdf2,
+    &fvi_lobatto2,       &fvi_lobatto3,       &fvi_lobatto4,
+    &fvi_euler_explicit, &fvi_euler_implicit, &fvi_lagrange_dalembert,
+    &fvi_variational
+};
+
+static const double mass[] = { 1, 2, 0.5 }, none[D], rho[] = { 0.5, 0, 0.25 },
+                    x0[] = { 0.5, -0.25, 1 }, rest[D], p0[] = { 0.5, 1, -1 };
+
+/* Step on to row k, and compare each with the rows of a run that nobody forked. */
+static void go_on(fvi_stepper *s, size_t k, const double *x, const double *p)
+{
+    int same = 1;
+    while (same && s->k < k)
+        same = fvi_step(s) == 0
+               && memcmp(s->x, x + s->k * D, D * sizeof *x) == 0
+               && memcmp(s->p, p + s->k * D, D * sizeof *p) == 0
+               && s->t == (double)s->k * s->run.h;
+    ck_assert_msg(same, "%s, alpha %g, memory %d, past %d: row %zu",
+                  s->method->name, s->run.alpha, (int)s->run.memory,
+                  (int)s->run.past, s->k);
+}
+
+/* The copy alone, its original being gone; the two in turns; and both anew. */
+static void fork_at(const fvi_method *method, const fvi_run *given, size_t k,
+                    const double *x, const double *p)
+{
+    double start[2][D]; /* is not read after fvi_start */
+    fvi_run run = *given;
+    run.x0 = memcpy(start[0], given->x0, sizeof start[0]);
+    run.p0 = memcpy(start[1], given->p0, sizeof start[1]);
+    fvi_stepper *s, *twin, *late;
+    ck_assert_int_eq(fvi_start(method, &run, &s), 0);
+    memset(start, 0xff, sizeof start);
+    go_on(s, k, x, p);
+    ck_assert_int_eq(fvi_copy(s, &twin), 0);
+    ck_assert_int_eq(fvi_copy(s, &late), 0);
+    ck_assert_uint_eq(twin->k, k);
+    for (size_t l = k; l < N; l += 10) { /* N - k is not always whole tens */
+        go_on(s, l + 10 < N ? l + 10 : N, x, p);
+        go_on(twin, l + 10 < N ? l + 10 : N, x, p);
+    }
+    fvi_stop(s);
+    go_on(late, N, x, p);
+    fvi_stop(late);
+    ck_assert_int_eq(fvi_reset(twin), 0);
+    ck_assert_uint_eq(twin->k, 0);
+    ck_assert(twin->t == 0);
+    ck_assert_mem_eq(twin->x, x, D * sizeof *x);
+    ck_assert_mem_eq(twin->p, p, D * sizeof *p);
+    go_on(twin, N, x, p);
+    fvi_stop(twin);
+}
+
+static void fork_a_run(const fvi_method *method, const fvi_run *run)
+{
+    const size_t at[] = { 0, 1, 63, 130, N };
+    static double x[ROWS], p[ROWS];
+    ck_assert_int_eq(fvi_trajectory(method, run, x, p, NULL), 0);
+    for (size_t i = 0; i < LEN(at); i++)
+        fork_at(method, run, at[i], x, p);
+}
+
+/* All memories, both sides of 2 alpha = 1 and its ends, all pasts that have a
+ * solution; with a matrix that is factorised once, and with Newton's method. Equal to
+ * the bit: nothing is computed anew but GSL's tables, which are functions. */
+START_TEST(a_copy_and_a_reset_give_the_same_digits)
+{
+    const double alphas[] = { 0, 0.3, 0.5, 0.8, 1 };
+    const double chain[][2] = { { 1, 0 }, { 1, 0.5 } }, push[] = { 1, 2 };
+    size_t runs = 0;
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (size_t a = 0; a < LEN(alphas); a++)
+            for (int kind = FVI_MEMORY_DIRECT; kind <= FVI_MEMORY_EXPONENTIALS;
+                 kind++)
+                for (int past = FVI_PAST_HELD;
+                     past <= FVI_PAST_RIEMANN_LIOUVILLE; past++) {
+                    const int quiet = methods[m] == &fvi_variational;
+                    const fvi_system system = {
+                        D, mass, quiet ? none : rho,
+                        fvi_potential_chain(chain[(a + m) % 2]),
+                        quiet ? (fvi_force){ 0 } : fvi_force_cosine(push)
+                    };
+                    fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
+                    run.alpha = alphas[a];
+                    run.kappa = 0.25;
+                    run.memory = (fvi_memory_kind)kind;
+                    run.past = (fvi_past)past;
+                    if (past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5)
+                        run.x0 = rest;
+                    if ((methods[m]->half_only && run.alpha != 0.5)
+                        || (methods[m]->stages && kind == FVI_MEMORY_FFT))
+                        continue;
+                    fork_a_run(methods[m], &run);
+                    runs++;
+                }
+    ck_assert_uint_eq(runs, (4 * 5 + 3) * 9 + 3 * 5 * 6);
+}
+END_TEST
+
+/* A step that failed: begin anew, and all is well. */
+static int moody(double t, size_t d, void *params, double *F)
+{
+    int *fail = params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = t;
+    return t > 1 ? *fail : 0;
+}
+
+START_TEST(a_run_that_failed_begins_anew)
+{
+    int fail = 0;
+    const fvi_system system = { D, mass, rho, { 0 }, { moody, &fail } };
+    const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
+    static double x[ROWS], p[ROWS];
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, p, NULL), 0);
+    fvi_stepper *s;
+    ck_assert_int_eq(fvi_start(&fvi_bdf2, &run, &s), 0);
+    fail = -3;
+    while (fvi_step(s) == 0) {
+    }
+    ck_assert_uint_eq(s->k, 16); /* F is asked for just behind t = 1 */
+    fail = 0;
+    ck_assert_int_eq(fvi_reset(s), 0);
+    go_on(s, N, x, p);
+    fvi_stop(s);
+}
+END_TEST
+
+static int leave(fvi_stepper *s)
+{
+    s->own = malloc(1);
+    return s->own ? 0 : FVI_ENOMEM;
+}
+
+static void forget(fvi_stepper *s)
+{
+    free(s->own);
+}
+
+static int stay(fvi_stepper *s)
+{
+    (void)s;
+    return 0;
+}
+
+START_TEST(copy_and_reset_refuse)
+{
+    const fvi_method mine = {
+        .name = "mine", .start = leave, .step = stay, .stop = forget
+    };
+    const fvi_system system = { D, mass, rho, { 0 }, { 0 } };
+    const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
+    fvi_stepper *s, *to = NULL;
+    fvi_memory *memory, *twin = NULL;
+    ck_assert_int_eq(fvi_start(&mine, &run, &s), 0);
+    ck_assert_int_eq(fvi_copy(s, &to), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_copy(s, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_copy(NULL, &to), FVI_EFAULT);
+    ck_assert_int_eq(fvi_reset(NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_reset(s), 0);
+    fvi_stop(s);
+    ck_assert_int_eq(fvi_memory_alloc(0.5, 1, 9, FVI_MEMORY_FFT, 0, &memory),
+                     0);
+    ck_assert_int_eq(fvi_memory_copy(memory, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_memory_copy(NULL, &twin), FVI_EFAULT);
+    fvi_memory_free(memory);
+    ck_assert_ptr_null(to);
+    ck_assert_ptr_null(twin);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("09 copies");
+    ADD_CASE(suite, "copies", a_copy_and_a_reset_give_the_same_digits,
+             a_run_that_failed_begins_anew, copy_and_reset_refuse);
+    return run_suite(suite);
+}
