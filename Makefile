@@ -217,12 +217,14 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 	FVI=$B/fvi $< > $<.log 2>&1 || { cat $<.log; exit 1; }; tail -1 $<.log | sed 's/^[0-9]*%: //; s|^|$*: |'
 
 # What README.md tells a programmer: the example against the library as it stands,
-# and against an installed copy, by pkg-config and from Python.
+# and against an installed copy, by pkg-config and from Python; and what the headers
+# promise against what the library exports.
 test-example: tests/example/example.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
 	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 20 && echo 'README example: 20 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
+	GSL_CFLAGS='$(GSL_CFLAGS)' $(PYTHON) src/make/interface.py $<
 	$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= install
 	export PKG_CONFIG_PATH=$B/prefix/lib/pkgconfig LD_LIBRARY_PATH=$B/prefix/lib; \
 	  $(CC) tests/example/example.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \

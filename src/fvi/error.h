@@ -1,9 +1,14 @@
 /* src/fvi/error.h -- What a function says when it could not do it.
  *
- * A function returns 0, or one of these codes; its header says which and why. The
- * library prints nothing, ends no process and calls no handler of its own accord:
- * GSL's default handler aborts, which is not for a library to decide. The codes are
- * GSL's numbers, so that gsl_strerror knows them too. */
+ * A function returns 0, or one of these codes; its header says which and why. What a
+ * callback of the caller's returned comes back as it is (system.h): best a negative
+ * number, which no code is. The library prints nothing and ends no process. It could
+ * be called from Python, or from one of many threads: whether an error is a reason to
+ * abort is for the program to decide, so there is no handler until the program sets
+ * one, and that of GSL, whose default aborts, is never called: around what may fail in
+ * GSL it is switched off, and on again. While a function of the library runs in one
+ * thread, another should not set GSL's handler. The codes are GSL's numbers, so that
+ * gsl_strerror knows them too. */
 #ifndef FVI_ERROR_H
 #define FVI_ERROR_H
 
@@ -25,19 +30,20 @@ enum {
     FVI_ELOSS = 17,    /* not a digit of the result would be right */
     FVI_EROUND = 18,   /* rounding hides what was asked for */
     FVI_ESING = 21,    /* an equation has no unique solution */
-    FVI_EUNSUP = 24    /* the method has no such thing */
+    FVI_EUNSUP = 23    /* the method has no such thing */
 };
 
 /* fvi_strerror -- a code in words: a constant text, for any number. */
 const char *fvi_strerror(int code);
 
 /* fvi_error_handler -- called, if one is set, where an error arises, before its code
- * is returned: what is wrong, in which file and line, and the code. GSL's gsl_error
- * is one. It may end the process, or return. */
+ * is returned: what is wrong, in which file and line, and the code. It may end the
+ * process, or return. Not called for what a callback returned, nor for what comes out
+ * of a step (trajectory.h) or of a search (step_search.h): that is no mistake. */
 typedef void fvi_error_handler(const char *reason, const char *file, int line,
                                int code);
 
-/* fvi_set_error_handler -- for all threads. Returns the one before; at first there is
+/* fvi_set_error_handler -- for all threads, best before the second begins. Returns the one before; at first there is
  * none, NULL. */
 fvi_error_handler *fvi_set_error_handler(fvi_error_handler *handler);
 

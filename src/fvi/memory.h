@@ -59,7 +59,7 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
 fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 
 /* fvi_memory_bytes -- what fvi_memory_alloc will take from the heap. Arguments
- * as there. Returns 0, and calls the error handler, where that would refuse. */
+ * as there. Returns 0 where that would refuse. */
 size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance);
 

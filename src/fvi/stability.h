@@ -64,8 +64,9 @@ int fvi_stability_step(const fvi_run *run, double *h);
  * Cost: 10 us and d^3 operations, O(d) without U. Accuracy 1e-12 max(1, load)
  * (no proof; seen 4e-15). Returns FVI_SUCCESS; what fvi_system_check returns;
  * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if s is another number; FVI_EDOM if h
- * or alpha is out of range; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM; what
- * GSL's eigenvalues return; what the Hessian returned. On error *load is untouched. */
+ * or alpha is out of range; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM;
+ * FVI_EMAXITER if eigenvalues were not found; what the Hessian returned. On error
+ * *load is untouched. */
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
 
 /* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:
@@ -96,8 +97,9 @@ int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
  *   end     -1, or just inside where Q is infinite at -1
  *   growth  output: 1/|z| at the zero, 1 if Q(end) >= 0
  *
- * By GSL's Brent solver, to 8 ulp of z. Returns FVI_SUCCESS; FVI_ENOMEM; what
- * GSL's solver returns. On error *growth is untouched. */
+ * By GSL's Brent solver, to 8 ulp of z. Returns FVI_SUCCESS; FVI_ENOMEM;
+ * FVI_EBADFUNC if Q is not finite; FVI_EINVAL if Q(0) < 0. On error *growth is
+ * untouched. */
 int fvi_growth_of_symbol(gsl_function Q, double end, double *growth);
 
 #pragma GCC visibility pop

@@ -35,7 +35,7 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
 
 /* fvi_lobatto_memory_bytes -- what fvi_lobatto_memory_alloc will take from the heap
  * and keep. Arguments as there. A double, because it may be more than can be
- * addressed. Returns 0, and calls the error handler, where that would refuse. */
+ * addressed. Returns 0 where that would refuse. */
 double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_memory_kind kind, double tolerance);
 

@@ -1,6 +1,7 @@
 /* src/memory/memory_fft.c -- Convolutions in blocks that double.       [Chapter 12] */
 #include <fvi/coefficients.h>
 #include "memory_kinds.h"
+#include "system/fail.h"
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -75,6 +76,20 @@ static void transform_weights(fvi_blocks *b, double nu)
     }
 }
 
+/* GSL's cosines for all levels: are they there? */
+static int make_tables(fvi_blocks *b)
+{
+    int all = 1;
+    fvi_quiet();
+    for (level *l = b->level; all && l < b->level + b->levels; l++) {
+        l->real = gsl_fft_real_wavetable_alloc(2 * l->length);
+        l->halfcomplex = gsl_fft_halfcomplex_wavetable_alloc(2 * l->length);
+        all = l->real && l->halfcomplex;
+    }
+    fvi_loud();
+    return all;
+}
+
 /* Room and tables for so many terms, the weights yet to come; or NULL. */
 static fvi_blocks *make(size_t d, size_t steps)
 {
@@ -100,12 +115,10 @@ static fvi_blocks *make(size_t d, size_t steps)
         l->length = (size_t)BASE << j;
         l->spectrum = spectrum;
         spectrum += 2 * l->length;
-        l->real = gsl_fft_real_wavetable_alloc(2 * l->length);
-        l->halfcomplex = gsl_fft_halfcomplex_wavetable_alloc(2 * l->length);
-        if (!l->real || !l->halfcomplex) {
-            fvi_blocks_free(b);
-            return NULL;
-        }
+    }
+    if (!make_tables(b)) {
+        fvi_blocks_free(b);
+        return NULL;
     }
     return b;
 }

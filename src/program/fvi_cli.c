@@ -10,7 +10,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -192,7 +191,6 @@ int main(int argc, char **argv)
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
-    gsl_set_error_handler_off(); /* the default handler aborts */
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
         fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",

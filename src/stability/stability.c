@@ -31,6 +31,7 @@ static int check(const fvi_run *run, const void *output)
 static int largest_eigenvalue(size_t d, double *A, double *largest)
 {
     gsl_matrix_view matrix = gsl_matrix_view_array(A, d, d);
+    fvi_quiet();
     gsl_vector *values = gsl_vector_alloc(d);
     gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(d);
     int status = FVI_ENOMEM;
@@ -40,6 +41,7 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
         *largest = gsl_vector_max(values);
     gsl_vector_free(values);
     gsl_eigen_symm_free(work);
+    fvi_loud();
     return status;
 }
 
@@ -282,15 +284,9 @@ static double q_real(double z, void *params)
            + z * (s->W + s->R * pow(1 - z, 2 * s->alpha));
 }
 
-int fvi_growth_of_symbol(gsl_function Q, double end, double *growth)
+static int brent(gsl_root_fsolver *solver, gsl_function Q, double end,
+                 double *growth)
 {
-    if (GSL_FN_EVAL(&Q, end) >= 0) { /* no change of sign: (14.3) */
-        *growth = 1;
-        return FVI_SUCCESS;
-    }
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    if (!solver)
-        FVI_FAIL("no memory for the root solver", FVI_ENOMEM);
     int status = gsl_root_fsolver_set(solver, &Q, end, 0);
     for (int i = 0; !status && i < 200; i++) {
         status = gsl_root_fsolver_iterate(solver);
@@ -303,7 +299,20 @@ int fvi_growth_of_symbol(gsl_function Q, double end, double *growth)
     }
     if (!status)
         *growth = -1 / gsl_root_fsolver_root(solver);
+    return status;
+}
+
+int fvi_growth_of_symbol(gsl_function Q, double end, double *growth)
+{
+    if (GSL_FN_EVAL(&Q, end) >= 0) { /* no change of sign: (14.3) */
+        *growth = 1;
+        return FVI_SUCCESS;
+    }
+    fvi_quiet();
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    int status = solver ? brent(solver, Q, end, growth) : FVI_ENOMEM;
     gsl_root_fsolver_free(solver);
+    fvi_loud();
     return status;
 }
 

@@ -23,6 +23,7 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
                        double complex *lambda)
 {
     gsl_matrix_view A = gsl_matrix_view_array_with_tda(a[0], n, n, FVI_STAGES);
+    fvi_quiet();
     gsl_vector_complex *values = gsl_vector_complex_alloc(n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(n);
     int status = FVI_ENOMEM;
@@ -32,6 +33,7 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
         lambda[j] = values->data[2 * j] + I * values->data[2 * j + 1];
     gsl_vector_complex_free(values);
     gsl_eigen_nonsymm_free(work);
+    fvi_loud();
     return status;
 }
 
@@ -126,8 +128,10 @@ static int make_turn(size_t s, double z, double alpha, turn *t)
     project(s, t->n, E, X, t->A);
     gsl_matrix_view k =
         gsl_matrix_view_array_with_tda(K[0], t->n, t->n, FVI_STAGES);
+    fvi_quiet(); /* K may be singular to rounding */
     if (!status)
         status = gsl_linalg_cholesky_decomp1(&k.matrix);
+    fvi_loud();
     for (size_t j = 0; !status && j < t->n; j++) {
         gsl_vector_view B =
             gsl_vector_view_array_with_stride(&t->B[0][j], FVI_STAGES, t->n);
@@ -207,6 +211,7 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
 static int load_of_modes(const turn ends[2], double share, size_t d,
                          const double *W, const double *R, double *load)
 {
+    fvi_quiet();
     gsl_matrix *G = gsl_matrix_alloc(d, d), *V = gsl_matrix_alloc(d, d);
     gsl_vector *values = gsl_vector_alloc(d);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(d);
@@ -231,6 +236,7 @@ static int load_of_modes(const turn ends[2], double share, size_t d,
     gsl_matrix_free(V);
     gsl_vector_free(values);
     gsl_eigen_symmv_free(work);
+    fvi_loud();
     return status;
 }
 //< modes

@@ -18,7 +18,7 @@ typedef struct {
 } fvi_band;
 
 /* fvi_band_alloc -- room for J, all zero. Free it with fvi_band_free.
- * Returns 0 or FVI_ENOMEM; no error handler is called. */
+ * Returns 0 or FVI_ENOMEM; the caller tells the error handler. */
 int fvi_band_alloc(size_t n, size_t w, fvi_band *J);
 
 /* fvi_band_copy -- the entries, or factors, of a matrix of the same sizes. */
@@ -34,7 +34,7 @@ static inline double *fvi_band_row(const fvi_band *J, size_t i)
 }
 
 /* fvi_band_factorise -- J becomes its LU factors.  Cost O(n w^2).
- * Returns 0, or FVI_ESING if a pivot is zero; no error handler is called. */
+ * Returns 0, or FVI_ESING if a pivot is zero. */
 int fvi_band_factorise(fvi_band *J);
 
 /* fvi_band_solve -- v becomes the inverse of J times v, by the factors.

@@ -6,7 +6,9 @@
 
 /* fvi_quiet, fvi_loud -- around calls of GSL's that may fail: GSL's own handler, which
  * is one for the process and aborts, is off in between. Pairs may be nested, and may
- * overlap in several threads. */
+ * overlap in several threads. Allocations, eigenvalues, roots, integrals and
+ * Cholesky's factors may fail. Views, sums, transforms and the LU factors of a few
+ * stages, whose arguments are checked, stand bare. */
 void fvi_quiet(void);
 void fvi_loud(void);
 

@@ -15,3 +15,7 @@ assert fvi.fvi_delta_minus(0.5, h, 10000, 1, half.copy(), once) == 0
 assert fvi.fvi_delta_minus(0.5, h, 10000, 1, once, half) == 0
 print("two halves make a cosine, to", np.abs(half[1:] - np.cos(t[1:])).max())
 #< example
+
+# A mistake is a code, and Python lives: 1 is FVI_EDOM, the order is not in [0, 2].
+fvi.fvi_coefficients.argtypes = [ctypes.c_double, ctypes.c_size_t, array]
+assert fvi.fvi_coefficients(2.5, 3, np.empty(3)) == 1
