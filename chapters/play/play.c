@@ -52,24 +52,13 @@ static const double mass = 1;
 /* The order is that of `choices.method` in model.js, and of `fvi methods`. */
 static const fvi_method *the_method(void)
 {
-    static const fvi_method *const methods[] = {
-        &fvi_fractional,     &fvi_lagrange_dalembert,
-        &fvi_euler_explicit, &fvi_euler_implicit,
-        &fvi_shifted,        &fvi_bdf2,
-        &fvi_lobatto2,       &fvi_lobatto3,
-        &fvi_lobatto4
-    };
-    return methods[(int)input.method];
+    return fvi_methods[(int)input.method];
 }
 
 /* 2, 3 or 4; 0 for a method without stages. */
 static size_t stages(void)
 {
-    const fvi_method *method = the_method();
-    return method == &fvi_lobatto2   ? 2
-           : method == &fvi_lobatto3 ? 3
-           : method == &fvi_lobatto4 ? 4
-                                     : 0;
+    return (size_t)the_method()->stages;
 }
 
 static fvi_potential potential(void)
@@ -207,68 +196,53 @@ int EXPORT(play_weights)(int count)
 {
     if (stages())
         return stage_weights(stages(), (size_t)count);
-    return fvi_quadrature_weights(
-        the_method() == &fvi_bdf2 ? FVI_QUADRATURE_BDF2 : FVI_QUADRATURE_EULER,
-        2 * input.alpha, (size_t)count, weights);
+    return fvi_quadrature_weights(the_method()->quadrature, 2 * input.alpha,
+                                  (size_t)count, weights);
 }
 
 /* ---- stability ---- */
 
-/* The damping whose load by (14.3) is that of the method: see (13.14). */
-static double comparable_damping(void)
+/* In place of stability_lobatto.c, for whose eigenvalues the page has no room: the
+ * bound (17.15), with what acts as a spring in (17.16). For s > 2 and 0 < alpha < 1/2
+ * that is not known, and left out. */
+int fvi_stability_lobatto(size_t s, const fvi_run *run, double *load)
 {
-    return input.rho
-           * (the_method() == &fvi_bdf2      ? pow(4, input.alpha)
-              : the_method() == &fvi_shifted ? fmax(0, 1 - 2 * input.alpha)
-                                             : 1);
-}
-
-/* The same for s stages: (17.15), with what acts as a spring in (17.16). For
- * s > 2 and 0 < alpha < 1/2 that is not known, and left out. */
-static double load_of_stages(size_t s, double h)
-{
-    const double bound[] = { 4, 8, 42 - 6 * sqrt(29) }, alpha = input.alpha;
-    const fvi_potential u = potential();
+    const double bound[] = { 4, 8, 42 - 6 * sqrt(29) }, alpha = run->alpha,
+                 h = run->h, rho = run->system->damping[0];
+    const fvi_potential *u = &run->system->potential;
     double stiffness = 0, share = 0;
-    if (u.hessian && u.hessian(1, &input.x0, u.params, &stiffness))
-        return -1;
+    int status =
+        u->hessian ? u->hessian(1, run->x0, u->params, &stiffness) : FVI_SUCCESS;
+    if (status)
+        return status;
     if (alpha == 0 || (s == 2 && alpha < 0.5))
         share =
             pow(2, 2 * alpha + 1) / sqrt(3) * sin((1 - 2 * alpha) * M_PI / 3);
-    const double inertia = mass + (alpha == 1 ? input.rho : 0); /* (17.17) */
-    return (h * h * stiffness / inertia
-            + share * pow(h, 2 - 2 * alpha) * input.rho / mass)
-           / bound[s - 2];
+    const double inertia = mass + (alpha == 1 ? rho : 0); /* (17.17) */
+    *load = (h * h * stiffness / inertia
+             + share * pow(h, 2 - 2 * alpha) * rho / mass)
+            / bound[s - 2];
+    return FVI_SUCCESS;
 }
 
 /* Above 1 the run must blow up, or, of stages, may: see model.js. -1 if it cannot
  * be said. */
 double EXPORT(play_load)(void)
 {
-    const double damping = comparable_damping();
-    const fvi_system system = the_system(&damping);
+    const fvi_system system = the_system(&input.rho);
     const fvi_run run = the_run(&system);
     double load;
-    if (stages())
-        return load_of_stages(stages(), input.h);
-    return fvi_stability_load(&run, &load) ? -1 : load;
+    return fvi_stability_load(the_method(), &run, &load) ? -1 : load;
 }
 
-/* The h of load 1, the largest stable step: 0 if none is, infinity if all are. */
+/* The h of load 1, the largest stable step: 0 if none is, infinity if all are, -1 if
+ * it cannot be said. The load that stands in for that of stages grows with h. */
 double EXPORT(play_step)(void)
 {
-    const double damping = comparable_damping();
-    const fvi_system system = the_system(&damping);
+    const fvi_system system = the_system(&input.rho);
     const fvi_run run = the_run(&system);
-    double h, low = -50, high = 50; /* of log2 h */
-    if (!stages())
-        return fvi_stability_step(&run, &h) ? -1 : h;
-    for (int i = 0; i < 60; i++) {
-        const double middle = (low + high) / 2;
-        if (load_of_stages(stages(), exp2(middle)) <= 1)
-            low = middle;
-        else
-            high = middle;
-    }
-    return high == 50 ? INFINITY : exp2(low);
+    fvi_method method = *the_method();
+    double h;
+    method.load_grows = 1;
+    return fvi_stability_step(&method, &run, &h) ? -1 : h;
 }

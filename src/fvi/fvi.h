@@ -14,6 +14,7 @@
 #include "exact_solution.h"
 #include "lobatto.h"
 #include "memory.h"
+#include "methods.h"
 #include "past.h"
 #include "stability.h"
 #include "step_search.h"

@@ -14,34 +14,47 @@ extern "C" {
 /* fvi_stability_load -- how much of the stable range a run takes.   [(14.3)]
  *
  *     load = lambda / 4,  lambda = the largest eigenvalue of
- *         M^{-1/2} ((1 - 2 kappa)^2 h^2 K + 4^alpha h^(2 - 2 alpha) rho) M^{-1/2}
+ *         M^{-1/2} ((1 - 2 kappa)^2 h^2 K + share 4^alpha h^(2 - 2 alpha) rho) M^{-1/2}
  *
- * with K = Hess U(x0). The integrators fvi and lda are stable if load < 1, and
- * have a growing, sign-alternating mode if load > 1; this is exact if U is
- * quadratic and convex, and speaks of small motions about x0 if not. In one
- * dimension: (W (1 - 2 kappa)^2 + 4^alpha R) / 4, W = h^2 c / m,
- * R = rho h^(2 - 2 alpha) / m.
+ * with K = Hess U(x0) and, by method,
  *
- *   run   system, x0, h, kappa, alpha are read; the rest may be anything
- *   load  output, >= 0 if K is positive semidefinite
+ *     share = 1                     fvi, lda, variational (rho = 0)
+ *             max(0, 1 - 2 alpha)   fvi-shifted                      [(13.14)]
+ *             4^alpha               fvi-bdf2
+ *
+ * They are stable if load < 1, and have a growing, sign-alternating mode if load > 1;
+ * this is exact if U is quadratic and convex, and speaks of small motions about x0
+ * if not. In one dimension: (W (1 - 2 kappa)^2 + share 4^alpha R) / 4,
+ * W = h^2 c / m, R = rho h^(2 - 2 alpha) / m. The load of fvi-lobatto2, 3 and 4 is
+ * that of fvi_stability_lobatto, with its cost, accuracy and errors. Of Euler's
+ * methods none is known here.
+ *
+ *   method  its load, alpha_least and alpha_most are read
+ *   run     system, x0, h, kappa, alpha are read; the rest may be anything
+ *   load    output, >= 0 if K is positive semidefinite
  *
  * Cost O(d) if the Hessian has one or two diagonals, by bisection, or if kappa = 1/2
  * or U = 0; else O(d^3) by GSL's symmetric eigenvalues.
  * Accuracy: 8 d u relative to the larger term, u = 2^-53.
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is
- * NULL; FVI_EDOM if h, kappa or alpha is out of range; FVI_EOVRFLW if an entry is
- * not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
-int fvi_stability_load(const fvi_run *run, double *load);
+ * NULL; FVI_EDOM if h, kappa or alpha is out of range, or the method does not know
+ * this alpha; FVI_EUNSUP if method->load is NULL; FVI_EOVRFLW if an entry is not
+ * finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
+int fvi_stability_load(const fvi_method *method, const fvi_run *run,
+                       double *load);
 
 /* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
  *
+ *   method  as above, with load_grows: all but Euler's, fvi-lobatto3, fvi-lobatto4
  *   run  as above; its h is not read
  *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
  *        (alpha = 1 and strong damping)
  *
  * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads; a load's own
- * rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it. Errors as above. */
-int fvi_stability_step(const fvi_run *run, double *h);
+ * rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it (fvi-lobatto2: 1e-12 takes
+ * the place of 8 d u). Errors as above, and FVI_EUNSUP if the load of the method may
+ * fall while h grows. On error *h is untouched. */
+int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
 
 /* fvi_stability_lobatto -- the same for the methods of chapter 17. [(17.18)]
  *

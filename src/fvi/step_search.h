@@ -32,9 +32,9 @@ typedef struct {
  *
  *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
  *         (p' = p but for fvi_variational, 1, and fvi_lobatto3, fvi_lobatto4, whose
- *         order over all t may be as low as 3 - 2 alpha. p = 1 - 2 alpha in
- *         fvi_fractional, Riemann-Liouville, alpha < 1/2, where a damped coordinate
- *         does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
+ *         order over all t may be as low as 3 - 2 alpha. p = 1 - 2 alpha for
+ *         a method with past_as_printed, Riemann-Liouville, alpha < 1/2, where a damped
+ *         coordinate does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
  *     F, at 128 random times, is at most half as far from its linear interpolant
  *         between nodes as with steps twice as long                       (18.7)
  *         (the random times are the same in each search);
@@ -44,7 +44,7 @@ typedef struct {
  *
  * A run that overflows, or does not converge, says only that its step is too long.
  *
- *   method  which integrator; its lowest, highest and stages are read
+ *   method  which integrator; its lowest, highest, stages and past_as_printed are read
  *   run     as for fvi_start; run->h and run->steps give the rows t_k = k h, which
  *           stay where they are. If there are less than 128 of them, more times,
  *           evenly between, are compared too
@@ -79,9 +79,9 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
  *
  *   method, run  as above, not NULL; the run is one that fvi_start takes
  *
- * Returns that of the highest order that takes such a run, fvi_lobatto4 or, with
- * FVI_MEMORY_FFT, fvi_shifted; NULL if its order is not higher than the order of
- * method on this run. That it reaches the error is not tried here. */
+ * Returns that of fvi_methods (methods.h) that has the highest order of those that
+ * take such a run, the first if there are several; NULL if its order is not higher than
+ * the order of method on this run. That it reaches the error is not tried here. */
 const fvi_method *fvi_step_search_other(const fvi_method *method,
                                         const fvi_run *run);
 

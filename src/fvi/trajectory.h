@@ -13,6 +13,7 @@
 #ifndef FVI_TRAJECTORY_H
 #define FVI_TRAJECTORY_H
 
+#include "convolution_quadrature.h"
 #include "memory.h"
 #include "past.h"
 #include "system.h"
@@ -37,11 +38,8 @@ extern "C" {
  *
  * What is left out of an initialiser is zero: begin with fvi_run_default, which
  * sets what must not be zero by accident.
- * The methods: fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
- * (discrete_mechanics.h), fvi_fractional (fvi.h), fvi_shifted, fvi_bdf2
- * (convolution_quadrature_methods.h), fvi_lobatto2, fvi_lobatto3, fvi_lobatto4
- * (lobatto.h).
- * Runs that share no stepper may go on in several threads. */
+ * The methods stand in the table fvi_methods (methods.h). Runs that share no stepper
+ * may go on in several threads. */
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
@@ -74,16 +72,31 @@ typedef struct {
     const fvi_method *method;
 } fvi_stepper;
 
-/* fvi_method -- an integrator. name, order and memory are for people, and may be
- * NULL.
+/* fvi_method -- an integrator, and all that others ask about it. What counts are its
+ * fields: a copy, under another name and at another address, is as good. name, order
+ * and memory are for people, and may be NULL.
  *
  *   lowest, highest  the order as numbers: the lowest and the highest that x has at
  *          a fixed time, over all alpha (a kick or kappa != 1/2 may cost more)
  *   stages  s, of the methods of Lobatto; 0 for all others
- *   half_only  nonzero if the method knows linear damping only, alpha = 1/2;
- *          fvi_start refuses other runs (FVI_EDOM)
- *   as_printed  nonzero if the method also runs what has no solution (19.2), as the
- *          paper does; for the others fvi_start refuses it (FVI_EDOM)
+ *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
+ *          linear damping only; fvi_start refuses other runs (FVI_EDOM)
+ *   memories  a bit 1u << kind for each kind of memory that it can sum with;
+ *          fvi_start refuses the others (FVI_EUNSUP). 0: it remembers nothing, and
+ *          run->memory is not read
+ *   quadrature  whose weights stand before the positions of the past; not read of
+ *          methods that remember nothing, or have stages
+ *   takes_kappa  nonzero if run->kappa is used where there is a potential
+ *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
+ *          method with the Hessian of U
+ *   past_as_printed  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
+ *          its exact impulses (19.5), and is refused where there is no solution (19.2,
+ *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2 alpha
+ *          is all there is of a kick (9.5), and what has no solution is run too
+ *   load   of run, above 1 if a mode grows, as fvi_stability_load (stability.h) has it;
+ *          NULL if it is not known
+ *   load_grows  nonzero if that load does not fall while h grows: the stable steps are
+ *          then all those up to the longest, fvi_stability_step
  *   start  refuses runs that the method does not know; prepares newton and own;
  *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
@@ -93,12 +106,21 @@ typedef struct {
 struct fvi_method {
     const char *name, *order, *memory;
     int lowest, highest, stages;
-    int half_only, as_printed;
+    double alpha_least, alpha_most;
+    unsigned memories;
+    fvi_quadrature quadrature;
+    int takes_kappa, implicit, past_as_printed;
+    int (*load)(const fvi_run *run, double *load);
+    int load_grows;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
     void (*stop)(fvi_stepper *s);
 };
+
+/* fvi_method_has_memory -- nonzero if the method can sum with such a memory, or remembers
+ * nothing. What is no kind at all is not judged here: fvi_memory_alloc refuses it. */
+int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
 
 /* fvi_start -- check the run, stand at k = 0.
  *
@@ -107,9 +129,10 @@ struct fvi_method {
  * fvi_newton_alloc and fvi_memory_alloc return; FVI_EFAULT if a pointer is
  * NULL; FVI_EINVAL if steps == 0 or the method does not take such a system;
  * FVI_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
- * does not know this alpha, or if the run has no solution (19.2) and is not one of
- * fvi_fractional; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; what the
- * potential returned. On error *stepper is untouched. */
+ * does not know this alpha, or if the run has no solution (19.2) and the method does
+ * not run it as printed; FVI_EUNSUP if the method has no such memory; FVI_ENOMEM;
+ * FVI_ESING if a constant matrix is singular; what the potential returned. On error
+ * *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 

@@ -3,6 +3,7 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
 #include "damping.h"
+#include "loads.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -277,6 +278,12 @@ const fvi_method fvi_shifted = { .name = "fvi-shifted",
                                  .lowest = 2,
                                  .highest = 2,
                                  .memory = "full",
+                                 .alpha_most = 1,
+                                 .memories = FVI_ALL_MEMORIES,
+                                 .takes_kappa = 1,
+                                 .implicit = 1,
+                                 .load = fvi_load_shifted,
+                                 .load_grows = 1,
                                  .start = start_shifted,
                                  .step = step_second_order,
                                  .copy = copy_second_order,
@@ -286,6 +293,13 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .lowest = 2,
                               .highest = 2,
                               .memory = "full",
+                              .alpha_most = 1,
+                              .memories = FVI_ALL_MEMORIES,
+                              .quadrature = FVI_QUADRATURE_BDF2,
+                              .takes_kappa = 1,
+                              .implicit = 1,
+                              .load = fvi_load_bdf2,
+                              .load_grows = 1,
                               .start = start_bdf2,
                               .step = step_second_order,
                               .copy = copy_second_order,

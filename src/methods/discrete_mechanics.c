@@ -1,6 +1,7 @@
 /* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [Chapter 2] */
 #include <fvi/discrete_mechanics.h>
 
+#include "loads.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -146,6 +147,11 @@ const fvi_method fvi_variational = { .name = "variational",
                                      .lowest = 1,
                                      .highest = 2,
                                      .memory = "none",
+                                     .alpha_most = 1,
+                                     .takes_kappa = 1,
+                                     .implicit = 1,
+                                     .load = fvi_load_backward,
+                                     .load_grows = 1,
                                      .start = start_variational,
                                      .step = step_variational };
 const fvi_method fvi_lagrange_dalembert = { .name = "lda",
@@ -153,7 +159,12 @@ const fvi_method fvi_lagrange_dalembert = { .name = "lda",
                                             .lowest = 1,
                                             .highest = 1,
                                             .memory = "none",
-                                            .half_only = 1,
+                                            .alpha_least = 0.5,
+                                            .alpha_most = 0.5,
+                                            .takes_kappa = 1,
+                                            .implicit = 1,
+                                            .load = fvi_load_backward,
+                                            .load_grows = 1,
                                             .start = fvi_variational_solver,
                                             .step = step_forced };
 
@@ -215,13 +226,16 @@ const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
                                         .lowest = 1,
                                         .highest = 1,
                                         .memory = "none",
-                                        .half_only = 1,
+                                        .alpha_least = 0.5,
+                                        .alpha_most = 0.5,
                                         .step = step_euler_explicit };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .order = "1",
                                         .lowest = 1,
                                         .highest = 1,
                                         .memory = "none",
-                                        .half_only = 1,
+                                        .alpha_least = 0.5,
+                                        .alpha_most = 0.5,
+                                        .implicit = 1,
                                         .start = start_euler_implicit,
                                         .step = step_euler_implicit };

@@ -2,6 +2,7 @@
 #include <fvi/fvi.h>
 
 #include "damping.h"
+#include "loads.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -66,7 +67,13 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .lowest = 1,
                                     .highest = 1,
                                     .memory = "full",
-                                    .as_printed = 1,
+                                    .alpha_most = 1,
+                                    .memories = FVI_ALL_MEMORIES,
+                                    .takes_kappa = 1,
+                                    .implicit = 1,
+                                    .past_as_printed = 1,
+                                    .load = fvi_load_backward,
+                                    .load_grows = 1,
                                     .start = start_fractional,
                                     .step = step_fractional,
                                     .copy = copy_fractional,

@@ -2,6 +2,7 @@
 #include <fvi/lobatto.h>
 
 #include <fvi/discrete_mechanics.h>
+#include "loads.h"
 #include "memory/lobatto_memory.h"
 #include "system/fail.h"
 #include "system/newton.h"
@@ -335,8 +336,6 @@ static int start_pull(fvi_stepper *s, lobatto *o)
 static int start(fvi_stepper *s, size_t stages)
 {
     const fvi_system *system = s->run.system;
-    if (s->run.memory == FVI_MEMORY_FFT)
-        FVI_FAIL("there is no FFT for the stages", FVI_EUNSUP);
     int status = allocate(s, stages);
     if (status)
         return status;
@@ -406,8 +405,11 @@ static int start4(fvi_stepper *s)
 #define METHOD(s, orders, from, to)                                            \
     {                                                                          \
         .name = "fvi-lobatto" #s, .order = orders, .memory = "full",           \
-        .lowest = from, .highest = to, .stages = s, .start = start##s,         \
-        .step = step_lobatto, .copy = copy_lobatto, .stop = stop_lobatto                             \
+        .lowest = from, .highest = to, .stages = s, .alpha_most = 1,           \
+        .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
+        .implicit = s > 2, .load = fvi_load_lobatto##s, .load_grows = s == 2,  \
+        .start = start##s, .step = step_lobatto, .copy = copy_lobatto,         \
+        .stop = stop_lobatto                                                   \
     }
 
 const fvi_method fvi_lobatto2 = METHOD(2, "2", 2, 2),

@@ -37,11 +37,8 @@ int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
     int status = fvi_system_check(run->system);
     if (status)
         return status;
-    const size_t s = method == &fvi_lobatto2   ? 2
-                     : method == &fvi_lobatto3 ? 3
-                     : method == &fvi_lobatto4 ? 4
-                                               : 0;
-    if (s == 0)
+    const size_t s = (size_t)method->stages;
+    if (s < 2 || s > 4)
         FVI_FAIL("not a Lobatto method", FVI_EINVAL);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);

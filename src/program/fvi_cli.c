@@ -3,6 +3,7 @@
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
+#include <fvi/methods.h>
 #include "fvi_commands.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
@@ -102,9 +103,7 @@ static fvi_linear linear_problem(const fvi_options *o)
                          .past = o->past,
                          .x0 = o->x0[0],
                          .v0 = o->p0[0] / o->mass,
-                         .forcing = o->force == 's'   ? FVI_FORCING_STEP
-                                    : o->force == 'c' ? FVI_FORCING_COSINE
-                                                      : FVI_FORCING_NONE,
+                         .forcing = o->force,
                          .A = o->forcing[0],
                          .T = o->forcing[1],
                          .w = o->forcing[1] };
@@ -158,8 +157,8 @@ static int coefficients(const fvi_options *o)
 
 static int print_methods(void)
 {
-    for (size_t i = 0; fvi_options_methods[i]; i++) {
-        const fvi_method *m = fvi_options_methods[i];
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        const fvi_method *m = fvi_methods[i];
         printf("%s\t%s\t%s\n", m->name, m->order, m->memory);
     }
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;

@@ -2,6 +2,7 @@
 #ifndef FVI_OPTIONS_H
 #define FVI_OPTIONS_H
 
+#include "fvi_words.h"
 #include <fvi/trajectory.h>
 
 typedef enum {
@@ -13,8 +14,6 @@ typedef enum {
     FVI_COMMAND_VERSION
 } fvi_command;
 
-enum { FVI_MAX_COLUMNS = 5 };
-
 /* The words of the command line, understood and in range. */
 typedef struct {
     fvi_command command;
@@ -23,15 +22,14 @@ typedef struct {
     double alpha, rho, mass, kappa, h, tolerance;
     double error; /* 0: the step is h; else it is to be found */
     size_t steps, every, count, d;
-    char potential;    /* h, d, p, f or c: the first letter of its name */
-    double spring[2];  /* its parameters */
-    char force;        /* n, s or c */
+    fvi_potential_kind potential;
+    double spring[2]; /* its parameters */
+    fvi_forcing force;
     double forcing[2]; /* its parameters */
     fvi_past past;
     int no_solution; /* 1: only the method that does what is printed runs it */
     fvi_memory_kind memory;
-    char columns[FVI_MAX_COLUMNS
-                 + 1];    /* first letters of the columns, in order */
+    fvi_columns columns;
     double *x0, *p0;      /* d numbers each, one block; fvi_options_free */
     const char *output;   /* points into argv, or NULL for standard output */
     const char *text[32]; /* each as it was given or by default, by index */
@@ -61,8 +59,5 @@ fvi_system fvi_options_system(const fvi_options *o, double *storage);
  * order of the manual. Returns 0 when there is no option i. */
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
                          const char **value);
-
-/* fvi_options_methods -- the methods that `run` knows, ended by NULL. */
-extern const fvi_method *const fvi_options_methods[];
 
 #endif

@@ -26,21 +26,12 @@ static int complain_of_start(int status)
 
 enum { FEW = 256 /* masses whose modes are found in a moment */ };
 
-/* The stages of a Lobatto method; 0 for the others. */
-static size_t stages(const fvi_method *m)
-{
-    return m == &fvi_lobatto2   ? 2
-           : m == &fvi_lobatto3 ? 3
-           : m == &fvi_lobatto4 ? 4
-                                : 0;
-}
-
 /* What a run surely takes: its state, Newton's band matrix, its history. */
 static double run_bytes(const fvi_options *o)
 {
-    const size_t s = stages(o->method), d = o->d;
+    const size_t s = (size_t)o->method->stages, d = o->d;
     const double bytes = 100 * (double)d;
-    if (o->method->half_only || o->rho == 0 || (s > 0 && o->alpha == 1))
+    if (!o->method->memories || o->rho == 0 || (s > 0 && o->alpha == 1))
         return bytes;
     if (s > 0)
         return bytes
@@ -91,37 +82,18 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 }
 
 /* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
- * step is stable, NaN if h is not known. The load of fvi-bdf2 is that of Algorithm 3
- * with 4^alpha times the damping, (13.14); that of fvi-shifted with 1 - 2 alpha
- * times, none from alpha = 1/2 on. Returns 0, or another number if the load is not
- * known, or would take d^3 operations, which no run of a long chain does. */
-static int load_of(const fvi_options *o, const fvi_run *r, double *load,
+ * step is stable, NaN if h is not known. Returns 0, or another number if the load is
+ * not known, or would take d^3 operations, which no run of a long chain does. */
+static int load_of(const fvi_options *o, const fvi_run *run, double *load,
                    double *h)
 {
-    const size_t s = stages(o->method);
+    const fvi_method *m = o->method;
     *h = NAN;
-    if (o->d > FEW && (s > 0 || o->kappa != 0.5)) /* a full Hessian */
+    if (o->d > FEW && (m->stages > 0 || o->kappa != 0.5)) /* a full Hessian */
         return -1;
-    if (s > 0)
-        return fvi_stability_lobatto(s, r, load);
-    const double share = o->method == &fvi_fractional           ? 1
-                         : o->method == &fvi_lagrange_dalembert ? 1
-                         : o->method == &fvi_bdf2    ? pow(4, o->alpha)
-                         : o->method == &fvi_shifted ? fmax(0, 1 - 2 * o->alpha)
-                                                     : -1;
-    double *damping = share < 0 ? NULL : malloc(o->d * sizeof *damping);
-    if (!damping)
-        return -1;
-    for (size_t i = 0; i < o->d; i++)
-        damping[i] = share * o->rho;
-    fvi_system system = *r->system;
-    fvi_run run = *r;
-    system.damping = damping;
-    run.system = &system;
-    int status = fvi_stability_load(&run, load);
-    if (!status && *load > 1)
-        status = fvi_stability_step(&run, h);
-    free(damping);
+    int status = fvi_stability_load(m, run, load);
+    if (!status && *load > 1 && m->load_grows)
+        status = fvi_stability_step(m, run, h);
     return status;
 }
 

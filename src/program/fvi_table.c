@@ -30,28 +30,21 @@ void fvi_table_head(FILE *out, const fvi_options *o)
         fprintf(out, "# warning = %s\n", warning);
 }
 
-static const char *column_name(char letter)
+static size_t column_width(const fvi_options *o, fvi_column column)
 {
-    static const char *const names[] = { "t", "x", "p", "energy", "y" };
-    size_t i = 0;
-    while (names[i][0] != letter)
-        i++;
-    return names[i];
-}
-
-static size_t column_width(const fvi_options *o, char letter)
-{
-    return letter == 't' || letter == 'e' ? 1 : o->d;
+    return column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY ? 1 : o->d;
 }
 
 void fvi_table_names(const fvi_table *t)
 {
     const char *separator = "# ";
-    for (const char *c = t->o->columns; *c; c++) {
-        size_t width = column_width(t->o, *c);
+    for (size_t n = 0; n < t->o->columns.count; n++) {
+        const fvi_column column = t->o->columns.at[n];
+        size_t width = column_width(t->o, column);
         for (size_t i = 1; i <= width; i++, separator = "\t") {
-            fprintf(t->out, "%s%s", separator, column_name(*c));
-            if (t->o->potential == 'c' && *c != 't' && *c != 'e')
+            fprintf(t->out, "%s%s", separator, fvi_column_names[column]);
+            if (t->o->potential == FVI_POTENTIAL_CHAIN && column != FVI_COLUMN_T
+                && column != FVI_COLUMN_ENERGY)
                 fprintf(t->out, "%zu", i);
         }
     }
@@ -73,11 +66,11 @@ static size_t row_number(const fvi_options *o, size_t k)
 void fvi_table_shape(fvi_table *t, const fvi_options *o,
                      const fvi_system *system)
 {
-    *t = (fvi_table){ .o = o,
-                      .system = system,
-                      .wait = strchr(o->columns, 'y') != NULL };
-    for (const char *c = o->columns; *c; c++)
-        t->width += column_width(o, *c);
+    *t = (fvi_table){ .o = o, .system = system };
+    for (size_t n = 0; n < o->columns.count; n++) {
+        t->width += column_width(o, o->columns.at[n]);
+        t->wait |= o->columns.at[n] == FVI_COLUMN_Y;
+    }
     t->height = t->wait ? row_number(o, o->steps) + 1 : 1;
 }
 
@@ -116,15 +109,17 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
 {
     int status = FVI_SUCCESS;
-    for (const char *c = t->o->columns; *c; c++) {
-        size_t width = column_width(t->o, *c);
-        if (mirror == (*c == 'y')) {
-            if (*c == 't')
+    for (size_t n = 0; n < t->o->columns.count; n++) {
+        const fvi_column column = t->o->columns.at[n];
+        const size_t width = column_width(t->o, column);
+        if (mirror == (column == FVI_COLUMN_Y)) {
+            if (column == FVI_COLUMN_T)
                 *row = (double)k * t->o->h; /* one product */
-            else if (*c == 'e')
+            else if (column == FVI_COLUMN_ENERGY)
                 status = fvi_energy(t->system, x, p, row);
             else
-                memcpy(row, *c == 'p' ? p : x, width * sizeof *row);
+                memcpy(row, column == FVI_COLUMN_P ? p : x,
+                       width * sizeof *row);
         }
         row += width;
     }

@@ -9,14 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-const fvi_method *const fvi_options_methods[] = {
-    &fvi_fractional,     &fvi_lagrange_dalembert,
-    &fvi_euler_explicit, &fvi_euler_implicit,
-    &fvi_shifted,        &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,
-    &fvi_lobatto4,       NULL
-};
-
 /* The number of option i; see fvi_word_number. */
 static int number(const fvi_options *o, option_index i, double low, double high,
                   const char *brackets, double *value, fvi_complaint c)
@@ -45,7 +37,7 @@ static int choice(const fvi_options *o, option_index i,
 static int interpret_error(fvi_options *o, fvi_complaint c)
 {
     int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
-    if (status || o->force != 's')
+    if (status || o->force != FVI_FORCING_STEP)
         return status;
     const double end = o->forcing[1] / o->h, row = round(end);
     if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
@@ -56,31 +48,36 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return 0;
 }
 
-static int is_lobatto(const fvi_method *m)
-{
-    return m == &fvi_lobatto2 || m == &fvi_lobatto3 || m == &fvi_lobatto4;
-}
-
-/* Does the number kappa reach this method? */
-static int has_kappa(const fvi_method *m)
-{
-    return !is_lobatto(m) && m != &fvi_euler_explicit
-           && m != &fvi_euler_implicit;
-}
-
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_complaint c)
 {
-    const char *name = o->method->name;
-    if (o->method->half_only && o->alpha != 0.5)
-        return fvi_refuse(c, "--alpha: '%s' is not 0.5, all that %s knows",
-                          o->text[ALPHA], name);
-    if (!has_kappa(o->method) && o->kappa != 0.5)
+    const fvi_method *m = o->method;
+    if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
+        return fvi_refuse(c, "--alpha: '%s' is not %g, all that %s knows",
+                          o->text[ALPHA], m->alpha_least, m->name);
+    if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
-                          o->text[KAPPA], name);
-    if (is_lobatto(o->method) && o->memory == FVI_MEMORY_FFT)
-        return fvi_refuse(c, "--memory: 'fft' is not known to %s", name);
+                          o->text[KAPPA], m->name);
+    if (!fvi_method_has_memory(m, o->memory))
+        return fvi_refuse(c, "--memory: '%s' is not known to %s",
+                          o->text[MEMORY], m->name);
     return 0;
+}
+
+static int interpret_method(fvi_options *o, fvi_complaint c)
+{
+    size_t count = 0, which;
+    while (fvi_methods[count])
+        count++;
+    const char *names[count + 1];
+    for (size_t i = 0; i < count; i++)
+        names[i] = fvi_methods[i]->name;
+    names[count] = NULL;
+    int status = choice(o, METHOD, names, &which, c);
+    if (status)
+        return status;
+    o->method = fvi_methods[which];
+    return check_method(o, c);
 }
 
 static int interpret_run(fvi_options *o, fvi_complaint c)
@@ -97,15 +94,7 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
         return status;
     o->memory = (fvi_memory_kind)which;
 
-    const char *names[sizeof fvi_options_methods / sizeof *fvi_options_methods];
-    for (which = 0; fvi_options_methods[which]; which++)
-        names[which] = fvi_options_methods[which]->name;
-    names[which] = NULL;
-    status = choice(o, METHOD, names, &which, c);
-    if (status)
-        return status;
-    o->method = fvi_options_methods[which];
-    status = check_method(o, c);
+    status = interpret_method(o, c);
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
@@ -146,7 +135,7 @@ static int check_solution(fvi_options *o, fvi_complaint c)
         o->no_solution |=
             !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]);
     if (o->no_solution
-        && !(o->method && o->method->as_printed && o->error == 0))
+        && !(o->method && o->method->past_as_printed && o->error == 0))
         return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
                              "and alpha > 1/2; take held or caputo");
     return 0;
@@ -174,11 +163,12 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
-        status = fvi_word_columns(o->text[COLUMNS], o->columns, c);
+        status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT
-        && !(o->potential == 'f' || (o->potential == 'h' && o->spring[0] >= 0)))
+        && !(o->potential == FVI_POTENTIAL_FREE
+             || (o->potential == FVI_POTENTIAL_HARMONIC && o->spring[0] >= 0)))
         return fvi_refuse(c,
                           "--potential: '%s' has no exact solution here; "
                           "harmonic:C with C >= 0 and free have",
@@ -222,24 +212,24 @@ fvi_system fvi_options_system(const fvi_options *o, double *storage)
         storage[o->d + i] = o->rho;
     }
     switch (o->potential) {
-    case 'h':
+    case FVI_POTENTIAL_HARMONIC:
         s.potential = fvi_potential_harmonic(o->spring);
         break;
-    case 'd':
+    case FVI_POTENTIAL_DUFFING:
         s.potential = fvi_potential_duffing(o->spring);
         break;
-    case 'p':
+    case FVI_POTENTIAL_PENDULUM:
         s.potential = fvi_potential_pendulum(o->spring);
         break;
-    case 'c':
+    case FVI_POTENTIAL_CHAIN:
         s.potential = fvi_potential_chain(o->spring);
         break;
-    default:
-        break; /* free */
+    case FVI_POTENTIAL_FREE:
+        break;
     }
-    if (o->force == 's')
+    if (o->force == FVI_FORCING_STEP)
         s.force = fvi_force_step(o->forcing);
-    else if (o->force == 'c')
+    else if (o->force == FVI_FORCING_COSINE)
         s.force = fvi_force_cosine(o->forcing);
     return s;
 }

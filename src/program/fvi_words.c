@@ -185,7 +185,7 @@ int fvi_word_call(const char *text, const char *word, int count, double *p)
     return *text == '\0';
 }
 
-int fvi_word_potential(const char *text, char *name, size_t *d,
+int fvi_word_potential(const char *text, fvi_potential_kind *kind, size_t *d,
                        double spring[2], fvi_complaint c)
 {
     static const char *const known[] = { "harmonic", "duffing", "pendulum",
@@ -196,12 +196,12 @@ int fvi_word_potential(const char *text, char *name, size_t *d,
     for (size_t i = 0; known[i]; i++) {
         if (!fvi_word_call(text, known[i], parameters[i], p))
             continue;
-        int chain = parameters[i] == 3;
+        *kind = (fvi_potential_kind)i;
+        const int chain = *kind == FVI_POTENTIAL_CHAIN;
         if (chain && !(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
             return fvi_refuse(
                 c, "--potential: a chain has 1 to 1000000 masses, not '%s'",
                 text);
-        *name = known[i][0];
         *d = chain ? (size_t)p[0] : 1;
         memcpy(spring, chain ? p + 1 : p, 2 * sizeof *spring);
         return 0;
@@ -212,45 +212,48 @@ int fvi_word_potential(const char *text, char *name, size_t *d,
                       text, hint(text, strcspn(text, ":"), known, place));
 }
 
-int fvi_word_force(const char *text, char *name, double forcing[2],
+int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2],
                    fvi_complaint c)
 {
     static const char *const names[] = { "none", "step", "cosine", NULL };
     char place[64];
     if (strcmp(text, "none") == 0)
-        *name = 'n';
+        *kind = FVI_FORCING_NONE;
     else if (fvi_word_call(text, "step", 2, forcing))
-        *name = 's';
+        *kind = FVI_FORCING_STEP;
     else if (fvi_word_call(text, "cosine", 2, forcing))
-        *name = 'c';
+        *kind = FVI_FORCING_COSINE;
     else
         return fvi_refuse(
             c, "--force: '%s' is none of none, step:A,T, cosine:A,W%s", text,
             hint(text, strcspn(text, ":"), names, place));
-    if (*name == 's' && forcing[1] < 0)
+    if (*kind == FVI_FORCING_STEP && forcing[1] < 0)
         return fvi_refuse(c, "--force: '%s' ends before it begins", text);
     return 0;
 }
 
-int fvi_word_columns(const char *text, char *columns, fvi_complaint c)
+const char *const fvi_column_names[] = { "t", "x", "p", "energy", "y", NULL };
+
+int fvi_word_columns(const char *text, fvi_columns *columns, fvi_complaint c)
 {
-    static const char *const known[] = { "t", "x", "p", "energy", "y", NULL };
+    const char *const *known = fvi_column_names;
     const char *at = text;
     char place[64];
-    for (size_t n = 0;; at++) {
+    for (;; at++) {
         size_t length = strcspn(at, ","), i = 0;
-        while (i < 5
+        while (i < FVI_ALL_COLUMNS
                && (strlen(known[i]) != length || strncmp(at, known[i], length)))
             i++;
-        if (i == 5)
+        if (i == FVI_ALL_COLUMNS)
             return fvi_refuse(c,
                               "--columns: '%s' has a column that is none of "
                               "t, x, p, energy, y%s",
                               text, hint(at, length, known, place));
-        if (strchr(columns, known[i][0]))
-            return fvi_refuse(c, "--columns: '%s' names %s twice", text,
-                              known[i]);
-        columns[n++] = known[i][0];
+        for (size_t n = 0; n < columns->count; n++)
+            if (columns->at[n] == (fvi_column)i)
+                return fvi_refuse(c, "--columns: '%s' names %s twice", text,
+                                  known[i]);
+        columns->at[columns->count++] = (fvi_column)i;
         at += length;
         if (*at == '\0')
             return 0;

@@ -3,7 +3,35 @@
 #ifndef FVI_WORDS_H
 #define FVI_WORDS_H
 
+#include <fvi/exact_solution.h>
 #include <stddef.h>
+
+/* The potentials, in the order of their words in fvi_word_potential. */
+typedef enum {
+    FVI_POTENTIAL_HARMONIC,
+    FVI_POTENTIAL_DUFFING,
+    FVI_POTENTIAL_PENDULUM,
+    FVI_POTENTIAL_FREE,
+    FVI_POTENTIAL_CHAIN
+} fvi_potential_kind;
+
+/* The columns of a table, in the order of fvi_column_names. */
+typedef enum {
+    FVI_COLUMN_T,
+    FVI_COLUMN_X,
+    FVI_COLUMN_P,
+    FVI_COLUMN_ENERGY,
+    FVI_COLUMN_Y,
+    FVI_ALL_COLUMNS /* so many there are */
+} fvi_column;
+
+extern const char *const fvi_column_names[]; /* ended by NULL */
+
+/* Columns as they are printed, each at most once. */
+typedef struct {
+    size_t count;
+    fvi_column at[FVI_ALL_COLUMNS];
+} fvi_columns;
 
 typedef struct {
     char *text; /* one line, without the newline */
@@ -39,16 +67,15 @@ int fvi_word_list(const char *name, const char *text, size_t d, double *values,
 /* "word:p1,p2": nonzero if text is that word with exactly count numbers. */
 int fvi_word_call(const char *text, const char *word, int count, double *p);
 
-/* A potential: the first letter of its name, its dimension, its parameters. */
-int fvi_word_potential(const char *text, char *name, size_t *d,
+/* A potential: its kind, its dimension, its parameters. */
+int fvi_word_potential(const char *text, fvi_potential_kind *kind, size_t *d,
                        double spring[2], fvi_complaint c);
 
-/* A force: n, s or c, and its parameters. */
-int fvi_word_force(const char *text, char *name, double forcing[2],
+/* A force: its kind and its parameters. */
+int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2],
                    fvi_complaint c);
 
-/* The first letters of the columns, in order, each at most once; columns is
- * zeroed and has room for all five and an end. */
-int fvi_word_columns(const char *text, char *columns, fvi_complaint c);
+/* Columns; count is zero before. */
+int fvi_word_columns(const char *text, fvi_columns *columns, fvi_complaint c);
 
 #endif

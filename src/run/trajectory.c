@@ -31,13 +31,19 @@ static int check_past(const fvi_method *method, const fvi_run *run)
     if (run->past != FVI_PAST_HELD && run->past != FVI_PAST_CAPUTO
         && run->past != FVI_PAST_RIEMANN_LIOUVILLE)
         FVI_FAIL("unknown past", FVI_EINVAL);
-    for (size_t i = 0; i < run->system->d && !method->as_printed; i++)
+    for (size_t i = 0; i < run->system->d && !method->past_as_printed; i++)
         if (!fvi_past_has_solution(run->past, run->alpha,
                                    run->system->damping[i], run->x0[i]))
             FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
                       "alpha > 1/2",
                       FVI_EDOM);
     return FVI_SUCCESS;
+}
+
+int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind)
+{
+    return method->memories == 0 || kind > FVI_MEMORY_EXPONENTIALS
+           || method->memories & 1u << kind;
 }
 
 static int check(const fvi_method *method, const fvi_run *run)
@@ -55,13 +61,16 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
-    if (method->half_only && run->alpha != 0.5)
-        FVI_FAIL("this method knows only alpha = 1/2", FVI_EDOM);
+    if (!(run->alpha >= method->alpha_least
+          && run->alpha <= method->alpha_most))
+        FVI_FAIL("this method does not know this alpha", FVI_EDOM);
     if (!(run->tolerance >= 0 && run->tolerance < 1))
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     if (!fvi_all_finite(run->system->d, run->x0)
         || !fvi_all_finite(run->system->d, run->p0))
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
+    if (!fvi_method_has_memory(method, run->memory))
+        FVI_FAIL("this method has no such memory", FVI_EUNSUP);
     return check_past(method, run);
 }
 

@@ -2,6 +2,7 @@
 #include <fvi/step_search.h>
 
 #include <fvi/fvi.h>
+#include "step_search_force.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST = 128, PATIENCE = 3, PROBES = 128 };
+enum { FEWEST = 128, PATIENCE = 3 };
 
 /* Rows 0, ..., rows of a run, parts steps apart. x and p have equal length. */
 typedef struct {
@@ -20,9 +21,7 @@ typedef struct {
     double *x, *before;  /* this run and the one with steps twice as long */
     double *p;
     double *H; /* a Hessian, made when it is needed */
-    unsigned long long seed;
-    /* three values of F; how far it is off a line, for this step and the one before */
-    double *left, *right, *middle, *deviation, *coarse;
+    fvi_force_probe probe;
 } search;
 
 /* What is known of a run when it has been compared with the two before. */
@@ -77,14 +76,15 @@ static double distance(const search *o, double *largest)
 
 /* ---- the order that a method has on a run ---- */
 
-/* fvi_fractional, Riemann-Liouville: a damped coordinate that starts away from 0. */
+/* A method with the past as printed, Riemann-Liouville: a damped coordinate that starts
+ * away from 0. */
 static int is_kicked(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
     int kicked = 0;
     for (size_t i = 0; i < system->d; i++)
         kicked |= run->x0[i] != 0 && system->damping[i] > 0;
-    return kicked && method == &fvi_fractional
+    return kicked && method->past_as_printed
            && run->past == FVI_PAST_RIEMANN_LIOUVILLE && run->alpha < 0.5;
 }
 
@@ -112,65 +112,21 @@ static void orders(const fvi_method *method, const fvi_run *run, double *least,
 const fvi_method *fvi_step_search_other(const fvi_method *method,
                                         const fvi_run *run)
 {
-    const fvi_method *other =
-        run->memory == FVI_MEMORY_FFT ? &fvi_shifted : &fvi_lobatto4;
+    const fvi_method *best = NULL;
     double least, most, others;
     orders(method, run, &least, &most);
-    orders(other, run, &least, &others);
-    return others > most ? other : NULL;
-}
-
-/* ---- F between the nodes ---- */
-
-/* Uniform in [0, 1): always the same numbers, so that a search can be repeated. */
-static double dice(search *o)
-{
-    o->seed = o->seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return 0x1p-53 * (double)(o->seed >> 11);
-}
-
-static int force(const search *o, double t, double *F)
-{
-    const fvi_system *system = o->run->system;
-    return system->force.value(t, system->d, system->force.params, F);
-}
-
-//> probe
-/* (18.7): between nodes, at random times, F has come twice as near to the line
- * through its limits at both as it was with steps twice as long. */
-static int probe(search *o, size_t parts, int *resolved)
-{
-    const size_t d = o->run->system->d;
-    const double steps = (double)(o->rows * parts),
-                 h = o->run->h / (double)(o->first * parts);
-    *resolved = 1;
-    if (!o->run->system->force.value)
-        return FVI_SUCCESS;
-    memcpy(o->coarse, o->deviation, d * sizeof *o->coarse);
-    memset(o->deviation, 0, d * sizeof *o->deviation);
-    for (int n = 0; n < PROBES; n++) {
-        const double k = floor(steps * dice(o)), theta = dice(o);
-        const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
-        int status = force(o, k * h + within, o->left); /* a node: F may jump */
-        if (!status)
-            status = force(o, (k + 1) * h - within, o->right);
-        if (!status)
-            status = force(o, (k + theta) * h, o->middle);
-        if (status)
-            return status;
-        for (size_t i = 0; i < d; i++) {
-            const double l = o->left[i], r = o->right[i], m = o->middle[i],
-                         rounding = fabs(l) + fabs(r) + fabs(m),
-                         off = fabs(m - ((1 - theta) * l + theta * r));
-            o->deviation[i] =
-                fmax(o->deviation[i], off - 16 * GSL_DBL_EPSILON * rounding);
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        const fvi_method *other = fvi_methods[i];
+        orders(other, run, &least, &others);
+        if (others > most && run->alpha >= other->alpha_least
+            && run->alpha <= other->alpha_most
+            && fvi_method_has_memory(other, run->memory)) {
+            best = other;
+            most = others;
         }
     }
-    for (size_t i = 0; i < d; i++)
-        *resolved &= o->deviation[i] <= o->coarse[i] / 2;
-    return FVI_SUCCESS;
+    return best;
 }
-//< probe
 
 /* ---- the estimate ---- */
 
@@ -268,7 +224,9 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
     found->estimate = GSL_POSINF;
     for (size_t parts = 1; o->rows <= most / parts; parts *= 2) {
         const int failed_before = failed;
-        int resolved, still = 0, status = probe(o, parts, &resolved);
+        int resolved, still = 0,
+            status = fvi_force_probe_look(&o->probe, o->run,
+                                          o->first * parts, &resolved);
         if (status)
             return status;
         failed = trial(o, parts);
@@ -321,7 +279,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
         return status;
     if (!status)
         fvi_stop(s);
-    for (size_t i = 0; i < run->system->d; i++) /* fvi_fractional runs it */
+    for (size_t i = 0; i < run->system->d; i++) /* some run it as printed */
         if (!fvi_past_has_solution(run->past, run->alpha,
                                    run->system->damping[i], run->x0[i]))
             FVI_FAIL("there is no solution to be near to", FVI_EDOM);
@@ -333,19 +291,13 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
 /* The arrays of a search, in one block, which is returned; NULL: no memory. */
 static double *make_room(search *o, size_t d)
 {
-    double *block = malloc((3 * o->length + 5 * d) * sizeof *block);
+    double *block = malloc((3 * o->length + FVI_PROBE_ROOM * d) * sizeof *block);
     if (!block)
         return NULL;
     o->x = block;
     o->before = o->x + o->length;
     o->p = o->before + o->length;
-    o->left = o->p + o->length;
-    o->right = o->left + d;
-    o->middle = o->right + d;
-    o->coarse = o->middle + d;
-    o->deviation = o->coarse + d;
-    for (size_t i = 0; i < d; i++)
-        o->deviation[i] = GSL_POSINF;
+    fvi_force_probe_start(&o->probe, d, o->p + o->length);
     return block;
 }
 
@@ -356,7 +308,7 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
     if (status)
         return status;
     const size_t d = run->system->d;
-    search o = { .method = method, .run = run, .first = 1, .seed = 1 };
+    search o = { .method = method, .run = run, .first = 1 };
     while (run->steps * o.first < FEWEST)
         o.first *= 2;
     if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first)

@@ -1,6 +1,7 @@
 /* src/stability/stability.c -- Is this step stable?                       [Chapter 14] */
 #include <fvi/stability.h>
 
+#include "stability_share.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_eigen.h>
@@ -24,6 +25,8 @@ static int check(const fvi_run *run, const void *output)
         FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
+    if (!(gsl_finite(run->h) && run->h > 0))
+        FVI_FAIL("h must be finite and positive", FVI_EDOM);
     return FVI_SUCCESS;
 }
 
@@ -126,14 +129,15 @@ static int weigh(const fvi_system *system, double spring, double damper,
     return FVI_SUCCESS;
 }
 
-/* (14.3) with the Hessian K at x0 already evaluated; K == NULL is zero. A is
+/* (14.3) with share rho for rho, and the Hessian K at x0; K == NULL is zero. A is
  * room for d * d numbers, used if K is there. */
-static int load_at(const fvi_run *run, double h, const double *K, double *A,
+static int load_at(double share, const fvi_run *run, const double *K, double *A,
                    double *load)
 {
     const fvi_system *system = run->system;
-    const double spring = gsl_pow_2((1 - 2 * run->kappa) * h);
-    const double damper = pow(4, run->alpha) * pow(h, 2 - 2 * run->alpha);
+    const double spring = gsl_pow_2((1 - 2 * run->kappa) * run->h);
+    const double damper =
+        share * pow(4, run->alpha) * pow(run->h, 2 - 2 * run->alpha);
     double largest = 0;
     if (!K || spring == 0) { /* only the damping, and it is diagonal */
         for (size_t i = 0; i < system->d; i++)
@@ -172,52 +176,62 @@ static int hessian_at_start(const fvi_run *run, double **K)
                                        : fvi_hessian(run->system, run->x0, *K);
 }
 
-int fvi_stability_load(const fvi_run *run, double *load)
+int fvi_stability_share(double share, const fvi_run *run, double *load)
 {
     int status = check(run, load);
     if (status)
         return status;
-    if (!(gsl_finite(run->h) && run->h > 0))
-        FVI_FAIL("h must be finite and positive", FVI_EDOM);
     double *K;
     status = hessian_at_start(run, &K);
     if (!status)
-        status =
-            load_at(run, run->h, K, K ? K + numbers(run->system) : NULL, load);
+        status = load_at(share, run, K, K ? K + numbers(run->system) : NULL,
+                         load);
     free(K);
     return status;
 }
 
-int fvi_stability_step(const fvi_run *run, double *h)
+/* ---- of any method ---- */
+
+int fvi_stability_load(const fvi_method *method, const fvi_run *run,
+                       double *load)
 {
-    int status = check(run, h);
-    if (status)
-        return status;
-    double *K;
-    status = hessian_at_start(run, &K);
-    if (status) {
-        free(K);
-        return status;
-    }
+    if (!method || !run || !load)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!method->load)
+        FVI_FAIL("the load of this method is not known", FVI_EUNSUP);
+    if (!(run->alpha >= method->alpha_least
+          && run->alpha <= method->alpha_most))
+        FVI_FAIL("this method does not know this alpha", FVI_EDOM);
+    return method->load(run, load);
+}
+
+int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h)
+{
+    if (!method || !run || !h)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!method->load_grows)
+        FVI_FAIL("the stable steps of this method are not all those up to "
+                 "a longest",
+                 FVI_EUNSUP);
+    fvi_run trial = *run;
+    int status = FVI_SUCCESS;
     //> step
-    /* The load grows with h. Bisection of log2 h over all doubles that leave
-     * h^2 finite; a load that overflows is a load above 1. */
+    /* The load does not fall while h grows. Bisection of log2 h over all doubles
+     * that leave h^2 finite; a load that overflows is a load above 1. */
     double low = -500, high = 500;
     while (high - low > 0x1p-51 * fmax(1, fabs(low))) {
         double middle = (low + high) / 2, load = GSL_POSINF;
-        status = load_at(run, exp2(middle), K,
-                         K ? K + numbers(run->system) : NULL, &load);
+        trial.h = exp2(middle);
+        status = fvi_stability_load(method, &trial, &load);
         if (status && status != FVI_EOVRFLW)
-            break;
-        status = FVI_SUCCESS;
+            return status;
         if (load <= 1)
             low = middle;
         else
             high = middle;
     }
     //< step
-    free(K);
-    if (status)
+    if (status && low == -500) /* the shortest step overflows: it is not h */
         return status;
     *h = high == 500 ? GSL_POSINF : low == -500 ? 0 : exp2(low);
     return FVI_SUCCESS;

@@ -332,35 +332,46 @@ static void print_unbeaten(void)
     printf("#< unbeaten\n");
 }
 
-int main(void)
+/* Every method of the table that remembers, with both memories; then those that are
+ * compared with them. Returns how many there are. */
+enum { MOST_CONTENDERS = 64 };
+static size_t gather(contender *all)
 {
-    const fvi_memory_kind DIRECT = FVI_MEMORY_DIRECT,
-                          EXP = FVI_MEMORY_EXPONENTIALS;
     enum { MEMORY = 1 | 4 | 8, ALL = 15, LINEAR = 2, REST = 1 };
-    const contender all[] = {
-        { "fvi, direct", &fvi_fractional, DIRECT, MEMORY, 1 },
-        { "fvi-shifted, direct", &fvi_shifted, DIRECT, MEMORY, 1 },
-        { "fvi-bdf2, direct", &fvi_bdf2, DIRECT, MEMORY, 1 },
-        { "fvi-lobatto2, direct", &fvi_lobatto2, DIRECT, MEMORY, 1 },
-        { "fvi-lobatto3, direct", &fvi_lobatto3, DIRECT, MEMORY, 1 },
-        { "fvi-lobatto4, direct", &fvi_lobatto4, DIRECT, MEMORY, 1 },
-        { "fvi", &fvi_fractional, EXP, ALL, 1 },
-        { "fvi-shifted", &fvi_shifted, EXP, ALL, 1 },
-        { "fvi-bdf2", &fvi_bdf2, EXP, ALL, 1 },
-        { "fvi-lobatto2", &fvi_lobatto2, EXP, ALL, 1 },
-        { "fvi-lobatto3", &fvi_lobatto3, EXP, ALL, 1 },
-        { "fvi-lobatto4", &fvi_lobatto4, EXP, ALL, 1 },
+    const fvi_memory_kind DIRECT = FVI_MEMORY_DIRECT,
+                          kinds[] = { DIRECT, FVI_MEMORY_EXPONENTIALS };
+    static char names[MOST_CONTENDERS][32];
+    size_t count = 0;
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; fvi_methods[i]; i++) {
+            if (!fvi_methods[i]->memories)
+                continue;
+            snprintf(names[count], sizeof names[count], "%s%s",
+                     fvi_methods[i]->name, k ? "" : ", direct");
+            all[count] = (contender){ names[count], fvi_methods[i], kinds[k],
+                                      k ? ALL : MEMORY, 1 };
+            count++;
+        }
+    const contender others[] = {
         { "explicit Euler", &fvi_euler_explicit, DIRECT, LINEAR, 0 },
         { "implicit Euler", &fvi_euler_implicit, DIRECT, LINEAR, 0 },
         { "matrix method", NULL, DIRECT, REST, 0 },
         { "product trapezoid", NULL, DIRECT, ALL, 0 },
     };
+    memcpy(all + count, others, sizeof others);
+    return count + sizeof others / sizeof *others;
+}
+
+int main(void)
+{
+    static contender all[MOST_CONTENDERS];
+    const size_t count = gather(all);
     describe();
     set_up();
     find_truth();
     printf("\n\n");
     for (int P = 0; P < PROBLEMS; P++)
-        for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        for (size_t i = 0; i < count; i++)
             if (all[i].problems & 1 << P)
                 curve(&all[i], P, all[i].ours ? 0.12 : 0.6);
     print_fronts();

@@ -102,7 +102,7 @@ static void draw(uint64_t *state, trial *t)
                    .h = decades(state, 0.01, 4),
                    .steps = STEPS,
                    .kappa = uniform(state, 0, 1),
-                   .alpha = t->method->half_only ? 0.5 : uniform(state, 0, 1) };
+                   .alpha = t->method->alpha_least == t->method->alpha_most ? 0.5 : uniform(state, 0, 1) };
 }
 
 /* max |x_k| of the rows that came; the others are zero. */

@@ -297,7 +297,8 @@ START_TEST(bad_arguments_are_refused)
     bad.memory = FVI_MEMORY_FFT;
     REFUSED(fvi_step_search(&fvi_lobatto3, &bad, 1, 1000, x, p, &found),
             FVI_EUNSUP);
-    const fvi_method nameless = { .start = fvi_shifted.start,
+    const fvi_method nameless = { .alpha_most = 1,
+                                  .start = fvi_shifted.start,
                                   .step = fvi_shifted.step,
                                   .stop = fvi_shifted.stop };
     REFUSED(fvi_step_search(&nameless, &good, 1, 1000, x, p, &found),

@@ -49,11 +49,11 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
                         .kappa = stress_kappa(random),
                         .alpha = stress_alpha(random),
                         .past = (fvi_past)gsl_rng_uniform_int(random, 3) };
-    fvi_stability_step(&c->run, &step);
+    fvi_stability_step(&fvi_fractional, &c->run, &step);
     if (step == 0) { /* alpha near 1: no step is stable; less damping */
         for (size_t i = 0; i < d; i++)
             c->damping[i] *= 0.1 * c->mass[i];
-        fvi_stability_step(&c->run, &step);
+        fvi_stability_step(&fvi_fractional, &c->run, &step);
     }
     c->run.h = GSL_MIN(0.7 * step, 0.02);
 }

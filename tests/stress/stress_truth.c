@@ -145,7 +145,7 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
     static quad truth[N + 1];
     snprintf(describe, size, "alpha=%.17g m=%g rho=%g h=%g kappa=%g c=%g g=%g",
              alpha, m, rho, h, kappa, cg[0], cg[1]);
-    fvi_stability_load(&run, &load);
+    fvi_stability_load(&fvi_fractional, &run, &load);
     if (load > 0.9
         || fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) != FVI_SUCCESS)
         return load > 0.9 ? 0 : GSL_POSINF;

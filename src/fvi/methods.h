@@ -1,0 +1,32 @@
+/* src/fvi/methods.h -- The table of the methods.      [Chapters 2, 9, 13 and 17] */
+#ifndef FVI_METHODS_H
+#define FVI_METHODS_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_methods -- the integrators of damped systems, ended by NULL: fvi_fractional
+ * (fvi.h), fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
+ * (discrete_mechanics.h), fvi_shifted, fvi_bdf2 (convolution_quadrature_methods.h),
+ * fvi_lobatto2, fvi_lobatto3, fvi_lobatto4 (lobatto.h). `fvi methods` prints it, and
+ * all that has to know the methods reads it. Without fvi_variational, which refuses
+ * damping.
+ *
+ *     for (size_t i = 0; fvi_methods[i]; i++)
+ *         puts(fvi_methods[i]->name); */
+extern const fvi_method *const fvi_methods[];
+
+/* fvi_method_named -- the method of the table with this name, as `run --method` takes
+ * it ("fvi-shifted"); NULL if there is none, or name is NULL. */
+const fvi_method *fvi_method_named(const char *name);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+/* src/methods/loads.h -- What stands in the tables of the methods: their loads and
+ * their memories.                                        [Chapters 13, 14 and 17]
+ *
+ * Each load is as fvi_stability_load has it, and returns what it returns. */
+#ifndef FVI_LOADS_H
+#define FVI_LOADS_H
+
+#include <fvi/trajectory.h>
+
+#define FVI_ALL_MEMORIES                                                       \
+    (1u << FVI_MEMORY_AUTO | 1u << FVI_MEMORY_DIRECT | 1u << FVI_MEMORY_FFT    \
+     | 1u << FVI_MEMORY_EXPONENTIALS)
+
+/* (14.3): the damping at the beginning of a step, as in Algorithms 1, 2 and 3. */
+int fvi_load_backward(const fvi_run *run, double *load);
+
+/* The same with 1 - 2 alpha times the damping, none from alpha = 1/2 on, and with
+ * 4^alpha times the damping.                                              (13.14) */
+int fvi_load_shifted(const fvi_run *run, double *load);
+int fvi_load_bdf2(const fvi_run *run, double *load);
+
+/* (17.18) */
+int fvi_load_lobatto2(const fvi_run *run, double *load);
+int fvi_load_lobatto3(const fvi_run *run, double *load);
+int fvi_load_lobatto4(const fvi_run *run, double *load);
+
+#endif
