@@ -19,7 +19,7 @@ extern "C" {
  * with K = Hess U(x0) and, by method,
  *
  *     share = 1                     fvi, lda, variational (rho = 0)
- *             max(0, 1 - 2 alpha)   fvi-shifted                      [(13.14)]
+ *             1 - 2 alpha           fvi-shifted (load 0 if negative) [(13.14)]
  *             4^alpha               fvi-bdf2
  *
  * They are stable if load < 1, and have a growing, sign-alternating mode if load > 1;

@@ -13,7 +13,11 @@ int fvi_load_backward(const fvi_run *run, double *load)
 
 int fvi_load_shifted(const fvi_run *run, double *load)
 {
-    return fvi_stability_share(fmax(0, 1 - 2 * run->alpha), run, load);
+    double largest;
+    int status = fvi_stability_share(1 - 2 * run->alpha, run, &largest);
+    if (!status)
+        *load = fmax(0, largest); /* alpha > 1/2: the damping helps */
+    return status;
 }
 
 int fvi_load_bdf2(const fvi_run *run, double *load)

@@ -14,8 +14,8 @@
 /* (14.3): the damping at the beginning of a step, as in Algorithms 1, 2 and 3. */
 int fvi_load_backward(const fvi_run *run, double *load);
 
-/* The same with 1 - 2 alpha times the damping, none from alpha = 1/2 on, and with
- * 4^alpha times the damping.                                              (13.14) */
+/* The same with 1 - 2 alpha times the damping, which is less than none from
+ * alpha = 1/2 on, but not below 0; and with 4^alpha times the damping.    (13.14) */
 int fvi_load_shifted(const fvi_run *run, double *load);
 int fvi_load_bdf2(const fvi_run *run, double *load);
 

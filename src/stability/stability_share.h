@@ -5,7 +5,7 @@
 
 #include <fvi/trajectory.h>
 
-/* fvi_stability_share -- (14.3) with share rho for rho, share >= 0. All else, and the
+/* fvi_stability_share -- (14.3) with share rho for rho. All else, and the
  * errors, as for the methods fvi and lda in fvi_stability_load. */
 int fvi_stability_share(double share, const fvi_run *run, double *load);
 

@@ -60,32 +60,24 @@ END_TEST
 /* Each method by its name; and all of them have the same past by default. */
 START_TEST(every_method_is_at_hand_by_its_name)
 {
-    const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                          &fvi_bdf2,       &fvi_lobatto2,
-                                          &fvi_lobatto3,   &fvi_lobatto4 };
     const double m = 1, rho = 0.2, c = 1, x0 = 1, p0 = 0.5;
     const fvi_system system = {
         1, &m, &rho, fvi_potential_harmonic(&c), { 0 }
     };
-    const fvi_run run = { .system = &system,
-                          .x0 = &x0,
-                          .p0 = &p0,
-                          .h = 0.1,
-                          .steps = 100,
-                          .kappa = 0.5,
-                          .alpha = 0.3 };
-    for (size_t i = 0; i < LEN(methods); i++) {
+    fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 100);
+    for (size_t i = 0; fvi_methods[i]; i++) {
         double x[101];
         char line[100];
-        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
+        run.alpha = fvi_methods[i]->alpha_most == 1 ? 0.3 : 0.5;
+        ck_assert_int_eq(fvi_trajectory(fvi_methods[i], &run, x, NULL, NULL),
                          FVI_SUCCESS);
-        snprintf(line, sizeof line, "run --alpha 0.3 --steps 100 --method %s",
-                 methods[i]->name);
+        snprintf(line, sizeof line, "run --alpha %g --steps 100 --method %s",
+                 run.alpha, fvi_methods[i]->name);
         ck_assert_int_eq(fvi(line), 0);
         ck_assert_ptr_nonnull(strstr(out, "# derivative = held\n"));
         for (size_t k = 0; k <= 100; k++)
-            ck_assert_ulp(cell(k, 1), x[k], 0, "%s, k=%zu", methods[i]->name,
-                          k);
+            ck_assert_ulp(cell(k, 1), x[k], 0, "%s, k=%zu",
+                          fvi_methods[i]->name, k);
     }
 }
 END_TEST
@@ -275,6 +267,44 @@ START_TEST(coefficients_and_methods_and_help)
 }
 END_TEST
 
+/* Does the word stand in the text, by itself? */
+static int stands_in(const char *word, const char *text)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789-";
+    const size_t length = strlen(word);
+    for (const char *at = text; (at = strstr(at, word)); at++)
+        if ((at == text || !strchr(letters, at[-1]))
+            && (!at[length] || !strchr(letters, at[length])))
+            return 1;
+    return 0;
+}
+
+/* Each method of the table, and what it refuses, where a user looks for it. */
+START_TEST(help_and_manual_know_every_method)
+{
+    static char manual[1 << 16];
+    read_file("src/program/fvi.1", manual, sizeof manual);
+    ck_assert_int_eq(fvi("run --help"), 0);
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        const char *name = fvi_methods[i]->name;
+        ck_assert_msg(stands_in(name, out), "%s is not in run --help", name);
+        ck_assert_msg(stands_in(name, manual), "%s is not in fvi.1", name);
+    }
+    ck_assert(!stands_in("fvi-lobatto1", out) && !stands_in("euler", manual));
+    ck_assert_int_eq(fvi("methods"), 0);
+    const char *at = out;
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        const fvi_method *m = fvi_methods[i];
+        char line[100];
+        snprintf(line, sizeof line, "%s\t%s\t%s\n", m->name, m->order,
+                 m->memory);
+        ck_assert_msg(strncmp(at, line, strlen(line)) == 0, "%s", at);
+        at += strlen(line);
+    }
+    ck_assert(*at == '\0');
+}
+END_TEST
+
 START_TEST(a_repeated_option_is_fine_if_it_says_the_same)
 {
     ck_assert_int_eq(fvi("run --steps 1 --alpha 0.3 --alpha 0.3 --alpha=0.3"),
@@ -344,7 +374,7 @@ int main(void)
              every_keeps_each_kth_row_and_the_last,
              a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,
              exact_prints_the_exact_solution, coefficients_and_methods_and_help,
-             help_is_asked_for_in_many_ways,
+             help_is_asked_for_in_many_ways, help_and_manual_know_every_method,
              a_repeated_option_is_fine_if_it_says_the_same,
              the_decimal_point_is_a_point_everywhere);
     return run_suite_of_program(suite);

@@ -204,6 +204,15 @@ START_TEST(an_unstable_step_is_warned_of)
     ck_assert_int_eq(fvi("run --method fvi-shifted --rho 9 --h 1 --steps 3"),
                      0);
     ck_assert_str_eq(err, "");
+    /* alpha > 1/2: the shifted damping takes from the load of the spring */
+    ck_assert_int_eq(fvi("run --method fvi-shifted --alpha 0.75 --rho 1 "
+                         "--kappa 0 --h 2.1 --steps 3"),
+                     0);
+    ck_assert_str_eq(err, "");
+    ck_assert_int_eq(fvi("run --method fvi-shifted --alpha 0.75 --rho 0 "
+                         "--kappa 0 --h 2.1 --steps 3"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(err, "stable below h = 2\n"));
 }
 END_TEST
 
