@@ -276,6 +276,17 @@ await test("the weights of the stages are a derivative's", () => {
 
 // ---- stability ----
 
+// The page sends a method as its place in the C table, which `fvi methods` prints.
+await test("the methods of the page are those of the table, in its order", () => {
+  const names = all.asked(["methods"]).stdout.trim().split("\n").map(line => line.split("\t")[0]);
+  assert.deepEqual(choices.method, names);
+  for (const name of names) { // what the page says of each, as the program has it
+    const refuses = words => /is not for|all that/.test(all.asked(["run", "--method", name, "--steps", "1", ...words]).said);
+    assert.equal(refuses(["--alpha", "0.4"]), Boolean(methods[name].half), name);
+    assert.equal(refuses(["--kappa", "0.4"]), !methods[name].kappa, name);
+  }
+});
+
 // (14.3) and (13.14) in one dimension: three roundings, two pow of at most 1 ulp, and
 // three more for (13.14).
 await test("eq_14_3_13_14_the_load is the formula, and the program warns where it is above 1", () => {

@@ -50,8 +50,8 @@ int fvi_force_probe_look(fvi_force_probe *o, const fvi_run *run, size_t parts,
     for (int n = 0; n < PROBES; n++) {
         const double k = floor(steps * dice(o)), theta = dice(o);
         const double within = 0x1p-30 * h + 4 * GSL_DBL_EPSILON * (k + 1) * h;
-        int status =
-            force(system, k * h + within, o->left); /* a node: F may jump */
+        /* at a node F may jump */
+        int status = force(system, k * h + within, o->left);
         if (!status)
             status = force(system, (k + 1) * h - within, o->right);
         if (!status)

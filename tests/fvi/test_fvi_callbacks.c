@@ -207,7 +207,7 @@ static int load(const fvi_system *s)
     fvi_run run = fvi_run_default(s, x0, ones, 0.125, N);
     double out;
     run.kappa = 0.25;
-    return fvi_stability_load(&run, &out);
+    return fvi_stability_load(&fvi_fractional, &run, &out);
 }
 
 static int longest(const fvi_system *s)
@@ -215,7 +215,7 @@ static int longest(const fvi_system *s)
     fvi_run run = fvi_run_default(s, x0, ones, 0.125, N);
     double out;
     run.kappa = 0.25;
-    return fvi_stability_step(&run, &out);
+    return fvi_stability_step(&fvi_fractional, &run, &out);
 }
 
 static int load_of_stages(const fvi_system *s)
