@@ -12,7 +12,7 @@ import zlib
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
 MODULES = ("band coefficients convolution_quadrature discrete_mechanics exact_inverse exact_pole exact_solution fvi "
-           "lobatto lobatto_memory lobatto_weights memory methods loads newton newton_stages past convolution_quadrature_methods convolution_quadrature_stability damping error stability system trajectory").split()
+           "lobatto lobatto_memory lobatto_weights memory methods loads newton newton_stages past convolution_quadrature_methods convolution_quadrature_stability damping error stability stability_step system trajectory").split()
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the
 # last digits would differ.
 FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "

@@ -94,7 +94,7 @@ typedef struct {
  *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2 alpha
  *          is all there is of a kick (9.5), and what has no solution is run too
  *   load   of run, above 1 if a mode grows, as fvi_stability_load (stability.h) has it;
- *          NULL if it is not known
+ *          of U it asks for the Hessian at x0 alone. NULL if it is not known
  *   load_grows  nonzero if that load does not fall while h grows: the stable steps are
  *          then all those up to the longest, fvi_stability_step
  *   start  refuses runs that the method does not know; prepares newton and own;

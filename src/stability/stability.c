@@ -190,53 +190,6 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
     return status;
 }
 
-/* ---- of any method ---- */
-
-int fvi_stability_load(const fvi_method *method, const fvi_run *run,
-                       double *load)
-{
-    if (!method || !run || !load)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    if (!method->load)
-        FVI_FAIL("the load of this method is not known", FVI_EUNSUP);
-    if (!(run->alpha >= method->alpha_least
-          && run->alpha <= method->alpha_most))
-        FVI_FAIL("this method does not know this alpha", FVI_EDOM);
-    return method->load(run, load);
-}
-
-int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h)
-{
-    if (!method || !run || !h)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    if (!method->load_grows)
-        FVI_FAIL("the stable steps of this method are not all those up to "
-                 "a longest",
-                 FVI_EUNSUP);
-    fvi_run trial = *run;
-    int status = FVI_SUCCESS;
-    //> step
-    /* The load does not fall while h grows. Bisection of log2 h over all doubles
-     * that leave h^2 finite; a load that overflows is a load above 1. */
-    double low = -500, high = 500;
-    while (high - low > 0x1p-51 * fmax(1, fabs(low))) {
-        double middle = (low + high) / 2, load = GSL_POSINF;
-        trial.h = exp2(middle);
-        status = fvi_stability_load(method, &trial, &load);
-        if (status && status != FVI_EOVRFLW)
-            return status;
-        if (load <= 1)
-            low = middle;
-        else
-            high = middle;
-    }
-    //< step
-    if (status && low == -500) /* the shortest step overflows: it is not h */
-        return status;
-    *h = high == 500 ? GSL_POSINF : low == -500 ? 0 : exp2(low);
-    return FVI_SUCCESS;
-}
-
 /* ---- the scalar symbol ---- */
 
 typedef struct {
