@@ -211,8 +211,8 @@ int fvi_stability_lobatto(size_t s, const fvi_run *run, double *load)
                  h = run->h, rho = run->system->damping[0];
     const fvi_potential *u = &run->system->potential;
     double stiffness = 0, share = 0;
-    int status =
-        u->hessian ? u->hessian(1, run->x0, u->params, &stiffness) : FVI_SUCCESS;
+    int status = u->hessian ? u->hessian(1, run->x0, u->params, &stiffness)
+                            : FVI_SUCCESS;
     if (status)
         return status;
     if (alpha == 0 || (s == 2 && alpha < 0.5))

@@ -224,9 +224,9 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
     found->estimate = GSL_POSINF;
     for (size_t parts = 1; o->rows <= most / parts; parts *= 2) {
         const int failed_before = failed;
-        int resolved, still = 0,
-            status = fvi_force_probe_look(&o->probe, o->run,
-                                          o->first * parts, &resolved);
+        int resolved, still = 0;
+        int status = fvi_force_probe_look(&o->probe, o->run, o->first * parts,
+                                          &resolved);
         if (status)
             return status;
         failed = trial(o, parts);
@@ -291,7 +291,8 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
 /* The arrays of a search, in one block, which is returned; NULL: no memory. */
 static double *make_room(search *o, size_t d)
 {
-    double *block = malloc((3 * o->length + FVI_PROBE_ROOM * d) * sizeof *block);
+    double *block =
+        malloc((3 * o->length + FVI_PROBE_ROOM * d) * sizeof *block);
     if (!block)
         return NULL;
     o->x = block;

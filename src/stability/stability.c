@@ -184,8 +184,8 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
     double *K;
     status = hessian_at_start(run, &K);
     if (!status)
-        status = load_at(share, run, K, K ? K + numbers(run->system) : NULL,
-                         load);
+        status =
+            load_at(share, run, K, K ? K + numbers(run->system) : NULL, load);
     free(K);
     return status;
 }

@@ -95,14 +95,15 @@ static void draw(uint64_t *state, trial *t)
                                 { full_value, full_gradient, full_hessian,
                                   t->cg, NULL, 0 } };
     t->system = (fvi_system){ d, t->mass, t->rho, u[kind], { 0 } };
-    t->run =
-        (fvi_run){ .system = &t->system,
-                   .x0 = t->x0,
-                   .p0 = t->p0,
-                   .h = decades(state, 0.01, 4),
-                   .steps = STEPS,
-                   .kappa = uniform(state, 0, 1),
-                   .alpha = t->method->alpha_least == t->method->alpha_most ? 0.5 : uniform(state, 0, 1) };
+    t->run = (fvi_run){ .system = &t->system,
+                        .x0 = t->x0,
+                        .p0 = t->p0,
+                        .h = decades(state, 0.01, 4),
+                        .steps = STEPS,
+                        .kappa = uniform(state, 0, 1),
+                        .alpha = t->method->alpha_least == t->method->alpha_most
+                                     ? 0.5
+                                     : uniform(state, 0, 1) };
 }
 
 /* max |x_k| of the rows that came; the others are zero. */

@@ -193,7 +193,8 @@ static size_t run_plane(const plane *a, double *x, double *load)
                           .memory = a->kind,
                           .tolerance = 0.5 };
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, load), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, load),
+                     FVI_SUCCESS);
     ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
     memcpy(x, s->x, 2 * sizeof *x);
     while (s->k < a->steps && fabs(x[2 * s->k]) < 1e60

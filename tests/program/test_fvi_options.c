@@ -94,8 +94,7 @@ START_TEST(random_words_are_understood_or_refused)
         ck_assert_ptr_null(strchr(complaint, '\n'));
         if (status == 0 && o.command == FVI_COMMAND_RUN) {
             ck_assert(o.alpha >= 0 && o.alpha <= 1 && o.h > 0 && o.steps >= 1);
-            ck_assert(o.error >= 0
-                      && o.alpha >= o.method->alpha_least
+            ck_assert(o.error >= 0 && o.alpha >= o.method->alpha_least
                       && o.alpha <= o.method->alpha_most);
             ck_assert(o.rho >= 0 && o.mass > 0 && o.d >= 1 && o.x0 && o.method);
             accepted++;
@@ -119,7 +118,8 @@ START_TEST(defaults_are_those_of_the_manual)
     ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
     ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_PAST_HELD
               && !o.output);
-    ck_assert(o.potential == FVI_POTENTIAL_HARMONIC && o.spring[0] == 1 && o.force == FVI_FORCING_NONE);
+    ck_assert(o.potential == FVI_POTENTIAL_HARMONIC && o.spring[0] == 1
+              && o.force == FVI_FORCING_NONE);
     ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
     ck_assert(o.error == 0);
     const fvi_column columns[] = { FVI_COLUMN_T, FVI_COLUMN_X, FVI_COLUMN_P,
