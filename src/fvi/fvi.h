@@ -6,6 +6,7 @@
 #define FVI_H
 
 #include "coefficients.h"
+#include "convergence.h"
 #include "convolution_quadrature.h"
 #include "convolution_quadrature_methods.h"
 #include "convolution_quadrature_stability.h"

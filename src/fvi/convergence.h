@@ -1,0 +1,65 @@
+/* src/fvi/convergence.h -- How far from the motion a run can be.    [Chapter 20] */
+#ifndef FVI_CONVERGENCE_H
+#define FVI_CONVERGENCE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_motion -- what the theorem of chapter 20 has to know of a motion x on [0, T].
+ * With f = F/m, g = grad U/m, and B the points that are at most `room` away from the
+ * convex hull of the path:
+ *
+ *   alpha         0 <= alpha < 1
+ *   kappa         in [0, 1]
+ *   T             finite, > 0
+ *   damping       r, the largest rho_i/m_i
+ *   lipschitz     ell, a Lipschitz constant of g in B
+ *   gradient      G, a bound of |g| in B
+ *   variation     the total variation of f on [0, T], jumps included
+ *   start         |v0|, read if 2 alpha < 1
+ *   speed         V, a bound of |x'|
+ *   acceleration  A, a bound of |x''|
+ *   room          > 0; GSL_POSINF if ell and G hold everywhere
+ *
+ * All others are finite and >= 0. The norm is Euclid's. */
+//> motion
+typedef struct {
+    double alpha, kappa, T;
+    double damping;
+    double lipschitz, gradient;
+    double variation;
+    double start, speed, acceleration;
+    double room;
+} fvi_motion;
+//< motion
+
+/* fvi_convergence -- the constants of the theorem. */
+typedef struct {
+    double C;      /* (20.5) */
+    double lambda; /* (20.6) */
+    double h;      /* it speaks of all steps below this, GSL_POSINF if of all */
+} fvi_convergence;
+
+/* fvi_convergence_bound -- the constants of the bound                [(20.8)]
+ *
+ *     |x_k - x(t_k)|      <= 2 C h (e^(lambda t_k) - 1) / lambda,
+ *     |p_k / m - v(t_k)|  <= 2 C h e^(lambda t_k),
+ *
+ * for a run of fvi_fractional with h < bound->h and Caputo's past, or held with
+ * 2 alpha <= 1 or v0 = 0. If lambda = 0, (e^(lambda t) - 1) / lambda is t.
+ *
+ * Accuracy 16 u for C, 2 (1 + |log(4 r)|) / (2 - 2 alpha) units for lambda and
+ * T lambda as many for h, 4 u at least. Cost O(1). Returns FVI_SUCCESS; FVI_EFAULT if a pointer
+ * is NULL; FVI_EDOM if a number of motion is out of its range; FVI_EOVRFLW if C or
+ * lambda is not finite, as it happens near alpha = 1 if 4 r > 1. On error *bound is
+ * untouched. bound->h is 0 if e^(lambda T) is not finite and room is. */
+int fvi_convergence_bound(const fvi_motion *motion, fvi_convergence *bound);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif
