@@ -12,12 +12,11 @@ import random
 
 import mpmath
 from mpmath import mp, mpf
-from sympy import Rational, expand, gammasimp, gamma, prod, series, sinh, exp, symbols
+from sympy import Rational, exp, expand, gamma, gammasimp, prod, series, sinh, symbols
 
 from refgen import claim, header, hexd, hexd_real, prove, table
 
-a, g, h, rho, m, kappa, p0, z, lam = symbols("alpha gamma h rho m kappa p0 z lambda",
-                                             positive=True)
+a, g, h, rho, p0, z, lam = symbols("alpha gamma h rho p0 z lambda", positive=True)
 k = symbols("k", integer=True, positive=True)
 
 
@@ -47,8 +46,7 @@ for steps in range(N + 1):
     prove(f"(20.2) after {steps} steps", expand(expand(p - want) * h ** (2 * a)))
 #< velocity
 
-
-for n in range(6):                      # (20.1): S_j knows the errors 1, ..., j + 1
+for n in range(6):                      # S_j knows the errors 1, ..., j + 1
     e = symbols("e1:8")
     prove("(20.7) the double sum is a convolution with (1 - z)^-2",
           sum(sum(e[:j + 1]) for j in range(n))
@@ -69,7 +67,6 @@ for n in range(8):                      # c_n is a sum of the b_n = w_n(-gamma)
                     - (c / gamma(g + 1)).subs(k, n + 1)))
 #< kernel
 
-#> totals
 for value in (Rational(1, 3), Rational(1), Rational(7, 4)):
     s = series((1 - z) ** -value, z, 0, 7).removeO()
     prove("(20.6) b_n are the coefficients of (1 - z)^-gamma",
@@ -77,9 +74,7 @@ for value in (Rational(1, 3), Rational(1), Rational(7, 4)):
 prove("(20.6) gamma = 2, a step late",
       (h**2 * exp(-lam * h) / (1 - exp(-lam * h)) ** 2
        - (h / (2 * sinh(lam * h / 2))) ** 2).rewrite(exp))
-#< totals
 
-#> gamma
 mp.dps = 40
 random.seed(20)
 
@@ -110,7 +105,6 @@ for _ in range(4000):
     total_ = mpmath.exp(-step) * (1 / -mpmath.expm1(-step)) ** order
     claim("(20.6) the total of the damped weights, lambda = 1",
           total_ * step**order <= 1)
-#< gamma
 
 
 def constants(alpha, kappa_, T, r, l, G_, var, start, V, A, room):

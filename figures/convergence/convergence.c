@@ -17,18 +17,20 @@ enum { FINE = 12288, N = 1024 };
 static const double one = 1, rho = 0.3, x0 = 1, p0 = 0.5, T = 3, height = 0.5;
 static double x[FINE + 1], p[FINE + 1], want_x[FINE + 1], want_p[FINE + 1];
 
-static void jump(double t, size_t d, const void *params, double *F)
+static int jump(double t, size_t d, void *params, double *F)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
         F[i] = t > 1 ? height : t == 1 ? height / 2 : 0;
+    return FVI_SUCCESS;
 }
 
 static void solve(const fvi_method *method, double alpha, size_t steps,
                   double *at_x, double *at_p)
 {
-    const fvi_system system = { 1, &one, &rho, fvi_potential_pendulum(&one),
-                                { jump, NULL } };
+    const fvi_system system = {
+        1, &one, &rho, fvi_potential_pendulum(&one), { jump, NULL }
+    };
     fvi_run run = fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.alpha = alpha;
     run.past = FVI_PAST_CAPUTO;
@@ -40,9 +42,15 @@ static void solve(const fvi_method *method, double alpha, size_t steps,
 static fvi_convergence know(double alpha, fvi_motion *q)
 {
     solve(&fvi_lobatto4, alpha, FINE, want_x, want_p);
-    *q = (fvi_motion){ .alpha = alpha, .kappa = 0.5, .T = T, .damping = rho,
-                       .lipschitz = 1, .gradient = 1, .variation = height,
-                       .start = p0, .room = GSL_POSINF };
+    *q = (fvi_motion){ .alpha = alpha,
+                       .kappa = 0.5,
+                       .T = T,
+                       .damping = rho,
+                       .lipschitz = 1,
+                       .gradient = 1,
+                       .variation = height,
+                       .start = p0,
+                       .room = GSL_POSINF };
     for (size_t k = 8; k <= FINE; k++) {
         const double a = (want_p[k] - want_p[k - 8]) / (8 * T / FINE);
         q->speed = GSL_MAX(q->speed, 1.01 * fabs(want_p[k]));
@@ -60,7 +68,8 @@ static void over_steps(double alpha)
     const fvi_convergence bound = know(alpha, &q);
     const double C = bound.C, l = bound.lambda;
     printf("# alpha = %g: h, errors of x, v, their bounds; C = %.3g, "
-           "lambda = %.3g\n", alpha, C, l);
+           "lambda = %.3g\n",
+           alpha, C, l);
     for (size_t steps = 16; steps <= 2048; steps *= 2) {
         const double h = T / (double)steps;
         double off_x = 0, off_p = 0;
@@ -89,7 +98,8 @@ static void over_time(double alpha)
         printf("\n\n");
     }
     /* (20.7) as an equation. */
-    const double h = T / N, gamma = 2 - 2 * alpha, C = bound.C, l = bound.lambda;
+    const double h = T / N, gamma = 2 - 2 * alpha, C = bound.C,
+                 l = bound.lambda;
     double b[N], E[N + 1], fed = 0;
     b[0] = 1;
     for (size_t n = 1; n < N; n++)
@@ -98,7 +108,8 @@ static void over_time(double alpha)
         E[k + 1] = C * h;
         for (size_t j = 1; j <= k; j++)
             E[k + 1] += (rho * pow(h, gamma) * b[k - j]
-                         + q.lipschitz * h * h * (double)(k + 1 - j)) * E[j];
+                         + q.lipschitz * h * h * (double)(k + 1 - j))
+                        * E[j];
         const double t = (double)(k + 1) * h;
         fed += E[k + 1];
         printf("%.9g %.9g %.9g\n", t, fed, 2 * C * expm1(l * t) / l);

@@ -50,11 +50,12 @@ typedef struct {
  * for a run of fvi_fractional with h < bound->h and Caputo's past, or held with
  * 2 alpha <= 1 or v0 = 0. If lambda = 0, (e^(lambda t) - 1) / lambda is t.
  *
- * Accuracy 16 u for C, 2 (1 + |log(4 r)|) / (2 - 2 alpha) units for lambda and
- * T lambda as many for h, 4 u at least. Cost O(1). Returns FVI_SUCCESS; FVI_EFAULT if a pointer
- * is NULL; FVI_EDOM if a number of motion is out of its range; FVI_EOVRFLW if C or
- * lambda is not finite, as it happens near alpha = 1 if 4 r > 1. On error *bound is
- * untouched. bound->h is 0 if e^(lambda T) is not finite and room is. */
+ * Accuracy: C 16 u; lambda 2 u (2 + |log 4r| / (2 - 2 alpha)), and T lambda times as
+ * much for h, which has 16 u from C. Cost O(1). Returns FVI_SUCCESS; FVI_EFAULT if a
+ * pointer is NULL; FVI_EDOM if a number of motion is out of its range;
+ * FVI_EOVRFLW if C or lambda is not finite, as it happens near alpha = 1 if 4 r > 1.
+ * On error *bound is untouched. bound->h is 0 if e^(lambda T) overflows and room is
+ * finite. */
 int fvi_convergence_bound(const fvi_motion *motion, fvi_convergence *bound);
 
 #pragma GCC visibility pop

@@ -12,7 +12,7 @@ typedef struct {
     double t[3], a[3], b, w;
 } jumps;
 
-static inline void jumping(double t, size_t d, const void *params, double *F)
+static inline int jumping(double t, size_t d, void *params, double *F)
 {
     const jumps *q = params;
     for (size_t i = 0; i < d; i++) {
@@ -20,6 +20,7 @@ static inline void jumping(double t, size_t d, const void *params, double *F)
         for (size_t j = 0; j < LEN(q->t); j++)
             F[i] += t > q->t[j] ? q->a[j] : t == q->t[j] ? q->a[j] / 2 : 0;
     }
+    return FVI_SUCCESS;
 }
 
 typedef struct {
@@ -40,7 +41,7 @@ static inline double gradient(const motion *q, double x)
 {
     double g;
     const fvi_potential u = potential(q);
-    u.gradient(1, &x, u.params, &g);
+    ck_assert_int_eq(u.gradient(1, &x, u.params, &g), FVI_SUCCESS);
     return g;
 }
 
@@ -51,9 +52,9 @@ static inline void solve(const fvi_method *method, const motion *q,
                                 .mass = &q->mass,
                                 .damping = &q->rho,
                                 .potential = potential(q),
-                                .force = { jumping, &q->force } };
-    fvi_run run = fvi_run_default(&system, &q->x0, &q->p0,
-                                  q->T / (double)steps, steps);
+                                .force = { jumping, (void *)&q->force } };
+    fvi_run run =
+        fvi_run_default(&system, &q->x0, &q->p0, q->T / (double)steps, steps);
     run.alpha = q->alpha;
     run.kappa = q->kappa;
     run.past = q->past;
