@@ -118,7 +118,7 @@ static int load(void)
     fvi_system system;
     const fvi_run run = wide_run(&system);
     double out;
-    return fvi_stability_load(&run, &out);
+    return fvi_stability_load(&fvi_fractional, &run, &out);
 }
 
 static int load_of_stages(void)

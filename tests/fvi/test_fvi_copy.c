@@ -99,7 +99,7 @@ START_TEST(a_copy_and_a_reset_give_the_same_digits)
                     run.past = (fvi_past)past;
                     if (past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5)
                         run.x0 = rest;
-                    if ((methods[m]->half_only && run.alpha != 0.5)
+                    if ((methods[m]->alpha_least == methods[m]->alpha_most && run.alpha != 0.5)
                         || (methods[m]->stages && kind == FVI_MEMORY_FFT))
                         continue;
                     fork_a_run(methods[m], &run);
@@ -157,9 +157,12 @@ static int stay(fvi_stepper *s)
 
 START_TEST(copy_and_reset_refuse)
 {
-    const fvi_method mine = {
-        .name = "mine", .start = leave, .step = stay, .stop = forget
-    };
+    const fvi_method mine = { .name = "mine",
+                              .alpha_most = 1,
+                              .memories = FVI_ALL_MEMORIES,
+                              .start = leave,
+                              .step = stay,
+                              .stop = forget };
     const fvi_system system = { D, mass, rho, { 0 }, { 0 } };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     fvi_stepper *s, *to = NULL;
