@@ -99,13 +99,42 @@ START_TEST(a_copy_and_a_reset_give_the_same_digits)
                     run.past = (fvi_past)past;
                     if (past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5)
                         run.x0 = rest;
-                    if ((methods[m]->alpha_least == methods[m]->alpha_most && run.alpha != 0.5)
+                    if (run.alpha < methods[m]->alpha_least
+                        || run.alpha > methods[m]->alpha_most
                         || (methods[m]->stages && kind == FVI_MEMORY_FFT))
                         continue;
                     fork_a_run(methods[m], &run);
                     runs++;
                 }
     ck_assert_uint_eq(runs, (4 * 5 + 3) * 9 + 3 * 5 * 6);
+}
+END_TEST
+
+/* One history, two futures: the force is another one from row 130 on, first for the
+ * original, which leaves the run that nobody forked, then, as it was, for the copy. */
+START_TEST(a_fork_goes_on_under_another_force)
+{
+    static double x[ROWS], p[ROWS];
+    for (size_t m = 0; m < 6; m++) {
+        double push[] = { 1, 2 };
+        const fvi_system system = {
+            D, mass, rho, { 0 }, fvi_force_cosine(push)
+        };
+        const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
+        fvi_stepper *s, *twin;
+        ck_assert_int_eq(fvi_trajectory(methods[m], &run, x, p, NULL), 0);
+        ck_assert_int_eq(fvi_start(methods[m], &run, &s), 0);
+        go_on(s, 130, x, p);
+        ck_assert_int_eq(fvi_copy(s, &twin), 0);
+        push[0] = 3;
+        while (s->k < N)
+            ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert(fabs(s->x[0] - x[N * D]) > 0.1);
+        push[0] = 1;
+        go_on(twin, N, x, p);
+        fvi_stop(s);
+        fvi_stop(twin);
+    }
 }
 END_TEST
 
@@ -159,7 +188,6 @@ START_TEST(copy_and_reset_refuse)
 {
     const fvi_method mine = { .name = "mine",
                               .alpha_most = 1,
-                              .memories = FVI_ALL_MEMORIES,
                               .start = leave,
                               .step = stay,
                               .stop = forget };
@@ -188,6 +216,7 @@ int main(void)
 {
     Suite *suite = suite_create("09 copies");
     ADD_CASE(suite, "copies", a_copy_and_a_reset_give_the_same_digits,
-             a_run_that_failed_begins_anew, copy_and_reset_refuse);
+             a_fork_goes_on_under_another_force, a_run_that_failed_begins_anew,
+             copy_and_reset_refuse);
     return run_suite(suite);
 }
