@@ -34,7 +34,7 @@ int fvi_coefficients(double alpha, size_t count, double *w);
  *
  * For reading and for comparison: of the order of 0.2 n units of roundoff are
  * lost after n steps, unless alpha is a short binary fraction.
- * Arguments, cost, errors: as fvi_coefficients. */
+ * Arguments, cost, and errors FVI_EFAULT, FVI_EINVAL, FVI_EDOM: as fvi_coefficients. */
 int fvi_coefficients_simple(double alpha, size_t count, double *w);
 
 #pragma GCC visibility pop

@@ -32,8 +32,9 @@ int fvi_discrete_lagrangian(const fvi_system *system, double kappa, double h,
  *
  *   D1, D2  outputs, d numbers each; NULL for one that is not wanted
  *
- * Cost: one gradient of U. Errors as fvi_discrete_lagrangian; D1 and D2 are then
- * untouched. */
+ * Cost: one gradient of U. Returns FVI_SUCCESS; what fvi_system_check returns;
+ * FVI_EFAULT, FVI_EDOM and FVI_ENOMEM as above; what the potential returned. On error
+ * D1 and D2 are untouched. */
 int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
                         const double *x, const double *y, double *D1,
                         double *D2);
@@ -54,7 +55,9 @@ extern const fvi_method fvi_euler_explicit;
 extern const fvi_method fvi_euler_implicit;
 
 /* fvi_variational_solver -- for methods: s->newton solves
- * p_k = -D1 L_d(x_k, x_k + dx) for dx. Errors as fvi_newton_alloc. */
+ * p_k = -D1 L_d(x_k, x_k + dx) for dx. Returns FVI_SUCCESS; FVI_ENOMEM; FVI_EDOM if
+ * m/h is not finite and > 0; FVI_ESING if U is quadratic and the matrix singular; what
+ * the Hessian returned. */
 int fvi_variational_solver(fvi_stepper *s);
 
 /* fvi_force_at -- for methods: s->F = F(t). A system without force leaves s->F

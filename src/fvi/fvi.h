@@ -48,7 +48,7 @@ extern "C" {
  * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, F(0) = 0 (9.8).
  * run->past says on what the memory acts (9.6).
  * Steps must be short enough (fvi_stability_step); at alpha = 1 and rho >= m none is.
- * Cost of a step: as fvi_newton_solve plus as fvi_memory_push for the damped
+ * Cost of a step: as fvi_step says, and fvi_memory_push for the damped
  * coordinates. rho = 0 has no memory at all. */
 extern const fvi_method fvi_fractional;
 

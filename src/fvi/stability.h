@@ -94,13 +94,15 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
  *   modes         output
  *
  * Not for values on the boundary, where P vanishes on the circle. Cost: some
- * thousand values of P. Returns FVI_SUCCESS; FVI_EFAULT; FVI_EDOM. */
+ * thousand values of P. Returns FVI_SUCCESS; FVI_EFAULT if the output is NULL;
+ * FVI_EDOM if a number is out of range. */
 int fvi_unstable_modes(double alpha, double kappa, double W, double R,
                        int *modes);
 
 /* fvi_growth -- the factor 1/|z| by which the unstable mode grows in a step, 1
- * if there is none. Arguments and errors as fvi_unstable_modes.     [(14.5)]
- * Cost and accuracy as fvi_growth_of_symbol. */
+ * if there is none. Arguments as fvi_unstable_modes.               [(14.5)]
+ * Cost and accuracy as fvi_growth_of_symbol. Returns FVI_SUCCESS; FVI_EFAULT and
+ * FVI_EDOM as fvi_unstable_modes; FVI_ENOMEM. */
 int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
 
 /* fvi_growth_of_symbol -- the same for any symbol, with Q(0) > 0 on (end, 0) and

@@ -44,7 +44,8 @@ extern "C" {
  *
  * The params may change until fvi_start. From then until fvi_stop the functions must
  * give the same numbers for the same x; what else stands in the params, a count of the
- * calls, say, is theirs to write. Runs in several threads share it. */
+ * calls, say, is theirs to write. Runs in several threads share it. A force may be
+ * another one from a step on, as no method keeps it. */
 typedef struct {
     int (*value)(size_t d, const double *x, void *params, double *value);
     int (*gradient)(size_t d, const double *x, void *params, double *grad);

@@ -124,19 +124,23 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
 
 /* fvi_start -- check the run, stand at k = 0.
  *
- * Memory O(d), what fvi_newton_alloc takes for the Hessian's diagonals, and what the
- * method's memory takes. Returns FVI_SUCCESS; what fvi_system_check,
- * fvi_newton_alloc and fvi_memory_alloc return; FVI_EFAULT if a pointer is
- * NULL; FVI_EINVAL if steps == 0 or the method does not take such a system;
- * FVI_EDOM if h, kappa, alpha, tolerance, x0 or p0 is out of range or the method
- * does not know this alpha, or if the run has no solution (19.2) and the method does
- * not run it as printed; FVI_EUNSUP if the method has no such memory; FVI_ENOMEM;
- * FVI_ESING if a constant matrix is singular; what the potential returned. On error
- * *stepper is untouched. */
+ * Memory O(d), O(d w) for the 2 w - 1 diagonals of a Hessian (O(d^2) if full) where
+ * the step is implicit, and what the method's memory takes. Returns FVI_SUCCESS; what
+ * fvi_system_check and fvi_memory_alloc return; FVI_EFAULT if a pointer is NULL;
+ * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
+ * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
+ * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
+ * FVI_EUNSUP if the method has no such memory; FVI_ENOMEM; FVI_ESING if a constant
+ * matrix is singular; what the potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
 /* fvi_step -- from k to k + 1.
+ *
+ * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
+ * is two gradients and O(d w), else mostly two to five gradients, Hessians and
+ * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to a thousand where
+ * Newton's method fails. Which solution is found where there are several is not said.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;

@@ -257,6 +257,13 @@ static int stationary(const fvi_system *s)
                                         dy);
 }
 
+static int discrete_action(const fvi_system *s)
+{
+    static const double x[(N + 1) * D] = { 1 }, y[(N + 1) * D] = { 0, 1 };
+    double S;
+    return fvi_discrete_action(s, 0.3, 0.5, 0.125, N, 0, N, x, y, &S);
+}
+
 static const double exponent = 1, coefficient = 0.5;
 static const fvi_powers line = { 1, &exponent, &coefficient };
 
@@ -310,11 +317,12 @@ START_TEST(what_a_callback_returns_comes_back_from_every_function)
         { load_of_stages, D, HESSIAN, 5 }, { lagrangian, D, VALUE, 5 },
         { slopes, D, GRADIENT, 5 },        { matched, D, GRADIENT, 5 },
         { inverse, D, GRADIENT, 5 },       { inverse, D, HESSIAN, 5 },
-        { stationary, D, GRADIENT, 5 },    { action, 1, VALUE, 5 },
-        { variation, 1, GRADIENT, 5 },     { printed, 1, GRADIENT, 5 },
-        { printed, 1, FORCE, 5 },          { matrix, 1, FORCE, 5 },
-        { full_matrix, 1, FORCE, 5 },      { search, D, GRADIENT, 2 },
-        { search, D, HESSIAN, 2 },         { search, D, FORCE, 2 },
+        { stationary, D, GRADIENT, 5 },    { discrete_action, D, VALUE, 5 },
+        { action, 1, VALUE, 5 },           { variation, 1, GRADIENT, 5 },
+        { printed, 1, GRADIENT, 5 },       { printed, 1, FORCE, 5 },
+        { matrix, 1, FORCE, 5 },           { full_matrix, 1, FORCE, 5 },
+        { search, D, GRADIENT, 2 },        { search, D, HESSIAN, 2 },
+        { search, D, FORCE, 2 },
     };
     for (size_t i = 0; i < LEN(all); i++)
         for (int c = 0; c < all[i].codes; c++) {

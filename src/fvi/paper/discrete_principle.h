@@ -37,7 +37,7 @@ extern "C" {
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer
  * is NULL; FVI_EDOM if alpha, kappa or h is out of range; FVI_EINVAL if N == 0,
  * if not first <= last <= N, or if 4 (N + 1) d numbers cannot be addressed;
- * FVI_ENOMEM. On error S is untouched. */
+ * FVI_ENOMEM; what the potential returned. On error S is untouched. */
 int fvi_discrete_action(const fvi_system *system, double alpha, double kappa,
                         double h, size_t N, size_t first, size_t last,
                         const double *x, const double *y, double *S);
@@ -56,8 +56,8 @@ int fvi_discrete_action(const fvi_system *system, double alpha, double kappa,
  *
  *   gx, gy  outputs, (N + 1) d numbers each, must not overlap x or y
  *
- * The other arguments, the cost and the errors are those of
- * fvi_discrete_action. On error gx and gy are untouched. Rounding: each number
+ * The other arguments, the cost and the errors (FVI_EFAULT, FVI_EINVAL, FVI_EDOM,
+ * FVI_ENOMEM, what the potential returned) are those of fvi_discrete_action. On error gx and gy are untouched. Rounding: each number
  * is off by at most (2 N + 16) u times the sum of the sizes of its terms. */
 int fvi_discrete_action_gradient(const fvi_system *system, double alpha,
                                  double kappa, double h, size_t N, size_t first,

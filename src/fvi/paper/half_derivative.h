@@ -32,7 +32,8 @@ int fvi_coefficients_product(double alpha, double beta, size_t count,
 /* fvi_delta_twice -- Delta_-^alpha Delta_-^alpha z, by two sums, as the paper
  * prints it.                                                        [(7.1)]
  *
- * Arguments, layout, errors: as fvi_delta_minus (integration_by_parts.h).
+ * Arguments, layout, errors (FVI_EFAULT, FVI_EINVAL, FVI_EDOM, FVI_ENOMEM): as
+ * fvi_delta_minus (integration_by_parts.h).
  * Cost O(N^2 d), memory O(N d). */
 int fvi_delta_twice(double alpha, double h, size_t N, size_t d, const double *z,
                     double *out);
@@ -42,7 +43,8 @@ int fvi_delta_twice(double alpha, double h, size_t N, size_t d, const double *z,
  *     out_k = (z_k - z_{k-1}) / h,  k = 1, ..., N;      out_0 = z_0 / h
  *
  * The value at k = 0 is that of the sums: the sequence comes out of nothing.
- * Arguments and errors as fvi_delta_minus, without alpha. Cost O(N d). */
+ * Arguments and errors (FVI_EFAULT, FVI_EINVAL, FVI_EDOM) as fvi_delta_minus, without
+ * alpha. Cost O(N d). */
 int fvi_backward_difference(double h, size_t N, size_t d, const double *z,
                             double *out);
 
