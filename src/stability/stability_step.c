@@ -44,8 +44,7 @@ static int keep(size_t d, const double *x, void *params, double *H)
 }
 
 /* The longest step of trial, whose h is written to. */
-static int bisect(const fvi_method *method, fvi_run *trial,
-                  const kept_hessian *kept, double *h)
+static int bisect(const fvi_method *method, fvi_run *trial, double *h)
 {
     int status = FVI_SUCCESS;
     //> step
@@ -56,7 +55,7 @@ static int bisect(const fvi_method *method, fvi_run *trial,
         double middle = (low + high) / 2, load = GSL_POSINF;
         trial->h = exp2(middle);
         status = fvi_stability_load(method, trial, &load);
-        if (status && (status != FVI_EOVRFLW || kept->status))
+        if (status && status != FVI_EOVRFLW)
             return status;
         if (load <= 1)
             low = middle;
@@ -64,7 +63,7 @@ static int bisect(const fvi_method *method, fvi_run *trial,
             high = middle;
     }
     //< step
-    if (status && low == -500) /* the shortest step overflows: it is not h */
+    if (status && low == -500) /* the shortest step, too: it is not h */
         return status;
     *h = high == 500 ? GSL_POSINF : low == -500 ? 0 : exp2(low);
     return FVI_SUCCESS;
@@ -89,7 +88,7 @@ int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h)
         system.potential.params = &kept;
         system.potential.quadratic = NULL;
     }
-    status = bisect(method, &trial, &kept, h);
+    status = bisect(method, &trial, h);
     free(kept.K);
     return status;
 }

@@ -73,6 +73,14 @@ START_TEST(eq_14_4_the_longest_step_parts_the_loads)
         run.kappa = 0.25;
         if (!m->load)
             ck_assert_int_eq(fvi_stability_load(m, &run, &h), FVI_EUNSUP);
+        int falls = 0;
+        for (int n = 0; n < 400 && m->load; n++, last = load) {
+            run.h = exp2(n / 50. - 4);
+            ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
+            falls |= load < last;
+        }
+        ck_assert_msg(!m->load || falls == !m->load_grows, "%s", m->name);
+        last = 0;
         if (!m->load_grows) {
             ck_assert_int_eq(fvi_stability_step(m, &run, &h), FVI_EUNSUP);
             ck_assert(h == 7);
