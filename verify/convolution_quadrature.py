@@ -210,7 +210,8 @@ def weights(kind, order, count):
     u = [number(v) for v in RATIO[kind][:count]]
     result, power = [mpmath.mpf(0)] * count, [mpmath.mpf(1)] + [mpmath.mpf(0)] * (count - 1)
     for j in range(count):
-        result = [p + mpmath.binomial(order, j) * q for p, q in zip(result, power)]
+        c = mpmath.binomial(order, j)
+        result = [p + c * q for p, q in zip(result, power)]
         power = [mpmath.fsum(u[i] * power[n - i] for i in range(1, n + 1)) for n in range(count)]
     return [number(DELTA_0[kind]) ** order * v for v in result]
 #< weights
@@ -263,7 +264,7 @@ def trajectory(case):
     start, v0 = number(case.x0), number(case.p0) / m
     X, P = [start], [number(case.p0)]
     fall = lambda k: start + (k * h * v0 if case.alpha > Q(1, 2) else 0)
-    D = lambda X: scale * back(w, back(w, [v - fall(j) for j, v in enumerate(X)]))[-1]
+    D = lambda X: scale * dot(w, back(w, [v - fall(j) for j, v in enumerate(X)])[::-1])
     slope = lambda q: (1 - K) * (number(case.c) + 2 * number(case.g) * q)
     for k in range(case.steps):
         if k == 0:      # (13.9) at k = 0, where D_0 = 0

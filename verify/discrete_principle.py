@@ -260,7 +260,7 @@ def numbers(S, curves, ranges, parameters):
                  **{w[k]: weight(alpha, k) for k in range(N + 1)}}
         power = known_power(step_size, alpha)
         for first, last in ranges:
-            A = Poly(S(first, last).subs(known), *curves, g, domain="QQ")
+            A = Poly(S(first, last).xreplace(known), *curves, g, domain="QQ")
             pairs = [rounded(e, curves, power) for e in [A] + [A.diff(v) for v in curves]]
             rows.append([hexd(alpha), hexd(kap), hexd(step_size), first, last, int(row < EXACT),
                          pairs[0][0], f"{pairs[0][1]:.3g}", f"{max(p[1] for p in pairs[1:]):.3g}"])

@@ -13,6 +13,8 @@ Printed: fractional integrals of piecewise linear functions and one Picard step 
 the integrals (mpmath, two precisions), e_n as a sum of gamma functions, iterates and
 solutions from the series."""
 import random
+from functools import cache
+from math import comb
 
 import mpmath
 from sympy import (Rational, binomial, diff, exp, expand, gamma, gammasimp, integrate, limit,
@@ -238,18 +240,24 @@ def value(v, gamma_, t):
                        for (n, k), c in v.items())
 
 
-def iterate(n, alpha, W, R, x0, v0, t):
+@cache
+def rgamma(e, digits):
+    return mpmath.rgamma(1 + e)
+
+
+@cache
+def iterate(n, alpha, W, R, x0, v0, t, digits):
     """Velocity and position of the exact n-th iterate; its x is x0 + I v."""
     alpha, W, R, x0, v0, t = map(mp, (alpha, W, R, x0, v0, t))
     terms = []
     for total in range(n + 1):
         for i in range(total + 1):
             k = total - i
-            c = mpmath.binomial(total, i) * (-W) ** i * (-R) ** k
+            c = comb(total, i) * (-W) ** i * (-R) ** k
             terms.append(((2 * i, k), v0 * c))
             if total < n:
                 terms.append(((2 * i + 1, k), -W * x0 * c))
-    power = lambda e: t ** e / mpmath.gamma(1 + e)
+    power = lambda e: t ** e * rgamma(e, mpmath.mp.dps)
     gamma_ = 2 - 2 * alpha
     return (x0 + mpmath.fsum(c * power(m + 1 + gamma_ * k) for (m, k), c in terms),
             mpmath.fsum(c * power(m + gamma_ * k) for (m, k), c in terms))
@@ -261,7 +269,7 @@ for alpha, W, R, x0, v0 in ((0.5, 0, 1, 0, 1), (0.25, 0, 1, 0, 1), (0.75, 0, 1, 
                             (0.25, 1, 0.5, 1, 0.5), (0.5, 1, 0.5, 1, 0.5),
                             (0.75, 1, 0.5, 1, 0.5), (0.0, 1, 0.5, 1, 0.5)):
     for n in (1, 2, 4, 60):
-        both = [two_precisions(lambda: iterate(n, alpha, W, R, x0, v0, 1)[i]) for i in (0, 1)]
+        both = [two_precisions(lambda: iterate(n, alpha, W, R, x0, v0, 1, mpmath.mp.dps)[i]) for i in (0, 1)]
         rows.append([hexd(alpha), W, hexd(R), x0, hexd(v0), n, *both,
                      "the solution" if n == 60 else ""])
 table("ref_iterates", "double alpha, W, R, x0, v0; size_t n; double x, v;", rows)

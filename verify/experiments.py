@@ -11,6 +11,7 @@ Printed: the oscillator from the exponential of its matrix; trajectories of the
 three-term equation (9.3) and of Euler's methods with many digits; the errors that
 the C code must see."""
 from fractions import Fraction
+from functools import cache
 
 import mpmath
 from sympy import (Matrix, Rational, cos, diff, exp, expand, factorial, lambdify, log,
@@ -104,8 +105,8 @@ energy = lambda x, p: p * p / 2 + x * x / 2             # mass and stiffness 1
 def largest(e):
     """max |e(t)| for 0 <= t <= T, by a fine grid and bisection of the derivative."""
     f, slope = (lambdify(t, g, "mpmath") for g in (e, diff(e, t)))
-    grid = [mpf(i) / 50 for i in range(1, 50 * T + 1)]
-    best = max(grid, key=lambda s: abs(f(s)))
+    near = lambdify(t, e, "math")               # doubles will do for the grid
+    best = mpf(max(range(1, 50 * T + 1), key=lambda i: abs(near(i / 50)))) / 50
     top = mpmath.findroot(slope, (best - mpf(1) / 50, best + mpf(1) / 50), solver="anderson")
     claim("the maximum is near the best of the grid", abs(top - best) < mpf(1) / 50)
     return abs(f(top))
@@ -192,15 +193,15 @@ rows = []
 for oscillator in OSCILLATORS:
     critical = abs(oscillator[1]**2 - 4 * oscillator[0] * oscillator[2]) < 1e-9 * oscillator[1]**2
     for time in (0, 0.1, 1.5, 15, 40) + (400,) * critical:
-        def at_digits(n, i):
+        @cache
+        def at_digits(n):
             mpmath.mp.dps = n + 60
             M, R, K, q0, r0, s = map(number, (*oscillator, time))
             mpmath.mp.dps = n + 60 + int(mpmath.log10(1 + R / M * s) + R / M * s)
             E = mpmath.expm(mpmath.matrix([[0, 1], [-K / M, -R / M]]) * s)  # of (x, p / m)
-            value = E[i, 0] * q0 + E[i, 1] * r0 / M
-            return mpmath.nstr(value * (M if i else 1), n)
+            return [mpmath.nstr((E[i, 0] * q0 + E[i, 1] * r0 / M) * (M if i else 1), n) for i in range(2)]
         rows.append([*map(hexd, map(Rational, oscillator)), hexd(Rational(time)),
-                     *(hexd_real(lambda n: at_digits(n, i), 40) for i in range(2)),
+                     *(hexd_real(lambda n: at_digits(n)[i], 40) for i in range(2)),
                      f"{oscillator}, t = {time}".replace("(", "").replace(")", "")])
 mpmath.mp.dps = 40
 header("verify/experiments.py")

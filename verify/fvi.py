@@ -446,17 +446,21 @@ def delayed(alpha, x0, step, t):
     """x'' + x + (1/2) D^{2 alpha} z (t - alpha h) = 0, v_0 = 1, Caputo: the transform is a
     geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, inverted term by term."""
     total, order = mpmath.mpf(0), 2 * alpha
-    power = lambda later, e: later**e * rgamma(e + 1, mpmath.mp.dps) if later > 0 else 0
+    over_gamma = lambda e: rgamma(e + 1, mpmath.mp.dps)
     for j in range(45):
         now, then = t - j * alpha * step, t - (j + 1) * alpha * step
         if now <= 0:
             break
+        # (-1)^i binom(i + j, i) / (-2)^j, now^e and then^(e + 2 - order), e = 2i + (2 - order) j
+        e, factor = (2 - order) * j, mpmath.mpf(-0.5)**j
+        of_now, of_then = now**e, then**(e + 2 - order) if then > 0 else 0
         for i in range(16):
-            factor, e = mpmath.binomial(i + j, i) * (-1)**i * mpmath.mpf(-0.5)**j, 2 * i + (2 - order) * j
-            total += factor * (x0 * power(now, e) + power(now, e + 1)
-                               + x0 / 2 * power(then, e + 2 - order))
+            total += factor * (of_now * (x0 * over_gamma(e) + now * over_gamma(e + 1))
+                               + of_then * x0 / 2 * over_gamma(e + 2 - order))
             if order > 1:
-                total += factor / 2 * power(then, e + 3 - order)
+                total += factor / 2 * of_then * then * over_gamma(e + 3 - order)
+            e, factor = e + 2, -factor * (i + 1 + j) / (i + 1)
+            of_now, of_then = of_now * now**2, of_then * then**2
     return total
 #< delayed
 

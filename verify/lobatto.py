@@ -18,6 +18,8 @@ left symbolic:
 Printed: W_n from Cauchy's integral over a circle, Delta(z)^beta by its
 eigenvalues, 25 and 45 digits; never by roots, series or nodes as in the C code; and
 where the symbol at z = 1 and -1 vanishes, by its determinant."""
+from functools import cache
+
 import mpmath
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, eye, factor,
                    integrate, ones, pi, prod, simplify, sin, solve, sqrt, symbols)
@@ -153,7 +155,7 @@ def correction(s, beta):
         v = mpmath.matrix(defect)
         for other in every:
             if other != root:
-                v = (M * v - other * v) / (root - other)
+                v = (M * v - v * other) / (root - other)
         total += root**beta * v[s - 1]
     return total.real
 
@@ -247,9 +249,9 @@ def power(s, beta, point):
         P = mpmath.eye(s)
         for i, other in enumerate(roots):
             if i != j:
-                P = P * (M - other * mpmath.eye(s)) / (root - other)
+                P = P * (M - mpmath.eye(s) * other) / (root - other)
         for k, e in enumerate(beta):
-            total[k] += root**e * P
+            total[k] += P * root**e
     return total
 
 
@@ -261,7 +263,7 @@ def cauchy(s, betas, orders, count):
         weight = (1 if j in (0, count // 2) else 2) / mpmath.mpf(count)
         for k, value in enumerate(power(s, betas, point)):
             for n in orders:
-                W[k, n] += weight * (value * point**-n).apply(mpmath.re)
+                W[k, n] += (value * (weight * point**-n)).apply(mpmath.re)
     return W
 #< definition
 
@@ -272,8 +274,15 @@ CHARACTER = {s: (lam * eye(s) - EXACT[s]).det().expand().as_poly(lam).all_coeffs
 BASE, BS = {}, {}
 
 
+# A number stands to the right of a matrix: mpmath is slow on the other side.
+@cache
+def number_at(e, digits):
+    return mpmath.mpf(str(expand(e).evalf(digits)))
+
+
 def number(e):
-    return mpmath.mpf(str(simplify(e).evalf(mpmath.mp.dps + 10)))
+    """A rational plus a rational times sqrt(5)."""
+    return number_at(e, mpmath.mp.dps + 10)
 
 
 def eigenvalues(s, point):
@@ -313,7 +322,7 @@ for s in STAGES:
 
         def integrand(u):
             mu_ = mpmath.exp(u)
-            inverse = mpmath.inverse(BASE[s] + mu_ * mpmath.eye(s))
+            inverse = mpmath.inverse(BASE[s] + mpmath.eye(s) * mu_)
             a = [inverse[i, 0] / BS[s][0] for i in range(s)]
             return mu_**(1 + beta) * a[s - 1]**3 * a[0] * BS[s][s - 1] * a[0]
         total = sum(integrand(mpmath.mpf(i) / 4) for i in range(-200, 60)) / 4
@@ -379,8 +388,8 @@ def symbol(s, point, alpha):
             continue                            # 0^(2 alpha) = 0
         P = mpmath.eye(s)
         for other in roots:
-            P = P if other == root else P * (M - other * mpmath.eye(s)) / (root - other)
-        total += root**(2 * alpha) * P
+            P = P if other == root else P * (M - mpmath.eye(s) * other) / (root - other)
+        total += P * root**(2 * alpha)
     E = mpmath.matrix(s, s - 1)
     for i in range(s - 1):
         E[i, i] = 1
@@ -397,7 +406,7 @@ def load(s, alpha, w, r):
     best = mpmath.mpf(0)
     for point in (-1, 1)[:1 if s == 2 else 2]:
         K, W_, R_ = symbol(s, mpmath.mpf(point), alpha)
-        values = mpmath.eig(mpmath.inverse(K) * (w * W_ + r * R_))[0]
+        values = mpmath.eig(mpmath.inverse(K) * (W_ * w + R_ * r))[0]
         real = [v.real for v in values if abs(v.imag) < mpmath.mpf(10)**-20 * (1 + abs(v))]
         above = [v for v in real if v > 1]
         best = max([best] + (above if len(above) % 2 else [v for v in real if v <= 1]))
