@@ -125,6 +125,9 @@ valgrind: $(TESTS:%=valgrind-%) ## the tests under valgrind (many minutes)
 $(TESTS:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 $<
 
+portability: | needs ## the same digits by other compilers, options, C libraries, in threads (ten minutes)
+	$(PYTHON) src/make/portability.py $B
+
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	$< $(or $(SEED),1) $(FAMILY) $(CASE)
 
@@ -147,7 +150,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind stress bench mutants clean needs \
+.PHONY: all help check test test-example test-install install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -201,9 +204,11 @@ uninstall: ## remove what install put there
 
 ## -- tests -----------------------------------------------------------------
 
+# A test is compiled for one run: -O0 takes a quarter of the time. The library is as
+# CFLAGS say, and no digit depends on it.
 $B/tests/test_%: test_%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
-	$(COMPILE) $(CHECK_CFLAGS) -Itests $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
+	$(COMPILE) -O0 $(CHECK_CFLAGS) -Itests $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
 
 # One test takes another road, by libcerf's complex error functions.
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
@@ -239,6 +244,9 @@ $B/tests/bench_precision: tests/bench/peer_product_trapezoid.c
 TABLE_memory    := figures/memory/memory_bench.tsv
 TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv
+
+$B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
+	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 $B/stress: $(wildcard tests/stress/*.c) tests/stress/stress.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
@@ -297,10 +305,10 @@ figures/step_search/step_search.svg: $(TABLE_precision)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind valgrind-% mutants seen,check cerf) \
+  $(call goal,check test test-% ch% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch%,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text excerpts check layers book pdf mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text excerpts check layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check test-install,numpy) $(call goal,valgrind valgrind-%,valgrind))
 

@@ -94,7 +94,7 @@ static int plan(double beta, size_t d, size_t steps, fvi_memory_kind kind,
 size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance)
 {
-    fvi_memory m;
+    fvi_memory m = { 0 };
     return plan(beta, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
 }
 

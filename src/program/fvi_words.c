@@ -120,7 +120,7 @@ int fvi_word_number(const char *name, const char *text, double low, double high,
 int fvi_word_whole(const char *name, const char *text, size_t most,
                    size_t *value, fvi_complaint c)
 {
-    double v;
+    double v = 0;
     int status =
         fvi_word_number(name, text, 1, fmin((double)most, 0x1p53), "[]", &v, c);
     if (!status && v != floor(v))

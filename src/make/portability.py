@@ -1,0 +1,242 @@
+"""The same digits everywhere: other compilers, options, C libraries, locales.
+
+    portability.py BUILD     (make portability; some ten minutes)
+
+Each build has a folder of its own in BUILD/portability. It runs the tests, or those of
+them that concern it, and tests/portability/trajectories.c, whose runs are compared
+with those of gcc -O2: to the bit where the C library is the same, and where only
++ - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
+that of another library a run of 96 steps may differ by LIMIT u of the largest |x| or
+|p|, u = 2^-53: one u for each of the functions and sums that a step may round
+otherwise. What this machine has not is left out, and said. Only the standard library
+is used."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+HOME = pathlib.Path(sys.argv[1]) / "portability"
+LIMIT = 256     # seen: 7 with musl, 82 with GSL's LU factors on x87 (i386)
+ENV = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS", "LC_", "LANG"))}
+ENV |= {"CC": "gcc", "CK_TIMEOUT_MULTIPLIER": "10"}     # seconds of a test mean nothing under ASan
+ARCH = pathlib.Path("/usr/lib/i386-linux-gnu")
+GSL = pathlib.Path("/usr/lib/x86_64-linux-gnu")
+report, left_out, failed = [], [], []
+
+
+def run(words, **env):
+    """(it went well, all that it printed)"""
+    done = subprocess.run(list(map(str, words)), env=ENV | {k: str(v) for k, v in env.items()}, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.returncode == 0, done.stdout
+
+
+def make(name, goals, variables, **env):
+    """A goal of the Makefile in the build's own folder."""
+    return run(["make", "--no-print-directory", f"B={HOME / name}", *variables, *goals], **env)
+
+
+def checks(text):
+    return sum(map(int, re.findall(r"Checks: (\d+), Failures: 0, Errors: 0", text)))
+
+
+def say(name, well, text, words):
+    """One line of the report, and what went wrong at once."""
+    report.append(f"{name}: {words}" if well else f"{name}: FAILED")
+    print(report[-1], flush=True)
+    if not well:
+        failed.append(name)
+        print("\n".join(text.splitlines()[-25:]))
+
+
+# ---- the same digits ----
+
+def trajectories(program, **env):
+    """name -> what it needs, its status, its numbers"""
+    well, text = run([program], **env)
+    if not well:
+        return {}, text
+    rows = (line.split("\t") for line in text.splitlines())
+    return {name: (needs, status, numbers.split()) for needs, name, status, numbers in rows}, text
+
+
+def distance(one, other):
+    """Largest difference of the x, and of the p, in u of the largest: 3 x, 3 p, 3 x, ..."""
+    worst = 0.0
+    for half in (0, 1):
+        a, b = ([float.fromhex(v) for i, v in enumerate(row) if i // 3 % 2 == half] for row in (one, other))
+        worst = max(worst, max(abs(s - t) for s, t in zip(a, b)) / max(map(abs, b)) * 2**53)
+    return worst
+
+
+def compare(name, reference, program, free=(), **env):
+    """The runs of `program` against the reference: to the bit, but for the kinds in `free`."""
+    found, text = trajectories(program, **env)
+    well, equal, worst = found.keys() == reference.keys() and len(found) > 0, 0, 0.0
+    for run_, (needs, status, row) in found.items() if well else ():
+        want = reference[run_]
+        if (needs, status, row) == want:
+            equal += 1
+            continue
+        away = distance(row, want[2]) if status == want[1] and len(row) == len(want[2]) else float("inf")
+        worst = max(worst, away)
+        if needs not in free or not away <= LIMIT:
+            well, text = False, f"{run_} ({needs}) is off by {away:.3g} u\n{row}\n{want[2]}"
+            break
+    rest = len(found) - equal
+    words = f"{equal} of {len(found)} runs equal to the bit"
+    if rest:
+        words += f", the other {rest} ({', '.join(free)}) to {worst:.2g} u"
+    return well, text, words
+
+
+def build_and_compare(name, label, reference, variables, goals, free=(), **env):
+    """Build, test, compare; one line."""
+    well, text = make(name, [*goals, f"{HOME / name}/trajectories"], variables, **env)
+    words = f"{checks(text)} checks; " if checks(text) else "builds; "
+    if well:
+        well, text, more = compare(label, reference, HOME / name / "trajectories", free, **env)
+        words += more
+    say(label, well, text, words)
+
+
+# ---- what a machine may lack ----
+
+def have(tool, label):
+    if shutil.which(tool) is None:
+        left_out.append(f"{label}: there is no {tool}")
+        return False
+    return True
+
+
+def compiles(words, label):
+    source = HOME / "one.c"
+    source.write_text("#include <stdio.h>\nint main(void) { return puts(\"\") < 0; }\n")
+    well, text = run([*words, source, "-o", HOME / "one"])
+    if not well:
+        left_out.append(f"{label}: {' '.join(words)} does not link a program")
+    return well
+
+
+def gsl_of_32_bits():
+    """A folder with GSL and Check for i386; fetched, not installed, where apt-get is."""
+    if (ARCH / "libgsl.so.27").exists() and (ARCH / "libcheck_pic.a").exists():
+        return ARCH
+    here = (HOME / "i386").resolve()
+    lib = here / "root/usr/lib/i386-linux-gnu"
+    if not (lib / "libgsl.so.27").exists() and shutil.which("apt-get"):
+        print("fetching Debian's GSL and Check for i386 into", HOME / "i386", "(nothing is installed)", flush=True)
+        for part in ("lists/partial", "cache/archives/partial", "root"):
+            (here / part).mkdir(parents=True, exist_ok=True)
+        own = [f"-o{v}" for v in ("APT::Architecture=i386", "APT::Architectures::=i386", "Debug::NoLocking=1",
+                                  f"Dir::State::lists={here}/lists", f"Dir::Cache={here}/cache",
+                                  "Dir::State::status=/dev/null", "APT::Sandbox::User=")]
+        run(["apt-get", *own, "update", "-qq"])
+        run(["sh", "-c", f'cd "{here}" && apt-get {" ".join(own)} download libgsl27 libgslcblas0 check libsubunit0 '
+                         "&& for d in *.deb; do dpkg -x $d root; done"])
+    return lib if (lib / "libgsl.so.27").exists() else None
+
+
+# ---- the builds ----
+
+def german(reference):
+    """The tests of the first build where the decimal point is a comma."""
+    label, place = "gcc -O2, LC_ALL=de_DE.UTF-8", (HOME / "locale").resolve()
+    place.mkdir(exist_ok=True)
+    if not have("localedef", label):
+        return
+    run(["localedef", "-i", "de_DE", "-f", "UTF-8", place / "de_DE.UTF-8"])
+    env = {"LC_ALL": "de_DE.UTF-8", "LOCPATH": place}
+    if run(["locale", "decimal_point"], **env)[1].strip() != ",":
+        left_out.append(f"{label}: localedef could not make it")
+        return
+    build_and_compare("gcc", label, reference, ["CC=gcc"], ["test"], **env)
+
+
+def threads():
+    """No races: runs in two threads under ThreadSanitizer."""
+    label, flags = "gcc ThreadSanitizer", ["CFLAGS=-O1 -g -fsanitize=thread"]
+    if compiles(["gcc", "-fsanitize=thread"], label):
+        test = HOME / "tsan/tests/test_threads"
+        well, text = make("tsan", [test], flags)
+        if well:
+            well, text = run([test], CK_FORK="no", TSAN_OPTIONS="halt_on_error=1")
+        say(label, well, text, f"{checks(text)} check, runs in two threads equal to those of one")
+
+
+def thirty_two(reference):
+    label = "gcc -m32"
+    if not compiles(["gcc", "-m32"], label):
+        return
+    lib = gsl_of_32_bits()
+    if lib is None:
+        left_out.append(f"{label}: no GSL for i386 to be had")
+        return
+    # The FPU of the 8087 rounds to other lengths: double_double.h refuses it. GSL was
+    # compiled for it, so that its LU factors differ.
+    build_and_compare("m32", label, reference,
+                      ["CC=gcc -m32", "CFLAGS=-O2 -g -msse2 -mfpmath=sse",
+                       f"GSL_LIBS={lib}/libgsl.so.27 {lib}/libgslcblas.so.0 -lm",
+                       f"CHECK_LIBS={lib}/libcheck_pic.a {lib}/libsubunit.so.0 -pthread -lrt -lm"],
+                      ["test-fvi_options", "test-past", "test-threads", "test-coefficients"],
+                      ("linear algebra", "functions"), LD_LIBRARY_PATH=lib)
+
+
+def musl(reference):
+    label = "musl-gcc -static"
+    if not have("musl-gcc", label):
+        return
+    if not (GSL / "libgsl.a").exists():
+        left_out.append(f"{label}: there is no {GSL}/libgsl.a")
+        return
+    include = (HOME / "gsl-only").resolve()     # of /usr/include nothing but GSL
+    include.mkdir(exist_ok=True)
+    if not (include / "gsl").exists():
+        (include / "gsl").symlink_to("/usr/include/gsl")
+    build_and_compare("musl", label, reference,
+                      ["CC=musl-gcc", f"GSL_CFLAGS=-I{include}",
+                       f"GSL_LIBS={GSL}/libgsl.a {GSL}/libgslcblas.a -lm -static"],
+                      [f"{HOME}/musl/fvi"], ("functions",))
+
+
+def memory_errors():
+    label, stems = "valgrind", ("past", "trajectory")
+    if have("valgrind", label):
+        well, text = make("gcc", [f"valgrind-{stem}" for stem in stems], ["CC=gcc"])
+        say(label, well, text, f"{len(stems)} of the stems, {' and '.join(stems)}, no error and no leak")
+
+
+def main():
+    HOME.mkdir(parents=True, exist_ok=True)
+    well, text = make("gcc", [f"{HOME}/gcc/trajectories"], ["CC=gcc"])
+    reference, text = trajectories(HOME / "gcc/trajectories") if well else ({}, text)
+    if not reference:
+        sys.exit(text)
+    say("gcc -O2", True, "", f"{len(reference)} runs, the measure of the others")
+    # Without AVX2 and fma the loader takes other clones of the sums, and other functions of libm.
+    well, text, words = compare("", reference, HOME / "gcc/trajectories", GLIBC_TUNABLES="glibc.cpu.hwcaps=" + ",".join(
+        f"-{v}{end}" for v in ("AVX2", "AVX512F", "FMA", "FMA4") for end in ("", "_Usable")))
+    say("gcc -O2 as on a processor without AVX2 and fma", well, text, words)
+    german(reference)
+    for name, label, words, env in (
+            ("O0", "gcc -O0", ["CC=gcc", "CFLAGS=-O0 -g"], {}),
+            ("native", "gcc -O3 -march=native", ["CC=gcc", "CFLAGS=-O3 -march=native -g"], {}),
+            ("clang", "clang -O2", ["CC=clang"], {}),
+            ("san", "gcc AddressSanitizer, UBSan",
+             ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
+             {"ASAN_OPTIONS": "allocator_may_return_null=1"})):
+        compiler, options = words[0][3:], [w for w in " ".join(words).split() if w.startswith("-fsanitize=")]
+        if have(compiler, label) and compiles([compiler, *options], label):
+            build_and_compare(name, label, reference, words, ["test"], **env)
+    threads()
+    memory_errors()
+    thirty_two(reference)
+    musl(reference)
+    print("\nportability:", *report, sep="\n  ")
+    print("left out:" if left_out else "nothing was left out", *left_out, sep="\n  ")
+    sys.exit(f"failed: {', '.join(failed)}" if failed else 0)
+
+
+main()
