@@ -13,8 +13,10 @@ import zlib
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
-MODULES = ("band coefficients convolution_quadrature discrete_mechanics exact_inverse exact_pole exact_solution fvi "
-           "lobatto lobatto_memory lobatto_weights memory methods loads newton newton_stages past convolution_quadrature_methods convolution_quadrature_stability damping error stability stability_step system trajectory").split()
+MODULES = """band error newton newton_stages system coefficients convolution_quadrature lobatto_memory
+    lobatto_weights memory past trajectory convolution_quadrature_stability stability
+    stability_step convolution_quadrature_methods damping discrete_mechanics fvi loads lobatto
+    methods exact_inverse exact_pole exact_solution""".split()
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the
 # last digits would differ.
 FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "
@@ -25,7 +27,8 @@ FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fp
 def compile_to(wasm):
     headers = subprocess.run(["pkg-config", "--variable=includedir", "gsl"],
                              check=True, capture_output=True, text=True).stdout.strip()
-    sources = [HERE / "play.c", HERE / "gsl.c", HERE / "malloc.c", *(next(pathlib.Path("src").glob(f"*/{name}.c")) for name in MODULES)]
+    modules = [next(pathlib.Path("src").glob(f"*/{name}.c")) for name in MODULES]
+    sources = [HERE / "play.c", HERE / "gsl.c", HERE / "malloc.c", *modules]
     subprocess.run(["clang", *FLAGS, "-idirafter", headers, *sources, "-o", wasm], check=True)
 
 

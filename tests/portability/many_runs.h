@@ -83,7 +83,9 @@ static void many_run_of(size_t number, many_run *r)
     const fvi_system system = { MASSES, mass, rho, potentials[potential],
                                 forces[force] };
     fvi_run run = fvi_run_default(&system, x0, p0, 0.0625, STEPS);
-    run.alpha = method->half_only ? 0.5 : many_orders[number % ORDERS];
+    run.alpha = method->alpha_least == method->alpha_most
+                    ? method->alpha_least
+                    : many_orders[number % ORDERS];
     run.past = (fvi_past)(number / ORDERS % PASTS);
     run.memory = memories[method->stages ? turn % 3 : turn / 3 % 4];
     run.kappa = turn % 2 ? 0.5 : 0.25;
