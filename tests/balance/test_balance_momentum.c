@@ -40,7 +40,7 @@ static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
 
 /* (21.7): angular momentum and the torque of the memory, isotropic damping or not.
  * One step of fvi rounds p by (k + 30) u times the sizes of what is added, of which
- * the memory's is a sum of k + 1, and of m x/h, as x + dx is rounded. */
+ * the memory's is a sum of k + 1, and of m x/h, as x + dx is rounded. Seen: 0.004 of it. */
 START_TEST(eq_21_7_the_memory_turns_the_angular_momentum)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -86,7 +86,8 @@ END_TEST
 
 /* (21.10): the momentum of two bodies in free space, unequal masses and dampings; with
  * no spring between them each is a free particle. z_0 is 0 but for Riemann and
- * Liouville, where the start leaves D_0 out. Step j adds (j + 20) u of its sizes. */
+ * Liouville, where the start leaves D_0 out. Step j adds (j + 20) u of its sizes.
+ * Seen: 0.036 of it. */
 //> dressed
 START_TEST(eq_21_10_the_dressed_momentum_is_conserved)
 {
@@ -136,7 +137,7 @@ END_TEST
  * the same in all directions; paired with a backward variation it is constant. The
  * backward variation is made by its own recursion, the force of the memory summed as it
  * stands; Riemann-Liouville, so that the memory acts on x. Bound: (8 N + 200) u of the
- * sizes of the first form, times N. */
+ * sizes of the first form, times N. Seen: 0.00002 of it. */
 START_TEST(eq_21_8_a_turned_solution_pairs_with_a_backward_variation)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -247,7 +248,8 @@ static void run_energy(gsl_rng *random, int method, energy_run *a)
         FVI_SUCCESS);
 }
 
-/* The rounding of one step's balance: N + 60 u of what is squared in it. */
+/* The rounding of one step's balance: N + 60 u of what is squared in it.
+ * Seen: 0.003 of it. */
 static double balance_rounding(const energy_run *a, size_t k)
 {
     double most = 0, sum = 0;
