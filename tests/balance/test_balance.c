@@ -305,6 +305,28 @@ START_TEST(what_is_out_of_range_is_refused)
 }
 END_TEST
 
+static int refuses(size_t d, const double *x, void *params, double *out)
+{
+    (void)d, (void)x, (void)params, (void)out;
+    return FVI_EMAXITER;
+}
+
+START_TEST(what_the_potential_returns_comes_back)
+{
+    const double one = 1, x[] = { 0, 1, 2 };
+    const fvi_potential none = { .value = refuses,
+                                 .gradient = refuses,
+                                 .hessian = refuses };
+    const fvi_system system = {
+        .d = 1, .mass = &one, .damping = &one, .potential = none
+    };
+    const fvi_scheme s = { &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER, 0 };
+    double C[2], E[2];
+    ck_assert_int_eq(fvi_green_form(&s, 2, x, x, x, C), FVI_EMAXITER);
+    ck_assert_int_eq(fvi_scheme_energy(&s, 2, x, E, C), FVI_EMAXITER);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("balance");
@@ -313,6 +335,7 @@ int main(void)
              eq_21_4_about_a_nonlinear_trajectory,
              eq_21_5_bateman_at_one_half_and_areas_without_damping,
              eq_21_6_five_masses_answer_each_other);
-    ADD_CASE(suite, "errors", what_is_out_of_range_is_refused);
+    ADD_CASE(suite, "errors", what_is_out_of_range_is_refused,
+             what_the_potential_returns_comes_back);
     return run_suite(suite);
 }
