@@ -24,7 +24,7 @@ def declared(header):
         text = re.sub(r"(static inline [^;{}]*)?\{[^{}]*\}", "", text)
     for statement in map(str.strip, text.split(";")):
         if statement.startswith("extern"):
-            yield from re.findall(r"\bfvi_\w+(?=,|$)", statement)
+            yield from re.findall(r"\bfvi_\w+(?=,|\[|$)", statement)
         elif not statement.startswith("typedef"):
             yield from re.findall(r"\b(fvi_\w+)\(", statement)[:1]
 

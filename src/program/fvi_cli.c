@@ -5,6 +5,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
+#include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"

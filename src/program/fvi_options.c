@@ -2,69 +2,8 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 
-#include "fvi_values.h"
-
 #include <getopt.h>
 #include <string.h>
-
-/* ---- the table of options ---- */
-
-enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
-
-static const struct {
-    const char *name;
-    int commands;       /* which of them know it */
-    const char *preset; /* NULL: none */
-} table[OPTIONS] = {
-    [METHOD] = { "method", RUN, "fvi" },
-    [ALPHA] = { "alpha", RUN | EXACT | COEFFICIENTS, "0.5" },
-    [RHO] = { "rho", RUN | EXACT, "0.2" },
-    [MASS] = { "mass", RUN | EXACT, "1" },
-    [POTENTIAL] = { "potential", RUN | EXACT, "harmonic:1" },
-    [FORCE] = { "force", RUN | EXACT, "none" },
-    [DERIVATIVE] = { "derivative", RUN | EXACT, "held" },
-    [KAPPA] = { "kappa", RUN, "0.5" },
-    [X0] = { "x0", RUN | EXACT, "1" },
-    [P0] = { "p0", RUN | EXACT, "0.5" },
-    [H] = { "h", RUN | EXACT, "0.1" },
-    [STEPS] = { "steps", RUN | EXACT, "200" },
-    [TIME] = { "time", RUN | EXACT, NULL },
-    [ERROR] = { "error", RUN, NULL },
-    [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
-    [EVERY] = { "every", RUN | EXACT, "1" },
-    [MEMORY] = { "memory", RUN, "auto" },
-    [TOLERANCE] = { "tolerance", RUN, "1e-13" },
-    [COUNT] = { "count", COEFFICIENTS, "10" },
-    [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },
-};
-
-const char *fvi_option_name(option_index i)
-{
-    return table[i].name;
-}
-
-static int mask(fvi_command command)
-{
-    return command == FVI_COMMAND_RUN            ? RUN
-           : command == FVI_COMMAND_EXACT        ? EXACT
-           : command == FVI_COMMAND_COEFFICIENTS ? COEFFICIENTS
-                                                 : 0;
-}
-
-int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
-                         const char **value)
-{
-    size_t seen = 0;
-    for (size_t j = 0; j < OUTPUT; j++)
-        if (table[j].commands & mask(o->command) && o->text[j] && seen++ == i) {
-            *name = table[j].name;
-            *value = o->text[j];
-            return 1;
-        }
-    return 0;
-}
-
-/* ---- getopt ---- */
 
 static int is_help(const char *word)
 {
@@ -95,8 +34,8 @@ static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
     const char *names[OPTIONS + 2], *word = given + strspn(given, "-");
     size_t n = 0;
     for (int i = 0; i < OUTPUT; i++)
-        if (table[i].commands & mask(o->command))
-            names[n++] = table[i].name;
+        if (fvi_option_is_known(o->command, (option_index)i))
+            names[n++] = fvi_option_list[i].name;
     names[n++] = "help";
     names[n] = NULL;
     const char *nearest = fvi_word_nearest(word, strcspn(word, "="), names);
@@ -115,16 +54,16 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     option_index i = (option_index)(found - 256);
     size_t length = strcspn(given, "=");
     if (i != OUTPUT
-        && (length != strlen(table[i].name) + 2
-            || strncmp(given + 2, table[i].name, length - 2) != 0))
+        && (length != strlen(fvi_option_list[i].name) + 2
+            || strncmp(given + 2, fvi_option_list[i].name, length - 2) != 0))
         return unknown(o, given, c);
-    if (!(table[i].commands & mask(o->command)))
+    if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, "%s%s: not an option of this command",
-                          i == OUTPUT ? "-" : "--", table[i].name);
+                          i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
     if (o->text[i] && strcmp(o->text[i], optarg) != 0)
         return fvi_refuse(c, "%s%s: given twice, as '%s' and as '%s'",
-                          i == OUTPUT ? "-" : "--", table[i].name, o->text[i],
-                          optarg);
+                          i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
+                          o->text[i], optarg);
     o->text[i] = optarg;
     return 0;
 }
@@ -135,8 +74,8 @@ static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
     for (int i = 0; i < OUTPUT; i++)
-        longs[i] =
-            (struct option){ table[i].name, required_argument, NULL, 256 + i };
+        longs[i] = (struct option){ fvi_option_list[i].name, required_argument,
+                                    NULL, 256 + i };
     longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
 
     optind = 0; /* start afresh, whoever parsed before */
@@ -170,12 +109,12 @@ static int fill_in(fvi_options *o, fvi_complaint c)
     const option_index instead = o->text[ERROR] ? ERROR : TIME;
     if (o->text[H] && o->text[instead])
         return fvi_refuse(c, "--h: not together with --%s",
-                          table[instead].name);
+                          fvi_option_list[instead].name);
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME]))
-            o->text[i] = table[i].preset;
+            o->text[i] = fvi_option_list[i].preset;
     return 0;
 }
 
@@ -192,7 +131,9 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
         status = command_of(argv[2], &o->about, c);
     if (!status)
         status = take_all(o, argc - 1 - about, argv + 1 + about, c);
-    if (!status && mask(o->command))
+    if (!status && fvi_option_is_known(o->command, OPTIONS))
         status = fill_in(o, c);
-    return !status && mask(o->command) ? fvi_options_interpret(o, c) : status;
+    return !status && fvi_option_is_known(o->command, OPTIONS)
+               ? fvi_options_interpret(o, c)
+               : status;
 }

@@ -13,22 +13,23 @@
 static int number(const fvi_options *o, option_index i, double low, double high,
                   const char *brackets, double *value, fvi_complaint c)
 {
-    return fvi_word_number(fvi_option_name(i), o->text[i], low, high, brackets,
-                           value, c);
+    return fvi_word_number(fvi_option_list[i].name, o->text[i], low, high,
+                           brackets, value, c);
 }
 
 /* Counts of rows are added and doubled: half of what a size_t holds is enough. */
 static int whole(const fvi_options *o, option_index i, size_t *value,
                  fvi_complaint c)
 {
-    return fvi_word_whole(fvi_option_name(i), o->text[i], SIZE_MAX / 2, value,
-                          c);
+    return fvi_word_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2,
+                          value, c);
 }
 
 static int choice(const fvi_options *o, option_index i,
                   const char *const *words, size_t *which, fvi_complaint c)
 {
-    return fvi_word_choice(fvi_option_name(i), o->text[i], words, which, c);
+    return fvi_word_choice(fvi_option_list[i].name, o->text[i], words, which,
+                           c);
 }
 
 /* ---- what belongs together ---- */

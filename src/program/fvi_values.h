@@ -1,40 +1,18 @@
-/* src/program/fvi_values.h -- From the words of the command line to values: the inside of
- * fvi_options.h. */
+/* src/program/fvi_values.h -- From the words of the command line to values. */
 #ifndef FVI_VALUES_H
 #define FVI_VALUES_H
 
-#include "fvi_options.h"
-#include "fvi_words.h"
-
-typedef enum {
-    METHOD,
-    ALPHA,
-    RHO,
-    MASS,
-    POTENTIAL,
-    FORCE,
-    DERIVATIVE,
-    KAPPA,
-    X0,
-    P0,
-    H,
-    STEPS,
-    TIME,
-    ERROR,
-    COLUMNS,
-    EVERY,
-    MEMORY,
-    TOLERANCE,
-    COUNT,
-    OUTPUT,
-    OPTIONS
-} option_index;
-
-/* The name of option i, without its hyphens. */
-const char *fvi_option_name(option_index i);
+#include "fvi_option_list.h"
 
 /* Interpret o->text, presets filled in. Returns 0; 2 if a word is refused, 1 if there
  * is no memory, with the complaint written and nothing allocated. */
 int fvi_options_interpret(fvi_options *o, fvi_complaint c);
+
+/* fvi_options_free -- give back what was allocated. */
+void fvi_options_free(fvi_options *o);
+
+/* fvi_options_system -- the system that the words describe. It points into o,
+ * and takes 2 d numbers of storage for masses and dampings. */
+fvi_system fvi_options_system(const fvi_options *o, double *storage);
 
 #endif

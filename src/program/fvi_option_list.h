@@ -1,0 +1,81 @@
+/* src/program/fvi_option_list.h -- What the command line of build/fvi can say. */
+#ifndef FVI_OPTION_LIST_H
+#define FVI_OPTION_LIST_H
+
+#include <fvi/trajectory.h>
+#include "fvi_words.h"
+
+typedef enum {
+    FVI_COMMAND_RUN,
+    FVI_COMMAND_COEFFICIENTS,
+    FVI_COMMAND_EXACT,
+    FVI_COMMAND_METHODS,
+    FVI_COMMAND_HELP,
+    FVI_COMMAND_VERSION
+} fvi_command;
+
+/* The words of the command line, understood and in range. */
+typedef struct {
+    fvi_command command;
+    fvi_command about; /* of what help speaks; HELP itself for the whole */
+    const fvi_method *method;
+    double alpha, rho, mass, kappa, h, tolerance;
+    double error; /* 0: the step is h; else it is to be found */
+    size_t steps, every, count, d;
+    fvi_potential_kind potential;
+    double spring[2]; /* its parameters */
+    fvi_forcing force;
+    double forcing[2]; /* its parameters */
+    fvi_past past;
+    int no_solution; /* 1: only the method that does what is printed runs it */
+    fvi_memory_kind memory;
+    fvi_columns columns;
+    double *x0, *p0;      /* d numbers each, one block; fvi_options_free */
+    const char *output;   /* points into argv, or NULL for standard output */
+    const char *text[32]; /* each as it was given or by default, by index */
+    char step[32];        /* the text of a step that follows from --time */
+} fvi_options;
+
+typedef enum {
+    METHOD,
+    ALPHA,
+    RHO,
+    MASS,
+    POTENTIAL,
+    FORCE,
+    DERIVATIVE,
+    KAPPA,
+    X0,
+    P0,
+    H,
+    STEPS,
+    TIME,
+    ERROR,
+    COLUMNS,
+    EVERY,
+    MEMORY,
+    TOLERANCE,
+    COUNT,
+    OUTPUT,
+    OPTIONS
+} option_index;
+
+/* An option: its name without hyphens, its value where it is not given, or NULL. */
+typedef struct {
+    const char *name;
+    int commands; /* which of them know it, see fvi_option_is_known */
+    const char *preset;
+} fvi_option;
+
+extern const fvi_option fvi_option_list[OPTIONS];
+
+/* fvi_option_is_known -- is i an option of this command? With OPTIONS for i: has it
+ * any? */
+int fvi_option_is_known(fvi_command command, option_index i);
+
+/* fvi_options_describe -- "name = value" of option number i of a command, in the
+ * order of the manual. Returns 0 when there is no option i. */
+int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
+                         const char **value);
+
+#endif
