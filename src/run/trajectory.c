@@ -59,8 +59,6 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
     if (!(run->kappa >= 0 && run->kappa <= 1))
         FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
-    if (!(run->alpha >= 0 && run->alpha <= 1))
-        FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
     if (!(run->alpha >= method->alpha_least
           && run->alpha <= method->alpha_most))
         FVI_FAIL("this method does not know this alpha", FVI_EDOM);

@@ -23,8 +23,6 @@ static int check(const fvi_run *run, const void *output)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(run->kappa >= 0 && run->kappa <= 1))
         FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
-    if (!(run->alpha >= 0 && run->alpha <= 1))
-        FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
     if (!(gsl_finite(run->h) && run->h > 0))
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
     return FVI_SUCCESS;

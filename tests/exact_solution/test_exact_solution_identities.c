@@ -54,9 +54,13 @@ END_TEST
 START_TEST(eq_11_13_special_closed_forms)
 {
     for (double t = 1e-4; t < 40; t *= 3) {
-        fvi_linear p = {
-            .m = 1, .c = 1, .rho = 2, .alpha = 0.5, .x0 = 1, .v0 = 2
-        };
+        fvi_linear p = { .m = 1,
+                         .c = 1,
+                         .rho = 2,
+                         .alpha = 0.5,
+                         .x0 = 1,
+                         .v0 = 2,
+                         .past = FVI_PAST_RIEMANN_LIOUVILLE };
         ck_assert_near(solve_x(p, t), exp(-t) * (1 + 3 * t), 2 * TOL, "t=%g",
                        t);
         p = (fvi_linear){ .m = 2,
@@ -68,7 +72,12 @@ START_TEST(eq_11_13_special_closed_forms)
                           .T = 1e300 };
         double want = 1 + 3 * t + 1.25 * t * t;
         ck_assert_near(solve_x(p, t), want, TOL * want, "t=%g", t);
-        p = (fvi_linear){ .m = 2, .rho = 4, .x0 = 1, .v0 = 3, .alpha = 0.5 };
+        p = (fvi_linear){ .m = 2,
+                          .rho = 4,
+                          .x0 = 1,
+                          .v0 = 3,
+                          .alpha = 0.5,
+                          .past = FVI_PAST_RIEMANN_LIOUVILLE };
         want = 1 - 1.5 * expm1(-2 * t);
         ck_assert_near(solve_x(p, t), want, TOL * want, "t=%g", t);
         p = (fvi_linear){
@@ -379,10 +388,9 @@ START_TEST(what_is_not_damped_does_not_decay)
     const double alphas[] = { 0, 0.3, 1 };
     for (size_t i = 0; i < LEN(alphas); i++)
         for (int exponent = -300; exponent <= 280; exponent += 20) {
-            fvi_linear p = { .m = pow(10, exponent),
-                             .c = 1,
-                             .alpha = alphas[i],
-                             .x0 = 1 };
+            fvi_linear p = {
+                .m = pow(10, exponent), .c = 1, .alpha = alphas[i], .x0 = 1
+            };
             p.rho = alphas[i] == 1 ? 1e20 * p.m : 0;
             double re = 1, im = 0, x = 7, t;
             ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), FVI_SUCCESS);
