@@ -277,11 +277,12 @@ def masses_response(kind, theta, alpha, steps):
                 put(row, row + 1, i, l, -h * k * (1 - k) * C[i, l])
                 put(row, row, i, l, -h * (k * k + (1 - k) ** 2) * C[i, l])
                 put(row, row - 1, i, l, -h * k * (1 - k) * C[i, l])
+    LU, rows = mpmath.mp.LU_decomp(A)                   # once for all masses
     out = []
     for j in range(n):
         b = mpmath.matrix(dim, 1)
         b[j] = -1
-        solution = mpmath.lu_solve(A, b)
+        solution = mpmath.mp.U_solve(LU, mpmath.mp.L_solve(LU, b, rows))
         out.append([solution[(steps - 1) * n + i] for i in range(n)])
     return out
 
