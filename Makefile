@@ -126,7 +126,7 @@ $(TESTS:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 $<
 
 portability: | needs ## the same digits by other compilers, options, C libraries, in threads (ten minutes)
-	$(PYTHON) src/make/portability.py $B
+	+$(PYTHON) src/make/portability.py $B
 
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	$< $(or $(SEED),1) $(FAMILY) $(CASE)
