@@ -7,7 +7,7 @@ them that concern it, and tests/portability/trajectories.c, whose runs are compa
 with those of gcc -O2: to the bit where the C library is the same, and where only
 + - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
 that of another library, or -O3 -march=native may take what follows from them in
-another order (seen: 7 runs of 189, 1 u), a run of 96 steps may differ by LIMIT u of the
+another order (seen: 7 runs of 189, 2 u), a run of 96 steps may differ by LIMIT u of the
 largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. What this machine has not is left out, and said. Only the standard library
 is used."""
 import os
