@@ -67,7 +67,7 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
  *   k        the step, >= 0
  *   impulse  output, n numbers
  *
- * Accuracy: 16 u of their sum. Cost: one power, and from 3 (k > 10^5) to 34 (k = 1)
+ * Accuracy: 16 u of their sum. Cost: one power, and from 3 (k > 2 10^5) to 36 (k = 1)
  * terms of a series. */
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse);
 

@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
+#include <string.h>
 
 int fvi_past_has_solution(fvi_past past, double alpha, double rho, double x0)
 {
@@ -54,29 +55,38 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
 }
 
 //> impulses
-/* int (k + 1/2 + x)^e x^degree dx over |x| <= 1/2 by the binomial series; what is
- * left out is a geometric series of ratio (2 k + 1)^-2, below u / 8. */
-static double moment(double e, size_t k, size_t degree)
+/* moments[degree] = int (k + 1/2 + x)^e x^degree dx over |x| <= 1/2, k > 0, by the
+ * binomial series. Its terms fall at least like (2 k + 1)^-j; the first that is left
+ * out is below u / 8. */
+static void power_moments(double e, size_t k, size_t count, double *moments)
 {
-    const double middle = (double)k + 0.5;
-    double term = 1, sum = 0; /* term = binomial(e, j) (2 middle)^-j */
+    const double middle = (double)k + 0.5, power = pow(middle, e);
+    double term = 1; /* binomial(e, j) (2 middle)^-j */
+    for (size_t degree = 0; degree < count; degree++)
+        moments[degree] = 0;
     for (size_t j = 0; fabs(term) > GSL_DBL_EPSILON / 16; j++) {
-        if ((j + degree) % 2 == 0)
-            sum += term / (double)(j + degree + 1);
+        for (size_t degree = j % 2; degree < count; degree += 2)
+            moments[degree] += term / (double)(j + degree + 1);
         term *= (e - (double)j) / ((double)(j + 1) * 2 * middle);
     }
-    return sum * pow(middle, e) * exp2(-(double)degree);
+    for (size_t degree = 0; degree < count; degree++)
+        moments[degree] *= power * exp2(-(double)degree);
 }
 
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
 {
-    double moments[FVI_PAST_NODES];
-    for (size_t degree = 0; degree < pull->nodes && k > 0; degree++)
-        moments[degree] = pull->size * moment(pull->e, k, degree);
+    if (k == 0) {
+        memcpy(impulse, pull->first, pull->nodes * sizeof *impulse);
+        return;
+    }
+    double moments[FVI_PAST_NODES] = { 0 };
+    if (pull->size != 0) /* alpha = 1: all was at t = 0 */
+        power_moments(pull->e, k, pull->nodes, moments);
     for (size_t i = 0; i < pull->nodes; i++) {
-        impulse[i] = k > 0 ? 0 : pull->first[i];
-        for (size_t degree = 0; degree < pull->nodes && k > 0; degree++)
-            impulse[i] += pull->basis[i][degree] * moments[degree];
+        impulse[i] = 0;
+        for (size_t degree = 0; degree < pull->nodes; degree++)
+            impulse[i] +=
+                pull->basis[i][degree] * (pull->size * moments[degree]);
     }
 }
 //< impulses

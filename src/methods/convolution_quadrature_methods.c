@@ -4,6 +4,7 @@
 #include <fvi/discrete_mechanics.h>
 #include "damping.h"
 #include "loads.h"
+#include "pull.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -21,8 +22,7 @@ typedef struct {
     double g[FVI_BDF2_TAPS]; /* (13.11) */
     size_t taps, place;      /* taps == 0: no factor */
     double *past; /* the last terms of each, the latest at [place], twice */
-    fvi_past_pull fading;
-    double *pull; /* rho A h^(1 + e) of each, (19.3); NULL: there is none */
+    fvi_pull pull;
     double impulse[2]; /* of this step, at its ends (19.5) */
 } second_order;
 
@@ -76,12 +76,12 @@ static int remember(fvi_stepper *s, second_order *o)
 /* What the past does at the left or the right end of this step. */
 static void pull(fvi_stepper *s, second_order *o, size_t end)
 {
-    if (!o->pull)
+    if (!o->pull.size)
         return;
     if (end == 0)
-        fvi_past_impulses(&o->fading, s->k, o->impulse);
-    for (size_t j = 0; j < o->damping->count; j++)
-        s->p[o->damping->index[j]] -= o->pull[j] * o->impulse[end];
+        fvi_past_impulses(&o->pull.fading, s->k, o->impulse);
+    for (size_t i = 0; i < s->run.system->d; i++)
+        s->p[i] -= o->pull.size[i] * o->impulse[end];
 }
 
 /* First line of (13.10): p becomes p_k and its half of F and of the damping, r what
@@ -149,34 +149,23 @@ static void stop_second_order(fvi_stepper *s)
     fvi_damping_free(o->damping);
     free(o->r);
     free(o->H);
-    free(o->pull);
+    free(o->pull.size);
     free(o);
 }
 
-/* H, ahead and past of so many damped coordinates. */
+/* Of so many damped coordinates: H and ahead, and past if there is a factor. */
+static size_t rows(const second_order *o, size_t count)
+{
+    return (size_t)(2 + (o->taps ? 2 * FVI_BDF2_TAPS : 0)) * count;
+}
+
 static int make_rows(second_order *o, size_t count)
 {
-    o->H = calloc((2 + 2 * FVI_BDF2_TAPS) * count, sizeof *o->H);
+    o->H = calloc(rows(o, count), sizeof *o->H);
     if (!o->H)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     o->ahead = o->H + count;
     o->past = o->ahead + count;
-    return FVI_SUCCESS;
-}
-
-static int copy_rows(const second_order *from, second_order *to)
-{
-    const size_t count = from->damping->count;
-    int status = make_rows(to, count);
-    if (status)
-        return status;
-    memcpy(to->H, from->H, (2 + 2 * FVI_BDF2_TAPS) * count * sizeof *to->H);
-    if (!from->pull)
-        return FVI_SUCCESS;
-    to->pull = malloc(count * sizeof *to->pull);
-    if (!to->pull)
-        FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    memcpy(to->pull, from->pull, count * sizeof *to->pull);
     return FVI_SUCCESS;
 }
 
@@ -188,12 +177,20 @@ static int copy_second_order(const fvi_stepper *from, fvi_stepper *to)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     *o = *old;
     o->damping = NULL;
-    o->H = o->ahead = o->past = o->pull = NULL;
+    o->H = o->ahead = o->past = o->pull.size = NULL;
     o->r = calloc(from->run.system->d, sizeof *o->r); /* of one step only */
     if (!o->r)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    int status = fvi_damping_copy(old->damping, &o->damping);
-    return status || !old->damping ? status : copy_rows(old, o);
+    int status = fvi_pull_copy(&old->pull, from->run.system->d, &o->pull);
+    if (!status)
+        status = fvi_damping_copy(old->damping, &o->damping);
+    if (status || !old->damping)
+        return status;
+    const size_t count = old->damping->count;
+    status = make_rows(o, count);
+    if (!status)
+        memcpy(o->H, old->H, rows(o, count) * sizeof *o->H);
+    return status;
 }
 
 /* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha):
@@ -210,35 +207,9 @@ static int solver(fvi_stepper *s, const second_order *o)
                             1 - run->kappa, &s->newton);
 }
 
-static double amplitude(const fvi_stepper *s, size_t i)
-{
-    return fvi_past_amplitude(s->run.past, s->run.alpha, s->x[i],
-                              s->p[i] / s->run.system->mass[i]);
-}
-
-/* The memory is Caputo's; what another past adds is known beforehand. (19.3) */
-static int start_pull(fvi_stepper *s, second_order *o)
-{
-    static const double ends[] = { 0, 1 };
-    const fvi_run *run = &s->run;
-    const fvi_damping *d = o->damping;
-    int any = 0;
-    for (size_t j = 0; j < d->count; j++)
-        any |= amplitude(s, d->index[j]) != 0;
-    if (!any)
-        return FVI_SUCCESS;
-    o->pull = malloc(d->count * sizeof *o->pull);
-    if (!o->pull)
-        FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    fvi_past_prepare(run->alpha, 2, ends, &o->fading);
-    for (size_t j = 0; j < d->count; j++)
-        o->pull[j] = run->system->damping[d->index[j]]
-                     * amplitude(s, d->index[j]) * pow(run->h, 1 + o->fading.e);
-    return FVI_SUCCESS;
-}
-
 static int start(fvi_stepper *s, double theta, int is_bdf2)
 {
+    static const double ends[] = { 0, 1 };
     second_order *o = s->own = calloc(1, sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
@@ -256,7 +227,7 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
             o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
         status = make_rows(o, count);
         if (!status)
-            status = start_pull(s, o);
+            status = fvi_pull_start(s, 2, ends, &o->pull); /* (19.3) */
         if (status)
             return status;
     }

@@ -1,0 +1,28 @@
+/* src/methods/pull.h -- What the past adds to Caputo's damping in a run. [Chapter 19]
+ *
+ * Internal: what the integrators of chapters 13 and 17 have in common. */
+#ifndef FVI_PULL_H
+#define FVI_PULL_H
+
+#include <fvi/trajectory.h>
+
+typedef struct {
+    fvi_past_pull fading;
+    double
+        *size; /* rho A h^(1 + e) of each coordinate, (19.3); NULL: no pull */
+} fvi_pull;
+
+/* fvi_pull_start -- the pull of a run on a method's nodes.
+ *
+ *   s     a stepper at k = 0
+ *   n, c  the nodes, as fvi_past_prepare has them
+ *   pull  output; give pull->size back with free
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM; on error pull->size is NULL. */
+int fvi_pull_start(const fvi_stepper *s, size_t n, const double *c,
+                   fvi_pull *pull);
+
+/* fvi_pull_copy -- the same again, of d coordinates. Errors as above. */
+int fvi_pull_copy(const fvi_pull *from, size_t d, fvi_pull *to);
+
+#endif
