@@ -106,9 +106,15 @@ int fvi_potential_value(const fvi_system *system, const double *x,
                         double *value);
 int fvi_gradient(const fvi_system *system, const double *x, double *grad);
 
+/* fvi_hessian_room -- d * d numbers, or d * diagonals if that is more: a Hessian in
+ * full and in diagonals. SIZE_MAX / 64, which no allocator has, if it cannot be
+ * addressed. Nothing is checked. */
+size_t fvi_hessian_room(const fvi_system *system);
+
 /* fvi_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
  *
- *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U
+ *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U.
+ *                       Room for fvi_hessian_room numbers, the rest is of no use
  *
  * Nothing is checked. Cost O(d^2) and one Hessian.
  * Returns FVI_SUCCESS, or what the potential returned; H is then of no use. */

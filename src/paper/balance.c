@@ -97,7 +97,7 @@ int fvi_green_form(const fvi_scheme *scheme, size_t N, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     const size_t d = scheme->system->d;
     double *t = calloc(N + 2 + (N + 1) * d, sizeof *t);
-    double *room = calloc((d + 1) * d, sizeof *room);
+    double *room = calloc(d + fvi_hessian_room(scheme->system), sizeof *room);
     if (!t || !room) {
         free(t);
         free(room);
@@ -142,7 +142,7 @@ int fvi_scheme_energy(const fvi_scheme *scheme, size_t N, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     const fvi_system *system = scheme->system;
     const size_t d = system->d;
-    double *room = calloc((d + 3) * d, sizeof *room);
+    double *room = calloc(3 * d + fvi_hessian_room(system), sizeof *room);
     if (!room)
         FVI_FAIL("no memory for the energy", FVI_ENOMEM);
     double *dx = room, *p = dx + d, *middle = p + d, *B = middle + d;

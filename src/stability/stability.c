@@ -88,7 +88,7 @@ static int is_tridiagonal(const fvi_system *system)
 
 static size_t numbers(const fvi_system *system)
 {
-    return is_tridiagonal(system) ? 2 * system->d : system->d * system->d;
+    return is_tridiagonal(system) ? 2 * system->d : fvi_hessian_room(system);
 }
 
 /* The matrix of (14.3) for K in diagonals: its own in A and A + d. */

@@ -253,8 +253,8 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
         return status;
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
-    const size_t d = system->d, rows = u->hessian ? d : 0;
-    double *R = malloc((1 + rows) * d * sizeof *R), *W = R + d, worst = 0;
+    const size_t d = system->d, room = u->hessian ? fvi_hessian_room(system) : 0;
+    double *R = malloc((d + room) * sizeof *R), *W = R + d, worst = 0;
     if (!R)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
     for (size_t i = 0; i < d; i++) {
@@ -266,7 +266,7 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
     if (u->hessian)
         status = fvi_hessian(system, run->x0, W);
     if (u->hessian && !status) {
-        for (size_t i = 0; i < rows * d; i++)
+        for (size_t i = 0; i < d * d; i++)
             W[i] *= gsl_pow_2(run->h)
                     / sqrt(system->mass[i / d] * system->mass[i % d]);
         const double share = stages == 2 ? ends->A[0][0] / ends->B[0][0] : 1;

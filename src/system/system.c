@@ -57,16 +57,24 @@ int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
     return status;
 }
 
+size_t fvi_hessian_room(const fvi_system *s)
+{
+    const size_t m = s->potential.diagonals, row = m > s->d ? m : s->d;
+    return s->d > SIZE_MAX / 64 / row ? SIZE_MAX / 64 : s->d * row;
+}
+
 /* Diagonals are spread in place, from the last number up: nothing is written over
- * before it has been read. */
+ * before it has been read, if a row is no longer than d. */
 int fvi_hessian(const fvi_system *s, const double *x, double *H)
 {
     const fvi_potential *u = &s->potential;
-    const size_t d = s->d, m = u->diagonals;
+    const size_t d = s->d, m = u->diagonals < d ? u->diagonals : d;
     memset(H, 0, d * d * sizeof *H);
     int status = u->hessian ? u->hessian(d, x, u->params, H) : FVI_SUCCESS;
     if (status)
         return status;
+    for (size_t i = 1; u->diagonals > d && i < d; i++)
+        memmove(H + i * d, H + i * u->diagonals, (d - i) * sizeof *H);
     for (size_t i = d; m > 0 && i-- > 0;)
         for (size_t j = i + (m < d - i ? m : d - i); j-- > i;) {
             double value = H[i * m + j - i];

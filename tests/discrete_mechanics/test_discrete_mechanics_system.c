@@ -153,6 +153,47 @@ END_TEST
 
 /* ---- errors ---- */
 
+/* H_ij = 1 + (i + j)(i + j + 1)/2 + i, all of them different, in so many diagonals. */
+static int band_hessian(size_t d, const double *x, void *params, double *H)
+{
+    const size_t m = *(size_t *)params;
+    (void)x;
+    for (size_t i = 0; i < d; i++)
+        for (size_t k = 0; k < m && i + k < d; k++)
+            H[i * m + k] = (double)(1 + (2 * i + k) * (2 * i + k + 1) / 2 + i);
+    return 0;
+}
+
+/* Narrow, as wide as the matrix, and wider: a chain of one mass has two diagonals. */
+START_TEST(eq_2_1_a_hessian_out_of_diagonals)
+{
+    enum { MOST = 6, WIDE = 15 };
+    for (size_t d = 1; d <= MOST; d++)
+        for (size_t m = 1; m <= WIDE; m++) {
+            const fvi_potential u = { .hessian = band_hessian,
+                                      .params = &m,
+                                      .diagonals = m };
+            const fvi_system system = { d, one, one, u, { 0 } };
+            double H[MOST * WIDE];
+            const size_t room = fvi_hessian_room(&system);
+            ck_assert_uint_eq(room, d * (m > d ? m : d));
+            for (size_t i = 0; i < room; i++)
+                H[i] = GSL_NAN; /* nothing of what was there is left */
+            ck_assert_int_eq(fvi_hessian(&system, one, H), 0);
+            for (size_t i = 0; i < d; i++)
+                for (size_t j = 0; j < d; j++) {
+                    const size_t a = i < j ? i : j, b = i + j - a;
+                    ck_assert_double_eq(
+                        H[i * d + j],
+                        b - a < m ? (double)(1 + (a + b) * (a + b + 1) / 2 + a)
+                                  : 0);
+                }
+        }
+    const fvi_system vast = { SIZE_MAX / 16, one, one, { 0 }, { 0 } };
+    ck_assert_uint_eq(fvi_hessian_room(&vast), SIZE_MAX / 64);
+}
+END_TEST
+
 START_TEST(systems_that_cannot_move_are_refused)
 {
     const double c = 1;
@@ -198,7 +239,8 @@ int main(void)
              eq_2_1_quadratic_potentials_say_so,
              eq_2_1_a_chain_pulls_only_at_its_walls, eq_2_1_forces,
              eq_2_4_energy);
-    ADD_CASE(suite, "identities", eq_2_1_derivatives_by_differences);
+    ADD_CASE(suite, "identities", eq_2_1_derivatives_by_differences,
+             eq_2_1_a_hessian_out_of_diagonals);
     ADD_CASE(suite, "errors", systems_that_cannot_move_are_refused);
     return run_suite(suite);
 }

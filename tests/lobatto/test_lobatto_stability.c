@@ -333,6 +333,48 @@ START_TEST(eq_17_18_a_chain_of_masses)
 }
 END_TEST
 
+/* Of the form (2 x_1, x_1 x_2; x_1 x_2, 5), in more diagonals than it has rows. */
+static int wide_hessian(size_t d, const double *z, void *params, double *H)
+{
+    const size_t m = *(size_t *)params;
+    (void)d;
+    H[0] = 2 * z[0];
+    H[1] = z[0] * z[1];
+    H[m] = 5;
+    return 0;
+}
+
+static int no_gradient(size_t d, const double *z, void *params, double *g)
+{
+    (void)d, (void)z, (void)params, (void)g;
+    return -1;
+}
+
+/* The same numbers in 2 and in 40 diagonals, and so the same digits. */
+START_TEST(eq_17_18_more_diagonals_than_masses)
+{
+    const double mass[] = { 1, 2 }, rho[] = { 0.3, 0.1 }, start[] = { 1, -1.5 };
+    double step[2], load[2];
+    for (size_t i = 0; i < 2; i++) {
+        size_t m = i == 0 ? 2 : 40;
+        const fvi_system system = { 2,
+                                    mass,
+                                    rho,
+                                    { .value = no_gradient,
+                                      .gradient = no_gradient,
+                                      .hessian = wide_hessian,
+                                      .params = &m,
+                                      .diagonals = m },
+                                    { 0 } };
+        const fvi_run run = fvi_run_default(&system, start, start, 0.5, 1);
+        ck_assert_int_eq(fvi_stability_lobatto(3, &run, load + i), 0);
+        ck_assert_int_eq(fvi_stability_step(&fvi_lobatto2, &run, step + i), 0);
+    }
+    ck_assert_double_eq(load[0], load[1]);
+    ck_assert_double_eq(step[0], step[1]);
+}
+END_TEST
+
 START_TEST(bad_questions_about_stages_are_refused)
 {
     const double one = 1, big = 1e300;
@@ -387,7 +429,7 @@ int main(void)
              eq_17_19_three_stages_in_closed_form,
              eq_17_18_runs_grow_where_the_load_says_so,
              eq_17_19_the_first_unstable_mode_of_three_stages_is_monotone,
-             eq_17_18_a_chain_of_masses);
+             eq_17_18_more_diagonals_than_masses, eq_17_18_a_chain_of_masses);
     ADD_CASE(suite, "errors", bad_questions_about_stages_are_refused);
     return run_suite(suite);
 }
