@@ -6,8 +6,10 @@
  * be called from Python, or from one of many threads: whether an error is a reason to
  * abort is for the program to decide, so there is no handler until the program sets
  * one, and that of GSL, whose default aborts, is never called: around what may fail in
- * GSL it is switched off, and on again. While a function of the library runs in one
- * thread, another should not set GSL's handler. The codes are GSL's numbers, so that
+ * GSL it is switched off, and on again, so a curve
+ * whose derivative is wanted is asked for it while GSL's handler is off. While a function
+ * of the library runs, neither another thread nor a callback should set GSL's handler:
+ * the one from before comes back. The codes are GSL's numbers, so that
  * gsl_strerror knows them too. */
 #ifndef FVI_ERROR_H
 #define FVI_ERROR_H
@@ -43,8 +45,9 @@ const char *fvi_strerror(int code);
 typedef void fvi_error_handler(const char *reason, const char *file, int line,
                                int code);
 
-/* fvi_set_error_handler -- for all threads, best before the second begins. Returns the one before; at first there is
- * none, NULL. */
+/* fvi_set_error_handler -- for all threads, at any time; it is then called in the
+ * thread in which an error arises, by several at once perhaps. Returns the one before;
+ * at first there is none, NULL. */
 fvi_error_handler *fvi_set_error_handler(fvi_error_handler *handler);
 
 #pragma GCC visibility pop

@@ -21,7 +21,7 @@ typedef enum {
  *
  *     m x'' + c x + rho D^{2 alpha} x = F(t),   x(0) = x0,  x'(0) = v0
  *
- *   m        mass, finite, > 0
+ *   m        mass, finite, > 0 and not subnormal
  *   c        stiffness, finite, >= 0 (0: a free particle)
  *   rho      damping, finite, >= 0
  *   alpha    0 <= alpha <= 1

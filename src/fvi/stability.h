@@ -52,8 +52,9 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
  *
  * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads and one Hessian; a
  * load's own rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it (fvi-lobatto2:
- * 1e-12 takes the place of 8 d u). Errors as above, and FVI_EUNSUP if the load of the method may
- * fall while h grows. On error *h is untouched. */
+ * 1e-12 takes the place of 8 d u). A load that overflows on the way is one above 1, and
+ * yet told to the error handler. Errors as above, and FVI_EUNSUP if the load of the
+ * method may fall while h grows. On error *h is untouched. */
 int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
 
 /* fvi_stability_lobatto -- the same for the methods of chapter 17. [(17.18)]

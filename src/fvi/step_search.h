@@ -77,7 +77,8 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
 
 /* fvi_step_search_other -- a method that may reach what this one did not.
  *
- *   method, run  as above, not NULL; the run is one that fvi_start takes
+ *   method, run  as above, not NULL; the run is one that fvi_start takes, and has a
+ *                solution (19.2)
  *
  * Returns that of fvi_methods (methods.h) that has the highest order of those that
  * take such a run, the first if there are several; NULL if its order is not higher than

@@ -40,7 +40,8 @@ extern "C" {
  *
  * All three functions, or none: a zeroed potential is that of a free particle.
  * The library calls them with arrays that do not overlap. A function that cannot
- * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW.
+ * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW, or
+ * with FVI_EMAXITER where only a Hessian that changes is NaN.
  *
  * The params may change until fvi_start. From then until fvi_stop the functions must
  * give the same numbers for the same x; what else stands in the params, a count of the
@@ -82,8 +83,8 @@ typedef struct {
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL;
  * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
- * addressed, or if the potential has some of its three functions but not all; FVI_EDOM if a mass is
- * not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
+ * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
+ * if a mass is not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
 int fvi_system_check(const fvi_system *system);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]

@@ -33,8 +33,8 @@ extern "C" {
  *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
  *   memory   how the history is summed
- *   tolerance  of the compressed memory, relative to the direct sum; 0 means
- *              the default 1e-13; not read where nothing is remembered
+ *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
+ *              means the default 1e-13; of no effect where nothing is remembered
  *
  * What is left out of an initialiser is zero: begin with fvi_run_default, which
  * sets what must not be zero by accident.
@@ -139,8 +139,8 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  *
  * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
  * is two gradients and O(d w), else mostly two to five gradients, Hessians and
- * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to a thousand where
- * Newton's method fails. Which solution is found where there are several is not said.
+ * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to 1050, and twice as
+ * many gradients, where Newton's method fails. Which solution is found where there are several is not said.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;

@@ -35,9 +35,12 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s)
 
 /* ---- power series of s x s matrices, up to z^3 ---- */
 
-typedef fvi_lobatto_series series;
-
 enum { TERMS = FVI_LAGS + 1 };
+
+/* Entry (i, j) of the coefficient of z^n at [n][i][j]. */
+typedef struct {
+    double w[TERMS][FVI_STAGES][FVI_STAGES];
+} series;
 
 /* out = p x + q y */
 static void combine(size_t s, double p, const series *x, double q,
@@ -49,7 +52,7 @@ static void combine(size_t s, double p, const series *x, double q,
                 out->w[n][i][j] = p * x->w[n][i][j] + q * y->w[n][i][j];
 }
 
-/* out -= (or +=) x times y, matrices */
+/* out += sign x y, matrices */
 static void add_product(size_t s, double sign, double x[FVI_STAGES][FVI_STAGES],
                         double y[FVI_STAGES][FVI_STAGES],
                         double out[FVI_STAGES][FVI_STAGES])
@@ -133,7 +136,7 @@ static series root(size_t s, series *x)
 //> near
 /* Delta(z)^beta: roots until Delta^(1/2^k) = 1 + E with a small E, the binomial
  * series of (1 + E)^beta, and k squares. */
-void fvi_lobatto_near(size_t s, double beta, fvi_lobatto_series *W)
+static series near(size_t s, double beta)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const series one = identity(s);
@@ -152,7 +155,7 @@ void fvi_lobatto_near(size_t s, double beta, fvi_lobatto_series *W)
     }
     while (k-- > 0)
         sum = multiply(s, &sum, &sum);
-    *W = sum;
+    return sum;
 }
 //< near
 
@@ -246,21 +249,22 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
         FVI_FAIL("n must be at least 1 and addressable", FVI_EINVAL);
     if (!(beta >= -1 && beta <= 1))
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
-    const size_t Q =
-        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, NULL, NULL, NULL, 0);
+    size_t Q = 0;
+    if (n > TERMS) /* else the series has them all */
+        Q = fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, NULL, NULL, NULL,
+                              0);
     double *q = calloc((2 + s) * Q + 1, sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
     double *p = q + Q, *a = q + 2 * Q;
-    fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, q, p, a, Q);
-
-    fvi_lobatto_series near;
-    fvi_lobatto_near(s, beta, &near);
+    if (Q > 0)
+        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, q, p, a, Q);
+    const series first = near(s, beta);
     for (size_t k = 0; k < n; k++, W += s * s) {
         for (size_t j = 0; k >= 2 && j < Q; j++)
             q[j] -= p[j] * q[j]; /* q_j R_j^(k-1) */
         for (size_t i = 0; k < TERMS && i < s; i++)
-            memcpy(W + i * s, near.w[k][i], s * sizeof *W);
+            memcpy(W + i * s, first.w[k][i], s * sizeof *W);
         if (k >= TERMS)
             sum_nodes(s, Q, q, a, W);
     }

@@ -37,14 +37,6 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 
 /* ---- for lobatto_memory.c: nothing is checked ---- */
 
-/* W_0, ..., W_3 by power series arithmetic, entry (i, j) of W_n at [n][i][j].
- * Cost 0.1 to 0.3 ms. */
-typedef struct {
-    double w[FVI_LAGS + 1][FVI_STAGES][FVI_STAGES];
-} fvi_lobatto_series;
-
-void fvi_lobatto_near(size_t s, double beta, fvi_lobatto_series *W);
-
 /* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
  *
  *     W_n = sum_j q_j R_j^(n-1) a_j a~_j^T,   R_j = 1 - p_j,

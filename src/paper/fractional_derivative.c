@@ -3,6 +3,7 @@
 
 #include "system/fail.h"
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 
@@ -63,6 +64,8 @@ static int mean_velocity(history *past, double alpha, double *mean)
     gsl_integration_qaws_table_free(kernel);
     gsl_integration_workspace_free(w);
     fvi_loud();
+    if (status == GSL_EFAILED) /* QAWS, where an area is not a number */
+        FVI_FAIL("f' is not finite", FVI_EBADFUNC);
     *mean *= 1 - alpha;
     return status;
 }

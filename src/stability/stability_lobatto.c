@@ -253,7 +253,8 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
         return status;
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
-    const size_t d = system->d, room = u->hessian ? fvi_hessian_room(system) : 0;
+    const size_t d = system->d,
+                 room = u->hessian ? fvi_hessian_room(system) : 0;
     double *R = malloc((d + room) * sizeof *R), *W = R + d, worst = 0;
     if (!R)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);

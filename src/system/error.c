@@ -6,19 +6,18 @@
 #include <stdatomic.h>
 #include <stddef.h>
 
-static fvi_error_handler *handler;
+static _Atomic(fvi_error_handler *) handler;
 
 fvi_error_handler *fvi_set_error_handler(fvi_error_handler *next)
 {
-    fvi_error_handler *before = handler;
-    handler = next;
-    return before;
+    return atomic_exchange(&handler, next);
 }
 
 int fvi_fail(const char *reason, const char *file, int line, int code)
 {
-    if (handler)
-        handler(reason, file, line, code);
+    fvi_error_handler *now = handler; /* another thread may set the next one */
+    if (now)
+        now(reason, file, line, code);
     return code;
 }
 

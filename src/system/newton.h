@@ -61,14 +61,14 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  *
  * Cost: explicit or quadratic, two gradients and the solution with the factors, O(d w)
  * for a Hessian of 2 w - 1 diagonals, O(d^2) for a full one. Else mostly two to five
- * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each; up to a thousand
- * where Newton's method fails.
+ * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each; up to 1050, and
+ * twice as many gradients, where Newton's method fails.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EMAXITER, or FVI_ESING if
  * it was a singular Jacobian that made it begin again, if no solution was found; what
  * the potential returned (these without a call of the error handler, as in
- * fvi_newton_alloc). A value that is not finite, or whose square is not, is no error here: d is then
- * not finite. */
+ * fvi_newton_alloc). A gradient that is not finite, or whose square is not, is no error
+ * here: d is then not finite. */
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
                      double *d, double *g);
 

@@ -27,7 +27,8 @@
  *   x    output, (steps + 1) d positions
  *
  * Cost O(N log^2 N), memory O(N d).
- * Returns FVI_SUCCESS, FVI_ENOMEM, or FVI_EMAXITER. */
+ * Returns FVI_SUCCESS, FVI_ENOMEM, what the solver (newton.h) or a callback returned.
+ * On error x is of no use. */
 int peer_product_trapezoid(const fvi_run *run, double *x);
 
 #endif

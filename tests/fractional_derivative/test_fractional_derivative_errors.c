@@ -46,6 +46,23 @@ START_TEST(bad_arguments_are_refused_and_d_is_untouched)
 }
 END_TEST
 
+/* Not a number between two of the times at which f' is looked at beforehand. */
+static double holed(double t, const void *params)
+{
+    (void)params;
+    return t > 0.51 && t < 0.52 ? GSL_NAN : 1;
+}
+
+START_TEST(a_hole_in_the_velocity_is_found)
+{
+    const fvi_curve curve = { sine, holed, &(const double){ 1 } };
+    double d = 7;
+    ck_assert_int_eq(fvi_caputo(FVI_RETARDED, 0.5, 0, &curve, 1, &d),
+                     FVI_EBADFUNC);
+    ck_assert(d == 7);
+}
+END_TEST
+
 /* A thousand intervals are not enough for a hundred million oscillations. */
 START_TEST(a_quadrature_that_fails_says_so)
 {
@@ -85,7 +102,7 @@ int main(void)
 {
     Suite *suite = suite_create("01 fractional_derivative: errors");
     ADD_CASE(suite, "errors", bad_arguments_are_refused_and_d_is_untouched,
-             a_quadrature_that_fails_says_so,
+             a_hole_in_the_velocity_is_found, a_quadrature_that_fails_says_so,
              bad_powers_are_refused_and_d_is_untouched);
     return run_suite(suite);
 }

@@ -44,7 +44,7 @@ typedef struct {
  *   u, v  (N + 1) d numbers each
  *   C     output, N numbers; must not overlap u or v
  *
- * Plain sums, cost O(N^2 d) and N Hessians; memory O(N d + d^2). To first order in
+ * Plain sums, cost O(N^2 d + N d^2) and N Hessians; memory O(N d + d^2). To first order in
  * 2^-53, C_n is off by at most (N + d + 16) 2^-53 times the sum of the sizes of its
  * terms, where T stands for (1 - theta) |w_n| + theta |w_{n+1}|; exact where all of
  * them are short binary fractions. (BDF2: the weights' own 40 2^-53 max |w| comes on top.)

@@ -57,7 +57,8 @@ int fvi_discrete_action(const fvi_system *system, double alpha, double kappa,
  *   gx, gy  outputs, (N + 1) d numbers each, must not overlap x or y
  *
  * The other arguments, the cost and the errors (FVI_EFAULT, FVI_EINVAL, FVI_EDOM,
- * FVI_ENOMEM, what the potential returned) are those of fvi_discrete_action. On error gx and gy are untouched. Rounding: each number
+ * FVI_ENOMEM, what the potential returned) are those of fvi_discrete_action, with
+ * gradients of U for its values. On error gx and gy are untouched. Rounding: each number
  * is off by at most (2 N + 16) u times the sum of the sizes of its terms. */
 int fvi_discrete_action_gradient(const fvi_system *system, double alpha,
                                  double kappa, double h, size_t N, size_t first,

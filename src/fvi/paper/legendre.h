@@ -44,8 +44,9 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
  *
  * Cost of the equation of a step (fvi_step), and a factorisation each time: for one
  * step, not for a run. Returns what fvi_system_check returns; FVI_EMAXITER or FVI_ESING
- * if the equation could not be solved; what the potential returned; FVI_EFAULT if a pointer is NULL; FVI_EDOM if kappa or h is out of range or x
- * or p is not finite; FVI_EOVRFLW if x_{k+1} is not finite; FVI_ENOMEM. On error
+ * if the equation could not be solved; what the potential returned; FVI_EFAULT if a
+ * pointer is NULL; FVI_EDOM if kappa or h is out of range, m/h is not finite and > 0, or
+ * x or p is not finite; FVI_EOVRFLW if x_{k+1} is not finite; FVI_ENOMEM. On error
  * y is untouched. */
 int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
                          const double *x, const double *p, double *y);
