@@ -89,7 +89,7 @@ static int load_of(const fvi_options *o, const fvi_run *run, double *load,
 {
     const fvi_method *m = o->method;
     *h = NAN;
-    if (o->d > FEW && (m->stages > 0 || o->kappa != 0.5)) /* a full Hessian */
+    if (o->d > FEW && m->stages > 0) /* the others keep to two diagonals */
         return -1;
     int status = fvi_stability_load(m, run, load);
     if (!status && *load > 1 && m->load_grows)

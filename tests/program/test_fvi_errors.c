@@ -213,6 +213,17 @@ START_TEST(an_unstable_step_is_warned_of)
                          "--kappa 0 --h 2.1 --steps 3"),
                      0);
     ck_assert_ptr_nonnull(strstr(err, "stable below h = 2\n"));
+    /* a long chain: the largest eigenvalue is 4 cos^2(pi/2002) */
+    ck_assert_int_eq(fvi("run --potential chain:1000,1,0 --rho 0 --kappa 0 "
+                         "--h 1.001 --steps 3"),
+                     0);
+    ck_assert_str_eq(
+        err, "fvi: warning: this step is unstable (load 1.002, above 1); "
+             "stable below h = 1\n");
+    ck_assert_int_eq(fvi("run --potential chain:1000,1,0 --rho 0 --kappa 0 "
+                         "--h 0.999 --steps 3"),
+                     0);
+    ck_assert_str_eq(err, "");
 }
 END_TEST
 
