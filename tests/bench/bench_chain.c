@@ -11,14 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
-#include <time.h>
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Seconds of N steps of d masses, x_i = cos(b i) and p_i = 1/2 at first. */
 static double run_once(const fvi_method *method, size_t d, size_t N, double b,

@@ -19,7 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { ROWS = 80, D = 32, PROBLEMS = 4, DECADES = 12 };
@@ -111,14 +110,6 @@ static int run_once(const contender *c, int P, size_t N, double *rows)
     }
     fvi_stop(s);
     return status;
-}
-
-/* Processor time: what others do on the machine is not counted. */
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /* The median of 5 runs, 3 if they are long; 0 if the run fails. */
