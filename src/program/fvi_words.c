@@ -8,11 +8,30 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What was typed may be long, and what is wrong with it stands at the end: the middle
+ * gives way. */
+static void leave_out_the_middle(fvi_complaint c, size_t length,
+                                 const char *format, va_list arguments)
+{
+    const size_t end = c.size / 2; /* so much of the end, its '\0' included */
+    char *whole = malloc(length + 1);
+    if (whole && c.size > 8) {
+        vsnprintf(whole, length + 1, format, arguments);
+        memcpy(c.text + c.size - end - 3, "...", 3);
+        memcpy(c.text + c.size - end, whole + length + 1 - end, end);
+    }
+    free(whole);
+}
+
 int fvi_refuse(fvi_complaint c, const char *format, ...)
 {
-    va_list arguments;
+    va_list arguments, again;
     va_start(arguments, format);
-    vsnprintf(c.text, c.size, format, arguments);
+    va_copy(again, arguments);
+    const int length = vsnprintf(c.text, c.size, format, arguments);
+    if (length > 0 && (size_t)length >= c.size)
+        leave_out_the_middle(c, (size_t)length, format, again);
+    va_end(again);
     va_end(arguments);
     for (char *t = c.text; *t; t++) /* one line, whatever was typed */
         if ((unsigned char)*t < ' ')

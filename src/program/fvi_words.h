@@ -38,7 +38,8 @@ typedef struct {
     size_t size;
 } fvi_complaint;
 
-/* Write the complaint, as printf would; control characters become '?'. */
+/* Write the complaint, as printf would; control characters become '?', and of what is
+ * too long for its place the middle becomes "...". */
 __attribute__((format(printf, 2, 3))) int fvi_refuse(fvi_complaint c,
                                                      const char *format, ...);
 

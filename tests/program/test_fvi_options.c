@@ -222,11 +222,30 @@ START_TEST(words_stay_within_their_bounds)
 }
 END_TEST
 
+/* Of a list of 400 numbers that is one too long the beginning is said, and what is
+ * wrong with it. */
+START_TEST(a_long_word_is_shortened_and_its_reason_stays)
+{
+    static const char reason[] = "3,3,3' has 400 numbers, not 1 or 399";
+    char word[800], text[400] = "";
+    double values[399];
+    for (size_t i = 0; i < 400; i++)
+        memcpy(word + 2 * i, i < 399 ? "3," : "3", 2);
+    const fvi_complaint c = { text, sizeof text };
+    ck_assert_int_eq(fvi_word_list("x0", word, 399, values, c), 2);
+    ck_assert_uint_eq(strlen(text), 399);
+    ck_assert_int_eq(strncmp(text, "--x0: '3,3,3,", 13), 0);
+    ck_assert_ptr_nonnull(strstr(text, "..."));
+    ck_assert_str_eq(text + 399 - strlen(reason), reason);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the words of fvi");
     ADD_CASE(suite, "values", defaults_are_those_of_the_manual);
     ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
-             the_nearest_known_word_is_named, words_stay_within_their_bounds);
+             the_nearest_known_word_is_named, words_stay_within_their_bounds,
+             a_long_word_is_shortened_and_its_reason_stays);
     return run_suite(suite);
 }
