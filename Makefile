@@ -6,6 +6,10 @@
 # proof and figure. What is more than a line of shell stands in src/make/.
 
 B       := build
+# Objects stood in $(B)/src before the sources had rooms; programs, where folders are now.
+ifeq ($(wildcard $B/src)$(filter clean,$(MAKECMDGOALS)),$B/src)
+$(error $B/ is of an older version, whose files stood elsewhere; please type: rm -rf $B)
+endif
 PYTHON  ?= /usr/bin/python3
 GNUPLOT ?= gnuplot
 CFLAGS  ?= -O2 -g
@@ -63,14 +67,14 @@ all: $B/fvi ## build the program build/fvi (bare `make` does this)
 help: ## print this list
 	echo 'make TARGET, where TARGET is'
 	sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
-	echo '  ch04           one chapter: its test, its proof, its figures ($(NUMBERS))'
-	echo 'and, for one STEM, test-STEM, verify-STEM, figures-STEM; stems:'
+	echo '  ch04         one chapter: its test, its proof, its figures ($(NUMBERS))'
+	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
 	echo '  $(sort $(TESTS))' | fold -s -w 76 | sed '2,$$s/^/  /'
 
 check: test test-install test-play verify text layers ## everything: tests, proofs, chapters equal to the code
 	sh src/make/count.sh $B
 
-test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check; no Python, no gnuplot)
+test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
 
 verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values with tests/*/*_ref.h
 
