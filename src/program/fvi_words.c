@@ -95,13 +95,15 @@ const char *fvi_word_nearest(const char *text, size_t length,
     return nearest;
 }
 
-/* "; did you mean x?", in the place of a complaint; empty if there is none. */
+/* "; did you mean x?", in the place of a complaint; empty if there is none, or if it
+ * is x that was given, and its numbers that are wrong. */
 static const char *hint(const char *text, size_t length,
                         const char *const *words, char place[64])
 {
     const char *nearest = fvi_word_nearest(text, length, words);
     place[0] = '\0';
-    if (nearest)
+    if (nearest
+        && (strlen(nearest) != length || strncmp(text, nearest, length)))
         snprintf(place, 64, "; did you mean %s?", nearest);
     return place;
 }

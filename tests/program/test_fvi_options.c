@@ -180,6 +180,9 @@ START_TEST(the_nearest_known_word_is_named)
                   { "run", "--derivative", "riemann", NULL },
                   { "run", "--potential", "duffin:1,1", "duffing" },
                   { "run", "--potential", "chian:3,1,1", "chain" },
+                  { "run", "--potential", "harmonic", NULL }, /* but no C */
+                  { "run", "--potential", "harmonc", "harmonic" },
+                  { "run", "--force", "cosine:1", NULL },
                   { "run", "--force", "cosin:1,2", "cosine" },
                   { "run", "--memory", "exponential", "exponentials" },
                   { "run", "--columns", "t,enrgy,x", "energy" },
