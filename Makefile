@@ -1,13 +1,14 @@
 # Fractional variational integrators: a course that runs.
 #
 # `make` builds the program build/fvi; `make help` lists the targets, V=1 shows the
-# commands. Every file that is made goes under $(B), except the figures and the
-# reference headers, which are committed. One stem names a module, its chapter, test,
-# proof and figure. What is more than a line of shell stands in src/make/.
+# commands. Every file that is made goes under $(B), except what is committed: figures,
+# reference headers (refs), tables (bench, seen), the live page (play) and the quotes in
+# the chapters (excerpts). One stem names a module, its chapter, test, proof and figure.
+# What is more than a line of shell stands in src/make/.
 
 B       := build
 # Objects stood in $(B)/src before the sources had rooms; programs, where folders are now.
-ifeq ($(wildcard $B/src)$(filter clean,$(MAKECMDGOALS)),$B/src)
+ifneq ($(if $(filter clean,$(MAKECMDGOALS)),,$(wildcard $B/src/*.o)),)
 $(error $B/ is of an older version, whose files stood elsewhere; please type: rm -rf $B)
 endif
 PYTHON  ?= /usr/bin/python3
@@ -135,7 +136,7 @@ portability: | needs ## the same digits by other compilers, options, C libraries
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	$< $(or $(SEED),1) $(FAMILY) $(CASE)
 
-bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, minutes; then `make figures excerpts`
+bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
 mutants: $B/libfvi.a | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
