@@ -105,4 +105,41 @@ static inline void integral_weights(double gamma, size_t count, double *b)
         b[n] = b[n - 1] * (((double)n - 1 + gamma) / (double)n);
 }
 
+/* ---- seeded motions ---- */
+
+enum { COARSE = 128, FINE = 8192 }; /* steps */
+
+static uint64_t state;
+
+static inline double between(double low, double high)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+/* Jumps at odd nodes of the fine run, so between those of the coarse one. */
+static inline motion some_motion(size_t seed)
+{
+    state = 20 + seed;
+    for (int i = 0; i < 8; i++)
+        between(0, 1);
+    const double T = seed % 4 < 2 ? 0.25 : seed % 4 == 2 ? 1 : 2;
+    motion q = { .alpha = between(0, 0.95),
+                 .kappa = between(0, 1),
+                 .mass = between(0.5, 2),
+                 .rho = between(0, 0.4),
+                 .x0 = between(-1, 1),
+                 .p0 = between(-1, 1),
+                 .T = T,
+                 .pendulum = seed % 2,
+                 .cg = { between(0, 1), between(0, 1) },
+                 .force = { .b = between(-1, 1), .w = between(0, 3) } };
+    q.past = q.alpha <= 0.5 && seed % 3 == 0 ? FVI_PAST_HELD : FVI_PAST_CAPUTO;
+    for (size_t j = 0; j < LEN(q.force.t); j++) {
+        q.force.t[j] = (2 * floor(between(0, FINE / 2)) + 1) * T / FINE;
+        q.force.a[j] = between(-3, 3);
+    }
+    return q;
+}
+
 #endif

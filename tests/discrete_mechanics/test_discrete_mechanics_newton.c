@@ -1,25 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_newton.c -- Chapter 2: the equation of a step.
  * Run alone: make test-discrete_mechanics_newton */
-#include <fvi/convolution_quadrature_methods.h>
-#include <fvi/error.h>
 #include <fvi/lobatto.h>
-#include "harness/fvi_runs.h"
-#include "harness/ulp.h"
-#include "system/band.h"
-#include "system/newton.h"
-
-#include <gsl/gsl_math.h>
-#include <stdlib.h>
-
-static const double one[] = { 1, 1, 1, 1, 1 }, none[5];
-
-static fvi_newton *solver(const fvi_system *system, const double *A, double s,
-                          double theta)
-{
-    fvi_newton *newton = NULL;
-    ck_assert_int_eq(fvi_newton_alloc(system, A, s, theta, &newton), 0);
-    return newton;
-}
+#include "newton_solver.h"
 
 /* ---- a Duffing spring that writes down what it is asked ---- */
 
@@ -211,71 +193,6 @@ START_TEST(eq_2_11_a_constant_hessian_is_factorised_once)
 }
 END_TEST
 
-/* ---- errors ---- */
-
-/* Two wells, at x = 1 and -1; a mass comes to rest in one. There an update is the
- * rounding of x, not of d: some u |x|. The force x^3 - x is off by 3 u at the place
- * of rest, where its slope is 2; the damping forgets no faster than a power of t. */
-START_TEST(eq_2_10_is_solved_where_a_motion_dies_away_from_zero)
-{
-    enum { N = 5000 };
-    static double x[N + 1];
-    static const fvi_method *const methods[] = { &fvi_fractional,
-                                                 &fvi_lagrange_dalembert,
-                                                 &fvi_euler_implicit,
-                                                 &fvi_shifted, &fvi_bdf2 };
-    const double well[] = { -1, 1 }, rho = 0.5, x0 = 0.5, p0 = 0;
-    const fvi_system system = {
-        1, one, &rho, fvi_potential_duffing(well), { 0 }
-    };
-    for (size_t i = 0; i < LEN(methods); i++) {
-        const fvi_run run = { .system = &system,
-                              .x0 = &x0,
-                              .p0 = &p0,
-                              .h = 0.1,
-                              .steps = N,
-                              .kappa = 0.5,
-                              .alpha = 0.5 };
-        ck_assert_int_eq(fvi_trajectory(methods[i], &run, x, NULL, NULL),
-                         FVI_SUCCESS);
-        ck_assert_near(fabs(x[N]), 1, 16 * U, "%s", methods[i]->name);
-    }
-}
-END_TEST
-
-/* Newton's method alone finds none of these. U'' = -1 at the guess 0 of the first,
- * and 1 - 1 = 0: what is left is d^3 = r. In z = d/2 the second is z^3 - 2 z + 2 = 0,
- * for which it goes 0, 1, 0, 1, ... for ever; the root is the number below. The slopes
- * are 3 d^2 >= 3 and 3 z^2 - 2 = 7.4 there: a residual that is rounding, of four terms
- * at most, moves d by less than 4 u of the terms. */
-START_TEST(eq_2_10_is_solved_where_newton_loses_its_way)
-{
-    const double well[] = { -1, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
-    double d[2], g[2];
-    for (size_t dim = 1; dim <= 2; dim++) {
-        const fvi_system flat = {
-            dim, one, none, fvi_potential_duffing(well), { 0 }
-        };
-        fvi_newton *newton = solver(&flat, one, 1, 1);
-        d[0] = d[1] = 0;
-        ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
-        fvi_newton_free(newton);
-        for (size_t i = 0; i < dim; i++)
-            ck_assert_near(d[i], cbrt(r[i]), 4 * U * (1 + fabs(r[i])),
-                           "flat, %zu", i);
-    }
-    const double deep[] = { -8, 2 }, push = -2, z = -1.7692923542386314;
-    const fvi_system round = {
-        1, one, none, fvi_potential_duffing(deep), { 0 }
-    };
-    fvi_newton *newton = solver(&round, one, 0.5, 0.5);
-    d[0] = 0;
-    ck_assert_int_eq(fvi_newton_solve(newton, x, &push, d, g), FVI_SUCCESS);
-    fvi_newton_free(newton);
-    ck_assert_near(d[0], 2 * z, 4 * U * (2 + 4 * fabs(z)), "round");
-}
-END_TEST
-
 /* Whether a potential is quadratic is asked when a run starts. */
 START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
 {
@@ -306,100 +223,7 @@ START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
 }
 END_TEST
 
-/* ---- band matrices ---- */
-
-/* Zeros on the diagonal, ones beside it: every pivot has to be exchanged. With
- * v = (1, 2, ..., n) the right side is v_{i-1} + v_{i+1}, all exact. */
-START_TEST(eq_2_11_pivots_are_exchanged)
-{
-    enum { N = 8 };
-    fvi_band J;
-    double v[N];
-    ck_assert_int_eq(fvi_band_alloc(N, 1, &J), 0);
-    for (size_t i = 0; i < N; i++) {
-        v[i] = (i > 0 ? (double)i : 0) + (i + 1 < N ? (double)i + 2 : 0);
-        if (i > 0)
-            fvi_band_row(&J, i)[i - 1] = fvi_band_row(&J, i - 1)[i] = 1;
-    }
-    ck_assert_int_eq(fvi_band_factorise(&J), 0);
-    fvi_band_solve(&J, v);
-    for (size_t i = 0; i < N; i++)
-        ck_assert_double_eq(v[i], (double)i + 1);
-    fvi_band_clear(&J);
-    ck_assert_int_eq(fvi_band_factorise(&J), FVI_ESING);
-    fvi_band_free(&J);
-}
-END_TEST
-
-/* All widths, full ones too: what was solved is put back. With exchanges the factors
- * of a matrix with entries up to 1 are some n times as large at most here, and a
- * product of theirs has n roundings: n^2 u |v|. Seen: 0.1 of it. */
-START_TEST(eq_2_11_band_matrices_of_all_widths_are_inverted)
-{
-    enum { N = 12 };
-    for (size_t w = 0; w < N; w++) {
-        fvi_band J;
-        double entries[N][N] = { { 0 } }, b[N], v[N], largest = 0;
-        ck_assert_int_eq(fvi_band_alloc(N, w, &J), 0);
-        for (size_t i = 0; i < N; i++) {
-            v[i] = b[i] = cos((double)i);
-            for (size_t j = i > w ? i - w : 0; j < N && j <= i + w; j++)
-                entries[i][j] = fvi_band_row(&J, i)[j] =
-                    sin((double)(1 + i * i + 7 * j + 3 * i * j));
-        }
-        ck_assert_int_eq(fvi_band_factorise(&J), 0);
-        fvi_band_solve(&J, v);
-        for (size_t i = 0; i < N; i++)
-            largest = fmax(largest, fabs(v[i]));
-        for (size_t i = 0; i < N; i++) {
-            double sum = 0;
-            for (size_t j = 0; j < N; j++)
-                sum += entries[i][j] * v[j];
-            ck_assert_near(sum, b[i], N * N * U * largest, "w %zu, row %zu", w,
-                           i);
-        }
-        fvi_band_free(&J);
-    }
-}
-END_TEST
-
-static int full_chain_hessian(size_t d, const double *x, void *params,
-                              double *H)
-{
-    const fvi_system chain = {
-        d, one, none, fvi_potential_chain(params), { 0 }
-    };
-    fvi_hessian(&chain, x, H);
-    return 0;
-}
-
-/* A chain with two diagonals, and the same with a full Hessian: one step's rounding
- * each, which N steps add up. Seen: 0.02 of the bound. */
-START_TEST(eq_2_11_bands_and_full_matrices_agree)
-{
-    enum { D = 5, N = 50 };
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_lobatto3,
-                                                 &fvi_lobatto4 };
-    const double cg[] = { 1, 2 }, x0[D] = { 1, -0.5, 0.25, 0, 2 };
-    double x[D * (N + 1)], want[D * (N + 1)];
-    for (size_t m = 0; m < LEN(methods); m++) {
-        fvi_system system = { D, one, one, fvi_potential_chain(cg), { 0 } };
-        const fvi_run run = { .system = &system,
-                              .x0 = x0,
-                              .p0 = none,
-                              .h = 0.125,
-                              .steps = N,
-                              .kappa = 0.5,
-                              .alpha = 0.75 };
-        ck_assert_int_eq(fvi_trajectory(methods[m], &run, x, NULL, NULL), 0);
-        system.potential.hessian = full_chain_hessian;
-        system.potential.diagonals = 0;
-        ck_assert_int_eq(fvi_trajectory(methods[m], &run, want, NULL, NULL), 0);
-        ck_assert_near(farthest(LEN(x), x, want), 0, 10 * N * U, "%s",
-                       methods[m]->name);
-    }
-}
-END_TEST
+/* ---- errors ---- */
 
 START_TEST(bad_solvers_are_refused)
 {
@@ -437,48 +261,6 @@ START_TEST(bad_solvers_are_refused)
 }
 END_TEST
 
-/* A full Jacobian has 2^44 numbers; that of a chain 2^24, and without a potential
- * there is none. */
-START_TEST(a_jacobian_that_finds_no_room_is_refused)
-{
-    enum { D = 1 << 22 };
-    double *ones = malloc(D * sizeof *ones);
-    ck_assert_ptr_nonnull(ones);
-    for (size_t i = 0; i < D; i++)
-        ones[i] = 1;
-    fvi_system system = { D, ones, ones, potential(CUBIC, ones), { 0 } };
-    fvi_newton *n = NULL;
-    ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), FVI_ENOMEM);
-    ck_assert_ptr_null(n);
-    const fvi_potential small[] = { { 0 }, fvi_potential_chain(ones) };
-    for (size_t i = 0; i < LEN(small); i++) {
-        system.potential = small[i];
-        ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), 0);
-        fvi_newton_free(n);
-    }
-    free(ones);
-}
-END_TEST
-
-START_TEST(equations_that_cannot_be_solved_are_reported)
-{
-    /* U = z^3 / 3: d + d^2 = -1 has no real solution. */
-    const double cubic[] = { 0, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
-    double d[] = { 0, 0 }, g[2];
-    const fvi_system hopeless = {
-        1, one, none, potential(CUBIC, cubic), { 0 }
-    };
-    fvi_newton *newton = solver(&hopeless, one, 1, 1);
-    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_EMAXITER);
-    fvi_newton_free(newton);
-
-    newton = solver(&hopeless, one, 1, 1);
-    d[0] = -0.5; /* where 1 + 2 d = 0 */
-    ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_ESING);
-    fvi_newton_free(newton);
-}
-END_TEST
-
 START_TEST(null_pointers_are_refused_and_infinities_come_back)
 {
     const fvi_system duffing = {
@@ -505,17 +287,10 @@ int main(void)
     ADD_CASE(suite, "values", eq_2_10_linear_equations,
              eq_2_10_is_explicit_at_both_ends_of_kappa);
     ADD_CASE(suite, "identities", eq_2_10_solutions_satisfy_it,
-             eq_2_10_is_solved_where_a_motion_dies_away_from_zero,
-             eq_2_10_is_solved_where_newton_loses_its_way,
              eq_2_10_parameters_may_change_until_a_run_starts,
              eq_2_11_newton_converges_quadratically,
-             eq_2_11_pivots_are_exchanged,
-             eq_2_11_band_matrices_of_all_widths_are_inverted,
-             eq_2_11_bands_and_full_matrices_agree,
              eq_2_11_a_constant_hessian_is_factorised_once);
     ADD_CASE(suite, "errors", bad_solvers_are_refused,
-             a_jacobian_that_finds_no_room_is_refused,
-             equations_that_cannot_be_solved_are_reported,
              null_pointers_are_refused_and_infinities_come_back);
     return run_suite(suite);
 }
