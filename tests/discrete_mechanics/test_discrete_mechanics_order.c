@@ -90,8 +90,9 @@ static void errors(const fvi_method *method, int kind, double kappa,
     }
 }
 
-static void expect(const fvi_method *method, double kappa, beginning begin,
-                   motion to, double x_order, double p_order)
+static void ck_assert_orders(const fvi_method *method, double kappa,
+                             beginning begin, motion to, double x_order,
+                             double p_order)
 {
     const double order[] = { x_order, p_order };
     const int kinds[] = { DUFFING, PENDULUM };
@@ -140,7 +141,7 @@ START_TEST(eq_2_14_kappa_one_half_has_order_2_others_order_1)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         const double order = kappa == 0.5 ? 2 : 1;
-        expect(&fvi_variational, kappa, MATCHED, START, order, order);
+        ck_assert_orders(&fvi_variational, kappa, MATCHED, START, order, order);
     }
 }
 END_TEST
@@ -150,15 +151,17 @@ START_TEST(eq_2_14_the_start_alone_makes_the_difference)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         /* x_1 by Taylor: positions of order 2; p is what it is. */
-        expect(&fvi_variational, kappa, TAYLOR, START, 2, kappa == 0.5 ? 2 : 1);
+        ck_assert_orders(&fvi_variational, kappa, TAYLOR, START, 2,
+                         kappa == 0.5 ? 2 : 1);
         /* p_0 and every p_k corrected by (kappa - 1/2) h U'. */
-        expect(&fvi_variational, kappa, CORRECTED, START, 2, 2);
+        ck_assert_orders(&fvi_variational, kappa, CORRECTED, START, 2, 2);
         /* x_1 = x_0 + h v_0 costs one order. */
-        expect(&fvi_variational, kappa, EULER, START, 1, 1);
+        ck_assert_orders(&fvi_variational, kappa, EULER, START, 1, 1);
         /* x_1 = x_0 does not come near, but to the motion from rest: half a step
          * late, as is the velocity of a step, which is p for kappa = 0. */
-        expect(&fvi_variational, kappa, STILL, START, 0, 0);
-        expect(&fvi_variational, kappa, STILL, REST, 1, kappa == 0 ? 2 : 1);
+        ck_assert_orders(&fvi_variational, kappa, STILL, START, 0, 0);
+        ck_assert_orders(&fvi_variational, kappa, STILL, REST, 1,
+                         kappa == 0 ? 2 : 1);
     }
 }
 END_TEST
@@ -166,8 +169,8 @@ END_TEST
 
 START_TEST(eq_2_13_euler_has_order_1)
 {
-    expect(&fvi_euler_explicit, 0, MATCHED, START, 1, 1);
-    expect(&fvi_euler_implicit, 0, MATCHED, START, 1, 1);
+    ck_assert_orders(&fvi_euler_explicit, 0, MATCHED, START, 1, 1);
+    ck_assert_orders(&fvi_euler_implicit, 0, MATCHED, START, 1, 1);
 }
 END_TEST
 

@@ -94,7 +94,7 @@ static double gx[MOST], gy[MOST];
  * in a sum of at most N + 1 terms, h^-alpha twice, and less for L_d. Rows
  * marked exact have data so short that nothing is rounded: 0.
  * Seen: exact 0, else 0.09 of the bound. */
-#define CHECK_ROW(row, system, N, x, y, want)                                  \
+#define ck_assert_row(row, system, N, x, y, want)                              \
     do {                                                                       \
         size_t n_ = ((N) + 1) * (system)->d;                                   \
         double S_, u_ = (row).exact ? 0 : (2 * (double)(N) + 16) * U;          \
@@ -120,14 +120,16 @@ START_TEST(eq_6_2_and_6_5_action_and_gradient_in_one_dimension)
 {
     const fvi_system system = cubic(d1_potential);
     for (size_t r = 0; r < LEN(ref_d1); r++)
-        CHECK_ROW(ref_d1[r], &system, 4, d1_x, d1_y, ref_d1_gradient + 10 * r);
+        ck_assert_row(ref_d1[r], &system, 4, d1_x, d1_y,
+                      ref_d1_gradient + 10 * r);
 }
 END_TEST
 
 START_TEST(eq_6_2_and_6_5_action_and_gradient_in_two_dimensions)
 {
     for (size_t r = 0; r < LEN(ref_d2); r++)
-        CHECK_ROW(ref_d2[r], &coupled, 2, d2_x, d2_y, ref_d2_gradient + 12 * r);
+        ck_assert_row(ref_d2[r], &coupled, 2, d2_x, d2_y,
+                      ref_d2_gradient + 12 * r);
 }
 END_TEST
 
@@ -205,8 +207,8 @@ static stationarity between_the_ends(size_t N, size_t d)
  * rounding of x and p some 16: (3 N + 36) u for each curve.
  * Seen: 0.0012 of it. */
 //> stationary
-static void check_stationary(const fvi_system *system, double alpha,
-                             double kappa, double h, size_t N)
+static void ck_assert_stationary(const fvi_system *system, double alpha,
+                                 double kappa, double h, size_t N)
 {
     const double x0[] = { 0.75, -0.5 }, p0[] = { 0.5, 1 };
     const double z0[] = { -0.25, 0.5 }, q0[] = { 1, -0.25 };
@@ -236,8 +238,8 @@ START_TEST(eq_6_6_the_integrator_makes_the_action_stationary)
     const fvi_system system = cubic(c);
     for (size_t a = 0; a < LEN(alphas); a++)
         for (size_t k = 0; k < LEN(kappas); k++) {
-            check_stationary(&system, alphas[a], kappas[k], 0.05, 60);
-            check_stationary(&coupled, alphas[a], kappas[k], 0.05, 60);
+            ck_assert_stationary(&system, alphas[a], kappas[k], 0.05, 60);
+            ck_assert_stationary(&coupled, alphas[a], kappas[k], 0.05, 60);
         }
 }
 END_TEST

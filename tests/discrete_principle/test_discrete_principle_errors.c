@@ -24,9 +24,9 @@ static fvi_system two_masses(void)
 }
 
 /* Every refusal of both functions; the outputs keep their sentinel. */
-static void refused(int code, const fvi_system *system, double alpha,
-                    double kappa, double h, size_t N, size_t first, size_t last,
-                    const double *x, const double *y)
+static void ck_assert_refused(int code, const fvi_system *system, double alpha,
+                              double kappa, double h, size_t N, size_t first,
+                              size_t last, const double *x, const double *y)
 {
     double S = 7, fx[6] = { 7, 7, 7, 7, 7, 7 }, fy[6] = { 7, 7, 7, 7, 7, 7 };
     ck_assert_int_eq(
@@ -50,23 +50,23 @@ START_TEST(a_bad_discrete_problem_is_refused)
     fvi_system half = good, light = good;
     half.potential.hessian = NULL;
     light.mass = (const double[]){ 1, 0 };
-    refused(FVI_EFAULT, NULL, 0.5, 0.5, 1, 2, 0, 2, x, y);
-    refused(FVI_EFAULT, s, 0.5, 0.5, 1, 2, 0, 2, NULL, y);
-    refused(FVI_EFAULT, s, 0.5, 0.5, 1, 2, 0, 2, x, NULL);
-    refused(FVI_EINVAL, &half, 0.5, 0.5, 1, 2, 0, 2, x, y);
-    refused(FVI_EDOM, &light, 0.5, 0.5, 1, 2, 0, 2, x, y);
+    ck_assert_refused(FVI_EFAULT, NULL, 0.5, 0.5, 1, 2, 0, 2, x, y);
+    ck_assert_refused(FVI_EFAULT, s, 0.5, 0.5, 1, 2, 0, 2, NULL, y);
+    ck_assert_refused(FVI_EFAULT, s, 0.5, 0.5, 1, 2, 0, 2, x, NULL);
+    ck_assert_refused(FVI_EINVAL, &half, 0.5, 0.5, 1, 2, 0, 2, x, y);
+    ck_assert_refused(FVI_EDOM, &light, 0.5, 0.5, 1, 2, 0, 2, x, y);
     for (size_t i = 0; i < LEN(outside); i++) {
-        refused(FVI_EDOM, s, outside[i], 0.5, 1, 2, 0, 2, x, y);
-        refused(FVI_EDOM, s, 0.5, outside[i], 1, 2, 0, 2, x, y);
-        refused(FVI_EDOM, s, 0.5, 0.5, not_steps[i], 2, 0, 2, x, y);
+        ck_assert_refused(FVI_EDOM, s, outside[i], 0.5, 1, 2, 0, 2, x, y);
+        ck_assert_refused(FVI_EDOM, s, 0.5, outside[i], 1, 2, 0, 2, x, y);
+        ck_assert_refused(FVI_EDOM, s, 0.5, 0.5, not_steps[i], 2, 0, 2, x, y);
     }
-    refused(FVI_EINVAL, s, 0.5, 0.5, 1, 0, 0, 0, x, y);
-    refused(FVI_EINVAL, s, 0.5, 0.5, 1, huge, 0, 2, x, y);
-    refused(FVI_EINVAL, s, 0.5, 0.5, 1, SIZE_MAX, 0, 2, x, y);
-    refused(FVI_EINVAL, s, 0.5, 0.5, 1, 2, 2, 1, x, y);
-    refused(FVI_EINVAL, s, 0.5, 0.5, 1, 2, 0, 3, x, y);
+    ck_assert_refused(FVI_EINVAL, s, 0.5, 0.5, 1, 0, 0, 0, x, y);
+    ck_assert_refused(FVI_EINVAL, s, 0.5, 0.5, 1, huge, 0, 2, x, y);
+    ck_assert_refused(FVI_EINVAL, s, 0.5, 0.5, 1, SIZE_MAX, 0, 2, x, y);
+    ck_assert_refused(FVI_EINVAL, s, 0.5, 0.5, 1, 2, 2, 1, x, y);
+    ck_assert_refused(FVI_EINVAL, s, 0.5, 0.5, 1, 2, 0, 3, x, y);
     /* more than any machine has, yet addressable */
-    refused(FVI_ENOMEM, s, 0.5, 0.5, 1, huge - 2, 0, 2, x, y);
+    ck_assert_refused(FVI_ENOMEM, s, 0.5, 0.5, 1, huge - 2, 0, 2, x, y);
 }
 END_TEST
 

@@ -106,7 +106,7 @@ END_TEST
  * run, y the reversal of another with 1 - kappa, each with its own past, starts
  * away from the origin. Bound: that of eq_6_6 for x, y, and for x - zeta and
  * y - bar, whose kinetic part comes and goes. Seen: 0.0004 of it. */
-static void check_run(const setting *p, fvi_past past)
+static void ck_assert_stationary(const setting *p, fvi_past past)
 {
     const double x0 = 0.75, p0 = 0.5, y0 = -0.25, q0 = 1, cg[] = { 1, 0.5 };
     const fvi_system system = system_with(&damping, fvi_potential_duffing(cg));
@@ -150,8 +150,8 @@ START_TEST(eq_6_11_the_integrator_with_a_past_makes_the_action_stationary)
     for (size_t i = 0; i < LEN(alphas) * 3 * 4; i++) {
         const setting p = { alphas[i / 12], (double)(i / 4 % 3) / 4, 0.05, 60,
                             i & 1,          i & 2 ? 60 : 59 };
-        check_run(&p, FVI_PAST_HELD);
-        check_run(&p, FVI_PAST_CAPUTO);
+        ck_assert_stationary(&p, FVI_PAST_HELD);
+        ck_assert_stationary(&p, FVI_PAST_CAPUTO);
     }
 }
 END_TEST

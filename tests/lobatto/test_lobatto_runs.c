@@ -18,7 +18,7 @@ static double rounding(const setup *a)
     return 2 * (double)a->steps * U * size;
 }
 
-static void same(const setup *a, const char *what)
+static void ck_assert_same(const setup *a, const char *what)
 {
     ck_assert_near(farthest(0, a->steps + 1, x, want_x), 0, rounding(a),
                    "%s: x, s=%zu alpha=%g", what, a->s, a->alpha);
@@ -119,7 +119,7 @@ START_TEST(eq_17_17_the_ends_are_a_spring_and_a_mass)
         solve(&b, want_x, want_p);
         for (size_t k = 0; k <= N; k++)
             want_x[k] += 1;
-        same(&a, "spring");
+        ck_assert_same(&a, "spring");
 
         a.alpha = 1;
         a.mass = 2;
@@ -132,7 +132,7 @@ START_TEST(eq_17_17_the_ends_are_a_spring_and_a_mass)
         solve(&b, want_x, want_p);
         for (size_t k = 0; k <= N; k++)
             want_p[k] /= 1.25;
-        same(&a, "mass");
+        ck_assert_same(&a, "mass");
     }
 }
 END_TEST

@@ -156,7 +156,7 @@ END_TEST
 
 /* d coordinates share the nodes and nothing else: bit for bit what d memories
  * of dimension one give, whatever the kind. */
-static void many_memories(size_t D, size_t N)
+static void ck_assert_many_memories(size_t D, size_t N)
 {
     const double betas[] = { 0.3, 1, 1.7 };
     static double x[7000], all[7000], one[700], H1[700], H[100], dx[100];
@@ -184,8 +184,8 @@ static void many_memories(size_t D, size_t N)
 
 START_TEST(eq_12_1_many_coordinates_are_many_memories)
 {
-    many_memories(5, 700);
-    many_memories(100, 70); /* more of them than terms */
+    ck_assert_many_memories(5, 700);
+    ck_assert_many_memories(100, 70); /* more of them than terms */
 }
 END_TEST
 

@@ -76,25 +76,32 @@ static double slope(const errors *e, double floor)
     return log2(e->error[last - 3] / e->error[last - 1]) / 2;
 }
 
+/* A run of so many steps to T: its largest errors on [from, T] against every node of
+ * want_x, want_p, or every ratio-th. */
+static void add_errors(const problem *q, size_t method, double T, double from,
+                       size_t steps, size_t ratio, errors e[2])
+{
+    double off[2] = { 0, 0 };
+    solve(methods[method], q, T / (double)steps, steps, x, p);
+    for (size_t k = 0; k <= steps; k++)
+        if ((double)k * T >= from * (double)steps) {
+            off[OF_X] = fmax(off[OF_X], fabs(x[k] - want_x[k * ratio]));
+            off[OF_P] = fmax(off[OF_P], fabs(p[k] - want_p[k * ratio]));
+        }
+    for (int of = OF_X; of <= OF_P; of++)
+        e[of].error[e[of].count++] = off[of];
+}
+
 /* The largest errors on [from, T] of N = first, 2 first, ..., last steps. */
 static void measure(const problem *q, size_t method, double T, double from,
                     size_t first, size_t last, errors e[2])
 {
     e[OF_X].count = e[OF_P].count = 0;
     for (size_t steps = first; steps <= last; steps *= 2) {
-        const double h = T / (double)steps;
-        double off[2] = { 0, 0 };
-        solve(methods[method], q, h, steps, x, p);
         for (size_t k = 0; k <= steps; k++)
-            times[k] = (double)k * h;
+            times[k] = (double)k * (T / (double)steps);
         exact(q, steps + 1, times, want_x, want_p);
-        for (size_t k = 0; k <= steps; k++)
-            if (times[k] >= from) {
-                off[OF_X] = fmax(off[OF_X], fabs(x[k] - want_x[k]));
-                off[OF_P] = fmax(off[OF_P], fabs(p[k] - want_p[k]));
-            }
-        for (int of = OF_X; of <= OF_P; of++)
-            e[of].error[e[of].count++] = off[of];
+        add_errors(q, method, T, from, steps, 1, e);
     }
 }
 
@@ -115,8 +122,8 @@ static problem linear(size_t i, double p0)
                       { 1, 0 } };
 }
 
-static void expect(const problem *q, size_t method, int of, double got,
-                   double want, double below, double above)
+static void ck_assert_order(const problem *q, size_t method, int of, double got,
+                            double want, double below, double above)
 {
     ck_assert_msg(got >= want - below && got <= want + above,
                   "%s, alpha = %g, %s, %s: %.3f, expected %.3f",
@@ -128,20 +135,23 @@ static void expect(const problem *q, size_t method, int of, double got,
 /* t >= 2, to T = 4, from 10 to 640 steps. Seen: at most 0.16 below, 0.16 above. */
 START_TEST(eq_19_9_orders_at_fixed_times)
 {
+    size_t ran = 0;
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * METHODS; i++) {
         const size_t method = i % METHODS;
         const problem q = linear(i, 0.5);
         if (!fvi_past_has_solution(q.past, q.alpha, q.rho, q.x0))
             continue;
+        ran++;
         errors e[2];
         measure(&q, method, 4, 2, 10, 640, e);
         for (int of = OF_X; of <= OF_P; of++) {
             const double got = slope(e + of, 2e-13),
                          want = at_fixed_t(&q, method, of);
             seen(fabs(got - want), "from the table");
-            expect(&q, method, of, got, want, 0.2, 0.2);
+            ck_assert_order(&q, method, of, got, want, 0.2, 0.2);
         }
     }
+    ck_assert_uint_eq(ran, 150); /* not Riemann-Liouville, alpha > 1/2 */
 }
 END_TEST
 //< at-fixed
@@ -154,11 +164,13 @@ END_TEST
  * fvi-shifted, whose constant is small for alpha < 1/2: the next test. */
 START_TEST(eq_19_9_orders_over_all_nodes)
 {
+    size_t ran = 0;
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * METHODS; i++) {
         const size_t method = i % METHODS;
         const problem q = linear(i, 2);
         if (!fvi_past_has_solution(q.past, q.alpha, q.rho, q.x0))
             continue;
+        ran++;
         errors e[2];
         measure(&q, method, fmod(q.alpha, 0.5) == 0 ? 4 : 0.25, 0, 8, 2048, e);
         for (int of = OF_X; of <= OF_P; of++) {
@@ -167,9 +179,10 @@ START_TEST(eq_19_9_orders_over_all_nodes)
                          want = for_all_t(&q, method, of);
             if (!late)
                 seen(fabs(got - want), "from the table");
-            expect(&q, method, of, got, want, 0.3, late ? 0.5 : 0.1);
+            ck_assert_order(&q, method, of, got, want, 0.3, late ? 0.5 : 0.1);
         }
     }
+    ck_assert_uint_eq(ran, 150);
 }
 END_TEST
 //< over-all
@@ -179,6 +192,7 @@ END_TEST
  * Seen: 0.02 off, for fvi at alpha = 0.9. */
 START_TEST(eq_19_9_orders_of_the_first_steps)
 {
+    size_t ran = 0;
     for (size_t i = 0; i < LEN(alphas) * METHODS; i++) {
         const size_t method = i % METHODS;
         const problem q = { FVI_PAST_HELD, alphas[i / METHODS], 0.2, 0, 2,
@@ -186,6 +200,7 @@ START_TEST(eq_19_9_orders_of_the_first_steps)
         const double want = at_the_start(&q, method);
         if (q.alpha == 1 || want >= 2) /* nothing that would show */
             continue;
+        ran++;
         errors found = { { 0 }, 0 };
         for (double h = 0x1p-4; h >= 0x1p-26; h /= 4) {
             errors e[2];
@@ -194,8 +209,9 @@ START_TEST(eq_19_9_orders_of_the_first_steps)
         }
         const double got = slope(&found, 2e-12) / 2; /* h by fours */
         seen(fabs(got - want), "off");
-        expect(&q, method, OF_P, got, want, 0.03, 0.03);
+        ck_assert_order(&q, method, OF_P, got, want, 0.03, 0.03);
     }
+    ck_assert_uint_eq(ran, 45);
 }
 END_TEST
 
@@ -203,6 +219,7 @@ END_TEST
  * gain for Caputo, and no order where Riemann-Liouville has kicked x. Seen: 0.07 off. */
 START_TEST(eq_19_9_corrected_momenta)
 {
+    size_t ran = 0;
     const double some[] = { 0.2, 0.4, 0.6, 0.75, 0.9 }, one = 1;
     for (size_t i = 0; i < LEN(some) * LEN(pasts); i++) {
         const problem q = {
@@ -210,6 +227,7 @@ START_TEST(eq_19_9_corrected_momenta)
         };
         if (!fvi_past_has_solution(q.past, q.alpha, q.rho, q.x0))
             continue;
+        ran++;
         const fvi_system system = { .d = 1, .mass = &one, .damping = &q.rho };
         errors e[2], fixed = { { 0 }, 0 };
         for (size_t steps = 40; steps <= 320; steps *= 2) {
@@ -228,8 +246,9 @@ START_TEST(eq_19_9_corrected_momenta)
                             + (is_kicked(&q) ? 0 : gain),
                      got = slope(&fixed, 2e-13);
         seen(fabs(got - want), "off");
-        expect(&q, LOBATTO3, OF_P, got, want, 0.15, 0.15);
+        ck_assert_order(&q, LOBATTO3, OF_P, got, want, 0.15, 0.15);
     }
+    ck_assert_uint_eq(ran, 12);
 }
 END_TEST
 
@@ -241,18 +260,8 @@ static void against(const problem *q, size_t method, double T, double from,
 {
     solve(&fvi_lobatto4, q, T / (double)fine, fine, want_x, want_p);
     e[OF_X].count = e[OF_P].count = 0;
-    for (size_t steps = first; steps <= last; steps *= 2) {
-        double off[2] = { 0, 0 };
-        solve(methods[method], q, T / (double)steps, steps, x, p);
-        for (size_t k = 0; k <= steps; k++)
-            if ((double)k * T >= from * (double)steps) {
-                const size_t there = k * (fine / steps);
-                off[OF_X] = fmax(off[OF_X], fabs(x[k] - want_x[there]));
-                off[OF_P] = fmax(off[OF_P], fabs(p[k] - want_p[there]));
-            }
-        for (int of = OF_X; of <= OF_P; of++)
-            e[of].error[e[of].count++] = off[of];
-    }
+    for (size_t steps = first; steps <= last; steps *= 2)
+        add_errors(q, method, T, from, steps, fine / steps, e);
 }
 
 /* x0 = 0.7, p0 = 1.3, U = x^2/2 + x^4/8: t >= 2 on [0, 4], and all nodes of
@@ -261,6 +270,7 @@ static void against(const problem *q, size_t method, double T, double from,
  * 0.31 below; above 0.19 at fixed t, 0.40 for all t. */
 START_TEST(eq_19_9_orders_of_a_duffing_oscillator)
 {
+    size_t ran = 0;
     const double some[] = { 0.2, 0.4, 0.6, 0.75, 0.9 };
     for (size_t i = 0; i < LEN(some) * LEN(pasts) * METHODS; i++) {
         const size_t method = i % METHODS;
@@ -272,6 +282,7 @@ START_TEST(eq_19_9_orders_of_a_duffing_oscillator)
                             { 1, 0.5 } };
         if (!fvi_past_has_solution(q.past, q.alpha, q.rho, q.x0))
             continue;
+        ran++;
         errors late[2], all[2];
         against(&q, method, 4, 2, 10, 320, 5120, late);
         against(&q, method, 0.25, 0, 4, 512, 8192, all);
@@ -281,15 +292,17 @@ START_TEST(eq_19_9_orders_of_a_duffing_oscillator)
                          got = slope(late + of, 1e-11);
             if (less == 0)
                 seen(fabs(got - fixed), "from the table");
-            expect(&q, method, of, got, fixed, 0.35 + 0.6 * less, 0.2);
+            ck_assert_order(&q, method, of, got, fixed, 0.35 + 0.6 * less, 0.2);
             const int hidden = of == OF_P && method == SHIFTED && q.alpha < 0.5;
             const double start = slope(all + of, 5e-13),
                          want = for_all_t(&q, method, of);
             if (!hidden)
                 seen(fabs(want - start), "from the table");
-            expect(&q, method, of, start, want, 0.35, hidden ? 0.5 : 0.4);
+            ck_assert_order(&q, method, of, start, want, 0.35,
+                            hidden ? 0.5 : 0.4);
         }
     }
+    ck_assert_uint_eq(ran, 72);
 }
 END_TEST
 

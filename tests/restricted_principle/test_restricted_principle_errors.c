@@ -10,9 +10,9 @@ static const fvi_powers none = { 0, NULL, NULL };
 static const double e1[] = { 1, 2 }, c1[] = { 1, -1 };
 
 /* Every refusal of both functions; the outputs keep their sentinel. */
-static void refused(int code, const fvi_system *system, double alpha, double T,
-                    const fvi_powers *x, const fvi_powers *y,
-                    const fvi_powers *eta)
+static void ck_assert_refused(int code, const fvi_system *system, double alpha,
+                              double T, const fvi_powers *x,
+                              const fvi_powers *y, const fvi_powers *eta)
 {
     const fvi_powers good = { 2, e1, c1 };
     double S = 7, dS = 7;
@@ -42,24 +42,24 @@ START_TEST(a_bad_pair_of_curves_is_refused)
     flat.d = 2;
     flat.mass = flat.damping = pair;
     heavy.mass = &minus;
-    refused(FVI_EFAULT, NULL, 0.5, 1, &good, &good, &none);
-    refused(FVI_EINVAL, &flat, 0.5, 1, &good, &good, &none);
-    refused(FVI_EDOM, &heavy, 0.5, 1, &good, &good, &none);
-    refused(FVI_EFAULT, &s, 0.5, 1, NULL, &good, &none);
-    refused(FVI_EFAULT, &s, 0.5, 1, &good, NULL, &none);
-    refused(FVI_EFAULT, &s, 0.5, 1, &good, &good, NULL);
+    ck_assert_refused(FVI_EFAULT, NULL, 0.5, 1, &good, &good, &none);
+    ck_assert_refused(FVI_EINVAL, &flat, 0.5, 1, &good, &good, &none);
+    ck_assert_refused(FVI_EDOM, &heavy, 0.5, 1, &good, &good, &none);
+    ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, NULL, &good, &none);
+    ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, &good, NULL, &none);
+    ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, &good, &good, NULL);
     for (size_t i = 0; i < LEN(holes); i++)
-        refused(FVI_EFAULT, &s, 0.5, 1, &good, &holes[i], &none);
+        ck_assert_refused(FVI_EFAULT, &s, 0.5, 1, &good, &holes[i], &none);
     for (size_t i = 0; i < LEN(bad_exponent); i++) {
         const fvi_powers f = { 1, &bad_exponent[i], c1 };
-        refused(FVI_EDOM, &s, 0.5, 1, &f, &good, &none);
-        refused(FVI_EDOM, &s, 0.5, 1, &good, &good, &f);
+        ck_assert_refused(FVI_EDOM, &s, 0.5, 1, &f, &good, &none);
+        ck_assert_refused(FVI_EDOM, &s, 0.5, 1, &good, &good, &f);
     }
-    refused(FVI_EDOM, &s, 0.5, 1, &infinite, &good, &none);
+    ck_assert_refused(FVI_EDOM, &s, 0.5, 1, &infinite, &good, &none);
     for (size_t i = 0; i < LEN(bad_alpha); i++)
-        refused(FVI_EDOM, &s, bad_alpha[i], 1, &good, &good, &none);
+        ck_assert_refused(FVI_EDOM, &s, bad_alpha[i], 1, &good, &good, &none);
     for (size_t i = 0; i < LEN(bad_T); i++)
-        refused(FVI_EDOM, &s, 0.5, bad_T[i], &good, &good, &none);
+        ck_assert_refused(FVI_EDOM, &s, 0.5, bad_T[i], &good, &good, &none);
     ck_assert_int_eq(fvi_action(&s, 0.5, 1, &good, &good, NULL), FVI_EFAULT);
     ck_assert_int_eq(
         fvi_action_variation(&s, 0.5, 1, &good, &good, &good, &good, NULL),

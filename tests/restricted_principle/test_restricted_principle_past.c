@@ -107,7 +107,7 @@ static double sizes(double alpha, const series *x, const series *y)
  * 100 u for the series, n = 2050. With the damping on x and y themselves it is not,
  * unless alpha = 1/2 and the body was held. Seen: 1.9e-6 of it. */
 //> stationary
-static void check_past(double alpha, int line, int counts)
+static void ck_assert_stationary(double alpha, int line, int counts)
 {
     static series x, y;
     solve(alpha, line, 0.75, 0.5, &x);
@@ -125,13 +125,13 @@ static void check_past(double alpha, int line, int counts)
 
 START_TEST(eq_3_21_a_damping_with_a_past_is_stationary)
 {
-    check_past(0.1, 0, 1);
-    check_past(0.25, 0, 1);
-    check_past(0.5, 0, 0);
-    check_past(0.6, 0, 1);
-    check_past(0.75, 0, 1);
-    check_past(0.6, 1, 1);
-    check_past(0.75, 1, 1);
+    ck_assert_stationary(0.1, 0, 1);
+    ck_assert_stationary(0.25, 0, 1);
+    ck_assert_stationary(0.5, 0, 0);
+    ck_assert_stationary(0.6, 0, 1);
+    ck_assert_stationary(0.75, 0, 1);
+    ck_assert_stationary(0.6, 1, 1);
+    ck_assert_stationary(0.75, 1, 1);
 }
 END_TEST
 //< stationary

@@ -34,7 +34,7 @@ static void errors_of_forms(size_t N, double h, double error[FORMS])
  * random sign, add up to sqrt(N) u; no proof, as the worst case is N u. Kept
  * apart, they leave that of the sum handed out, u, and less. Seen: 0.34 and 0.6
  * of the bounds. */
-static void check_two(size_t N, const double error[FORMS])
+static void ck_assert_two(size_t N, const double error[FORMS])
 {
     ck_assert_near(error[MOMENTUM], 0, sqrt((double)N) * U, "N=%zu", N);
     ck_assert_near(error[COMPENSATED], 0, 2 * U, "N=%zu", N);
@@ -55,7 +55,7 @@ START_TEST(the_second_difference_loses_n_squared_to_rounding)
         N *= 2;
         h = 20 / (double)N;
         errors_of_forms(N, h, error);
-        check_two(N, error);
+        ck_assert_two(N, error);
         ck_assert_near(error[SECOND_DIFFERENCE], 0, 6 * U / (h * h), "N=%zu",
                        N);
         ln_N[i] = log((double)N);
@@ -83,7 +83,7 @@ START_TEST(the_second_difference_loses_less_where_the_step_is_a_power_of_two)
     for (size_t N = 1024; N <= 16384; N *= 2) {
         double h = 16 / (double)N;
         errors_of_forms(N, h, error);
-        check_two(N, error);
+        ck_assert_two(N, error);
         ck_assert_near(error[SECOND_DIFFERENCE], 0, sqrt((double)N) * U / h,
                        "N=%zu", N);
     }

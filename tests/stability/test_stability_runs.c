@@ -26,7 +26,7 @@ static void halves(const fvi_run *run, double *first, double *second)
 /* (14.5) in a run, from the last 500 of 5000 steps. When they begin the growing
  * mode has reached 1e9 and more; the rest, below 10, is all that blurs it. And
  * ln(growth) is good to 32 ulp of growth, 64 u. Seen: 0.53 of it. */
-static void check_growth(double alpha, double kappa, double W, double R)
+static void ck_assert_growth(double alpha, double kappa, double W, double R)
 {
     enum { FROM = 4500, TO = 5000 };
     double x[TO + 1], growth;
@@ -104,7 +104,7 @@ START_TEST(eq_14_3_long_runs_on_both_sides_of_the_boundary)
                 ck_assert_msg(second <= (a > 0 ? 1 : 1.01) * first,
                               "inside: alpha=%g kappa=%g W=%g: %g then %g", a,
                               k, W, first, second);
-                check_growth(a, k, W, 1.005 * R);
+                ck_assert_growth(a, k, W, 1.005 * R);
             }
 }
 END_TEST

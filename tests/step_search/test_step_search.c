@@ -17,7 +17,8 @@ static void ratios(const fvi_method *method, const fvi_linear *q, double T,
 }
 
 /* How often, in 100 random problems, is the true error above 3 E? */
-static void ask_100(const fvi_method *method, double loosest, double tightest)
+static void ck_assert_honest(const fvi_method *method, double loosest,
+                             double tightest)
 {
     int dishonest = 0;
     double worst = 0;
@@ -39,12 +40,12 @@ static void ask_100(const fvi_method *method, double loosest, double tightest)
 /* A promise about chance, not a bound: at most one of 100 above 3 E. */
 START_TEST(eq_18_2_the_error_asked_for_is_the_error_that_comes)
 {
-    ask_100(&fvi_fractional, 1e-1, 1e-4);
-    ask_100(&fvi_shifted, 1e-2, 1e-7);
-    ask_100(&fvi_bdf2, 1e-2, 1e-7);
-    ask_100(&fvi_lobatto2, 1e-2, 1e-7);
-    ask_100(&fvi_lobatto3, 1e-3, 1e-10);
-    ask_100(&fvi_lobatto4, 1e-3, 1e-11);
+    ck_assert_honest(&fvi_fractional, 1e-1, 1e-4);
+    ck_assert_honest(&fvi_shifted, 1e-2, 1e-7);
+    ck_assert_honest(&fvi_bdf2, 1e-2, 1e-7);
+    ck_assert_honest(&fvi_lobatto2, 1e-2, 1e-7);
+    ck_assert_honest(&fvi_lobatto3, 1e-3, 1e-10);
+    ck_assert_honest(&fvi_lobatto4, 1e-3, 1e-11);
 }
 END_TEST
 //< honest

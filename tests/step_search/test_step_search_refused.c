@@ -48,7 +48,7 @@ static const struct {
 
 /* EACH problems of a family, both decisions about each; the same for all methods
  * but for E. */
-static void sweep(size_t family, size_t m)
+static void ck_assert_none_wrong(size_t family, size_t m)
 {
     decider *const decide[] = { credulous, fvi_step_search };
     const char *const who[] = { "estimate", "rule" };
@@ -88,7 +88,7 @@ START_TEST(eq_18_5_no_wrong_run_is_accepted)
 {
     for (size_t family = 0; family < LEN(families); family++)
         for (size_t m = 0; m < LEN(methods); m++)
-            sweep(family, m);
+            ck_assert_none_wrong(family, m);
 }
 END_TEST
 //< sweep
@@ -114,9 +114,9 @@ END_TEST
 
 /* ---- four runs that were accepted once ---- */
 
-static void refused_or_right(const fvi_method *method, const char *name,
-                             const fvi_linear *q, double T, size_t rows,
-                             double error)
+static void ck_assert_right_or_refused(const fvi_method *method,
+                                       const char *name, const fvi_linear *q,
+                                       double T, size_t rows, double error)
 {
     fvi_step_found found;
     double worst;
@@ -156,10 +156,10 @@ START_TEST(eq_18_5_what_once_was_accepted_is_refused_or_right)
     faster.A = 5;
     faster.w = 2 * M_PI * 0x1p14;
     for (size_t i = 0; i < LEN(all); i++) {
-        refused_or_right(all[i], "cosine", &cosine, 20, 4, 1e-2);
-        refused_or_right(all[i], "hard", &hard, 1, 10, 1e-3);
-        refused_or_right(all[i], "harder", &harder, 1, 10, 1e-2);
-        refused_or_right(all[i], "faster", &faster, 20, 20, 1e-4);
+        ck_assert_right_or_refused(all[i], "cosine", &cosine, 20, 4, 1e-2);
+        ck_assert_right_or_refused(all[i], "hard", &hard, 1, 10, 1e-3);
+        ck_assert_right_or_refused(all[i], "harder", &harder, 1, 10, 1e-2);
+        ck_assert_right_or_refused(all[i], "faster", &faster, 20, 20, 1e-4);
     }
 }
 END_TEST
