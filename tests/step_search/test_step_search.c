@@ -106,49 +106,39 @@ START_TEST(eq_18_2_the_estimate_is_near_the_error)
 }
 END_TEST
 
-/* h w = 100 / 3 and kappa = 1: the first runs overflow; that is no failure. */
-START_TEST(steps_that_are_too_long_are_passed_over)
+/* A search of the step of x'' + rho x' + c x = 0 from rest at 1. */
+static void search_from_rest(const fvi_method *method, double rho, double c,
+                             double h, size_t steps, double kappa, double error,
+                             double *x, fvi_step_found *found)
 {
-    const double one = 1, rho = 0.5, c = 1e4, x0 = 1, p0 = 0;
+    const double one = 1, none = 0;
     const fvi_system system = {
         1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
     };
-    const fvi_run run = { .system = &system,
-                          .x0 = &x0,
-                          .p0 = &p0,
-                          .h = 0.1,
-                          .steps = 200,
-                          .kappa = 1,
-                          .alpha = 0.5 };
+    fvi_run run = fvi_run_default(&system, &one, &none, h, steps);
+    run.kappa = kappa;
+    ck_assert_int_eq(
+        fvi_step_search(method, &run, error, 1 << 24, x, NULL, found),
+        FVI_SUCCESS);
+}
+
+/* h w = 100 / 3 and kappa = 1: the first runs overflow; that is no failure. */
+START_TEST(steps_that_are_too_long_are_passed_over)
+{
     double x[201];
     fvi_step_found found;
-    ck_assert_int_eq(
-        fvi_step_search(&fvi_fractional, &run, 1e-2, 1 << 24, x, NULL, &found),
-        FVI_SUCCESS);
+    search_from_rest(&fvi_fractional, 0.5, 1e4, 0.1, 200, 1, 1e-2, x, &found);
     ck_assert(found.parts > 32);
 }
 END_TEST
 
-/* One row far away is compared at 128 times: a hit by chance is no proof. */
+/* One row far away is compared at 128 times: a hit by chance is no proof. After a whole
+ * period the error of x is that of a phase, squared. */
 START_TEST(few_rows_are_not_all_that_is_compared)
 {
-    const double one = 1, rho = 0, c = 1, x0 = 1, p0 = 0;
-    const fvi_system system = {
-        1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
-    };
-    const fvi_run run = { .system = &system,
-                          .x0 = &x0,
-                          .p0 = &p0,
-                          .h = 2 * M_PI,
-                          .steps = 1,
-                          .kappa = 0.5,
-                          .alpha = 0.5 };
     double x[2];
     fvi_step_found found;
-    ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto2, &run, 1e-3, 1 << 20, x, NULL, &found),
-        FVI_SUCCESS);
-    /* after a whole period the error of x is that of a phase, squared */
+    search_from_rest(&fvi_lobatto2, 0, 1, 2 * M_PI, 1, 0.5, 1e-3, x, &found);
     ck_assert(fabs(x[1] - 1) < 1e-9 && found.estimate > 1e-6);
 }
 END_TEST
