@@ -66,8 +66,10 @@ static int mean_velocity(history *past, double alpha, double *mean)
     fvi_loud();
     if (status == GSL_EFAILED) /* QAWS, where an area is not a number */
         FVI_FAIL("f' is not finite", FVI_EBADFUNC);
+    if (status)
+        FVI_FAIL("the quadrature gave up", status);
     *mean *= 1 - alpha;
-    return status;
+    return FVI_SUCCESS;
 }
 
 /* Caputo, the arguments being checked. */

@@ -43,7 +43,9 @@ static int largest_eigenvalue(size_t d, double *A, double *largest)
     gsl_vector_free(values);
     gsl_eigen_symm_free(work);
     fvi_loud();
-    return status;
+    if (status)
+        FVI_FAIL("no eigenvalues of the load", status);
+    return FVI_SUCCESS;
 }
 
 /* Does the symmetric matrix with a on the diagonal and b beside it have an eigenvalue
@@ -278,7 +280,9 @@ int fvi_growth_of_symbol(gsl_function Q, double end, double *growth)
     int status = solver ? brent(solver, Q, end, growth) : FVI_ENOMEM;
     gsl_root_fsolver_free(solver);
     fvi_loud();
-    return status;
+    if (status)
+        FVI_FAIL("no root of the symbol", status);
+    return FVI_SUCCESS;
 }
 
 int fvi_growth(double alpha, double kappa, double W, double R, double *growth)

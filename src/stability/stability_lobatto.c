@@ -34,7 +34,9 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
     gsl_vector_complex_free(values);
     gsl_eigen_nonsymm_free(work);
     fvi_loud();
-    return status;
+    if (status)
+        FVI_FAIL("no eigenvalues of the symbol", status);
+    return FVI_SUCCESS;
 }
 
 //> power
@@ -222,6 +224,8 @@ static int load_of_modes(const turn ends[2], double share, size_t d,
             G->data[i * d + i] += share * R[i];
         status = gsl_eigen_symmv(G, values, V, work);
     }
+    if (status)
+        fvi_fail("no modes of the system", __FILE__, __LINE__, status);
     for (size_t j = 0; !status && j < d; j++) {
         double spring = 0, damper = 0;
         for (size_t i = 0; i < d; i++) {
