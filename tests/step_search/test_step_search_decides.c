@@ -3,7 +3,8 @@
 #include "credulous.h"
 
 /* W = 2.5e13 down to 1.6e12. The next terms of the cosine and of the phase are below
- * 1e-7 of D, the rounding of a few steps is below 1e-5 of it. */
+ * 1e-7 of D, the rounding of a few steps is below 1e-5 of it, and of the D before, which
+ * is a sixteenth, below 1e-4. Seen: 8e-6 of D; 5e-4 of growth. */
 START_TEST(eq_18_6_differences_of_what_stands_still_grow)
 {
     const double one = 1, none = 0, c = 1e16;
@@ -202,22 +203,6 @@ START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)
 }
 END_TEST
 
-/* The share of the circle where |cos v - c| <= (1 + c)/2 is largest at c = 1/3. */
-START_TEST(eq_18_7_what_hides_is_seen_almost_surely)
-{
-    const int all = 3000;
-    double largest = 0;
-    for (double c = 0; c <= 1; c += 1.0 / 96) {
-        int small = 0;
-        for (int n = 0; n < all; n++)
-            small += fabs(cos(2 * M_PI * (n + 0.5) / all) - c) <= (1 + c) / 2;
-        largest = fmax(largest, (double)small / all);
-    }
-    ck_assert_near(largest, acos(-1.0 / 3) / M_PI, 2.0 / all, "at c = 1/3");
-    ck_assert(largest < 0.61 && pow(0.61, 128) < 1e-27);
-}
-END_TEST
-
 /* F is a constant and the rounding of it: nothing to come nearer to. */
 START_TEST(eq_18_7_rounding_is_no_deviation)
 {
@@ -243,8 +228,7 @@ int main(void)
              eq_18_6_differences_of_what_stands_still_grow,
              eq_18_6_what_stands_still_is_not_what_converged,
              eq_18_6_all_of_a_row_of_the_hessian_counts);
-    ADD_CASE(suite, "forces", eq_18_7_what_hides_is_seen_almost_surely,
-             eq_18_7_a_small_fast_part_of_a_force_is_seen,
+    ADD_CASE(suite, "forces", eq_18_7_a_small_fast_part_of_a_force_is_seen,
              eq_18_7_jumps_at_rows_are_no_obstacle,
              eq_18_7_rounding_is_no_deviation);
     return run_suite(suite);
