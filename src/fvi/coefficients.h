@@ -37,6 +37,22 @@ int fvi_coefficients(double alpha, size_t count, double *w);
  * Arguments, cost, and errors FVI_EFAULT, FVI_EINVAL, FVI_EDOM: as fvi_coefficients. */
 int fvi_coefficients_simple(double alpha, size_t count, double *w);
 
+/* fvi_coefficients_rate -- the derivatives of the weights by the order.     [(23.9)]
+ *
+ *     rate[n] = d w[n] / d alpha,     n = 0, ..., count - 1,
+ *
+ * the coefficients of ln(1 - z) (1 - z)^alpha. They are not local where the weights
+ * are: for alpha = 0 they are 0, -1, -1/2, -1/3, ...
+ *
+ *   alpha, count  as fvi_coefficients
+ *   rate          output, length count, owned by the caller
+ *
+ * The derivative of the recurrence of fvi_coefficients, in double-double arithmetic.
+ * Accuracy: the nearest double or one of its two neighbours where |rate[n]| is not
+ * below 1e-12 |w[n]|; no proof. Cost O(count), three divisions a weight; no memory.
+ * Errors FVI_EFAULT, FVI_EINVAL, FVI_EDOM: as fvi_coefficients. */
+int fvi_coefficients_rate(double alpha, size_t count, double *rate);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

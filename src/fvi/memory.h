@@ -63,6 +63,32 @@ fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance);
 
+/* fvi_memory_alloc_rate -- a memory that also knows dH_k/d beta.          [(23.10)]
+ *
+ * Arguments, errors and what is promised of H: as fvi_memory_alloc. The rate needs the
+ * whole past even where beta is 0, 1 or 2 and H does not, so nothing is saved there.
+ * Cost: DIRECT and FFT twice the time and the weights of fvi_memory_alloc;
+ * EXPONENTIALS reads the same modes a second time. */
+int fvi_memory_alloc_rate(double beta, size_t d, size_t steps,
+                          fvi_memory_kind kind, double tolerance,
+                          fvi_memory **memory);
+
+/* fvi_memory_push_rate -- take in x_k, give out H_k and its derivative by the order.
+ *
+ *     rate = sum_{n=1}^{k} (d w_n / d beta) x_{k-n}                       (23.10)
+ *
+ *   memory   made by fvi_memory_alloc_rate
+ *   x, dx, H  as fvi_memory_push
+ *   rate      output, d numbers, none of the other arrays
+ *
+ * The powers of the step size are NOT included: d/d beta of h^(-beta) H is
+ * h^(-beta) (rate - ln(h) H).
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the memory was
+ * made by fvi_memory_alloc; FVI_EINVAL after steps + 1 terms. On error H and rate are
+ * untouched. */
+int fvi_memory_push_rate(fvi_memory *memory, const double *x, const double *dx,
+                         double *H, double *rate);
+
 /* fvi_memory_push -- take in x_k, give out H_k.                        [(12.1)]
  * The step size is NOT included: the derivative is h^(-beta) H_k.
  *

@@ -58,3 +58,32 @@ int fvi_coefficients(double alpha, size_t count, double *w)
     //< weights
     return FVI_SUCCESS;
 }
+
+/* The sum of two sums, its low part to about 106 bits. */
+static dd plus(dd a, dd b)
+{
+    dd s = two_sum(a.hi, b.hi);
+    return two_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+
+int fvi_coefficients_rate(double alpha, size_t count, double *rate)
+{
+    int status = check(alpha, count, rate);
+    if (status)
+        return status;
+    //> rate
+    rate[0] = 0;
+    dd s = { -1, 0 }, r = { 0, 0 }; /* w[n] / alpha, and its derivative */
+    for (size_t n = 1; n < count; n++) {
+        const double x = (double)n;
+        if (n > 1) {
+            const dd factor = two_sum(x - 1, -alpha);
+            r = over(plus(times(r, factor), (dd){ -s.hi, -s.lo }), x);
+            s = over(times(s, factor), x);
+        }
+        const dd sum = plus(s, times(r, (dd){ alpha, 0 })); /* (23.9) */
+        rate[n] = sum.hi;
+    }
+    //< rate
+    return FVI_SUCCESS;
+}

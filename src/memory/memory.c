@@ -20,8 +20,11 @@ struct fvi_memory {
     size_t d, steps, k;   /* k terms have come in */
     size_t bytes;         /* what all this takes */
     double *last;         /* d numbers: the last term, if order is 0 or 1 */
-    double *weights;      /* direct: w_n at [steps - n], so that both factors */
-    double *history;      /* ascend; component i of term k at [i (steps+1)+k] */
+    int rated;            /* dH/d beta is wanted, too: */
+    double *rates;        /* direct: as weights */
+    fvi_blocks *rate_blocks;
+    double *weights; /* direct: w_n at [steps - n], so that both factors */
+    double *history; /* ascend; component i of term k at [i (steps+1)+k] */
     fvi_blocks *blocks;
     fvi_exponentials *exponentials;
 };
@@ -46,14 +49,20 @@ fvi_memory_kind fvi_memory_choose(double beta, size_t steps)
 
 static size_t direct_bytes(size_t d, size_t steps)
 {
-    if (steps >= SIZE_MAX / sizeof(double) / 2 / d - 1)
+    if (steps >= SIZE_MAX / sizeof(double) / 3 / d - 1)
         return SIZE_MAX;
     return (d + 1) * (steps + 1) * sizeof(double);
 }
 
+/* H needs the last term alone. */
+static int needs_no_past(const fvi_memory *m)
+{
+    return is_local(m->order) && !m->rated;
+}
+
 /* All that is known before anything is allocated. */
-static int plan(double beta, size_t d, size_t steps, fvi_memory_kind kind,
-                double tolerance, fvi_memory *m)
+static int plan(double beta, int rated, size_t d, size_t steps,
+                fvi_memory_kind kind, double tolerance, fvi_memory *m)
 {
     if (kind != FVI_MEMORY_AUTO && kind != FVI_MEMORY_DIRECT
         && kind != FVI_MEMORY_FFT && kind != FVI_MEMORY_EXPONENTIALS)
@@ -66,10 +75,13 @@ static int plan(double beta, size_t d, size_t steps, fvi_memory_kind kind,
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     *m = (fvi_memory){ .order = order_of(beta),
                        .on_increments = beta >= 1,
+                       .rated = rated,
                        .d = d,
                        .steps = steps };
-    m->kind = kind == FVI_MEMORY_AUTO ? fvi_memory_choose(beta, steps) : kind;
-    if (is_local(m->order)) {
+    m->kind = kind != FVI_MEMORY_AUTO ? kind
+              : rated ? fvi_memory_choose(0.5, steps) /* no beta is local */
+                      : fvi_memory_choose(beta, steps);
+    if (needs_no_past(m)) {
         m->bytes = d * sizeof(double);
     } else if (m->kind == FVI_MEMORY_DIRECT) {
         m->bytes = direct_bytes(d, steps);
@@ -78,12 +90,12 @@ static int plan(double beta, size_t d, size_t steps, fvi_memory_kind kind,
     } else {
         if (steps > FVI_LONGEST)
             FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
-                      FVI_EINVAL);
+                     FVI_EINVAL);
         if (tolerance != 0 && tolerance < FVI_LEAST_TOLERANCE)
             FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on",
-                      FVI_ETOL);
+                     FVI_ETOL);
         m->delta = fvi_exponentials_delta(steps, tolerance);
-        m->bytes = fvi_exponentials_bytes(m->order, d, steps, m->delta);
+        m->bytes = fvi_exponentials_bytes(m->order, rated, d, steps, m->delta);
     }
     if (m->bytes > SIZE_MAX - sizeof *m)
         FVI_FAIL("so many steps cannot be addressed", FVI_EINVAL);
@@ -95,50 +107,66 @@ size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance)
 {
     fvi_memory m = { 0 };
-    return plan(beta, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
+    return plan(beta, 0, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
 }
 
 /* w_n at [steps - n] */
+static void reverse(size_t steps, double *weights)
+{
+    for (size_t i = 0, j = steps; i < j; i++, j--) {
+        double swap = weights[i];
+        weights[i] = weights[j];
+        weights[j] = swap;
+    }
+}
+
 static int alloc_direct(fvi_memory *m)
 {
     const size_t count = m->steps + 1;
     m->weights = malloc(count * sizeof *m->weights);
+    m->rates = m->rated ? malloc(count * sizeof *m->rates) : NULL;
     m->history = malloc(count * m->d * sizeof *m->history);
-    if (!m->weights || !m->history)
+    if (!m->weights || !m->history || (m->rated && !m->rates))
         return 0;
     fvi_coefficients(m->order, count, m->weights);
-    for (size_t i = 0, j = m->steps; i < j; i++, j--) {
-        double swap = m->weights[i];
-        m->weights[i] = m->weights[j];
-        m->weights[j] = swap;
+    reverse(m->steps, m->weights);
+    if (m->rated) {
+        fvi_coefficients_rate(m->order, count, m->rates);
+        reverse(m->steps, m->rates);
     }
     return 1;
 }
 
+static int alloc_blocks(fvi_memory *m)
+{
+    m->blocks = fvi_blocks_alloc(m->order, 0, m->d, m->steps);
+    if (m->rated)
+        m->rate_blocks = fvi_blocks_alloc(m->order, 1, m->d, m->steps);
+    return m->blocks && !m->rate_blocks == !m->rated;
+}
+
 static int alloc_kind(fvi_memory *m)
 {
-    if (is_local(m->order)) {
+    if (needs_no_past(m)) {
         m->last = calloc(m->d, sizeof *m->last);
         return m->last != NULL;
     }
     if (m->kind == FVI_MEMORY_DIRECT)
         return alloc_direct(m);
-    if (m->kind == FVI_MEMORY_FFT) {
-        m->blocks = fvi_blocks_alloc(m->order, m->d, m->steps);
-        return m->blocks != NULL;
-    }
+    if (m->kind == FVI_MEMORY_FFT)
+        return alloc_blocks(m);
     m->exponentials =
-        fvi_exponentials_alloc(m->order, m->d, m->steps, m->delta);
+        fvi_exponentials_alloc(m->order, m->rated, m->d, m->steps, m->delta);
     return m->exponentials != NULL;
 }
 
-int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
-                     double tolerance, fvi_memory **memory)
+static int alloc(double beta, int rated, size_t d, size_t steps,
+                 fvi_memory_kind kind, double tolerance, fvi_memory **memory)
 {
     if (!memory)
         FVI_FAIL("memory is a null pointer", FVI_EFAULT);
     fvi_memory m;
-    int status = plan(beta, d, steps, kind, tolerance, &m);
+    int status = plan(beta, rated, d, steps, kind, tolerance, &m);
     if (status)
         return status;
     fvi_memory *out = malloc(sizeof *out);
@@ -150,6 +178,19 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
     }
     *memory = out;
     return FVI_SUCCESS;
+}
+
+int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
+                     double tolerance, fvi_memory **memory)
+{
+    return alloc(beta, 0, d, steps, kind, tolerance, memory);
+}
+
+int fvi_memory_alloc_rate(double beta, size_t d, size_t steps,
+                          fvi_memory_kind kind, double tolerance,
+                          fvi_memory **memory)
+{
+    return alloc(beta, 1, d, steps, kind, tolerance, memory);
 }
 
 /* n numbers again, or NULL; nothing of nothing. */
@@ -174,11 +215,14 @@ int fvi_memory_copy(const fvi_memory *from, fvi_memory **to)
     *m = *from;
     m->last = duplicate(from->last, from->d, &all);
     m->weights = duplicate(from->weights, count, &all);
+    m->rates = duplicate(from->rates, count, &all);
     m->history = duplicate(from->history, count * from->d, &all);
     m->blocks = from->blocks ? fvi_blocks_copy(from->blocks) : NULL;
+    m->rate_blocks =
+        from->rate_blocks ? fvi_blocks_copy(from->rate_blocks) : NULL;
     m->exponentials =
         from->exponentials ? fvi_exponentials_copy(from->exponentials) : NULL;
-    all &= !from->blocks == !m->blocks
+    all &= !from->blocks == !m->blocks && !from->rate_blocks == !m->rate_blocks
            && !from->exponentials == !m->exponentials;
     if (!all) {
         fvi_memory_free(m);
@@ -194,8 +238,10 @@ void fvi_memory_free(fvi_memory *m)
         return;
     free(m->last);
     free(m->weights);
+    free(m->rates);
     free(m->history);
     fvi_blocks_free(m->blocks);
+    fvi_blocks_free(m->rate_blocks);
     fvi_exponentials_free(m->exponentials);
     free(m);
 }
@@ -259,6 +305,37 @@ int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
     return FVI_SUCCESS;
 }
 //< push
+
+/* The same sums with other weights, of the terms that are in. */
+static void direct_rate(const fvi_memory *m, double *rate)
+{
+    for (size_t i = 0; i < m->d; i++)
+        rate[i] = dot(m->k, m->rates + (m->steps + 1 - m->k),
+                      m->history + i * (m->steps + 1));
+}
+
+int fvi_memory_push_rate(fvi_memory *m, const double *x, const double *dx,
+                         double *H, double *rate)
+{
+    if (!m || !x || !dx || !H || !rate)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!m->rated)
+        FVI_FAIL("this memory was not made for its rate", FVI_EUNSUP);
+    if (m->k > m->steps)
+        FVI_FAIL("more terms than were announced", FVI_EINVAL);
+    const double *term = m->on_increments ? dx : x; /* d beta = d(beta - 1) */
+    if (m->exponentials) {
+        m->k++;
+        fvi_exponentials_push_rate(m->exponentials, term, H, rate);
+        return FVI_SUCCESS;
+    }
+    if (m->rate_blocks)
+        fvi_blocks_push(m->rate_blocks, term, rate);
+    int status = fvi_memory_push(m, x, dx, H);
+    if (!status && m->rates)
+        direct_rate(m, rate);
+    return status;
+}
 
 //> ahead
 int fvi_memory_ahead(const fvi_memory *m, const double *x, double *ahead)

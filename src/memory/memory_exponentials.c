@@ -26,9 +26,14 @@ static double step(double nu, double delta)
 }
 //< step
 
+/* (12.9), (12.10): the nodes are at t = left + q step, q = 0, ..., Q - 1. */
+typedef struct {
+    double left, step;
+    size_t Q;
+} grid;
+
 //> nodes
-size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
-                              double *c)
+static grid grid_of(double nu, double N, double delta)
 {
     const double x = FVI_TAIL - nu, L = log(4 / delta), h = step(nu, delta);
     const double A = (L - gsl_sf_lngamma(2 + nu)) / (1 + nu) + 0.04;
@@ -36,16 +41,36 @@ size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
     const double X =
         N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
     const double right = log(X) + 1 / X;
-    const size_t Q = 1 + (size_t)ceil((right - left) / h);
-    const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * h;
-    for (size_t q = 0; s && q < Q; q++) { /* (12.7) */
-        double t = left + (double)q * h;
+    return (grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
+}
+
+size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
+                              double *c)
+{
+    const grid g = grid_of(nu, N, delta);
+    const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * g.step;
+    for (size_t q = 0; s && q < g.Q; q++) { /* (12.7) */
+        double t = g.left + (double)q * g.step;
         s[q] = exp(t - exp(-t)) / N;
         c[q] = factor * s[q] * (1 + exp(-t)) * pow(expm1(s[q]), nu);
     }
-    return Q;
+    return g.Q;
 }
 //< nodes
+
+//> rates
+void fvi_exponentials_rates(double nu, double N, double delta, double *rate)
+{
+    const grid g = grid_of(nu, N, delta);
+    const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
+    for (size_t q = 0; q < g.Q; q++) { /* (23.11) */
+        const double t = g.left + (double)q * g.step;
+        const double s = exp(t - exp(-t)) / N, base = expm1(s);
+        rate[q] = -g.step * s * (1 + exp(-t)) * pow(base, nu)
+                  * (cos(M_PI * nu) + sine * log(base));
+    }
+}
+//< rates
 
 //> delta
 /* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
@@ -68,6 +93,9 @@ struct fvi_exponentials {
     double *z;       /* Q modes for each coordinate */
     double *past;    /* the last 32 terms of each, twice over: a ring */
     double *far;     /* d sums over the lags >= 1, one step ahead */
+    double *rates;   /* NULL, or dc/d nu: Q numbers, */
+    double *slopes;  /* those of the lags 32, 31, ..., 1, */
+    double *further; /* and d such sums with them */
 };
 
 static size_t padded(size_t Q)
@@ -81,23 +109,25 @@ static size_t count(double nu, size_t steps, double delta, double *s, double *c)
     return fvi_exponentials_nodes(nu, fmax((double)steps, 128), delta, s, c);
 }
 
-static size_t numbers(size_t Q, size_t d) /* a multiple of 8 */
+static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
 {
-    return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(d);
+    return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(d)
+           + (rated ? Q + FVI_WINDOW + padded(d) : 0);
 }
 
-size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta)
+size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
+                              double delta)
 {
     const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
-    return sizeof(fvi_exponentials) + numbers(Q, d) * sizeof(double);
+    return sizeof(fvi_exponentials) + numbers(Q, rated, d) * sizeof(double);
 }
 
 /* Zeros, or NULL. */
-static fvi_exponentials *make(size_t Q, size_t d)
+static fvi_exponentials *make(size_t Q, int rated, size_t d)
 {
-    const size_t n = numbers(Q, d);
+    const size_t n = numbers(Q, rated, d);
     fvi_exponentials *e = malloc(sizeof *e);
     double *block = aligned_alloc(64, n * sizeof *block);
     if (!e || !block) {
@@ -111,14 +141,19 @@ static fvi_exponentials *make(size_t Q, size_t d)
     e->z = e->weights + FVI_WINDOW;
     e->past = e->z + d * Q;
     e->far = e->past + d * 2 * FVI_WINDOW;
+    if (rated) {
+        e->rates = e->far + padded(d);
+        e->slopes = e->rates + Q;
+        e->further = e->slopes + FVI_WINDOW;
+    }
     return e;
 }
 
-fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
-                                         double delta)
+fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
+                                         size_t steps, double delta)
 {
     const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
-    fvi_exponentials *e = make(Q, d);
+    fvi_exponentials *e = make(Q, rated, d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
@@ -127,6 +162,14 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
     for (size_t n2 = 2; n2 <= FVI_WINDOW; n2++)
         e->weights[FVI_WINDOW + 1 - n2] = w[n2];
     count(nu, steps, delta, e->p, e->c);
+    if (rated) {
+        fvi_coefficients_rate(nu, FVI_WINDOW + 1, w);
+        for (size_t n = 1; n <= FVI_WINDOW; n++)
+            e->slopes[FVI_WINDOW - n] = w[n];
+        fvi_exponentials_rates(nu, fmax((double)steps, 128), delta, e->rates);
+        for (size_t q = 0; q < Q; q++)
+            e->rates[q] *= exp(-FVI_TAIL * e->p[q]);
+    }
     for (size_t q = 0; q < Q; q++) { /* p holds s; padding ends as c = 0 */
         e->c[q] *= exp(-FVI_TAIL * e->p[q]);
         e->p[q] = -expm1(-e->p[q]);
@@ -136,10 +179,10 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
 
 fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
 {
-    fvi_exponentials *e = make(from->Q, from->d);
+    fvi_exponentials *e = make(from->Q, from->rates != NULL, from->d);
     if (!e)
         return NULL;
-    memcpy(e->p, from->p, numbers(e->Q, e->d) * sizeof *e->p);
+    memcpy(e->p, from->p, numbers(e->Q, e->rates != NULL, e->d) * sizeof *e->p);
     e->w1 = from->w1;
     e->k = from->k;
     return e;
@@ -194,6 +237,40 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
     }
 }
 //< push
+
+/* The modes as they stand, read with other coefficients. */
+FVI_VECTORS static double read_out(size_t Q, const double *restrict c,
+                                   const double *restrict z,
+                                   const double *restrict weights,
+                                   const double *restrict past)
+{
+    double sum[LANES] = { 0 };
+    for (size_t q = 0; q < Q; q += LANES) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++)
+            sum[l] += c[q + l] * z[q + l];
+    }
+    for (size_t j = 0; j < FVI_WINDOW; j += LANES) {
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++)
+            sum[l] += weights[j + l] * past[j + l];
+    }
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
+           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
+//> push-rate
+void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
+                                double *H, double *rate)
+{
+    memcpy(rate, e->further, e->d * sizeof *rate);
+    fvi_exponentials_push(e, term, H);
+    const double *oldest = e->past + (e->k - 1) % FVI_WINDOW + 1;
+    for (size_t i = 0; i < e->d; i++)
+        e->further[i] = read_out(e->Q, e->rates, e->z + i * e->Q, e->slopes,
+                                 oldest + i * 2 * FVI_WINDOW);
+}
+//< push-rate
 
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
 {

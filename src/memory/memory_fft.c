@@ -59,13 +59,16 @@ size_t fvi_blocks_bytes(size_t d, size_t steps)
     return bytes;
 }
 
+/* fvi_coefficients, or their rates. */
+typedef int weights_of(double nu, size_t count, double *w);
+
 /* The weights are written where the longest spectrum belongs; each shorter one
  * begins as a copy of its head. Weights beyond lag `steps` are never used. */
-static void transform_weights(fvi_blocks *b, double nu)
+static void transform_weights(fvi_blocks *b, double nu, weights_of *weights)
 {
     double *w = b->level[b->levels - 1].spectrum;
     const size_t longest = 2 * b->level[b->levels - 1].length;
-    fvi_coefficients(nu, b->steps + 1 < longest ? b->steps + 1 : longest, w);
+    weights(nu, b->steps + 1 < longest ? b->steps + 1 : longest, w);
     for (size_t j = 0; j < b->levels; j++) {
         level *l = b->level + j;
         const size_t n = 2 * l->length;
@@ -123,14 +126,15 @@ static fvi_blocks *make(size_t d, size_t steps)
     return b;
 }
 
-fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
+fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps)
 {
+    weights_of *weights = rate ? fvi_coefficients_rate : fvi_coefficients;
     fvi_blocks *b = make(d, steps);
     if (!b)
         return NULL;
-    fvi_coefficients(nu, BASE, b->near);
+    weights(nu, BASE, b->near);
     if (b->levels)
-        transform_weights(b, nu);
+        transform_weights(b, nu, weights);
     return b;
 }
 

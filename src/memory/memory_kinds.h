@@ -38,7 +38,8 @@
 typedef struct fvi_blocks fvi_blocks;
 
 size_t fvi_blocks_bytes(size_t d, size_t steps);
-fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps);
+/* With the weights w_n, or, if rate is not zero, with d w_n / d nu. */
+fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps);
 fvi_blocks *fvi_blocks_copy(const fvi_blocks *from);
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
 void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
@@ -69,16 +70,25 @@ enum {
 size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
                               double *c);
 
+/* fvi_exponentials_rates -- dc_q/d nu at the same nodes s_q, which are held: the sum
+ * of rate_q exp(-n s_q) is then d w_n/d nu.                             [(23.11)]
+ * Arguments as above, but 0 <= nu <= 1; rate: output, Q numbers. */
+void fvi_exponentials_rates(double nu, double N, double delta, double *rate);
+
 typedef struct fvi_exponentials fvi_exponentials;
 
 /* delta of (12.6) for a run: see (12.11). */
 double fvi_exponentials_delta(size_t steps, double tolerance);
 
-size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta);
-fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
-                                         double delta);
+/* `rated`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
+size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
+                              double delta);
+fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
+                                         size_t steps, double delta);
 fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from);
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
+void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
+                                double *H, double *rate);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
 void fvi_exponentials_free(fvi_exponentials *e);
 

@@ -186,7 +186,7 @@ static void against_modes(void)
     for (double tolerance = 1e-3; tolerance > 0.9e-14; tolerance /= 10) {
         double delta = fvi_exponentials_delta(N, tolerance), best = 1e30;
         for (int i = 0; i < 5; i++) {
-            fvi_exponentials *e = fvi_exponentials_alloc(0.5, 1, N, delta);
+            fvi_exponentials *e = fvi_exponentials_alloc(0.5, 0, 1, N, delta);
             double x = 1, v = 0, H, start = now();
             for (size_t k = 0; e && k <= N; k++) {
                 fvi_exponentials_push(e, &x, &H);
