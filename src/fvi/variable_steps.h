@@ -1,0 +1,109 @@
+/* src/fvi/variable_steps.h -- Steps of any length.                  [Chapter 22]
+ *
+ *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t)
+ *
+ * by steps h_k of the method's own choice. On the s Lobatto nodes c of every step, DD is
+ * the block bidiagonal matrix with A^{-1} / h_k on its diagonal and -e_1 e_s^T / (h_k b_1)
+ * below it, the inverse of integration from node to node over all steps so far. What
+ * damps is one of its powers; so is, in form D, the inertia:
+ *
+ *     m DD^2 x + rho DD^{2 alpha} x + grad U(x) = F                     (form D)
+ *
+ * with, beta = 2 alpha - 1, the present part h_k^{-beta} (A^{-1})^beta for any h_k, and
+ * the history a sum over modes exp(-sigma t) whose coefficients are one table, as the
+ * steps and the sigma are powers of the same number. */
+#ifndef FVI_VARIABLE_STEPS_H
+#define FVI_VARIABLE_STEPS_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_adaptive -- variable steps, s = 6 or 8 stages, order 2 s - 2.
+ *
+ * Any system in R^d, all coordinates with the same steps; any alpha in [0, 1], any rho,
+ * any past. run->h and run->steps say where the rows are, t_k = k h; the steps are the
+ * method's own, see fvi_step: s->k counts rows that have been passed, s->t is the time
+ * of x and p. Between the ends of its steps fvi_run_to and fvi_trajectory interpolate,
+ * to the same order as far as the force is smooth.
+ *
+ *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
+ *                    the largest |x_i| so far. p is off by more
+ *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
+ *   run->tolerance   not read: the modes are right to 2e-14
+ *   run->kappa       not read
+ *
+ * s = 8, or 6 if step_error is above 1e-6 of |x0| + |v0| T. Where nothing is damped the
+ * step is form M instead, that of the variational methods of chapter 17, which has no
+ * numerical damping; fvi_adaptive_look says which.
+ *
+ * The force may jump where force.jumps says so, at any times: steps end there, and the
+ * next begin small. A jump that is not declared is come near to by rejected steps, which
+ * takes some sixty; a pulse that is shorter than the steps may be passed over.
+ *
+ * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
+ * linear solution if U is quadratic); others by fixed-point iteration where it contracts
+ * by .8 or better, and by Newton's method with all stages and coordinates where it does
+ * not.
+ *
+ * Cost of a step: O(Q s) for each damped coordinate, Q 80 to 190 modes; s gradients for
+ * each iteration, mostly 2 to 6 of them; O(d s^2). Memory O(d (Q + 10 s)).
+ * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough. */
+extern const fvi_method fvi_adaptive;
+
+/* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.
+ *
+ *   steps, rejected  steps taken; trials that were given up
+ *   stages           s
+ *   form             'D' or 'M'
+ *   longest          the longest step, 0 before the first */
+typedef struct {
+    size_t steps, rejected;
+    int stages;
+    char form;
+    double longest;
+} fvi_adaptive_counts;
+
+/* fvi_adaptive_look -- of a stepper of fvi_adaptive, at any time.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for a stepper of
+ * another method. */
+int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts);
+
+/* What fvi_adaptive_search found. */
+typedef struct {
+    double estimate;            /* of max |x_k - x(t_k)|, over rows and coordinates */
+    fvi_adaptive_counts counts; /* of the run whose rows are given out */
+} fvi_adaptive_found;
+
+/* fvi_adaptive_search -- the rows of a run, right to a wanted error.
+ *
+ * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
+ * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
+ * largest difference in the rows, and 3e-14 max |x| for the rounding, is the estimate;
+ * the rows are those of the second run. While the estimate is above `error`, a run with
+ * a tenth again is compared with the last.
+ *
+ *   run    as for fvi_start; step_error is not read
+ *   error  what max |x_k - x(t_k)| may be, finite, > 0
+ *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL
+ *   found  output
+ *
+ * It is an estimate, no bound: what both runs pass over, a pulse of the force shorter
+ * than their steps, say, is not seen. The error of p is another matter.
+ * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
+ * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_start
+ * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error:
+ * found->estimate is then the smallest one. On error x, p and, but for FVI_ETOL, *found
+ * are untouched. */
+int fvi_adaptive_search(const fvi_run *run, double error, double *x, double *p,
+                        fvi_adaptive_found *found);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif
