@@ -72,7 +72,7 @@ help: ## print this list
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
 	echo '  $(sort $(TESTS))' | fold -s -w 76 | sed '2,$$s/^/  /'
 
-check: test test-install test-play verify text layers ## everything: tests, proofs, chapters equal to the code
+check: test test-install test-python test-play verify text layers ## everything: tests, proofs, chapters equal to the code
 	sh src/make/count.sh $B
 
 test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
@@ -155,7 +155,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check test test-example test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -207,6 +207,25 @@ uninstall: ## remove what install put there
 	  lib/libfvi.so.$(VERSION) lib/pkgconfig/fvi.pc share/man/man1/fvi.1)
 	rm -rf $(DESTDIR)$(PREFIX)/include/fvi
 
+# The Python package: laid out with headers and library in one folder, then made a wheel.
+PACKAGE := $(wildcard src/python/*.py src/python/*.toml src/python/fvi/*)
+
+$B/libfvi_pic.a: $(LIBRARY:src/%.c=$B/pic/%.o)
+	rm -f $@
+	ar rcs $@ $^
+
+python: $B/python/wheel ## the Python package as a wheel, build/python/fvi-*.whl (cffi)
+	ls $B/python/*.whl
+
+$B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi_pic.a
+	rm -rf $B/python
+	mkdir -p $B/python/package/include
+	cp -r src/python/. $B/python/package
+	cp -r src/fvi $B/python/package/include
+	cp $B/libfvi_pic.a $B/python/package/libfvi.a
+	cd $B/python/package && $(PYTHON) setup.py -q bdist_wheel -d .. >../wheel.log 2>&1 || { cat ../wheel.log; exit 1; }
+	touch $@
+
 ## -- tests -----------------------------------------------------------------
 
 # A test is compiled for one run: -O0 takes a quarter of the time. The library is as
@@ -226,21 +245,28 @@ $(patsubst test_%.c,test-%,$(notdir $(wildcard tests/program/test_*.c))): $B/fvi
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	FVI=$B/fvi $< > $<.log 2>&1 || { cat $<.log; exit 1; }; tail -1 $<.log | sed 's/^[0-9]*%: //; s|^|$*: |'
 
-# What README.md tells a programmer: the example against the library as it stands,
-# and against an installed copy, by pkg-config and from Python; and what the headers
-# promise against what the library exports.
-test-example: tests/example/example.c $B/libfvi.a
+# What README.md tells a programmer: the example against the library as it stands, and
+# against an installed copy, by pkg-config; and what the headers promise against what
+# the library exports. test-python compares its numbers with the other two examples'.
+test-example: tests/example/duffing.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
-	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 20 && echo 'README example: 20 rows'
+	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 201 && echo 'README example: 201 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	GSL_CFLAGS='$(GSL_CFLAGS)' $(PYTHON) src/make/interface.py $<
 	$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= install
 	export PKG_CONFIG_PATH=$B/prefix/lib/pkgconfig LD_LIBRARY_PATH=$B/prefix/lib; \
-	  $(CC) tests/example/example.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \
-	  $B/prefix/example | cmp - $B/example.out && $(PYTHON) tests/example/example.py $(SONAME)
+	  $(CC) tests/example/duffing.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \
+	  $B/prefix/example | cmp - $B/example.out
 	$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= uninstall
-	test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used from C and Python, uninstalled'
+	test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used, uninstalled'
+
+# The wheel, installed into an empty folder, from which alone it is taken.
+test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (cffi, numpy, pytest)
+	rm -rf $B/python/site
+	$(PYTHON) -m zipfile -e $B/python/fvi-*.whl $B/python/site
+	PYTHONPATH=$B/python/site FVI=$B/fvi EXAMPLE=$B/example.out $(PYTHON) -m pytest -q -p no:cacheprovider tests/python > $B/python/test.log || \
+	  { cat $B/python/test.log; exit 1; }; tail -1 $B/python/test.log | sed 's/^/python: /'
 
 $B/tests/bench_%: tests/bench/bench_%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
@@ -315,7 +341,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
   $(call goal,text excerpts check layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check test-install,numpy) $(call goal,valgrind valgrind-%,valgrind))
+  $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)

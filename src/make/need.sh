@@ -14,7 +14,8 @@ have() {
     cerf) pkg-config --exists libcerf ;;
     gnuplot) command -v "$GNUPLOT" ;;
     python) command -v "$PYTHON" ;;
-    sympy | numpy) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
+    sympy | numpy | cffi | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
+    Python.h) "$PYTHON" -c "import os, sysconfig; raise SystemExit(not os.path.exists(sysconfig.get_path('include') + '/Python.h'))" ;;
     wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a ;;
     *) command -v "$1" ;;
     esac >/dev/null 2>&1
@@ -28,7 +29,8 @@ packages() {
     cerf) echo libcerf-dev ;;
     gnuplot) echo gnuplot-nox ;;
     python) echo python3 ;;
-    sympy | numpy) echo "python3-$1" ;;
+    Python.h) echo python3-dev ;;
+    sympy | numpy | cffi | wheel | pytest) echo "python3-$1" ;;
     wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 ;;
     node) echo nodejs ;;
     *) echo "$1" ;;

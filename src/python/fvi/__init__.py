@@ -1,0 +1,23 @@
+"""Mechanics with memory, m x'' + grad U(x) + rho D^{2 alpha} x = F(t), by variational integrators.
+
+    import fvi
+    run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, h=0.1, steps=200)
+    run.t, run.x, run.p          # arrays of 201 numbers
+
+The options are those of the program `fvi run`, under the same names and with the same
+defaults; `help(fvi.run)` lists them. Lengths, times and masses are in units of your own.
+
+    run         a whole trajectory as arrays
+    Stepper     one step after the other: look, fork, go on
+    exact       the exact solution of the linear problem
+    methods     what `method` can be
+    weights     the Grunwald-Letnikov weights of any order up to 2
+    potential   U from functions of Python's, or compiled ones
+    Error       what is raised where the library returns a code
+"""
+from ._problem import Error, Potential, potential
+from ._run import Method, Run, Stepper, exact, methods, run, version, weights
+
+__version__ = version()
+__all__ = ["Error", "Method", "Potential", "Run", "Stepper", "exact", "methods", "potential",
+           "run", "version", "weights"]

@@ -1,0 +1,214 @@
+"""From what a user writes to the library's structs: potentials, forces, starts, errors."""
+from __future__ import annotations
+
+import numbers
+from typing import Any, Callable, Optional, Sequence, Union
+
+import numpy as np
+
+from ._fvi import ffi, lib
+
+Array = np.ndarray
+Numbers = Union[float, Sequence[float], Array]
+
+
+class Error(Exception):
+    """The library returned a code. `code` is its number (fvi/error.h), and the text says why."""
+
+    def __init__(self, code: int, where: str = ""):
+        why = lib.why()
+        words = ffi.string(lib.fvi_strerror(code)).decode()
+        reason = ffi.string(why).decode() if why != ffi.NULL else words
+        super().__init__(f"{reason}{where}")
+        self.code = code
+
+
+class Potential:
+    """U: R^d -> R with its gradient and Hessian; made by `potential`."""
+
+    def __init__(self, value: Any, gradient: Any, hessian: Any, quadratic: bool, diagonals: int):
+        self.value, self.gradient, self.hessian = value, gradient, hessian
+        self.quadratic, self.diagonals = quadratic, diagonals
+
+
+def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = False,
+              diagonals: int = 0) -> Potential:
+    """A potential of your own.
+
+    value, gradient, hessian
+        Three functions of x: U, a number; the d numbers dU/dx_i; the Hessian, d x d numbers,
+        or as `diagonals` says. x is an array of d numbers that may be read only; where the
+        start is one number, x is one, too, and all three give a number.
+        Or the addresses of three compiled functions, as integers (numba's
+        ``cfunc(...).address``): each is the C function
+        ``int f(size_t d, const double *x, void *, double *out)`` that returns 0; they
+        cost no more than the library's own.
+    quadratic
+        True promises that U is quadratic: its Hessian is then asked for once.
+    diagonals
+        0: the Hessian is full. K > 0: only the main diagonal and K - 1 on either side are
+        not zero, and hessian gives an array (d, K) with d^2U/dx_i dx_{i+k} at [i, k].
+
+    What a function of Python's raises ends the run and comes out of it.
+    """
+    given = (value, gradient, hessian)
+    if not (all(callable(f) for f in given) or all(isinstance(f, numbers.Integral) for f in given)):
+        raise TypeError("value, gradient and hessian are three functions, or three addresses")
+    if diagonals < 0:
+        raise ValueError("diagonals must be 0 or more")
+    return Potential(value, gradient, hessian, quadratic, diagonals)
+
+
+class Asked:
+    """The functions of one run; what they raised waits here until the library has returned."""
+
+    def __init__(self, U: Optional[Potential], F: Optional[Callable[[float], Numbers]], scalar: bool):
+        self.U, self.F, self.scalar = U, F, scalar
+        self.raised: Optional[BaseException] = None
+        self.views: dict = {}  # the library asks with the same few arrays again and again
+
+    def view(self, pointer: Any, n: int) -> Array:
+        """n doubles of the library's as an array."""
+        where = (int(ffi.cast("uintptr_t", pointer)), n)
+        if where not in self.views:
+            self.views[where] = np.frombuffer(ffi.buffer(pointer, 8 * n))
+        return self.views[where]
+
+    def at(self, x: Any, d: int) -> Any:
+        """x as the functions take it: a number, or an array that may be read only."""
+        if self.scalar:
+            return x[0]
+        array = self.view(x, d).view()
+        array.flags.writeable = False
+        return array
+
+    def answer(self, out: Any, n: int, function: Callable[[Any], Any], argument: Any) -> int:
+        try:
+            if self.scalar:
+                out[0] = function(argument)
+                return 0
+            given = np.asarray(function(argument), dtype=float)
+            if given.ndim and given.size != n:
+                raise ValueError(f"a function gave {given.size} numbers, not {n}")
+            self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere
+            return 0
+        except BaseException as error:  # an interrupt, too, ends the run
+            self.raised = error
+            return -1
+
+
+@ffi.def_extern(error=-1)
+def ask_value(d, x, params, value):
+    asked = ffi.from_handle(params)
+    return asked.answer(value, 1, asked.U.value, asked.at(x, d))
+
+
+@ffi.def_extern(error=-1)
+def ask_gradient(d, x, params, grad):
+    asked = ffi.from_handle(params)
+    return asked.answer(grad, d, asked.U.gradient, asked.at(x, d))
+
+
+@ffi.def_extern(error=-1)
+def ask_hessian(d, x, params, H):
+    asked = ffi.from_handle(params)
+    return asked.answer(H, d * (asked.U.diagonals or d), asked.U.hessian, asked.at(x, d))
+
+
+@ffi.def_extern(error=-1)
+def ask_force(t, d, params, F):
+    asked = ffi.from_handle(params)
+    return asked.answer(F, d, asked.F, t)
+
+
+@ffi.def_extern(error=0)
+def ask_quadratic(params):
+    return 1
+
+
+def words(text: str, known: dict) -> tuple:
+    """'duffing:1,0.5' -> ('duffing', [1.0, 0.5]); known says how many numbers a word takes."""
+    name, _, rest = text.partition(":")
+    if name not in known:
+        raise ValueError(f"'{text}' is none of " + ", ".join(known))
+    given = [float(word) for word in rest.split(",")] if rest else []
+    if len(given) != known[name]:
+        raise ValueError(f"'{text}': {name} takes {known[name]} numbers")
+    return name, given
+
+
+def array(what: str, given: Numbers, d: int) -> Array:
+    """d finite numbers, of one for all or of d."""
+    a = np.array(given, dtype=float)
+    if a.shape not in ((), (1,), (d,)):
+        raise ValueError(f"{what} has the shape {a.shape}, not ({d},)")
+    return np.ascontiguousarray(np.broadcast_to(a, (d,)))
+
+
+class Problem:
+    """A system and its start as the library wants them. Whatever C points to is kept here."""
+
+    def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
+                 x0: Numbers, p0: Numbers):
+        self.keep: list = []
+        self.scalar = np.ndim(x0) == 0 and np.ndim(p0) == 0
+        self.d = max(np.size(a) for a in (mass, rho, x0, p0))
+        U = self.potential(potential)
+        self.scalar &= self.d == 1
+        self.asked = Asked(potential if isinstance(potential, Potential) else None,
+                           force if callable(force) else None, self.scalar)
+        self.handle = ffi.new_handle(self.asked)
+        if isinstance(potential, Potential) and callable(potential.value):
+            U.params = self.handle
+        self.x0, self.p0 = array("x0", x0, self.d), array("p0", p0, self.d)
+        self.system = ffi.new("fvi_system *")
+        self.system.d = self.d
+        self.system.mass = self.pointer(array("mass", mass, self.d))
+        self.system.damping = self.pointer(array("rho", rho, self.d))
+        self.system.potential = U
+        self.system.force = self.force(force)
+
+    def pointer(self, a: Array) -> Any:
+        self.keep.append(a)
+        return ffi.cast("double *", a.ctypes.data)
+
+    def potential(self, given: Union[str, Potential]) -> Any:
+        if isinstance(given, Potential):
+            return self.own_potential(given)
+        name, n = words(given, {"harmonic": 1, "duffing": 2, "pendulum": 1, "chain": 3, "free": 0})
+        if name == "chain":
+            if n[0] != int(n[0]) or n[0] < 1 or self.d not in (1, n[0]):
+                raise ValueError(f"'{given}': so many masses do not fit the other lists")
+            self.d = int(n.pop(0))
+        if name == "free":
+            return ffi.new("fvi_potential *")[0]
+        return getattr(lib, f"fvi_potential_{name}")(self.pointer(np.array(n)))
+
+    def own_potential(self, given: Potential) -> Any:
+        U = ffi.new("fvi_potential *")
+        if callable(given.value):
+            U.value, U.gradient, U.hessian = lib.ask_value, lib.ask_gradient, lib.ask_hessian
+        else:
+            for name in ("value", "gradient", "hessian"):
+                setattr(U, name, ffi.cast(ffi.typeof(getattr(U, name)), int(getattr(given, name))))
+        U.quadratic = lib.ask_quadratic if given.quadratic else ffi.NULL
+        U.diagonals = given.diagonals
+        return U[0]
+
+    def force(self, given: Any) -> Any:
+        F = ffi.new("fvi_force *")
+        if given is None or given == "none":
+            return F[0]
+        if callable(given):
+            F.value, F.params = lib.ask_force, self.handle
+            return F[0]
+        name, n = words(given, {"step": 2, "cosine": 2})
+        return getattr(lib, f"fvi_force_{name}")(self.pointer(np.array(n)))
+
+    def check(self, status: int, where: str = "") -> None:
+        """Raise what the library, or a function that it asked, has to say."""
+        raised, self.asked.raised = self.asked.raised, None
+        if raised is not None:
+            raise raised
+        if status:
+            raise Error(status, where)

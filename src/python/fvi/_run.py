@@ -1,0 +1,218 @@
+"""Runs: whole trajectories, single steps, exact solutions."""
+from __future__ import annotations
+
+from typing import Any, Callable, NamedTuple, Optional, Union
+
+import numpy as np
+
+from ._fvi import ffi, lib
+from ._problem import Array, Error, Numbers, Potential, Problem, words
+
+lib.listen()  # the reasons of errors go into the exceptions
+
+PASTS = {"held": lib.FVI_PAST_HELD, "caputo": lib.FVI_PAST_CAPUTO,
+         "rl": lib.FVI_PAST_RIEMANN_LIOUVILLE}
+MEMORIES = {"auto": lib.FVI_MEMORY_AUTO, "direct": lib.FVI_MEMORY_DIRECT,
+            "fft": lib.FVI_MEMORY_FFT, "exponentials": lib.FVI_MEMORY_EXPONENTIALS}
+
+
+def version() -> str:
+    """The version of the library inside."""
+    return ffi.string(lib.fvi_version()).decode()
+
+
+class Method(NamedTuple):
+    """An integrator: `order` and `memory` in words, `lowest` and `highest` order of x at a
+    fixed time over all alpha, which alpha it knows, whether it has a kappa and solves an
+    equation in each step."""
+    name: str
+    order: str
+    memory: str
+    lowest: int
+    highest: int
+    alpha: tuple
+    kappa: bool
+    implicit: bool
+
+
+def methods() -> list:
+    """Every integrator that `run` knows, as a list of Method."""
+    table = []
+    while lib.fvi_methods[len(table)] != ffi.NULL:
+        m = lib.fvi_methods[len(table)]
+        table.append(Method(*(ffi.string(t).decode() for t in (m.name, m.order, m.memory)),
+                            m.lowest, m.highest, (m.alpha_least, m.alpha_most),
+                            bool(m.takes_kappa), bool(m.implicit)))
+    return table
+
+
+def choice(what: str, given: str, known: dict) -> Any:
+    if given not in known:
+        raise ValueError(f"{what}: '{given}' is none of " + ", ".join(known))
+    return known[given]
+
+
+class Stepper:
+    """One trajectory, step by step. Arguments as `run`, but for `columns`.
+
+        s = fvi.Stepper("pendulum:1", alpha=0.3, x0=2, p0=0)
+        while s.k < s.steps and abs(s.x) > 1e-3:
+            s.step()
+
+    `k` steps are done, `t` is the time, `x` and `p` are numbers, or arrays of d numbers
+    of their own. `copy` forks the run with all that it remembers, `reset` goes back to
+    the start. After a step that failed it is over: reset, or begin anew.
+    """
+
+    def __init__(self, potential: Union[str, Potential] = "harmonic:1", **options: Any):
+        self._problem, self._run, self._method = prepare(potential, **options)
+        out = ffi.new("fvi_stepper **")
+        self._problem.check(lib.fvi_start(self._method, self._run, out))
+        self._s = ffi.gc(out[0], lib.fvi_stop)
+        self.steps: int = self._run.steps
+
+    @property
+    def k(self) -> int:
+        return self._s.k
+
+    @property
+    def t(self) -> float:
+        return self._s.t
+
+    @property
+    def x(self) -> Union[float, Array]:
+        return self._row(self._s.x)
+
+    @property
+    def p(self) -> Union[float, Array]:
+        return self._row(self._s.p)
+
+    def _row(self, pointer: Any) -> Union[float, Array]:
+        if self._problem.scalar:
+            return pointer[0]
+        return np.frombuffer(ffi.buffer(pointer, 8 * self._problem.d)).copy()
+
+    def step(self, count: int = 1) -> None:
+        """So many steps on."""
+        for _ in range(count):
+            self._problem.check(lib.fvi_step(self._s), f" (step {self._s.k + 1})")
+
+    def copy(self) -> "Stepper":
+        """The same run again, at the same step; neither knows of the other."""
+        other, out = object.__new__(Stepper), ffi.new("fvi_stepper **")
+        self._problem.check(lib.fvi_copy(self._s, out))
+        other.__dict__.update(self.__dict__, _s=ffi.gc(out[0], lib.fvi_stop))
+        return other
+
+    def reset(self) -> None:
+        """Back to k = 0."""
+        self._problem.check(lib.fvi_reset(self._s))
+
+
+def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0.5,
+            rho: Numbers = 0.2, mass: Numbers = 1.0,
+            force: Union[None, str, Callable[[float], Numbers]] = None,
+            derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
+            h: float = 0.1, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
+            memory: str = "auto", tolerance: float = 0.0) -> tuple:
+    problem = Problem(potential, force, mass, rho, x0, p0)
+    if steps != int(steps) or steps < 1:
+        raise ValueError(f"steps: {steps} is no whole number >= 1")
+    found = lib.fvi_method_named(method.encode())
+    if found == ffi.NULL:
+        raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
+    if not found.takes_kappa and kappa != 0.5:
+        raise ValueError(f"kappa: {method} has none")
+    run = ffi.new("fvi_run *")
+    run.system = problem.system
+    run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
+    run.h, run.steps = h if time is None else time / int(steps), int(steps)
+    run.kappa, run.alpha, run.tolerance = kappa, alpha, tolerance
+    run.past = choice("derivative", derivative, PASTS)
+    run.memory = choice("memory", memory, MEMORIES)
+    return problem, run, found
+
+
+class Run(NamedTuple):
+    """A trajectory: `t` of N + 1 times; `x`, `p` of N + 1 numbers, or (N + 1, d) where the
+    start was a list or the system has more than one mass; `energy` p^2/(2m) + U of N + 1.
+    What was not asked for is None."""
+    t: Array
+    x: Optional[Array]
+    p: Optional[Array]
+    energy: Optional[Array]
+
+
+def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,p",
+        **options: Any) -> Run:
+    """A whole trajectory of m x'' + grad U(x) + rho D^{2 alpha} x = F(t).
+
+    potential   "harmonic:C", "duffing:C,G", "pendulum:G", "free", "chain:D,C,G", as the
+                program has them, or what `fvi.potential` makes
+    alpha       0 ... 1, the damping is of order 2 alpha; 0.5
+    rho, mass   one number, or d of them; 0.2 and 1
+    force       None, "step:A,T", "cosine:A,W", or a function of t that gives one number
+                or d of them
+    derivative  the past: "held", "caputo" or "rl"
+    x0, p0      the start, one number or d of them; 1 and 0.5
+    h, steps    the step and how many; 0.1 and 200; time=T instead of h: h = T / steps
+    method      as `methods()` lists them; "fvi"
+    kappa       0 ... 1, where the potential is taken; 0.5
+    memory      "auto", "direct", "fft" or "exponentials"
+    tolerance   of the compressed memory, relative to the direct sum; 0 stands for 1e-13
+    columns     any of t,x,p,energy: only these are computed
+
+    Raises ValueError for what cannot be meant, fvi.Error with the library's code for what
+    could not be done, and whatever a function of yours raised.
+    """
+    wanted = columns.split(",")
+    if not set(wanted) <= {"t", "x", "p", "energy"}:
+        raise ValueError(f"columns: '{columns}' are not all among t,x,p,energy")
+    problem, r, method = prepare(potential, **options)
+    rows, d = r.steps + 1, problem.d
+    shape = (rows,) if problem.scalar else (rows, d)
+    out = {name: np.empty((rows,) if name == "energy" else shape)
+           for name in ("x", "p", "energy") if name in wanted}
+    pointers = [ffi.from_buffer("double[]", out[n]) if n in out else ffi.NULL
+                for n in ("x", "p", "energy")]
+    problem.check(lib.fvi_trajectory(method, r, *pointers))
+    return Run(np.arange(rows) * r.h, *(out.get(n) for n in ("x", "p", "energy")))
+
+
+def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: float = 0.2, alpha: float = 0.5,
+          derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
+          force: Optional[str] = None) -> tuple:
+    """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|.
+
+    t      one time or an array of them, >= 0, in any order
+    force  None, "step:A,T" or "cosine:A,W"
+    v0     the velocity at 0, not the momentum
+
+    Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
+    (derivative="rl" with x0 != 0 and alpha > 1/2) or a number is out of its range.
+    """
+    times = np.array(t, dtype=float)
+    flat = np.ascontiguousarray(times.reshape(-1))
+    problem = ffi.new("fvi_linear *", {"m": mass, "c": c, "rho": rho, "alpha": alpha, "x0": x0,
+                                       "v0": v0, "past": choice("derivative", derivative, PASTS)})
+    if force not in (None, "none"):
+        name, n = words(force, {"step": 2, "cosine": 2})
+        problem.A = n[0]
+        if name == "step":
+            problem.forcing, problem.T = lib.FVI_FORCING_STEP, n[1]
+        else:
+            problem.forcing, problem.w = lib.FVI_FORCING_COSINE, n[1]
+    x, v = np.empty_like(flat), np.empty_like(flat)
+    status = lib.fvi_exact(problem, flat.size, *(ffi.from_buffer("double[]", a) for a in (flat, x, v)))
+    if status:
+        raise Error(status)
+    return x.reshape(times.shape), v.reshape(times.shape)
+
+
+def weights(order: float, count: int) -> Array:
+    """The first weights of (1 - z)^order, 0 <= order <= 2, each to the last bit or next to it."""
+    w = np.empty(count)
+    status = lib.fvi_coefficients(order, count, ffi.from_buffer("double[]", w))
+    if status:
+        raise Error(status)
+    return w

@@ -1,0 +1,134 @@
+"""What of the library Python calls, compiled by cffi into fvi._fvi.
+
+The declarations are those of src/fvi/*.h, as far as they are needed; the compiler
+compares them with the headers. `...;` leaves the rest of a struct to it."""
+import pathlib
+import shlex
+import subprocess
+
+from cffi import FFI
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+ffi = FFI()
+ffi.cdef("""
+typedef struct {
+    int (*value)(size_t d, const double *x, void *params, double *value);
+    int (*gradient)(size_t d, const double *x, void *params, double *grad);
+    int (*hessian)(size_t d, const double *x, void *params, double *H);
+    void *params;
+    int (*quadratic)(const void *params);
+    size_t diagonals;
+} fvi_potential;
+typedef struct {
+    int (*value)(double t, size_t d, void *params, double *F);
+    void *params;
+    ...;
+} fvi_force;
+typedef struct {
+    size_t d;
+    const double *mass, *damping;
+    fvi_potential potential;
+    fvi_force force;
+    ...;
+} fvi_system;
+typedef enum { FVI_PAST_HELD, FVI_PAST_CAPUTO, FVI_PAST_RIEMANN_LIOUVILLE, ... } fvi_past;
+typedef enum { FVI_MEMORY_AUTO, FVI_MEMORY_DIRECT, FVI_MEMORY_FFT, FVI_MEMORY_EXPONENTIALS, ... } fvi_memory_kind;
+typedef struct {
+    const fvi_system *system;
+    const double *x0, *p0;
+    double h;
+    size_t steps;
+    double kappa, alpha;
+    fvi_past past;
+    fvi_memory_kind memory;
+    double tolerance;
+    ...;
+} fvi_run;
+typedef struct {
+    const char *name, *order, *memory;
+    int lowest, highest, stages;
+    double alpha_least, alpha_most;
+    int takes_kappa, implicit;
+    ...;
+} fvi_method;
+typedef struct {
+    size_t k;
+    double t;
+    double *x, *p;
+    ...;
+} fvi_stepper;
+extern const fvi_method *const fvi_methods[];
+const fvi_method *fvi_method_named(const char *name);
+fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
+fvi_potential fvi_potential_harmonic(const double *c);
+fvi_potential fvi_potential_duffing(const double *cg);
+fvi_potential fvi_potential_pendulum(const double *g);
+fvi_potential fvi_potential_chain(const double *cg);
+fvi_force fvi_force_step(const double *aT);
+fvi_force fvi_force_cosine(const double *aw);
+int fvi_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper);
+int fvi_step(fvi_stepper *s);
+int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
+int fvi_reset(fvi_stepper *s);
+void fvi_stop(fvi_stepper *s);
+int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x, double *p, double *energy);
+int fvi_stability_load(const fvi_method *method, const fvi_run *run, double *load);
+
+typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;
+typedef struct {
+    double m, c, rho, alpha;
+    fvi_past past;
+    double x0, v0;
+    fvi_forcing forcing;
+    double A, T, w;
+} fvi_linear;
+int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
+
+int fvi_coefficients(double alpha, size_t count, double *w);
+const char *fvi_strerror(int code);
+const char *fvi_version(void);
+
+const char *why(void);
+void listen(void);
+extern "Python" int ask_value(size_t d, const double *x, void *params, double *value);
+extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
+extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);
+extern "Python" int ask_force(double t, size_t d, void *params, double *F);
+extern "Python" int ask_quadratic(const void *params);
+""")
+
+
+def flags(what):
+    return shlex.split(subprocess.run(["pkg-config", what, "gsl"], check=True,
+                                      capture_output=True, text=True).stdout)
+
+
+ffi.set_source(
+    "fvi._fvi",
+    """
+    #include <fvi/fvi.h>
+    /* The last error's reason, of this thread: for the text of the exception. */
+    static _Thread_local const char *reason;
+    static void note(const char *text, const char *file, int line, int code)
+    {
+        (void)file, (void)line, (void)code;
+        reason = text;
+    }
+    static void listen(void)
+    {
+        fvi_set_error_handler(note);
+    }
+    static const char *why(void)
+    {
+        const char *text = reason;
+        reason = NULL;
+        return text;
+    }
+    """,
+    include_dirs=[str(HERE / "include")],
+    extra_compile_args=["-std=c11", *flags("--cflags")],
+    extra_objects=[str(HERE / "libfvi.a")],
+    extra_link_args=[*flags("--libs"), "-Wl,--disable-new-dtags", "-Wl,-rpath,$ORIGIN"],
+    py_limited_api=True,
+)

@@ -1,0 +1,234 @@
+"""The Python package against the program, the exact solution and bad input."""
+import ctypes
+import gc
+import os
+import subprocess
+import sys
+import threading
+
+import fvi
+import numpy as np
+import pytest
+
+PROGRAM = os.environ.get("FVI", "build/fvi")
+EXAMPLE = os.environ.get("EXAMPLE", "build/example.out")  # what duffing.c printed
+
+
+def program(command, *options):
+    """The table of build/fvi as an array: what is printed reads back to the same doubles."""
+    text = subprocess.run([PROGRAM, command, *options], check=True, capture_output=True, text=True).stdout
+    return np.array([line.split("\t") for line in text.splitlines() if line[0] != "#"], dtype=float)
+
+
+def columns(run):
+    """t, x, p, energy side by side, as the program prints them."""
+    rows = len(run.t)
+    return np.column_stack([a.reshape(rows, -1) for a in run])
+
+
+def test_the_defaults_are_the_programs():
+    assert np.array_equal(columns(fvi.run(columns="t,x,p,energy")), program("run"))
+
+
+@pytest.mark.parametrize("method", [m.name for m in fvi.methods()])
+@pytest.mark.parametrize("alpha", [0.3, 0.5, 0.8])
+def test_every_method_gives_the_programs_digits(method, alpha):
+    known = next(m for m in fvi.methods() if m.name == method)
+    if not known.alpha[0] <= alpha <= known.alpha[1]:
+        with pytest.raises(fvi.Error):
+            fvi.run(method=method, alpha=alpha)
+        return
+    run = fvi.run("duffing:1,0.5", method=method, alpha=alpha, rho=0.4, h=0.05, steps=300,
+                  force="cosine:0.3,1.2", derivative="caputo", columns="t,x,p,energy")
+    table = program("run", "--method", method, "--alpha", str(alpha), "--potential", "duffing:1,0.5",
+                    "--rho", "0.4", "--h", "0.05", "--steps", "300", "--force", "cosine:0.3,1.2",
+                    "--derivative", "caputo")
+    assert np.array_equal(columns(run), table)
+
+
+def test_a_chain_has_a_column_for_each_mass():
+    run = fvi.run("chain:3,1,0.2", alpha=0.4, x0=[1, 0, 0], p0=0, steps=50, columns="t,x,p,energy")
+    assert run.x.shape == (51, 3) and run.energy.shape == (51,)
+    assert np.array_equal(columns(run), program("run", "--potential", "chain:3,1,0.2", "--alpha", "0.4",
+                                                "--x0", "1,0,0", "--p0", "0", "--steps", "50"))
+
+
+def test_only_what_is_asked_for_is_made():
+    run = fvi.run(columns="x", steps=5)
+    assert run.p is None and run.energy is None and run.x.shape == (6,)
+    assert fvi.run(x0=[1], p0=[0.5], steps=5).x.shape == (6, 1)
+
+
+def duffing(c, g):
+    """Of a number, or of an array."""
+    return fvi.potential(lambda x: np.sum(c * x * x / 2 + g * x**4 / 4),
+                         lambda x: c * x + g * x * x * x,
+                         lambda x: c + 3 * g * x * x, diagonals=1)
+
+
+def test_functions_of_pythons_are_a_potential_as_good():
+    """To the rounding of U' and U'', done in another order: 200 steps of a stable run of
+    size 1, 16 units of roundoff each. Seen: 5e-16."""
+    own, built_in = (fvi.run(U, alpha=0.3, rho=0.4) for U in (duffing(1, 0.5), "duffing:1,0.5"))
+    assert abs(own.x - built_in.x).max() <= 200 * 16 * 2**-53
+    several = fvi.run(duffing(1, 0.5), alpha=0.3, rho=0.4, x0=[1, 0.5], p0=[0.5, 0])
+    assert abs(several.x[:, 0] - built_in.x).max() <= 200 * 16 * 2**-53
+
+
+def test_a_full_hessian_and_one_in_diagonals_are_the_same_system():
+    K = np.array([[2.0, -1, 0], [-1, 2, -1], [0, -1, 2]])
+    band = np.array([[2.0, -1], [2, -1], [2, 0]])
+    runs = [fvi.run(fvi.potential(lambda x: x @ K @ x / 2, lambda x: K @ x, hessian, diagonals=n, quadratic=q),
+                    alpha=0.7, x0=[1, 0, 0], p0=0)
+            for hessian, n, q in ((lambda x: K, 0, False), (lambda x: band, 2, False), (lambda x: band, 2, True))]
+    chain = fvi.run("chain:3,1,0", alpha=0.7, x0=[1, 0, 0], p0=0)
+    for run in runs:  # as above; three masses. Seen: 6e-16
+        assert abs(run.x - chain.x).max() <= 3 * 200 * 16 * 2**-53
+
+
+def test_compiled_functions_are_taken_by_their_addresses():
+    doubles = ctypes.POINTER(ctypes.c_double)
+    kind = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_size_t, doubles, ctypes.c_void_p, doubles)
+
+    def compiled(function):
+        @kind
+        def call(d, x, params, out):
+            out[0] = function(x[0])
+            return 0
+        return call
+
+    functions = [compiled(f) for f in (lambda x: x * x, lambda x: 2 * x, lambda x: 2.0)]
+    U = fvi.potential(*(ctypes.cast(f, ctypes.c_void_p).value for f in functions), quadratic=True)
+    assert np.array_equal(fvi.run(U, alpha=0.3).x, fvi.run("harmonic:2", alpha=0.3).x)
+
+
+def test_a_force_of_ones_own():
+    own = fvi.run(force=lambda t: 0.3 * np.cos(1.2 * t), alpha=0.3)
+    assert abs(own.x - fvi.run(force="cosine:0.3,1.2", alpha=0.3).x).max() <= 200 * 16 * 2**-53
+    pushed = fvi.run("chain:2,1,0", force=lambda t: [1.0, 0.0], x0=0, p0=0, alpha=0.3, method="fvi-shifted")
+    assert pushed.x[-1, 0] > pushed.x[-1, 1] != 0
+
+
+def test_a_stepper_goes_forks_and_begins_anew():
+    run = fvi.run("pendulum:1", alpha=0.3, x0=2, p0=0, steps=60)
+    s = fvi.Stepper("pendulum:1", alpha=0.3, x0=2, p0=0, steps=60)
+    assert (s.k, s.t, s.x, s.p, s.steps) == (0, 0, 2, 0, 60)
+    s.step(20)
+    fork = s.copy()
+    s.step(40)
+    del s
+    gc.collect()
+    assert fork.x == run.x[20] and fork.k == 20
+    fork.step(40)
+    assert (fork.x, fork.p) == (run.x[60], run.p[60])
+    with pytest.raises(fvi.Error):
+        fork.step()
+    fork.reset()
+    fork.step()
+    assert fork.x == run.x[1]
+
+
+def test_the_exact_solution_is_the_programs():
+    t = program("exact", "--alpha", "0.3", "--time", "20", "--steps", "40")
+    x, v = fvi.exact(t[:, 0], alpha=0.3)
+    assert np.array_equal(x, t[:, 1]) and v.shape == (41,)
+    assert fvi.exact(3.0, alpha=0.3, force="step:1,2")[0].shape == ()
+    close = fvi.run(method="fvi-lobatto4", alpha=0.3, time=20, steps=400)
+    assert abs(close.x - fvi.exact(close.t, alpha=0.3)[0]).max() < 1e-6
+
+
+def test_weights_of_half_a_derivative():
+    assert fvi.weights(0.5, 4).tolist() == [1, -0.5, -0.125, -0.0625]
+    with pytest.raises(fvi.Error) as caught:
+        fvi.weights(2.5, 3)
+    assert caught.value.code == 1 and "alpha" in str(caught.value)
+
+
+def test_the_methods_are_the_programs():
+    listed = subprocess.run([PROGRAM, "methods"], check=True, capture_output=True, text=True).stdout
+    assert [line.split("\t")[0] for line in listed.splitlines() if line[0] != "#"] == [
+        m.name for m in fvi.methods()]
+
+
+def test_the_examples_of_the_readme_give_the_same_numbers():
+    """From the command line, from C, from Python: the same doubles."""
+    with open("tests/example/duffing.sh") as script:
+        line = script.read().replace("build/fvi", PROGRAM)
+    shell = subprocess.run(["sh", "-c", line], check=True, capture_output=True, text=True)
+    python = subprocess.run([sys.executable, "tests/example/duffing.py"], check=True, capture_output=True, text=True)
+    tables = [[[float(word) for word in line.split()] for line in text.splitlines() if line[0] != "#"]
+              for text in (shell.stdout, python.stdout, open(EXAMPLE).read())]
+    assert len(tables[0]) == 201 and tables[0] == tables[1] == tables[2]
+
+
+@pytest.mark.parametrize("options, what", [
+    (dict(potential="harmonics:1"), ValueError), (dict(potential="harmonic"), ValueError),
+    (dict(potential="duffing:1"), ValueError), (dict(potential="chain:2.5,1,0"), ValueError),
+    (dict(potential="chain:3,1,0", x0=[1, 2]), ValueError),
+    (dict(force="push"), ValueError), (dict(method="rk4"), ValueError),
+    (dict(memory="none"), ValueError), (dict(derivative="weyl"), ValueError),
+    (dict(columns="t,y"), ValueError), (dict(steps=2.5), ValueError), (dict(steps=0), ValueError),
+    (dict(x0=[1, 2], p0=[1, 2, 3]), ValueError), (dict(x0=[[1, 2]]), ValueError),
+    (dict(alpha=1.5), fvi.Error), (dict(alpha=float("nan")), fvi.Error), (dict(h=-1), fvi.Error),
+    (dict(mass=0), fvi.Error), (dict(rho=-1), fvi.Error), (dict(x0=float("inf")), fvi.Error),
+    (dict(kappa=0.3, method="fvi-lobatto3"), ValueError),
+    (dict(derivative="rl", alpha=0.8, method="fvi-shifted"), fvi.Error),
+    (dict(alfa=0.3), TypeError),
+])
+def test_bad_input_is_named(options, what):
+    with pytest.raises(what):
+        fvi.run(**options)
+
+
+def test_what_a_function_raises_comes_out():
+    def fails(x):
+        raise KeyError("no such spring")
+
+    with pytest.raises(KeyError, match="no such spring"):
+        fvi.run(fvi.potential(fails, fails, fails))
+    with pytest.raises(ValueError, match="gave 2 numbers"):
+        fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1), x0=[1, 2, 3])
+    with pytest.raises(TypeError):
+        fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1))
+    with pytest.raises(ZeroDivisionError):
+        fvi.run(force=lambda t: 1 / 0)
+    with pytest.raises(KeyboardInterrupt):
+        fvi.run(force=lambda t: (_ for _ in ()).throw(KeyboardInterrupt()))
+    with pytest.raises(TypeError):
+        fvi.potential(1, 2, lambda x: x)
+    assert fvi.run(steps=1).x[0] == 1  # and nothing is left of all that
+
+
+def test_a_start_that_is_refused_says_why():
+    with pytest.raises(fvi.Error) as caught:
+        fvi.run(alpha=1.5)
+    assert caught.value.code == 1 and "alpha" in str(caught.value)
+
+
+def test_gsl_travels_along():
+    with open("/proc/self/maps") as maps:
+        loaded = {line.split()[-1] for line in maps if "/libgsl" in line}
+    assert {os.path.dirname(path) for path in loaded} == {os.path.dirname(os.path.realpath(fvi.__file__))}
+
+
+def test_runs_in_several_threads_have_the_same_digits():
+    alone, found = fvi.run(duffing(1, 0.5), alpha=0.3).x, {}
+
+    def work(i):
+        found[i] = fvi.run(duffing(1, 0.5), alpha=0.3).x
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(found[i], alone) for i in range(4))
+
+
+def test_what_is_handed_over_may_be_thrown_away():
+    s = fvi.Stepper(duffing(1, 0.5), force=lambda t: np.sin(t), x0=[1.0, 2.0], p0=np.zeros(2), alpha=0.3)
+    gc.collect()
+    s.step(50)
+    x = s.x
+    x[:] = 0  # a copy: the run does not see it
+    assert abs(s.x).max() > 0 and s.copy().x.tolist() == s.x.tolist()
