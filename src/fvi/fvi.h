@@ -5,6 +5,7 @@
 #ifndef FVI_H
 #define FVI_H
 
+#include "adjoint.h"
 #include "coefficients.h"
 #include "convergence.h"
 #include "convolution_quadrature.h"
@@ -17,6 +18,7 @@
 #include "memory.h"
 #include "methods.h"
 #include "past.h"
+#include "sensitivity.h"
 #include "stability.h"
 #include "step_search.h"
 #include "system.h"

@@ -71,6 +71,15 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
  * terms of a series. */
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse);
 
+/* fvi_past_impulses_rate -- their derivatives by the exponent e = pull->e.  [(23.12)]
+ *
+ *   n, c     the nodes that pull was prepared for
+ *   k, rate  as k and impulse above
+ *
+ * Accuracy: of the order of u (1 + ln(1 + k)) of their sum; no proof. */
+void fvi_past_impulses_rate(const fvi_past_pull *pull, const double *c,
+                            size_t k, double *rate);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

@@ -59,6 +59,17 @@ fvi_run fvi_run_default(const fvi_system *system, const double *x0,
 
 typedef struct fvi_method fvi_method;
 
+/* fvi_scheme -- which equations a method solves, for those who transpose them
+ * (adjoint.h): those of Algorithm 3, (13.7) with the shift alpha, (13.7) with the weights
+ * of BDF2, (17.8); or others. */
+typedef enum {
+    FVI_SCHEME_OTHER,
+    FVI_SCHEME_ALGORITHM_3,
+    FVI_SCHEME_SHIFTED,
+    FVI_SCHEME_BDF2,
+    FVI_SCHEME_STAGES
+} fvi_scheme;
+
 /* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */
 typedef struct {
     size_t k;      /* steps done */
@@ -86,6 +97,7 @@ typedef struct {
  *          run->memory is not read
  *   quadrature  whose weights stand before the positions of the past; not read of
  *          methods that remember nothing, or have stages
+ *   scheme  as above; OTHER has no adjoint
  *   takes_kappa  nonzero if run->kappa is used where there is a potential
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
  *          method with the Hessian of U
@@ -109,6 +121,7 @@ struct fvi_method {
     double alpha_least, alpha_most;
     unsigned memories;
     fvi_quadrature quadrature;
+    fvi_scheme scheme;
     int takes_kappa, implicit, past_as_printed;
     int (*load)(const fvi_run *run, double *load);
     int load_grows;

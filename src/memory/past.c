@@ -2,6 +2,7 @@
 #include <fvi/past.h>
 
 #include <gsl/gsl_machine.h>
+#include <gsl/gsl_sf_psi.h>
 #include <math.h>
 #include <string.h>
 
@@ -90,3 +91,55 @@ void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
     }
 }
 //< impulses
+
+/* What power_moments sums, differentiated by e, and those sums: term by term. */
+static void power_moments_rate(double e, size_t k, size_t count,
+                               double *moments, double *rates)
+{
+    const double middle = (double)k + 0.5, power = pow(middle, e);
+    double term = 1, slope = 0;
+    for (size_t degree = 0; degree < count; degree++)
+        moments[degree] = rates[degree] = 0;
+    for (size_t j = 0; fabs(term) + fabs(slope) > GSL_DBL_EPSILON / 16 || j < 2;
+         j++) {
+        for (size_t degree = j % 2; degree < count; degree += 2) {
+            moments[degree] += term / (double)(j + degree + 1);
+            rates[degree] += slope / (double)(j + degree + 1);
+        }
+        const double by = (double)(j + 1) * 2 * middle;
+        slope = (slope * (e - (double)j) + term) / by;
+        term *= (e - (double)j) / by;
+    }
+    for (size_t degree = 0; degree < count; degree++) {
+        const double scale = power * exp2(-(double)degree);
+        rates[degree] = (rates[degree] + log(middle) * moments[degree]) * scale;
+        moments[degree] *= scale;
+    }
+}
+
+//> impulses-rate
+/* 1 / Gamma(z) is z / Gamma(1 + z), whose slope is finite at z = 1 + e = 0. */
+void fvi_past_impulses_rate(const fvi_past_pull *pull, const double *c,
+                            size_t k, double *rate)
+{
+    const double e = pull->e, z = 1 + e;
+    const double slope = (1 - z * gsl_sf_psi(1 + z)) / tgamma(1 + z);
+    double moments[FVI_PAST_NODES], rates[FVI_PAST_NODES], l[FVI_PAST_NODES];
+    if (k > 0)
+        power_moments_rate(e, k, pull->nodes, moments, rates);
+    for (size_t i = 0; i < pull->nodes; i++) {
+        rate[i] = 0;
+        for (size_t degree = 0; k > 0 && degree < pull->nodes; degree++)
+            rate[i] += pull->basis[i][degree] /* (23.12) */
+                       * (pull->size * rates[degree] + slope * moments[degree]);
+        if (k > 0)
+            continue;
+        lagrange(pull->nodes, c, i, 0, l);
+        rate[i] = -l[0] * gsl_sf_psi(1 + z) / tgamma(1 + z);
+        for (size_t degree = 1; degree < pull->nodes; degree++) {
+            const double by = z + (double)degree;
+            rate[i] += l[degree] * (slope - pull->size / by) / by;
+        }
+    }
+}
+//< impulses-rate

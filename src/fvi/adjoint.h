@@ -1,0 +1,89 @@
+/* src/fvi/adjoint.h -- Every derivative of a run for one mirrored run.  [Chapter 23]
+ *
+ * J = J(x_0, ..., x_N, p_N) is one number made of a trajectory: a distance from what was
+ * measured, the last position, an energy. A run that goes backwards through the same
+ * memory, with Hess U along the trajectory in place of U, gives the derivative of J by
+ * everything that determines the trajectory. */
+#ifndef FVI_ADJOINT_H
+#define FVI_ADJOINT_H
+
+#include "sensitivity.h"
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_objective -- J by its slopes.
+ *
+ *   slopes  is asked once for each k = N, N - 1, ..., 0, in this order, and adds
+ *           dJ/dx_k to Jx, d zeros; for k = N it also adds dJ/dp_N to Jp, d zeros.
+ *           x is x_k, and p is p_N for k = N; for the other k, p and Jp are NULL.
+ *           Returns as the functions of a potential do (system.h)
+ *   params  handed to it, owned by the caller, may be NULL */
+typedef struct {
+    int (*slopes)(size_t k, size_t d, const double *x, const double *p,
+                  void *params, double *Jx, double *Jp);
+    void *params;
+} fvi_objective;
+
+/* fvi_gradients -- where the derivatives go; what is NULL is not wanted.
+ *
+ *   x0, p0         by x0 and p0, d numbers each
+ *   mass, damping  by each mass and each damping, d numbers each
+ *   alpha          by alpha, one number, all dampings together
+ *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
+ *                  of a method with s stages at all their times t_k + c_i h in one row,
+ *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
+ *                  both limits of F change together
+ *   sensitivity    of the potential (sensitivity.h)
+ *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0 */
+typedef struct {
+    double *x0, *p0, *mass, *damping, *alpha, *force, *parameters;
+    fvi_sensitivity sensitivity;
+} fvi_gradients;
+
+/* fvi_adjoint -- the derivatives of J by all that determines a run.   [(23.4), (23.6)]
+ *
+ *   method     fvi_fractional, fvi_shifted, fvi_bdf2
+ *   run        as it was run
+ *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
+ *              d momenta p_N of its last row. Or both NULL: the run is done here, and
+ *              done again in pieces, so that about (N state)^(1/2) numbers are kept, not
+ *              N d; the digits are the same
+ *   objective  J
+ *   gradients  outputs, the caller's
+ *
+ * These are the derivatives of what the program computes, not of the motion it stands
+ * for: no step size is small. With a compressed memory they belong to the weights as
+ * they are compressed; the derivative by alpha is that of the true weights to (23.11).
+ *
+ *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
+ *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
+ *          pasts with fvi_shifted and fvi_bdf2: likewise, if less. RIEMANN_LIOUVILLE
+ *          with fvi_shifted and fvi_bdf2 and alpha > 1/2 runs from x0 = 0 alone, and
+ *          where rho > 0 the derivative by x0 does not exist: NaN is written
+ *   rho    a damping that is zero has a derivative too, at the cost of its memory
+ *
+ * One factorisation of the size of a Hessian a step, none if U is quadratic, and no
+ * iteration. Measured, one coordinate, all derivatives: a quarter of the time of the
+ * run (figures/adjoint/). Accuracy: that of the run with the same memory; no bound is
+ * proved for the rounding. Seen: 4e-13 of each derivative, N = 2000.
+ *
+ * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
+ * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
+ * parameters are wanted and sensitivity.rows is NULL; FVI_EUNSUP if the method has no
+ * adjoint, or needs more than x; FVI_ESING if the equation of a step backwards has no
+ * unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
+ * On error the outputs are of no use. */
+int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
+                const double *p, const fvi_objective *objective,
+                const fvi_gradients *gradients);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+/* src/fvi/sensitivity.h -- How a potential depends on its parameters. [Chapter 23] */
+#ifndef FVI_SENSITIVITY_H
+#define FVI_SENSITIVITY_H
+
+#include "system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_sensitivity -- the derivatives of grad U by numbers on which U depends.
+ *
+ *   count  how many such numbers theta_0, ..., theta_{count-1} there are
+ *   rows   writes d^2U / dx_i dtheta_j at x to S[j * d + i], count * d numbers, and
+ *          returns as the functions of a potential do (system.h); it is handed the
+ *          params of the potential. May be NULL if count is 0 */
+typedef struct {
+    size_t count;
+    int (*rows)(size_t d, const double *x, void *params, double *S);
+} fvi_sensitivity;
+
+/* fvi_sensitivity_of -- that of a potential which is ready to use (system.h), its
+ * parameters in the order of its params: c; c, g; g; c, g. A count of 0 for every other
+ * potential, and for none. Nothing is checked. */
+fvi_sensitivity fvi_sensitivity_of(const fvi_potential *potential);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,38 @@
+/* src/inverse/backward.h -- A trajectory, read from its end.          [Chapter 23] */
+#ifndef FVI_BACKWARD_H
+#define FVI_BACKWARD_H
+
+#include <fvi/trajectory.h>
+
+typedef struct fvi_backward fvi_backward;
+
+/* fvi_backward_alloc -- ready to read the last step.
+ *
+ *   method, run  of the trajectory
+ *   x, p     its rows, and the last p, which stay the caller's; or both NULL: the run is
+ *            done here. As many rows are then kept as one copy of the stepper takes, as
+ *            many copies as that leaves pieces, and each piece but the last is run again
+ *   backward  output; free it with fvi_backward_free
+ *
+ * Returns FVI_SUCCESS; what fvi_start, fvi_step and fvi_copy return; FVI_ENOMEM. On error
+ * *backward is untouched. */
+int fvi_backward_alloc(const fvi_method *method, const fvi_run *run,
+                       const double *x, const double *p,
+                       fvi_backward **backward);
+
+/* fvi_backward_momentum -- p_N, d numbers. */
+const double *fvi_backward_momentum(const fvi_backward *backward);
+
+/* fvi_backward_step -- where the trajectory was in step k, from t_k to t_{k+1}.
+ *
+ *   k     below the k of the call before
+ *   rows  output: x_k and x_{k+1}, d numbers each; the positions of all stages, where the
+ *         method has stages. Good until the next call
+ *
+ * Returns FVI_SUCCESS; what fvi_step returns. */
+int fvi_backward_step(fvi_backward *backward, size_t k, const double **rows);
+
+/* fvi_backward_free -- give everything back. NULL is allowed. */
+void fvi_backward_free(fvi_backward *backward);
+
+#endif

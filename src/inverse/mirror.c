@@ -1,0 +1,193 @@
+/* src/inverse/mirror.c -- The run that goes backwards.                 [Chapter 23] */
+#include "mirror.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+enum { ARRAYS = 20 };
+
+static int allocate(fvi_mirror *m)
+{
+    const size_t d = m->d;
+    const fvi_potential *u = &m->run->system->potential;
+    double **each[ARRAYS] = { &m->c,    &m->lambda, &m->delta,   &m->q,
+                              &m->nu,   &m->dnu,    &m->N,       &m->Ndot,
+                              &m->M,    &m->S,      &m->work,    &m->sum,
+                              &m->rate, &m->plain,  &m->linear,  &m->kinetic,
+                              &m->pull, &m->shift,  &m->pulldot, &m->before };
+    double *block = calloc(ARRAYS * d, sizeof *block);
+    if (!block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    for (size_t i = 0; i < ARRAYS; i++)
+        *each[i] = block + i * d;
+    m->block = block;
+    if (u->hessian)
+        m->G = malloc(fvi_hessian_room(m->run->system) * sizeof *m->G);
+    if (m->want->parameters)
+        m->theta_rows =
+            malloc(m->want->sensitivity.count * d * sizeof *m->theta_rows);
+    if ((u->hessian && !m->G) || (m->want->parameters && !m->theta_rows))
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    if (u->hessian && u->diagonals != 1
+        && fvi_band_alloc(d, (u->diagonals ? u->diagonals : d) - 1, &m->J))
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+/* The memory of the run, with its rates only if alpha is asked for. All coordinates
+ * are remembered, even those whose damping is zero: their derivatives are not. */
+static int start_memories(fvi_mirror *m, int is_shifted)
+{
+    const fvi_run *run = m->run;
+    int is_damped = m->want->damping != NULL;
+    for (size_t i = 0; i < m->d; i++)
+        is_damped |= run->system->damping[i] > 0;
+    if (!is_damped)
+        return FVI_SUCCESS;
+    const double beta = 2 * run->alpha;
+    int status = (m->want->alpha ? fvi_memory_alloc_rate : fvi_memory_alloc)(
+        beta, m->d, run->steps, run->memory, run->tolerance, &m->memory);
+    if (!status && m->want->alpha && is_shifted)
+        status = fvi_memory_alloc(beta, m->d, run->steps, run->memory,
+                                  run->tolerance, &m->slope);
+    return status;
+}
+
+/* ((3 - z)/2)^beta, and the logarithm of its base, by powers of z. */
+static int start_filter(fvi_mirror *m)
+{
+    double power = 1;
+    m->taps = fvi_bdf2_factor(2 * m->run->alpha, m->g);
+    m->l[0] = log(1.5);
+    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
+        m->l[n] = -(power /= 3) / (double)n;
+    m->terms = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->terms);
+    if (!m->terms)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    m->sums = m->terms + FVI_BDF2_TAPS * m->d;
+    return FVI_SUCCESS;
+}
+
+int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
+                     const fvi_gradients *want, const double *Jp, fvi_mirror *m)
+{
+    static const double ends[] = { 0, 1 };
+    const int printed = scheme == FVI_SCHEME_ALGORITHM_3;
+    *m = (fvi_mirror){ .run = run,
+                       .want = want,
+                       .d = run->system->d,
+                       .theta = scheme == FVI_SCHEME_SHIFTED ? run->alpha : 0,
+                       .end = printed ? 1 : 0.5,
+                       .printed = printed };
+    int status = allocate(m);
+    if (!status)
+        status = start_memories(m, scheme == FVI_SCHEME_SHIFTED);
+    if (!status && scheme == FVI_SCHEME_BDF2)
+        status = start_filter(m);
+    if (status)
+        return status;
+    for (size_t i = 0; i < m->d; i++)
+        m->c[i] = run->system->damping[i] * pow(run->h, 1 - 2 * run->alpha);
+    memcpy(m->lambda, Jp, m->d * sizeof *Jp);
+    m->is_pulled = !printed && m->memory && run->alpha != 0.5
+                   && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
+                       || (run->past == FVI_PAST_HELD && run->alpha > 0.5));
+    if (m->is_pulled)
+        fvi_past_prepare(run->alpha, 2, ends, &m->fading);
+    return FVI_SUCCESS;
+}
+
+void fvi_mirror_stop(fvi_mirror *m)
+{
+    fvi_memory_free(m->memory);
+    fvi_memory_free(m->slope);
+    fvi_band_free(&m->J);
+    free(m->block);
+    free(m->terms);
+    free(m->G);
+    free(m->theta_rows);
+}
+
+/* ---- the end ---- */
+
+/* The damping of coordinate i: what of its derivatives the memory and the pull give. */
+static void end_damping(const fvi_mirror *m, size_t i)
+{
+    const fvi_run *run = m->run;
+    const fvi_gradients *want = m->want;
+    const double rho = run->system->damping[i], mass = run->system->mass[i];
+    const double h = run->h, v0 = run->p0[i] / mass,
+                 unit = pow(h, 1 - 2 * run->alpha);
+    if (want->damping)
+        want->damping[i] = -unit * m->sum[i];
+    if (want->alpha)
+        *want->alpha -= 2 * rho * unit * (m->rate[i] - log(h) * m->sum[i])
+                        + m->c[i] * m->shift[i];
+    if (2 * run->alpha > 1
+        && (!m->printed || run->past == FVI_PAST_CAPUTO)) { /* the drift */
+        const double slope = m->c[i] * h * m->linear[i] / mass;
+        if (want->p0)
+            want->p0[i] += slope;
+        if (want->mass)
+            want->mass[i] -= slope * v0;
+    }
+    if (want->x0 && !(m->printed && run->past == FVI_PAST_RIEMANN_LIOUVILLE))
+        want->x0[i] += m->c[i] * m->plain[i]; /* the origin */
+}
+
+/* J has the impulses -rho A h^(1 + e) at[] of the past, times lambda; A is v0, or x0 of
+ * Riemann-Liouville's past with alpha < 1/2. */
+static void end_pull(const fvi_mirror *m, size_t i)
+{
+    const fvi_run *run = m->run;
+    const fvi_gradients *want = m->want;
+    const double rho = run->system->damping[i], mass = run->system->mass[i];
+    const double v0 = run->p0[i] / mass, log_h = log(run->h);
+    const double A = fvi_past_amplitude(run->past, run->alpha, run->x0[i], v0);
+    const double unit = pow(run->h, 1 + m->fading.e),
+                 slope = -rho * unit * m->pull[i]; /* by A */
+    if (want->damping)
+        want->damping[i] -= A * unit * m->pull[i];
+    if (want->alpha) /* de = -2 dalpha */
+        *want->alpha +=
+            2 * rho * A * unit * (log_h * m->pull[i] + m->pulldot[i]);
+    if (run->alpha < 0.5) {
+        if (want->x0)
+            want->x0[i] += slope;
+        return;
+    }
+    if (want->p0)
+        want->p0[i] += slope / mass;
+    if (want->mass)
+        want->mass[i] -= slope * v0 / mass;
+    if (want->x0 && rho > 0 && run->past == FVI_PAST_RIEMANN_LIOUVILLE)
+        want->x0[i] = NAN; /* (19.2): no run begins elsewhere */
+}
+
+//> end
+int fvi_mirror_end(fvi_mirror *m, const double *Jx)
+{
+    const fvi_gradients *want = m->want;
+    const int whole = m->printed && m->run->past == FVI_PAST_RIEMANN_LIOUVILLE;
+    int status = m->memory ? fvi_mirror_last(m) : FVI_SUCCESS;
+    for (size_t i = 0; i < m->d; i++) {
+        m->q[i] += Jx[i] - (whole ? m->c[i] * m->N[i] : 0); /* (23.6) */
+        if (want->x0)
+            want->x0[i] = m->q[i];
+        if (want->p0)
+            want->p0[i] = m->lambda[i];
+        if (want->mass)
+            want->mass[i] = m->kinetic[i] / m->run->h;
+        if (m->memory)
+            end_damping(m, i);
+        if (m->is_pulled)
+            end_pull(m, i);
+    }
+    return status || fvi_all_finite(m->d, m->q) ? status : FVI_EOVRFLW;
+}
+//< end

@@ -1,0 +1,71 @@
+/* src/inverse/mirror.h -- The run that goes backwards.                 [Chapter 23]
+ *
+ * Internal: adjoint.c walks from node N to node 0; here is what happens there. */
+#ifndef FVI_MIRROR_H
+#define FVI_MIRROR_H
+
+#include <fvi/adjoint.h>
+#include <fvi/convolution_quadrature.h>
+#include "system/band.h"
+
+/* One mirrored run. Where the comment says "each", d numbers. */
+typedef struct {
+    const fvi_run *run;
+    const fvi_gradients *want;
+    size_t d;
+    double theta, end; /* the shift; what of H_N stands in p_N, (23.5) */
+    int printed; /* Algorithm 3: no pull, Riemann-Liouville by its weights */
+
+    double *c;              /* each: rho h^(1 - 2 alpha) */
+    double *lambda, *delta; /* each: lambda_j, lambda_{j-1} - lambda_j */
+    double *q;              /* each: the momentum of the mirrored run */
+    double *nu, *dnu;       /* each: what the memory takes in, (23.5) */
+    double *N, *Ndot; /* each: what it gives, and its derivative by 2 alpha */
+    double *M, *S, *work;   /* each */
+    double *sum, *rate;     /* each: sum_j z_j N_j, sum_j z_j Ndot_j */
+    double *plain, *linear; /* each: sum_j N_j, sum_j j N_j */
+    double *kinetic; /* each: sum_k (x_{k+1}-x_k)(lambda_{k+1}-lambda_k) */
+    double *pull, *pulldot; /* each: impulses of the past times lambda */
+    double *shift, *before; /* each: the derivative by theta; d nu/d theta */
+    double *block;          /* all these; owned */
+
+    fvi_memory *memory, *slope; /* of nu; of d nu/d theta. NULL: not needed */
+    size_t taps;                /* BDF2: (13.11) */
+    double g[FVI_BDF2_TAPS], l[FVI_BDF2_TAPS];
+    double *terms,
+        *sums; /* its last terms and sums, FVI_BDF2_TAPS each; owned */
+    int is_pulled;
+    fvi_past_pull fading;
+
+    fvi_band J;         /* m/h + theta c + kappa (1 - kappa) h G, its factors */
+    double *G;          /* the Hessian; NULL: no potential; owned */
+    double *theta_rows; /* of the sensitivity; owned */
+    int is_ready;       /* U is quadratic, and J and G stay */
+} fvi_mirror;
+
+/* fvi_mirror_start -- at node N, where lambda_N = J_p.
+ *
+ *   scheme  FVI_SCHEME_ALGORITHM_3, SHIFTED or BDF2
+ *   run, want  stay the caller's
+ *   Jp      d numbers
+ *   m       output; in any case to be given back by fvi_mirror_stop */
+int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
+                     const fvi_gradients *want, const double *Jp,
+                     fvi_mirror *m);
+
+/* fvi_mirror_step -- from node k + 1 to node k.
+ *
+ *   rows  x_k and x_{k+1}, d numbers each
+ *   Jx    dJ/dx_{k+1}, d numbers */
+int fvi_mirror_step(fvi_mirror *m, size_t k, const double *rows,
+                    const double *Jx);
+
+/* fvi_mirror_last -- nu_0 = 0 goes into the memory; N_0 comes out. */
+int fvi_mirror_last(fvi_mirror *m);
+
+/* fvi_mirror_end -- at node 0: all derivatives.   Jx: dJ/dx_0, d numbers */
+int fvi_mirror_end(fvi_mirror *m, const double *Jx);
+
+void fvi_mirror_stop(fvi_mirror *m);
+
+#endif
