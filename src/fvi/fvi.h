@@ -14,6 +14,7 @@
 #include "discrete_mechanics.h"
 #include "error.h"
 #include "exact_solution.h"
+#include "identification.h"
 #include "lobatto.h"
 #include "memory.h"
 #include "methods.h"

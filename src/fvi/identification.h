@@ -1,0 +1,138 @@
+/* src/fvi/identification.h -- Parameters from a measured motion.     [Chapter 24]
+ *
+ * Somebody measured x_i at the times t_i, of one mass that moves as
+ *
+ *     m x'' + U'(x) + rho D^{2 alpha} x = F(t).
+ *
+ * What are alpha, rho, the constants of U, the start? Those for which
+ *
+ *     chi^2 = sum_i (x(t_i) - x_i)^2 / sigma^2                          (24.1)
+ *
+ * is least, if the noise is Gaussian and independent. It has several minima
+ * (24.5), so the search begins in many places. */
+#ifndef FVI_IDENTIFICATION_H
+#define FVI_IDENTIFICATION_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+enum { FVI_FIT_MOST = 8 }; /* parameters in a fit */
+
+/* fvi_parameter -- what a fit may look for. FVI_PARAMETER_CONSTANT + i is number i of
+ * the constants of the potential. */
+typedef enum {
+    FVI_PARAMETER_ALPHA,
+    FVI_PARAMETER_RHO,
+    FVI_PARAMETER_MASS,
+    FVI_PARAMETER_X0,
+    FVI_PARAMETER_P0,
+    FVI_PARAMETER_CONSTANT
+} fvi_parameter;
+
+/* fvi_fit -- a question: data, model, what is unknown in it.
+ *
+ *   method     integrator; one of high order, best fvi_lobatto4: its error counts as
+ *              if it were in the data
+ *   run        the model: one mass, potential, force, past, and the values of all
+ *              parameters that are not fitted; those that are, are one of the starts.
+ *              run->h and run->steps are not read
+ *   constants  NULL, or the numbers that the potential reads as its params; the fit
+ *              writes to them, and leaves them as they were
+ *   n, t, x    data, n > parameters; t from t[0] >= 0 on increasing, finite, in any
+ *              spacing
+ *   sigma      standard deviation of each x, finite; 0: unknown
+ *   parameters, which  how many, at most FVI_FIT_MOST, and which, all different
+ *   low, high  NULL, or the box from which the starts are taken, a number for each
+ *              parameter, low < high; fvi_fit_box stands for NULL. No bounds: the
+ *              search may leave it, but alpha stays within what the method knows and
+ *              rho and the mass stay positive
+ *   starts     how many searches, >= 2
+ *   h          0: the step is found; else it is h at most, and not halved */
+typedef struct {
+    const fvi_method *method;
+    const fvi_run *run;
+    double *constants;
+    size_t n;
+    const double *t, *x;
+    double sigma;
+    size_t parameters;
+    const fvi_parameter *which;
+    const double *low, *high;
+    size_t starts;
+    double h;
+} fvi_fit;
+
+/* fvi_fitted -- the answer. Numbers of parameter j stand at [j]. */
+typedef struct {
+    double estimate[FVI_FIT_MOST];
+    double sd[FVI_FIT_MOST]; /* (24.3) */
+    double correlation[FVI_FIT_MOST][FVI_FIT_MOST];
+    double quantile; /* 95 %: estimate -+ quantile sd; normal's, or Student's */
+    double sigma;    /* as given, or sqrt(sum of squares / (n - parameters)) */
+    double chi2;     /* (24.1) with that sigma */
+    double
+        probability; /* of a chi^2 beyond that one, on its side; 1 if sigma is
+                           estimated */
+    double
+        neighbours; /* correlation of neighbouring residuals: about 0 -+ n^(-1/2) if
+                           the model is right */
+    size_t agree; /* starts that led here */
+    double h;     /* step of the last run */
+    double bias;  /* what its last halving changed, in sd, at most */
+} fvi_fitted;
+
+/* fvi_fit_box -- a box of plausible starts, by the size and the frequency of the data.
+ *
+ *   fit        low and high are not read
+ *   low, high  output, fit->parameters numbers each
+ *
+ * With w where the periodogram of x - mean is largest, A = max |x - mean|, m the
+ * mass of fit->run:
+ *
+ *     alpha  what the method knows         rho        m w^{2 - 2 alpha} (1/50 ... 2),
+ *     m      m (1/3 ... 3)                            alpha = 1/2
+ *     x0     mean -+ 3/2 A                 constant 0   m w^2 (1/10 ... 4)
+ *     p0     -+ 3/2 m w A                  others       m w^2 / A^2 (-1/2 ... 2)
+ *
+ * Cost: min(n, 1024)^2 sines. Errors as fvi_fit_search. */
+int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
+
+/* fvi_fit_search -- the least chi^2, from several starts.     [(24.1) - (24.4)]
+ *
+ *   fit     the question
+ *   curve   NULL, or output: x(t_i) of the fitted motion, n numbers
+ *   fitted  output
+ *
+ * Levenberg's and Marquardt's method by GSL in alpha's logit, ln rho and ln m, from the
+ * values of the run and from fit->starts - 1 points of Sobol's sequence in the box.
+ * A start agrees with the best if all its parameters come within sd / 10 of those, or
+ * within 1e-6 of their size. Then the step, at first the longest that meets all times
+ * and is no longer than 1/w, is halved until no estimate moves by more than sd / 100,
+ * or 1e-7 of its size, up to 2^17 steps (bias says how far it moved last). Times
+ * that no step meets are read off by Hermite's cubic through x and p / m.
+ *
+ * The searches are repeatable: the same digits each time. Time: some 50 runs a
+ * start. fit->constants is written to while it works: no other thread may read them.
+ *
+ * Returns FVI_SUCCESS; three answers of which no handler is called, *fitted and curve
+ * being written: FVI_EMAXITER if fewer than two starts agree on the best, FVI_ETOL
+ * if sigma is given and chi^2 has a probability below 1e-6, FVI_ESING if the data do
+ * not determine the parameters (sd and correlation are of no use then). FVI_EFAULT if
+ * a pointer is NULL; FVI_EINVAL if the system has not d == 1, if parameters is 0 or
+ * above FVI_FIT_MOST, if n is not larger, if starts < 2, if t does not increase, or
+ * which has one twice; FVI_EDOM if sigma < 0 or a number is not finite or low is not
+ * below high; FVI_EUNSUP if the method knows but one alpha, which is to be fitted; what
+ * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start;
+ * FVI_ENOMEM. */
+int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,320 @@
+/* src/inverse/identification.c -- Parameters from a measured motion.   [Chapter 24] */
+#include <fvi/identification.h>
+
+#include "identification_model.h"
+#include "system/fail.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <gsl/gsl_qrng.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MANY_STEPS 0x1p17
+#define HOPELESS 1e8   /* the residual where there is no motion */
+#define VAGUE 20       /* sd of a logit or a logarithm that says nothing */
+#define DEPENDENT 1e-6 /* least singular value of J, its columns of length 1 */
+
+/* Where a search ended: the parameters as u, and the sum of squares. */
+typedef struct {
+    double u[FVI_FIT_MOST], sum;
+} place;
+
+typedef struct {
+    fvi_fit_model model;
+    gsl_multifit_nlinear_fdf fdf;
+    gsl_multifit_nlinear_workspace *solver;
+    place *found; /* one for each start */
+} search;
+
+/* ---- one search ---- */
+
+//> residuals
+/* f_i = (x(t_i) - x_i) / scale. A motion that cannot be had is a bad one. */
+static int residuals(const gsl_vector *u, void *params, gsl_vector *f)
+{
+    fvi_fit_model *m = params;
+    for (size_t j = 0; j < u->size; j++)
+        fvi_fit_model_set(m, j,
+                          fvi_fit_model_bound(m, j, gsl_vector_get(u, j)));
+    const int failed = fvi_fit_model_run(m);
+    for (size_t i = 0; i < f->size; i++) {
+        const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
+        gsl_vector_set(f, i, !failed && fabs(r) < HOPELESS ? r : HOPELESS);
+    }
+    return GSL_SUCCESS;
+}
+//< residuals
+
+//> minimise
+/* From at->u downhill. What the driver says is not asked: a false minimum is reached
+ * with success, and a good one may be left with a complaint about the last digits. */
+static void minimise(search *o, place *at)
+{
+    const size_t P = o->fdf.p;
+    gsl_vector_view u = gsl_vector_view_array(at->u, P);
+    int info;
+    at->sum = GSL_POSINF;
+    if (gsl_multifit_nlinear_init(&u.vector, &o->fdf, o->solver))
+        return;
+    gsl_multifit_nlinear_driver(60, 1e-9, 1e-10, 0, NULL, NULL, &info,
+                                o->solver);
+    gsl_vector_memcpy(&u.vector, gsl_multifit_nlinear_position(o->solver));
+    gsl_blas_ddot(o->solver->f, o->solver->f, &at->sum);
+    if (!(at->sum < HOPELESS * HOPELESS) || !fvi_all_finite(P, at->u))
+        at->sum = GSL_POSINF;
+}
+//< minimise
+
+/* ---- many starts ---- */
+
+//> starts
+/* Start 0 are the values of the run, if they are possible; the others lie in the box,
+ * evenly by the logarithm where that is meant. */
+static void begin(search *o, const double *low, const double *high,
+                  gsl_qrng *sobol, size_t start)
+{
+    double share[FVI_FIT_MOST];
+    fvi_fit_model *m = &o->model;
+    double *u = o->found[start].u;
+    if (start > 0)
+        gsl_qrng_get(sobol, share);
+    for (size_t j = 0; j < o->fdf.p; j++) {
+        const int logarithmic =
+            low[j] > 0 && m->fit->which[j] != FVI_PARAMETER_ALPHA;
+        double theta = start == 0    ? fvi_fit_model_get(m, j)
+                       : logarithmic ? low[j] * pow(high[j] / low[j], share[j])
+                                     : low[j] + (high[j] - low[j]) * share[j];
+        u[j] = fvi_fit_model_free(m, j, theta);
+    }
+}
+//< starts
+
+static int try_all(search *o, const double *low, const double *high,
+                   size_t *best)
+{
+    const fvi_fit *fit = o->model.fit;
+    gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)fit->parameters);
+    if (!sobol)
+        FVI_FAIL("no memory for the starts", FVI_ENOMEM);
+    for (size_t k = 0; k < fit->starts; k++)
+        begin(o, low, high, sobol,
+              k); /* while the model has the run's values */
+    gsl_qrng_free(sobol);
+    for (size_t k = 0; k < fit->starts; k++) {
+        o->found[k].sum = GSL_POSINF;
+        if (fvi_all_finite(fit->parameters, o->found[k].u))
+            minimise(o, &o->found[k]);
+        if (o->found[k].sum < o->found[*best].sum)
+            *best = k;
+    }
+    if (!(o->found[*best].sum < GSL_POSINF))
+        FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
+    return FVI_SUCCESS;
+}
+
+/* Starts that came within sd / 10 of the best, or 1e-6 of its size. */
+static size_t agreeing(const search *o, const place *best,
+                       const fvi_fitted *fitted)
+{
+    const fvi_fit_model *m = &o->model;
+    size_t agree = 0;
+    for (size_t k = 0; k < m->fit->starts; k++) {
+        int same = o->found[k].sum < GSL_POSINF;
+        for (size_t j = 0; same && j < o->fdf.p; j++) {
+            const double here = fvi_fit_model_bound(m, j, o->found[k].u[j]),
+                         there = fvi_fit_model_bound(m, j, best->u[j]);
+            same = fabs(here - there)
+                   <= fmax(fitted->sd[j] / 10, 1e-6 * fabs(there));
+        }
+        agree += same != 0;
+    }
+    return agree;
+}
+
+/* ---- what the data say of the parameters ---- */
+
+/* C = (J^T J)^-1 by J = Q S V^T, its columns scaled to length 1. Returns FVI_ESING if
+ * they are dependent. Q is J before. */
+static int invert(gsl_matrix *Q, double C[][FVI_FIT_MOST])
+{
+    const size_t P = Q->size2;
+    double v[FVI_FIT_MOST * FVI_FIT_MOST], s[FVI_FIT_MOST], work[FVI_FIT_MOST],
+        length[FVI_FIT_MOST];
+    gsl_matrix_view V = gsl_matrix_view_array(v, P, P);
+    gsl_vector_view S = gsl_vector_view_array(s, P),
+                    W = gsl_vector_view_array(work, P);
+    for (size_t j = 0; j < P; j++) {
+        gsl_vector_view column = gsl_matrix_column(Q, j);
+        length[j] = gsl_blas_dnrm2(&column.vector);
+        if (!(length[j] > 0) || !isfinite(length[j]))
+            return FVI_ESING;
+        gsl_vector_scale(&column.vector, 1 / length[j]);
+    }
+    if (gsl_linalg_SV_decomp(Q, &V.matrix, &S.vector, &W.vector)
+        || !(s[P - 1] > DEPENDENT))
+        return FVI_ESING;
+    for (size_t i = 0; i < P; i++)
+        for (size_t j = 0; j < P; j++) {
+            C[i][j] = 0;
+            for (size_t k = 0; k < P; k++)
+                C[i][j] += v[i * P + k] * v[j * P + k]
+                           / (s[k] * s[k] * length[i] * length[j]);
+        }
+    return FVI_SUCCESS;
+}
+
+//> covariance
+/* (24.3), from the Jacobian by u where the solver stands. */
+static int covariance(search *o, const place *at, fvi_fitted *fitted)
+{
+    const fvi_fit_model *m = &o->model;
+    const size_t P = o->fdf.p, n = o->fdf.n;
+    double C[FVI_FIT_MOST][FVI_FIT_MOST];
+    const double variance =
+        m->fit->sigma > 0 ? 1 : at->sum / (double)(n - P); /* of f */
+    if (invert(gsl_multifit_nlinear_jac(o->solver), C))
+        return FVI_ESING;
+    for (size_t j = 0; j < P; j++) {
+        const double slope =
+            fabs(fvi_fit_model_slope(m, j, fitted->estimate[j]));
+        fitted->sd[j] = sqrt(variance * C[j][j]) * slope;
+        if (m->fit->which[j] <= FVI_PARAMETER_MASS
+            && !(sqrt(variance * C[j][j]) < VAGUE))
+            return FVI_ESING;
+        for (size_t i = 0; i < P; i++)
+            fitted->correlation[i][j] = C[i][j] / sqrt(C[i][i] * C[j][j]);
+    }
+    return FVI_SUCCESS;
+}
+//< covariance
+
+/* Everything of *fitted but what the starts and the steps say. */
+static int statistics(search *o, const place *at, fvi_fitted *fitted)
+{
+    const fvi_fit_model *m = &o->model;
+    const gsl_vector *f = gsl_multifit_nlinear_residual(o->solver);
+    const double freedom = (double)(o->fdf.n - o->fdf.p);
+    const int known = m->fit->sigma > 0;
+    double pairs = 0;
+    for (size_t j = 0; j < o->fdf.p; j++)
+        fitted->estimate[j] = fvi_fit_model_bound(m, j, at->u[j]);
+    for (size_t i = 1; i < f->size; i++)
+        pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
+    fitted->neighbours = at->sum > 0 ? pairs / at->sum : 0;
+    fitted->sigma = known ? m->fit->sigma : m->scale * sqrt(at->sum / freedom);
+    fitted->chi2 = known ? at->sum : freedom;
+    fitted->probability = !known ? 1
+                                 : fmin(gsl_cdf_chisq_P(at->sum, freedom),
+                                        gsl_cdf_chisq_Q(at->sum, freedom));
+    fitted->quantile = known ? gsl_cdf_ugaussian_Pinv(0.975)
+                             : gsl_cdf_tdist_Pinv(0.975, freedom);
+    fitted->h = m->run.h;
+    return covariance(o, at, fitted);
+}
+
+//> refine
+/* Halve the step until no estimate moves any more: the error of the method is one of
+ * the model, and no noise tells of it. */
+static int refine(search *o, place *best, fvi_fitted *fitted)
+{
+    int status = FVI_SUCCESS, moves = 1;
+    while (!status && moves && (double)o->model.run.steps <= MANY_STEPS / 2) {
+        const fvi_fitted before = *fitted;
+        fvi_fit_model_step(&o->model, o->model.run.h / 2);
+        minimise(o, best);
+        if (!(best->sum < GSL_POSINF))
+            return FVI_EMAXITER;
+        status = statistics(o, best, fitted);
+        fitted->bias = moves = 0;
+        for (size_t j = 0; j < o->fdf.p; j++) {
+            const double by = fabs(fitted->estimate[j] - before.estimate[j]);
+            fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
+            moves |= by > fmax(fitted->sd[j] / 100,
+                               1e-7 * fabs(fitted->estimate[j]));
+        }
+    }
+    return status;
+}
+//< refine
+
+/* ---- the whole ---- */
+
+static int judge(const search *o, const fvi_fitted *fitted)
+{
+    if (fitted->agree < 2)
+        return FVI_EMAXITER;
+    return o->model.fit->sigma > 0 && fitted->probability < 1e-6 ? FVI_ETOL
+                                                                 : FVI_SUCCESS;
+}
+
+static int whole(search *o, const double *low, const double *high,
+                 double *curve, fvi_fitted *fitted)
+{
+    const fvi_fit *fit = o->model.fit;
+    size_t first = 0;
+    const double h = fit->h > 0 ? fit->h : fvi_fit_first_step(fit);
+    fvi_fit_model_step(&o->model, fmax(h, fit->t[fit->n - 1] / MANY_STEPS));
+    int status = try_all(o, low, high, &first);
+    if (status)
+        return status;
+    place best = o->found[first];
+    *fitted = (fvi_fitted){ .bias = GSL_NAN };
+    minimise(o, &best); /* for the Jacobian there */
+    status = statistics(o, &best, fitted);
+    fitted->agree = agreeing(o, &o->found[first], fitted);
+    if (!status && fit->h == 0)
+        status = refine(o, &best, fitted);
+    gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
+    residuals(&u.vector, &o->model, o->solver->f); /* for the motion there */
+    if (curve)
+        memcpy(curve, o->model.motion, fit->n * sizeof *curve);
+    return status ? status : judge(o, fitted);
+}
+
+static int search_alloc(search *o, const fvi_fit *fit)
+{
+    const gsl_multifit_nlinear_parameters how =
+        gsl_multifit_nlinear_default_parameters();
+    double *motion = malloc(fit->n * sizeof *motion);
+    fvi_fit_model_init(&o->model, fit, motion);
+    o->fdf = (gsl_multifit_nlinear_fdf){
+        .f = residuals, .n = fit->n, .p = fit->parameters, .params = &o->model
+    };
+    o->found = calloc(fit->starts, sizeof *o->found);
+    o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
+                                           fit->n, fit->parameters);
+    if (!motion || !o->found || !o->solver)
+        FVI_FAIL("no memory for the fit", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
+{
+    search o = { 0 };
+    double low[FVI_FIT_MOST], high[FVI_FIT_MOST], were[FVI_FIT_MOST];
+    int status = fvi_fit_box(fit, low, high);
+    if (status)
+        return status;
+    if (!fitted)
+        FVI_FAIL("no room for the answer", FVI_EFAULT);
+    if (fit->low) {
+        memcpy(low, fit->low, fit->parameters * sizeof *low);
+        memcpy(high, fit->high, fit->parameters * sizeof *high);
+    }
+    fvi_quiet();
+    status = search_alloc(&o, fit);
+    for (size_t j = 0; j < fit->parameters; j++)
+        were[j] = fvi_fit_model_get(&o.model, j);
+    if (!status)
+        status = whole(&o, low, high, curve, fitted);
+    for (size_t j = 0; j < fit->parameters; j++)
+        fvi_fit_model_set(&o.model, j, were[j]);
+    gsl_multifit_nlinear_free(o.solver);
+    free(o.found);
+    free(o.model.motion);
+    fvi_loud();
+    return status;
+}

@@ -1,0 +1,147 @@
+/* src/inverse/identification_model.c -- The motion as a function of its parameters.
+ *                                                                     [Chapter 24] */
+#include "identification_model.h"
+
+#include <fvi/error.h>
+
+#include <math.h>
+
+void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion)
+{
+    double size = 0;
+    *m = (fvi_fit_model){ .fit = fit, .motion = motion };
+    m->mass = fit->run->system->mass[0];
+    m->damping = fit->run->system->damping[0];
+    m->x0 = fit->run->x0[0];
+    m->p0 = fit->run->p0[0];
+    m->system = *fit->run->system;
+    m->system.mass = &m->mass;
+    m->system.damping = &m->damping;
+    m->run = *fit->run;
+    m->run.system = &m->system;
+    m->run.x0 = &m->x0;
+    m->run.p0 = &m->p0;
+    for (size_t i = 0; i < fit->n; i++)
+        size = fmax(size, fabs(fit->x[i]));
+    m->scale = fit->sigma > 0 ? fit->sigma : size > 0 ? size : 1;
+}
+
+void fvi_fit_model_step(fvi_fit_model *m, double h)
+{
+    const double T = m->fit->t[m->fit->n - 1];
+    m->run.steps = (size_t)ceil(T / h - 1e-6);
+    m->run.h = T / (double)m->run.steps;
+}
+
+/* ---- one parameter ---- */
+
+static const double *place(const fvi_fit_model *m, size_t j)
+{
+    const fvi_parameter which = m->fit->which[j];
+    switch (which) {
+    case FVI_PARAMETER_ALPHA:
+        return &m->run.alpha;
+    case FVI_PARAMETER_RHO:
+        return &m->damping;
+    case FVI_PARAMETER_MASS:
+        return &m->mass;
+    case FVI_PARAMETER_X0:
+        return &m->x0;
+    case FVI_PARAMETER_P0:
+        return &m->p0;
+    default:
+        return &m->fit->constants[which - FVI_PARAMETER_CONSTANT];
+    }
+}
+
+double fvi_fit_model_get(const fvi_fit_model *m, size_t j)
+{
+    return *place(m, j);
+}
+
+void fvi_fit_model_set(fvi_fit_model *m, size_t j, double theta)
+{
+    *(double *)place(m, j) = theta; /* in *m, or in fit->constants */
+}
+
+static int is_positive(const fvi_fit_model *m, size_t j)
+{
+    return m->fit->which[j] == FVI_PARAMETER_RHO
+           || m->fit->which[j] == FVI_PARAMETER_MASS;
+}
+
+//> bound
+double fvi_fit_model_bound(const fvi_fit_model *m, size_t j, double u)
+{
+    const double low = m->fit->method->alpha_least,
+                 high = m->fit->method->alpha_most;
+    if (m->fit->which[j] == FVI_PARAMETER_ALPHA)
+        return low + (high - low) / (1 + exp(-u));
+    return is_positive(m, j) ? exp(u) : u;
+}
+//< bound
+
+double fvi_fit_model_free(const fvi_fit_model *m, size_t j, double theta)
+{
+    const double low = m->fit->method->alpha_least,
+                 high = m->fit->method->alpha_most;
+    if (m->fit->which[j] == FVI_PARAMETER_ALPHA)
+        return log((theta - low) / (high - theta));
+    return is_positive(m, j) ? log(theta) : theta;
+}
+
+double fvi_fit_model_slope(const fvi_fit_model *m, size_t j, double theta)
+{
+    const double low = m->fit->method->alpha_least,
+                 high = m->fit->method->alpha_most;
+    if (m->fit->which[j] == FVI_PARAMETER_ALPHA)
+        return (theta - low) * (high - theta) / (high - low);
+    return is_positive(m, j) ? theta : 1;
+}
+
+/* ---- the motion ---- */
+
+/* Hermite's cubic at s of a step: x and h v at its ends. */
+static double hermite(double s, double x, double hv, double next, double hnext)
+{
+    const double r = 1 - s;
+    return r * r * (1 + 2 * s) * x + s * s * (1 + 2 * r) * next
+           + s * r * (r * hv - s * hnext);
+}
+
+/* A trial may be out of range, or have no solution (19.2). */
+static int is_possible(const fvi_fit_model *m)
+{
+    return m->mass > 0 && isfinite(m->mass) && isfinite(m->damping)
+           && isfinite(m->x0) && isfinite(m->p0)
+           && (m->fit->method->past_as_printed
+               || fvi_past_has_solution(m->run.past, m->run.alpha, m->damping,
+                                        m->x0));
+}
+
+//> run
+int fvi_fit_model_run(fvi_fit_model *m)
+{
+    fvi_stepper *s;
+    if (!is_possible(m)) /* what fvi_start would tell the handler */
+        return FVI_EDOM;
+    int status = fvi_start(m->fit->method, &m->run, &s);
+    if (status)
+        return status;
+    const double h = m->run.h, drift = h / m->mass;
+    double x = s->x[0], p = s->p[0]; /* a step before s */
+    for (size_t i = 0; i < m->fit->n && !status; i++) {
+        const double t = m->fit->t[i];
+        while (s->t < t - 1e-9 * h && s->k < m->run.steps && !status) {
+            x = s->x[0];
+            p = s->p[0];
+            status = fvi_step(s);
+        }
+        m->motion[i] = s->k > 0 ? hermite((t - s->t) / h + 1, x, drift * p,
+                                          s->x[0], drift * s->p[0])
+                                : s->x[0];
+    }
+    fvi_stop(s);
+    return status;
+}
+//< run

@@ -1,0 +1,49 @@
+/* src/inverse/identification_model.h -- The motion as a function of its parameters.
+ *
+ * Internal: nothing is checked here. theta are the parameters as people know them, u
+ * those in which the search goes, all of the line: logit of alpha, ln of rho and m. */
+#ifndef FVI_IDENTIFICATION_MODEL_H
+#define FVI_IDENTIFICATION_MODEL_H
+
+#include <fvi/identification.h>
+
+typedef struct {
+    const fvi_fit *fit;
+    fvi_system system;
+    fvi_run
+        run; /* of that system; x0, p0, masses and dampings are the next four */
+    double mass, damping, x0, p0;
+    double scale;   /* the residuals' unit: sigma, or the size of the data */
+    double *motion; /* x(t_i), n numbers, of the last call */
+} fvi_fit_model;
+
+/* The model with the values of fit->run; `motion` is the caller's. */
+void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion);
+
+/* Steps no longer than h that meet the last time. */
+void fvi_fit_model_step(fvi_fit_model *m, double h);
+
+/* The present value of parameter j; write it. */
+double fvi_fit_model_get(const fvi_fit_model *m, size_t j);
+void fvi_fit_model_set(fvi_fit_model *m, size_t j, double theta);
+
+/* theta -> u, u -> theta, and d theta / d u at theta, of parameter j. */
+double fvi_fit_model_free(const fvi_fit_model *m, size_t j, double theta);
+double fvi_fit_model_bound(const fvi_fit_model *m, size_t j, double u);
+double fvi_fit_model_slope(const fvi_fit_model *m, size_t j, double theta);
+
+/* m->motion for the present values. Returns what fvi_start and fvi_step return. */
+int fvi_fit_model_run(fvi_fit_model *m);
+
+/* The longest step for a first look: it meets all times if one does that is not much
+ * shorter than their gaps; w h <= 1, w as below. */
+double fvi_fit_first_step(const fvi_fit *fit);
+
+/* w where the periodogram of x - mean is largest, and A = max |x - mean|. */
+void fvi_fit_frequency(size_t n, const double *t, const double *x, double *w,
+                       double *A);
+
+/* The answer of fvi_fit_search to a question that cannot be asked, or FVI_SUCCESS. */
+int fvi_fit_check(const fvi_fit *fit);
+
+#endif

@@ -1,0 +1,197 @@
+/* tests/identification/test_identification.c -- Chapter 24: are the parameters found, and
+ * is what is said of their errors true?
+ * Run alone: make test-identification */
+#include "identification_runs.h"
+
+static const double *data_of(size_t i)
+{
+    return strcmp(ref_errors[i].name, "low") == 0 ? ref_low : ref_high;
+}
+
+/* |x(t_i) - x_i| of the run with the true parameters, as a vector's length. */
+static double length_of_error(const question *q, const double *truth, double h)
+{
+    question r = *q;
+    double sum = 0;
+    const size_t parts = (size_t)round(0.1 / h);
+    double *x = malloc((REF_POINTS * parts + 1) * sizeof *x);
+    r.system.damping = &truth[1];
+    r.constants[0] = truth[2];
+    r.system.potential = fvi_potential_duffing(r.constants);
+    r.run.system = &r.system;
+    r.run.x0 = &truth[3];
+    r.run.p0 = &truth[4];
+    r.run.alpha = truth[0];
+    r.run.h = 0.1 / (double)parts;
+    r.run.steps = REF_POINTS * parts;
+    ck_assert_int_eq(fvi_trajectory(q->fit.method, &r.run, x, NULL, NULL), 0);
+    for (size_t i = 0; i < REF_POINTS; i++)
+        sum += gsl_pow_2(x[(i + 1) * parts] - q->x[i]);
+    free(x);
+    return sqrt(sum);
+}
+
+//> exact
+/* Data without noise: what is wrong then is the method, by e in the data. To first order
+ * the estimates are wrong by J^+ e, and |(J^+ e)_j| <= sqrt(C_jj) |e|, C = (J^T J)^-1:
+ * sd of sigma = 1 times the length of e. The search ends 1e-9 of u away at most; the
+ * slopes of u are below 1. */
+START_TEST(eq_24_2_exact_data_give_the_parameters_back)
+{
+    for (size_t i = 0; i < LEN(ref_errors); i++) {
+        const size_t P = (size_t)ref_errors[i].P;
+        const double *truth = ref_errors[i].truth;
+        question q;
+        fvi_fitted f;
+        ask(&q, data_of(i), P);
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        const double e = length_of_error(&q, truth, f.h);
+        for (size_t j = 0; j < P; j++) {
+            const double error = fabs(f.estimate[j] - truth[j]);
+            seen(error, "error of a parameter");
+            ck_assert_msg(error <= 1.1 * ref_errors[i].sd[j] * e + 1e-9,
+                          "%s %zu: %g, e %g", ref_errors[i].name, j, error, e);
+        }
+    }
+}
+END_TEST
+//< exact
+
+//> covariance
+/* The Jacobian is a difference quotient with the step 1.5e-8 |u|: its relative error is
+ * that times x'' / x' by u, some tens at most, and 1e-13 / 1.5e-8 for the memory's
+ * tolerance. Seen: 4e-7. */
+START_TEST(eq_24_3_standard_deviations_and_correlations)
+{
+    for (size_t i = 0; i < LEN(ref_errors); i++) {
+        const size_t P = (size_t)ref_errors[i].P;
+        question q;
+        fvi_fitted f;
+        ask(&q, data_of(i), P);
+        q.fit.sigma = 1e-3;
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        for (size_t j = 0, k = 0; j < P; j++) {
+            const double wrong = f.sd[j] / (1e-3 * ref_errors[i].sd[j]) - 1;
+            seen(fabs(wrong), "relative error of sd");
+            ck_assert_msg(fabs(wrong) < 1e-5, "%zu, sd %zu: %g", i, j, wrong);
+            for (size_t l = 0; l < j; l++, k++) {
+                const double by = f.correlation[j][l] - ref_errors[i].corr[k];
+                seen(fabs(by), "error of a correlation");
+                ck_assert_msg(fabs(by) < 1e-5, "%zu, %zu %zu: %g", i, j, l, by);
+            }
+        }
+    }
+}
+END_TEST
+//< covariance
+
+//> recovers
+/* All of three Gaussian estimates are within 3 sd with a probability of at least
+ * 1 - 3 * 0.0027 = 0.9919, whatever their correlations. Of 20 data sets more than 2 miss
+ * then with a probability below binom(20,3) 0.0081^3 = 6.1e-4. */
+START_TEST(eq_24_2_noisy_data_of_another_program_within_three_sd)
+{
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    int missed = 0;
+    for (size_t set = 0; set < 20; set++) {
+        question q;
+        fvi_fitted f;
+        ask(&q, set % 2 ? ref_high : ref_low, 3);
+        add_noise(&q, 0.02, r);
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        missed += off(&f, ref_errors[set % 2 ? 2 : 0].truth, 3) > 3;
+        seen(f.chi2, "chi2 of 197");
+    }
+    ck_assert_msg(missed <= 2, "%d of 20 are wrong", missed);
+    gsl_rng_free(r);
+}
+END_TEST
+//< recovers
+
+/* sigma = 0: it is estimated, to within 197^(-1/2) sqrt(1/2) = 5 % (one sd); the intervals
+ * are Student's. */
+START_TEST(eq_24_3_sigma_is_estimated)
+{
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    question q;
+    fvi_fitted known, f;
+    ask(&q, ref_low, 3);
+    add_noise(&q, 0.02, r);
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &known), FVI_SUCCESS);
+    q.fit.sigma = 0;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_double_eq_tol(f.sigma, 0.02, 4 * 0.05 * 0.02);
+    ck_assert_double_eq_tol(f.sigma, 0.02 * sqrt(known.chi2 / 197), 1e-8);
+    ck_assert_double_eq_tol(f.sd[0] / known.sd[0], f.sigma / 0.02, 1e-5);
+    ck_assert_double_eq_tol(f.quantile, 1.972079, 1e-6); /* t(0.975, 197) */
+    ck_assert_double_eq_tol(known.quantile, 1.959964, 1e-6);
+    ck_assert_double_eq(f.probability, 1);
+    gsl_rng_free(r);
+}
+END_TEST
+
+/* Times in any spacing: a gap, and times that no step meets. The cubic's error falls with
+ * the step like the method's, and the halving ends when no estimate moves by sd / 100;
+ * what is left is less than that last move, for any order. sigma = 1e-4. */
+START_TEST(eq_24_4_times_in_any_spacing)
+{
+    const double *truth = ref_errors[0].truth;
+    const fvi_linear exact = { .m = 1,
+                               .c = truth[2],
+                               .rho = truth[1],
+                               .alpha = truth[0],
+                               .x0 = truth[3],
+                               .v0 = truth[4] };
+    for (int kind = 0; kind < 3; kind++) {
+        question q;
+        fvi_fitted f;
+        ask(&q, NULL, 5);
+        for (size_t i = 0; i < REF_POINTS; i++)
+            q.t[i] += kind == 0   ? 0.03 * sin(7 * (double)i)
+                      : kind == 1 ? (i > 50) * 3.7
+                                  : -0.1; /* from t = 0 on */
+        ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+        q.fit.sigma = 1e-4;
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        seen(off(&f, truth, 5), "off in sd");
+        ck_assert_msg(off(&f, truth, 5) < 0.02, "%d: %g sd", kind,
+                      off(&f, truth, 5));
+    }
+}
+END_TEST
+
+//> halving
+/* A method of order 1 makes an error in the model that no noise tells of. With the step
+ * of the data its estimates are many sd away; halved until they stand still, they are not. */
+START_TEST(eq_24_4_the_step_is_halved_until_nothing_moves)
+{
+    question q;
+    fvi_fitted coarse, f;
+    ask(&q, ref_low, 3);
+    q.fit.method = &fvi_fractional;
+    q.fit.sigma = 1e-2;
+    q.fit.h = 0.1;
+    fvi_fit_search(&q.fit, NULL, &coarse);
+    q.fit.h = 0;
+    fvi_fit_search(&q.fit, NULL, &f);
+    seen(off(&coarse, ref_errors[0].truth, 3), "off in sd, h = 0.1");
+    seen(off(&f, ref_errors[0].truth, 3), "off in sd, halved");
+    ck_assert_double_eq(coarse.h, 0.1);
+    ck_assert(off(&coarse, ref_errors[0].truth, 3) > 3);
+    ck_assert(f.bias <= 0.01 && off(&f, ref_errors[0].truth, 3) < 0.02);
+}
+END_TEST
+//< halving
+
+int main(void)
+{
+    Suite *suite = suite_create("parameters from a measured motion");
+    ADD_CASE(suite, "values", eq_24_2_exact_data_give_the_parameters_back,
+             eq_24_3_standard_deviations_and_correlations,
+             eq_24_3_sigma_is_estimated);
+    ADD_CASE(suite, "noise",
+             eq_24_2_noisy_data_of_another_program_within_three_sd);
+    ADD_CASE(suite, "steps", eq_24_4_times_in_any_spacing,
+             eq_24_4_the_step_is_halved_until_nothing_moves);
+    return run_suite(suite);
+}

@@ -1,0 +1,208 @@
+/* tests/identification/test_identification_answers.c -- Chapter 24: when is an estimate
+ * not to be believed, and what cannot be asked?
+ * Run alone: make test-identification_answers */
+#include "identification_runs.h"
+
+static int handled; /* how often the error handler was called */
+static void handler(const char *reason, const char *file, int line, int code)
+{
+    (void)reason;
+    (void)file;
+    (void)line;
+    (void)code;
+    handled++;
+}
+
+/* The starts lie in a box from which the search ends in a false minimum, a soft spring and
+ * alpha = 0; the values of the run alone lead to the truth. Nobody agrees with it. */
+START_TEST(eq_24_5_one_start_alone_is_not_believed)
+{
+    const double low[] = { 0.94, 0.045, 0.19 }, high[] = { 0.96, 0.055, 0.21 };
+    question q;
+    fvi_fitted f;
+    ask(&q, ref_low, 3);
+    q.run.alpha = 0.32;
+    q.rho = 0.41;
+    q.constants[0] = 1.05;
+    q.fit.low = low;
+    q.fit.high = high;
+    handled = 0;
+    fvi_set_error_handler(handler);
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_EMAXITER);
+    ck_assert_int_eq(handled, 0);
+    ck_assert_uint_eq(f.agree, 1);
+    ck_assert_double_eq_tol(f.estimate[0], 0.3, 1e-9);
+    fvi_set_error_handler(NULL);
+}
+END_TEST
+
+/* The noise is five times, or a fifth of, what sigma says: chi^2 is 25 times too large or
+ * too small. A model with another past fits as badly as it is wrong. */
+START_TEST(eq_24_4_a_chi_squared_out_of_range_is_not_believed)
+{
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    for (int i = 0; i < 2; i++) {
+        question q;
+        fvi_fitted f;
+        ask(&q, ref_low, 3);
+        add_noise(&q, 0.02, r);
+        q.fit.sigma *= i ? 5 : 0.2;
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        ck_assert(f.probability < 1e-6);
+        ck_assert(i ? f.chi2 < 197. / 10 : f.chi2 > 197 * 10);
+        ck_assert(fabs(f.neighbours) < 4 / sqrt(200));
+    }
+    question q;
+    fvi_fitted f;
+    ask(&q, ref_low, 3);
+    add_noise(&q, 0.02, r);
+    q.run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    q.fit.h = 0.1;
+    ck_assert_int_ne(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert(f.chi2 > 10 * 197 && f.neighbours > 0.5);
+    gsl_rng_free(r);
+}
+END_TEST
+
+/* Without a force m, rho, c and p0 are known but for a common factor. */
+START_TEST(eq_24_3_what_the_data_do_not_determine_is_said)
+{
+    const fvi_parameter scale[] = { FVI_PARAMETER_MASS, FVI_PARAMETER_RHO,
+                                    FVI_PARAMETER_CONSTANT, FVI_PARAMETER_P0 };
+    const double still[REF_POINTS] = { 0 };
+    question q;
+    fvi_fitted f;
+    ask(&q, ref_low, 4);
+    q.run.alpha = 0.3;
+    q.fit.which = scale;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ask(&q, still, 2); /* a body at rest shows no damping */
+    q.x0 = q.p0 = 0;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ask(&q, NULL, 1); /* ln rho where none is seen */
+    for (size_t i = 0; i < REF_POINTS; i++)
+        q.x[i] = cos(q.t[i]);
+    q.constants[0] = 1;
+    q.p0 = 0;
+    q.fit.which = &scale[1];
+    q.fit.sigma = 0.02;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+}
+END_TEST
+
+/* The same digits each time; what was lent is given back unchanged; the curve of exact
+ * data is the data, to the error of the method. */
+START_TEST(a_fit_is_repeatable_and_leaves_no_trace)
+{
+    question q;
+    fvi_fitted f, again;
+    double curve[REF_POINTS];
+    ask(&q, ref_low, 5);
+    const question before = q;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, curve, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &again), FVI_SUCCESS);
+    ck_assert_mem_eq(f.estimate, again.estimate, 5 * sizeof(double));
+    ck_assert_mem_eq(f.sd, again.sd, 5 * sizeof(double));
+    ck_assert_mem_eq(q.constants, before.constants, sizeof q.constants);
+    ck_assert_double_eq(q.run.alpha, before.run.alpha);
+    ck_assert_double_eq(q.x0, before.x0);
+    for (size_t i = 0; i < REF_POINTS; i++)
+        ck_assert_near(curve[i], ref_low[i], 1e-9, "curve %zu", i);
+}
+END_TEST
+
+static int code_of(const question *q)
+{
+    fvi_fitted f;
+    return fvi_fit_search(&q->fit, NULL, &f);
+}
+
+static void two_masses(question *q)
+{
+    static const double ones[] = { 1, 1 };
+    q->system.d = 2;
+    q->system.mass = q->system.damping = ones;
+}
+
+#define REFUSED(change, code)                                                  \
+    do {                                                                       \
+        question q;                                                            \
+        ask(&q, ref_low, 3);                                                   \
+        change;                                                                \
+        handled = 0;                                                           \
+        ck_assert_int_eq(code_of(&q), code);                                   \
+        ck_assert_int_eq(handled, 1);                                          \
+    } while (0)
+
+START_TEST(fit_refuses_what_cannot_be_asked)
+{
+    const fvi_parameter twice[] = { FVI_PARAMETER_RHO, FVI_PARAMETER_ALPHA,
+                                    FVI_PARAMETER_RHO };
+    const double box[] = { 0.1, 0.2, 0.3 };
+    fvi_fitted f;
+    question right;
+    ask(&right, ref_low, 3);
+    fvi_set_error_handler(handler);
+    REFUSED(q.fit.method = NULL, FVI_EFAULT);
+    REFUSED(q.fit.run = NULL, FVI_EFAULT);
+    REFUSED(q.fit.t = NULL, FVI_EFAULT);
+    REFUSED(q.fit.x = NULL, FVI_EFAULT);
+    REFUSED(q.fit.which = NULL, FVI_EFAULT);
+    REFUSED(q.fit.constants = NULL, FVI_EFAULT);
+    REFUSED(q.fit.low = box, FVI_EFAULT);
+    REFUSED(two_masses(&q), FVI_EINVAL);
+    REFUSED(q.fit.parameters = 0, FVI_EINVAL);
+    REFUSED(q.fit.parameters = FVI_FIT_MOST + 1, FVI_EINVAL);
+    REFUSED(q.fit.n = 3, FVI_EINVAL);
+    REFUSED(q.fit.starts = 1, FVI_EINVAL);
+    REFUSED(q.fit.which = twice, FVI_EINVAL);
+    REFUSED(q.t[7] = q.t[6], FVI_EINVAL);
+    REFUSED(q.t[0] = -1, FVI_EDOM);
+    REFUSED(q.x[9] = NAN, FVI_EDOM);
+    REFUSED(q.fit.sigma = -1, FVI_EDOM);
+    REFUSED(q.fit.h = -1, FVI_EDOM);
+    REFUSED(q.fit.low = q.fit.high = box, FVI_EDOM);
+    REFUSED(q.fit.method = &fvi_lagrange_dalembert, FVI_EUNSUP);
+    handled = 0;
+    ck_assert_int_eq(fvi_fit_search(NULL, NULL, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_fit_search(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_fit_box(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(handled, 3);
+    fvi_set_error_handler(NULL);
+}
+END_TEST
+
+/* The box of the references: the truth lies in it, and it depends on nothing but the
+ * data and the mass. */
+START_TEST(the_box_holds_the_truth)
+{
+    for (size_t i = 0; i < 2; i++) {
+        question q;
+        double low[5], high[5];
+        ask(&q, i ? ref_high : ref_low, 5);
+        ck_assert_int_eq(fvi_fit_box(&q.fit, low, high), FVI_SUCCESS);
+        for (size_t j = 0; j < 5; j++)
+            ck_assert_msg(low[j] < ref_errors[2 * i].truth[j]
+                              && ref_errors[2 * i].truth[j] < high[j],
+                          "%zu: %g ... %g", j, low[j], high[j]);
+        q.m = 100; /* another unit of mass: all forces grow alike */
+        double low100[5], high100[5];
+        ck_assert_int_eq(fvi_fit_box(&q.fit, low100, high100), FVI_SUCCESS);
+        for (size_t j = 0; j < 5; j++)
+            ck_assert_double_eq_tol(
+                high100[j], high[j] * (j == 0 || j == 3 ? 1 : 100), 1e-9);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("what is not believed");
+    ADD_CASE(suite, "answers", eq_24_5_one_start_alone_is_not_believed,
+             eq_24_4_a_chi_squared_out_of_range_is_not_believed,
+             eq_24_3_what_the_data_do_not_determine_is_said,
+             a_fit_is_repeatable_and_leaves_no_trace);
+    ADD_CASE(suite, "questions", fit_refuses_what_cannot_be_asked,
+             the_box_holds_the_truth);
+    return run_suite(suite);
+}

@@ -1,0 +1,122 @@
+"""Chapter 24: data and errors of a fit. Prints tests/identification/identification_ref.h.
+
+  (24.2)  the exact motion of a linear spring and its derivatives by all parameters, from
+          their Laplace transforms, at two precisions: data of an independent program;
+  (24.3)  the standard deviations and correlations that follow.
+
+Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with
+Q = m s^2 + rho s^{2 alpha} + c. Inputs are the doubles they are."""
+from mpmath import mp, mpf
+from sympy import Rational, diff, symbols
+
+from refgen import claim, header, hexd, hexd_real, prove
+
+#> transform
+s, m, c, rho, alpha, x0, p0 = symbols("s m c rho alpha x0 p0", positive=True)
+Q = m * s**2 + rho * s ** (2 * alpha) + c
+X = x0 / s + (p0 - c * x0 / s) / Q
+PARAMETERS = alpha, rho, c, x0, p0
+prove("the transform solves the equation",
+      m * (s**2 * X - s * x0 - p0 / m) + c * X + rho * s ** (2 * alpha) * (X - x0 / s))
+SLOPES = [diff(X, theta) for theta in PARAMETERS]
+#< transform
+
+
+def evaluate(z, a):
+    """X and its derivatives at s = z, m = 1, in the order of PARAMETERS."""
+    al, r, k, x_, p_ = a
+    log = mp.log(z)
+    power = mp.exp(2 * al * log)
+    q = z**2 + r * power + k
+    of_Q = -(p_ - k * x_ / z) / q**2
+    return (x_ / z - of_Q * q, of_Q * r * 2 * log * power, of_Q * power,
+            of_Q - x_ / z / q, (1 - k / q) / z, 1 / q)
+
+
+# What is summed below is what sympy derived.
+point = {s: mpf("0.3") + mpf("1.1") * 1j, alpha: mpf("0.37"), rho: mpf("0.6"), c: mpf("1.3"),
+         x0: mpf("0.8"), p0: mpf("-0.4"), m: 1}
+for mine, derived in zip(evaluate(point[s], [point[p] for p in PARAMETERS]), [X, *SLOPES]):
+    claim("evaluate is the transform", abs(complex(derived.subs(point).evalf()) - complex(mine)) < 1e-14)
+
+
+#> talbot
+def motion(a, t, digits):
+    """x(t) and its derivatives: the integral of exp(s t) X(s) / (2 pi i), by the
+    trapezoidal rule on Talbot's contour, wide enough for a swing of frequency 1."""
+    mp.dps = digits + 15
+    N = int(1.7 * digits + 4.5 * t)
+    N += N % 2
+    A, B, C, D = mpf("0.5017"), mpf("0.6407"), mpf("-0.6122"), mpf("0.2645")
+    total = [mpf(0)] * (1 + len(PARAMETERS))
+    for k in range(N // 2):                                # the other half is conjugate
+        u = (2 * k + 1) * mp.pi / N
+        cot = mp.cot(B * u)
+        z = N * mp.mpc(A * u * cot + C, D * u) / t
+        dz = N * mp.mpc(A * (cot - B * u * (1 + cot**2)), D) / t
+        weight = mp.exp(z * t) * dz
+        total = [v + 2 * (weight * f).imag / N for v, f in zip(total, evaluate(z, a))]
+    return total
+#< talbot
+
+
+#> covariance
+def covariance(jacobian):
+    """(J^T J)^-1: standard deviations for sigma = 1, and correlations."""
+    J = mp.matrix(jacobian)
+    C = (J.T * J) ** -1
+    sd = [mp.sqrt(C[i, i]) for i in range(C.rows)]
+    return sd, [[C[i, j] / sd[i] / sd[j] for j in range(C.rows)] for i in range(C.rows)]
+#< covariance
+
+
+POINTS = 200
+TIMES = [Rational(i * 0.1) for i in range(1, POINTS + 1)]  # the doubles i * 0.1
+CASES = {"low": (0.3, 0.4, 1.0, 1.0, 0.25), "high": (0.65, 0.4, 1.0, 1.0, 0.25)}
+
+
+def number(x):
+    return mpf(int(x.p)) / mpf(int(x.q))
+
+
+def runs(values, digits):
+    mp.dps = digits + 15
+    a = [number(Rational(v)) for v in values]
+    return [motion(a, number(t), digits) for t in TIMES]
+
+
+def both(pair):
+    """The same double from both precisions."""
+    texts = iter([mp.nstr(pair[0], 30), mp.nstr(pair[1], 30)])
+    return hexd_real(lambda digits: next(texts))
+
+
+def main():
+    header("verify/identification.py")
+    print(f"enum {{ REF_POINTS = {POINTS} }}; /* t = 0.1, 0.2, ..., 20: the doubles i * 0.1 */")
+    print("/* alpha, rho, c, x0, p0; m = 1; held */")
+    motions, errors = [], []
+    for name, values in CASES.items():
+        rough, fine = runs(values, 35), runs(values, 45)
+        motions.append((name, [both((r[0], f[0])) for r, f in zip(rough, fine)]))
+        for P in (3, 5):
+            results = [covariance([row[1:1 + P] for row in run]) for run in (rough, fine)]
+            sd = [both(pair) for pair in zip(*(r[0] for r in results))]
+            corr = [both((results[0][1][i][j], results[1][1][i][j]))
+                    for i in range(P) for j in range(i)]
+            errors.append([f'"{name}"', P, *(hexd(v) for v in values), "{ " + ", ".join(sd) + " }",
+                           "{ " + ", ".join(corr) + " }"])
+    for name, x in motions:
+        print(f"\nstatic const double ref_{name}[] = {{")
+        for v in x:
+            print(f"    {v},")
+        print("};")
+    print("\n/* sd for sigma = 1; correlations (1,0), (2,0), (2,1), ... */")
+    print("static const struct { const char *name; int P; double truth[5]; double sd[5]; double corr[10]; } "
+          "ref_errors[] = {")
+    for name, P, *rest in errors:
+        print(f"    {{ {name}, {P}, {{ {', '.join(rest[:5])} }}, {rest[5]}, {rest[6]} }},")
+    print("};")
+
+
+main()
