@@ -35,21 +35,8 @@ def closed(s):
     q = expand(q * s * (s - 1) / q.subs(t, 0))
     n = expand(sum((-1)**k * mu**(s - 1 - k) * diff(q, t, k) for k in range(s)))
     return q, n, expand(mu**s + n.subs(t, 0))
-
-
-for s in STAGES:
-    q, n, d = closed(s)
-    # (mu + D) n = mu^s q; the penalty n(0) e_1/b_1 makes it (mu + A^-1) n = d e_1/b_1
-    prove("(22.8) n' + mu n = mu^s q", expand(diff(n, t) + mu * n - mu**s * q))
-    prove("(22.8) d", expand(d - sum(binomial(s, i) * factorial(2 * s - 2 - i)
-                                     / factorial(s - 2) * mu**i for i in range(s + 1))))
-    prove("(22.8) n_s", expand(n.subs(t, 1) - sum(binomial(s - 2, i) * factorial(2 * s - 2 - i)
-                                                  / factorial(s - 2) * (-mu)**i for i in range(s - 1))))
-    # d divides det(mu + A^-1) n_i for each i; nothing of d is in n_s; both are monic
-    claim("(22.8) d is the determinant", gcd(Poly(d, mu), Poly(n.subs(t, 1), mu)).degree() == 0)
 #< closed
 
-# -- three steps of any lengths, s = 2, 3, 4 --------------------------------------
 r5 = sqrt(5)
 NODES = {2: [0, 1], 3: [0, Rational(1, 2), 1], 4: [0, (5 - r5) / 10, (5 + r5) / 10, 1]}
 h = symbols("h1:4", positive=True)
@@ -81,90 +68,26 @@ def blocks(s, steps):
 
 
 def zero(what, matrix):
-    prove(what, *[simplify(expand(e)) for e in matrix])
-
-
-#> structure
-for s in (2, 3, 4):
-    DD, BB, b, D = blocks(s, h)
-    S = (BB * DD).applyfunc(simplify)
-    claim("(22.1) BB DD has no step in it", not S.free_symbols)
-    turn = eye(3 * s)[::-1, :]
-    reversed_DD, reversed_BB, _, _ = blocks(s, h[::-1])
-    zero("(22.3) S reversed is S transposed", turn * S * turn - S.T)
-    zero("(22.3) the adjoint is DD of the reversed mesh, reversed",
-         BB.inv() * DD.T * BB - turn * reversed_DD * turn)
-    v = Matrix(symbols(f"v:{3 * s}"))
-    squares = v[0]**2 + v[3 * s - 1]**2 + sum((v[k * s] - v[k * s - 1])**2 for k in (1, 2))
-    prove("(22.4) half a sum of squares", expand((v.T * S * v)[0] - squares / 2))
-    #< structure
-    # a continuous path of polynomials, from x_0 = v0: DD (x - x_0) is its slope
-    path = [Matrix([v[k * (s - 1) + i] for i in range(s)]) for k in range(3)]
-    whole = Matrix([e for X in path for e in X]) - ones(3 * s, 1) * v[0]
-    slope = Matrix([e for k, X in enumerate(path) for e in D * X / h[k]])
-    zero("(22.1) DD (x - x_0) = v", DD * whole - slope)
-    # any v: the path x_k 1 + h A v, x_{k+1} its last stage
-    A = (D + eye(s)[:, 0] * eye(s)[0, :] / b[0]).inv().applyfunc(simplify)
-    zero("(22.1) A 1 = c, A e_1/b_1 = 1", Matrix.hstack(
-        A * ones(s, 1) - Matrix(NODES[s]), A[:, 0] / b[0] - ones(s, 1)))
-    start, found = 0, []
-    for k in range(3):
-        X = ones(s, 1) * start + h[k] * A * v[k * s:k * s + s, :]
-        found, start = found + list(X), X[s - 1]
-    zero("(22.1) DD^(-1) v", DD * Matrix(found) - v)
-
-#> forms
-# (22.5): w_k = h N v_k + a w_{k-1,s} solves (s + DD) w = v; with p = mu b.a = 1 - R the
-# last stage moves by w <- w - p w + h a.u, u = P B v; and y = s w, z = v_e - s w.
-sigma, step, w, ve, z = symbols("sigma h w v_e z")
-for s in (2, 3, 4):
-    b, D = exact_rule(s)
-    inverse = D + eye(s)[:, 0] * eye(s)[0, :] / b[0]
-    N = (sigma * step * eye(s) + inverse).inv().applyfunc(simplify)
-    a, v = N[:, 0] / b[0], Matrix(symbols(f"v:{s}"))
-    new = step * N * v + a * w
-    zero("(22.5) one block row of (s + DD) w = v", sigma * new + inverse * new / step
-         - eye(s)[:, 0] * w / (step * b[0]) - v)
-    p = sigma * step * sum(b[i] * a[i] for i in range(s))
-    au = lambda f: sum(a[i] * b[i] * f[s - 1 - i] for i in range(s))
-    prove("(22.5) the last stage", simplify(new[s - 1] - (w - p * w + step * au(v))))
-    moved = (sigma * new[s - 1]).subs(w, z / sigma)
-    prove("(22.6)", simplify(moved - (z - p * z + sigma * step * au(v))))
-    moved = v[s - 1] - sigma * new[s - 1].subs(w, (ve - z) / sigma)
-    prove("(22.7)", simplify(moved - (z - p * z + v[s - 1] - ve
-                                      - sigma * step * au(v - ones(s, 1) * ve))))
-#< forms
-
-#> restricted
-# (22.21): -m DD x . DD_+ y - rho DD^a x . DD_+^a y - U(x) - U(y), all powers open:
-# G lower triangular for DD^a, and what the variation makes of them is G G.
-m, rho = symbols("m rho")
-U = Function("U")
-for s in (2, 3):
-    DD, BB, b, D = blocks(s, h[:2])
-    n = 2 * s
-    G = Matrix(n, n, lambda i, j: symbols(f"G{i}_{j}") if j // s <= i // s else 0)
-    X, Y = Matrix(symbols(f"x:{n}")), Matrix(symbols(f"y:{n}"))
-    adjoint = lambda M: BB.inv() * M.T * BB
-    action = -(m * ((DD * X).T * BB * adjoint(DD) * Y)[0] + rho * ((G * X).T * BB * adjoint(G) * Y)[0]
-               + sum(BB[i, i] * (U(X[i]) + U(Y[i])) for i in range(n)))
-    wanted = m * DD * DD * X + rho * G * G * X
-    for i in range(n):      # delta x = delta y; what is left of y is the mirrored equation
-        varied = (diff(action, X[i]) + diff(action, Y[i])).subs({e: 0 for e in Y})
-        prove("(22.21)", expand((varied + BB[i, i] * (wanted[i] + diff(U(X[i]), X[i]))).doit()
-                                + BB[i, i] * diff(U(Y[i]), Y[i]).subs(Y[i], 0)))
-#< restricted
+    prove(what, *[expand(e) for e in matrix])
 
 
 # -- numbers -----------------------------------------------------------------------
+def precisely(function):
+    """Its last argument says to how many digits."""
+    @cache
+    def careful(*arguments):
+        with mp.workdps(arguments[-1] + 20):
+            return function(*arguments)
+    return careful
+
+
 def exactly(number):
     return mpf(int(Rational(number).p)) / int(Rational(number).q)
 
 
-@cache
+@precisely
 def rule(s, digits):
     """c, b, A^(-1) at so many digits: zeros of P'_{s-1}, barycentric differences."""
-    mp.dps = digits + 20
     slope = Poly(diff(legendre(s - 1, 2 * t - 1), t), t).all_coeffs()
     inner = mpmath.polyroots([mpf(int(k)) for k in slope], maxsteps=500, extraprec=400) if s > 2 else []
     c = [mpf(0)] + sorted(r.real for r in inner) + [mpf(1)]
@@ -185,6 +108,7 @@ def rule(s, digits):
     return c, b, inverse
 
 
+@precisely
 def numerators(s, digits):
     """n_i by powers of mu, mu^0 first."""
     c, _, _ = rule(s, digits)
@@ -197,7 +121,7 @@ def horner(coefficients, value):
     return mpmath.polyval(coefficients[::-1], value)
 
 
-@cache
+@precisely
 def eigen(s, digits):
     """The eigenvalues of A^(-1), upper half plane first, and v, v w^T = P_lambda; (22.9)."""
     c, b, inverse = rule(s, digits)
@@ -221,6 +145,7 @@ def eigen(s, digits):
     return found
 
 
+@precisely
 def power(s, beta, digits):
     """(A^(-1))^beta."""
     total = mpmath.matrix(s, s)
@@ -230,6 +155,7 @@ def power(s, beta, digits):
     return total
 
 
+@precisely
 def stage_values(s, at, digits):
     """a(mu) by solving its equations, not by n/d."""
     _, b, inverse = rule(s, digits)
@@ -238,9 +164,9 @@ def stage_values(s, at, digits):
     return mpmath.lu_solve(inverse + at * mpmath.eye(s), right)
 
 
+@precisely
 def end_correction(L, nu, digits):
     """(22.11): sum_l c_l r^(3 l n) = 1/(r^(nu + n) - 1), n = 0, ..., 5, r = e^L."""
-    mp.dps = digits + 20
     M, right = mpmath.matrix(6, 6), mpmath.matrix(6, 1)
     for n in range(6):
         right[n] = 1 / mpmath.expm1(L * (nu + n))
@@ -249,6 +175,7 @@ def end_correction(L, nu, digits):
     return mpmath.lu_solve(M, right)
 
 
+@precisely
 def dense_weights(s, theta, digits):
     """(22.18): the integrals of ell_i and of (theta - u) ell_i from 0 to theta."""
     c, _, _ = rule(s, digits)
@@ -283,24 +210,116 @@ def braces(values):
     return "{ " + ", ".join(values) + " }"
 
 
-for s in STAGES:
-    c, b, inverse = rule(s, 60)
-    d = [exactly(k) for k in Poly(closed(s)[2], mu).all_coeffs()[::-1]]
-    n = numerators(s, 60)
-    for at in (mpf(1) / 1000, mpf(1), mpf(40), mpf(10)**6):
-        a = stage_values(s, at, 60)
-        claim("(22.8) n/d", all(abs(a[i] - horner(n[i], at) / horner(d, at)) < 1e-50 for i in range(s)))
-        claim("(22.5) p", abs(1 - a[s - 1] - at * sum(b[i] * a[i] for i in range(s))) < 1e-50)
-        claim("(22.8) det", abs(mpmath.det(inverse + at * mpmath.eye(s)) / horner(d, at) - 1) < 1e-50)
-    whole = power(s, 1, 60) - inverse
-    half = power(s, mpf(1) / 2, 60)
-    claim("(22.9) projectors", mpmath.mnorm(whole) < 1e-50)
-    claim("(22.9) (1/2) + (1/2) = 1", mpmath.mnorm(half * half - inverse) < 1e-45)
-claim("(22.9) traces", all(
-    abs(sum(power(s, mpf(-2) / 5, 60)[i, i] for i in range(s)) - mpf(value)) < 1e-14
-    for s, value in ((4, "2.1114071119474454"), (6, "2.5765411212565798"), (8, "3.0002105856477434"))))
+def prove_all():
+    """Runs before anything is printed; other scripts import only what stands above."""
+    mp.dps = 80
+    #> determinant
+    for s in STAGES:
+        q, n, d = closed(s)
+        # (mu + D) n = mu^s q; the penalty n(0) e_1/b_1 makes it (mu + A^-1) n = d e_1/b_1
+        prove("(22.8) n' + mu n = mu^s q", expand(diff(n, t) + mu * n - mu**s * q))
+        prove("(22.8) d", expand(d - sum(binomial(s, i) * factorial(2 * s - 2 - i)
+                                         / factorial(s - 2) * mu**i for i in range(s + 1))))
+        prove("(22.8) n_s", expand(n.subs(t, 1) - sum(binomial(s - 2, i) * factorial(2 * s - 2 - i)
+                                                      / factorial(s - 2) * (-mu)**i for i in range(s - 1))))
+        # d divides det(mu + A^-1) n_i for each i; nothing of d is in n_s; both are monic
+        claim("(22.8) d is the determinant", gcd(Poly(d, mu), Poly(n.subs(t, 1), mu)).degree() == 0)
+    #< determinant
+
+    #> structure
+    for s in (2, 3, 4):
+        DD, BB, b, D = blocks(s, h)
+        S = (BB * DD).applyfunc(simplify)
+        claim("(22.1) BB DD has no step in it", not S.free_symbols)
+        turn = eye(3 * s)[::-1, :]
+        reversed_DD, reversed_BB, _, _ = blocks(s, h[::-1])
+        zero("(22.3) S reversed is S transposed", turn * S * turn - S.T)
+        zero("(22.3) the adjoint is DD of the reversed mesh, reversed",
+             BB.inv() * DD.T * BB - turn * reversed_DD * turn)
+        v = Matrix(symbols(f"v:{3 * s}"))
+        squares = v[0]**2 + v[3 * s - 1]**2 + sum((v[k * s] - v[k * s - 1])**2 for k in (1, 2))
+        prove("(22.4) half a sum of squares", expand((v.T * S * v)[0] - squares / 2))
+        #< structure
+        # a continuous path of polynomials, from x_0 = v0: DD (x - x_0) is its slope
+        path = [Matrix([v[k * (s - 1) + i] for i in range(s)]) for k in range(3)]
+        whole = Matrix([e for X in path for e in X]) - ones(3 * s, 1) * v[0]
+        slope = Matrix([e for k, X in enumerate(path) for e in D * X / h[k]])
+        zero("(22.1) DD (x - x_0) = v", DD * whole - slope)
+        # any v: the path x_k 1 + h A v, x_{k+1} its last stage
+        A = (D + eye(s)[:, 0] * eye(s)[0, :] / b[0]).inv().applyfunc(simplify)
+        zero("(22.1) A 1 = c, A e_1/b_1 = 1", Matrix.hstack(
+            A * ones(s, 1) - Matrix(NODES[s]), A[:, 0] / b[0] - ones(s, 1)))
+        start, found = 0, []
+        for k in range(3):
+            X = ones(s, 1) * start + h[k] * A * v[k * s:k * s + s, :]
+            found, start = found + list(X), X[s - 1]
+        zero("(22.1) DD^(-1) v", DD * Matrix(found) - v)
+
+    #> forms
+    # (22.5): w_k = h N v_k + a w_{k-1,s} solves (s + DD) w = v; with p = mu b.a = 1 - R the
+    # last stage moves by w <- w - p w + h a.u, u = P B v; and y = s w, z = v_e - s w. All
+    # times d: N is an adjugate, a its first column over b_1.
+    step, w, ve, z = symbols("h w v_e z")
+    for s in (2, 3, 4):
+        b, D = exact_rule(s)
+        inverse = D + eye(s)[:, 0] * eye(s)[0, :] / b[0]
+        N = (mu * eye(s) + inverse).adjugate().applyfunc(expand)
+        d, a, v = closed(s)[2], N[:, 0] / b[0], Matrix(symbols(f"v:{s}"))
+        zero("(22.8) d", (mu * eye(s) + inverse) * N - d * eye(s))
+        new = step * N * v + a * w
+        zero("(22.5) one block row of (s + DD) w = v", (mu * eye(s) + inverse) * new
+             - eye(s)[:, 0] * w * d / b[0] - step * v * d)
+        p = mu * sum(b[i] * a[i] for i in range(s))
+        au = lambda f: sum(a[i] * b[i] * f[s - 1 - i] for i in range(s))
+        prove("(22.5) the last stage", expand(new[s - 1] - (d * w - p * w + step * au(v))))
+        # y = s w and z = v_e - s w, where s = mu/h
+        moved = (mu / step * new[s - 1]).subs(w, step * z / mu)
+        prove("(22.6)", expand(moved - (d * z - p * z + mu * au(v))))
+        moved = d * v[s - 1] - (mu / step * new[s - 1]).subs(w, step * (ve - z) / mu)
+        prove("(22.7)", expand(moved - (d * z - p * z + d * (v[s - 1] - ve) - mu * au(v - ones(s, 1) * ve))))
+    #< forms
+
+    #> restricted
+    # (22.21): -m DD x . DD_+ y - rho DD^a x . DD_+^a y - U(x) - U(y), all powers open:
+    # G lower triangular for DD^a, and what the variation makes of them is G G.
+    m, rho = symbols("m rho")
+    U = Function("U")
+    for s in (2, 3):
+        DD, BB, b, D = blocks(s, h[:2])
+        n = 2 * s
+        G = Matrix(n, n, lambda i, j: symbols(f"G{i}_{j}") if j // s <= i // s else 0)
+        X, Y = Matrix(symbols(f"x:{n}")), Matrix(symbols(f"y:{n}"))
+        adjoint = lambda M: BB.inv() * M.T * BB
+        action = -(m * ((DD * X).T * BB * adjoint(DD) * Y)[0] + rho * ((G * X).T * BB * adjoint(G) * Y)[0]
+                   + sum(BB[i, i] * (U(X[i]) + U(Y[i])) for i in range(n)))
+        wanted = m * DD * DD * X + rho * G * G * X
+        for i in range(n):      # delta x = delta y; what is left of y is the mirrored equation
+            varied = (diff(action, X[i]) + diff(action, Y[i])).subs({e: 0 for e in Y})
+            prove("(22.21)", expand((varied + BB[i, i] * (wanted[i] + diff(U(X[i]), X[i]))).doit()
+                                    + BB[i, i] * diff(U(Y[i]), Y[i]).subs(Y[i], 0)))
+    #< restricted
+
+
+    for s in STAGES:
+        c, b, inverse = rule(s, 60)
+        d = [exactly(k) for k in Poly(closed(s)[2], mu).all_coeffs()[::-1]]
+        n = numerators(s, 60)
+        for at in (mpf(1) / 1000, mpf(1), mpf(40), mpf(10)**6):
+            a = stage_values(s, at, 60)
+            claim("(22.8) n/d", all(abs(a[i] - horner(n[i], at) / horner(d, at)) < 1e-50 for i in range(s)))
+            claim("(22.5) p", abs(1 - a[s - 1] - at * sum(b[i] * a[i] for i in range(s))) < 1e-50)
+            claim("(22.8) det", abs(mpmath.det(inverse + at * mpmath.eye(s)) / horner(d, at) - 1) < 1e-50)
+        whole = power(s, 1, 60) - inverse
+        half = power(s, mpf(1) / 2, 60)
+        claim("(22.9) projectors", mpmath.mnorm(whole) < 1e-50)
+        claim("(22.9) (1/2) + (1/2) = 1", mpmath.mnorm(half * half - inverse) < 1e-45)
+    claim("(22.9) traces", all(
+        abs(sum(power(s, mpf(-2) / 5, 60)[i, i] for i in range(s)) - mpf(value)) < 1e-14
+        for s, value in ((4, "2.1114071119474454"), (6, "2.5765411212565798"), (8, "3.0002105856477434"))))
+
 
 if __name__ == "__main__":
+    prove_all()
     header("verify/variable_steps.py")
 
     print("\n/* Lobatto's nodes and weights on [0, 1]. */")

@@ -1,0 +1,357 @@
+"""Chapter 22. Runs with variable steps, by the matrix DD^beta itself.
+
+The power of DD is taken as of any triangular matrix, by Parlett's recurrence in the
+eigenvectors of A^(-1), at 100 and 140 digits; nothing here knows modes, lattices or
+quadratures but the one place that compares them. Checked, for meshes with ratios to 50:
+  DD^a DD^b = DD^(a+b); (22.2) the diagonal blocks; (22.3) by parts, for powers;
+  (22.4) sym(BB DD^beta) has a Cholesky factor; (22.6), (22.7), (22.10) to (22.13):
+  the modes of the program, in 40 digits, on a mesh that grows 2.8-fold and drops;
+  (21.13) the energy of form D, every term, and that its damping only takes.
+Printed: DD^beta v on a mesh; runs of both forms (linear spring, four steps); exact
+solutions by power series; I(a, S) of the hand-over and the singular part."""
+import random
+from functools import cache
+
+import mpmath
+from mpmath import mp, mpf
+from sympy import Rational
+
+import variable_steps as one
+from refgen import claim, header, hexd, table
+
+
+#> parlett
+@cache
+def dense(s, steps, beta, digits):
+    """The blocks F[k][j] of DD^beta; steps are exact, and moved apart by 10^-30 of
+    themselves (at 140 digits 10^-40) so that no two eigenvalues are equal."""
+    mp.dps = digits + 30
+    apart = mpf(10)**(-30 if digits < 140 else -40)
+    hs = [mpf(h) * (1 + k * apart) for k, h in enumerate(steps)]
+    pairs = [(value, P) for value, P in one.eigen(s, digits)]
+    pairs += [(mpmath.conj(value), P.apply(mpmath.conj)) for value, P in pairs if mpmath.im(value) > 0]
+    b = one.rule(s, digits)[1]
+    lam = [value for value, _ in pairs]
+    # P = v w^T: v a column of it, w^T a row over their common entry
+    V = [[P[i, 0] for i in range(s)] for _, P in pairs]
+    W = [[P[0, j] / P[0, 0] for j in range(s)] for _, P in pairs]
+    g, f = [w[0] / b[0] for w in W], [v[s - 1] for v in V]   # of e_1/b_1 and e_s^T
+    blocks = []
+    for k, h in enumerate(hs):
+        row = {k: [[lam[a]**beta / h**beta if a == e else 0 for e in range(s)] for a in range(s)]}
+        for j in range(k - 1, -1, -1):
+            block = [[0] * s for _ in range(s)]
+            past = [sum(f[l] * blocks[k - 1][j][l][e] for l in range(s)) for e in range(s)]
+            next_ = [sum(row[j + 1][a][l] * g[l] for l in range(s)) for a in range(s)]
+            for a in range(s):
+                for e in range(s):      # F DD = DD F, block (k, j)
+                    block[a][e] = ((next_[a] * f[e] / hs[j + 1] - g[a] * past[e] / h)
+                                   / (lam[e] / hs[j] - lam[a] / h))
+            row[j] = block
+        blocks.append(row)
+    left, right = mpmath.matrix(V).T, mpmath.matrix(W)
+    real = lambda block: (left * mpmath.matrix(block) * right).apply(mpmath.re)
+    return [{j: real(block) for j, block in row.items()} for row in blocks]
+#< parlett
+
+
+def product(F, G, s, k, j):
+    total = mpmath.matrix(s, s)
+    for l in range(j, k + 1):
+        total += F[k][l] * G[l][j]
+    return total
+
+
+def times(F, v, k):
+    total = mpmath.matrix(len(v[0]), 1)
+    for j in range(k + 1):
+        total += F[k][j] * v[j]
+    return total
+
+
+rng = random.Random(22)
+for s, digits in ((2, 100), (3, 100), (5, 100), (8, 100)):
+    steps = tuple(mpf(v) / 1000 for v in (100, 283, 800, 16, 45))
+    N, b = len(steps), one.rule(s, digits)[1]
+    for beta in (mpf(-7) / 10, mpf(1) / 2, mpf(9) / 10):
+        F, H = dense(s, steps, beta, digits), dense(s, steps, beta / 2, digits)
+        whole = dense(s, steps, mpf(1), digits)
+        size = max(mpmath.mnorm(F[k][k]) for k in range(N))
+        mirrored = dense(s, steps[::-1], beta, digits)
+        for k in range(N):
+            claim("(22.2) the diagonal block", mpmath.mnorm(
+                F[k][k] - one.power(s, beta, digits) / steps[k]**beta) < size * mpf(10)**-25)
+            for j in range(k + 1):
+                claim("orders add", mpmath.mnorm(product(H, H, s, k, j) - F[k][j]) < size * mpf(10)**-25)
+                for i in range(s):
+                    for l in range(s):
+                        adjoint = F[k][j][i, l] * steps[k] * b[i] / (steps[j] * b[l])
+                        turned = mirrored[N - 1 - j][N - 1 - k][s - 1 - l, s - 1 - i]
+                        claim("(22.3) of a power", abs(adjoint - turned) < size * mpf(10)**-25)
+        for k in range(1, N):
+            claim("DD^1 is DD", abs(whole[k][k - 1][0, s - 1] * steps[k] * b[0] + 1) < mpf(10)**-25)
+        symmetric = mpmath.matrix(N * s, N * s)
+        for k in range(N):
+            for j in range(k + 1):
+                for i in range(s):
+                    for l in range(s):
+                        symmetric[k * s + i, j * s + l] += steps[k] * b[i] * F[k][j][i, l] / 2
+                        symmetric[j * s + l, k * s + i] += steps[k] * b[i] * F[k][j][i, l] / 2
+        mpmath.cholesky(symmetric)      # refuses what is not positive definite
+
+# -- modes ---------------------------------------------------------------------------
+MESH = [-12, -8, -4, -1, 0, -11, -7, None, -6, -2]      # h = e^(0.26 k); None: a step off the lattice
+
+
+def steps_of_mesh():
+    """As doubles."""
+    mp.dps = 60
+    return tuple(mpf(float(mpmath.exp(mpf(26) * k / 100))) if k is not None else mpf(0.09375) for k in MESH)
+
+
+def stages_of_mesh(s, rough):
+    """Of cos 2t, as doubles; or rough ones on purpose, multiples of 1/1024."""
+    draw, start, stages = random.Random(s), mpf(0), []
+    for h in steps_of_mesh():
+        stages.append([mpf(draw.randrange(-1024, 1025)) / 1024 if rough
+                       else mpf(float(mpmath.cos(2 * (start + h * c)))) for c in one.rule(s, 60)[0]])
+        start += h
+    return stages
+
+
+#> modes
+def history(s, alpha, steps, stages, v0, L=mpf(26) / 100, low=mpf(13) / 2, top=mpf(20000)):
+    """H before each step by the modes (22.6), (22.7) on the lattice, with both ends and with
+    sleep; 40 digits, so that what is seen is the error of the quadrature."""
+    mp.dps = 40
+    beta = 2 * alpha - 1
+    up = beta > 0
+    b, n = one.rule(s, 40)[1], one.numerators(s, 40)
+    d = [one.exactly(k) for k in one.Poly(one.closed(s)[2], one.mu).all_coeffs()[::-1]]
+    s0 = mpmath.exp(-low) / sum(steps)
+    number = int(mpmath.ceil(mpmath.log(top / min(steps) / s0) / L)) + 1
+    nodes = [s0 * mpmath.exp(L * q) for q in range(number)]
+    factor = mpmath.sinpi(min(abs(beta), 1 - abs(beta))) / mpmath.pi * L
+    z, awake, ve, before, H = [mpf(0)] * number, number, v0, None, []
+    for h, v in zip(steps, stages):
+        Q = next(q for q in range(number) if h * nodes[q] >= top) + 1
+        if Q > awake:                                           # (22.13)
+            for q in range(awake, Q):
+                z[q] = moved(before, before[2] if not up else mpf(0), nodes[q], up, b, n, d)
+        awake = Q
+        omega = [factor * node**beta for node in nodes[:Q]]
+        for end, nu in ((0, beta if up else 1 + beta), (Q - 1, (2 if up else 1) - beta)):
+            base = omega[end]
+            c = one.end_correction(L, nu, 40)                   # (22.11), (22.12)
+            if end:
+                for l in range(6):
+                    omega[end - 3 * l] += factor * nodes[end - 3 * l]**beta * c[l] * mpmath.exp(-3 * L * l * nu)
+            else:
+                for l in range(6):
+                    omega[3 * l] += base * c[l] * (1 if up else mpmath.exp(-3 * L * l))
+        sums = [mpf(0)] * s
+        for q in range(Q):
+            at = h * nodes[q]
+            det = one.horner(d, at)
+            for i in range(s):
+                sums[i] += omega[q] * one.horner(n[i], at) / det * z[q]
+        H.append(sums)
+        before = (h, v, ve)
+        z[:Q] = [moved(before, z[q], nodes[q], up, b, n, d) for q in range(Q)]
+        ve = v[-1]
+    return H
+
+
+def moved(step, old, node, up, b, n, d):
+    """(22.6), (22.7): one mode over one step."""
+    h, v, ve = step
+    s, at = len(v), h * node
+    det = one.horner(d, at)
+    a = [one.horner(n[i], at) / det for i in range(s)]
+    p = at * sum(b[i] * a[i] for i in range(s))
+    au = sum(a[i] * b[i] * (v[s - 1 - i] - (ve if up else 0)) for i in range(s))
+    return old - p * old + (v[-1] - ve - at * au if up else at * au)
+#< modes
+
+
+def dense_sums(s, alpha, steps, stages, v0, digits):
+    """Y = DD^beta (v - [beta > 0] v0), step by step."""
+    beta = 2 * alpha - 1
+    F = dense(s, steps, beta, digits)
+    v = [mpmath.matrix([e - (v0 if beta > 0 else 0) for e in row]) for row in stages]
+    return [times(F, v, k) for k in range(len(steps))]
+
+
+#> floor
+# In every step but those that wake modes, and in those. Errors of Y, times h^beta if
+# beta > 0; what waking leaves out is R(mu) < 3e-6 times what a mode was a step before.
+BOUNDS = {False: (2e-15, 4e-12), True: (4e-12, 2e-10)}
+for s, alpha, rough in ((4, 0.3, False), (6, 0.05, False), (8, 0.3, False), (6, 0.75, False),
+                        (8, 0.75, False), (8, 0.95, False), (8, 0.95, True)):
+    steps, stages, v0 = steps_of_mesh(), stages_of_mesh(s, rough), mpf(1)
+    alpha = mpf(alpha)
+    want = dense_sums(s, alpha, steps, stages, v0, 100)
+    got = history(s, alpha, steps, stages, v0)
+    beta, ve = 2 * alpha - 1, v0
+    for k, (h, v) in enumerate(zip(steps, stages)):
+        present = one.power(s, beta, 60) * mpmath.matrix([e - (ve if beta > 0 else 0) for e in v]) / h**beta
+        off = max(abs(present[i] + got[k][i] - want[k][i]) * min(h, 1)**max(beta, 0) for i in range(s))
+        claim(f"modes and DD^beta, s = {s}, alpha = {alpha}, step {k}: {off}",
+              off < BOUNDS[rough][k > 0 and h < steps[k - 1]])
+        ve = v[-1]
+#< floor
+
+
+# -- runs ----------------------------------------------------------------------------
+#> run
+def run(form, s, alpha, steps, m, c, rho, F, x0, p0, digits):
+    """Form D, (22.14), or M, (22.15), with U = c x^2/2: rows x, p; and the stages."""
+    beta = 2 * alpha - 1
+    power = dense(s, steps, beta, digits)
+    nodes, b, inverse = one.rule(s, digits)
+    D = inverse.copy()
+    D[0, 0] -= 1 / b[0]
+    A = mpmath.inverse(inverse)
+    x, p, rows, kept = mpf(x0), mpf(p0), [], []
+    g, shift, ones = [], (p0 / m if beta > 0 else mpf(0)), mpmath.ones(s, 1)
+    for k, h in enumerate(steps):
+        past = mpmath.matrix(s, 1)
+        for j in range(k):
+            past += power[k][j] * g[j]
+        now = power[k][k]
+        if form == "D":
+            L = inverse * (m / h) + rho * now + c * h * A
+            free = ones * x + mpmath.matrix(nodes) * (h * p / m)
+            delta = mpmath.lu_solve(L, ones * F - c * free - rho * (past + now * ones * (p / m - shift)))
+            V, X = ones * (p / m) + delta, free + h * A * delta
+        else:
+            L, right = mpmath.matrix(s, s), mpmath.matrix(s, 1)
+            K = D.T * mpmath.diag(b) * D
+            coupled = now * D / h
+            for i in range(s):
+                for j in range(s):
+                    L[i, j] = m / h * K[i, j] - h * b[i] * (rho * coupled[i, j] + (c if i == j else 0))
+                right[i] = h * b[i] * (c * x + rho * (past - now * ones * shift)[i] - F) - (p if i == 0 else 0)
+            inner = mpmath.lu_solve(L[:s - 1, 1:], right[:s - 1])
+            e = mpmath.matrix([0] + list(inner))
+            V, X = D * e / h, ones * x + e
+        g.append(V - ones * shift)
+        Y = past + now * g[-1]
+        kept.append((V, X, Y, x, p))
+        if form == "D":
+            x, p = X[s - 1], m * V[s - 1]
+        else:
+            p -= sum(h * b[i] * (c * X[i] + rho * Y[i] - F) for i in range(s))
+            x = X[s - 1]
+        rows.append((x, p))
+    return rows, kept
+#< run
+
+
+#> energy
+# (21.13): E_N = E_0 - the squared jumps of V and X - the work of the damping.
+for s, alpha, p0 in ((2, "0.3", 1), (3, "0.45", -2), (4, "0.8", 0), (6, "0.2", 1), (8, "0.7", 0)):
+    mp.dps = 100
+    steps = tuple(mpf(rng.randrange(10, 4000)) / 1000 for _ in range(6))
+    m, c, rho, b = mpf(2), mpf(3), mpf(5), one.rule(s, 100)[1]
+    rows, kept = run("D", s, mpf(alpha), steps, m, c, rho, mpf(0), mpf(1), mpf(p0), 100)
+    energy = lambda x, p: p * p / (2 * m) + c * x * x / 2
+    lost = work = mpf(0)
+    for (x, p), (V, X, Y, x_, p_), h in zip(rows, kept, steps):
+        lost += m / 2 * (V[0] - p_ / m)**2 + c / 2 * (X[0] - x_)**2
+        work += rho * h * sum(b[i] * V[i] * Y[i] for i in range(s))
+        claim("(21.13)", abs(energy(x, p) + lost + work - energy(mpf(1), mpf(p0))) < 1e-25)
+        claim("(21.13) the damping only takes", work >= 0)
+        claim("(21.13) what is lost", energy(x, p) <= energy(mpf(1), mpf(p0)))
+#< energy
+
+
+# -- exact solutions -----------------------------------------------------------------
+#> series
+def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
+    """m x'' + c x + rho D^(2 alpha) x = F by powers of t^(1/q), alpha = n/(2 q); x and p."""
+    mp.dps = digits + 60
+    two, q = 2 * alpha, (2 * alpha).q
+    shift, most = 2 * q - two.p, 400 * q
+    a = [mpf(0)] * most
+    a[0] = mpf(x0)
+    remembered = lambda j: past == "rl" or not (j == 0 or (j == q and two > 1))
+    for j in range(1, most):
+        if j == q:
+            a[j] += mpf(v0)
+        elif j > q or j >= shift:
+            r, total = mpf(j) / q, mpf(F) * (j == 2 * q)
+            total -= c * a[j - 2 * q] if j >= 2 * q else 0
+            if j >= shift and remembered(j - shift):
+                below = mpf(j - shift) / q
+                total -= rho * a[j - shift] * mpmath.gamma(below + 1) * mpmath.rgamma(r - 1)
+            a[j] += total / (m * r * (r - 1))
+    root = mpmath.root(at, q)
+    x = mpmath.polyval(a[::-1], root)
+    slope = mpmath.polyval([j * e / q for j, e in enumerate(a)][:0:-1], root) * root**(1 - q)
+    return x, m * slope
+#< series
+
+
+def hand_over(a, S, digits):
+    """I(a, S) = int_0^1 e^(-S(1-u)) u^(a-1) du."""
+    mp.dps = digits + 20
+    return mpmath.exp(-S) * mpmath.hyp1f1(a, a + 1, S) / a
+
+
+def doubles(make):
+    lists = []
+    for digits in (100, 140):
+        mp.dps = digits + 30
+        lists.append([hexd(Rational(mpmath.nstr(v, 40))) for v in make(digits)])
+    claim("the nearest doubles at both precisions", lists[0] == lists[1])
+    return lists[0]
+
+
+if __name__ == "__main__":
+    header("verify/variable_steps_runs.py")
+
+    print("""
+/* Y = DD^beta (v - [beta > 0] v0), beta = 2 alpha - 1, v0 = 1, on ten steps h: all but the
+ * eighth are e^(0.26 k) for whole k, at most four apart when h grows, with a drop by 17.5.
+ * v and Y: stage i of step k is entry k s + i. v is cos 2t, or rough. */""")
+    rows = []
+    for s, alpha, rough in [(s, alpha, False) for s in (4, 6, 8) for alpha in (0.05, 0.3, 0.75, 0.9)] + [
+            (6, 0.3, True), (6, 0.75, True), (8, 0.4999, False)]:
+        steps, stages = steps_of_mesh(), stages_of_mesh(s, rough)
+        Y = doubles(lambda dg: [e for row in dense_sums(s, mpf(alpha), steps, stages, mpf(1), dg) for e in row])
+        rows.append([s, hexd(alpha), int(rough), one.braces([hexd(Rational(float(h))) for h in steps]),
+                     one.braces([hexd(Rational(float(e))) for row in stages for e in row]),
+                     one.braces(Y), f"alpha = {alpha}"])
+    table("ref_mesh", "size_t s; double alpha; int rough; double h[10]; double v[80]; double Y[80];", rows)
+
+    print("""
+/* m = rho = c = 1, F = 8, x0 = 1/4, p0 = 1/2, Caputo; steps 0.5, 0.8, 0.1, 0.1: x and p after
+ * the first, the third and the fourth. */""")
+    rows = []
+    for form in "MD":
+        for alpha in (0.1, 0.3, 0.5, 0.75, 0.9):
+            for s in (2, 3, 4, 6, 7, 8):
+                def values(dg):
+                    steps = tuple(mpf(h) for h in (0.5, 0.8, 0.1, 0.1))
+                    found = run(form, s, mpf(alpha), steps, mpf(1), mpf(1), mpf(1), mpf(8), mpf(1) / 4, mpf(1) / 2, dg)[0]
+                    return found[0] + found[2] + found[3]
+                rows.append([f"'{form}'", s, hexd(alpha), one.braces(doubles(values)), f"{form}, alpha = {alpha}"])
+    table("ref_runs", "char form; size_t s; double alpha; double want[6];", rows)
+
+    print("""
+/* Exact x(t), p(t) by power series, m = rho = c = 1; past: 'c' Caputo, 'r' Riemann-Liouville. */""")
+    Q = Rational
+    rows = []
+    for alpha, F, x0, v0, past, at in ((Q(3, 4), 8, Q(1, 4), Q(1, 2), "caputo", "1.4"), (Q(3, 10), 8, Q(1, 4), Q(1, 2), "caputo", "1.4"),
+                                       (Q(3, 4), 8, 0, 0, "caputo", "20"), (Q(1, 5), 0, 1, Q(1, 2), "rl", "20"),
+                                       (Q(2, 5), 0, 1, Q(1, 2), "rl", "20"), (Q(1, 20), 0, 1, Q(1, 2), "rl", "20"),
+                                       (Q(3, 4), 0, 0, 1, "rl", "20"), (Q(9, 10), 0, 0, 1, "rl", "20")):
+        value = doubles(lambda dg: exact(alpha, 1, 1, 1, F, one.exactly(x0), one.exactly(v0), past, mpf(float(at)), dg))
+        rows.append([hexd(float(alpha)), F, hexd(x0), hexd(v0), f"'{past[0]}'", hexd(float(at)), *value, f"alpha = {alpha}, t = {at}"])
+    table("ref_exact", "double alpha, F, x0, v0; char past; double t, x, p;", rows)
+
+    print("\n/* (22.20): I(a, S) = int_0^1 e^(-S(1-u)) u^(a-1) du. */")
+    table("ref_hand_over", "double a, S, want;", [
+        [hexd(a), hexd(S), *doubles(lambda dg: [hand_over(mpf(a), mpf(S), dg)]), f"a = {a}, S = {S}"]
+        for a in (0.02, 0.2, 0.5, 1.0, 1.4, 3.7) for S in (0.0, 1e-3, 1.0, 12.0, 29.0, 31.0, 300.0, 1e6)])
