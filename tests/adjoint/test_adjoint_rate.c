@@ -1,8 +1,6 @@
 /* tests/adjoint/test_adjoint_rate.c -- Chapter 23: the derivative of the memory by its
  * order.                                          Run alone: make test-adjoint_rate */
-#include <fvi/coefficients.h>
-#include <fvi/error.h>
-#include <fvi/memory.h>
+#include <fvi/fvi.h>
 #include "harness/ulp.h"
 #include "memory/memory_kinds.h"
 
