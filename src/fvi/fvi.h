@@ -13,6 +13,7 @@
 #include "convolution_quadrature_stability.h"
 #include "discrete_mechanics.h"
 #include "error.h"
+#include "expression.h"
 #include "exact_solution.h"
 #include "identification.h"
 #include "lobatto.h"

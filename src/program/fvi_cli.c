@@ -97,13 +97,13 @@ static int exact_rows(const fvi_table *t, const fvi_linear *problem)
 
 static fvi_linear linear_problem(const fvi_options *o)
 {
-    return (fvi_linear){ .m = o->mass,
+    return (fvi_linear){ .m = o->mass[0],
                          .c = o->spring[0],
-                         .rho = o->rho,
+                         .rho = o->rho[0],
                          .alpha = o->alpha,
                          .past = o->past,
                          .x0 = o->x0[0],
-                         .v0 = o->p0[0] / o->mass,
+                         .v0 = o->p0[0] / o->mass[0],
                          .forcing = o->force,
                          .A = o->forcing[0],
                          .T = o->forcing[1],
@@ -147,9 +147,12 @@ static int coefficients(const fvi_options *o)
     int failed = !out;
     if (out) {
         fvi_table_head(out, o);
-        fprintf(out, "# n\talpha_n\n");
+        fvi_format_name(out, o->format, 0, "n", 0);
+        fvi_format_name(out, o->format, 1, "alpha_n", 0);
+        fvi_format_names_end(out, o->format);
         for (size_t n = 0; n < o->count && !ferror(out); n++)
-            fprintf(out, "%zu\t%.17g\n", n, w[n]);
+            fvi_format_row(out, o->format, n, 2, (double[]){ (double)n, w[n] });
+        fvi_format_end(out, o->format);
         failed = fvi_output_close(out, 1) != 0;
     }
     free(w);
@@ -171,23 +174,18 @@ static int print_text(const char *text)
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
-/* Both commands speak of a system; its masses and dampings live here. */
+/* Both commands speak of a system. */
 static int with_system(const fvi_options *o,
                        int (*command)(const fvi_options *, const fvi_system *))
 {
-    double *storage = malloc(2 * o->d * sizeof *storage);
-    if (!storage)
-        return fvi_complain("not enough memory");
-    const fvi_system system = fvi_options_system(o, storage);
-    int status = command(o, &system);
-    free(storage);
-    return status;
+    const fvi_system system = fvi_options_system(o);
+    return command(o, &system);
 }
 
 int main(int argc, char **argv)
 {
     fvi_options o;
-    char complaint[400];
+    char complaint[FVI_COMPLAINT];
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;

@@ -9,6 +9,8 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [RHO] = { "rho", RUN | EXACT, "0.2" },
     [MASS] = { "mass", RUN | EXACT, "1" },
     [POTENTIAL] = { "potential", RUN | EXACT, "harmonic:1" },
+    [LET] = { "let", RUN | EXACT, NULL },
+    [DIMENSION] = { "dimension", RUN, NULL },
     [FORCE] = { "force", RUN | EXACT, "none" },
     [DERIVATIVE] = { "derivative", RUN | EXACT, "held" },
     [KAPPA] = { "kappa", RUN, "0.5" },
@@ -23,6 +25,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [MEMORY] = { "memory", RUN, "auto" },
     [TOLERANCE] = { "tolerance", RUN, "1e-13" },
     [COUNT] = { "count", COEFFICIENTS, "10" },
+    [FORMAT] = { "format", RUN | EXACT | COEFFICIENTS, "tsv" },
     [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },
 };
 
@@ -45,7 +48,7 @@ int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
                          const char **value)
 {
     size_t seen = 0;
-    for (size_t j = 0; j < OUTPUT; j++)
+    for (size_t j = 0; j < FORMAT; j++)
         if (fvi_option_is_known(o->command, (option_index)j) && o->text[j]
             && seen++ == i) {
             *name = fvi_option_list[j].name;

@@ -2,7 +2,11 @@
 #ifndef FVI_OPTION_LIST_H
 #define FVI_OPTION_LIST_H
 
+#include <fvi/expression.h>
 #include <fvi/trajectory.h>
+#include "fvi_format.h"
+#include "fvi_forces.h"
+#include "fvi_lets.h"
 #include "fvi_words.h"
 
 typedef enum {
@@ -19,20 +23,25 @@ typedef struct {
     fvi_command command;
     fvi_command about; /* of what help speaks; HELP itself for the whole */
     const fvi_method *method;
-    double alpha, rho, mass, kappa, h, tolerance;
+    double alpha, kappa, h, tolerance;
     double error; /* 0: the step is h; else it is to be found */
     size_t steps, every, count, d;
     fvi_potential_kind potential;
-    double spring[2]; /* its parameters */
+    double spring[2];           /* its parameters */
+    fvi_lets lets;              /* those of the expressions */
+    fvi_expression *expression; /* that it is, or NULL */
     fvi_forcing force;
-    double forcing[2]; /* its parameters */
+    double forcing[2];  /* its parameters */
+    fvi_forces *forces; /* any other force, or NULL */
     fvi_past past;
     int no_solution; /* 1: only the method that does what is printed runs it */
     fvi_memory_kind memory;
     fvi_columns columns;
-    double *x0, *p0;      /* d numbers each, one block; fvi_options_free */
+    int numbered; /* 1: the columns are x1, ..., not x */
+    fvi_format format;
+    double *x0, *p0, *mass, *rho; /* d numbers each, one block */
     const char *output;   /* points into argv, or NULL for standard output */
-    const char *text[32]; /* each as it was given or by default, by index */
+    const char *text[48]; /* each as it was given or by default, by index */
     char step[32];        /* the text of a step that follows from --time */
 } fvi_options;
 
@@ -42,6 +51,8 @@ typedef enum {
     RHO,
     MASS,
     POTENTIAL,
+    LET,
+    DIMENSION,
     FORCE,
     DERIVATIVE,
     KAPPA,
@@ -56,7 +67,8 @@ typedef enum {
     MEMORY,
     TOLERANCE,
     COUNT,
-    OUTPUT,
+    FORMAT, /* from here on what does not change a number: not in the head */
+    OUTPUT, /* the last, as it is -o */
     OPTIONS
 } option_index;
 

@@ -4,6 +4,7 @@
 
 #include <getopt.h>
 #include <string.h>
+#include <strings.h>
 
 static int is_help(const char *word)
 {
@@ -18,7 +19,7 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
         "--version", "--help",       "-h",    NULL
     };
     for (size_t i = 0; commands[i]; i++)
-        if (strcmp(name, commands[i]) == 0) {
+        if (strcasecmp(name, commands[i]) == 0) {
             *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
             return 0;
         }
@@ -60,6 +61,10 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
+    if (i == LET) { /* --let k=3 --let c=1 is --let k=3,c=1 */
+        o->text[LET] = o->lets.text;
+        return fvi_lets_add(&o->lets, optarg, c);
+    }
     if (o->text[i] && strcmp(o->text[i], optarg) != 0)
         return fvi_refuse(c, "%s%s: given twice, as '%s' and as '%s'",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name,

@@ -26,12 +26,20 @@ static int complain_of_start(int status)
 
 enum { FEW = 256 /* masses whose modes are found in a moment */ };
 
+static int is_damped(const fvi_options *o)
+{
+    for (size_t i = 0; i < o->d; i++)
+        if (o->rho[i] > 0)
+            return 1;
+    return 0;
+}
+
 /* What a run surely takes: its state, Newton's band matrix, its history. */
 static double run_bytes(const fvi_options *o)
 {
     const size_t s = (size_t)o->method->stages, d = o->d;
     const double bytes = 100 * (double)d;
-    if (!o->method->memories || o->rho == 0 || (s > 0 && o->alpha == 1))
+    if (!o->method->memories || !is_damped(o) || (s > 0 && o->alpha == 1))
         return bytes;
     if (s > 0)
         return bytes
@@ -97,6 +105,15 @@ static int load_of(const fvi_options *o, const fvi_run *run, double *load,
     return status;
 }
 
+/* The largest rho / m. */
+static double most(const fvi_options *o)
+{
+    double ratio = 0;
+    for (size_t i = 0; i < o->d; i++)
+        ratio = fmax(ratio, o->rho[i] / o->mass[i]);
+    return ratio;
+}
+
 /* Warnings before a run that has no limit, or must blow up; it goes on all the
  * same. */
 static void warn(const fvi_options *o, const fvi_run *r)
@@ -111,8 +128,7 @@ static void warn(const fvi_options *o, const fvi_run *r)
     if (h > 0)
         fprintf(stderr, "; stable below h = %.4g", h);
     else if (h == 0)
-        fprintf(stderr, "; no step is stable: rho / m is %.4g",
-                o->rho / o->mass);
+        fprintf(stderr, "; no step is stable: rho / m is %.4g", most(o));
     fputc('\n', stderr);
 }
 
@@ -201,8 +217,11 @@ static int print_found(const fvi_options *o, const fvi_system *system,
     int failed = 1;
     if ((t.out = fvi_output_open(o->output))) {
         fvi_table_head(t.out, o);
-        fprintf(t.out, "# step = %.17g\n# error estimate = %.2g\n",
-                o->h / (double)found->parts, found->estimate);
+        char text[32];
+        fvi_shortest(o->h / (double)found->parts, text);
+        fvi_format_parameter(t.out, o->format, "step", text);
+        snprintf(text, sizeof text, "%.2g", found->estimate);
+        fvi_format_parameter(t.out, o->format, "error estimate", text);
         fvi_table_names(&t);
         int status = 0;
         size_t k = 0;

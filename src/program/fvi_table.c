@@ -23,11 +23,11 @@ const char *fvi_table_warning(const fvi_options *o)
 void fvi_table_head(FILE *out, const fvi_options *o)
 {
     const char *name, *value, *warning = fvi_table_warning(o);
-    fprintf(out, "# fvi " FVI_VERSION "\n");
+    fvi_format_begin(out, o->format);
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
-        fprintf(out, "# %s = %s\n", name, value);
+        fvi_format_parameter(out, o->format, name, value);
     if (warning)
-        fprintf(out, "# warning = %s\n", warning);
+        fvi_format_parameter(out, o->format, "warning", warning);
 }
 
 static size_t column_width(const fvi_options *o, fvi_column column)
@@ -37,18 +37,17 @@ static size_t column_width(const fvi_options *o, fvi_column column)
 
 void fvi_table_names(const fvi_table *t)
 {
-    const char *separator = "# ";
+    size_t at = 0;
     for (size_t n = 0; n < t->o->columns.count; n++) {
         const fvi_column column = t->o->columns.at[n];
-        size_t width = column_width(t->o, column);
-        for (size_t i = 1; i <= width; i++, separator = "\t") {
-            fprintf(t->out, "%s%s", separator, fvi_column_names[column]);
-            if (t->o->potential == FVI_POTENTIAL_CHAIN && column != FVI_COLUMN_T
-                && column != FVI_COLUMN_ENERGY)
-                fprintf(t->out, "%zu", i);
-        }
+        const size_t width = column_width(t->o, column);
+        const int numbered = t->o->numbered && column != FVI_COLUMN_T
+                             && column != FVI_COLUMN_ENERGY;
+        for (size_t i = 1; i <= width; i++)
+            fvi_format_name(t->out, t->o->format, at++,
+                            fvi_column_names[column], numbered ? i : 0);
     }
-    fputc('\n', t->out);
+    fvi_format_names_end(t->out, t->o->format);
 }
 
 /* ---- rows ---- */
@@ -97,13 +96,6 @@ size_t fvi_table_next(const fvi_table *t, size_t k)
     return step < N - k ? k + step : N;
 }
 
-static void print_row(const fvi_table *t, const double *row)
-{
-    for (size_t i = 0; i < t->width; i++)
-        fprintf(t->out, i ? "\t%.17g" : "%.17g", row[i]);
-    fputc('\n', t->out);
-}
-
 /* The columns of row k; or, mirrored, only y. */
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
@@ -138,7 +130,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
         if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
             return FVI_EOVRFLW;
         if (!t->wait)
-            print_row(t, row);
+            fvi_format_row(t->out, o->format, k, t->width, row);
     }
     if (t->wait && is_printed(o, o->steps - k))
         return fill(t, k, x, p, 1,
@@ -149,5 +141,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
 void fvi_table_finish(const fvi_table *t)
 {
     for (size_t i = 0; t->wait && i < t->height; i++)
-        print_row(t, t->rows + i * t->width);
+        fvi_format_row(t->out, t->o->format, i, t->width,
+                       t->rows + i * t->width);
+    fvi_format_end(t->out, t->o->format);
 }

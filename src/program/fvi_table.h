@@ -51,7 +51,7 @@ size_t fvi_table_next(const fvi_table *t, size_t k);
 int fvi_table_take(const fvi_table *t, size_t k, const double *x,
                    const double *p);
 
-/* fvi_table_finish -- print the rows that waited. */
+/* fvi_table_finish -- print the rows that waited, and the end. */
 void fvi_table_finish(const fvi_table *t);
 
 #endif

@@ -10,7 +10,11 @@ static const char usage[] =
     "       fvi help [COMMAND]           also: fvi -h, fvi run -h, --version\n"
     "\n"
     "m x'' + grad U(x) + rho D^{2 alpha} x = F(t), stepped by a variational\n"
-    "integrator with its whole memory; the body was held at x0 until t = 0.\n";
+    "integrator with its whole memory; the body was held at x0 until t = 0.\n"
+    "\n"
+    "examples:\n"
+    "  fvi run --alpha 0.3 --time 20 --steps 400 -o run.tsv\n"
+    "  fvi help run\n";
 
 static const char usage_run[] =
     "usage: fvi run [options]\n"
@@ -18,12 +22,18 @@ static const char usage_run[] =
     "                   fvi-lobatto3, fvi-lobatto4; lda, euler-explicit,\n"
     "                   euler-implicit (A = 0.5 only)\n"
     "  --alpha A        damping of order 2A, 0 <= A <= 1              [0.5]\n"
-    "  --rho R          damping, R >= 0                               [0.2]\n"
-    "  --mass M         mass, M > 0                                   [1]\n"
+    "  --rho R          damping, R >= 0; a list, one for each mass    [0.2]\n"
+    "  --mass M         mass, M > 0; a list, one for each             [1]\n"
     "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
-    "                   chain:D,C,G (D masses between two walls)      "
+    "                   chain:D,C,G (D masses between two walls), or an\n"
+    "                   expression in x, in x1 ... xD: x^4/4 - k*x^2/2\n"
+    "                                                                 "
     "[harmonic:1]\n"
-    "  --force F        none  step:A,T  cosine:A,W                    [none]\n"
+    "  --let NAME=V     a parameter of expressions; may be repeated\n"
+    "  --dimension D    masses, of all but a chain                    [1]\n"
+    "  --force F        none  step:A,T  cosine:A,W  file:F.tsv (columns t, F;\n"
+    "                   linear in between), an expression in t, or a sum of\n"
+    "                   these with ' + ' between them                 [none]\n"
     "  --derivative D   the past, until t = 0                         [held]\n"
     "                     held: at rest at x0, the memory acts on x - x0\n"
     "                     caputo: the same for A <= 1/2; for A > 1/2 it came\n"
@@ -32,8 +42,9 @@ static const char usage_run[] =
     "                       x0 != 0 and A > 1/2: fvi warns, the others refuse\n"
     "  --kappa K        potential at K x_k + (1 - K) x_{k+1};         [0.5]\n"
     "                   fvi-lobatto and euler have no kappa\n"
-    "  --x0 X, --p0 P   start; for a chain a list, or one for all     [1, "
+    "  --x0 X, --p0 P   start; a list, or one for all masses          [1, "
     "0.5]\n"
+    "                   (a list: 1,2,3, or @FILE)\n"
     "  --h H            step, H > 0                                   [0.1]\n"
     "  --steps N        number of steps, N >= 1                       [200]\n"
     "  --time T         the last row's time, instead of --h: H = T/N\n"
@@ -45,21 +56,36 @@ static const char usage_run[] =
     "  --memory W       direct, fft, exponentials, auto               [auto]\n"
     "                   (fvi-lobatto: no fft)\n"
     "  --tolerance E    of the compressed memory, E >= 1e-14          [1e-13]\n"
+    "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
-    "[stdout]\n";
+    "[stdout]\n"
+    "\n"
+    "examples:\n"
+    "  fvi run --alpha 0.3 --time 20\n"
+    "  fvi run --potential 'x^4/4 - k*x^2/2' --let k=1 --force 'cos(2*t)/4'\n"
+    "  fvi run --potential '(x1^2 + x2^2 + (x1 - x2)^4)/2' --dimension 2 \\\n"
+    "      --mass 1,2 --rho 0.3,0 --x0 1,0 --format csv -o two.csv\n"
+    "  fvi run --method fvi-lobatto4 --alpha 0.3 --error 1e-10 --steps 4\n";
 
 static const char usage_exact[] =
     "usage: fvi exact [options]\n"
     "the linear problem m x'' + C x + rho D^{2A} x = F, solved exactly; "
     "options as\n"
     "of run: --alpha --rho --mass --force --derivative --x0 --p0 --h --steps\n"
-    "--time --columns --every -o, and --potential harmonic:C (C >= 0) or "
-    "free\n";
+    "--time --columns --every --format -o, and --potential harmonic:C (C >= 0)\n"
+    "or free\n"
+    "\n"
+    "example:\n"
+    "  fvi exact --alpha 0.3 --time 20 --steps 4\n";
 
 static const char usage_coefficients[] =
     "usage: fvi coefficients [options]\n"
     "  --alpha A   order, 0 <= A <= 2   [0.5]\n"
     "  --count N   how many, N >= 1     [10]\n"
-    "  -o FILE     write there, complete or not at all\n";
+    "  --format F  tsv, csv, json       [tsv]\n"
+    "  -o FILE     write there, complete or not at all\n"
+    "\n"
+    "example:\n"
+    "  fvi coefficients --alpha 0.3 --count 5\n";
 
 #endif

@@ -38,15 +38,21 @@ static int choice(const fvi_options *o, option_index i,
 static int interpret_error(fvi_options *o, fvi_complaint c)
 {
     int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
-    if (status || o->force != FVI_FORCING_STEP)
-        return status;
-    const double end = o->forcing[1] / o->h, row = round(end);
-    if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
-        return fvi_refuse(c,
-                          "--error: the force '%s' ends between two rows; "
-                          "take other --steps",
-                          o->text[FORCE]);
-    return 0;
+    for (size_t i = 0; !status; i++) {
+        const double jump = o->forces ? fvi_forces_jump(o->forces, i)
+                            : i == 0 && o->force == FVI_FORCING_STEP
+                                ? o->forcing[1]
+                                : NAN;
+        const double end = jump / o->h, row = round(end);
+        if (isnan(jump))
+            break;
+        if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
+            return fvi_refuse(c,
+                              "--error: the force '%s' ends between two rows; "
+                              "take other --steps",
+                              o->text[FORCE]);
+    }
+    return status;
 }
 
 /* What is asked for is done or refused: the words that a method cannot honour. */
@@ -116,16 +122,108 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
     return status;
 }
 
-static int interpret_start(fvi_options *o, fvi_complaint c)
+/* What each mass has: x0, p0, mass, rho, one value for all, or a list. */
+static int interpret_lists(fvi_options *o, fvi_complaint c)
 {
-    o->x0 = malloc(2 * o->d * sizeof *o->x0);
+    o->x0 = malloc(4 * o->d * sizeof *o->x0);
     if (!o->x0) {
         fvi_refuse(c, "no memory for the start");
         return 1;
     }
     o->p0 = o->x0 + o->d;
-    int status = fvi_word_list("x0", o->text[X0], o->d, o->x0, c);
-    return status ? status : fvi_word_list("p0", o->text[P0], o->d, o->p0, c);
+    o->mass = o->p0 + o->d;
+    o->rho = o->mass + o->d;
+    const struct {
+        option_index option;
+        double *values, low;
+        const char *brackets;
+    } lists[] = { { RHO, o->rho, 0, "[)" },
+                  { MASS, o->mass, 0, "()" },
+                  { X0, o->x0, -INFINITY, "()" },
+                  { P0, o->p0, -INFINITY, "()" } };
+    int status = 0;
+    for (size_t i = 0; !status && i < sizeof lists / sizeof *lists; i++)
+        status = fvi_word_list(fvi_option_list[lists[i].option].name,
+                               o->text[lists[i].option], lists[i].low, INFINITY,
+                               lists[i].brackets, o->d, lists[i].values, c);
+    return status;
+}
+
+static int no_memory(fvi_complaint c)
+{
+    fvi_refuse(c, "not enough memory");
+    return 1;
+}
+
+/* A potential that is none of the words is an expression. */
+static int interpret_expression(fvi_options *o, fvi_complaint c)
+{
+    const char *text = o->text[POTENTIAL],
+               *near = fvi_word_near_potential(text);
+    const fvi_names names = fvi_lets_names(&o->lets, "x", o->d);
+    fvi_misprint wrong;
+    int status = fvi_expression_parse(text, &names, o->lets.value,
+                                      &o->expression, &wrong);
+    if (status == FVI_ENOMEM)
+        return no_memory(c);
+    if (status && near)
+        return fvi_refuse(c,
+                          "--potential: '%s' is none of harmonic:C, "
+                          "duffing:C,G, pendulum:G, free, chain:D,C,G, nor "
+                          "an expression; did you mean %s?",
+                          text, near);
+    return status ? fvi_refuse_at(c, "potential", text, wrong) : 0;
+}
+
+/* How many masses there are, and what is between them. */
+static int interpret_potential(fvi_options *o, fvi_complaint c)
+{
+    o->d = 1;
+    int status =
+        o->text[DIMENSION]
+            ? fvi_word_whole("dimension", o->text[DIMENSION], 1000000, &o->d, c)
+            : 0;
+    const size_t d = o->d;
+    if (!status)
+        status = fvi_word_potential(o->text[POTENTIAL], &o->potential, &o->d,
+                                    o->spring, c);
+    if (!status && o->text[DIMENSION] && o->d != d)
+        return fvi_refuse(c, "--dimension: '%s' is not that of '%s'",
+                          o->text[DIMENSION], o->text[POTENTIAL]);
+    o->numbered = o->d > 1 || o->potential == FVI_POTENTIAL_CHAIN;
+    if (!status && o->text[LET])
+        status = fvi_lets_interpret(&o->lets, c);
+    if (!status && o->potential == FVI_POTENTIAL_EXPRESSION)
+        status = interpret_expression(o, c);
+    return status;
+}
+
+static int interpret_force(fvi_options *o, fvi_complaint c)
+{
+    if (!fvi_word_force(o->text[FORCE], &o->force, o->forcing))
+        return fvi_forces_parse(o->text[FORCE], &o->lets,
+                                (double)o->steps * o->h, &o->forces, c);
+    if (o->force == FVI_FORCING_STEP && o->forcing[1] < 0)
+        return fvi_refuse(c, "--force: '%s' ends before it begins",
+                          o->text[FORCE]);
+    return 0;
+}
+
+/* What has an exact solution in the library. */
+static int check_linear(const fvi_options *o, fvi_complaint c)
+{
+    if (o->potential != FVI_POTENTIAL_FREE
+        && !(o->potential == FVI_POTENTIAL_HARMONIC && o->spring[0] >= 0))
+        return fvi_refuse(c,
+                          "--potential: '%s' has no exact solution here; "
+                          "harmonic:C with C >= 0 and free have",
+                          o->text[POTENTIAL]);
+    if (o->forces)
+        return fvi_refuse(c,
+                          "--force: '%s' has no exact solution here; none, "
+                          "step:A,T and cosine:A,W have",
+                          o->text[FORCE]);
+    return 0;
 }
 
 /* A problem without a solution is for `run` with the paper's method alone, and not
@@ -134,7 +232,7 @@ static int check_solution(fvi_options *o, fvi_complaint c)
 {
     for (size_t i = 0; i < o->d; i++)
         o->no_solution |=
-            !fvi_past_has_solution(o->past, o->alpha, o->rho, o->x0[i]);
+            !fvi_past_has_solution(o->past, o->alpha, o->rho[i], o->x0[i]);
     if (o->no_solution
         && !(o->method && o->method->past_as_printed && o->error == 0))
         return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
@@ -148,70 +246,67 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     /* in the order of fvi_past */
     static const char *const pasts[] = { "held", "caputo", "rl", NULL };
     size_t which = 0;
-    int status = number(o, RHO, 0, INFINITY, "[)", &o->rho, c);
+    int status = interpret_potential(o, c);
     if (!status)
-        status = number(o, MASS, 0, INFINITY, "()", &o->mass, c);
+        status = interpret_lists(o, c);
     if (!status)
-        status = fvi_word_potential(o->text[POTENTIAL], &o->potential, &o->d,
-                                    o->spring, c);
+        status = interpret_grid(o, c);
     if (!status)
-        status = fvi_word_force(o->text[FORCE], &o->force, o->forcing, c);
+        status = interpret_force(o, c);
     if (!status)
         status = choice(o, DERIVATIVE, pasts, &which, c);
     o->past = (fvi_past)which;
-    if (!status)
-        status = interpret_grid(o, c);
     if (!status)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
         status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
-    if (!status && o->command == FVI_COMMAND_EXACT
-        && !(o->potential == FVI_POTENTIAL_FREE
-             || (o->potential == FVI_POTENTIAL_HARMONIC && o->spring[0] >= 0)))
-        return fvi_refuse(c,
-                          "--potential: '%s' has no exact solution here; "
-                          "harmonic:C with C >= 0 and free have",
-                          o->text[POTENTIAL]);
-    if (status)
-        return status;
-
-    status = interpret_start(o, c);
-    if (!status)
-        status = check_solution(o, c);
-    if (status)
-        fvi_options_free(o);
-    return status;
+    if (!status && o->command == FVI_COMMAND_EXACT)
+        status = check_linear(o, c);
+    return status ? status : check_solution(o, c);
 }
 
-int fvi_options_interpret(fvi_options *o, fvi_complaint c)
+static int interpret(fvi_options *o, fvi_complaint c)
 {
+    size_t format;
     if (o->text[OUTPUT] && !*o->text[OUTPUT])
         return fvi_refuse(c, "-o: '' is not a file's name");
     o->output = o->text[OUTPUT];
+    int status = choice(o, FORMAT, fvi_format_names, &format, c);
+    if (status)
+        return status;
+    o->format = (fvi_format)format;
     /* The weights go up to the order 2 alpha of the damping. */
     int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
-    int status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+    status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
     if (status)
         return status;
     return only_weights ? whole(o, COUNT, &o->count, c)
                         : interpret_trajectory(o, c);
 }
 
+int fvi_options_interpret(fvi_options *o, fvi_complaint c)
+{
+    int status = interpret(o, c);
+    if (status)
+        fvi_options_free(o);
+    return status;
+}
+
 void fvi_options_free(fvi_options *o)
 {
     free(o->x0);
-    o->x0 = o->p0 = NULL;
+    fvi_expression_free(o->expression);
+    fvi_forces_free(o->forces);
+    o->x0 = o->p0 = o->mass = o->rho = NULL;
+    o->expression = NULL;
+    o->forces = NULL;
 }
 
-fvi_system fvi_options_system(const fvi_options *o, double *storage)
+fvi_system fvi_options_system(const fvi_options *o)
 {
-    fvi_system s = { .d = o->d, .mass = storage, .damping = storage + o->d };
-    for (size_t i = 0; i < o->d; i++) {
-        storage[i] = o->mass;
-        storage[o->d + i] = o->rho;
-    }
+    fvi_system s = { .d = o->d, .mass = o->mass, .damping = o->rho };
     switch (o->potential) {
     case FVI_POTENTIAL_HARMONIC:
         s.potential = fvi_potential_harmonic(o->spring);
@@ -225,10 +320,15 @@ fvi_system fvi_options_system(const fvi_options *o, double *storage)
     case FVI_POTENTIAL_CHAIN:
         s.potential = fvi_potential_chain(o->spring);
         break;
+    case FVI_POTENTIAL_EXPRESSION:
+        s.potential = fvi_potential_expression(o->expression);
+        break;
     case FVI_POTENTIAL_FREE:
         break;
     }
-    if (o->force == FVI_FORCING_STEP)
+    if (o->forces)
+        s.force = fvi_forces_force(o->forces);
+    else if (o->force == FVI_FORCING_STEP)
         s.force = fvi_force_step(o->forcing);
     else if (o->force == FVI_FORCING_COSINE)
         s.force = fvi_force_cosine(o->forcing);

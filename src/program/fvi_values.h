@@ -11,8 +11,7 @@ int fvi_options_interpret(fvi_options *o, fvi_complaint c);
 /* fvi_options_free -- give back what was allocated. */
 void fvi_options_free(fvi_options *o);
 
-/* fvi_options_system -- the system that the words describe. It points into o,
- * and takes 2 d numbers of storage for masses and dampings. */
-fvi_system fvi_options_system(const fvi_options *o, double *storage);
+/* fvi_options_system -- the system that the words describe. It points into o. */
+fvi_system fvi_options_system(const fvi_options *o);
 
 #endif

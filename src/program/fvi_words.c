@@ -1,5 +1,6 @@
 /* src/program/fvi_words.c -- From the words of a command line to values. */
 #include "fvi_words.h"
+#include "fvi_data.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -7,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* What was typed may be long, and what is wrong with it stands at the end: the middle
  * gives way. */
@@ -36,6 +38,28 @@ int fvi_refuse(fvi_complaint c, const char *format, ...)
     for (char *t = c.text; *t; t++) /* one line, whatever was typed */
         if ((unsigned char)*t < ' ')
             *t = '?';
+    return 2;
+}
+
+enum { BEFORE = 5, SHOWN = 60, AHEAD = 40 };
+
+/* "--potential: 'x^^2': a number, a name or ( is wanted here", and a caret below the place
+ * when "fvi: " stands before; of a long text what is around it. */
+int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
+                  fvi_misprint wrong)
+{
+    const size_t length = strlen(text);
+    const size_t from =
+        length > SHOWN && wrong.at > AHEAD ? wrong.at - AHEAD : 0;
+    const char *front = from > 0 ? "..." : "",
+               *back = length - from > SHOWN ? "..." : "";
+    fvi_refuse(c, "--%s: '%s%.*s%s': %s", name, front, SHOWN, text + from, back,
+               wrong.reason);
+    const size_t end = strlen(c.text), column = BEFORE + 2 + strlen(name) + 3
+                                                + strlen(front) + wrong.at
+                                                - from;
+    if (length > 0 && end + column + 3 < c.size)
+        snprintf(c.text + end, c.size - end, "\n%*s^", (int)column, "");
     return 2;
 }
 
@@ -84,7 +108,7 @@ const char *fvi_word_nearest(const char *text, size_t length,
     const char *nearest = NULL;
     for (; *words && length <= LONGEST; words++) {
         size_t far = strlen(*words) > LONGEST ? best
-                     : strncmp(text, *words, length) == 0
+                     : strncasecmp(text, *words, length) == 0
                          ? 1
                          : distance(text, length, *words);
         if (far < best) {
@@ -103,7 +127,7 @@ static const char *hint(const char *text, size_t length,
     const char *nearest = fvi_word_nearest(text, length, words);
     place[0] = '\0';
     if (nearest
-        && (strlen(nearest) != length || strncmp(text, nearest, length)))
+        && (strlen(nearest) != length || strncasecmp(text, nearest, length)))
         snprintf(place, 64, "; did you mean %s?", nearest);
     return place;
 }
@@ -123,6 +147,13 @@ static int number(const char *text, char end, double *value, const char **rest)
            && isfinite(*value);
 }
 
+/* Is v of the range? See fvi_word_number. */
+static int within(double v, double low, double high, const char *brackets)
+{
+    return (brackets[0] == '[' ? v >= low : v > low)
+           && (brackets[1] == ']' ? v <= high : v < high);
+}
+
 int fvi_word_number(const char *name, const char *text, double low, double high,
                     const char *brackets, double *value, fvi_complaint c)
 {
@@ -130,8 +161,7 @@ int fvi_word_number(const char *name, const char *text, double low, double high,
     double v;
     if (!number(text, '\0', &v, &rest))
         return fvi_refuse(c, "--%s: '%s' is not a finite number", name, text);
-    if (!(brackets[0] == '[' ? v >= low : v > low)
-        || !(brackets[1] == ']' ? v <= high : v < high))
+    if (!within(v, low, high, brackets))
         return fvi_refuse(c, "--%s: '%s' is outside %c%g, %g%c", name, text,
                           brackets[0], low, high, brackets[1]);
     *value = v;
@@ -158,7 +188,7 @@ int fvi_word_choice(const char *name, const char *text,
 {
     char known[200] = "", place[64];
     for (size_t i = 0; words[i]; i++) {
-        if (strcmp(text, words[i]) == 0) {
+        if (strcasecmp(text, words[i]) == 0) {
             *which = i;
             return 0;
         }
@@ -170,34 +200,53 @@ int fvi_word_choice(const char *name, const char *text,
                       hint(text, strlen(text), words, place));
 }
 
-int fvi_word_list(const char *name, const char *text, size_t d, double *values,
-                  fvi_complaint c)
+/* "1,2,3" into at most d values; how many there are, or 0. */
+static size_t numbers_of(const char *text, size_t d, double *values)
 {
     const char *at = text;
-    size_t n = 0;
-    for (;; at++) {
+    for (size_t n = 0;; at++) {
         double value;
         if (!number(at, ',', &value, &at))
-            return fvi_refuse(c, "--%s: '%s' is not a list of finite numbers",
-                              name, text);
+            return 0;
         if (n < d)
             values[n] = value;
         n++;
         if (*at == '\0')
-            break;
+            return n;
+    }
+}
+
+int fvi_word_list(const char *name, const char *text, double low, double high,
+                  const char *brackets, size_t d, double *values,
+                  fvi_complaint c)
+{
+    size_t n = 0;
+    if (*text == '@') {
+        int status = fvi_data_numbers(name, text + 1, d, values, &n, c);
+        if (status)
+            return status;
+    } else {
+        n = numbers_of(text, d, values);
+        if (n == 0)
+            return fvi_refuse(c, "--%s: '%s' is not a %sfinite number%s", name,
+                              text, d > 1 ? "list of " : "", d > 1 ? "s" : "");
     }
     for (size_t j = 1; n == 1 && j < d; j++)
         values[j] = values[0];
     if (n != 1 && n != d)
         return fvi_refuse(c, "--%s: '%s' has %zu numbers, not %s%zu", name,
                           text, n, d > 1 ? "1 or " : "", d);
+    for (size_t j = 0; j < d; j++)
+        if (!within(values[j], low, high, brackets))
+            return fvi_refuse(c, "--%s: '%.17g' is outside %c%g, %g%c", name,
+                              values[j], brackets[0], low, high, brackets[1]);
     return 0;
 }
 
 int fvi_word_call(const char *text, const char *word, int count, double *p)
 {
     size_t length = strlen(word);
-    if (strncmp(text, word, length) != 0)
+    if (strncasecmp(text, word, length) != 0)
         return 0;
     text += length;
     for (int n = 0; n < count; n++)
@@ -206,51 +255,61 @@ int fvi_word_call(const char *text, const char *word, int count, double *p)
     return *text == '\0';
 }
 
+/* In the order of fvi_potential_kind. */
+static const char *const potentials[] = { "harmonic", "duffing", "pendulum",
+                                          "free",     "chain",   NULL };
+
+const char *fvi_word_near_potential(const char *text)
+{
+    return fvi_word_nearest(text, strcspn(text, ":"), potentials);
+}
+
 int fvi_word_potential(const char *text, fvi_potential_kind *kind, size_t *d,
                        double spring[2], fvi_complaint c)
 {
-    static const char *const known[] = { "harmonic", "duffing", "pendulum",
-                                         "free",     "chain",   NULL };
+    static const char *const forms[] = { "harmonic:C", "duffing:C,G",
+                                         "pendulum:G", "free", "chain:D,C,G" };
     static const int parameters[] = { 1, 2, 1, 0, 3 };
+    const size_t length = strcspn(text, ":");
     double p[3] = { 0 };
+    size_t i = 0;
+    while (potentials[i]
+           && (strlen(potentials[i]) != length
+               || strncasecmp(text, potentials[i], length) != 0))
+        i++;
+    *kind = potentials[i] ? (fvi_potential_kind)i : FVI_POTENTIAL_EXPRESSION;
     char place[64];
-    for (size_t i = 0; known[i]; i++) {
-        if (!fvi_word_call(text, known[i], parameters[i], p))
-            continue;
-        *kind = (fvi_potential_kind)i;
-        const int chain = *kind == FVI_POTENTIAL_CHAIN;
-        if (chain && !(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
-            return fvi_refuse(
-                c, "--potential: a chain has 1 to 1000000 masses, not '%s'",
-                text);
-        *d = chain ? (size_t)p[0] : 1;
-        memcpy(spring, chain ? p + 1 : p, 2 * sizeof *spring);
+    if (!potentials[i] && text[length])
+        return fvi_refuse(c,
+                          "--potential: '%s' is none of harmonic:C, "
+                          "duffing:C,G, pendulum:G, free, chain:D,C,G%s",
+                          text, hint(text, length, potentials, place));
+    spring[0] = 1; /* a harmonic one without a number */
+    if (!potentials[i] || (i == FVI_POTENTIAL_HARMONIC && !text[length]))
         return 0;
-    }
-    return fvi_refuse(c,
-                      "--potential: '%s' is none of harmonic:C, duffing:C,G, "
-                      "pendulum:G, free, chain:D,C,G%s",
-                      text, hint(text, strcspn(text, ":"), known, place));
+    if (!fvi_word_call(text, potentials[i], parameters[i], p))
+        return fvi_refuse(c, "--potential: '%s' is not %s", text, forms[i]);
+    const int chain = *kind == FVI_POTENTIAL_CHAIN;
+    if (chain && !(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
+        return fvi_refuse(
+            c, "--potential: a chain has 1 to 1000000 masses, not '%s'", text);
+    if (chain)
+        *d = (size_t)p[0];
+    memcpy(spring, chain ? p + 1 : p, 2 * sizeof *spring);
+    return 0;
 }
 
-int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2],
-                   fvi_complaint c)
+int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2])
 {
-    static const char *const names[] = { "none", "step", "cosine", NULL };
-    char place[64];
-    if (strcmp(text, "none") == 0)
+    if (strcasecmp(text, "none") == 0)
         *kind = FVI_FORCING_NONE;
     else if (fvi_word_call(text, "step", 2, forcing))
         *kind = FVI_FORCING_STEP;
     else if (fvi_word_call(text, "cosine", 2, forcing))
         *kind = FVI_FORCING_COSINE;
     else
-        return fvi_refuse(
-            c, "--force: '%s' is none of none, step:A,T, cosine:A,W%s", text,
-            hint(text, strcspn(text, ":"), names, place));
-    if (*kind == FVI_FORCING_STEP && forcing[1] < 0)
-        return fvi_refuse(c, "--force: '%s' ends before it begins", text);
-    return 0;
+        return 0;
+    return 1;
 }
 
 const char *const fvi_column_names[] = { "t", "x", "p", "energy", "y", NULL };
@@ -263,13 +322,15 @@ int fvi_word_columns(const char *text, fvi_columns *columns, fvi_complaint c)
     for (;; at++) {
         size_t length = strcspn(at, ","), i = 0;
         while (i < FVI_ALL_COLUMNS
-               && (strlen(known[i]) != length || strncmp(at, known[i], length)))
+               && (strlen(known[i]) != length
+                   || strncasecmp(at, known[i], length)))
             i++;
         if (i == FVI_ALL_COLUMNS)
             return fvi_refuse(c,
-                              "--columns: '%s' has a column that is none of "
+                              "--columns: '%.*s' in '%s' is none of "
                               "t, x, p, energy, y%s",
-                              text, hint(at, length, known, place));
+                              (int)least(length, 40), at, text,
+                              hint(at, length, known, place));
         for (size_t n = 0; n < columns->count; n++)
             if (columns->at[n] == (fvi_column)i)
                 return fvi_refuse(c, "--columns: '%s' names %s twice", text,

@@ -4,6 +4,7 @@
 #define FVI_WORDS_H
 
 #include <fvi/exact_solution.h>
+#include <fvi/expression.h>
 #include <stddef.h>
 
 /* The potentials, in the order of their words in fvi_word_potential. */
@@ -12,7 +13,8 @@ typedef enum {
     FVI_POTENTIAL_DUFFING,
     FVI_POTENTIAL_PENDULUM,
     FVI_POTENTIAL_FREE,
-    FVI_POTENTIAL_CHAIN
+    FVI_POTENTIAL_CHAIN,
+    FVI_POTENTIAL_EXPRESSION
 } fvi_potential_kind;
 
 /* The columns of a table, in the order of fvi_column_names. */
@@ -33,8 +35,10 @@ typedef struct {
     fvi_column at[FVI_ALL_COLUMNS];
 } fvi_columns;
 
+enum { FVI_COMPLAINT = 400 /* bytes that are enough for a complaint */ };
+
 typedef struct {
-    char *text; /* one line, without the newline */
+    char *text; /* one line, two with a caret, without the newline */
     size_t size;
 } fvi_complaint;
 
@@ -42,6 +46,11 @@ typedef struct {
  * too long for its place the middle becomes "...". */
 __attribute__((format(printf, 2, 3))) int fvi_refuse(fvi_complaint c,
                                                      const char *format, ...);
+
+/* Refuse a misprint in the text of --name: what is wrong, and in a second line a caret
+ * below the place, when the complaint is printed behind "fvi: ". */
+int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
+                  fvi_misprint wrong);
 
 /* A finite number between low and high. brackets is "[]", "(]", "[)" or "()":
  * a round one keeps its end out of the range. */
@@ -61,20 +70,25 @@ const char *fvi_word_nearest(const char *text, size_t length,
 int fvi_word_choice(const char *name, const char *text,
                     const char *const *words, size_t *which, fvi_complaint c);
 
-/* d numbers "1,2,3", or one that stands for all of them. */
-int fvi_word_list(const char *name, const char *text, size_t d, double *values,
+/* d numbers "1,2,3", or one that stands for all of them; or "@file" with these numbers,
+ * parted by commas, spaces or lines. Between low and high, see fvi_word_number. */
+int fvi_word_list(const char *name, const char *text, double low, double high,
+                  const char *brackets, size_t d, double *values,
                   fvi_complaint c);
 
 /* "word:p1,p2": nonzero if text is that word with exactly count numbers. */
 int fvi_word_call(const char *text, const char *word, int count, double *p);
 
-/* A potential: its kind, its dimension, its parameters. */
+/* A potential: its kind, its parameters; its dimension if it is a chain. What has none of
+ * these words before a colon, or at all, is FVI_POTENTIAL_EXPRESSION. */
 int fvi_word_potential(const char *text, fvi_potential_kind *kind, size_t *d,
                        double spring[2], fvi_complaint c);
 
-/* A force: its kind and its parameters. */
-int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2],
-                   fvi_complaint c);
+/* The word for a potential that was perhaps meant, as fvi_word_nearest. */
+const char *fvi_word_near_potential(const char *text);
+
+/* A force: nonzero if it is none, step:A,T or cosine:A,W, and which. */
+int fvi_word_force(const char *text, fvi_forcing *kind, double forcing[2]);
 
 /* Columns; count is zero before. */
 int fvi_word_columns(const char *text, fvi_columns *columns, fvi_complaint c);

@@ -58,7 +58,7 @@ def build(folder, entry, test):
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     library = [] if file.stem in PROGRAM else [wrong]
     library.append(BUILD / "libfvi.a")
-    parser = [o for o, p in zip(program, PROGRAM) if p in ("fvi_option_list", "fvi_options", "fvi_values", "fvi_words")]
+    parser = [o for o, p in zip(program, PROGRAM) if p != "fvi_cli"]  # where main is
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
                     "-o", folder / "test"], check=True)
     if '"program.h"' in test.read_text():

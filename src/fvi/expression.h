@@ -1,0 +1,119 @@
+/* src/fvi/expression.h -- Potentials and forces as they are typed.     [Chapter 9]
+ *
+ *     const char *const k[] = { "k" };
+ *     const fvi_names names = { "x", 1, k, 1 };
+ *     double value = 3;
+ *     fvi_expression *e;
+ *     if (fvi_expression_parse("k*x^4/4 - x^2/2", &names, &value, &e, NULL) == 0)
+ *         system.potential = fvi_potential_expression(e);
+ *
+ * An expression is made of numbers, names, + - * / ^ (or **) and parentheses, pi, and
+ * the functions
+ *
+ *     sin cos tan sinh cosh tanh atan exp   everywhere
+ *     asin acos                             on [-1, 1], with derivatives inside
+ *     sqrt                                  on [0, inf), with derivatives for u > 0
+ *     log                                   on (0, inf)
+ *     abs                                   everywhere; at 0 its derivatives are 0
+ *
+ * and NaN elsewhere. u^v with a constant whole v is for every u (u != 0 where v < 0),
+ * else for u > 0. -x^2 is -(x^2), and 2^3^2 is 2^(3^2). Nothing may be left out: 2*x, not 2x.
+ *
+ * Derivatives are exact: no differences, and no formula is rewritten. Each node of the
+ * expression carries, with its value u, the derivatives u_i, u_j and u_ij by two of the
+ * names, and a function f passes on
+ *
+ *     f(u),   f' u_i,   f' u_j,   f'' u_i u_j + f' u_ij,
+ *
+ * so what is lost are the roundings of these, as in the value. */
+#ifndef FVI_EXPRESSION_H
+#define FVI_EXPRESSION_H
+
+#include "system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+typedef struct fvi_expression fvi_expression;
+
+/* fvi_names -- what an expression may speak of, besides pi and the functions.
+ *
+ *   variable    a letter or more, "x". The coordinates are x1, ..., x<d>; with d = 1
+ *               also x alone
+ *   d           how many, 0 if there are none; `variable` is then not read
+ *   parameter   the names of the parameters: letters, digits, _, no digit in front */
+typedef struct {
+    const char *variable;
+    size_t d;
+    const char *const *parameter;
+    size_t parameters;
+} fvi_names;
+
+/* fvi_misprint -- what is wrong with a text, and at which of its bytes, from 0. The
+ * reason is a constant text. */
+typedef struct {
+    size_t at;
+    const char *reason;
+} fvi_misprint;
+
+/* fvi_name_is_free -- nonzero if a parameter may have this name: it is made as fvi_names
+ * says, and is no function, not pi, and no coordinate. */
+int fvi_name_is_free(const char *name, const char *variable);
+
+/* fvi_expression_parse -- understand a text.
+ *
+ *   text    as above; spaces do not matter
+ *   names   not kept
+ *   values  of the parameters, in the order of their names. Kept, not copied: they may
+ *           change while no run goes on, and must outlive the expression
+ *   e       output; free it with fvi_expression_free
+ *   wrong   output if the text is refused; NULL if nobody asks
+ *
+ * Cost O(length) for one coordinate. For more, the sum is taken apart into its terms,
+ * and a factor that is constant goes to each; which coordinates meet in a term says
+ * where the Hessian is zero.
+ * Returns FVI_SUCCESS; FVI_EFAULT if text, names or e is NULL; FVI_EINVAL if the text is
+ * none that is understood, is nested 100 deep, or has a term of more than 4096 operations;
+ * FVI_ENOMEM. On error *e is untouched. No call of the error handler: a misprint is the
+ * user's. */
+int fvi_expression_parse(const char *text, const fvi_names *names,
+                         const double *values, fvi_expression **e,
+                         fvi_misprint *wrong);
+
+/* fvi_expression_value -- at x, d numbers (not read if d = 0). NaN where it is not
+ * defined. Nothing is checked. */
+double fvi_expression_value(const fvi_expression *e, const double *x);
+
+/* fvi_expression_by_parameter -- the derivative by parameter number j, from 0, of the value
+ * and of the gradient.
+ *
+ *   value  output, dU/dk     grad  output, d numbers, d^2U/(dx_i dk); or NULL
+ *
+ * Nothing is checked. Cost: of a Hessian's row. */
+void fvi_expression_by_parameter(const fvi_expression *e, size_t j,
+                                 const double *x, double *value, double *grad);
+
+/* fvi_expression_free -- give everything back. NULL is allowed. */
+void fvi_expression_free(fvi_expression *e);
+
+/* fvi_potential_expression -- U(x1, ..., xd), to be used in a system of the d of its
+ * names; the expression must outlive the runs.
+ *
+ * quadratic is known where U is a polynomial as it stands. diagonals is 1 if each term has
+ * one coordinate, 1 + the largest distance of two that meet in a term else: x1 x2 + x2 x3
+ * has 2. Cost: of each term, (n + 1) n / 2 times its length for the Hessian if n
+ * coordinates meet in it, n times for the gradient.
+ * Where U is not defined NaN is written: the step then fails with FVI_EOVRFLW. */
+fvi_potential fvi_potential_expression(const fvi_expression *e);
+
+/* fvi_force_expression -- F(t), of one variable, the same on every mass. */
+fvi_force fvi_force_expression(const fvi_expression *e);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,194 @@
+/* src/program/fvi_data.c -- Numbers from files. */
+#define _GNU_SOURCE /* getline */
+#include "fvi_data.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static const char between[] = " \t\r\n\v\f,;";
+
+/* A file that is read line by line. */
+typedef struct {
+    const char *option, *name;
+    FILE *file;
+    char *line;
+    size_t room, number; /* of the line, from 1 */
+    fvi_complaint c;
+} reader;
+
+static int begin(reader *r)
+{
+    r->file = fopen(r->name, "r");
+    return r->file ? 0
+                   : fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,
+                                r->name, strerror(errno));
+}
+
+/* Nonzero while there is a line. */
+static int next_line(reader *r)
+{
+    r->number++;
+    return getline(&r->line, &r->room, r->file) >= 0;
+}
+
+/* A folder opens, and fails when it is read. */
+static int end(reader *r, int status)
+{
+    if (!status && ferror(r->file))
+        status = fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,
+                            r->name, strerror(errno));
+    free(r->line);
+    fclose(r->file);
+    return status;
+}
+
+/* The next number of the line: 1, 0 at its end, -1 if what stands there is none. */
+static int next_number(char **at, double *value)
+{
+    char *stop;
+    *at += strspn(*at, between);
+    if (**at == '\0')
+        return 0;
+    *value = strtod(*at, &stop);
+    const int is = stop != *at && isfinite(*value)
+                   && (*stop == '\0' || strchr(between, *stop));
+    *at = stop;
+    return is ? 1 : -1;
+}
+
+int fvi_data_numbers(const char *option, const char *file, size_t most,
+                     double *values, size_t *n, fvi_complaint c)
+{
+    reader r = { .option = option, .name = file, .c = c };
+    int status = begin(&r), found;
+    if (status)
+        return status;
+    *n = 0;
+    while (!status && next_line(&r)) {
+        double value;
+        char *at = r.line;
+        at[strcspn(at, "#")] = '\0';
+        for (; (found = next_number(&at, &value)) > 0; ++*n)
+            if (*n < most)
+                values[*n] = value;
+        if (found < 0)
+            status = fvi_refuse(c, "--%s: %s:%zu: not a finite number", option,
+                                file, r.number);
+    }
+    return end(&r, status);
+}
+
+/* ---- tables ---- */
+
+/* The number of a word in a line of words, or -1. */
+static int column_of(const char *line, const char *word)
+{
+    const size_t length = strlen(word);
+    line += strspn(line, "# \t");
+    for (int i = 0; *line; i++) {
+        const size_t here = strcspn(line, between);
+        const size_t quoted = here >= 2 && *line == '"';
+        if (here == length + 2 * quoted
+            && strncasecmp(line + quoted, word, length) == 0)
+            return i;
+        line += here;
+        line += strspn(line, between);
+    }
+    return -1;
+}
+
+/* Both columns of a row of numbers. */
+static int row(reader *r, const int column[2], double pair[2])
+{
+    char *at = r->line;
+    double value;
+    const int last = column[0] > column[1] ? column[0] : column[1];
+    for (int i = 0; i <= last; i++) {
+        const int found = next_number(&at, &value);
+        if (found <= 0)
+            return fvi_refuse(
+                r->c, "--%s: %s:%zu: %s", r->option, r->name, r->number,
+                found ? "not a finite number" : "a number is missing");
+        for (int k = 0; k < 2; k++)
+            if (i == column[k])
+                pair[k] = value;
+    }
+    return 0;
+}
+
+/* A line of words may say which columns are meant. */
+static int is_heading(const reader *r, size_t rows)
+{
+    double value;
+    char *at = r->line;
+    return *r->line == '#' || (rows == 0 && next_number(&at, &value) < 0);
+}
+
+/* All rows into pairs t, v. */
+static int rows(reader *r, const char *const names[2], size_t *n,
+                double **pairs)
+{
+    int column[2] = { 0, 1 }, status = 0;
+    size_t room = 0;
+    while (!status && next_line(r)) {
+        if (r->line[strspn(r->line, between)] == '\0')
+            continue;
+        if (is_heading(r, *n)) {
+            const int t = names && *n == 0 ? column_of(r->line, names[0]) : -1,
+                      v = t >= 0 ? column_of(r->line, names[1]) : -1;
+            if (t >= 0 && v >= 0) {
+                column[0] = t;
+                column[1] = v;
+            }
+            continue;
+        }
+        if (*n == room) {
+            room = 2 * room + 256;
+            double *more = realloc(*pairs, 2 * room * sizeof *more);
+            if (!more) {
+                fvi_refuse(r->c, "not enough memory");
+                return 1;
+            }
+            *pairs = more;
+        }
+        double *pair = *pairs + 2 * *n;
+        status = row(r, column, pair);
+        if (!status && *n > 0 && !(pair[0] > pair[-2]))
+            status = fvi_refuse(r->c, "--%s: %s:%zu: t does not increase",
+                                r->option, r->name, r->number);
+        ++*n;
+    }
+    return status;
+}
+
+int fvi_data_table(const char *option, const char *file,
+                   const char *const names[2], size_t *n, double **t,
+                   double **v, fvi_complaint c)
+{
+    reader r = { .option = option, .name = file, .c = c };
+    double *pairs = NULL;
+    int status = begin(&r);
+    *n = 0;
+    if (status)
+        return status;
+    status = end(&r, rows(&r, names, n, &pairs));
+    if (!status && *n == 0)
+        status = fvi_refuse(c, "--%s: %s: has no rows", option, file);
+    double *block = !status ? malloc(2 * *n * sizeof *block) : NULL;
+    if (!status && !block) {
+        fvi_refuse(c, "not enough memory");
+        status = 1;
+    }
+    for (size_t i = 0; !status && i < *n; i++) {
+        block[i] = pairs[2 * i];
+        block[*n + i] = pairs[2 * i + 1];
+    }
+    free(pairs);
+    *t = block;
+    *v = block ? block + *n : NULL;
+    return status;
+}

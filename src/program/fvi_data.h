@@ -1,0 +1,31 @@
+/* src/program/fvi_data.h -- Numbers from files. */
+#ifndef FVI_DATA_H
+#define FVI_DATA_H
+
+#include "fvi_words.h"
+
+/* fvi_data_numbers -- all numbers of a file, parted by commas, spaces or lines, as the value
+ * of --option. What stands behind # in a line is not read.
+ *
+ *   most    room in values; more are counted, and not kept
+ *   n       output: how many there are
+ *
+ * Returns 0; 2 after a complaint that names the line. */
+int fvi_data_numbers(const char *option, const char *file, size_t most,
+                     double *values, size_t *n, fvi_complaint c);
+
+/* fvi_data_table -- two columns of a file whose rows have numbers parted by tabs, commas
+ * or spaces.
+ *
+ *   names   of the columns. A line of words above the numbers, also behind #, in which
+ *           both stand says which these are; if there is none, or NULL stands for names,
+ *           the first two
+ *   n       output: rows, at least one
+ *   t, v    output: n numbers each, one block, free(*t). t increases
+ *
+ * Returns 0; 2 after a complaint that names the line; 1 if there is no memory. */
+int fvi_data_table(const char *option, const char *file,
+                   const char *const names[2], size_t *n, double **t,
+                   double **v, fvi_complaint c);
+
+#endif

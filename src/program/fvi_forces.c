@@ -1,0 +1,213 @@
+/* src/program/fvi_forces.c -- Forces that are typed, or stand in a file. */
+#define _GNU_SOURCE /* strdup */
+#include "fvi_forces.h"
+
+#include "fvi_data.h"
+#include <fvi/error.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* One of: an expression, a table of n rows, a force of the library's. */
+typedef struct {
+    fvi_expression *expression;
+    size_t n;
+    double *t, *F;
+    fvi_forcing kind;
+    double p[2];
+} part;
+
+struct fvi_forces {
+    size_t count;
+    part *parts;
+};
+
+/* ---- values ---- */
+
+/* Linear between two rows; the table reaches from 0 to the end of the run, but for
+ * roundings, and holds its ends there. */
+static double between_rows(const part *p, double t)
+{
+    size_t low = 0, high = p->n - 1; /* t_low <= t < t_high */
+    if (t <= p->t[low])
+        return p->F[low];
+    if (t >= p->t[high])
+        return p->F[high];
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        if (p->t[middle] <= t)
+            low = middle;
+        else
+            high = middle;
+    }
+    const double part_of = (t - p->t[low]) / (p->t[high] - p->t[low]);
+    return p->F[low] + part_of * (p->F[high] - p->F[low]);
+}
+
+static int value_of(const part *p, double t, double *F)
+{
+    if (p->expression) {
+        *F = fvi_expression_value(p->expression, &t);
+        return 0;
+    }
+    if (p->t) {
+        *F = between_rows(p, t);
+        return 0;
+    }
+    const fvi_force force = p->kind == FVI_FORCING_STEP
+                                ? fvi_force_step(p->p)
+                                : fvi_force_cosine(p->p);
+    return force.value(t, 1, force.params, F);
+}
+
+static int force_value(double t, size_t d, void *params, double *F)
+{
+    const fvi_forces *f = params;
+    double sum = 0;
+    for (size_t i = 0; i < f->count; i++) {
+        double one;
+        int status = value_of(&f->parts[i], t, &one);
+        if (status)
+            return status;
+        sum += one;
+    }
+    for (size_t i = 0; i < d; i++)
+        F[i] = sum;
+    return 0;
+}
+
+fvi_force fvi_forces_force(const fvi_forces *f)
+{
+    return (fvi_force){ force_value, (void *)f };
+}
+
+double fvi_forces_jump(const fvi_forces *f, size_t i)
+{
+    for (size_t n = 0; n < f->count; n++)
+        if (f->parts[n].kind == FVI_FORCING_STEP && i-- == 0)
+            return f->parts[n].p[1];
+    return NAN;
+}
+
+void fvi_forces_free(fvi_forces *f)
+{
+    for (size_t i = 0; f && i < f->count; i++) {
+        fvi_expression_free(f->parts[i].expression);
+        free(f->parts[i].t);
+    }
+    if (f)
+        free(f->parts);
+    free(f);
+}
+
+/* ---- words ---- */
+
+static const char forms[] = "none, step:A,T, cosine:A,W, file:F.tsv";
+
+/* A table from 0 to the end of the run: nothing is made up. */
+static int read_file(part *p, const char *name, double last, fvi_complaint c)
+{
+    static const char *const columns[] = { "t", "F" };
+    int status = fvi_data_table("force", name, columns, &p->n, &p->t, &p->F, c);
+    if (status)
+        return status;
+    if (p->t[0] > 0)
+        return fvi_refuse(c, "--force: %s begins at t = %g, the run at 0", name,
+                          p->t[0]);
+    if (p->t[p->n - 1] < last * (1 - 1e-12))
+        return fvi_refuse(c, "--force: %s ends at t = %g, the run at %g", name,
+                          p->t[p->n - 1], last);
+    return 0;
+}
+
+static int read_expression(part *p, const char *text, const fvi_lets *lets,
+                           fvi_complaint c)
+{
+    const fvi_names names = fvi_lets_names(lets, "t", 1);
+    fvi_misprint wrong;
+    int status =
+        fvi_expression_parse(text, &names, lets->value, &p->expression, &wrong);
+    if (status == FVI_ENOMEM) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    return status ? fvi_refuse_at(c, "force", text, wrong) : 0;
+}
+
+/* One part: a word with a colon, or an expression. */
+static int read_part(part *p, const char *text, const fvi_lets *lets,
+                     double last, fvi_complaint c)
+{
+    static const char *const words[] = { "none", "step", "cosine", "file",
+                                         NULL };
+    const size_t length = strcspn(text, ":");
+    if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
+        return read_file(p, text + 5, last, c);
+    if (fvi_word_force(text, &p->kind, p->p))
+        return p->kind == FVI_FORCING_STEP && p->p[1] < 0
+                   ? fvi_refuse(c, "--force: '%s' ends before it begins", text)
+                   : 0;
+    const char *near = fvi_word_nearest(text, length, words);
+    const int known =
+        near && strlen(near) == length && strncasecmp(near, text, length) == 0;
+    if (text[length] || near)
+        return fvi_refuse(c, "--force: '%s' is none of %s%s%s%s", text, forms,
+                          near && !known ? "; did you mean " : "",
+                          near && !known ? near : "",
+                          near && !known ? "?" : "");
+    return read_expression(p, text, lets, c);
+}
+
+/* Does a word with a colon begin here? */
+static int is_call(const char *at)
+{
+    const size_t letters = strspn(at, "abcdefghijklmnopqrstuvwxyz"
+                                      "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    return letters > 0 && at[letters] == ':';
+}
+
+/* Where the part ends that begins at `at`: before a " + " if that part, or the next one, is
+ * a word with a colon; what stands between two of them is one expression. */
+static const char *end_of_part(const char *at)
+{
+    const int called = is_call(at);
+    for (const char *plus = at; (plus = strstr(plus, " + ")); plus += 3)
+        if (called || is_call(plus + 3 + strspn(plus + 3, " ")))
+            return plus;
+    return at + strlen(at);
+}
+
+int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
+                     fvi_forces **f, fvi_complaint c)
+{
+    char *copy = strdup(text);
+    fvi_forces *new = calloc(1, sizeof *new);
+    int status = copy && new ? 0 : 1;
+    for (const char *at = text, *end; !status; at = end + 3) {
+        at += strspn(at, " ");
+        end = end_of_part(at);
+        part *parts =
+            realloc(new->parts, (new->count + 1) * sizeof *new->parts);
+        if (!parts) {
+            status = 1;
+            break;
+        }
+        new->parts = parts;
+        parts[new->count] = (part){ .kind = FVI_FORCING_NONE };
+        char *word = memcpy(copy, at, (size_t)(end - at));
+        word[end - at] = '\0';
+        status = read_part(&parts[new->count++], word, lets, last, c);
+        if (*end == '\0')
+            break;
+    }
+    if (status == 1)
+        fvi_refuse(c, "not enough memory");
+    free(copy);
+    if (status)
+        fvi_forces_free(new);
+    else
+        *f = new;
+    return status;
+}

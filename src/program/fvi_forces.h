@@ -1,0 +1,30 @@
+/* src/program/fvi_forces.h -- Forces that are typed, or stand in a file. */
+#ifndef FVI_FORCES_H
+#define FVI_FORCES_H
+
+#include "fvi_lets.h"
+
+typedef struct fvi_forces fvi_forces;
+
+/* fvi_forces_parse -- a sum of forces, parted by " + ": step:A,T, cosine:A,W,
+ * file:NAME (columns t, F, linear in between) and expressions in t.
+ *
+ *   lets  the parameters, which must outlive the forces
+ *   last  the time up to which a file must reach
+ *   f     output; free it with fvi_forces_free
+ *
+ * Returns 0; 2 if a word, or the file, is refused; 1 if there is no memory. */
+int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
+                     fvi_forces **f, fvi_complaint c);
+
+/* fvi_forces_force -- the same on every mass. f must outlive it. */
+fvi_force fvi_forces_force(const fvi_forces *f);
+
+/* fvi_forces_jump -- the number i, from 0, of the times at which the force jumps, as far as
+ * it is known: the ends of its steps. NaN if there are not so many. */
+double fvi_forces_jump(const fvi_forces *f, size_t i);
+
+/* fvi_forces_free -- give everything back. NULL is allowed. */
+void fvi_forces_free(fvi_forces *f);
+
+#endif

@@ -1,0 +1,80 @@
+/* src/program/fvi_lets.c -- Parameters of expressions: --let k=3. */
+#include "fvi_lets.h"
+
+#include <fvi/error.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+int fvi_lets_add(fvi_lets *lets, const char *text, fvi_complaint c)
+{
+    const size_t used = strlen(lets->text), room = sizeof lets->text - used;
+    const int length =
+        snprintf(lets->text + used, room, "%s%s", used > 0 ? "," : "", text);
+    return (size_t)length < room
+               ? 0
+               : fvi_refuse(c, "--let: '%s': too many parameters", text);
+}
+
+fvi_names fvi_lets_names(const fvi_lets *lets, const char *variable, size_t d)
+{
+    return (fvi_names){ variable, d, lets->name, lets->count };
+}
+
+static int evaluate(const fvi_lets *lets, const char *text, double *value,
+                    fvi_complaint c)
+{
+    const fvi_names names = fvi_lets_names(lets, NULL, 0);
+    fvi_misprint wrong;
+    fvi_expression *e;
+    int status = fvi_expression_parse(text, &names, lets->value, &e, &wrong);
+    if (status == FVI_ENOMEM) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    if (status)
+        return fvi_refuse_at(c, "let", text, wrong);
+    *value = fvi_expression_value(e, NULL);
+    fvi_expression_free(e);
+    return isfinite(*value) ? 0
+                            : fvi_refuse(c, "--let: '%s' is not finite", text);
+}
+
+/* The same name may come again with the same value. */
+static int take(fvi_lets *lets, const char *name, double value, fvi_complaint c)
+{
+    for (size_t i = 0; i < lets->count; i++)
+        if (strcmp(name, lets->name[i]) == 0)
+            return value == lets->value[i]
+                       ? 0
+                       : fvi_refuse(c, "--let: '%s' is given twice", name);
+    if (lets->count == FVI_MOST_LETS)
+        return fvi_refuse(c, "--let: '%s': too many parameters", name);
+    lets->name[lets->count] = name;
+    lets->value[lets->count++] = value;
+    return 0;
+}
+
+int fvi_lets_interpret(fvi_lets *lets, fvi_complaint c)
+{
+    char *at = strcpy(lets->names, lets->text);
+    for (char *next = at; next; at = next) {
+        if ((next = strchr(at, ',')))
+            *next++ = '\0';
+        char *equals = strchr(at, '=');
+        double value = 0;
+        if (!equals)
+            return fvi_refuse(c, "--let: '%s' is not NAME=VALUE", at);
+        *equals = '\0';
+        if (!fvi_name_is_free(at, "x") || !fvi_name_is_free(at, "t"))
+            return fvi_refuse(c, "--let: '%s' is not a name for a parameter",
+                              at);
+        int status = evaluate(lets, equals + 1, &value, c);
+        if (!status)
+            status = take(lets, at, value, c);
+        if (status)
+            return status;
+    }
+    return 0;
+}

@@ -1,0 +1,30 @@
+/* src/program/fvi_lets.h -- Parameters of expressions: --let k=3. */
+#ifndef FVI_LETS_H
+#define FVI_LETS_H
+
+#include "fvi_words.h"
+
+enum { FVI_MOST_LETS = 64 };
+
+/* Do not copy one that is in use: name points into names. */
+typedef struct {
+    size_t count;
+    char text[1024];  /* "k=3,c=2*k", as it was given */
+    char names[1024]; /* the same in pieces */
+    const char *name[FVI_MOST_LETS];
+    double value[FVI_MOST_LETS];
+} fvi_lets;
+
+/* fvi_lets_add -- one more "k=3", or several; understood by fvi_lets_interpret.
+ * Returns 0, or 2 if there is no room. */
+int fvi_lets_add(fvi_lets *lets, const char *text, fvi_complaint c);
+
+/* fvi_lets_interpret -- lets->text. A value may be an expression of those before it. A
+ * name that is taken, or appears twice with different values, is refused.
+ * Returns 0; 2 if a word is refused; 1 if there is no memory. */
+int fvi_lets_interpret(fvi_lets *lets, fvi_complaint c);
+
+/* fvi_lets_names -- what an expression of x, or x1, ..., xd, or of t may speak of. */
+fvi_names fvi_lets_names(const fvi_lets *lets, const char *variable, size_t d);
+
+#endif

@@ -1,0 +1,353 @@
+/* tests/program/test_fvi_problem.c -- The program build/fvi: one's own problem.
+ * Run alone: make test-fvi_problem */
+#define _GNU_SOURCE
+#include <fvi/fvi.h>
+#include "program.h"
+
+/* Write a file into the folder of the test. */
+static void write_file(const char *name, const char *text)
+{
+    char path[PATH_MAX + 100];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *f = fopen(path, "w");
+    ck_assert_ptr_nonnull(f);
+    fputs(text, f);
+    ck_assert_int_eq(fclose(f), 0);
+}
+
+/* Both command lines print the same rows, to the bit, whatever their heads say. */
+static void same_rows(const char *one, const char *other)
+{
+    ck_assert_msg(fvi(one) == 0, "%s: %s", one, err);
+    char *want = strdup(first_row());
+    ck_assert_msg(fvi(other) == 0, "%s: %s", other, err);
+    ck_assert_msg(strcmp(first_row(), want) == 0, "%s: other rows", other);
+    free(want);
+}
+
+/* The same x in both, but for roundings of forces, which u bounds, and what 41 steps make
+ * of them; numbers are below 100. Seen: 1e-14. */
+static void near_rows(const char *one, const char *other)
+{
+    double x[41];
+    ck_assert_msg(fvi(one) == 0, "%s: %s", one, err);
+    for (size_t k = 0; k <= 40; k++)
+        x[k] = cell(k, 1);
+    ck_assert_msg(fvi(other) == 0, "%s: %s", other, err);
+    for (size_t k = 0; k <= 40; k++)
+        ck_assert_near(cell(k, 1), x[k], 41 * 100 * U, "%s", other);
+}
+
+/* A run with an expression is what the library makes of it. */
+START_TEST(an_expression_is_a_potential)
+{
+    const double m = 1.5, rho = 0.3, x0 = 1, p0 = 0.5, k[] = { 3, 6 };
+    const char *const names[] = { "k", "c" };
+    const fvi_names of_x = { "x", 1, names, 2 }, of_t = { "t", 1, names, 2 };
+    fvi_expression *V = NULL, *F = NULL;
+    ck_assert(!fvi_expression_parse("k*x^4/c - cos(x)", &of_x, k, &V, NULL)
+              && !fvi_expression_parse("sin(k*t)/4", &of_t, k, &F, NULL));
+    const fvi_system s = { 1, &m, &rho, fvi_potential_expression(V),
+                           fvi_force_expression(F) };
+    fvi_run run = fvi_run_default(&s, &x0, &p0, 0.1, 50);
+    run.alpha = 0.3;
+    double x[51];
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
+    ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.3 --mass 1.5 --potential "
+                         "'k*x^4/c - cos(x)' --let k=3 --let 'c=2*k' --force "
+                         "'sin(k*t)/4' --steps 50 --columns t,x"),
+                     0);
+    for (size_t i = 0; i <= 50; i++)
+        ck_assert_ulp(cell(i, 1), x[i], 0, "k=%zu", i);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# potential = k*x^4/c - cos(x)\n# let = k=3,c=2*k\n"
+                    "# force = sin(k*t)/4\n"));
+    fvi_expression_free(V);
+    fvi_expression_free(F);
+    same_rows("run --potential 'k*x^2' --let k=2,k=2 --let k=2",
+              "run --potential '2*x^2'");
+}
+END_TEST
+
+/* Two masses: x1 and x2, and columns that say so. */
+START_TEST(expressions_have_as_many_coordinates_as_masses)
+{
+    same_rows("run --dimension 2 --potential '(x1^2 + x2^2)/2' --x0 1,2 "
+              "--p0 0 --steps 30 --columns x",
+              "run --dimension 2 --potential harmonic --x0 1,2 --p0 0 "
+              "--steps 30 --columns x");
+    ck_assert_ptr_nonnull(strstr(out, "# dimension = 2\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# x1\tx2\n1\t2\n"));
+    ck_assert_int_eq(fvi("run --dimension 1 --potential free --columns x"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# x\n"));
+    ck_assert_int_eq(fvi("run --dimension 3 --potential chain:3,1,1"), 0);
+    ck_assert_int_eq(fvi("run --dimension 2 --potential chain:3,1,1"), 2);
+    ck_assert_int_eq(
+        strncmp(err, "fvi: --dimension: '2' is not that of 'chain:3,1,1'\n",
+                51),
+        0);
+}
+END_TEST
+
+/* Each mass, each damping, from the line and from a file; against the library. */
+START_TEST(masses_and_dampings_one_by_one)
+{
+    const double m[] = { 1, 2, 3 }, rho[] = { 0.3, 0, 0.1 },
+                 x0[] = { 1, 0, -1 }, p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1, 1 };
+    const fvi_system s = { 3, m, rho, fvi_potential_chain(cg), { 0 } };
+    fvi_run run = fvi_run_default(&s, x0, p0, 0.1, 20);
+    run.alpha = 0.3;
+    double x[63];
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
+    write_file("masses", "# of three bodies\n1, 2\n 3 # the last\n");
+    static const char *const lines[] = {
+        "run --potential chain:3,1,1 --alpha 0.3 --steps 20 --columns x "
+        "--mass 1,2,3 --rho 0.3,0,0.1 --x0 1,0,-1",
+        "run --potential chain:3,1,1 --alpha 0.3 --steps 20 --columns x "
+        "--mass @masses --rho 0.3,0,0.1 --x0 1,0,-1"
+    };
+    for (size_t n = 0; n < LEN(lines); n++) {
+        ck_assert_int_eq(fvi(lines[n]), 0);
+        for (size_t k = 0; k <= 20; k++)
+            for (size_t i = 0; i < 3; i++)
+                ck_assert_ulp(cell(k, i), x[3 * k + i], 0, "k=%zu i=%zu", k, i);
+    }
+    ck_assert_int_eq(fvi("run --rho 0,0 --dimension 2 --memory direct "
+                         "--steps 1e5 --every 1e5"),
+                     0); /* no damping, no memory */
+}
+END_TEST
+
+/* Forces add; a file is linear between its rows, and needs no names. */
+START_TEST(forces_add_up)
+{
+    same_rows("run --force cosine:0.3,2", "run --force '0.3*cos(2*t)'");
+    same_rows("run --force step:1,3",
+              "run --force 'step:0.25,3 + step:0.75,3'");
+    near_rows("run --steps 40 --force '2 + t'",
+              "run --steps 40 --force 'step:1,90 + 1 + t + step:0,9'");
+    write_file("F.tsv", "# made by hand\n# F\tt\n0.5\t-1\n0.5\t0\n2.5\t20\n");
+    near_rows("run --force '0.5 + t/10' --h 0.5 --steps 40",
+              "run --force file:F.tsv --h 0.5 --steps 40");
+    write_file("F.csv", "t,\"F\"\n0,0\n10,1\n20,0\n");
+    near_rows("run --force '1 - abs(t - 10)/10' --h 0.5 --steps 40",
+              "run --force FILE:F.csv --h 0.5 --steps 40");
+    near_rows("run --force '1 - abs(t - 10)/10 + 2*t' --h 0.5 --steps 40",
+              "run --force '2*t + file:F.csv' --h 0.5 --steps 40");
+    write_file("bare", "\n0 1 7\n\n30 1 7\n");
+    same_rows("run --force 1", "run --force file:bare");
+    /* a table that the program wrote is one that it reads */
+    ck_assert_int_eq(fvi("run --columns energy,x,t -o table"), 0);
+    write_file("renamed", "");
+    ck_assert_int_eq(shell("sed 's/^# energy\\tx\\tt/# q\\tF\\tt/' table > "
+                           "renamed; \"$FVI\" run --force file:renamed"),
+                     0);
+}
+END_TEST
+#define REFUSED(line, said)                                                    \
+    do {                                                                       \
+        ck_assert_msg(fvi(line) == 2, "%s", line);                             \
+        ck_assert_str_eq(out, "");                                             \
+        ck_assert_msg(strncmp(err, said "\n", strlen(said "\n")) == 0, "%s",   \
+                      err);                                                    \
+    } while (0)
+
+/* The caret stands below what is wrong. */
+START_TEST(a_misprint_is_shown)
+{
+    REFUSED("run --potential 'x^4/4 - x^^2'",
+            "fvi: --potential: 'x^4/4 - x^^2': a number, a name or ( is wanted "
+            "here\n                             ^");
+    ck_assert_uint_eq(count_lines(err), 3);
+    REFUSED("run --potential 'k*x^2'",
+            "fvi: --potential: 'k*x^2': no such name\n"
+            "                   ^");
+    REFUSED("run --force 'step:1,2 + sin(x)'",
+            "fvi: --force: 'sin(x)': no such name\n"
+            "                   ^");
+    REFUSED("run --let k=2+ --potential 'k*x'",
+            "fvi: --let: '2+': it ends too early\n"
+            "               ^");
+    REFUSED("run --potential '1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+"
+            "1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+x**y+1+1+1+1+1+1+1+1+1+1+1+1+1+1'",
+            "fvi: --potential: '...+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+x**y+1+"
+            "1+1+1+1+1+1+1+1+...': no such name\n"
+            "                                                              ^");
+    REFUSED("run --potential harmonc",
+            "fvi: --potential: 'harmonc' is none of harmonic:C, duffing:C,G, "
+            "pendulum:G, free, chain:D,C,G, nor an expression; did you mean "
+            "harmonic?");
+    REFUSED("run --potential duffing",
+            "fvi: --potential: 'duffing' is not duffing:C,G");
+    REFUSED("run --force cosin:1,2",
+            "fvi: --force: 'cosin:1,2' is none of none, step:A,T, cosine:A,W, "
+            "file:F.tsv; did you mean cosine?");
+    REFUSED("run --columns t,q",
+            "fvi: --columns: 'q' in 't,q' is none of t, x, p, energy, y");
+}
+END_TEST
+
+START_TEST(wrong_parameters_and_lists_are_refused)
+{
+    REFUSED("run --let k", "fvi: --let: 'k' is not NAME=VALUE");
+    REFUSED("run --let x=1", "fvi: --let: 'x' is not a name for a parameter");
+    REFUSED("run --let sin=1",
+            "fvi: --let: 'sin' is not a name for a parameter");
+    REFUSED("run --let k=1 --let k=2", "fvi: --let: 'k' is given twice");
+    REFUSED("run --let k=1e200,c=k*k", "fvi: --let: 'k*k' is not finite");
+    REFUSED("run --mass 1,2", "fvi: --mass: '1,2' has 2 numbers, not 1");
+    REFUSED("run --dimension 2 --mass 1,-2",
+            "fvi: --mass: '-2' is outside (0, inf)");
+    REFUSED("run --rho @nowhere", "fvi: --rho: cannot read 'nowhere': No such "
+                                  "file or directory");
+    REFUSED("run --rho @.", "fvi: --rho: cannot read '.': Is a directory");
+    write_file("odd", "1\n2,x\n");
+    REFUSED("run --dimension 2 --rho @odd",
+            "fvi: --rho: odd:2: not a finite number");
+    write_file("empty", "# nothing\n");
+    REFUSED("run --rho @empty", "fvi: --rho: '@empty' has 0 numbers, not 1");
+    REFUSED("run --force file:empty", "fvi: --force: empty: has no rows");
+    write_file("back", "t F\n0 1\n2 1\n# a rest\n2 1\n");
+    REFUSED("run --force file:back",
+            "fvi: --force: back:5: t does not increase");
+    write_file("short", "0 1\n19.9 1\n");
+    REFUSED("run --force file:short",
+            "fvi: --force: short ends at t = 19.9, the run at 20");
+    write_file("late", "0.1 1\n21 1\n");
+    REFUSED("run --force file:late",
+            "fvi: --force: late begins at t = 0.1, the run at 0");
+    write_file("gap", "0 1\n1\n30 1\n");
+    REFUSED("run --force file:gap", "fvi: --force: gap:2: a number is missing");
+    write_file("nan", "0 1\n1 nan\n");
+    REFUSED("run --force file:nan", "fvi: --force: nan:2: not a finite number");
+    REFUSED("exact --force t", "fvi: --force: 't' has no exact solution here; "
+                               "none, step:A,T and cosine:A,W have");
+    REFUSED("exact --potential 'x^2'",
+            "fvi: --potential: 'x^2' has no exact solution here; harmonic:C "
+            "with C >= 0 and free have");
+    REFUSED("run --error 0.1 --force 'step:1,1 + step:1,1.05'",
+            "fvi: --error: the force 'step:1,1 + step:1,1.05' ends between two "
+            "rows; take other --steps");
+}
+END_TEST
+
+/* A potential that is not defined where the body goes. */
+START_TEST(a_run_ends_where_its_potential_does)
+{
+    ck_assert_int_eq(fvi("run --potential 'x*log(x)*30' --rho 0 --x0 0.01 "
+                         "--p0 -3 --columns x"),
+                     1);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: step "));
+}
+END_TEST
+
+/* Words may be written in capitals; what they mean is the same. */
+START_TEST(case_does_not_matter_for_words)
+{
+    same_rows("run --method lda --potential duffing:1,1 --force step:1,2 "
+              "--columns t,energy --memory direct",
+              "RUN --method LDA --potential Duffing:1,1 --force STEP:1,2 "
+              "--columns T,Energy --memory Direct");
+    same_rows("run --potential harmonic:1", "run --potential Harmonic");
+    same_rows("run --derivative rl --x0 0", "run --derivative RL --x0 0");
+}
+END_TEST
+
+/* Three forms, the same numbers. */
+START_TEST(tables_in_three_formats)
+{
+    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format CSV"), 0);
+    ck_assert(strncmp(out, "t,x,p,energy\n0,1,0.5,0.625\n0.5,", 31) == 0);
+    ck_assert_uint_eq(count_lines(out), 3);
+    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format json --columns t,y "
+                         "--alpha .5 --let 'k=1,c=\"'"),
+                     2);
+    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format json --columns x,t,y "
+                         "--alpha .5 --potential harmonic --dimension 2 "
+                         "--x0 1,0"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "\"alpha\": 0.5,\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\"x0\": \"1,0\",\n"));
+    ck_assert_ptr_nonnull(
+        strstr(out, " },\n\"columns\": [\"x1\", \"x2\", \"t\", \"y1\", "
+                    "\"y2\"],\n\"rows\": [\n [1, 0, 0, "));
+    ck_assert_str_eq(strrchr(out, '\n') - 3, "\n]}\n");
+    ck_assert_int_eq(fvi("coefficients --count 2 --format csv"), 0);
+    ck_assert_str_eq(out, "n,alpha_n\n0,1\n1,-0.5\n");
+    ck_assert_int_eq(fvi("exact --steps 1 --format csv --columns t"), 0);
+    ck_assert_str_eq(out, "t\n0\n0.1\n");
+}
+END_TEST
+
+/* What other programs make of it: Python's json, numpy with names, gnuplot's columns by
+ * name. Those that are not installed are not asked. */
+START_TEST(other_programs_read_the_tables)
+{
+    ck_assert_int_eq(
+        shell("command -v python3 > /dev/null || exit 0; \"$FVI\" run --alpha "
+              "0.3 --format json > j; \"$FVI\" run --alpha 0.3 > t; python3 -c "
+              "'import json; j = json.load(open(\"j\")); rows = [[float(v) for "
+              "v in l.split()] for l in open(\"t\") if l[0] != \"#\"]; assert "
+              "j[\"rows\"] == rows and len(rows) == 201 and j[\"columns\"] == "
+              "[\"t\", \"x\", \"p\", \"energy\"] and "
+              "j[\"parameters\"][\"alpha\"] == 0.3'"),
+        0);
+    ck_assert_int_eq(
+        shell("/usr/bin/python3 -c 'import numpy' 2> /dev/null || exit 0; "
+              "\"$FVI\" run --format csv > c; \"$FVI\" run > t; "
+              "/usr/bin/python3 -c 'import numpy as n; a = n.genfromtxt(\"c\", "
+              "delimiter=\",\", names=True); b = n.genfromtxt(\"t\"); assert "
+              "a.dtype.names == (\"t\", \"x\", \"p\", \"energy\") and "
+              "(a[\"energy\"] == b[:, 3]).all()'"),
+        0);
+    ck_assert_int_eq(
+        shell("command -v gnuplot > /dev/null || exit 0; \"$FVI\" run --format "
+              "csv > c; gnuplot -e 'set datafile separator comma; set key "
+              "autotitle columnhead; stats \"c\" using \"t\":\"energy\" "
+              "nooutput; print STATS_records' 2>&1 | grep -qx 201"),
+        0);
+}
+END_TEST
+
+/* The shortest digits come back as the same double, and no shorter ones do. */
+START_TEST(digits_are_the_fewest_that_come_back)
+{
+    ck_assert_int_eq(fvi("run --steps 500 --alpha 0.3 --columns x,p,energy "
+                         "--x0 0.1 --p0 1e-310 --potential free --rho 0"),
+                     0);
+    ck_assert(strncmp(first_row(), "0.1\t1e-310\t0\n", 12) == 0);
+    ck_assert_int_eq(fvi("run --steps 500 --alpha 0.3 --columns x,p"), 0);
+    size_t fewer = 0;
+    for (const char *at = first_row(); *at;) {
+        char *end, text[40];
+        const double v = strtod(at, &end);
+        const size_t length = (size_t)(end - at);
+        snprintf(text, sizeof text, "%.17g", v);
+        ck_assert(length <= strlen(text));
+        fewer += length < strlen(text);
+        for (int digits = 1; digits <= 17; digits++) {
+            snprintf(text, sizeof text, "%.*g", digits, v);
+            if (strtod(text, NULL) == v)
+                break;
+        }
+        ck_assert_msg(strlen(text) == length, "%.*s", (int)length, at);
+        at = end + 1;
+    }
+    ck_assert_uint_gt(fewer, 300);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: one's own problem");
+    ADD_CASE(suite, "values", an_expression_is_a_potential,
+             expressions_have_as_many_coordinates_as_masses,
+             masses_and_dampings_one_by_one, forces_add_up,
+             case_does_not_matter_for_words, tables_in_three_formats,
+             other_programs_read_the_tables,
+             digits_are_the_fewest_that_come_back);
+    ADD_CASE(suite, "errors", a_misprint_is_shown,
+             wrong_parameters_and_lists_are_refused,
+             a_run_ends_where_its_potential_does);
+    return run_suite_of_program(suite);
+}
