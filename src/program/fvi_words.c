@@ -55,9 +55,8 @@ int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
                *back = length - from > SHOWN ? "..." : "";
     fvi_refuse(c, "--%s: '%s%.*s%s': %s", name, front, SHOWN, text + from, back,
                wrong.reason);
-    const size_t end = strlen(c.text), column = BEFORE + 2 + strlen(name) + 3
-                                                + strlen(front) + wrong.at
-                                                - from;
+    const size_t end = strlen(c.text), left = strlen(name) + strlen(front);
+    const size_t column = BEFORE + strlen("--: '") + left + wrong.at - from;
     if (length > 0 && end + column + 3 < c.size)
         snprintf(c.text + end, c.size - end, "\n%*s^", (int)column, "");
     return 2;
