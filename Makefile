@@ -188,8 +188,9 @@ $B/pic/%.o: src/%.c | needs
 $B/libfvi.so.$(VERSION): $(LIBRARY:src/%.c=$B/pic/%.o)
 	$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL_LIBS) -o $@
 
-install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program, manual (PREFIX=/usr/local DESTDIR=)
-	mkdir -p $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/fvi/paper share/man/man1)
+install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program, manual, completions (PREFIX=/usr/local DESTDIR=)
+	mkdir -p $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/fvi/paper share/man/man1 \
+	  share/bash-completion/completions share/zsh/site-functions)
 	cp $B/fvi $(DESTDIR)$(PREFIX)/bin/
 	cp $B/libfvi.a $B/libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/
 	ln -sf libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/$(SONAME)
@@ -200,11 +201,14 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	cp src/fvi/*.h $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi/paper/*.h $(DESTDIR)$(PREFIX)/include/fvi/paper/
 	cp src/program/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+	cp src/program/fvi.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/fvi
+	cp src/program/fvi.zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_fvi
 	test -n "$(DESTDIR)" || test "$$(id -u)" != 0 || ldconfig 2>/dev/null || true
 
 uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/fvi lib/libfvi.a lib/libfvi.so lib/$(SONAME) \
-	  lib/libfvi.so.$(VERSION) lib/pkgconfig/fvi.pc share/man/man1/fvi.1)
+	  lib/libfvi.so.$(VERSION) lib/pkgconfig/fvi.pc share/man/man1/fvi.1 \
+	  share/bash-completion/completions/fvi share/zsh/site-functions/_fvi)
 	rm -rf $(DESTDIR)$(PREFIX)/include/fvi
 
 # The Python package: laid out with headers and library in one folder, then made a wheel.

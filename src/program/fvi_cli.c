@@ -10,44 +10,10 @@
 #include "fvi_table.h"
 #include "fvi_usage.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- what went wrong ---- */
-
-int fvi_complain(const char *what)
-{
-    fprintf(stderr, "fvi: %s\n", what);
-    return 1;
-}
-
-int fvi_cannot_write(const char *name)
-{
-    const int why = errno;
-    fvi_progress_clear();
-    fprintf(stderr, "fvi: cannot write %s: %s\n",
-            name ? name : "standard output", strerror(why));
-    return 1;
-}
-
-int fvi_stopped_at(size_t step, int status)
-{
-    const char *what =
-        status == FVI_EMAXITER  ? "Newton's method did not converge"
-        : status == FVI_ESING   ? "the equation of the step is singular"
-        : status == FVI_EOVRFLW ? "a value is no longer finite"
-        : status == FVI_EDOM    ? "a number is out of range"
-        : status == FVI_ELOSS   ? "a phase of so many swings is not known"
-                                : fvi_strerror(status);
-    fvi_progress_clear();
-    fprintf(stderr, "fvi: step %zu: %s\n", step, what);
-    return 1;
-}
-
-/* ---- commands ---- */
 
 /* The rows of the steps in a batch, at most BATCH: each call of fvi_exact costs one
  * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it

@@ -15,6 +15,7 @@
 static char target[PATH_MAX];    /* the name that the file is to have */
 static char temporary[PATH_MAX]; /* the name that it has; "" if there is none */
 static int shared;               /* does the target have other names, too? */
+static int nameless;             /* is the file without a name so far? */
 
 static void remove_and_die(int signal_number)
 {
@@ -34,24 +35,68 @@ static void watch_signals(void)
     signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write */
 }
 
-/* A file of a new name in the folder of the target, with these permissions. */
-static FILE *open_temporary(mode_t mode)
+/* A file without a name in the folder of the target: nothing is left of it, however the
+ * program ends. -1 where the system has no such thing, or could not name it later. */
+static int open_nameless(mode_t mode)
+{
+#ifdef O_TMPFILE
+    char folder[PATH_MAX];
+    const char *slash = strrchr(target, '/');
+    snprintf(folder, sizeof folder, "%.*s",
+             slash ? (int)(slash - target) + 1 : 1, slash ? target : ".");
+    if (access("/proc/self/fd", X_OK) == 0)
+        return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+#endif
+    (void)mode;
+    return -1;
+}
+
+/* The name of a file beside the target, all but its last letters. */
+static int name_temporary(void)
 {
     const char *slash = strrchr(target, '/');
     int length = snprintf(temporary, sizeof temporary, "%.*s.fvi-XXXXXX",
                           slash ? (int)(slash - target) + 1 : 0, target);
-    int file = -1;
     if (length < (int)sizeof temporary)
-        file = mkstemp(temporary);
-    else
-        errno = ENAMETOOLONG;
-    if (file < 0) {
-        temporary[0] = '\0';
-        return NULL;
-    }
+        return 0;
+    temporary[0] = '\0';
+    errno = ENAMETOOLONG;
+    return -1;
+}
+
+/* A file for the table, with these permissions. */
+static FILE *open_temporary(mode_t mode)
+{
     watch_signals();
+    int file = open_nameless(mode);
+    nameless = file >= 0;
+    if (!nameless && name_temporary() == 0 && (file = mkstemp(temporary)) < 0)
+        temporary[0] = '\0';
+    if (file < 0)
+        return NULL;
     fchmod(file, mode);
     return fdopen(file, "w");
+}
+
+/* A name beside the target for the file that has none, so that it can be renamed. */
+static int give_name(int file)
+{
+    char open_file[64];
+    snprintf(open_file, sizeof open_file, "/proc/self/fd/%d", file);
+    if (!nameless)
+        return 0;
+    nameless = 0;
+    for (unsigned i = 0; name_temporary() == 0; i++) {
+        snprintf(strrchr(temporary, '-') + 1, 7, "%06x",
+                 ((unsigned)getpid() + 0x9e3779u * i) & 0xffffff);
+        if (linkat(AT_FDCWD, open_file, AT_FDCWD, temporary, AT_SYMLINK_FOLLOW)
+            == 0)
+            return 0;
+        if (errno != EEXIST || i == 1000)
+            break;
+    }
+    temporary[0] = '\0';
+    return -1;
 }
 
 /* The number of the open file that a name such as /dev/stdout stands for, by the
@@ -88,6 +133,7 @@ FILE *fvi_output_open(const char *name)
 {
     struct stat old = { 0 };
     temporary[0] = '\0';
+    nameless = 0;
     if (!name)
         return stdout;
     int file = descriptor(name); /* >> has chosen where it goes on */
@@ -171,7 +217,8 @@ static int put_in_place(void)
 
 int fvi_output_close(FILE *stream, int keep)
 {
-    int failed = fflush(stream) != 0 || ferror(stream);
+    int failed = fflush(stream) != 0 || ferror(stream)
+                 || (keep && give_name(fileno(stream)) != 0);
     int why = errno;
     if (stream != stdout && fclose(stream) != 0 && !failed) {
         failed = 1;
@@ -207,8 +254,9 @@ void fvi_progress(size_t k, size_t steps)
         return;
     last = now;
     shown = 1;
-    fprintf(stderr, "\rstep %zu of %zu (%.0f %%), %.0f s\033[K", k, steps,
-            100 * (double)k / (double)steps, now - began);
+    fprintf(stderr, "\rstep %zu of %zu (%.0f %%), %.0f s, %.0f s left\033[K", k,
+            steps, 100 * (double)k / (double)steps, now - began,
+            (now - began) * (double)(steps - k) / (double)k);
 }
 
 void fvi_progress_clear(void)

@@ -330,6 +330,7 @@ START_TEST(help_is_asked_for_in_many_ways)
             ck_assert_msg(fvi(ways[i][j]) == 0, "%s: %s", ways[i][j], err);
             ck_assert_str_eq(err, "");
             ck_assert(strncmp(out, "usage: fvi ", 11) == 0);
+            ck_assert_ptr_nonnull(strstr(out, "\nexample"));
             if (j == 0)
                 want = strdup(out);
             ck_assert_str_eq(out, want);
@@ -340,6 +341,47 @@ START_TEST(help_is_asked_for_in_many_ways)
     ck_assert_ptr_nonnull(strstr(out, "[held]"));
     ck_assert_int_eq(fvi("help run x"), 2);
     ck_assert_int_eq(fvi("run -h0.1"), 2); /* not the step, nor the help */
+}
+END_TEST
+
+/* What bash would offer behind these words. */
+static const char *offered(const char *words)
+{
+    char line[500];
+    snprintf(line, sizeof line,
+             "command -v bash > /dev/null || exit 9; mkdir -p bin; "
+             "ln -sf \"$FVI\" bin/fvi; PATH=$PWD/bin:$PATH bash -c '. "
+             "\"$SOURCES\"/program/fvi.bash; COMP_WORDS=(%s); "
+             "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _fvi; "
+             "echo \" ${COMPREPLY[*]} \"'",
+             words);
+    return shell(line) == 9 ? NULL : out;
+}
+
+START_TEST(completions_are_what_the_program_says)
+{
+    if (!offered("fvi r"))
+        return;
+    ck_assert_str_eq(out, " run \n");
+    ck_assert_ptr_nonnull(strstr(offered("fvi \"\""), " coefficients "));
+    ck_assert_ptr_nonnull(strstr(offered("fvi help \"\""), " exact "));
+    ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");
+    ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
+    ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");
+    offered("fvi run --method \"\"");
+    for (size_t i = 0; fvi_methods[i]; i++)
+        ck_assert_ptr_nonnull(strstr(out, fvi_methods[i]->name));
+    offered("fvi run --");
+    for (const char *at = out; (at = strstr(at, " --")); at++) {
+        char line[100];
+        snprintf(line, sizeof line, "run %.*s", (int)strcspn(at + 1, " \n"),
+                 at + 1);
+        ck_assert_msg(fvi(line) == 0 || !strstr(err, "no such"), "%s", err);
+        offered("fvi run --");
+    }
+    ck_assert_int_eq(shell("command -v zsh > /dev/null || exit 0; zsh -n "
+                           "\"$SOURCES\"/program/fvi.zsh"),
+                     0);
 }
 END_TEST
 
@@ -366,6 +408,9 @@ END_TEST
 
 int main(void)
 {
+    char *sources = realpath("src", NULL);
+    setenv("SOURCES", sources ? sources : "src", 1);
+    free(sources);
     Suite *suite = suite_create("the program fvi: what comes out");
     ADD_CASE(suite, "values", run_prints_head_and_rows,
              rows_are_the_numbers_of_the_library,
@@ -376,6 +421,7 @@ int main(void)
              exact_prints_the_exact_solution, coefficients_and_methods_and_help,
              help_is_asked_for_in_many_ways, help_and_manual_know_every_method,
              a_repeated_option_is_fine_if_it_says_the_same,
+             completions_are_what_the_program_says,
              the_decimal_point_is_a_point_everywhere);
     return run_suite_of_program(suite);
 }

@@ -71,6 +71,51 @@ START_TEST(an_interrupted_run_leaves_no_file)
 }
 END_TEST
 
+/* SIGKILL cannot be caught: the file has no name until it is complete, where the system has
+ * such files; else .fvi-XXXXXX is left, as the header says, and nothing is tested. */
+START_TEST(a_killed_run_leaves_no_file)
+{
+    ck_assert_int_eq(
+        shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
+              "-o killed & pid=$!; sleep 0.3; ls -lL /proc/$pid/fd > names; "
+              "ls -A | grep -c '[.]fvi-' > count; "
+              "kill -9 $pid; wait $pid; test $? = 137; cat count"),
+        0);
+    ck_assert(!exists("killed"));
+    if (strcmp(out, "0\n") == 0) /* nothing to be seen while it ran */
+        ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
+}
+END_TEST
+
+/* Standard error is a terminal: after a second a line that says how far, and how long
+ * still; it is cleared. A pipe gets none. */
+START_TEST(progress_is_shown_on_a_terminal)
+{
+    const char *run =
+        "run --steps 15e4 --alpha 0.3 --memory direct --every 15e4";
+    char line[300];
+    if (shell("command -v script > /dev/null") != 0)
+        return;
+    snprintf(line, sizeof line,
+             "script -qec '\"$FVI\" %s -o far' typescript < /dev/null", run);
+    ck_assert_int_eq(shell(line), 0);
+    unsigned k, steps;
+    double percent, past, left;
+    const char *said = strstr(out, "\rstep ");
+    if (said) /* else this machine needs less than a second */
+        ck_assert_msg(sscanf(said,
+                             "\rstep %u of %u (%lf %%), %lf s, %lf s left", &k,
+                             &steps, &percent, &past, &left)
+                          == 5,
+                      "%s", said);
+    if (said)
+        ck_assert(k < steps && steps == 150000 && past >= 1 && left < 600);
+    ck_assert(!said || strstr(out, "\r\033[K"));
+    ck_assert_int_eq(fvi(run), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 /* Complete or not at all is what a file is; on standard output the rows before the
  * failure stand, also by its other name. */
 START_TEST(the_rows_before_a_failure_are_kept_on_standard_output_alone)
@@ -153,6 +198,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: where it writes");
     ADD_CASE(suite, "files", files_are_complete_or_absent,
              what_was_there_is_respected, an_interrupted_run_leaves_no_file,
+             a_killed_run_leaves_no_file, progress_is_shown_on_a_terminal,
              the_rows_before_a_failure_are_kept_on_standard_output_alone,
              an_open_file_is_written_to_where_it_stands,
              a_file_keeps_all_its_names);

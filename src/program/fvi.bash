@@ -1,0 +1,23 @@
+# bash completion for fvi: options and methods are those that the program itself names.
+_fvi()
+{
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} known=
+    COMPREPLY=()
+    if ((COMP_CWORD == 1)) || [[ $before == help ]]; then
+        known=$(fvi help 2>/dev/null | sed -n 's/^[a-z: ]*fvi \([a-z][a-z]*\) .*/\1/p' | sort -u)
+    else
+        case $before in
+        --method) known=$(fvi methods 2>/dev/null | cut -f1) ;;
+        --memory) known='auto direct fft exponentials' ;;
+        --derivative) known='held caputo rl' ;;
+        --format) known='tsv csv json' ;;
+        --potential) known='harmonic: duffing: pendulum: free chain:' ;;
+        --force) known='none step: cosine: file:' ;;
+        --columns) known='t,x t,x,p,energy' ;;
+        -o | --plot | --checkpoint) COMPREPLY=($(compgen -f -- "$word")); return ;;
+        *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u) ;;
+        esac
+    fi
+    COMPREPLY=($(compgen -W "$known" -- "$word"))
+}
+complete -o default -F _fvi fvi

@@ -1,0 +1,19 @@
+#compdef fvi
+# zsh completion for fvi: options and methods are those that the program itself names.
+local -a known
+if ((CURRENT == 2)) || [[ $words[CURRENT-1] == help ]]; then
+    known=(${(f)"$(fvi help 2>/dev/null | sed -n 's/^[a-z: ]*fvi \([a-z][a-z]*\) .*/\1/p' | sort -u)"})
+else
+    case $words[CURRENT-1] in
+    --method) known=(${(f)"$(fvi methods 2>/dev/null | cut -f1)"}) ;;
+    --memory) known=(auto direct fft exponentials) ;;
+    --derivative) known=(held caputo rl) ;;
+    --format) known=(tsv csv json) ;;
+    --potential) known=(harmonic: duffing: pendulum: free chain:) ;;
+    --force) known=(none step: cosine: file:) ;;
+    --columns) known=(t,x t,x,p,energy) ;;
+    -o|--plot|--checkpoint) _files; return ;;
+    *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u)"}) ;;
+    esac
+fi
+compadd -- $known

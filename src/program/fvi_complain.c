@@ -1,0 +1,37 @@
+/* src/program/fvi_complain.c -- How the commands of build/fvi fail. */
+#include "fvi_commands.h"
+#include "fvi_output.h"
+#include <fvi/error.h>
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+int fvi_complain(const char *what)
+{
+    fprintf(stderr, "fvi: %s\n", what);
+    return 1;
+}
+
+int fvi_cannot_write(const char *name)
+{
+    const int why = errno;
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: cannot write %s: %s\n",
+            name ? name : "standard output", strerror(why));
+    return 1;
+}
+
+int fvi_stopped_at(size_t step, int status)
+{
+    const char *what =
+        status == FVI_EMAXITER  ? "Newton's method did not converge"
+        : status == FVI_ESING   ? "the equation of the step is singular"
+        : status == FVI_EOVRFLW ? "a value is no longer finite"
+        : status == FVI_EDOM    ? "a number is out of range"
+        : status == FVI_ELOSS   ? "a phase of so many swings is not known"
+                                : fvi_strerror(status);
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: step %zu: %s\n", step, what);
+    return 1;
+}
