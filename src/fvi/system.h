@@ -56,10 +56,15 @@ typedef struct {
     size_t diagonals;
 } fvi_potential;
 
-/* fvi_force -- F(t), d numbers written to F. A zeroed force is none. */
+/* fvi_force -- F(t), d numbers written to F. A zeroed force is none.
+ *
+ *   jumps, jump_count  the times, in any order, at which F or a derivative of it jumps;
+ *          NULL and 0 if there are none. Methods that choose their steps end one there */
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
     void *params;
+    const double *jumps;
+    size_t jump_count;
 } fvi_force;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and

@@ -35,6 +35,9 @@ extern "C" {
  *   memory   how the history is summed
  *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
  *              means the default 1e-13; of no effect where nothing is remembered
+ *   step_error  for methods that choose their steps: what the estimated error of x
+ *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
+ *              h and steps say where the rows are, then, and not how long a step is
  *
  * What is left out of an initialiser is zero: begin with fvi_run_default, which
  * sets what must not be zero by accident.
@@ -50,6 +53,7 @@ typedef struct {
     fvi_past past;
     fvi_memory_kind memory;
     double tolerance;
+    double step_error;
 } fvi_run;
 
 /* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
@@ -72,8 +76,8 @@ typedef enum {
 
 /* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */
 typedef struct {
-    size_t k;      /* steps done */
-    double t;      /* k h, one product */
+    size_t k;      /* steps done; rows that have been passed, if steps vary */
+    double t;      /* k h, one product; that of x and p, if steps vary */
     double *x, *p; /* position and momentum, d numbers each */
 
     double *dx, *g, *F; /* the last increment, gradient and force */
@@ -112,6 +116,9 @@ typedef struct {
  *   start  refuses runs that the method does not know; prepares newton and own;
  *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
+ *   dense  NULL, or of a method that chooses its steps: x and p (either may be NULL) at a
+ *          time t <= s->t within the last step; FVI_EDOM before it. Such a method's step
+ *          sets s->t, to steps h in the end
  *   copy   makes to->own out of from->own; NULL only if own is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
  *   stop   gives own back; may be NULL */
@@ -127,6 +134,7 @@ struct fvi_method {
     int load_grows;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
+    int (*dense)(const fvi_stepper *s, double t, double *x, double *p);
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
     void (*stop)(fvi_stepper *s);
 };
@@ -148,7 +156,8 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
-/* fvi_step -- from k to k + 1.
+/* fvi_step -- from k to k + 1; or, of a method that chooses its steps, one of these: from
+ * s->t to a later s->t, the last of them to steps h.
  *
  * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
  * is two gradients and O(d w), else mostly two to five gradients, Hessians and
@@ -162,6 +171,16 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * is not called for them, here or by fvi_start. After an error, but for FVI_EFAULT
  * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);
+
+/* fvi_run_to -- as many steps as it takes to a time, and x and p there.
+ *
+ *   t     not before the last step, not after steps h; one of the times k h, but for
+ *         methods that choose their steps, which give out any time
+ *   x, p  outputs, d numbers each, or NULL
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t to be
+ * had; what fvi_step returns. */
+int fvi_run_to(fvi_stepper *s, double t, double *x, double *p);
 
 /* fvi_copy -- the same trajectory again, at the same k, history included: a fork, or a
  * place to come back to. Both go on with the same digits, and neither knows of the

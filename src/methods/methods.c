@@ -5,6 +5,7 @@
 #include <fvi/discrete_mechanics.h>
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
+#include <fvi/variable_steps.h>
 
 #include <string.h>
 
@@ -13,7 +14,8 @@ const fvi_method *const fvi_methods[] = {
     &fvi_euler_explicit, &fvi_euler_implicit,
     &fvi_shifted,        &fvi_bdf2,
     &fvi_lobatto2,       &fvi_lobatto3,
-    &fvi_lobatto4,       NULL
+    &fvi_lobatto4,       &fvi_adaptive,
+    NULL
 };
 
 const fvi_method *fvi_method_named(const char *name)

@@ -64,6 +64,8 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("this method does not know this alpha", FVI_EDOM);
     if (!(run->tolerance >= 0 && run->tolerance < 1))
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
+    if (!(run->step_error >= 0 && gsl_finite(run->step_error)))
+        FVI_FAIL("step_error must be finite and not negative", FVI_EDOM);
     if (!fvi_all_finite(run->system->d, run->x0)
         || !fvi_all_finite(run->system->d, run->p0))
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
@@ -128,8 +130,39 @@ int fvi_step(fvi_stepper *s)
         return status;
     if (!fvi_all_finite(2 * s->run.system->d, s->x)) /* x, then p */
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */
-    s->k++;
-    s->t = (double)s->k * s->run.h;
+    if (!s->method->dense) {
+        s->k++;
+        s->t = (double)s->k * s->run.h;
+        return FVI_SUCCESS;
+    }
+    const double rows = floor(s->t / s->run.h); /* by a rounding too many or too few */
+    s->k = rows < (double)s->run.steps ? (size_t)rows : s->run.steps;
+    s->k -= (double)s->k * s->run.h > s->t;
+    s->k += s->k < s->run.steps && (double)(s->k + 1) * s->run.h <= s->t;
+    return FVI_SUCCESS;
+}
+
+int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
+{
+    if (!s)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    const size_t bytes = s->run.system->d * sizeof(double);
+    if (!(t <= (double)s->run.steps * s->run.h))
+        FVI_FAIL("the run is over before", FVI_EDOM);
+    int status = FVI_SUCCESS;
+    while (s->t < t && !status)
+        status = fvi_step(s);
+    if (status)
+        return status;
+    if (s->t == t) {
+        if (x)
+            memcpy(x, s->x, bytes);
+        if (p)
+            memcpy(p, s->p, bytes);
+        return FVI_SUCCESS;
+    }
+    if (!s->method->dense || s->method->dense(s, t, x, p))
+        FVI_FAIL("no state at such a time", FVI_EDOM);
     return FVI_SUCCESS;
 }
 
@@ -182,15 +215,19 @@ void fvi_stop(fvi_stepper *s)
     free(s);
 }
 
-static int store(const fvi_stepper *s, double *x, double *p, double *energy)
+/* Row k; dx and g have room for what nobody wants but the energy. */
+static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
 {
     const size_t d = s->run.system->d;
-    if (x)
-        memcpy(x + s->k * d, s->x, d * sizeof *x);
-    if (p)
-        memcpy(p + s->k * d, s->p, d * sizeof *p);
-    return energy ? fvi_energy(s->run.system, s->x, s->p, energy + s->k)
-                  : FVI_SUCCESS;
+    const double t = (double)k * s->run.h;
+    int status = fvi_run_to(s, t, x ? x + k * d : NULL, p ? p + k * d : NULL);
+    if (status || !energy)
+        return status;
+    if (s->t == t)
+        return fvi_energy(s->run.system, s->x, s->p, energy + k);
+    status = fvi_run_to(s, t, s->dx, s->g);
+    return status ? status
+                  : fvi_energy(s->run.system, s->dx, s->g, energy + k);
 }
 
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
@@ -204,12 +241,8 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
         fvi_stop(s);
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
     }
-    status = store(s, x, p, energy);
-    while (!status && s->k < run->steps) {
-        status = fvi_step(s);
-        if (!status)
-            status = store(s, x, p, energy);
-    }
+    for (size_t k = 0; !status && k <= run->steps; k++)
+        status = store(s, k, x, p, energy);
     fvi_stop(s);
     return status;
 }

@@ -293,7 +293,7 @@ static int step_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_force_step(const double aT[2])
 {
-    return (fvi_force){ step_value, (void *)aT };
+    return (fvi_force){ step_value, (void *)aT, aT + 1, 1 };
 }
 
 static int cosine_value(double t, size_t d, void *params, double *F)
@@ -307,5 +307,5 @@ static int cosine_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_force_cosine(const double aw[2])
 {
-    return (fvi_force){ cosine_value, (void *)aw };
+    return (fvi_force){ .value = cosine_value, .params = (void *)aw };
 }

@@ -1,0 +1,284 @@
+/* src/memory/variable_modes.c -- The past of variable steps, as modes. [Chapter 22] */
+#include "variable_modes.h"
+
+#include "memory_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "variable_table.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The range of modes: sigma T from exp(-6.5) on, to mu = h sigma >= 2e4, where the six
+ * corrections of either end leave 1e-14. (22.5) */
+#define LOWEST 6.5
+#define HIGHEST 2e4
+
+/* What is kept of the last step for modes that sleep: see wake. */
+typedef struct {
+    double u[FVI_LANES], ds, before;
+} last_step;
+
+struct fvi_modes {
+    const fvi_variable_rule *rule;
+    const fvi_mode_row *table;
+    double beta;
+    size_t d, Q;             /* coordinates; modes of each, a multiple of LANES */
+    int first;               /* sigma_q = exp(L (first + q)) */
+    size_t count, awake;     /* modes that this step reads; that are up to date */
+    double top[FVI_ENDS];    /* what the upper end adds to its weights, times */
+    double at_top[FVI_ENDS]; /* weight_top of this step */
+    fvi_length now, before;  /* this step, the last that was taken */
+    fvi_mode_row row;        /* of this step */
+    double *sigma, *weight;  /* of each mode */
+    double *y;               /* Q for each coordinate */
+    last_step *last;         /* of each coordinate */
+    double *own;             /* room for rows off the lattice */
+};
+
+/* ---- the two loops over the modes ---- */
+
+/* Partial sum l takes every eighth mode from the l-th on, whatever the machine: no digit
+ * depends on the width of its vectors. */
+//> history
+FVI_VECTORS static void gather(size_t s, size_t Q, const double *restrict weight,
+                               const double *restrict y, const double *restrict a,
+                               size_t stride, double *restrict H)
+{
+    for (size_t i = 0; i < s; i++) {
+        const double *ai = a + i * stride;
+        double sum[FVI_LANES] = { 0 };
+        for (size_t q = 0; q < Q; q += FVI_LANES)
+            for (size_t l = 0; l < FVI_LANES; l++)
+                sum[l] += ai[q + l] * (weight[q + l] * y[q + l]); /* (22.4) */
+        H[i] = ((sum[0] + sum[4]) + (sum[2] + sum[6]))
+               + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    }
+}
+//< history
+
+//> advance
+FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
+                                const last_step *last, double *restrict y)
+{
+    for (size_t q = 0; q < n; q += FVI_LANES) {
+        double sum[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < s; i++) {
+            const double *a = row->a + i * row->stride + q;
+            for (size_t l = 0; l < FVI_LANES; l++)
+                sum[l] += a[l] * last->u[i];
+        }
+        for (size_t l = 0; l < FVI_LANES; l++) /* (22.3) */
+            y[q + l] += (row->mu[q + l] * sum[l] + last->ds)
+                        - row->p[q + l] * y[q + l];
+    }
+}
+//< advance
+
+/* ---- lengths, rows, sleep ---- */
+
+/* The row of the modes from .. to - 1 for a step of such length: a piece of the table,
+ * or made anew in m->own. */
+static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
+                           size_t to)
+{
+    const long place = (long)m->first + length.k - FVI_FIRST + (long)from;
+    const size_t n = to - from;
+    if (length.k != FVI_OFF_LATTICE && place >= 0
+        && place + (long)n <= FVI_POINTS) {
+        const fvi_mode_row *t = m->table;
+        return (fvi_mode_row){ t->mu + place, t->p + place, t->a + place,
+                               t->stride };
+    }
+    double *mu = m->own, *p = mu + m->Q, *a = p + m->Q;
+    for (size_t q = 0; q < n; q++)
+        mu[q] = fmin(length.h * m->sigma[from + q], 1e30);
+    fvi_mode_row_make(m->rule, n, mu, p, a);
+    return (fvi_mode_row){ mu, p, a, n };
+}
+
+/* Modes that have slept see nothing but the last step: before it, y was at rest at
+ * v_e, and z at 0, to 3e-6 of what they add to H. */
+static void wake(fvi_modes *m, size_t to)
+{
+    if (m->awake >= to)
+        return;
+    const fvi_mode_row row = row_of(m, m->before, m->awake, to);
+    for (size_t j = 0; j < m->d; j++) {
+        double *y = m->y + j * m->Q;
+        for (size_t q = m->awake; q < to; q++)
+            y[q] = m->last[j].before;
+        step_on(m->rule->s, to - m->awake, &row, &m->last[j], y + m->awake);
+    }
+    m->awake = to;
+}
+
+void fvi_modes_wake_all(fvi_modes *m)
+{
+    wake(m, m->Q);
+}
+
+void fvi_modes_begin(fvi_modes *m, fvi_length length)
+{
+    size_t q = FVI_APART * FVI_ENDS;
+    if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake
+        && length.k != FVI_OFF_LATTICE)
+        return;
+    const double L = fvi_variable_spacing();
+    const double top = ceil(log(HIGHEST / length.h) / L) - m->first;
+    q = (size_t)fmin(fmax(top, (double)q) + 1, (double)m->Q);
+    m->count = (q + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
+    m->now = length;
+    wake(m, m->count);
+    m->row = row_of(m, length, 0, m->count);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        m->at_top[l] = m->weight[m->count - 1] * m->top[l];
+}
+
+void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
+{
+    const fvi_mode_row *row = &m->row;
+    const double *y = m->y + j * m->Q;
+    memset(H, 0, FVI_LANES * sizeof *H);
+    gather(m->rule->s, m->count, m->weight, y, row->a, row->stride, H);
+    for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.5) */
+        const size_t q = m->count - 1 - FVI_APART * l;
+        for (size_t i = 0; i < m->rule->s; i++)
+            H[i] += row->a[i * row->stride + q] * (m->at_top[l] * y[q]);
+    }
+}
+
+void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
+{
+    const size_t s = m->rule->s;
+    last_step *last = &m->last[j];
+    for (size_t i = 0; i < s; i++) {
+        const double u = m->rule->b[s - 1 - i] * v[s - 1 - i];
+        last->u[i] = m->beta < 0 ? u : -u;
+    }
+    last->ds = m->beta < 0 ? 0 : v[s - 1];
+    last->before = m->beta < 0 ? ve : 0;
+    step_on(s, m->count, &m->row, last, m->y + j * m->Q);
+    m->before = m->now;
+    m->awake = m->count;
+}
+
+/* ---- a memory ---- */
+
+static size_t numbers(const fvi_modes *m)
+{
+    return (2 + m->d + 2 + m->rule->s) * m->Q;
+}
+
+/* Room for such sizes, zeros, and nothing else; or NULL. */
+static fvi_modes *make(fvi_modes sizes)
+{
+    fvi_modes *m = malloc(sizeof *m);
+    double *block = calloc(numbers(&sizes), sizeof *block);
+    last_step *last = calloc(sizes.d, sizeof *last);
+    if (!m || !block || !last) {
+        free(m);
+        free(block);
+        free(last);
+        return NULL;
+    }
+    *m = sizes;
+    m->sigma = block;
+    m->weight = m->sigma + m->Q;
+    m->y = m->weight + m->Q;
+    m->own = m->y + m->d * m->Q;
+    m->last = last;
+    return m;
+}
+
+/* sigma_q and weight_q by the exponentials of 16 and of every 16th: setting up a run is
+ * a part of its time. */
+static void weigh(fvi_modes *m)
+{
+    enum { BLOCK = 16 };
+    const double L = fvi_variable_spacing(), beta = m->beta;
+    const double size =
+        sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
+    double fine[BLOCK], finer[BLOCK], c[FVI_ENDS];
+    for (size_t l = 0; l < BLOCK; l++) {
+        fine[l] = exp(L * (double)l);
+        finer[l] = exp(L * beta * (double)l);
+    }
+    for (size_t q = 0; q < m->Q; q += BLOCK) {
+        const double j = (double)m->first + (double)q,
+                     sigma = exp(L * j), weight = size * exp(L * beta * j);
+        for (size_t l = 0; l < BLOCK && q + l < m->Q; l++) {
+            m->sigma[q + l] = sigma * fine[l];
+            m->weight[q + l] = weight * finer[l];
+        }
+    }
+    const double w0 = m->weight[0], apart = -L * FVI_APART;
+    fvi_variable_ends(beta > 0 ? beta : 1 + beta, c);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        m->weight[FVI_APART * l] +=
+            w0 * c[l] * (beta > 0 ? 1 : exp(apart * (double)l));
+    const double M = beta > 0 ? 2 : 1;
+    fvi_variable_ends(M - beta, c);
+    for (size_t l = 0; l < FVI_ENDS; l++) /* weight_top r^{-3 l M} c_l */
+        m->top[l] = c[l] * exp(apart * (double)l * M);
+}
+
+int fvi_modes_alloc(const fvi_variable_rule *rule, double beta, size_t d,
+                    double T, double least, fvi_modes **modes)
+{
+    const double L = fvi_variable_spacing();
+    const int first = (int)floor((-LOWEST - log(T)) / L),
+              last = (int)ceil(log(HIGHEST / least) / L);
+    const size_t Q = (size_t)(last - first) / FVI_LANES * FVI_LANES + FVI_LANES;
+    fvi_modes *m = make((fvi_modes){ .rule = rule,
+                                     .table = fvi_mode_table(rule),
+                                     .beta = beta,
+                                     .d = d,
+                                     .Q = Q,
+                                     .first = first,
+                                     .awake = Q });
+    if (!m || !m->table) {
+        fvi_modes_free(m);
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    }
+    weigh(m);
+    *modes = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
+{
+    fvi_modes *m = make(*from);
+    if (!m)
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    memcpy(m->sigma, from->sigma, numbers(m) * sizeof *m->sigma);
+    memcpy(m->last, from->last, m->d * sizeof *m->last);
+    m->now = (fvi_length){ 0 }; /* its row may point into the other's room */
+    *to = m;
+    return FVI_SUCCESS;
+}
+
+void fvi_modes_free(fvi_modes *m)
+{
+    if (!m)
+        return;
+    free(m->sigma);
+    free(m->last);
+    free(m);
+}
+
+size_t fvi_modes_count(const fvi_modes *m)
+{
+    return m->Q;
+}
+
+double fvi_modes_rate(const fvi_modes *m, size_t q)
+{
+    return m->sigma[q];
+}
+
+void fvi_modes_add(fvi_modes *m, size_t j, size_t q, double more)
+{
+    m->y[j * m->Q + q] += more;
+}

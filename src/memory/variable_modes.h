@@ -1,0 +1,80 @@
+/* src/memory/variable_modes.h -- The past of variable steps, as modes. [Chapter 22]
+ *
+ * What a derivative of order beta, -1 < beta < 1, remembers of velocities v is a sum
+ * over modes w' = -sigma w + v, one for each sigma = exp(L j), j whole, L the spacing.
+ * Over a step of length h with the values v at its stages Lobatto IIIC gives, with
+ *
+ *     mu = h sigma,   a(mu) = (mu + A^{-1})^{-1} e_1 / b_1,   p = mu b.a,
+ *
+ *     beta < 0:  y = sigma w,         y += mu a.u - p y,       u_i = b_i v_i backwards
+ *     beta > 0:  z = v_e - sigma w,   z += ds - mu a.u - p z,  v - v_e for v      (22.3)
+ *
+ * v_e the last velocity of the step before, ds = v_s - v_e; and the history at the
+ * stages of the next step, of length h, is
+ *
+ *     H_i = sum_q weight_q a_i(h sigma_q) y_q,                                    (22.4)
+ *     weight_q = (sin(pi min(|beta|, 1 - |beta|)) / pi) L sigma_q^beta
+ *
+ * corrected at both ends (22.5). A step h = exp(L k) finds a and p of all its modes in
+ * one table over j + k, which is made once in a process. Modes with mu far above 1 see
+ * only the last step: they sleep, and are woken from it when the steps become shorter. */
+#ifndef FVI_VARIABLE_MODES_H
+#define FVI_VARIABLE_MODES_H
+
+#include "variable_rule.h"
+
+/* The length of a step: h = exp(L k), or any h with k = FVI_OFF_LATTICE. */
+enum { FVI_OFF_LATTICE = -100000 };
+typedef struct {
+    double h;
+    int k;
+} fvi_length;
+
+typedef struct fvi_modes fvi_modes;
+
+/* fvi_modes_alloc -- the modes of d coordinates, at rest.
+ *
+ *   rule   of 6 or 8 stages
+ *   beta   -1 < beta < 1, not 0
+ *   d      how many coordinates, >= 1
+ *   T      the time of the whole run, > 0; no step is longer
+ *   least  no step is shorter, 1e-16 T at least
+ *   modes  output; free it with fvi_modes_free
+ *
+ * Accuracy of H: 2e-14 of its size without the modes' signs (no proof; tested against the
+ * matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T / least).
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_modes_alloc(const fvi_variable_rule *rule, double beta, size_t d,
+                    double T, double least, fvi_modes **modes);
+
+/* fvi_modes_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
+
+/* fvi_modes_free -- give everything back. NULL is allowed. */
+void fvi_modes_free(fvi_modes *modes);
+
+/* fvi_modes_begin -- the next step, or another trial of it, has this length.
+ * Wakes what slept. Cost O(Q s) where it is off the lattice or modes wake. */
+void fvi_modes_begin(fvi_modes *modes, fvi_length length);
+
+/* fvi_modes_history -- H of (22.4) for coordinate j in the step that has begun.
+ *   H  output: FVI_LANES numbers, those behind the s-th zero. Cost O(Q s) */
+void fvi_modes_history(const fvi_modes *modes, size_t j, double *H);
+
+/* fvi_modes_advance -- the step that has begun is taken: (22.3) for coordinate j. All
+ * coordinates must be advanced before the next fvi_modes_begin.
+ *   v   the stage velocities of the step for beta < 0, v - v_e for beta > 0, s numbers
+ *   ve  v_e, the last velocity of the step before */
+void fvi_modes_advance(fvi_modes *modes, size_t j, const double *v, double ve);
+
+/* fvi_modes_wake_all -- between steps: all modes of all coordinates are awake. */
+void fvi_modes_wake_all(fvi_modes *modes);
+
+/* fvi_modes_count, fvi_modes_rate, fvi_modes_add -- the modes of a coordinate: their
+ * number, the sigma of the q-th, and `more` to be added to its y or z, when all are
+ * awake. */
+size_t fvi_modes_count(const fvi_modes *modes);
+double fvi_modes_rate(const fvi_modes *modes, size_t q);
+void fvi_modes_add(fvi_modes *modes, size_t j, size_t q, double more);
+
+#endif

@@ -1,0 +1,107 @@
+/* src/memory/variable_rule.c -- The constants of steps of any length.  [Chapter 22] */
+#include "variable_rule.h"
+
+#include "memory_kinds.h" /* FVI_VECTORS */
+#include <fvi/error.h>
+
+#include <math.h>
+#include <string.h>
+
+#include "variable_rule_ref.h"
+
+const fvi_variable_rule *fvi_variable(size_t s)
+{
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
+        if (rules[i].s == s)
+            return &rules[i];
+    return NULL;
+}
+
+double fvi_variable_spacing(void)
+{
+    return FVI_SPACING;
+}
+
+//> present
+void fvi_variable_present(const fvi_variable_rule *rule, double beta,
+                          fvi_square *W)
+{
+    const size_t s = rule->s;
+    memset(W, 0, sizeof *W);
+    for (size_t n = 0; n < s / 2; n++) {
+        const double size = 2 * exp(beta * rule->log_modulus[n]),
+                     re = size * cos(beta * rule->angle[n]),
+                     im = size * sin(beta * rule->angle[n]);
+        for (size_t l = 0; l < s; l++) {
+            const double vr = rule->b[l] * rule->re[n][s - 1 - l],
+                         vi = rule->b[l] * rule->im[n][s - 1 - l],
+                         x = re * vr - im * vi, y = re * vi + im * vr;
+            for (size_t i = 0; i < s; i++) /* (22.2) */
+                W->column[l][i] += x * rule->re[n][i] - y * rule->im[n][i];
+        }
+    }
+}
+//< present
+
+void fvi_variable_ends(double nu, double *c)
+{
+    for (size_t l = 0; l < FVI_ENDS; l++) {
+        c[l] = 0;
+        for (size_t n = 0; n < FVI_ENDS; n++) /* sum_m r^{-m (nu + n)} */
+            c[l] += ends[l][n] / expm1(FVI_SPACING * (nu + (double)n));
+    }
+}
+
+FVI_VECTORS void fvi_square_apply(size_t s, const fvi_square *M,
+                                  const double *in, double *out)
+{
+    double sum[FVI_LANES] = { 0 };
+    for (size_t l = 0; l < s; l++)
+        for (size_t i = 0; i < FVI_LANES; i++)
+            sum[i] += M->column[l][i] * in[l];
+    memcpy(out, sum, sizeof sum);
+}
+
+static void exchange(double *x, double *y, size_t n, size_t stride)
+{
+    for (size_t i = 0; i < n * stride; i += stride) {
+        const double kept = x[i];
+        x[i] = y[i];
+        y[i] = kept;
+    }
+}
+
+/* What stands in the columns is eliminated as if it stood in rows: the inverse of the
+ * transpose is the transpose of the inverse. */
+FVI_VECTORS int fvi_square_invert(size_t s, fvi_square *square)
+{
+    double(*M)[FVI_LANES] = square->column;
+    size_t from[FVI_LANES];
+    for (size_t k = 0; k < s; k++) {
+        size_t p = k;
+        for (size_t r = k + 1; r < s; r++)
+            if (fabs(M[r][k]) > fabs(M[p][k]))
+                p = r;
+        if (!(fabs(M[p][k]) > 0))
+            return FVI_ESING;
+        from[k] = p;
+        if (p != k)
+            exchange(M[k], M[p], FVI_LANES, 1);
+        const double pivot = 1 / M[k][k];
+        M[k][k] = 1;
+        for (size_t i = 0; i < FVI_LANES; i++)
+            M[k][i] *= pivot;
+        for (size_t r = 0; r < s; r++) {
+            if (r == k)
+                continue;
+            const double factor = M[r][k];
+            M[r][k] = 0;
+            for (size_t i = 0; i < FVI_LANES; i++)
+                M[r][i] -= factor * M[k][i];
+        }
+    }
+    for (size_t k = s; k-- > 0;)
+        if (from[k] != k)
+            exchange(&M[0][k], &M[0][from[k]], s, FVI_LANES);
+    return FVI_SUCCESS;
+}

@@ -1,0 +1,76 @@
+/* src/memory/variable_rule.h -- The constants of steps of any length.  [Chapter 22]
+ *
+ * With the s Lobatto nodes c, their weights B = diag(b) and the matrix D that
+ * differentiates the polynomial through s values at them,
+ *
+ *     A^{-1} = D + e_1 e_1^T / b_1,    A 1 = c,    last row of A: b,        (17.3)
+ *
+ * everything that does not depend on the step nor on alpha is a constant, and made by
+ * verify/variable_rule.py from its definition. */
+#ifndef FVI_VARIABLE_RULE_H
+#define FVI_VARIABLE_RULE_H
+
+#include <stddef.h>
+
+/* Stages are padded by zeros to LANES, the doubles of the widest vector. */
+enum { FVI_LANES = 8, FVI_ENDS = 6, FVI_APART = 3 };
+
+/* A matrix, column by column: entry (i, l) at column[l][i]. */
+typedef struct {
+    double column[FVI_LANES][FVI_LANES];
+} fvi_square;
+
+typedef struct {
+    size_t s;
+    double c[FVI_LANES], b[FVI_LANES];
+    fvi_square A, inverse; /* A, and A^{-1} */
+    /* X = x + c h v + h form_m delta in form M, A in its place in form D */
+    fvi_square form_m;
+    /* h a_n, a_n the Legendre coefficients of x'' in a step, from delta = h A x'' */
+    fvi_square legendre;
+    /* (mu + A^{-1})^{-1} e_1 / b_1: entry i is sum_n numerator[i][n] mu^n by
+     * sum_n det[n] mu^n */
+    double det[FVI_LANES + 1], numerator[FVI_LANES][FVI_LANES];
+    /* The eigenvalues of A^{-1} in the upper half plane, and vectors v such that
+     * v w^T, w_i = b_i v_{s-1-i}, are the projectors */
+    double log_modulus[FVI_LANES / 2], angle[FVI_LANES / 2];
+    double re[FVI_LANES / 2][FVI_LANES], im[FVI_LANES / 2][FVI_LANES];
+} fvi_variable_rule;
+
+/* fvi_variable -- the rule of s stages, s = 6 or 8; NULL for another s. */
+const fvi_variable_rule *fvi_variable(size_t s);
+
+/* fvi_variable_present -- W0 = (A^{-1})^beta: what h^beta D^beta does within a step of
+ * length h, for any h.                                                       (22.2)
+ *
+ *     W0 = sum over the pairs of 2 Re(lambda^beta v w^T)
+ *
+ *   beta  -1 <= beta <= 1       W  output
+ *
+ * Accuracy: 4e-13 of the largest entry for s = 8 (no proof; seen 2e-13), 1e-14 for
+ * s = 6. Cost O(s^3), 0.3 us. */
+void fvi_variable_present(const fvi_variable_rule *rule, double beta,
+                          fvi_square *W);
+
+/* fvi_variable_ends -- how a sum over all integers is had from one over those >= 0.
+ *                                                                            (22.5)
+ *     sum_{m>=1} f(-m) = sum_l c_l f(3 l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),
+ *
+ * exactly, l = 0, ..., 5, r = exp(FVI_SPACING).
+ *
+ *   nu  > 0     c  output, FVI_ENDS numbers */
+void fvi_variable_ends(double nu, double *c);
+
+/* fvi_square_apply -- out = M in, both of FVI_LANES numbers, of which s are read; the rest
+ * of out is zero where M has zeros there. */
+void fvi_square_apply(size_t s, const fvi_square *M, const double *in,
+                      double *out);
+
+/* fvi_square_invert -- M becomes its inverse (Gauss and Jordan, with exchanges of rows).
+ * Returns FVI_SUCCESS or FVI_ESING. Cost O(s^3), 0.15 us. */
+int fvi_square_invert(size_t s, fvi_square *M);
+
+/* fvi_variable_spacing -- steps and modes are powers of its exponential. */
+double fvi_variable_spacing(void);
+
+#endif

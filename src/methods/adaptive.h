@@ -1,0 +1,118 @@
+/* src/methods/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
+ *
+ * Internal: adaptive_start.c makes it, variable_steps.c steps with it, adaptive_solve.c
+ * solves the equation of a step, adaptive_singular.c has the start that is not smooth. */
+#ifndef FVI_ADAPTIVE_H
+#define FVI_ADAPTIVE_H
+
+#include <fvi/variable_steps.h>
+#include "memory/variable_modes.h"
+
+/* Coordinates with the same mass, damping and spring share their matrices. */
+typedef struct {
+    double mass, damping; /* m, or m + rho for alpha = 1; rho */
+    double spring;        /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
+    double drag;          /* rho h^{1 - beta} */
+    fvi_square L;         /* m A^{-1} + rho h^{1 - beta} W0 */
+    fvi_square inverse;   /* of L + c h^2 A */
+} fvi_kind;
+
+/* The singular part of a start: x = y + G, y smoother, until t1.            (22.12)
+ *
+ *     G(t) = sum_{n=1}^{J} c_n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha */
+typedef struct {
+    size_t J; /* 0: there is no such part */
+    double e, gap, t1;
+    double *c;    /* c_0, ..., c_J of each coordinate; c_0 is what jumped at t = 0 */
+    double *pull; /* of each: what is left as a force is -pull t^{a_J - 2 alpha} */
+} fvi_singular;
+
+/* How the equation of a step is solved: at once, as U is quadratic and its Hessian
+ * diagonal; coordinate by coordinate, as its Hessian is diagonal; all together. */
+typedef enum { FVI_SOLVE_LINEAR, FVI_SOLVE_DIAGONAL, FVI_SOLVE_COUPLED } fvi_solve;
+
+/* Stage i of coordinate j stands at [j * FVI_LANES + i], but in point, gradient and
+ * hessian at [i * d + j], as the callbacks want it. */
+typedef struct {
+    const fvi_variable_rule *rule;
+    size_t d;
+    double beta;
+    fvi_solve solve;
+    const fvi_square *to_x; /* X = base + h to_x delta: A, or that of form M */
+    fvi_square W0;          /* (22.2), and W0 1 */
+    double W1[FVI_LANES];
+    size_t kinds, *kind; /* how many; which of them has each coordinate */
+    fvi_kind *of_kind;
+    fvi_length length;  /* of the steps for which their matrices are */
+    double coupled;     /* and s->newton, if there is one */
+    /* the past */
+    fvi_modes *modes;      /* NULL: none is needed */
+    size_t damped, *index; /* the coordinates that have modes */
+    double *centre;        /* alpha = 0: where the springs of the damping rest */
+    fvi_singular singular;
+    /* the state at t, compensated; y is x without its singular part */
+    double *y, *y_less, *v, *v_less, t, t_less;
+    /* this step, or the last: its start, its stages */
+    double t0, *y0, *v0;
+    double *base, *R, *delta;
+    double *bend, *bend0; /* h times the Legendre coefficients of x''; of the last step */
+    double *point, *gradient, *hessian;
+    fvi_square *jacobian; /* of each coordinate, inverted */
+    /* control */
+    double T, least;    /* the end; no step is shorter */
+    double scale;       /* the largest |x_i| so far */
+    double allowed;     /* the tolerance of this step */
+    double contraction; /* of the last iteration */
+    int next, first;    /* exponents k of the next h = exp(L k), of one after a jump */
+    int fresh;          /* nonzero in the first step after a jump */
+    int most, fewest;   /* those of the longest and the shortest step */
+    int growth;         /* so much may k grow from step to step */
+    double rough;       /* up to this time a force may jump that did not say so */
+    fvi_adaptive_counts counts;
+} fvi_adaptive_run;
+
+/* fvi_adaptive_limit -- before the first step: no step longer than `longest`, nor than
+ * the last by more than `growth` factors exp(FVI_SPACING). */
+void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth);
+
+/* fvi_adaptive_start, _stop, _copy -- as fvi_method has them. */
+int fvi_adaptive_start(fvi_stepper *s);
+void fvi_adaptive_stop(fvi_stepper *s);
+int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to);
+
+/* fvi_adaptive_matrices -- those of steps of such length. FVI_ESING if one is singular. */
+int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
+
+/* fvi_adaptive_solve -- o->delta of the step whose base and R are there:    (22.7)
+ *
+ *     L delta = R - h grad U(base + h to_x delta)
+ *
+ * to 1e-6 of o->allowed in x. FVI_EMAXITER or FVI_ESING if it does not converge: a
+ * shorter step may. What a callback returned comes back. */
+int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_adaptive_shape -- at theta, in units of a step: R_n the integral of P_n(2 u - 1)
+ * from 0 to theta, and Q_n that of R_n, n < s.
+ *   Q  may be NULL */
+void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q);
+
+/* fvi_singular_is -- is x = y + G in a step that begins at t? */
+static inline int fvi_singular_is(const fvi_adaptive_run *o, double t)
+{
+    return o->singular.J > 0 && t < o->singular.t1;
+}
+
+/* fvi_singular_start -- finds J, t1 and the coefficients; FVI_ENOMEM. The arrays of
+ * o->singular are there, or NULL, after it: give c back with free. */
+int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_singular_at -- of coordinate j at t > 0: G, G', and t^{a_J - 2 alpha} times pull.
+ * Any of the outputs may be NULL. */
+void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
+                     double *slope, double *pull);
+
+/* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over
+ * what G has done, and the singular part is no more.                        (22.13) */
+void fvi_singular_hand_over(fvi_adaptive_run *o);
+
+#endif

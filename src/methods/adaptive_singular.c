@@ -1,0 +1,147 @@
+/* src/methods/adaptive_singular.c -- The start that is not smooth.    [Chapter 22]
+ *
+ * A body that was held, or put at x0, and has to forget it (19.3):
+ *
+ *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2 alpha),
+ *
+ * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-rho/m)^n / Gamma(1 + a_n),
+ * a_n = n (2 - 2 alpha) + e, the sum G of (22.12) has m G'' + rho D_C^{2 alpha} G = - that
+ * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
+ * At t1 the terms of G fall no faster than 2^-n, and it is handed over: what G and the
+ * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
+ *
+ *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
+ *     c_0 e^{-S} + sum_n c_n a_n (a_n - 1) t1^{a_n - 1} I(a_n - 1, S),   e = 1, to z
+ *
+ * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.13) */
+#include "adaptive.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+enum { MOST_TERMS = 256 };
+
+/* a_n */
+static double power(const fvi_singular *g, size_t n)
+{
+    return (double)n * g->gap + g->e;
+}
+
+//> terms
+/* (-rho/m)^n A / Gamma(1 + a_n), and the pull that they leave. */
+static void terms(fvi_singular *g, size_t j, double A, double ratio)
+{
+    double *c = g->c + j * (g->J + 1), size = A;
+    for (size_t n = 0; n <= g->J; n++, size *= -ratio)
+        c[n] = size / tgamma(1 + power(g, n));
+}
+//< terms
+
+int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_system *system = s->run.system;
+    const double alpha = s->run.alpha;
+    fvi_singular *g = &o->singular;
+    double fastest = 0; /* rho / m of those that have such a part */
+    for (size_t j = 0; j < o->d; j++) {
+        const double A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
+                                            s->p[j] / system->mass[j]);
+        if (A != 0)
+            fastest = fmax(fastest, system->damping[j] / system->mass[j]);
+    }
+    if (fastest == 0 || alpha == 0 || alpha == 1)
+        return FVI_SUCCESS;
+    g->gap = 2 - 2 * alpha;
+    g->e = alpha > 0.5;
+    g->J = (size_t)fmin(ceil((1 + 2 * alpha - g->e) / g->gap), MOST_TERMS);
+    g->t1 = 0.5 * pow(fastest, -1 / g->gap);
+    g->c = calloc(o->d * (g->J + 2), sizeof *g->c);
+    if (!g->c)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    g->pull = g->c + o->d * (g->J + 1);
+    for (size_t j = 0; j < o->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j],
+                     A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
+                                            s->p[j] / m);
+        if (rho == 0)
+            continue;
+        terms(g, j, A, rho / m);
+        g->pull[j] = rho * A * pow(-rho / m, (double)g->J)
+                     / tgamma(1 + power(g, g->J) - 2 * alpha);
+    }
+    return FVI_SUCCESS;
+}
+
+//> at
+void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
+                     double *slope, double *pull)
+{
+    const double *c = g->c + j * (g->J + 1), q = pow(t, g->gap);
+    double value = 0, first = 0, last = 1;
+    for (size_t n = g->J; n > 0; n--) {
+        value = value * q + c[n];
+        first = first * q + c[n] * power(g, n);
+        last *= q;
+    }
+    if (G)
+        *G = g->e == 1 ? value * q * t : value * q;
+    if (slope)
+        *slope = g->e == 1 ? first * q : first * q / t;
+    if (pull) /* t^{a_J - 2 alpha} = q^{J + 1} t^{e - 2} */
+        *pull = g->pull[j] * (last * q / (g->e == 1 ? t : t * t));
+}
+//< at
+
+/* I(a, S), a > 0: the series of e^{Su} where it is short, else that in 1 / S, whose
+ * terms fall below rounding as S > 40. */
+static double moment(double a, double S)
+{
+    double sum = 0, term = 1;
+    if (S < 40) {
+        for (double n = 0; term > sum * GSL_DBL_EPSILON / 4 * S || n < S; n++) {
+            sum += term / (a + n);
+            term *= S / (n + 1);
+        }
+        return exp(-S) * sum;
+    }
+    term = 1 / S;
+    for (double n = 1; fabs(term) > fabs(sum) * GSL_DBL_EPSILON / 4 && n < S; n++) {
+        sum += term;
+        term *= -(a - n) / S;
+    }
+    return sum;
+}
+
+//> hand-over
+/* What the start has done to the mode of rate sigma, of coordinate j. */
+static double done(const fvi_singular *g, size_t j, double sigma)
+{
+    const double *c = g->c + j * (g->J + 1), S = sigma * g->t1;
+    double sum = c[0] * exp(-S);
+    for (size_t n = 1; n <= g->J; n++) {
+        const double a = power(g, n) - g->e;
+        sum += c[n] * power(g, n) * (g->e == 1 ? a : 1) * pow(g->t1, a)
+               * moment(a, S);
+    }
+    return g->e == 1 ? sum : sum * sigma;
+}
+
+void fvi_singular_hand_over(fvi_adaptive_run *o)
+{
+    const fvi_singular *g = &o->singular;
+    for (size_t j = 0; j < o->d; j++) {
+        double G, slope;
+        fvi_singular_at(g, j, g->t1, &G, &slope, NULL);
+        o->y[j] += G;
+        o->v[j] += slope;
+    }
+    fvi_modes_wake_all(o->modes);
+    for (size_t l = 0; l < o->damped; l++)
+        for (size_t q = 0; q < fvi_modes_count(o->modes); q++)
+            fvi_modes_add(o->modes, l, q,
+                          done(g, o->index[l], fvi_modes_rate(o->modes, q)));
+}
+//< hand-over

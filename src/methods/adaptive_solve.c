@@ -1,0 +1,245 @@
+/* src/methods/adaptive_solve.c -- The equation of a step.             [Chapter 22]
+ *
+ *     L delta = R - h grad U(base + h to_x delta)                          (22.7)
+ *
+ * By the inverse of L + c h^2 to_x where grad U = c x; by Newton's method with the
+ * Jacobian L + h^2 diag(U'') to_x where coordinates do not know of each other; else by
+ * delta <- L^{-1} (R - h grad U), which needs no matrix that couples them, as long as it
+ * contracts, and by Newton's method for all stages and coordinates where it does not. */
+#include "adaptive.h"
+
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* U'(base + h to_x delta) at all stages, to o->gradient; the points to o->point. */
+static int look(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const size_t d = o->d, stages = o->rule->s;
+    for (size_t j = 0; j < d; j++) {
+        double move[FVI_LANES];
+        fvi_square_apply(stages, o->to_x, o->delta + j * FVI_LANES, move);
+        for (size_t i = 0; i < stages; i++)
+            o->point[i * d + j] =
+                o->base[j * FVI_LANES + i] + o->length.h * move[i];
+    }
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < stages; i++)
+        status = fvi_gradient(s->run.system, o->point + i * d,
+                              o->gradient + i * d);
+    return status;
+}
+
+/* left = R - h grad U of coordinate j */
+static void left_of(const fvi_adaptive_run *o, size_t j, double *left)
+{
+    memset(left, 0, FVI_LANES * sizeof *left);
+    for (size_t i = 0; i < o->rule->s; i++)
+        left[i] = o->R[j * FVI_LANES + i]
+                  - o->length.h * o->gradient[i * o->d + j];
+}
+
+/* ---- when to stop ---- */
+
+/* How far x still moves, from how far it has, h |change of delta|, and how far before
+ * that: contraction / (1 - contraction) of it. Enough is 1e-6 of what the step may err,
+ * or rounding. 1 go on, 0 enough, -1 it does not contract. */
+//> enough
+static int verdict(fvi_adaptive_run *o, int iteration, double moved,
+                   double moved_before, double worst)
+{
+    const double floor = 4 * GSL_DBL_EPSILON * o->scale;
+    if (!gsl_finite(moved))
+        return -1;
+    if (moved <= floor)
+        return 0;
+    if (iteration > 0) {
+        o->contraction = moved / moved_before;
+        if (o->contraction > worst)
+            return moved <= 64 * floor ? 0 : -1; /* rounding contracts no more */
+    }
+    const double q = o->contraction;
+    return moved * q / (1 - q) > fmax(floor, 1e-6 * o->allowed);
+}
+//< enough
+
+/* ---- coordinate by coordinate ---- */
+
+static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    memset(o->gradient, 0, o->d * FVI_LANES * sizeof *o->gradient);
+    int status =
+        s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->d; j++) {
+        double left[FVI_LANES];
+        left_of(o, j, left);
+        fvi_square_apply(o->rule->s, &o->of_kind[o->kind[j]].inverse, left,
+                         o->delta + j * FVI_LANES);
+    }
+    return status;
+}
+
+/* The inverses of all Jacobians at o->point, to o->jacobian. */
+static int jacobians(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const size_t d = o->d, stages = o->rule->s;
+    const double hh = o->length.h * o->length.h;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < stages; i++)
+        status = u->hessian(d, o->point + i * d, u->params, o->hessian + i * d);
+    for (size_t j = 0; !status && j < d; j++) {
+        o->jacobian[j] = o->of_kind[o->kind[j]].L;
+        for (size_t l = 0; l < stages; l++)
+            for (size_t i = 0; i < stages; i++)
+                o->jacobian[j].column[l][i] +=
+                    hh * o->hessian[i * d + j] * o->to_x->column[l][i];
+        status = fvi_square_invert(stages, &o->jacobian[j]);
+    }
+    return status;
+}
+
+/* delta_j += M (left - L delta_j); returns the largest change. */
+static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
+{
+    const size_t s = o->rule->s;
+    double left[FVI_LANES], L[FVI_LANES], change[FVI_LANES], most = 0;
+    left_of(o, j, left);
+    fvi_square_apply(s, &o->of_kind[o->kind[j]].L, o->delta + j * FVI_LANES, L);
+    for (size_t i = 0; i < s; i++)
+        left[i] -= L[i];
+    fvi_square_apply(s, M, left, change);
+    for (size_t i = 0; i < s; i++) {
+        o->delta[j * FVI_LANES + i] += change[i];
+        if (!(fabs(change[i]) <= most)) /* NaN stays */
+            most = fabs(change[i]);
+    }
+    return most;
+}
+
+//> newton
+/* Newton's method with a Jacobian that is made anew while it contracts badly; or, with
+ * L^{-1} in its place, the fixed-point iteration. */
+static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
+                   double worst, int most)
+{
+    double moved_before = 0;
+    o->contraction = 0.5; /* until it is known */
+    for (int i = 0; i < most; i++) {
+        int status = look(s, o);
+        if (!status && newton && (i == 0 || o->contraction > 0.05))
+            status = jacobians(s, o);
+        if (status)
+            return status;
+        double moved = 0;
+        for (size_t j = 0; j < o->d; j++) {
+            const double change =
+                correct(o, j, newton ? &o->jacobian[j]
+                                     : &o->of_kind[o->kind[j]].inverse);
+            moved = isfinite(change) ? fmax(moved, change) : GSL_NAN;
+            if (!isfinite(change))
+                return FVI_EMAXITER;
+        }
+        moved *= o->length.h;
+        const int go_on = verdict(o, i, moved, moved_before, worst);
+        if (go_on <= 0)
+            return go_on < 0 ? FVI_EMAXITER : FVI_SUCCESS;
+        moved_before = moved;
+    }
+    return FVI_EMAXITER;
+}
+//< newton
+
+/* ---- all together ---- */
+
+/* X - x_k in place of delta: d + h to_x L^{-1} h grad U(x_k + d) = r. */
+static int prepare_coupled(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const size_t n = o->rule->s, d = o->d;
+    const double hh = o->length.h * o->length.h;
+    double *coupling = malloc(d * n * n * sizeof *coupling);
+    if (!coupling)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    for (size_t j = 0; j < d; j++)
+        for (size_t i = 0; i < n; i++) {
+            double column[FVI_LANES];
+            fvi_square_apply(n, o->to_x,
+                             o->of_kind[o->kind[j]].inverse.column[i], column);
+            for (size_t l = 0; l < n; l++)
+                coupling[(j * n + l) * n + i] = hh * column[l];
+        }
+    fvi_newton_free(s->newton);
+    s->newton = NULL;
+    int status = fvi_newton_stages_alloc(s->run.system, n, coupling, &s->newton);
+    free(coupling);
+    o->coupled = status ? 0 : o->length.h;
+    return status;
+}
+
+static int solve_coupled(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const size_t n = o->rule->s, d = o->d;
+    const double h = o->length.h;
+    int status = o->coupled == h && s->newton ? FVI_SUCCESS : prepare_coupled(s, o);
+    if (status)
+        return status;
+    double *r = o->hessian, *X = o->point; /* stage by stage */
+    for (size_t j = 0; j < d; j++) {
+        double by_R[FVI_LANES], move[FVI_LANES];
+        fvi_square_apply(n, &o->of_kind[o->kind[j]].inverse,
+                         o->R + j * FVI_LANES, by_R);
+        fvi_square_apply(n, o->to_x, by_R, move);
+        for (size_t i = 0; i < n; i++) {
+            const double far = o->base[j * FVI_LANES + i] - o->y[j];
+            r[i * d + j] = far + h * move[i];
+            X[i * d + j] = far;
+        }
+    }
+    status = fvi_newton_solve(s->newton, o->y, r, X, o->gradient);
+    for (size_t j = 0; !status && j < d; j++) {
+        double left[FVI_LANES];
+        left_of(o, j, left);
+        fvi_square_apply(n, &o->of_kind[o->kind[j]].inverse, left,
+                         o->delta + j * FVI_LANES);
+    }
+    return status;
+}
+
+/* ---- a first guess ---- */
+
+//> predict
+/* The velocities of the last step's polynomial, where it is not too far away. */
+static void predict(fvi_adaptive_run *o)
+{
+    const size_t n = o->rule->s;
+    const double before = o->t - o->t0, /* 0 in the first step */
+        ratio = o->length.h / before;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    if (!(ratio < 2.1) || o->fresh)
+        return;
+    double R[FVI_LANES];
+    for (size_t i = 0; i < n; i++) {
+        fvi_adaptive_shape(n, 1 + o->rule->c[i] * ratio, R, NULL);
+        R[0] -= 1;
+        for (size_t j = 0; j < o->d; j++)
+            for (size_t l = 0; l < n; l++)
+                o->delta[j * FVI_LANES + i] += R[l] * o->bend0[j * FVI_LANES + l];
+    }
+}
+//< predict
+
+int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    if (o->solve == FVI_SOLVE_LINEAR)
+        return solve_linear(s, o);
+    predict(o);
+    if (o->solve == FVI_SOLVE_DIAGONAL)
+        return iterate(s, o, 1, 0.9, 12);
+    int status = iterate(s, o, 0, 0.8, 60);
+    return status == FVI_EMAXITER ? solve_coupled(s, o) : status;
+}

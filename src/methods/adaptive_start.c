@@ -1,0 +1,269 @@
+/* src/methods/adaptive_start.c -- A run with variable steps begins.   [Chapter 22] */
+#include "adaptive.h"
+
+#include <fvi/discrete_mechanics.h>
+
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { STATE = 7, LANED = 5, STAGED = 3 }; /* arrays: of d, of LANES d, of s d */
+
+void fvi_adaptive_stop(fvi_stepper *s)
+{
+    fvi_adaptive_run *o = s->own;
+    if (!o)
+        return;
+    fvi_modes_free(o->modes);
+    free(o->singular.c);
+    free(o->kind);
+    free(o->of_kind);
+    free(o->jacobian);
+    free(o->y);
+    free(o);
+}
+
+/* ---- room ---- */
+
+static size_t numbers(const fvi_adaptive_run *o)
+{
+    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED);
+}
+
+/* The arrays of o, whose sizes are known; what is missing stays NULL. */
+static int allocate(fvi_adaptive_run *o)
+{
+    const size_t d = o->d;
+    o->y = calloc(numbers(o), sizeof *o->y);
+    o->kind = calloc(2 * d, sizeof *o->kind);
+    o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
+    o->jacobian = o->solve == FVI_SOLVE_DIAGONAL
+                      ? calloc(d, sizeof *o->jacobian)
+                      : NULL;
+    if (!o->y || !o->kind || !o->of_kind
+        || (o->solve == FVI_SOLVE_DIAGONAL && !o->jacobian))
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->index = o->kind + d;
+    o->y_less = o->y + d;
+    o->v = o->y + 2 * d;
+    o->v_less = o->y + 3 * d;
+    o->y0 = o->y + 4 * d;
+    o->v0 = o->y + 5 * d;
+    o->centre = o->y + 6 * d;
+    o->base = o->y + STATE * d;
+    o->R = o->base + FVI_LANES * d;
+    o->delta = o->R + FVI_LANES * d;
+    o->bend = o->delta + FVI_LANES * d;
+    o->bend0 = o->bend + FVI_LANES * d;
+    o->point = o->bend0 + FVI_LANES * d;
+    o->gradient = o->point + o->rule->s * d;
+    o->hessian = o->gradient + o->rule->s * d;
+    return FVI_SUCCESS;
+}
+
+int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_adaptive_run *old = from->own;
+    fvi_adaptive_run *o = to->own = malloc(sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    *o = *old;
+    o->modes = NULL;
+    o->singular.c = NULL;
+    o->kind = NULL;
+    o->of_kind = NULL;
+    o->jacobian = NULL;
+    o->y = NULL;
+    int status = allocate(o);
+    if (status)
+        return status;
+    memcpy(o->y, old->y, numbers(o) * sizeof *o->y);
+    memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
+    memcpy(o->of_kind, old->of_kind, o->kinds * sizeof *o->of_kind);
+    if (old->singular.c) {
+        const size_t n = o->d * (old->singular.J + 2);
+        o->singular.c = malloc(n * sizeof *o->singular.c);
+        if (!o->singular.c)
+            FVI_FAIL("no memory for the start", FVI_ENOMEM);
+        memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
+        o->singular.pull = o->singular.c + o->d * (old->singular.J + 1);
+    }
+    return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
+}
+
+/* ---- matrices ---- */
+
+//> matrices
+int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
+{
+    const size_t s = o->rule->s;
+    const double h = length.h, hh = h * h, power = pow(h, 1 - o->beta);
+    if (h == o->length.h)
+        return FVI_SUCCESS;
+    o->length.h = 0; /* until all of them are there */
+    for (size_t n = 0; n < o->kinds; n++) {
+        fvi_kind *kind = &o->of_kind[n];
+        kind->drag = o->beta == 1 ? 0 : kind->damping * power;
+        for (size_t l = 0; l < s; l++)
+            for (size_t i = 0; i < FVI_LANES; i++) {
+                kind->L.column[l][i] = kind->mass * o->rule->inverse.column[l][i]
+                                + kind->drag * o->W0.column[l][i];
+                kind->inverse.column[l][i] =
+                    kind->L.column[l][i]
+                    + kind->spring * hh * o->to_x->column[l][i];
+            }
+        int status = fvi_square_invert(s, &kind->inverse);
+        if (status)
+            return status;
+    }
+    o->length = length;
+    return FVI_SUCCESS;
+}
+//< matrices
+
+/* ---- the start ---- */
+
+/* Kinds for all coordinates: a new one where mass, damping or spring change from the one
+ * before. springs: of each coordinate, or NULL. Returns their number; writes them if
+ * there is room. */
+static size_t sort_out(const fvi_stepper *s, const double *springs,
+                       fvi_adaptive_run *o)
+{
+    const fvi_system *system = s->run.system;
+    const int heavier = s->run.alpha == 1;
+    size_t n = 0;
+    fvi_kind last = { 0 };
+    for (size_t j = 0; j < system->d; j++) {
+        const double rho = system->damping[j],
+                     m = system->mass[j] + (heavier ? rho : 0),
+                     c = springs ? springs[j] : 0;
+        if (j == 0 || m != last.mass || rho != last.damping || c != last.spring) {
+            last.mass = m;
+            last.damping = rho;
+            last.spring = c;
+            if (o->of_kind)
+                o->of_kind[n] = last;
+            n++;
+        }
+        if (o->kind)
+            o->kind[j] = n - 1;
+    }
+    return n;
+}
+
+/* A size for a tolerance that is none: of x0; or of what the body does in the time of a
+ * row; or 1. */
+static int first_scale(fvi_stepper *s, double *scale)
+{
+    const fvi_system *system = s->run.system;
+    double x = 0, v = 0, f = 0;
+    int status = fvi_gradient(system, s->x, s->g);
+    if (!status)
+        status = fvi_force_at(s, 0);
+    for (size_t j = 0; !status && j < system->d; j++) {
+        x = fmax(x, fabs(s->x[j]));
+        v = fmax(v, fabs(s->p[j]) / system->mass[j]);
+        f = fmax(f, fabs(s->F[j] - s->g[j]) / system->mass[j]);
+    }
+    *scale = x > 0 ? x : v > 0 ? v * s->run.h : f > 0 ? f * s->run.h * s->run.h : 1;
+    return status;
+}
+
+/* What does not depend on the system: form, stages, the lengths of steps. */
+static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
+{
+    const fvi_run *run = &s->run;
+    const double L = fvi_variable_spacing(), T = run->h * (double)run->steps,
+                 wish = run->step_error > 0 ? run->step_error / scale : 1e-10;
+    int damped = 0;
+    for (size_t j = 0; j < o->d; j++)
+        damped |= run->system->damping[j] > 0;
+    o->rule = fvi_variable(wish > 1e-6 ? 6 : 8);
+    o->beta = 2 * run->alpha - 1;
+    o->to_x = damped ? &o->rule->A : &o->rule->form_m;
+    o->counts.stages = (int)o->rule->s;
+    o->counts.form = damped ? 'D' : 'M';
+    o->scale = scale;
+    o->T = T;
+    o->least = 1e-14 * T;
+    o->growth = 4;
+    o->first = (int)floor(log(0.1 * pow(fmin(wish, 1), 0.4) * T) / L);
+    o->most = (int)ceil(log(T) / L);
+    o->fresh = 1;
+    o->rough = -1;
+}
+
+/* The springs of a quadratic U whose Hessian is diagonal, by one Hessian. */
+static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const int diagonal = u->diagonals == 1 || o->d == 1;
+    const int quadratic = u->quadratic && u->quadratic(u->params);
+    o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
+               : diagonal                             ? FVI_SOLVE_DIAGONAL
+                                                      : FVI_SOLVE_COUPLED;
+    if (o->solve != FVI_SOLVE_LINEAR || !u->gradient)
+        return FVI_SUCCESS;
+    *springs = malloc(fvi_hessian_room(s->run.system) * sizeof **springs);
+    if (!*springs)
+        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
+    return u->hessian(o->d, s->x, u->params, *springs);
+}
+
+/* The modes, if damping remembers; when the singular start is over. */
+static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_system *system = s->run.system;
+    for (size_t j = 0; j < o->d; j++)
+        if (system->damping[j] > 0)
+            o->index[o->damped++] = j;
+    fvi_variable_present(o->rule, o->beta, &o->W0);
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
+    int status = fvi_singular_start(s, o);
+    if (status || o->damped == 0 || fabs(o->beta) == 1 || o->beta == 0)
+        return status;
+    if (o->singular.J)
+        o->least = fmin(o->least, o->singular.t1 / 16);
+    if (o->least < 1e-26 * o->T)
+        FVI_FAIL("no step is short enough for the start of such a damping", FVI_ETOL);
+    return fvi_modes_alloc(o->rule, o->beta, o->damped, o->T, o->least,
+                           &o->modes);
+}
+
+int fvi_adaptive_start(fvi_stepper *s)
+{
+    const size_t d = s->run.system->d;
+    double scale, *springs = NULL;
+    fvi_adaptive_run *o = s->own = calloc(1, sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->d = d;
+    int status = first_scale(s, &scale);
+    if (!status)
+        status = find_springs(s, o, &springs);
+    if (!status) {
+        plan(s, o, scale);
+        o->kinds = sort_out(s, springs, o);
+        status = allocate(o);
+    }
+    if (!status) {
+        sort_out(s, springs, o);
+        status = begin_memory(s, o);
+    }
+    free(springs);
+    for (size_t j = 0; !status && j < d; j++) {
+        const double m = s->run.system->mass[j];
+        const int struck = s->run.alpha == 1 && s->run.past != FVI_PAST_CAPUTO;
+        o->y[j] = s->x[j];
+        o->v[j] = s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
+        o->centre[j] = s->run.past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : s->x[j];
+    }
+    o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
+    o->first = (int)fmax(o->first, o->fewest);
+    o->next = o->first;
+    return status;
+}

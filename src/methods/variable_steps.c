@@ -1,0 +1,368 @@
+/* src/methods/variable_steps.c -- Steps of any length.               [Chapter 22]
+ *
+ * A step from t_k to t_k + h, for each coordinate, with v_k = p_k / m and the unknown
+ * delta = V - v_k 1, V the velocities at the s stages:
+ *
+ *     [m A^{-1} + rho h^{1-beta} W0] delta + h grad U(X)
+ *         = h (F - rho H) - [beta <= 0] rho h^{1-beta} W0 1 v_k,            (22.7)
+ *     X = x_k 1 + h c v_k + h A delta,
+ *     x_{k+1} = X_s,   v_{k+1} = V_s.
+ *
+ * H is the history (22.4). x'' at the stages is A^{-1} delta / h, whatever the forces:
+ * the last of its Legendre coefficients says how good the step is, all of them give x
+ * and p in between. Form M, for rho = 0, has another matrix in place of A. */
+#include <fvi/variable_steps.h>
+
+#include "adaptive.h"
+#include <fvi/discrete_mechanics.h>
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+/* ---- the equation ---- */
+
+/* The times of the stages, from within the step at its ends: a jump of the force at a
+ * node belongs to neither side. */
+static double stage_time(const fvi_adaptive_run *o, size_t i)
+{
+    const double in = 4 * GSL_DBL_EPSILON, h = o->length.h, end = o->t + h;
+    return i == 0                ? o->t + in * fmax(o->t, h)
+           : i + 1 < o->rule->s ? o->t + o->rule->c[i] * h
+                                : end - in * end;
+}
+
+/* base = x_k + h c v_k, R = h F; and what a singular start adds to both. */
+//> drive
+static int drive(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const double h = o->length.h, *c = o->rule->c;
+    for (size_t i = 0; i < o->rule->s; i++) {
+        const double t = stage_time(o, i);
+        int status = fvi_force_at(s, t);
+        if (status)
+            return status;
+        for (size_t j = 0; j < o->d; j++) {
+            double G = 0, pull = 0;
+            if (fvi_singular_is(o, o->t))
+                fvi_singular_at(&o->singular, j, t, &G, NULL, &pull);
+            o->base[j * FVI_LANES + i] = o->y[j] + h * c[i] * o->v[j] + G;
+            o->R[j * FVI_LANES + i] = h * (s->F[j] - pull);
+        }
+    }
+    return FVI_SUCCESS;
+}
+//< drive
+
+//> remember
+/* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k. */
+static void remember(fvi_adaptive_run *o)
+{
+    const double h = o->length.h;
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_kind *kind = &o->of_kind[o->kind[j]];
+        const double now = o->beta <= 0 ? kind->drag * o->v[j] : 0,
+                     spring = o->beta == -1
+                                  ? h * kind->damping * (o->y[j] - o->centre[j])
+                                  : 0;
+        for (size_t i = 0; i < o->rule->s; i++)
+            o->R[j * FVI_LANES + i] -= now * o->W1[i] + spring;
+    }
+    for (size_t l = 0; o->modes && l < o->damped; l++) {
+        const size_t j = o->index[l];
+        const double factor = h * o->of_kind[o->kind[j]].damping;
+        double H[FVI_LANES];
+        fvi_modes_history(o->modes, l, H);
+        for (size_t i = 0; i < o->rule->s; i++)
+            o->R[j * FVI_LANES + i] -= factor * H[i];
+    }
+}
+//< remember
+
+/* ---- a trial of a step, and its error ---- */
+
+/* 0.01 h^2 of the last Legendre coefficient of x'', the largest of all coordinates; NaN if
+ * one is not finite.                                                        (22.9) */
+//> estimate
+static double estimate(fvi_adaptive_run *o)
+{
+    const size_t s = o->rule->s;
+    double last = 0;
+    for (size_t j = 0; j < o->d; j++) {
+        double *bend = o->bend + j * FVI_LANES;
+        fvi_square_apply(s, &o->rule->legendre, o->delta + j * FVI_LANES, bend);
+        if (!isfinite(bend[s - 1]))
+            return GSL_NAN;
+        last = fmax(last, fabs(bend[s - 1]));
+    }
+    return 0.01 * o->length.h * last;
+}
+//< estimate
+
+/* delta of a step of such length, and the estimate of its error. */
+static int trial(fvi_stepper *s, fvi_adaptive_run *o, fvi_length length,
+                 double *error)
+{
+    int status = fvi_adaptive_matrices(o, length);
+    if (status)
+        return status;
+    if (o->modes)
+        fvi_modes_begin(o->modes, length);
+    status = drive(s, o);
+    if (status)
+        return status;
+    remember(o);
+    o->allowed = s->run.step_error > 0 ? s->run.step_error : 1e-10 * o->scale;
+    status = fvi_adaptive_solve(s, o);
+    if (!status)
+        *error = estimate(o);
+    return status;
+}
+
+/* ---- the length of a step ---- */
+
+/* The next time at which a step has to end. */
+static double next_event(const fvi_stepper *s, const fvi_adaptive_run *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const double after = o->t + 8 * GSL_DBL_EPSILON * o->t;
+    double event = o->T;
+    if (fvi_singular_is(o, after))
+        event = fmin(event, o->singular.t1);
+    for (size_t i = 0; i < force->jump_count; i++)
+        if (force->jumps[i] > after)
+            event = fmin(event, force->jumps[i]);
+    return event;
+}
+
+//> length
+/* h = exp(L k), but the last two steps before an event are equal. */
+static fvi_length choose(const fvi_adaptive_run *o, double rest)
+{
+    const fvi_length length = { exp(fvi_variable_spacing() * o->next), o->next };
+    if (length.h < rest / 2)
+        return length;
+    return (fvi_length){ length.h >= rest ? rest : rest / 2, FVI_OFF_LATTICE };
+}
+//< length
+
+/* The exponent of a length, which may be none of the lattice. */
+static int exponent(fvi_length length)
+{
+    return length.k != FVI_OFF_LATTICE
+               ? length.k
+               : (int)floor(log(length.h) / fvi_variable_spacing());
+}
+
+//> control
+/* How many factors exp(L) the next step is longer: the error is of order h^{s+1}. */
+static int change(const fvi_adaptive_run *o, double error)
+{
+    const double L = fvi_variable_spacing(),
+                 order = ((double)o->rule->s + 1) * L;
+    if (error <= o->allowed) /* (22.10) */
+        return (int)fmax(-1, fmin(floor(0.9 * log(o->allowed / error) / order
+                                        - 0.3),
+                                  o->growth));
+    const double less = ceil(log(1.5 * error / o->allowed) / order);
+    return less <= 12 ? -(int)fmax(1, less) : -12; /* NaN: 12 */
+}
+//< control
+
+/* A smooth force makes the last coefficient of x'' fall like h^{s-1}. One that hardly
+ * falls when the step becomes shorter jumps: then the error of v counts too, for the
+ * rest of the run, until the place is passed. (22.11) */
+static double roughness(fvi_adaptive_run *o, double error, double error_before,
+                        double h_before)
+{
+    const double h = o->length.h;
+    if (!o->fresh && error_before > 0
+        && error > error_before * gsl_pow_4(h / h_before))
+        o->rough = fmax(o->rough, o->t + h_before);
+    if (o->t >= o->rough || h < 2 * o->least)
+        return error;
+    return fmax(error, 0.3 * error / h * (o->T - o->t));
+}
+
+/* ---- a step ---- */
+
+/* sum += more, what rounding takes from it kept in less (Kahan). */
+static void add(double *sum, double *less, double more)
+{
+    const double y = more - *less, t = *sum + y;
+    *less = (t - *sum) - y;
+    *sum = t;
+}
+
+/* x and p of the state. */
+static void show(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        double G = 0, slope = 0;
+        if (fvi_singular_is(o, o->t))
+            fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
+        s->x[j] = o->y[j] + G;
+        s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
+        o->scale = fmax(o->scale, fabs(s->x[j]));
+    }
+    s->t = o->t;
+}
+
+//> take
+/* The trial is the step: x, v, the modes, the time. */
+static void take(fvi_adaptive_run *o, double event)
+{
+    const size_t s = o->rule->s;
+    const double h = o->length.h;
+    for (size_t l = 0; o->modes && l < o->damped; l++) {
+        const size_t j = o->index[l];
+        double v[FVI_LANES];
+        for (size_t i = 0; i < s; i++)
+            v[i] = o->delta[j * FVI_LANES + i] + (o->beta < 0 ? o->v[j] : 0);
+        fvi_modes_advance(o->modes, l, v, o->v[j]);
+    }
+    for (size_t j = 0; j < o->d; j++) {
+        double *delta = o->delta + j * FVI_LANES, move[FVI_LANES];
+        fvi_square_apply(s, o->to_x, delta, move);
+        o->y0[j] = o->y[j];
+        o->v0[j] = o->v[j];
+        add(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
+        add(&o->v[j], &o->v_less[j], delta[s - 1]);
+    }
+    memcpy(o->bend0, o->bend, o->d * FVI_LANES * sizeof *o->bend);
+    o->t0 = o->t;
+    add(&o->t, &o->t_less, h);
+    if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
+        o->t = event;
+        o->t_less = 0;
+    }
+    o->counts.steps++;
+    o->counts.longest = fmax(o->counts.longest, h);
+}
+//< take
+
+//> step
+static int step(fvi_stepper *s)
+{
+    fvi_adaptive_run *o = s->own;
+    const double event = next_event(s, o), rest = event - o->t;
+    double error = 0, error_before = 0, h_before = 0;
+    for (;;) {
+        const fvi_length length = choose(o, rest);
+        int status = trial(s, o, length, &error);
+        const int failed = status == FVI_EMAXITER || status == FVI_ESING;
+        if (status && !failed)
+            return status;
+        const double raw = error;
+        if (!failed)
+            error = roughness(o, raw, error_before, h_before);
+        if (!failed && error <= o->allowed) {
+            const int k = exponent(length) + change(o, error);
+            o->next = length.k == FVI_OFF_LATTICE ? (int)fmax(o->next, k) : k;
+            o->next = (int)fmin(o->next, o->most);
+            break;
+        }
+        if (length.h <= o->least)
+            return status ? status : gsl_finite(error) ? FVI_EMAXITER : FVI_EOVRFLW;
+        o->counts.rejected++;
+        o->next = exponent(length) + (failed ? -4 : change(o, error));
+        o->next = (int)fmax(o->next, o->fewest);
+        error_before = failed ? 0 : raw;
+        h_before = length.h;
+    }
+    take(o, event);
+    const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
+    if (over)
+        fvi_singular_hand_over(o);
+    o->fresh = o->t == event && !over;
+    if (o->fresh)
+        o->next = o->first;
+    show(s, o);
+    return FVI_SUCCESS;
+}
+//< step
+
+/* ---- in between ---- */
+
+void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q)
+{
+    double P[FVI_LANES + 3], I[FVI_LANES + 2]; /* Legendre, and their integrals */
+    const double x = 2 * theta - 1;
+    P[0] = 1;
+    P[1] = x;
+    for (size_t n = 1; n < s + 2; n++)
+        P[n + 1] = ((double)(2 * n + 1) * x * P[n] - (double)n * P[n - 1])
+                   / (double)(n + 1);
+    I[0] = theta;
+    for (size_t n = 1; n <= s; n++)
+        I[n] = (P[n + 1] - P[n - 1]) / (double)(4 * n + 2);
+    memcpy(R, I, s * sizeof *R);
+    if (!Q)
+        return;
+    Q[0] = theta * theta / 2;
+    for (size_t n = 1; n < s; n++)
+        Q[n] = (I[n + 1] - I[n - 1]) / (double)(4 * n + 2);
+}
+
+//> dense
+/* x and p at a time within the last step: x'' integrated twice, once. (22.14) */
+static int dense(const fvi_stepper *s, double t, double *x, double *p)
+{
+    const fvi_adaptive_run *o = s->own;
+    const double h = s->t - o->t0, theta = (t - o->t0) / h;
+    double R[FVI_LANES], Q[FVI_LANES];
+    if (!(h > 0 && theta >= 0 && theta <= 1))
+        return FVI_EDOM;
+    fvi_adaptive_shape(o->rule->s, theta, R, Q);
+    for (size_t j = 0; j < o->d; j++) {
+        const double *bend = o->bend0 + j * FVI_LANES;
+        double fall = theta * o->v0[j], v = o->v0[j], G = 0, slope = 0;
+        for (size_t n = 0; n < o->rule->s; n++) {
+            fall += Q[n] * bend[n];
+            v += R[n] * bend[n];
+        }
+        if (fvi_singular_is(o, o->t0) && t > 0)
+            fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
+        if (x)
+            x[j] = o->y0[j] + h * fall + G;
+        if (p)
+            p[j] = s->run.system->mass[j] * (v + slope);
+    }
+    return FVI_SUCCESS;
+}
+//< dense
+
+int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts)
+{
+    if (!s || !counts)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (s->method->step != step)
+        FVI_FAIL("not a stepper of fvi_adaptive", FVI_EINVAL);
+    *counts = ((const fvi_adaptive_run *)s->own)->counts;
+    return FVI_SUCCESS;
+}
+
+void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
+{
+    fvi_adaptive_run *o = s->own;
+    o->most = (int)floor(log(longest) / fvi_variable_spacing());
+    o->next = o->first = (int)fmin(o->first, o->most);
+    o->growth = growth;
+}
+
+const fvi_method fvi_adaptive = {
+    .name = "fvi-adaptive",
+    .order = "10 to 14",
+    .memory = "full",
+    .lowest = 10,
+    .highest = 14,
+    .alpha_most = 1,
+    .memories = 1u << FVI_MEMORY_AUTO | 1u << FVI_MEMORY_EXPONENTIALS,
+    .implicit = 1,
+    .start = fvi_adaptive_start,
+    .step = step,
+    .dense = dense,
+    .copy = fvi_adaptive_copy,
+    .stop = fvi_adaptive_stop,
+};
