@@ -65,7 +65,7 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if method, run, x or found is NULL; FVI_EDOM if
  * error is not finite and > 0, or if the run has no solution (19.2); FVI_EINVAL if
  * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_start
- * returns; FVI_ENOMEM; FVI_ETOL if the error was not reached, because of most or
+ * returns; FVI_EUNSUP for a method that chooses its steps; FVI_ENOMEM; FVI_ETOL if the error was not reached, because of most or
  * because rounding made it grow again: *found then is the smallest estimate that was
  * believed (infinite if there was none). FVI_ETOL is an answer: no error handler is
  * called for it, nor for the runs that fail. What a callback of the caller's returned

@@ -88,6 +88,7 @@ typedef struct {
  *
  *   run    as for fvi_start; step_error is not read
  *   error  what max |x_k - x(t_k)| may be, finite, > 0
+ *   most   no run of more steps than this is made
  *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL
  *   found  output
  *
@@ -95,11 +96,11 @@ typedef struct {
  * than their steps, say, is not seen. The error of p is another matter.
  * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
  * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_start
- * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error:
- * found->estimate is then the smallest one. On error x, p and, but for FVI_ETOL, *found
+ * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
+ * because of most: found->estimate is then the smallest one, infinite if there was none. On error x, p and, but for FVI_ETOL, *found
  * are untouched. */
-int fvi_adaptive_search(const fvi_run *run, double error, double *x, double *p,
-                        fvi_adaptive_found *found);
+int fvi_adaptive_search(const fvi_run *run, double error, size_t most,
+                        double *x, double *p, fvi_adaptive_found *found);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* The range of modes: sigma T from exp(-6.5) on, to mu = h sigma >= 2e4, where the six
- * corrections of either end leave 1e-14. (22.5) */
+ * corrections of either end leave 1e-14. (22.12) */
 #define LOWEST 6.5
 #define HIGHEST 2e4
 
@@ -51,7 +51,7 @@ FVI_VECTORS static void gather(size_t s, size_t Q, const double *restrict weight
         double sum[FVI_LANES] = { 0 };
         for (size_t q = 0; q < Q; q += FVI_LANES)
             for (size_t l = 0; l < FVI_LANES; l++)
-                sum[l] += ai[q + l] * (weight[q + l] * y[q + l]); /* (22.4) */
+                sum[l] += ai[q + l] * (weight[q + l] * y[q + l]); /* (22.10) */
         H[i] = ((sum[0] + sum[4]) + (sum[2] + sum[6]))
                + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
     }
@@ -69,7 +69,7 @@ FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
             for (size_t l = 0; l < FVI_LANES; l++)
                 sum[l] += a[l] * last->u[i];
         }
-        for (size_t l = 0; l < FVI_LANES; l++) /* (22.3) */
+        for (size_t l = 0; l < FVI_LANES; l++) /* (22.6), (22.7) */
             y[q + l] += (row->mu[q + l] * sum[l] + last->ds)
                         - row->p[q + l] * y[q + l];
     }
@@ -99,7 +99,7 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
 }
 
 /* Modes that have slept see nothing but the last step: before it, y was at rest at
- * v_e, and z at 0, to 3e-6 of what they add to H. */
+ * v_e, and z at 0, to 3e-6 of what they add to H.                             (22.13) */
 static void wake(fvi_modes *m, size_t to)
 {
     if (m->awake >= to)
@@ -142,7 +142,7 @@ void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
     const double *y = m->y + j * m->Q;
     memset(H, 0, FVI_LANES * sizeof *H);
     gather(m->rule->s, m->count, m->weight, y, row->a, row->stride, H);
-    for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.5) */
+    for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
         const size_t q = m->count - 1 - FVI_APART * l;
         for (size_t i = 0; i < m->rule->s; i++)
             H[i] += row->a[i * row->stride + q] * (m->at_top[l] * y[q]);

@@ -6,16 +6,16 @@
  *
  *     mu = h sigma,   a(mu) = (mu + A^{-1})^{-1} e_1 / b_1,   p = mu b.a,
  *
- *     beta < 0:  y = sigma w,         y += mu a.u - p y,       u_i = b_i v_i backwards
- *     beta > 0:  z = v_e - sigma w,   z += ds - mu a.u - p z,  v - v_e for v      (22.3)
+ *     beta < 0:  y = sigma w,         y += mu a.u - p y,       u_i = b_i v_i backwards  (22.6)
+ *     beta > 0:  z = v_e - sigma w,   z += ds - mu a.u - p z,  v - v_e for v            (22.7)
  *
  * v_e the last velocity of the step before, ds = v_s - v_e; and the history at the
  * stages of the next step, of length h, is
  *
- *     H_i = sum_q weight_q a_i(h sigma_q) y_q,                                    (22.4)
+ *     H_i = sum_q weight_q a_i(h sigma_q) y_q,                                    (22.10)
  *     weight_q = (sin(pi min(|beta|, 1 - |beta|)) / pi) L sigma_q^beta
  *
- * corrected at both ends (22.5). A step h = exp(L k) finds a and p of all its modes in
+ * corrected at both ends (22.12). A step h = exp(L k) finds a and p of all its modes in
  * one table over j + k, which is made once in a process. Modes with mu far above 1 see
  * only the last step: they sleep, and are woken from it when the steps become shorter. */
 #ifndef FVI_VARIABLE_MODES_H
@@ -57,11 +57,11 @@ void fvi_modes_free(fvi_modes *modes);
  * Wakes what slept. Cost O(Q s) where it is off the lattice or modes wake. */
 void fvi_modes_begin(fvi_modes *modes, fvi_length length);
 
-/* fvi_modes_history -- H of (22.4) for coordinate j in the step that has begun.
+/* fvi_modes_history -- H of (22.10) for coordinate j in the step that has begun.
  *   H  output: FVI_LANES numbers, those behind the s-th zero. Cost O(Q s) */
 void fvi_modes_history(const fvi_modes *modes, size_t j, double *H);
 
-/* fvi_modes_advance -- the step that has begun is taken: (22.3) for coordinate j. All
+/* fvi_modes_advance -- the step that has begun is taken: (22.6), (22.7) for coordinate j. All
  * coordinates must be advanced before the next fvi_modes_begin.
  *   v   the stage velocities of the step for beta < 0, v - v_e for beta > 0, s numbers
  *   ve  v_e, the last velocity of the step before */

@@ -53,7 +53,7 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
                           fvi_square *W);
 
 /* fvi_variable_ends -- how a sum over all integers is had from one over those >= 0.
- *                                                                            (22.5)
+ *                                                                            (22.11)
  *     sum_{m>=1} f(-m) = sum_l c_l f(3 l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),
  *
  * exactly, l = 0, ..., 5, r = exp(FVI_SPACING).

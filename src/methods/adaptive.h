@@ -17,7 +17,7 @@ typedef struct {
     fvi_square inverse;   /* of L + c h^2 A */
 } fvi_kind;
 
-/* The singular part of a start: x = y + G, y smoother, until t1.            (22.12)
+/* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
  *
  *     G(t) = sum_{n=1}^{J} c_n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha */
 typedef struct {
@@ -83,7 +83,7 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to);
 /* fvi_adaptive_matrices -- those of steps of such length. FVI_ESING if one is singular. */
 int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
 
-/* fvi_adaptive_solve -- o->delta of the step whose base and R are there:    (22.7)
+/* fvi_adaptive_solve -- o->delta of the step whose base and R are there:    (22.14)
  *
  *     L delta = R - h grad U(base + h to_x delta)
  *
@@ -112,7 +112,7 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull);
 
 /* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over
- * what G has done, and the singular part is no more.                        (22.13) */
+ * what G has done, and the singular part is no more.                        (22.20) */
 void fvi_singular_hand_over(fvi_adaptive_run *o);
 
 #endif

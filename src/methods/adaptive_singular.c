@@ -5,7 +5,7 @@
  *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2 alpha),
  *
  * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-rho/m)^n / Gamma(1 + a_n),
- * a_n = n (2 - 2 alpha) + e, the sum G of (22.12) has m G'' + rho D_C^{2 alpha} G = - that
+ * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
  * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
  * At t1 the terms of G fall no faster than 2^-n, and it is handed over: what G and the
  * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
@@ -13,7 +13,7 @@
  *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
  *     c_0 e^{-S} + sum_n c_n a_n (a_n - 1) t1^{a_n - 1} I(a_n - 1, S),   e = 1, to z
  *
- * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.13) */
+ * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.20) */
 #include "adaptive.h"
 
 #include "system/fail.h"

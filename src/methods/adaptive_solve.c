@@ -1,6 +1,6 @@
 /* src/methods/adaptive_solve.c -- The equation of a step.             [Chapter 22]
  *
- *     L delta = R - h grad U(base + h to_x delta)                          (22.7)
+ *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
  * By the inverse of L + c h^2 to_x where grad U = c x; by Newton's method with the
  * Jacobian L + h^2 diag(U'') to_x where coordinates do not know of each other; else by

@@ -4,13 +4,13 @@
  * delta = V - v_k 1, V the velocities at the s stages:
  *
  *     [m A^{-1} + rho h^{1-beta} W0] delta + h grad U(X)
- *         = h (F - rho H) - [beta <= 0] rho h^{1-beta} W0 1 v_k,            (22.7)
+ *         = h (F - rho H) - [beta <= 0] rho h^{1-beta} W0 1 v_k,            (22.14)
  *     X = x_k 1 + h c v_k + h A delta,
  *     x_{k+1} = X_s,   v_{k+1} = V_s.
  *
- * H is the history (22.4). x'' at the stages is A^{-1} delta / h, whatever the forces:
+ * H is the history (22.10). x'' at the stages is A^{-1} delta / h, whatever the forces:
  * the last of its Legendre coefficients says how good the step is, all of them give x
- * and p in between. Form M, for rho = 0, has another matrix in place of A. */
+ * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
 #include <fvi/variable_steps.h>
 
 #include "adaptive.h"
@@ -83,7 +83,7 @@ static void remember(fvi_adaptive_run *o)
 /* ---- a trial of a step, and its error ---- */
 
 /* 0.01 h^2 of the last Legendre coefficient of x'', the largest of all coordinates; NaN if
- * one is not finite.                                                        (22.9) */
+ * one is not finite.                                                        (22.16) */
 //> estimate
 static double estimate(fvi_adaptive_run *o)
 {
@@ -161,7 +161,7 @@ static int change(const fvi_adaptive_run *o, double error)
 {
     const double L = fvi_variable_spacing(),
                  order = ((double)o->rule->s + 1) * L;
-    if (error <= o->allowed) /* (22.10) */
+    if (error <= o->allowed) /* (22.17) */
         return (int)fmax(-1, fmin(floor(0.9 * log(o->allowed / error) / order
                                         - 0.3),
                                   o->growth));
@@ -172,7 +172,7 @@ static int change(const fvi_adaptive_run *o, double error)
 
 /* A smooth force makes the last coefficient of x'' fall like h^{s-1}. One that hardly
  * falls when the step becomes shorter jumps: then the error of v counts too, for the
- * rest of the run, until the place is passed. (22.11) */
+ * rest of the run, until the place is passed. */
 static double roughness(fvi_adaptive_run *o, double error, double error_before,
                         double h_before)
 {
@@ -306,7 +306,7 @@ void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q)
 }
 
 //> dense
-/* x and p at a time within the last step: x'' integrated twice, once. (22.14) */
+/* x and p at a time within the last step: x'' integrated twice, once.       (22.18) */
 static int dense(const fvi_stepper *s, double t, double *x, double *p)
 {
     const fvi_adaptive_run *o = s->own;

@@ -60,6 +60,21 @@ static double *room(const fvi_table *t)
                                  : run_bytes(o));
 }
 
+/* Row k, which the run has reached or just passed. */
+static int row(const fvi_table *t, fvi_stepper *s, size_t k)
+{
+    const size_t d = t->o->d;
+    const double time = (double)k * t->o->h;
+    if (s->t == time)
+        return fvi_table_take(t, k, s->x, s->p);
+    double *x = malloc(2 * d * sizeof *x);
+    int status = x ? fvi_run_to(s, time, x, x + d) : FVI_ENOMEM;
+    if (!status)
+        status = fvi_table_take(t, k, x, x + d);
+    free(x);
+    return status;
+}
+
 /* Returns 0, or 1 after it has said at which step the run ended. */
 static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
@@ -74,17 +89,18 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
-        if (s->k == look) {
+        if (s->k >= look) {
             fvi_progress(s->k, steps);
-            look += often;
+            look = s->k + often;
         }
-        if (s->k != next)
-            continue;
-        fvi_progress_clear(); /* the rows may go to the same terminal */
-        status = fvi_table_take(t, next, s->x, s->p);
-        if (status)
-            return fvi_stopped_at(next, status);
-        next = next < steps ? fvi_table_next(t, next) : steps;
+        for (; s->k >= next; next = fvi_table_next(t, next)) {
+            fvi_progress_clear(); /* the rows may go to the same terminal */
+            status = row(t, s, next);
+            if (status)
+                return fvi_stopped_at(next, status);
+            if (next == steps)
+                break;
+        }
     }
     return 0;
 }

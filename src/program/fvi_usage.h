@@ -19,7 +19,8 @@ static const char usage[] =
 static const char usage_run[] =
     "usage: fvi run [options]\n"
     "  --method M       fvi, fvi-shifted, fvi-bdf2, fvi-lobatto2,     [fvi]\n"
-    "                   fvi-lobatto3, fvi-lobatto4; lda, euler-explicit,\n"
+    "                   fvi-lobatto3, fvi-lobatto4; fvi-adaptive, whose\n"
+    "                   steps are its own; lda, euler-explicit,\n"
     "                   euler-implicit (A = 0.5 only)\n"
     "  --alpha A        damping of order 2A, 0 <= A <= 1              [0.5]\n"
     "  --rho R          damping, R >= 0; a list, one for each mass    [0.2]\n"

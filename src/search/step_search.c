@@ -274,6 +274,8 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
         shortest = *run;
         shortest.steps = run->steps > 0;
     }
+    if (method && method->dense)
+        FVI_FAIL("its steps are its own: fvi_adaptive_search", FVI_EUNSUP);
     int status = fvi_start(method, run ? &shortest : NULL, &s);
     if (status && !too_long(status))
         return status;

@@ -52,7 +52,8 @@ static inline void solve(const fvi_method *method, const motion *q,
                                 .mass = &q->mass,
                                 .damping = &q->rho,
                                 .potential = potential(q),
-                                .force = { jumping, (void *)&q->force } };
+                                .force = { .value = jumping,
+                                           .params = (void *)&q->force } };
     fvi_run run =
         fvi_run_default(&system, &q->x0, &q->p0, q->T / (double)steps, steps);
     run.alpha = q->alpha;

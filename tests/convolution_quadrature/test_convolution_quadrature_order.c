@@ -142,7 +142,7 @@ START_TEST(eq_13_8_order_two_in_x_and_p_on_a_driven_duffing_oscillator)
                     .potential = DUFFING,
                     .cg = { 1, 1 } };
         double slope[2];
-        a.force = (fvi_force){ drive, &a };
+        a.force = (fvi_force){ .value = drive, .params = &a };
         slopes(methods[i % 2], &a, 1, 0, 320, driven, slope);
         seen(slope[0], "order of x");
         seen(slope[1], "order of p");
@@ -305,7 +305,7 @@ START_TEST(eq_13_12_the_force_is_asked_within_the_step)
                           .rho = 0.5,
                           .x0 = 1,
                           .cg = { 1, 0 },
-                          .force = { listen, NULL } };
+                          .force = { .value = listen } };
         calls = 0;
         solve(methods[j], &a, x, p);
         ck_assert_uint_eq(calls, 2 * a.steps);

@@ -66,7 +66,8 @@ START_TEST(eq_2_7_and_2_8_trajectories_are_the_exact_ones)
                               potential(ref_runs[r].kind, ref_runs[r].cg),
                               { 0 } };
         if (ref_runs[r].method != &fvi_variational)
-            system.force = (fvi_force){ ramp, (void *)ref_runs[r].ramp };
+            system.force = (fvi_force){ .value = ramp,
+                                        .params = (void *)ref_runs[r].ramp };
         const setup a = { .alpha = 0.5,
                           .kappa = ref_runs[r].kappa,
                           .h = ref_runs[r].h,

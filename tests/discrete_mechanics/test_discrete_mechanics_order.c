@@ -203,7 +203,7 @@ START_TEST(eq_2_8_lagrange_dalembert_has_order_1)
                               .p0 = 1,
                               .potential = DUFFING,
                               .cg = { 1, 1 },
-                              .force = { drive, (void *)&rho } };
+                              .force = { .value = drive, .params = (void *)&rho } };
             solve(&fvi_lagrange_dalembert, &a, x, NULL);
             for (size_t k = 1; k <= N; k++)
                 error[i] =

@@ -119,7 +119,7 @@ START_TEST(eq_9_4_momentum_form_equals_the_three_terms)
         const int kind = one_dimensional[i / LEN(alphas) / LEN(kappas)];
         const setup a = {
             alpha, kappa, 0.1,  60,       FVI_PAST_RIEMANN_LIOUVILLE, 2, 0.3,
-            0.5,   0.3,   kind, { 1, 1 }, { ramp, (void *)&slope }
+            0.5,   0.3,   kind, { 1, 1 }, { .value = ramp, .params = (void *)&slope }
         };
         double fast[61], p[61], literal[61];
         solve(&fvi_fractional, &a, fast, p);
@@ -194,7 +194,7 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
             a.rho = rho[j];
             a.x0 = x0[j];
             a.p0 = p0[j];
-            a.force = (fvi_force){ ramp, (void *)(slope + j) };
+            a.force = (fvi_force){ .value = ramp, .params = (void *)(slope + j) };
             run(&fvi_fractional, &a, &system, x0, p0, both, NULL);
             solve(&fvi_fractional, &a, alone, NULL);
             for (size_t k = 0; k <= 50; k++)

@@ -150,7 +150,7 @@ static int moody(double t, size_t d, void *params, double *F)
 START_TEST(a_run_that_failed_begins_anew)
 {
     int fail = 0;
-    const fvi_system system = { D, mass, rho, { 0 }, { moody, &fail } };
+    const fvi_system system = { D, mass, rho, { 0 }, { .value = moody, .params = &fail } };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     static double x[ROWS], p[ROWS];
     ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, p, NULL), 0);

@@ -156,7 +156,7 @@ START_TEST(eq_9_7_the_damping_of_a_duffing_oscillator_is_alpha_h_late)
                     .rho = 2,
                     .potential = DUFFING,
                     .cg = { 1, 1 } };
-        a.force = (fvi_force){ drive, &a };
+        a.force = (fvi_force){ .value = drive, .params = &a };
         const double order = slope(a, 1, 160, as_it_is, cube);
         seen(order, "order");
         ck_assert_near(order, 2, 0.06, "alpha = %g", a.alpha);

@@ -241,7 +241,7 @@ static int explodes(double t, size_t d, void *params, double *F)
 /* An infinite force reaches the momentum one step before the position. */
 START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
 {
-    const fvi_system system = { 1, one, none, { 0 }, { explodes, NULL } };
+    const fvi_system system = { 1, one, none, { 0 }, { .value = explodes } };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = none,

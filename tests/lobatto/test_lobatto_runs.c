@@ -223,7 +223,7 @@ START_TEST(eq_17_8_jumps_of_the_force_belong_to_neither_side)
                     .h = 0.1,
                     .steps = 20,
                     .cg = { 1, 0 },
-                    .force = { jump, &T } };
+                    .force = { .value = jump, .params = &T } };
         solve(&a, want_x, want_p);
         for (int i = -2; i <= 2; i++) {
             T = 3 * 0.1;

@@ -255,8 +255,9 @@ START_TEST(coefficients_and_methods_and_help)
         strstr(out, "\neuler-explicit\t1\tnone\neuler-implicit\t1\tnone\n"
                     "fvi-shifted\t2\tfull\nfvi-bdf2\t2\tfull\n"
                     "fvi-lobatto2\t2\tfull\nfvi-lobatto3\t3 to 4\tfull\n"
-                    "fvi-lobatto4\t4 to 6\tfull\n"));
-    ck_assert_uint_eq(count_lines(out), 9);
+                    "fvi-lobatto4\t4 to 6\tfull\n"
+                    "fvi-adaptive\t10 to 14\tfull\n"));
+    ck_assert_uint_eq(count_lines(out), 10);
     ck_assert_int_eq(fvi("--help"), 0);
     ck_assert(strncmp(out, "usage: fvi run", 14) == 0);
     ck_assert_int_eq(fvi("run --help"), 0);

@@ -183,7 +183,8 @@ static int from_left(double t, size_t d, void *params, double *F)
 START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)
 {
     const double one = 1, none = 0;
-    const fvi_force forces[] = { { from_right, NULL }, { from_left, NULL } };
+    const fvi_force forces[] = { { .value = from_right },
+                                 { .value = from_left } };
     for (size_t i = 0; i < 2; i++) {
         const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
                                     forces[i] };
