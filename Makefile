@@ -292,8 +292,8 @@ $B/verify/%_ref.h: verify/%.py verify/refgen.py | needs
 	mkdir -p $(@D)
 	$(PYTHON) $< > $@ && test -s $@
 
-# The committed header stands beside the tests that read it.
-committed = $(or $(wildcard tests/*/$1_ref.h),tests/$1/$1_ref.h)
+# The committed header stands beside the tests, or the module, that read it.
+committed = $(or $(wildcard tests/*/$1_ref.h src/*/$1_ref.h),tests/$1/$1_ref.h)
 
 $B/verify/%.ok: $B/verify/%_ref.h $(wildcard tests/*/*_ref.h)
 	cmp $< $(call committed,$*) && echo 'proved: verify/$*.py, and $(call committed,$*) is what it gives' || \

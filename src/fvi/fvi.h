@@ -25,6 +25,7 @@
 #include "step_search.h"
 #include "system.h"
 #include "trajectory.h"
+#include "variable_steps.h"
 #include "version.h"
 
 #ifdef __cplusplus

@@ -74,7 +74,7 @@ int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts);
 
 /* What fvi_adaptive_search found. */
 typedef struct {
-    double estimate;            /* of max |x_k - x(t_k)|, over rows and coordinates */
+    double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
     fvi_adaptive_counts counts; /* of the run whose rows are given out */
 } fvi_adaptive_found;
 

@@ -24,10 +24,10 @@ struct fvi_modes {
     const fvi_variable_rule *rule;
     const fvi_mode_row *table;
     double beta;
-    size_t d, Q;             /* coordinates; modes of each, a multiple of LANES */
-    int first;               /* sigma_q = exp(L (first + q)) */
-    size_t count, awake;     /* modes that this step reads; that are up to date */
-    double top[FVI_ENDS];    /* what the upper end adds to its weights, times */
+    size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
+    int first;            /* sigma_q = exp(L (first + q)) */
+    size_t count, awake;  /* modes that this step reads; that are up to date */
+    double top[FVI_ENDS]; /* what the upper end adds to its weights, times */
     double at_top[FVI_ENDS]; /* weight_top of this step */
     fvi_length now, before;  /* this step, the last that was taken */
     fvi_mode_row row;        /* of this step */
@@ -42,9 +42,11 @@ struct fvi_modes {
 /* Partial sum l takes every eighth mode from the l-th on, whatever the machine: no digit
  * depends on the width of its vectors. */
 //> history
-FVI_VECTORS static void gather(size_t s, size_t Q, const double *restrict weight,
-                               const double *restrict y, const double *restrict a,
-                               size_t stride, double *restrict H)
+FVI_VECTORS static void gather(size_t s, size_t Q,
+                               const double *restrict weight,
+                               const double *restrict y,
+                               const double *restrict a, size_t stride,
+                               double *restrict H)
 {
     for (size_t i = 0; i < s; i++) {
         const double *ai = a + i * stride;
@@ -70,8 +72,8 @@ FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
                 sum[l] += a[l] * last->u[i];
         }
         for (size_t l = 0; l < FVI_LANES; l++) /* (22.6), (22.7) */
-            y[q + l] += (row->mu[q + l] * sum[l] + last->ds)
-                        - row->p[q + l] * y[q + l];
+            y[q + l] +=
+                (row->mu[q + l] * sum[l] + last->ds) - row->p[q + l] * y[q + l];
     }
 }
 //< advance
@@ -198,16 +200,15 @@ static void weigh(fvi_modes *m)
 {
     enum { BLOCK = 16 };
     const double L = fvi_variable_spacing(), beta = m->beta;
-    const double size =
-        sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
+    const double size = sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
     double fine[BLOCK], finer[BLOCK], c[FVI_ENDS];
     for (size_t l = 0; l < BLOCK; l++) {
         fine[l] = exp(L * (double)l);
         finer[l] = exp(L * beta * (double)l);
     }
     for (size_t q = 0; q < m->Q; q += BLOCK) {
-        const double j = (double)m->first + (double)q,
-                     sigma = exp(L * j), weight = size * exp(L * beta * j);
+        const double j = (double)m->first + (double)q, sigma = exp(L * j),
+                     weight = size * exp(L * beta * j);
         for (size_t l = 0; l < BLOCK && q + l < m->Q; l++) {
             m->sigma[q + l] = sigma * fine[l];
             m->weight[q + l] = weight * finer[l];

@@ -42,7 +42,8 @@ FVI_VECTORS void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
 static fvi_mode_row *make(const fvi_variable_rule *rule)
 {
     const size_t n = FVI_POINTS;
-    fvi_mode_row *row = malloc(sizeof *row + (2 + rule->s) * n * sizeof(double));
+    fvi_mode_row *row =
+        malloc(sizeof *row + (2 + rule->s) * n * sizeof(double));
     if (!row)
         return NULL;
     double *mu = (double *)(row + 1), *p = mu + n, *a = p + n;

@@ -11,10 +11,11 @@
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */
-    double spring;        /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
-    double drag;          /* rho h^{1 - beta} */
-    fvi_square L;         /* m A^{-1} + rho h^{1 - beta} W0 */
-    fvi_square inverse;   /* of L + c h^2 A */
+    double
+        spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
+    double drag;        /* rho h^{1 - beta} */
+    fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 */
+    fvi_square inverse; /* of L + c h^2 A */
 } fvi_kind;
 
 /* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
@@ -23,13 +24,19 @@ typedef struct {
 typedef struct {
     size_t J; /* 0: there is no such part */
     double e, gap, t1;
-    double *c;    /* c_0, ..., c_J of each coordinate; c_0 is what jumped at t = 0 */
-    double *pull; /* of each: what is left as a force is -pull t^{a_J - 2 alpha} */
+    double
+        *c; /* c_0, ..., c_J of each coordinate; c_0 is what jumped at t = 0 */
+    double
+        *pull; /* of each: what is left as a force is -pull t^{a_J - 2 alpha} */
 } fvi_singular;
 
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
  * diagonal; coordinate by coordinate, as its Hessian is diagonal; all together. */
-typedef enum { FVI_SOLVE_LINEAR, FVI_SOLVE_DIAGONAL, FVI_SOLVE_COUPLED } fvi_solve;
+typedef enum {
+    FVI_SOLVE_LINEAR,
+    FVI_SOLVE_DIAGONAL,
+    FVI_SOLVE_COUPLED
+} fvi_solve;
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i], but in point, gradient and
  * hessian at [i * d + j], as the callbacks want it. */
@@ -43,19 +50,20 @@ typedef struct {
     double W1[FVI_LANES];
     size_t kinds, *kind; /* how many; which of them has each coordinate */
     fvi_kind *of_kind;
-    fvi_length length;  /* of the steps for which their matrices are */
-    double coupled;     /* and s->newton, if there is one */
+    fvi_length length; /* of the steps for which their matrices are */
+    double coupled;    /* and s->newton, if there is one */
     /* the past */
     fvi_modes *modes;      /* NULL: none is needed */
     size_t damped, *index; /* the coordinates that have modes */
-    double *centre;        /* alpha = 0: where the springs of the damping rest */
+    double *centre; /* alpha = 0: where the springs of the damping rest */
     fvi_singular singular;
     /* the state at t, compensated; y is x without its singular part */
     double *y, *y_less, *v, *v_less, t, t_less;
     /* this step, or the last: its start, its stages */
     double t0, *y0, *v0;
     double *base, *R, *delta;
-    double *bend, *bend0; /* h times the Legendre coefficients of x''; of the last step */
+    double *bend,
+        *bend0; /* h times the Legendre coefficients of x''; of the last step */
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted */
     /* control */
@@ -63,11 +71,12 @@ typedef struct {
     double scale;       /* the largest |x_i| so far */
     double allowed;     /* the tolerance of this step */
     double contraction; /* of the last iteration */
-    int next, first;    /* exponents k of the next h = exp(L k), of one after a jump */
-    int fresh;          /* nonzero in the first step after a jump */
-    int most, fewest;   /* those of the longest and the shortest step */
-    int growth;         /* so much may k grow from step to step */
-    double rough;       /* up to this time a force may jump that did not say so */
+    int next,
+        first; /* exponents k of the next h = exp(L k), of one after a jump */
+    int fresh; /* nonzero in the first step after a jump */
+    int most, fewest; /* those of the longest and the shortest step */
+    int growth;       /* so much may k grow from step to step */
+    double rough;     /* up to this time a force may jump that did not say so */
     fvi_adaptive_counts counts;
 } fvi_adaptive_run;
 
@@ -110,6 +119,9 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o);
  * Any of the outputs may be NULL. */
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull);
+
+/* fvi_singular_moment -- I(a, S) of (22.20), a > 0, S > 0; to 1e-15 of itself. */
+double fvi_singular_moment(double a, double S);
 
 /* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over
  * what G has done, and the singular part is no more.                        (22.20) */

@@ -97,7 +97,7 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
 
 /* I(a, S), a > 0: the series of e^{Su} where it is short, else that in 1 / S, whose
  * terms fall below rounding as S > 40. */
-static double moment(double a, double S)
+double fvi_singular_moment(double a, double S)
 {
     double sum = 0, term = 1;
     if (S < 40) {
@@ -108,7 +108,8 @@ static double moment(double a, double S)
         return exp(-S) * sum;
     }
     term = 1 / S;
-    for (double n = 1; fabs(term) > fabs(sum) * GSL_DBL_EPSILON / 4 && n < S; n++) {
+    for (double n = 1; fabs(term) > fabs(sum) * GSL_DBL_EPSILON / 4 && n < S;
+         n++) {
         sum += term;
         term *= -(a - n) / S;
     }
@@ -124,7 +125,7 @@ static double done(const fvi_singular *g, size_t j, double sigma)
     for (size_t n = 1; n <= g->J; n++) {
         const double a = power(g, n) - g->e;
         sum += c[n] * power(g, n) * (g->e == 1 ? a : 1) * pow(g->t1, a)
-               * moment(a, S);
+               * fvi_singular_moment(a, S);
     }
     return g->e == 1 ? sum : sum * sigma;
 }

@@ -29,8 +29,8 @@ static int look(fvi_stepper *s, fvi_adaptive_run *o)
     }
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < stages; i++)
-        status = fvi_gradient(s->run.system, o->point + i * d,
-                              o->gradient + i * d);
+        status =
+            fvi_gradient(s->run.system, o->point + i * d, o->gradient + i * d);
     return status;
 }
 
@@ -39,8 +39,8 @@ static void left_of(const fvi_adaptive_run *o, size_t j, double *left)
 {
     memset(left, 0, FVI_LANES * sizeof *left);
     for (size_t i = 0; i < o->rule->s; i++)
-        left[i] = o->R[j * FVI_LANES + i]
-                  - o->length.h * o->gradient[i * o->d + j];
+        left[i] =
+            o->R[j * FVI_LANES + i] - o->length.h * o->gradient[i * o->d + j];
 }
 
 /* ---- when to stop ---- */
@@ -60,7 +60,8 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
     if (iteration > 0) {
         o->contraction = moved / moved_before;
         if (o->contraction > worst)
-            return moved <= 64 * floor ? 0 : -1; /* rounding contracts no more */
+            return moved <= 64 * floor ? 0
+                                       : -1; /* rounding contracts no more */
     }
     const double q = o->contraction;
     return moved * q / (1 - q) > fmax(floor, 1e-6 * o->allowed);
@@ -73,8 +74,7 @@ static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
 {
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
     memset(o->gradient, 0, o->d * FVI_LANES * sizeof *o->gradient);
-    int status =
-        s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
+    int status = s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
     for (size_t j = 0; !status && j < o->d; j++) {
         double left[FVI_LANES];
         left_of(o, j, left);
@@ -138,9 +138,9 @@ static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
             return status;
         double moved = 0;
         for (size_t j = 0; j < o->d; j++) {
-            const double change =
-                correct(o, j, newton ? &o->jacobian[j]
-                                     : &o->of_kind[o->kind[j]].inverse);
+            const double change = correct(
+                o, j,
+                newton ? &o->jacobian[j] : &o->of_kind[o->kind[j]].inverse);
             moved = isfinite(change) ? fmax(moved, change) : GSL_NAN;
             if (!isfinite(change))
                 return FVI_EMAXITER;
@@ -175,7 +175,8 @@ static int prepare_coupled(fvi_stepper *s, fvi_adaptive_run *o)
         }
     fvi_newton_free(s->newton);
     s->newton = NULL;
-    int status = fvi_newton_stages_alloc(s->run.system, n, coupling, &s->newton);
+    int status =
+        fvi_newton_stages_alloc(s->run.system, n, coupling, &s->newton);
     free(coupling);
     o->coupled = status ? 0 : o->length.h;
     return status;
@@ -185,7 +186,8 @@ static int solve_coupled(fvi_stepper *s, fvi_adaptive_run *o)
 {
     const size_t n = o->rule->s, d = o->d;
     const double h = o->length.h;
-    int status = o->coupled == h && s->newton ? FVI_SUCCESS : prepare_coupled(s, o);
+    int status =
+        o->coupled == h && s->newton ? FVI_SUCCESS : prepare_coupled(s, o);
     if (status)
         return status;
     double *r = o->hessian, *X = o->point; /* stage by stage */
@@ -228,7 +230,8 @@ static void predict(fvi_adaptive_run *o)
         R[0] -= 1;
         for (size_t j = 0; j < o->d; j++)
             for (size_t l = 0; l < n; l++)
-                o->delta[j * FVI_LANES + i] += R[l] * o->bend0[j * FVI_LANES + l];
+                o->delta[j * FVI_LANES + i] +=
+                    R[l] * o->bend0[j * FVI_LANES + l];
     }
 }
 //< predict

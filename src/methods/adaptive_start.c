@@ -10,7 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATE = 7, LANED = 5, STAGED = 3 }; /* arrays: of d, of LANES d, of s d */
+enum {
+    STATE = 7,
+    LANED = 5,
+    STAGED = 3
+}; /* arrays: of d, of LANES d, of s d */
 
 void fvi_adaptive_stop(fvi_stepper *s)
 {
@@ -40,9 +44,8 @@ static int allocate(fvi_adaptive_run *o)
     o->y = calloc(numbers(o), sizeof *o->y);
     o->kind = calloc(2 * d, sizeof *o->kind);
     o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
-    o->jacobian = o->solve == FVI_SOLVE_DIAGONAL
-                      ? calloc(d, sizeof *o->jacobian)
-                      : NULL;
+    o->jacobian =
+        o->solve == FVI_SOLVE_DIAGONAL ? calloc(d, sizeof *o->jacobian) : NULL;
     if (!o->y || !o->kind || !o->of_kind
         || (o->solve == FVI_SOLVE_DIAGONAL && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
@@ -109,8 +112,9 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
         kind->drag = o->beta == 1 ? 0 : kind->damping * power;
         for (size_t l = 0; l < s; l++)
             for (size_t i = 0; i < FVI_LANES; i++) {
-                kind->L.column[l][i] = kind->mass * o->rule->inverse.column[l][i]
-                                + kind->drag * o->W0.column[l][i];
+                kind->L.column[l][i] =
+                    kind->mass * o->rule->inverse.column[l][i]
+                    + kind->drag * o->W0.column[l][i];
                 kind->inverse.column[l][i] =
                     kind->L.column[l][i]
                     + kind->spring * hh * o->to_x->column[l][i];
@@ -140,7 +144,8 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
         const double rho = system->damping[j],
                      m = system->mass[j] + (heavier ? rho : 0),
                      c = springs ? springs[j] : 0;
-        if (j == 0 || m != last.mass || rho != last.damping || c != last.spring) {
+        if (j == 0 || m != last.mass || rho != last.damping
+            || c != last.spring) {
             last.mass = m;
             last.damping = rho;
             last.spring = c;
@@ -168,7 +173,10 @@ static int first_scale(fvi_stepper *s, double *scale)
         v = fmax(v, fabs(s->p[j]) / system->mass[j]);
         f = fmax(f, fabs(s->F[j] - s->g[j]) / system->mass[j]);
     }
-    *scale = x > 0 ? x : v > 0 ? v * s->run.h : f > 0 ? f * s->run.h * s->run.h : 1;
+    *scale = x > 0   ? x
+             : v > 0 ? v * s->run.h
+             : f > 0 ? f * s->run.h * s->run.h
+                     : 1;
     return status;
 }
 
@@ -203,8 +211,8 @@ static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
     const int diagonal = u->diagonals == 1 || o->d == 1;
     const int quadratic = u->quadratic && u->quadratic(u->params);
     o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
-               : diagonal                             ? FVI_SOLVE_DIAGONAL
-                                                      : FVI_SOLVE_COUPLED;
+               : diagonal                              ? FVI_SOLVE_DIAGONAL
+                                                       : FVI_SOLVE_COUPLED;
     if (o->solve != FVI_SOLVE_LINEAR || !u->gradient)
         return FVI_SUCCESS;
     *springs = malloc(fvi_hessian_room(s->run.system) * sizeof **springs);
@@ -229,7 +237,8 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     if (o->singular.J)
         o->least = fmin(o->least, o->singular.t1 / 16);
     if (o->least < 1e-26 * o->T)
-        FVI_FAIL("no step is short enough for the start of such a damping", FVI_ETOL);
+        FVI_FAIL("no step is short enough for the start of such a damping",
+                 FVI_ETOL);
     return fvi_modes_alloc(o->rule, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
@@ -259,7 +268,8 @@ int fvi_adaptive_start(fvi_stepper *s)
         const double m = s->run.system->mass[j];
         const int struck = s->run.alpha == 1 && s->run.past != FVI_PAST_CAPUTO;
         o->y[j] = s->x[j];
-        o->v[j] = s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
+        o->v[j] =
+            s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
         o->centre[j] = s->run.past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());

@@ -28,7 +28,7 @@
 static double stage_time(const fvi_adaptive_run *o, size_t i)
 {
     const double in = 4 * GSL_DBL_EPSILON, h = o->length.h, end = o->t + h;
-    return i == 0                ? o->t + in * fmax(o->t, h)
+    return i == 0               ? o->t + in * fmax(o->t, h)
            : i + 1 < o->rule->s ? o->t + o->rule->c[i] * h
                                 : end - in * end;
 }
@@ -140,7 +140,8 @@ static double next_event(const fvi_stepper *s, const fvi_adaptive_run *o)
 /* h = exp(L k), but the last two steps before an event are equal. */
 static fvi_length choose(const fvi_adaptive_run *o, double rest)
 {
-    const fvi_length length = { exp(fvi_variable_spacing() * o->next), o->next };
+    const fvi_length length = { exp(fvi_variable_spacing() * o->next),
+                                o->next };
     if (length.h < rest / 2)
         return length;
     return (fvi_length){ length.h >= rest ? rest : rest / 2, FVI_OFF_LATTICE };
@@ -162,9 +163,9 @@ static int change(const fvi_adaptive_run *o, double error)
     const double L = fvi_variable_spacing(),
                  order = ((double)o->rule->s + 1) * L;
     if (error <= o->allowed) /* (22.17) */
-        return (int)fmax(-1, fmin(floor(0.9 * log(o->allowed / error) / order
-                                        - 0.3),
-                                  o->growth));
+        return (int)fmax(
+            -1, fmin(floor(0.9 * log(o->allowed / error) / order - 0.3),
+                     o->growth));
     const double less = ceil(log(1.5 * error / o->allowed) / order);
     return less <= 12 ? -(int)fmax(1, less) : -12; /* NaN: 12 */
 }
@@ -264,7 +265,9 @@ static int step(fvi_stepper *s)
             break;
         }
         if (length.h <= o->least)
-            return status ? status : gsl_finite(error) ? FVI_EMAXITER : FVI_EOVRFLW;
+            return status              ? status
+                   : gsl_finite(error) ? FVI_EMAXITER
+                                       : FVI_EOVRFLW;
         o->counts.rejected++;
         o->next = exponent(length) + (failed ? -4 : change(o, error));
         o->next = (int)fmax(o->next, o->fewest);
@@ -287,7 +290,8 @@ static int step(fvi_stepper *s)
 
 void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q)
 {
-    double P[FVI_LANES + 3], I[FVI_LANES + 2]; /* Legendre, and their integrals */
+    double P[FVI_LANES + 3],
+        I[FVI_LANES + 2]; /* Legendre, and their integrals */
     const double x = 2 * theta - 1;
     P[0] = 1;
     P[1] = x;

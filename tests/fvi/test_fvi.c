@@ -181,7 +181,7 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
                  p0[] = { 0.2, 0.7 }, slope[] = { 0.1, 0.3 }, c = 1;
     const double alphas[] = { 0.3, 0.8 }, kappas[] = { 0, 0.5, 1 };
     const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { ramp, (void *)slope }
+        2, mass, rho, fvi_potential_harmonic(&c), { .value = ramp, .params = (void *)slope }
     };
     double undamped[51] = { 0 };
     for (size_t i = 0; i < LEN(alphas) * LEN(kappas); i++) {
