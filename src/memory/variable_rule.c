@@ -52,14 +52,21 @@ void fvi_variable_ends(double nu, double *c)
     }
 }
 
-FVI_VECTORS void fvi_square_apply(size_t s, const fvi_square *M,
-                                  const double *in, double *out)
+/* What is compiled several times must be static, or the library would export it. */
+FVI_VECTORS static void apply(size_t s, const fvi_square *M, const double *in,
+                              double *out)
 {
     double sum[FVI_LANES] = { 0 };
     for (size_t l = 0; l < s; l++)
         for (size_t i = 0; i < FVI_LANES; i++)
             sum[i] += M->column[l][i] * in[l];
     memcpy(out, sum, sizeof sum);
+}
+
+void fvi_square_apply(size_t s, const fvi_square *M, const double *in,
+                      double *out)
+{
+    apply(s, M, in, out);
 }
 
 static void exchange(double *x, double *y, size_t n, size_t stride)
@@ -73,7 +80,7 @@ static void exchange(double *x, double *y, size_t n, size_t stride)
 
 /* What stands in the columns is eliminated as if it stood in rows: the inverse of the
  * transpose is the transpose of the inverse. */
-FVI_VECTORS int fvi_square_invert(size_t s, fvi_square *square)
+FVI_VECTORS static int invert(size_t s, fvi_square *square)
 {
     double(*M)[FVI_LANES] = square->column;
     size_t from[FVI_LANES];
@@ -104,4 +111,9 @@ FVI_VECTORS int fvi_square_invert(size_t s, fvi_square *square)
         if (from[k] != k)
             exchange(&M[0][k], &M[0][from[k]], s, FVI_LANES);
     return FVI_SUCCESS;
+}
+
+int fvi_square_invert(size_t s, fvi_square *M)
+{
+    return invert(s, M);
 }

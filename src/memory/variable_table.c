@@ -8,8 +8,9 @@
 #include <stdlib.h>
 
 //> row
-FVI_VECTORS void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
-                                   const double *mu, double *p, double *a)
+FVI_VECTORS static void make_row(const fvi_variable_rule *rule, size_t n,
+                                 const double *restrict mu, double *restrict p,
+                                 double *restrict a)
 {
     const size_t s = rule->s;
     for (size_t q = 0; q < n; q += FVI_LANES) {
@@ -37,6 +38,12 @@ FVI_VECTORS void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
     }
 }
 //< row
+
+void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
+                       const double *mu, double *p, double *a)
+{
+    make_row(rule, n, mu, p, a);
+}
 
 /* A table, its numbers behind it in the same block; NULL: no memory. */
 static fvi_mode_row *make(const fvi_variable_rule *rule)

@@ -30,7 +30,8 @@ START_TEST(eq_9_2_trajectories_are_the_exact_ones)
                                     ref_runs[r].rho,
                                     potential(ref_runs[r].potential,
                                               ref_runs[r].cg),
-                                    { ramp, (void *)ref_runs[r].ramp } };
+                                    { .value = ramp,
+                                      .params = (void *)ref_runs[r].ramp } };
         const setup a = { .alpha = ref_runs[r].alpha,
                           .kappa = ref_runs[r].kappa,
                           .h = ref_runs[r].h,
