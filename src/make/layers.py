@@ -14,7 +14,7 @@ SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
     {"program": "build/fvi: words, tables, files"},
-    {"inverse": "gradients, fits and control, by runs that go backwards"},
+    {"inverse": "gradients, fits and control"},
     {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
     {"stability": "the longest step"},

@@ -5,6 +5,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
+#include "fvi_fit.h"
 #include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
@@ -155,6 +156,8 @@ int main(int argc, char **argv)
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
+    if (fvi_is_fit(argc, argv))
+        return fvi_command_fit(argc, argv);
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
         fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",

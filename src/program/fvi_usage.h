@@ -5,6 +5,7 @@
 static const char usage[] =
     "usage: fvi run [options]            one trajectory, as a table\n"
     "       fvi exact [options]          the exact solution on the same grid\n"
+    "       fvi fit [options] DATA       parameters from a measured motion\n"
     "       fvi coefficients [options]   n, alpha_n\n"
     "       fvi methods                  name, order, memory of each method\n"
     "       fvi help [COMMAND]           also: fvi -h, fvi run -h, --version\n"

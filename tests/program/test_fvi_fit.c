@@ -1,0 +1,274 @@
+/* tests/program/test_fvi_fit.c -- The command `fvi fit`: from a file to an estimate.
+ * Run alone: make test-fvi_fit */
+#define _GNU_SOURCE
+#include "identification/identification_ref.h"
+#include "program.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
+enum { CELLS = 5 };
+
+static FILE *file_in_folder(const char *name)
+{
+    char path[PATH_MAX + 100];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *f = fopen(path, "w");
+    ck_assert_ptr_nonnull(f);
+    return f;
+}
+
+/* The exact motion of another program with noise, to five digits. */
+static void write_data(const char *name, double sigma, unsigned long seed)
+{
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    FILE *f = file_in_folder(name);
+    gsl_rng_set(r, seed);
+    fprintf(f, "# made elsewhere\n# t\tx\n");
+    for (size_t i = 0; i < REF_POINTS; i++)
+        fprintf(f, "%.1f\t%.5f\n", 0.1 * (double)(i + 1),
+                ref_low[i] + gsl_ran_gaussian(r, sigma));
+    fclose(f);
+    gsl_rng_free(r);
+}
+
+/* The row of a parameter in out: estimate, sd, lower, upper. */
+static void row_of(const char *name, double row[4])
+{
+    char start[40];
+    snprintf(start, sizeof start, "\n%s\t", name);
+    const char *at = strstr(out, start);
+    ck_assert_msg(at, "%s is not in %s", name, out);
+    ck_assert_int_eq(sscanf(at + strlen(start), "%lf\t%lf\t%lf\t%lf", row,
+                            row + 1, row + 2, row + 3),
+                     4);
+}
+
+static double value_of(const char *name)
+{
+    char start[60];
+    snprintf(start, sizeof start, "\n# %s = ", name);
+    const char *at = strstr(out, start);
+    ck_assert_msg(at, "%s is not in %s", name, out);
+    return strtod(at + strlen(start), NULL);
+}
+
+/* 3 sd: of the three estimates of five data sets one misses with a probability below
+ * 15 * 0.0027 = 4 %; the seeds are fixed. */
+START_TEST(fit_finds_what_another_program_put_in)
+{
+    const char *const names[] = { "alpha", "rho", "c" };
+    for (unsigned long seed = 1; seed <= 5; seed++) {
+        write_data("d.tsv", 0.02, seed);
+        ck_assert_int_eq(fvi("fit --potential harmonic:2 --p0 0.25 --fit "
+                             "alpha,rho,c --sigma 0.02 d.tsv"),
+                         0);
+        ck_assert_str_eq(err, "");
+        for (size_t j = 0; j < LEN(names); j++) {
+            double row[4];
+            row_of(names[j], row);
+            ck_assert(fabs(row[0] - ref_errors[0].truth[j]) < 3 * row[1]);
+            ck_assert_double_eq_tol(row[1], 0.02 * ref_errors[0].sd[j],
+                                    0.1 * row[1]);
+            ck_assert_double_eq_tol(row[3] - row[0], 1.959964 * row[1], 1e-8);
+            ck_assert_double_eq_tol(row[0] - row[2], 1.959964 * row[1], 1e-8);
+        }
+        ck_assert_double_eq(value_of("points"), REF_POINTS);
+        ck_assert(strstr(out, "# starts = 20, ") && strstr(out, " agree\n"));
+        ck_assert(fabs(value_of("correlation alpha c") - 0.70) < 0.1);
+    }
+}
+END_TEST
+
+/* The curve: residual = data - fit, and chi2 is what it says. The data are those of the
+ * file; a step that is given is taken. */
+START_TEST(fit_writes_the_curve)
+{
+    char text[1 << 16], path[PATH_MAX + 100];
+    double t, data, fit, residual, sum = 0;
+    size_t rows = 0;
+    write_data("d.tsv", 0.02, 1);
+    ck_assert_int_eq(fvi("fit --p0 0.25 --sigma 0.02 --starts 4 --h 0.1 "
+                         "--curve c.tsv d.tsv"),
+                     0);
+    const double chi2 = value_of("chi2");
+    ck_assert_double_eq_tol(value_of("step"), 0.1, 1e-12);
+    snprintf(path, sizeof path, "%s/c.tsv", folder);
+    read_file(path, text, sizeof text);
+    ck_assert(strncmp(text, "# t\tdata\tfit\tresidual\n", 22) == 0);
+    for (char *at = strchr(text, '\n') + 1; *at; at = strchr(at, '\n') + 1) {
+        ck_assert_int_eq(
+            sscanf(at, "%lf %lf %lf %lf", &t, &data, &fit, &residual), 4);
+        ck_assert_double_eq_tol(residual, data - fit, 1e-15);
+        ck_assert_double_eq_tol(t, 0.1 * (double)++rows, 1e-12);
+        sum += residual * residual;
+    }
+    ck_assert_uint_eq(rows, REF_POINTS);
+    ck_assert_double_eq_tol(sum / (0.02 * 0.02), chi2, 1e-9 * chi2);
+}
+END_TEST
+
+/* One motion as tables of other people: the same estimate, to the last digit. */
+START_TEST(fit_reads_tables_of_many_kinds)
+{
+    const char *const shapes[] = {
+        "cat d.tsv",
+        "grep -v '#' d.tsv",
+        "grep -v '#' d.tsv | tr '\\t' ','",
+        "sed 's/# t.*/t,x/;s/^#.*//' d.tsv | tr '\\t' ' '",
+        "awk '/^#/{next} {print \"# note\"; print}' d.tsv",
+        "echo 'x v t'; awk '!/^#/{print $2, 7, $1}' d.tsv",
+        "awk '{print $0 \"\\r\"}' d.tsv"
+    };
+    double first[4], row[4];
+    write_data("d.tsv", 0.02, 1);
+    for (size_t i = 0; i < LEN(shapes); i++) {
+        char line[300];
+        snprintf(line, sizeof line,
+                 "( %s ) > e.tsv; \"$FVI\" fit --starts 2 --h 0.1 --alpha 0.3 "
+                 "--rho 0.4 --fit alpha e.tsv",
+                 shapes[i]);
+        ck_assert_msg(shell(line) == 0, "%s: %s", shapes[i], err);
+        row_of("alpha", i ? row : first);
+        ck_assert_msg(i == 0 || row[0] == first[0], "%s", shapes[i]);
+    }
+}
+END_TEST
+
+/* A chi^2 that is out of range, and starts that do not agree, end with 1; the answer is
+ * shown, but no file is written. */
+START_TEST(fit_says_what_is_not_to_be_believed)
+{
+    write_data("d.tsv", 0.02, 1);
+    ck_assert_int_eq(fvi("fit --p0 0.25 --starts 3 --sigma 0.002 d.tsv"), 1);
+    ck_assert(strstr(err, "chi2") && strstr(out, "\nalpha\t"));
+    ck_assert_int_eq(
+        fvi("fit --p0 0.25 --starts 3 --sigma 0.002 -o o.tsv --curve "
+            "o2.tsv d.tsv"),
+        1);
+    ck_assert_str_eq(out, "");
+    ck_assert(!exists("o.tsv") && !exists("o2.tsv"));
+    ck_assert_int_eq(fvi("fit --p0 0.25 --starts 4 --potential harmonic:1.1 d.tsv"), 0);
+    ck_assert(strstr(out, "# warning = neighbouring residuals are alike"));
+    ck_assert(strstr(err, "fvi: warning: neighbouring residuals are alike"));
+    ck_assert_int_eq(fvi("fit --fit mass,rho,c,p0 --starts 2 d.tsv"), 1);
+    ck_assert(strstr(err, "do not determine mass,rho,c,p0"));
+    ck_assert_str_eq(out, "");
+}
+END_TEST
+
+/* "arguments", what the line on standard error must say. */
+static const char *const refused[][2] = {
+    { "fit", "DATA" },
+    { "fit d.tsv d.tsv", "not expected here" },
+    { "fit none.tsv", "cannot read 'none.tsv'" },
+    { "fit --fit beta d.tsv", "'beta'" },
+    { "fit --fit alpha,alpha d.tsv", "twice" },
+    { "fit --fit '' d.tsv", "''" },
+    { "fit --fit alpha, d.tsv", "''" },
+    { "fit --fit g d.tsv", "'g'" },
+    { "fit --potential pendulum:1 --fit c d.tsv", "'c'" },
+    { "fit --potential free --fit c d.tsv", "'c'" },
+    { "fit --potential chain:2,1,0 d.tsv", "masses" },
+    { "fit --method lda d.tsv", "lda" },
+    { "fit --sigma 0 d.tsv", "--sigma" },
+    { "fit --sigma -1 d.tsv", "--sigma" },
+    { "fit --sigma nan d.tsv", "--sigma" },
+    { "fit --starts 1 d.tsv", "--starts" },
+    { "fit --starts 2.5 d.tsv", "--starts" },
+    { "fit --curve '' d.tsv", "--curve" },
+    { "fit --sigma 1 --sigma 2 d.tsv", "twice" },
+    { "fit --steps 5 d.tsv", "--steps" },
+    { "fit --time=5 d.tsv", "--time" },
+    { "fit --sigm 1 d.tsv", "no such option" },
+    { "fit --h 0 d.tsv", "--h" },
+    { "fit --alpha 2 d.tsv", "--alpha" },
+    { "fit d.tsv --sigma", "a value is missing" },
+    { "fit word.tsv", "word.tsv:3" },
+    { "fit back.tsv", "back.tsv:3: t does not increase" },
+    { "fit short.tsv", "short.tsv:2" },
+    { "fit early.tsv", "before 0" },
+    { "fit empty.tsv", "no rows" },
+    { "fit few.tsv", "not enough" }
+};
+
+static void write_text(const char *name, const char *text)
+{
+    FILE *f = file_in_folder(name);
+    fputs(text, f);
+    fclose(f);
+}
+
+START_TEST(fit_refuses_words_and_tables)
+{
+    write_data("d.tsv", 0.02, 1);
+    write_text("word.tsv", "t x\n1 2\n2 two\n3 4\n");
+    write_text("back.tsv", "1 2\n2 3\n2 4\n5 6\n");
+    write_text("short.tsv", "1 2\n2\n3 4\n");
+    write_text("early.tsv", "-1 2\n2 3\n3 4\n4 5\n");
+    write_text("empty.tsv", "# t x\n");
+    write_text("few.tsv", "1 2\n2 3\n");
+    for (size_t i = 0; i < LEN(refused); i++) {
+        ck_assert_msg(fvi(refused[i][0]) == 2, "%s: %s", refused[i][0], err);
+        ck_assert_msg(strstr(err, refused[i][1]), "%s: %s", refused[i][0], err);
+        ck_assert_msg(strncmp(err, "fvi: ", 5) == 0
+                          && strstr(err, "fit --help"),
+                      "%s: %s", refused[i][0], err);
+        ck_assert_str_eq(out, "");
+    }
+}
+END_TEST
+
+/* What no person would write: the program ends by itself, and says why. */
+START_TEST(fit_of_any_bytes_ends)
+{
+    static const char pieces[][12] = {
+        "1",  "-3", "0.5", "1e308", "x", "t",    "\t",  " ",  "\n",
+        "\n", ",",  "#",   "1e-9",  "7", "\n9 ", "nan", "\r", "\""
+    };
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    size_t taken = 0;
+    for (int k = 0; k < 60; k++) {
+        FILE *f = file_in_folder("any.tsv");
+        if (k % 2) /* a table of numbers, some of them wild */
+            for (size_t i = 0, n = 3 + gsl_rng_uniform_int(r, 9); i < n; i++)
+                fprintf(f, "%g %g\n", (double)i + gsl_rng_uniform(r),
+                        gsl_ran_cauchy(r, 1) * (k % 5 ? 1 : 1e300));
+        else
+            for (size_t i = 0, n = gsl_rng_uniform_int(r, 60); i < n; i++)
+                fputs(pieces[gsl_rng_uniform_int(r, LEN(pieces))], f);
+        fclose(f);
+        const int code = fvi("fit --starts 2 --h 0.5 any.tsv");
+        ck_assert_msg(code >= 0 && code <= 2, "file %d: %d", k, code);
+        ck_assert(code == 0 || err[0]);
+        ck_assert(code != 2 || !out[0]);
+        taken += code != 2;
+    }
+    ck_assert(taken > 10);
+    gsl_rng_free(r);
+}
+END_TEST
+
+START_TEST(fit_is_helped)
+{
+    const char *const ways[] = { "help fit", "fit --help", "fit -h",
+                                 "fit --sigma 1 -h" };
+    for (size_t i = 0; i < LEN(ways); i++) {
+        ck_assert_int_eq(fvi(ways[i]), 0);
+        ck_assert(strncmp(out, "usage: fvi fit", 14) == 0);
+    }
+    ck_assert_int_eq(fvi("help"), 0);
+    ck_assert(strstr(out, "fvi fit"));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("build/fvi fit");
+    ADD_CASE(suite, "answers", fit_finds_what_another_program_put_in,
+             fit_writes_the_curve, fit_reads_tables_of_many_kinds,
+             fit_says_what_is_not_to_be_believed);
+    ADD_CASE(suite, "words", fit_refuses_words_and_tables,
+             fit_of_any_bytes_ends, fit_is_helped);
+    return run_suite_of_program(suite);
+}
