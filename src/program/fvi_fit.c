@@ -18,7 +18,8 @@ typedef enum { FIT, SIGMA, STARTS, CURVE, OWN } own_index;
 
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",   "time",  "error",
-                                           "columns", "every", NULL };
+                                           "columns", "every", "format",
+                                           NULL };
 
 /* What the words say, and what is read. */
 typedef struct {
@@ -29,6 +30,7 @@ typedef struct {
     const char *name[FVI_FIT_MOST];
     char names[80]; /* in pieces */
     fvi_fit fit;
+    double low[FVI_FIT_MOST], high[FVI_FIT_MOST];
     double *t, *x, *curve;
 } request;
 
@@ -91,26 +93,35 @@ static int sort_words(request *r, int argc, char **argv, char **run, int *count,
 
 /* ---- what is asked for ---- */
 
-/* The constants of a potential by their names: c, g; NULL where there are no more. */
-static const char *constant_name(fvi_potential_kind kind, size_t i)
+/* The constants of a potential by their names, NULL where there are no more: c, g, or
+ * those of --let. */
+static const char *constant_name(const fvi_options *o, size_t i)
 {
-    static const char *const names[] = { "c", "g" };
-    const size_t count =
-        kind == FVI_POTENTIAL_FREE                                     ? 0
-        : kind == FVI_POTENTIAL_DUFFING || kind == FVI_POTENTIAL_CHAIN ? 2
-                                                                       : 1;
-    return i >= count ? NULL : kind == FVI_POTENTIAL_PENDULUM ? "g" : names[i];
+    static const char *const c_and_g[] = { "c", "g", NULL };
+    switch (o->potential) {
+    case FVI_POTENTIAL_HARMONIC:
+        return i == 0 ? "c" : NULL;
+    case FVI_POTENTIAL_PENDULUM:
+        return i == 0 ? "g" : NULL;
+    case FVI_POTENTIAL_FREE:
+        return NULL;
+    case FVI_POTENTIAL_EXPRESSION:
+        return i < o->lets.count ? o->lets.name[i] : NULL;
+    default:
+        return c_and_g[i];
+    }
 }
 
 static int parameter_named(const request *r, const char *name,
                            fvi_parameter *which, fvi_complaint c)
 {
     /* in the order of fvi_parameter, then the constants */
-    const char *known[FVI_PARAMETER_CONSTANT + 3] = { "alpha", "rho", "mass",
-                                                      "x0", "p0" };
-    size_t found;
-    for (size_t i = 0; constant_name(r->o.potential, i); i++)
-        known[FVI_PARAMETER_CONSTANT + i] = constant_name(r->o.potential, i);
+    const char *known[FVI_PARAMETER_CONSTANT + FVI_MOST_LETS + 1] = {
+        "alpha", "rho", "mass", "x0", "p0"
+    };
+    size_t found = 0;
+    for (size_t i = 0; constant_name(&r->o, i); i++)
+        known[FVI_PARAMETER_CONSTANT + i] = constant_name(&r->o, i);
     const int status = fvi_word_choice("fit", name, known, &found, c);
     *which = (fvi_parameter)found;
     return status;
@@ -150,7 +161,7 @@ static int interpret(request *r, fvi_complaint c)
 {
     fvi_options *o = &r->o;
     r->fit = (fvi_fit){ .method = o->method,
-                        .constants = o->spring,
+                        .constants = o->expression ? o->lets.value : o->spring,
                         .which = r->which,
                         .h = r->has_step ? o->h : 0 };
     int status = interpret_names(r, c);
@@ -326,11 +337,27 @@ static int complain_of_fit(int status, const request *r, const fvi_fitted *f)
     return 1;
 }
 
+/* The box of the library, which knows nothing of the constants of an expression: they may
+ * be ten times as large or as small as --let says, or have either sign. */
+static int make_box(request *r)
+{
+    const int status = fvi_fit_box(&r->fit, r->low, r->high);
+    for (size_t j = 0; j < r->fit.parameters && r->o.expression; j++)
+        if (r->which[j] >= FVI_PARAMETER_CONSTANT) {
+            const double k =
+                r->o.lets.value[r->which[j] - FVI_PARAMETER_CONSTANT];
+            r->low[j] = k > 0 ? k / 10 : k < 0 ? 10 * k : -1;
+            r->high[j] = k > 0 ? 10 * k : k < 0 ? k / 10 : 1;
+        }
+    r->fit.low = r->low;
+    r->fit.high = r->high;
+    return status;
+}
+
 /* Answers that are not believed are shown on standard output alone. */
 static int search_and_print(request *r)
 {
-    double storage[2];
-    const fvi_system system = fvi_options_system(&r->o, storage);
+    const fvi_system system = fvi_options_system(&r->o);
     fvi_run run = fvi_run_default(&system, r->o.x0, r->o.p0, 1, 1);
     run.alpha = r->o.alpha;
     run.kappa = r->o.kappa;
@@ -338,8 +365,10 @@ static int search_and_print(request *r)
     run.memory = r->o.memory;
     run.tolerance = r->o.tolerance;
     r->fit.run = &run;
-    fvi_fitted f;
-    const int status = fvi_fit_search(&r->fit, r->curve, &f);
+    fvi_fitted f = { .agree = 0 };
+    int status = make_box(r);
+    if (!status)
+        status = fvi_fit_search(&r->fit, r->curve, &f);
     int failed = status != 0;
     if (!status
         || ((status == FVI_EMAXITER || status == FVI_ETOL) && !r->o.output)) {
@@ -362,15 +391,16 @@ static const char usage_fit[] =
     "the parameters of the motion that is nearest to a measured one; DATA is "
     "a\n"
     "table with the columns t and x (so named, or the first two), t >= 0\n"
-    "  --fit LIST       of alpha,rho,mass,c,g,x0,p0             [alpha,rho]\n"
+    "  --fit LIST       of alpha,rho,mass,c,g,x0,p0, and the    [alpha,rho]\n"
+    "                   names of --let\n"
     "  --sigma S        standard deviation of the noise         [estimated]\n"
     "  --starts K       searches, from K places; 2 must agree   [20]\n"
     "  --curve FILE     t, data, fit, residual\n"
     "  --h H            a step that is not halved               [found]\n"
     "and of run: --alpha --rho --mass --potential --x0 --p0 (what is not "
     "fitted;\n"
-    "of what is, one of the starts) --force --derivative --kappa --memory\n"
-    "--tolerance --method [fvi-lobatto4] -o\n";
+    "of what is, one of the starts) --let --force --derivative --kappa\n"
+    "--memory --tolerance --method [fvi-lobatto4] -o\n";
 
 int fvi_is_fit(int argc, char **argv)
 {
@@ -389,7 +419,7 @@ static int is_help(int argc, char **argv)
 
 int fvi_command_fit(int argc, char **argv)
 {
-    char complaint[400] = "";
+    char complaint[FVI_COMPLAINT] = "";
     const fvi_complaint c = { complaint, sizeof complaint };
     request r = { .data = NULL };
     int count = 2;

@@ -148,12 +148,34 @@ START_TEST(fit_says_what_is_not_to_be_believed)
         1);
     ck_assert_str_eq(out, "");
     ck_assert(!exists("o.tsv") && !exists("o2.tsv"));
-    ck_assert_int_eq(fvi("fit --p0 0.25 --starts 4 --potential harmonic:1.1 d.tsv"), 0);
+    ck_assert_int_eq(
+        fvi("fit --p0 0.25 --starts 4 --potential harmonic:1.1 d.tsv"), 0);
     ck_assert(strstr(out, "# warning = neighbouring residuals are alike"));
     ck_assert(strstr(err, "fvi: warning: neighbouring residuals are alike"));
     ck_assert_int_eq(fvi("fit --fit mass,rho,c,p0 --starts 2 d.tsv"), 1);
     ck_assert(strstr(err, "do not determine mass,rho,c,p0"));
     ck_assert_str_eq(out, "");
+}
+END_TEST
+
+/* Names of --let, in the potential and in the force. The data are those of a run, so that
+ * nothing is wrong with them but the error of the method, below 1e-8 here. */
+START_TEST(fit_knows_the_names_of_let)
+{
+    const char *const names[] = { "alpha", "rho", "k", "A" };
+    const double truth[] = { 0.3, 0.4, 1.5, 0.4 };
+    ck_assert_int_eq(
+        shell("\"$FVI\" run --method fvi-lobatto4 --alpha 0.3 --rho 0.4 "
+              "--potential 'k*x^2/2' --let k=1.5,A=0.4 --force 'A*cos(2*t)' "
+              "--columns t,x > r.tsv; \"$FVI\" fit --potential 'k*x^2/2' --let "
+              "k=1,A=1 --force 'A*cos(2*t)' --fit alpha,rho,k,A --starts 4 "
+              "r.tsv"),
+        0);
+    for (size_t j = 0; j < LEN(names); j++) {
+        double row[4];
+        row_of(names[j], row);
+        ck_assert_double_eq_tol(row[0], truth[j], 1e-7);
+    }
 }
 END_TEST
 
@@ -269,6 +291,6 @@ int main(void)
              fit_writes_the_curve, fit_reads_tables_of_many_kinds,
              fit_says_what_is_not_to_be_believed);
     ADD_CASE(suite, "words", fit_refuses_words_and_tables,
-             fit_of_any_bytes_ends, fit_is_helped);
+             fit_of_any_bytes_ends, fit_knows_the_names_of_let, fit_is_helped);
     return run_suite_of_program(suite);
 }
