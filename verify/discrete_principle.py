@@ -14,11 +14,13 @@ function, the weights any numbers, h, rho and kappa symbols.
   (6.9)  the defect of the mirror with the same kappa, and where it vanishes.
 Printed: action and gradient for d = 1 and d = 2 from the symbolic derivatives:
 exact where the data are short binary fractions, else rounded once."""
+from fractions import Fraction
 from itertools import product
 
 import mpmath
-from sympy import (Function, Poly, Rational, Symbol, binomial, diff, expand,
+from sympy import (QQ, Function, Rational, Symbol, binomial, diff, expand,
                    expand_func, factor, solve, symbols)
+from sympy.polys.rings import PolyRing
 
 from refgen import array, claim, header, hexd, hexd_real, prove, table
 
@@ -254,14 +256,14 @@ EXACT = 5
 
 def numbers(S, curves, ranges, parameters):
     """Value, gradient, and the sizes of their terms, for each row and range."""
-    rows, gradients = [], []
+    rows, gradients, polynomials = [], [], PolyRing([*curves, g], QQ)
     for row, (alpha, kap, step_size) in enumerate(DATA):
         known = {kappa: kap, h: step_size, **parameters,
                  **{w[k]: weight(alpha, k) for k in range(N + 1)}}
         power = known_power(step_size, alpha)
         for first, last in ranges:
-            A = Poly(S(first, last).xreplace(known), *curves, g, domain="QQ")
-            pairs = [rounded(e, curves, power) for e in [A] + [A.diff(v) for v in curves]]
+            A = polynomials.from_expr(S(first, last).xreplace(known))
+            pairs = [rounded(e, curves, power) for e in [A] + [A.diff(i) for i in range(len(curves))]]
             rows.append([hexd(alpha), hexd(kap), hexd(step_size), first, last, int(row < EXACT),
                          pairs[0][0], f"{pairs[0][1]:.3g}", f"{max(p[1] for p in pairs[1:]):.3g}"])
             gradients += [p[0] for p in pairs[1:]]
@@ -279,18 +281,18 @@ def known_power(base, alpha):
 
 def rounded(e, curves, power):
     """The polynomial e = A + B g at the curves, rounded; the sum of its |terms|."""
-    A, size = [D(0), D(0)], 0
+    A, size = [Fraction(0), Fraction(0)], 0
     for powers, c in e.terms():
-        term = c
+        term = Fraction(int(c.numerator), int(c.denominator))
         for v, i in zip(curves, powers):
-            term *= CURVE[v] ** i
+            term *= Fraction(int(CURVE[v].p), int(CURVE[v].q)) ** i
         A[powers[-1]] += term
         size += abs(float(term)) * float(power(20)) ** powers[-1]
 
     def value(digits):
         with mpmath.workdps(digits + 20):
-            total = (mpmath.mpf(int(A[0].p)) / int(A[0].q)
-                     + power(digits) * mpmath.mpf(int(A[1].p)) / int(A[1].q))
+            total = (mpmath.mpf(A[0].numerator) / A[0].denominator
+                     + power(digits) * mpmath.mpf(A[1].numerator) / A[1].denominator)
             return mpmath.nstr(total, digits)
     return hexd_real(value), size
 

@@ -15,6 +15,9 @@ Proved here, all letters symbolic unless it says otherwise:
 Printed: x and x' by Talbot's rule (nothing is split there), and for long times,
 where that would take too many terms, by the residues and the integral along the
 cut itself, which is neither Talbot's rule nor the hyperbola of the C code."""
+import cmath
+import copy
+import math
 from functools import cache
 
 import mpmath
@@ -76,26 +79,21 @@ prove("(11.6) (A + B) ((a+b)^2 cot(a+b) - a^2 A - b^2 B) is minus two squares",
 #< angle
 
 
-def windings(b_, rho_, inner=mpf(10) ** -8, outer=mpf(10) ** 8, steps=400):
+def windings(b_, rho_, inner=1e-8, outer=1e8, steps=400):
     """How often Q(s) = s^2 + 1 + rho s^b goes round 0 while s goes round a
     keyhole: the big circle, and back along both sides of the cut."""
-    path = [outer * mpmath.expjpi(mpf(2 * k - steps) / steps) for k in range(steps + 1)]
-    side = [outer * (inner / outer) ** (mpf(k) / steps) for k in range(steps + 1)]
-    ring = [inner * mpmath.expjpi(mpf(steps - 2 * k) / steps) for k in range(steps + 1)]
-
-    def value(z, angle):
-        return z * z + 1 + rho_ * abs(z) ** b_ * mpmath.expj(b_ * angle)
-    points = [value(z, mp.pi * (2 * k - steps) / steps) for k, z in enumerate(path)]
-    points += [value(-z, mp.pi) for z in side]
-    points += [value(z, mp.pi * (steps - 2 * k) / steps) for k, z in enumerate(ring)]
-    points += [value(-z, -mp.pi) for z in reversed(side)]
-    total = sum(mpmath.arg(q / p) for p, q in zip(points, points[1:]))
-    return int(mpmath.nint(total / (2 * mp.pi)))
+    turn = [math.pi * (2 * k - steps) / steps for k in range(steps + 1)]
+    side = [outer * (inner / outer) ** (k / steps) for k in range(steps + 1)]
+    value = lambda r_, angle: cmath.rect(r_, angle) ** 2 + 1 + rho_ * cmath.rect(r_**b_, b_ * angle)
+    points = [value(outer, angle) for angle in turn]
+    points += [value(r_, math.pi) for r_ in side]
+    points += [value(inner, angle) for angle in reversed(turn)]
+    points += [value(r_, -math.pi) for r_ in reversed(side)]
+    return round(sum(cmath.phase(q / p) for p, q in zip(points, points[1:])) / (2 * math.pi))
 
 
-mp.dps = 15
-for b_ in (mpf("0.3"), mpf("0.9"), mpf("1.2"), mpf("1.9")):
-    for rho_ in (mpf("0.1"), mpf(3)):
+for b_ in (0.3, 0.9, 1.2, 1.9):
+    for rho_ in (0.1, 3):
         claim(f"two zeros, beta = {b_}, rho = {rho_}", windings(b_, rho_) == 2)
 
 #> kernel
@@ -114,9 +112,9 @@ prove("(11.8) the kernel", simplify(together(cut - printed)))
 X, Y = symbols("X Y")  # small: rho s^beta and m s^2 over c, or powers of 1/s
 terms = sum((-1) ** (j + k) * binomial(j + k, j) * X**j * Y**k
             for j in range(5) for k in range(5))
+product = expand((1 + X + Y) * terms)
 for j in range(5):
     for k in range(5):
-        product = expand((1 + X + Y) * terms)
         prove(f"(11.9) 1/(1 + X + Y), j = {j}, k = {k}",
               product.coeff(X, j).coeff(Y, k) - (1 if j == k == 0 else 0))
 #< series
@@ -160,6 +158,12 @@ class Problem:
         self.k0 = 1 if past != RL or alpha == 0.5 else 0
         self.k1 = 1 if past == CAPUTO and alpha > 0.5 else 0
 
+    def in_doubles(self):
+        """The same for Python's own numbers."""
+        p = copy.copy(self)
+        p.__dict__ = {name: float(v) if isinstance(v, mpf) else v for name, v in vars(p).items()}
+        return p
+
     def Q(self, z, power=None):
         power = z**self.beta if power is None else power
         return self.m * z * z + self.c + self.rho * power
@@ -195,18 +199,20 @@ def contour(count, digits):
 
 
 @cache
-def contour_powers(count, digits, beta):
-    return [zeta**beta for zeta, _ in contour(count, digits)]
+def points_of(count, digits, beta, number):
+    """The points, their powers, the weights; each a number of that kind."""
+    return [(number(zeta), number(zeta**beta), number(weight)) for zeta, weight in contour(count, digits)]
 
 
-def talbot(transform, x0, time, count, beta):
+def talbot(transform, x0, time, points, beta):
     """x and x' from X by Talbot's contour with the parameters of Abate and Valko:
     about 0.6 count digits, if no pole lies far up the imaginary axis in units of
     count / time."""
-    radius = mpf(2) * count / (5 * time)
-    x = v = mpf(0)
+    count = len(points)
+    radius = 2 * count / (5 * time)
+    x = v = 0
     scale = radius**beta
-    for (zeta, weight), power in zip(contour(count, mp.dps), contour_powers(count, mp.dps, beta)):
+    for zeta, power, weight in points:
         z = radius * zeta
         value = transform(z, scale * power)             # z^beta is given
         x += (weight * value).real
@@ -215,14 +221,14 @@ def talbot(transform, x0, time, count, beta):
 #< talbot
 
 
-def by_talbot(p, time, digits):
+def by_talbot(p, time, digits, number=mpc):
     """x and x' to that many digits."""
     count = int(digits / 0.55) + 12
     mp.dps = digits + count // 4 + 15
-    time = mpf(time)
-    x, v = talbot(p.X, p.x0, time, count, p.beta)
+    points = points_of(count, mp.dps, p.beta, number)
+    x, v = talbot(p.X, p.x0, time, points, p.beta)
     if p.forcing == 1 and time > p.T:
-        y, w_ = talbot(lambda z, power: p.A / (z * p.Q(z, power)), 0, time - p.T, count, p.beta)
+        y, w_ = talbot(lambda z, power: p.A / (z * p.Q(z, power)), 0, time - p.T, points, p.beta)
         x, v = x - y, v - w_
     return x, v
 
@@ -256,7 +262,6 @@ def by_cut(p, time, digits):
     """x and x' as residues plus the integral along the cut, the latter by the
     trapezoidal rule in ln r."""
     z = pole(p, digits + 30)
-    time = mpf(time)
     rest = p.beta * p.rho * z ** (p.beta - 1) + 2 * p.m * z  # Q'(z)
     terms = [(z, p.numerator(z) / rest)]
     if p.forcing == 2:
@@ -266,14 +271,13 @@ def by_cut(p, time, digits):
     turn = mpmath.expjpi(p.beta)
     narrow = min(mp.pi / 2, mp.pi - mpmath.arg(z))
     step = 2 * mp.pi * narrow / (mpf("2.4") * (digits + 5))
-    at, size, u_ = 1, 0, mpmath.log(3 * (digits + 5) / time)
+    at, size, r_, less = 1, 0, 3 * (digits + 5) / time, mpmath.exp(-step)
+    power, power_less = r_**p.beta * turn, less**p.beta
     while p.rho and p.beta not in (0, 1, 2) and at > size * mpf(10) ** (-digits - 3):
-        r_ = mpmath.exp(u_)
-        k_ = -p.X(-r_, r_**p.beta * turn).imag * r_ * mpmath.exp(-r_ * time)
-        x += k_ * step / mp.pi
-        v -= r_ * k_ * step / mp.pi
-        at, u_ = (abs(k_) if r_ * time < 1 else 1), u_ - step
-        size = max(size, abs(k_))
+        k_ = -p.X(-r_, power).imag * r_ * mpmath.exp(-r_ * time) * step / mp.pi
+        x, v = x + k_, v - r_ * k_
+        at, size = (abs(k_) if r_ * time < 1 else 1), max(size, abs(k_))
+        r_, power = r_ * less, power * power_less
     return x, v
 #< cut
 
@@ -281,29 +285,29 @@ def by_cut(p, time, digits):
 def size(p, time, x, v):
     """Largest |x| and |x'| up to then (or up to 20 units of time), of nine."""
     xs, vs = [abs(p.x0), abs(x)], [abs(p.v0), abs(v)]
+    p = p.in_doubles()
     for k in range(1, 9):
-        x, v = by_talbot(p, min(mpf(time), 20 / unit(p)) * k / 8, 8)
+        x, v = by_talbot(p, min(float(time), 20 / unit(p)) * k / 8, 8, complex)
         xs.append(abs(x))
         vs.append(abs(v))
     return f"{float(max(xs)):.2g}", f"{float(max(vs)):.2g}"
 
 
 def unit(p):
-    mp.dps = 15
-    return mpmath.sqrt(p.c / p.m) if p.c else mpf(1)
+    return math.sqrt(p.c / p.m) if p.c else 1
 
 
 def rows_of(p, times, route):
     rows = []
-    for time in times:
+    for time in map(mpf, times):
         value = {}
 
         def both(digits, which):
             if digits not in value:
                 value[digits] = route(p, time, digits)
             return mpmath.nstr(value[digits][which], digits)
-        x = hexd_real(lambda n: both(n, 0), 20)
-        v = hexd_real(lambda n: both(n, 1), 20)
+        x = hexd_real(lambda n: both(n, 0), 20, 10)
+        v = hexd_real(lambda n: both(n, 1), 20, 10)
         rows.append([*(hexd(q) for q in p.row[:4]), p.row[4], hexd(p.row[5]),
                      hexd(p.row[6]), p.row[7], *(hexd(q) for q in p.row[8:]),
                      hexd(float(time)), x, v,
@@ -360,7 +364,7 @@ LONG = [
 ]
 
 p = Problem(alpha=0.45, x0=1, v0=0.5, rho=3)  # where both routes can go
-both = [route(p, 8, 30) for route in (by_talbot, by_cut)]
+both = [route(p, mpf(8), 30) for route in (by_talbot, by_cut)]
 claim("Talbot's rule and the integral along the cut give the same",
       all(abs(x_ - y_) < mpf(10) ** -28 for x_, y_ in zip(*both)))
 
@@ -398,7 +402,7 @@ def bagley_torvik(time, digits):
 
 
 BT = Problem(alpha=0.75, rho=1, forcing=1, A=8, T=1)
-for time in (0.5, 2):
+for time in map(mpf, (0.5, 2)):
     claim("(11.14) agrees with Talbot's rule",
           abs(bagley_torvik(time, 30) - by_talbot(BT, time, 30)[0]) < mpf(10) ** -28)
 table("ref_bagley_torvik", "double t, x;",

@@ -200,7 +200,7 @@ def two_precisions(value):
     def text(digits):
         mpmath.mp.dps = digits + 25
         return mpmath.nstr(value(), digits)
-    return hexd_real(text, 30)
+    return hexd_real(text, 30, 10)
 
 
 def power(order, e, u):
@@ -227,43 +227,48 @@ table("ref_powers", "double order, g, u, want;",
         f"{o:.4g}, {e:.4g}, {x:.4g}"] for o, e, x in rows])
 
 
-def taylor(coefficient, constant, order, u):
-    """sum_k c_k D^order u^k; without k = 0 for Caputo."""
+def taylor(derivative, constant, order, u):
+    """sum_k f^(k) D^order u^k / k!; without k = 0 for Caputo."""
     o, u = exact(order), exact(u)
     total, k = mpmath.mpf(0), 0 if constant else 1
-    weight = mpmath.rgamma(k + 1 - o)  # k! / Gamma(k + 1 - o), term by term
+    weight, power = mpmath.rgamma(k + 1 - o), u ** (k - o)
     while k < 4 or weight * (4 * u) ** k > mpmath.mpf(10) ** -mpmath.mp.dps:
-        total += coefficient(k) * mpmath.factorial(k) * weight * u ** (k - o)
-        k += 1
-        weight = mpmath.rgamma(k + 1 - o)
+        total += derivative(k) * weight * power
+        k, power = k + 1, power * u
+        weight = weight / (k - o) if k > 1 else mpmath.rgamma(k + 1 - o)  # 1 - o may be 0
     return total
 
 
 # The curves of the test: sin(3t), exp(-2t), t^3 - t + 1, 1/(1 + t^2). A side of +1
 # reflects: f(end + side ... ) is expanded in u, the distance from the end.
-def coefficients_at(curve, end, side):
+def derivatives_at(curve, end, side):
+    """k -> d^k f / du^k at the end."""
     e, s = exact(end), -side  # t = end + s u
     if curve == 0:
-        return lambda k: (3 * s) ** k * mpmath.sin(3 * e + k * mpmath.pi / 2) / mpmath.factorial(k)
+        sin, cos = mpmath.sin(3 * e), mpmath.cos(3 * e)
+        return lambda k: (3 * s) ** k * (sin, cos, -sin, -cos)[k % 4]
     if curve == 1:
-        return lambda k: (-2 * s) ** k * mpmath.exp(-2 * e) / mpmath.factorial(k)
-    cubic = (e ** 3 - e + 1, s * (3 * e ** 2 - 1), 3 * e, s)
+        decay = mpmath.exp(-2 * e)
+        return lambda k: (-2 * s) ** k * decay
+    cubic = (e ** 3 - e + 1, s * (3 * e ** 2 - 1), 6 * e, 6 * s)
     return lambda k: cubic[k] if k < 4 else mpmath.mpf(0)
 
 
 def by_definition(end, side, order, t, is_caputo):
-    """1 / (1 + t^2), from the integrals (1.2) and (1.3) themselves."""
+    """1 / (1 + t^2), from the integrals (1.2) and (1.3) themselves: y = u v^n with
+    n (1 - o) = 3 removes the singularity, and makes the integrand rational."""
     e, o, s = exact(end), exact(order), -side
-    u = abs(exact(t) - e)
+    u, n = abs(exact(t) - e), round(3 / (1 - order))
+    claim("n (1 - o) = 3", n * (1 - o) == 3)
     f = lambda x: 1 / (1 + x * x)
     df = lambda x: -2 * x / (1 + x * x) ** 2
-    if is_caputo:  # v = u y^(1 / (1 - o)) removes the singularity
+    if is_caputo:
         return s * u ** (1 - o) * mpmath.rgamma(2 - o) * mpmath.quad(
-            lambda y: df(exact(t) - s * u * y ** (1 / (1 - o))), mpmath.linspace(0, 1, 3))
+            lambda v: 3 * v * v * df(exact(t) - s * u * v ** n), mpmath.linspace(0, 1, 3))
 
     def integral(length):  # d/dt or -d/dt is d/du on either side
         return length ** (1 - o) * mpmath.rgamma(2 - o) * mpmath.quad(
-            lambda y: f(e + s * length * (1 - y ** (1 / (1 - o)))), mpmath.linspace(0, 1, 3))
+            lambda v: 3 * v * v * f(e + s * length * (1 - v ** n)), mpmath.linspace(0, 1, 3))
     step = mpmath.mpf(10) ** -5
     stencil = (exact(4) / 5, -exact(1) / 5, exact(4) / 105, -exact(1) / 280)
     return sum(c * (integral(u + i * step) - integral(u - i * step))
@@ -296,11 +301,11 @@ for curve, side, order, end, u in cases:
             value = mpmath.nstr(by_definition(end, side, order, t_, not constant), 30)
             values.append(hexd(Rational(value)))
         elif order == 0 and not constant:  # Caputo, order 0
-            series = coefficients_at(curve, end, side)
+            series = derivatives_at(curve, end, side)
             values.append(two_precisions(lambda: taylor(series, False, order, u_)))
         else:
             values.append(two_precisions(lambda: taylor(
-                coefficients_at(curve, end, side), constant, order, u_)))
+                derivatives_at(curve, end, side), constant, order, u_)))
     rows.append([curve, f"{side:2d}", hexd(order), hexd(end), hexd(t_),
                  hexd(largest_velocity(curve, end, t_)), *values])
 table("ref_curves", "int curve, side; double alpha, end, t, largest, caputo, riemann;", rows)

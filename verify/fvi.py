@@ -438,30 +438,38 @@ print(" * of 2^-53 the results of the C code may be away from them. */")
 table("ref_rows", "double x, p, x_units, p_units;", rows)
 
 
-rgamma = lru_cache(None)(lambda e, digits: mpmath.rgamma(e))
+@lru_cache(None)
+def over_gamma(i, j, more, order, bits):
+    """1 / Gamma(e + more + 1), e = 2i + (2 - order) j, in units of 2^-bits."""
+    return int(mpmath.ldexp(mpmath.rgamma(2 * i + (2 - order) * j + more + 1), bits))
 
 
 #> delayed
 def delayed(alpha, x0, step, t):
     """x'' + x + (1/2) D^{2 alpha} z (t - alpha h) = 0, v_0 = 1, Caputo: the transform is a
-    geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, inverted term by term."""
-    total, order = mpmath.mpf(0), 2 * alpha
-    over_gamma = lambda e: rgamma(e + 1, mpmath.mp.dps)
+    geometric series in (1 + e^{-alpha h s} s^{2 alpha} / 2) / s^2, inverted term by term,
+    in whole numbers of 2^-bits: the powers of t below are under 2^60."""
+    total, order, bits = 0, 2 * alpha, mpmath.mp.prec + 80
+    fixed = lambda v: int(mpmath.ldexp(v, bits))
     for j in range(45):
-        now, then = t - j * alpha * step, t - (j + 1) * alpha * step
+        before, now, then = total, t - j * alpha * step, t - (j + 1) * alpha * step
         if now <= 0:
             break
         # (-1)^i binom(i + j, i) / (-2)^j, now^e and then^(e + 2 - order), e = 2i + (2 - order) j
-        e, factor = (2 - order) * j, mpmath.mpf(-0.5)**j
-        of_now, of_then = now**e, then**(e + 2 - order) if then > 0 else 0
+        factor, of_now = fixed(mpmath.mpf(-0.5)**j), fixed(now**((2 - order) * j))
+        of_then = fixed(then**((2 - order) * (j + 1))) if then > 0 else 0
+        now, then = fixed(now), fixed(then)
         for i in range(16):
-            total += factor * (of_now * (x0 * over_gamma(e) + now * over_gamma(e + 1))
-                               + of_then * x0 / 2 * over_gamma(e + 2 - order))
+            G = lambda more: over_gamma(i, j, more, order, bits)
+            term = of_now * (x0 * G(0) + (now * G(1) >> bits)) + of_then * x0 * G(2 - order) // 2
             if order > 1:
-                total += factor / 2 * of_then * then * over_gamma(e + 3 - order)
-            e, factor = e + 2, -factor * (i + 1 + j) / (i + 1)
-            of_now, of_then = of_now * now**2, of_then * then**2
-    return total
+                term += of_then * (then * G(3 - order) >> bits) // 2
+            total += factor * (term >> bits) >> bits
+            factor = -factor * (i + 1 + j) // (i + 1)
+            of_now, of_then = of_now * now**2 >> 2 * bits, of_then * then**2 >> 2 * bits
+        if abs(total - before) >> 80 == 0:
+            break
+    return mpmath.ldexp(total, -bits)
 #< delayed
 
 

@@ -30,10 +30,10 @@ def hexd(x):
     return "0" if value == 0 else re.sub(r"\.?0*p", "p", value.hex())
 
 
-def hexd_real(value, digits=60):
+def hexd_real(value, digits=60, more=30):
     """Irrational: value(digits) -> number as text or mpmath number at that many
     digits. Two precisions must give the same double."""
-    first, second = (hexd(Rational(str(value(n)))) for n in (digits, digits + 30))
+    first, second = (hexd(Rational(str(value(n)))) for n in (digits, digits + more))
     claim(f"{first} is the nearest double at both precisions", first == second)
     return first
 
