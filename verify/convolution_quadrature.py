@@ -274,7 +274,7 @@ def trajectory(case):
             want = (m * (X[k] - X[k - 1]) / h - (1 - K) * h * grad(S)
                     - h * rho * (1 - th) * D(X) + h * (force(k, -1) + force(k, 1)) / 2)
         new = X[k] + h * v0
-        for _ in range(30 if case.g else 1):
+        for _ in range(10 if case.g else 1):
             S = K * X[k] + (1 - K) * new
             residual = m * (new - X[k]) / h + K * h * grad(S) + h * rho * th * D(X + [new]) - want
             new -= residual / (m / h + K * h * slope(S) + h * rho * th * scale * w[0] ** 2)

@@ -10,7 +10,7 @@
 and that the elliptic functions of the tests solve their equations.
 Reference values: potentials and L_d from their formulas, which sympy
 differentiates. Trajectories: discrete_mechanics_runs.py."""
-from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, simplify,
+from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, ratsimp, simplify,
                    sin, solve, symbols, together, zeros)
 
 from refgen import header, hexd, hexd_real, prove, table
@@ -140,7 +140,7 @@ map_of = lambda R: Matrix.vstack(
     Matrix.hstack(-B.inv() * A, -B.inv()),
     Matrix.hstack(B.T + R - (C - R) * B.inv() * A, -(C - R) * B.inv()))
 prove("(2.12) with damping its determinant is det(B' + rho) / det B",
-      simplify(map_of(R).det() - (B.T + R).det() / B.det()))
+      ratsimp(map_of(R).det() - (B.T + R).det() / B.det()))
 #< areas
 D11, D12, D22 = (diff(lagrangian([m], [a], [b]), *w) for w in ((a, a), (a, b), (b, b)))
 curve = V(kappa * a + (1 - kappa) * b, 2)
@@ -181,7 +181,7 @@ Fm, Fp = rows(x0, minus), rows(x1, plus)
 later = minus.subs({x0: x1, x1: x2}, simultaneous=True)
 shift = rows(x1, solve(plus - later, x2)[0])
 for form in (Fp * Fm.inv(), Fp * shift * Fp.inv(), Fm * shift * Fm.inv()):
-    prove("three formulas for one flow", *(form - lda.subs(rho, 0)).applyfunc(simplify))
+    prove("three formulas for one flow", *(form - lda.subs(rho, 0)).applyfunc(ratsimp))
 
 #> euler
 explicit = step_matrix([x1 - x0 - h * p0 / m, p1 - p0 - h * (-c * x0 - rho * p0 / m)],

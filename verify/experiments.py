@@ -39,9 +39,9 @@ CASES = {                     # c from the other parameters; decay, A, B, G of (
 for name, (stiffness, rate, A, B, G) in CASES.items():
     x = exp(-rate * t) * (x0 * A + p0 / m * G)
     p = exp(-rate * t) * (p0 * B - stiffness * x0 * G)
-    prove(f"(10.1) {name}: p = m x'", simplify(m * diff(x, t) - p))
+    prove(f"(10.1) {name}: p = m x'", expand(m * diff(x, t) - p))
     prove(f"(10.1) {name}: p' = -c x - rho p / m",
-          simplify(diff(p, t) + stiffness * x + rho * p / m))
+          expand(diff(p, t) + stiffness * x + rho * p / m))
     prove(f"(10.1) {name}: start", x.subs(t, 0) - x0, p.subs(t, 0) - p0)
 prove("the slower rate without a difference",
       simplify((slow - 2 * c / (rho + 2 * m * q)).subs(c, CASES["over"][0])))

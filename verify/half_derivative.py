@@ -15,6 +15,8 @@ Proved here:
          potential U, symbolic m, h, rho, kappa; identical rationals along runs.
 Printed: exact sums for the products and for two derivatives in a row (mpmath, 100
 and 130 digits), and the runs, by the double sums of the paper, in rationals."""
+from functools import cache
+
 import mpmath
 from sympy import (Function, Rational, S, binomial, catalan, diff, expand, expand_func,
                    gamma, gammasimp, pi, simplify, sqrt, symbols)
@@ -198,13 +200,14 @@ def digits(f):
     return hexd_real(at, 100)  # c_32 at 1/4 + 1/4 is a tie of two doubles
 
 
-def mp_weights(order, count):
+@cache
+def mp_weights(order, digits):
     o = mpmath.mpf(order)
-    return [(-1) ** j * mpmath.binomial(o, j) for j in range(count)]
+    return [(-1) ** j * mpmath.binomial(o, j) for j in range(61)]
 
 
 def product(o, q, j, pick=lambda v: v):
-    u, v = mp_weights(o, j + 1), mp_weights(q, j + 1)
+    u, v = mp_weights(o, mpmath.mp.dps), mp_weights(q, mpmath.mp.dps)
     return mpmath.fsum(pick(u[i] * v[j - i]) for i in range(j + 1))
 
 
@@ -220,7 +223,7 @@ Z = [2, -3, 1, 4, -1, -5, 3, 2, -4, 6, 1, -2, 5]
 
 
 def two(o, step, j, pick=lambda v: v):
-    u = mp_weights(o, j + 1)
+    u = mp_weights(o, mpmath.mp.dps)
     once = [mpmath.fsum(pick(u[i] * Z[q - i]) for i in range(q + 1)) for q in range(j + 1)]
     return mpmath.mpf(step) ** (-2 * mpmath.mpf(o)) * mpmath.fsum(
         pick(u[i] * once[j - i]) for i in range(j + 1))

@@ -8,6 +8,8 @@
 
 Inputs are the doubles they are; the integrals are taken term by term in powers of
 k + s, which cancels some forty digits at k = 10^9: there are 120."""
+from functools import cache
+
 import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, binomial, expand, gamma, gammasimp, limit, oo, symbols
@@ -91,9 +93,10 @@ for past, k0, k1, term, power, value in (
 #< first
 
 #> impulses
-def lagrange(nodes, i):
-    """l_i by powers of s, exactly."""
-    coefficients = [mpf(1)]
+@cache
+def lagrange(nodes, i, digits):
+    """l_i by powers of s, at so many digits."""
+    nodes, coefficients = [mpf(node) for node in nodes], [mpf(1)]
     for j, node in enumerate(nodes):
         if j != i:
             scale = nodes[i] - node
@@ -108,7 +111,7 @@ def impulse(alpha, k, nodes, i):
     e = -2 * mpf(alpha) if alpha < 0.5 else 1 - 2 * mpf(alpha)
     if e == -1:                                            # one impulse at t = 0
         return mpf(i == 0 and k == 0)
-    total, l = mpf(0), lagrange([mpf(node) for node in nodes], i)
+    total, l = mpf(0), lagrange(nodes, i, mp.dps)
     for degree, coefficient in enumerate(l):               # s = (k + s) - k
         for j in range(degree + 1):
             q = e + j + 1
