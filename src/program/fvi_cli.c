@@ -165,6 +165,8 @@ int main(int argc, char **argv)
         return status;
     }
     switch (o.command) {
+    case FVI_COMMAND_SWEEP:
+        return fvi_command_sweep(argc, argv);
     case FVI_COMMAND_RUN:
         status =
             with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
@@ -184,6 +186,7 @@ int main(int argc, char **argv)
     default:
         status = print_text(o.about == FVI_COMMAND_RUN     ? usage_run
                             : o.about == FVI_COMMAND_EXACT ? usage_exact
+                            : o.about == FVI_COMMAND_SWEEP ? usage_sweep
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
                                 : usage);

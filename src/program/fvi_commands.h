@@ -14,10 +14,17 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system);
  * finds good enough; prints nothing where there is none. */
 int fvi_command_error(const fvi_options *o, const fvi_system *system);
 
+/* fvi_command_sweep -- `fvi sweep`: a grid of runs, by several processes, one row each.
+ * The words are those of main; 2 if they are refused. */
+int fvi_command_sweep(int argc, char **argv);
+
 /* What went wrong, as a line on standard error; each returns 1. */
 int fvi_complain(const char *what);
 int fvi_cannot_write(
     const char *name); /* as errno says; NULL: standard output */
-int fvi_stopped_at(size_t step, int status); /* a GSL code */
+int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
+
+/* fvi_reason -- such a code, in the words of a user. */
+const char *fvi_reason(int status);
 
 #endif

@@ -22,16 +22,19 @@ int fvi_cannot_write(const char *name)
     return 1;
 }
 
+const char *fvi_reason(int status)
+{
+    return status == FVI_EMAXITER  ? "Newton's method did not converge"
+           : status == FVI_ESING   ? "the equation of the step is singular"
+           : status == FVI_EOVRFLW ? "a value is no longer finite"
+           : status == FVI_EDOM    ? "a number is out of range"
+           : status == FVI_ELOSS   ? "a phase of so many swings is not known"
+                                   : fvi_strerror(status);
+}
+
 int fvi_stopped_at(size_t step, int status)
 {
-    const char *what =
-        status == FVI_EMAXITER  ? "Newton's method did not converge"
-        : status == FVI_ESING   ? "the equation of the step is singular"
-        : status == FVI_EOVRFLW ? "a value is no longer finite"
-        : status == FVI_EDOM    ? "a number is out of range"
-        : status == FVI_ELOSS   ? "a phase of so many swings is not known"
-                                : fvi_strerror(status);
     fvi_progress_clear();
-    fprintf(stderr, "fvi: step %zu: %s\n", step, what);
+    fprintf(stderr, "fvi: step %zu: %s\n", step, fvi_reason(status));
     return 1;
 }

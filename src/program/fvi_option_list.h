@@ -15,7 +15,8 @@ typedef enum {
     FVI_COMMAND_EXACT,
     FVI_COMMAND_METHODS,
     FVI_COMMAND_HELP,
-    FVI_COMMAND_VERSION
+    FVI_COMMAND_VERSION,
+    FVI_COMMAND_SWEEP
 } fvi_command;
 
 /* The words of the command line, understood and in range. */

@@ -15,8 +15,8 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
 {
     /* in the order of fvi_command, then other words for the help */
     static const char *const commands[] = {
-        "run",       "coefficients", "exact", "methods", "help",
-        "--version", "--help",       "-h",    NULL
+        "run",       "coefficients", "exact",  "methods", "help",
+        "--version", "sweep",        "--help", "-h",      NULL
     };
     for (size_t i = 0; commands[i]; i++)
         if (strcasecmp(name, commands[i]) == 0) {
@@ -134,6 +134,15 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
     const int about = !status && o->command == FVI_COMMAND_HELP && argc > 2;
     if (about) /* fvi help run */
         status = command_of(argv[2], &o->about, c);
+    if (!status
+        && o->command == FVI_COMMAND_SWEEP) { /* its words: fvi_grid.h */
+        for (int i = 2; i < argc; i++)
+            if (is_help(argv[i])) {
+                o->about = FVI_COMMAND_SWEEP;
+                o->command = FVI_COMMAND_HELP;
+            }
+        return 0;
+    }
     if (!status)
         status = take_all(o, argc - 1 - about, argv + 1 + about, c);
     if (!status && fvi_option_is_known(o->command, OPTIONS))

@@ -3,6 +3,7 @@
 #include "fvi_commands.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "fvi_values.h"
 #include "memory/lobatto_memory.h"
 
 #include <math.h>
@@ -148,23 +149,9 @@ static void warn(const fvi_options *o, const fvi_run *r)
     fputc('\n', stderr);
 }
 
-static fvi_run the_run(const fvi_options *o, const fvi_system *system)
-{
-    return (fvi_run){ .system = system,
-                      .x0 = o->x0,
-                      .p0 = o->p0,
-                      .h = o->h,
-                      .steps = o->steps,
-                      .kappa = o->kappa,
-                      .alpha = o->alpha,
-                      .past = o->past,
-                      .memory = o->memory,
-                      .tolerance = o->tolerance };
-}
-
 int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
-    const fvi_run r = the_run(o, system);
+    const fvi_run r = fvi_options_run(o, system);
     fvi_table t;
     fvi_stepper *s = NULL;
     int failed = 1, status = FVI_ENOMEM;
@@ -257,7 +244,7 @@ static int print_found(const fvi_options *o, const fvi_system *system,
 
 int fvi_command_error(const fvi_options *o, const fvi_system *system)
 {
-    const fvi_run r = the_run(o, system);
+    const fvi_run r = fvi_options_run(o, system);
     fvi_step_found found;
     fvi_table t;
     fvi_table_shape(&t, o, system);

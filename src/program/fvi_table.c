@@ -14,10 +14,7 @@
 
 const char *fvi_table_warning(const fvi_options *o)
 {
-    return o->no_solution
-               ? "rl with x0 != 0 and alpha > 1/2 has no solution; these rows "
-                 "depend on h and come near to no motion"
-               : NULL;
+    return o->no_solution ? FVI_NO_SOLUTION : NULL;
 }
 
 void fvi_table_head(FILE *out, const fvi_options *o)
@@ -35,19 +32,23 @@ static size_t column_width(const fvi_options *o, fvi_column column)
     return column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY ? 1 : o->d;
 }
 
-void fvi_table_names(const fvi_table *t)
+void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first)
 {
-    size_t at = 0;
-    for (size_t n = 0; n < t->o->columns.count; n++) {
-        const fvi_column column = t->o->columns.at[n];
-        const size_t width = column_width(t->o, column);
-        const int numbered = t->o->numbered && column != FVI_COLUMN_T
+    for (size_t n = 0; n < o->columns.count; n++) {
+        const fvi_column column = o->columns.at[n];
+        const size_t width = column_width(o, column);
+        const int numbered = o->numbered && column != FVI_COLUMN_T
                              && column != FVI_COLUMN_ENERGY;
         for (size_t i = 1; i <= width; i++)
-            fvi_format_name(t->out, t->o->format, at++,
-                            fvi_column_names[column], numbered ? i : 0);
+            fvi_format_name(out, o->format, first++, fvi_column_names[column],
+                            numbered ? i : 0);
     }
-    fvi_format_names_end(t->out, t->o->format);
+    fvi_format_names_end(out, o->format);
+}
+
+void fvi_table_names(const fvi_table *t)
+{
+    fvi_table_column_names(t->out, t->o, 0);
 }
 
 /* ---- rows ---- */

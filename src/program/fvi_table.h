@@ -31,6 +31,10 @@ double fvi_machine_bytes(void);
  * NULL if these and `bytes` more are more than the machine has. */
 double *fvi_table_room(const fvi_table *t, double bytes);
 
+#define FVI_NO_SOLUTION                                                        \
+    "rl with x0 != 0 and alpha > 1/2 has no solution; these rows depend on "   \
+    "h and come near to no motion"
+
 /* fvi_table_warning -- what the reader of the table must know before all, one line;
  * NULL if there is nothing. */
 const char *fvi_table_warning(const fvi_options *o);
@@ -38,8 +42,10 @@ const char *fvi_table_warning(const fvi_options *o);
 /* fvi_table_head -- "# name = value" lines, for any command, and the warning. */
 void fvi_table_head(FILE *out, const fvi_options *o);
 
-/* fvi_table_names -- the line with the names of the columns. */
+/* fvi_table_names -- the line with the names of the columns; fvi_table_column_names: where
+ * others come first. */
 void fvi_table_names(const fvi_table *t);
+void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first);
 
 /* fvi_table_next -- the first step after k, k < N, of which the table wants
  * something: its row, or its mirror N - k for y. */

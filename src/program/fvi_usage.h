@@ -6,6 +6,7 @@ static const char usage[] =
     "usage: fvi run [options]            one trajectory, as a table\n"
     "       fvi exact [options]          the exact solution on the same grid\n"
     "       fvi fit [options] DATA       parameters from a measured motion\n"
+    "       fvi sweep [options]          a grid of runs, a row each\n"
     "       fvi coefficients [options]   n, alpha_n\n"
     "       fvi methods                  name, order, memory of each method\n"
     "       fvi help [COMMAND]           also: fvi -h, fvi run -h, --version\n"
@@ -74,11 +75,32 @@ static const char usage_exact[] =
     "the linear problem m x'' + C x + rho D^{2A} x = F, solved exactly; "
     "options as\n"
     "of run: --alpha --rho --mass --force --derivative --x0 --p0 --h --steps\n"
-    "--time --columns --every --format -o, and --potential harmonic:C (C >= 0)\n"
+    "--time --columns --every --format -o, and --potential harmonic:C (C >= "
+    "0)\n"
     "or free\n"
     "\n"
     "example:\n"
     "  fvi exact --alpha 0.3 --time 20 --steps 4\n";
+
+static const char usage_sweep[] =
+    "usage: fvi sweep [options] --vary NAME=A:B:N[:log] ...\n"
+    "a grid of runs: a row for each, the varied values and then the columns of "
+    "the\n"
+    "last step; options as of run, and\n"
+    "  --vary NAME=A:B:N  N values from A to B, evenly, or with :log by a\n"
+    "                     constant factor; NAME is alpha, rho, mass, kappa, "
+    "x0,\n"
+    "                     p0, h, steps, time, error, tolerance, or a parameter "
+    "of\n"
+    "                     the expressions. Up to three, the last fastest\n"
+    "  --jobs J           processes at a time; the table is the same   "
+    "[cores]\n"
+    "  --part I/K         the I-th of K parts of the rows, I from 1    [1/1]\n"
+    "\n"
+    "examples:\n"
+    "  fvi sweep --vary alpha=0:1:101 --steps 400 --columns x,energy\n"
+    "  fvi sweep --vary rho=0.01:1:20:log --vary alpha=0.1:0.9:9 -o map.tsv\n"
+    "  fvi sweep --vary k=1:3:5 --potential 'k*x^4' --part 1/2\n";
 
 static const char usage_coefficients[] =
     "usage: fvi coefficients [options]\n"

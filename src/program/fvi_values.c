@@ -334,3 +334,17 @@ fvi_system fvi_options_system(const fvi_options *o)
         s.force = fvi_force_cosine(o->forcing);
     return s;
 }
+
+fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
+{
+    return (fvi_run){ .system = system,
+                      .x0 = o->x0,
+                      .p0 = o->p0,
+                      .h = o->h,
+                      .steps = o->steps,
+                      .kappa = o->kappa,
+                      .alpha = o->alpha,
+                      .past = o->past,
+                      .memory = o->memory,
+                      .tolerance = o->tolerance };
+}

@@ -14,4 +14,7 @@ void fvi_options_free(fvi_options *o);
 /* fvi_options_system -- the system that the words describe. It points into o. */
 fvi_system fvi_options_system(const fvi_options *o);
 
+/* fvi_options_run -- the run of that system. It points into o and the system. */
+fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system);
+
 #endif

@@ -322,6 +322,7 @@ START_TEST(help_is_asked_for_in_many_ways)
         { "help", "--help", "-h" },
         { "help run", "run --help", "run -h" },
         { "help exact", "exact --help", "exact --alpha 0.3 -h" },
+        { "help sweep", "sweep --help", "sweep --vary alpha=0:1:2 -h" },
         { "help coefficients", "coefficients --help", "coefficients -h" },
         { "help methods", "methods --help", "methods -h" }
     };

@@ -1,0 +1,249 @@
+/* src/program/fvi_grid.c -- The runs of a sweep. */
+#include "fvi_grid.h"
+#include "fvi_options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+double fvi_grid_value(const fvi_grid *g, size_t i, size_t n)
+{
+    const fvi_axis *a = &g->axis[n];
+    for (size_t m = g->count - 1; m > n; m--)
+        i /= g->axis[m].count;
+    i %= a->count;
+    if (i == 0 || i == a->count - 1)
+        return i == 0 ? a->from : a->to;
+    const double part = (double)i / (double)(a->count - 1);
+    return a->log ? a->from * pow(a->to / a->from, part)
+                  : a->from + part * (a->to - a->from);
+}
+
+int fvi_grid_has(const fvi_grid *g, const char *name)
+{
+    for (size_t n = 0; n < g->count; n++)
+        if (strcmp(g->axis[n].name, name) == 0)
+            return 1;
+    return 0;
+}
+
+int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
+                     char *complaint, size_t size)
+{
+    /* getopt needs words that may be written to, and o keeps pointers to them */
+    static char word[FVI_MOST_AXES][140];
+    char value[32];
+    for (size_t n = 0; n < g->count; n++) {
+        fvi_shortest(fvi_grid_value(g, i, n), value);
+        snprintf(word[n], sizeof word[n],
+                 g->axis[n].is_let ? "--let=%s=%s" : "--%s=%s", g->axis[n].name,
+                 value);
+        g->words[g->word_count + (int)n] = word[n];
+    }
+    return fvi_options_parse(g->word_count + (int)g->count, g->words, o,
+                             complaint, size);
+}
+
+/* ---- words ---- */
+
+/* What a sweep can vary, besides the parameters of expressions. */
+static int is_numeric(const char *name)
+{
+    static const option_index numbers[] = { ALPHA, RHO,   MASS,     KAPPA,
+                                            X0,    P0,    H,        STEPS,
+                                            TIME,  ERROR, TOLERANCE };
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (strcmp(fvi_option_list[numbers[i]].name, name) == 0)
+            return 1;
+    return 0;
+}
+
+static int is_option(const char *name)
+{
+    for (int i = 0; i < OPTIONS; i++)
+        if (strcmp(fvi_option_list[i].name, name) == 0)
+            return 1;
+    return 0;
+}
+
+/* "A:B:N[:log]" */
+static int take_range(fvi_axis *a, const char *text, const char *range,
+                      fvi_complaint c)
+{
+    char place[3][40] = { "", "", "" };
+    double count = 0;
+    int used = 0;
+    const int found = sscanf(range, "%39[^:]:%39[^:]:%39[^:]%n", place[0],
+                             place[1], place[2], &used);
+    a->log = found == 3 && strcmp(range + used, ":log") == 0;
+    if (found != 3 || (range[used] && !a->log))
+        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+                          text);
+    int status = fvi_word_number("vary", place[0], -INFINITY, INFINITY, "()",
+                                 &a->from, c);
+    if (!status)
+        status = fvi_word_number("vary", place[1], -INFINITY, INFINITY, "()",
+                                 &a->to, c);
+    if (!status)
+        status = fvi_word_number("vary", place[2], 1, 1e9, "[]", &count, c);
+    if (status)
+        return status;
+    if (count != floor(count) || (count == 1 && a->from != a->to))
+        return fvi_refuse(c, "--vary: '%s': %s values from %s to %s", text,
+                          place[2], place[0], place[1]);
+    if (a->log && !(a->from * a->to > 0))
+        return fvi_refuse(c, "--vary: '%s': log needs two ends of one sign",
+                          text);
+    a->count = (size_t)count;
+    return 0;
+}
+
+/* One more axis. */
+static int take_axis(fvi_grid *g, const char *text, fvi_complaint c)
+{
+    const char *equals = strchr(text, '=');
+    const size_t length = equals ? (size_t)(equals - text) : 0,
+                 end = strlen(g->text);
+    fvi_axis *a = &g->axis[g->count];
+    if (g->count == FVI_MOST_AXES)
+        return fvi_refuse(c, "--vary: '%s': at most %d are varied", text,
+                          FVI_MOST_AXES);
+    if (length == 0 || length >= sizeof a->name)
+        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+                          text);
+    memcpy(a->name, text, length);
+    a->name[length] = '\0';
+    a->is_let = !is_numeric(a->name);
+    if (fvi_grid_has(g, a->name))
+        return fvi_refuse(c, "--vary: '%s' is varied twice", a->name);
+    if (a->is_let
+        && (is_option(a->name) || !fvi_name_is_free(a->name, "x")
+            || !fvi_name_is_free(a->name, "t")))
+        return fvi_refuse(c, "--vary: '%s' is not a number that can be varied",
+                          a->name);
+    int status = take_range(a, text, equals + 1, c);
+    if (status)
+        return status;
+    g->count++;
+    snprintf(g->text + end, sizeof g->text - end, "%s%s", end ? "," : "", text);
+    return 0;
+}
+
+static int take_part(fvi_grid *g, const char *text, fvi_complaint c)
+{
+    char first[32] = "", rest[32] = "";
+    int used = 0;
+    if (sscanf(text, "%31[^/]/%31[^/]%n", first, rest, &used) != 2
+        || text[used])
+        return fvi_refuse(c, "--part: '%s' is not I/K", text);
+    int status = fvi_word_whole("part", rest, 1000000, &g->parts, c);
+    if (!status)
+        status = fvi_word_whole("part", first, g->parts, &g->part, c);
+    snprintf(g->part_text, sizeof g->part_text, "%s", text);
+    return status;
+}
+
+/* Is this word the option, with its value behind = or as the next word? Then *value is
+ * that. */
+static int option(char **argv, int *i, const char *name, const char **value)
+{
+    const size_t length = strlen(name);
+    if (strncmp(argv[*i], name, length) != 0
+        || (argv[*i][length] && argv[*i][length] != '='))
+        return 0;
+    *value = argv[*i][length] ? argv[*i] + length + 1 : argv[++*i];
+    return 1;
+}
+
+/* A word that is none of `fvi run`, but nearly one of a sweep. */
+static int check_unknown(const char *word, fvi_complaint c)
+{
+    static const char *const names[] = { "vary", "jobs", "part", NULL };
+    const size_t length = strcspn(word, "=");
+    if (strncmp(word, "--", 2) != 0)
+        return 0;
+    for (int i = 0; i < OPTIONS; i++) /* up to = */
+        if (strlen(fvi_option_list[i].name) == length - 2
+            && strncmp(fvi_option_list[i].name, word + 2, length - 2) == 0)
+            return 0;
+    const char *near = fvi_word_nearest(word + 2, length - 2, names);
+    return near ? fvi_refuse(c, "%s: no such option; did you mean --%s?", word,
+                             near)
+                : 0;
+}
+
+/* Sort the words: those of a sweep are read, the others kept. */
+static int take_words(fvi_grid *g, int argc, char **argv, fvi_complaint c)
+{
+    static char run[] = "run";
+    g->words[g->word_count++] = argv[0];
+    g->words[g->word_count++] = run;
+    for (int i = 2; i < argc; i++) {
+        const char *value, *given = argv[i];
+        int status = 0;
+        const int vary = option(argv, &i, "--vary", &value),
+                  jobs = !vary && option(argv, &i, "--jobs", &value),
+                  part = !vary && !jobs && option(argv, &i, "--part", &value);
+        if ((vary || jobs || part) && !value)
+            return fvi_refuse(c, "%s: a value is missing", given);
+        if (vary)
+            status = take_axis(g, value, c);
+        else if (jobs)
+            status = fvi_word_whole("jobs", value, 1024, &g->jobs, c);
+        else if (part)
+            status = take_part(g, value, c);
+        else {
+            status = check_unknown(argv[i], c);
+            g->words[g->word_count++] = argv[i];
+        }
+        int at = i;
+        if (!vary && !jobs && !part && option(argv, &at, "--let", &value)
+            && value) {
+            const size_t end = strlen(g->lets);
+            snprintf(g->lets + end, sizeof g->lets - end, "%s%s",
+                     end ? "," : "", value);
+        }
+        if (status)
+            return status;
+    }
+    return 0;
+}
+
+int fvi_grid_parse(int argc, char **argv, fvi_grid *g, char *complaint,
+                   size_t size)
+{
+    const fvi_complaint c = { complaint, size };
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    double all = 1;
+    *g = (fvi_grid){ .part = 1,
+                     .parts = 1,
+                     .jobs = cores > 0 ? (size_t)cores : 1 };
+    g->words = calloc((size_t)argc + FVI_MOST_AXES + 1, sizeof *g->words);
+    if (!g->words) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    int status = take_words(g, argc, argv, c);
+    if (status)
+        return status;
+    if (g->count == 0)
+        return fvi_refuse(c, "sweep: --vary NAME=A:B:N is missing");
+    for (size_t n = 0; n < g->count; n++)
+        all *= (double)g->axis[n].count;
+    if (all > 1e9)
+        return fvi_refuse(c, "--vary: %g runs are too many", all);
+    /* part I has the runs from (I - 1) R / K to I R / K */
+    const size_t runs = (size_t)all;
+    if (g->parts > runs)
+        return fvi_refuse(c, "--part: '%s' of %zu rows", g->part_text, runs);
+    g->first = (g->part - 1) * runs / g->parts;
+    g->runs = g->part * runs / g->parts - g->first;
+    return 0;
+}
+
+void fvi_grid_free(fvi_grid *g)
+{
+    free(g->words);
+}

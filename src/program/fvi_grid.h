@@ -1,0 +1,49 @@
+/* src/program/fvi_grid.h -- The runs of a sweep. */
+#ifndef FVI_GRID_H
+#define FVI_GRID_H
+
+#include "fvi_option_list.h"
+
+enum { FVI_MOST_AXES = 3 };
+
+/* NAME=A:B:N[:log], a --vary: N values from A to B of an option, or of a parameter of the
+ * expressions. */
+typedef struct {
+    char name[64];
+    int is_let, log;
+    double from, to;
+    size_t count;
+} fvi_axis;
+
+/* The words of `fvi sweep`. The runs are numbered with the last axis fastest. */
+typedef struct {
+    fvi_axis axis[FVI_MOST_AXES];
+    size_t count;       /* of the axes */
+    size_t first, runs; /* of this part */
+    size_t part, parts; /* part I of K, I from 1 */
+    size_t jobs;
+    char text[400]; /* all axes, as they were given */
+    char part_text[64];
+    char lets[1024]; /* --let without those that are varied */
+    char **words;    /* those for `fvi run`, with room for one for each axis */
+    int word_count;
+} fvi_grid;
+
+/* fvi_grid_parse -- understand argv, all but what is for `fvi run`. Returns 0, 2 or 1 as
+ * fvi_options_parse; free the grid with fvi_grid_free in any case. */
+int fvi_grid_parse(int argc, char **argv, fvi_grid *g, char *complaint,
+                   size_t size);
+void fvi_grid_free(fvi_grid *g);
+
+/* fvi_grid_options -- the options of run i, counted in the whole grid. As
+ * fvi_options_parse. */
+int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
+                     char *complaint, size_t size);
+
+/* fvi_grid_value -- of axis n in run i. Both ends are met exactly. */
+double fvi_grid_value(const fvi_grid *g, size_t i, size_t n);
+
+/* fvi_grid_has -- nonzero if the name is varied. */
+int fvi_grid_has(const fvi_grid *g, const char *name);
+
+#endif

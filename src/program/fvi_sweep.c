@@ -1,0 +1,264 @@
+/* src/program/fvi_sweep.c -- The command `fvi sweep`: a grid of runs, a row each. */
+#define _GNU_SOURCE /* MAP_ANONYMOUS */
+#include <fvi/fvi.h>
+#include "fvi_commands.h"
+#include "fvi_grid.h"
+#include "fvi_options.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+#include "fvi_usage.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. */
+typedef struct {
+    int status;
+    size_t step;
+} verdict;
+
+/* What the processes share. Each takes the next run that nobody has taken, and writes its
+ * row: the table does not depend on who does what. */
+typedef struct {
+    _Atomic size_t next;
+    double *rows; /* width numbers each */
+    verdict *verdicts;
+    size_t width, count;
+    void *map;
+    size_t bytes;
+} board;
+
+/* ---- one run ---- */
+
+/* All steps of o->h; the numbers of the last row stand behind those of row 0. */
+static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
+{
+    fvi_stepper *s;
+    verdict v = { fvi_start(o->method, r, &s), 0 };
+    if (v.status)
+        return v;
+    v.status = fvi_table_take(t, 0, s->x, s->p);
+    while (!v.status && s->k < o->steps) {
+        v.step = s->k + 1;
+        v.status = fvi_step(s);
+    }
+    if (!v.status)
+        v.status = fvi_table_take(t, o->steps, s->x, s->p);
+    fvi_stop(s);
+    return v;
+}
+
+/* As many steps as the wanted error needs. */
+static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
+{
+    const size_t last = o->steps * o->d;
+    double *x = malloc(2 * (last + o->d) * sizeof *x), *p = x + last + o->d;
+    fvi_step_found found;
+    verdict v = { FVI_ENOMEM, 0 };
+    if (x)
+        v.status = fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x,
+                                   p, &found);
+    if (!v.status)
+        v.status = fvi_table_take(t, 0, x, p);
+    if (!v.status)
+        v.status = fvi_table_take(t, o->steps, x + last, p + last);
+    free(x);
+    return v;
+}
+
+/* Run number i into its row: the values of the grid, then the columns of step N. */
+static verdict one_run(const fvi_grid *g, size_t i, double *row)
+{
+    char complaint[FVI_COMPLAINT];
+    fvi_options o;
+    verdict v = { FVI_ENOMEM, 0 };
+    if (fvi_grid_options(g, i, &o, complaint, sizeof complaint))
+        return v; /* it was understood before */
+    const fvi_system system = fvi_options_system(&o);
+    const fvi_run r = fvi_options_run(&o, &system);
+    fvi_table t;
+    o.every = o.steps;
+    fvi_table_shape(&t, &o, &system);
+    t.wait = 1; /* keep the rows: the first, and the last */
+    t.height = 2;
+    if ((t.rows = fvi_table_room(&t, 0)))
+        v = (o.error > 0 ? by_error : by_steps)(&o, &r, &t);
+    for (size_t n = 0; n < g->count; n++)
+        row[n] = fvi_grid_value(g, i, n);
+    if (!v.status)
+        memcpy(row + g->count, t.rows + t.width, t.width * sizeof *row);
+    free(t.rows);
+    fvi_options_free(&o);
+    return v;
+}
+
+/* ---- all runs ---- */
+
+static int board_open(board *b, size_t count, size_t width)
+{
+    const double bytes =
+        (double)count * ((double)width * sizeof(double) + sizeof(verdict));
+    *b = (board){ .width = width, .count = count, .map = MAP_FAILED };
+    if (bytes > fvi_machine_bytes())
+        return 0;
+    b->bytes = sizeof *b + count * (width * sizeof(double) + sizeof(verdict));
+    b->map = mmap(NULL, b->bytes, PROT_READ | PROT_WRITE,
+                  MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    return b->map != MAP_FAILED;
+}
+
+/* Take runs until there are none; ends the process. */
+static void work(const fvi_grid *g, board *shared)
+{
+    for (size_t i; (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
+        shared->verdicts[i] =
+            one_run(g, g->first + i, shared->rows + i * shared->width);
+    _exit(0);
+}
+
+/* All runs, by so many processes. Returns 0, or 1 if a process did not come to its
+ * end. */
+static int work_together(const fvi_grid *g, board *shared)
+{
+    size_t started = 0, ended = 0;
+    fflush(NULL);
+    for (; started < g->jobs && started < shared->count; started++) {
+        const pid_t child = fork();
+        if (child == 0)
+            work(g, shared);
+        if (child < 0)
+            break; /* fewer do */
+    }
+    for (int state; ended < started && wait(&state) > 0;)
+        ended += WIFEXITED(state) && WEXITSTATUS(state) == 0;
+    return started == 0 || ended < started;
+}
+
+/* ---- the table ---- */
+
+static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
+                       int no_solution)
+{
+    const char *name, *value;
+    fvi_format_begin(out, o->format);
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        if (strcasecmp(name, "let") == 0) {
+            if (*g->lets)
+                fvi_format_parameter(out, o->format, name, g->lets);
+        } else if (!fvi_grid_has(g, name) && strcmp(name, "every") != 0
+                   && !(strcmp(name, "h") == 0 && o->text[TIME])) {
+            fvi_format_parameter(out, o->format, name, value);
+        }
+    fvi_format_parameter(out, o->format, "vary", g->text);
+    if (g->parts > 1)
+        fvi_format_parameter(out, o->format, "part", g->part_text);
+    if (no_solution)
+        fvi_format_parameter(out, o->format, "warning", FVI_NO_SOLUTION);
+    size_t at = 0;
+    for (; at < g->count; at++)
+        fvi_format_name(out, o->format, at, g->axis[at].name, 0);
+    fvi_table_column_names(out, o, at);
+}
+
+/* Which run failed, and how. */
+static int complain_of(const fvi_grid *g, size_t i, verdict v)
+{
+    fputs("fvi: with", stderr);
+    for (size_t n = 0; n < g->count; n++) {
+        char text[32];
+        fvi_shortest(fvi_grid_value(g, i, n), text);
+        fprintf(stderr, "%s %s = %s", n ? "," : "", g->axis[n].name, text);
+    }
+    if (v.step > 0)
+        fprintf(stderr, ": step %zu", v.step);
+    fprintf(stderr, ": %s\n", fvi_reason(v.status));
+    return 1;
+}
+
+/* Rows in the order of the grid; those before a run that failed stand where the output
+ * is standard output. */
+static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
+                       int no_solution)
+{
+    FILE *out = fvi_output_open(o->output);
+    if (!out)
+        return fvi_cannot_write(o->output);
+    int failed = 0;
+    print_head(out, g, o, no_solution);
+    for (size_t i = 0; i < b->count && !failed && !ferror(out); i++) {
+        if (b->verdicts[i].status)
+            failed = complain_of(g, g->first + i, b->verdicts[i]);
+        else
+            fvi_format_row(out, o->format, i, b->width, b->rows + i * b->width);
+    }
+    if (!failed)
+        fvi_format_end(out, o->format);
+    if (fvi_output_close(out, !failed) != 0)
+        failed = fvi_cannot_write(o->output);
+    return failed;
+}
+
+/* Every point of the grid is understood before the first run begins. Returns 0, or 2. */
+static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
+                     size_t size)
+{
+    *no_solution = 0;
+    for (size_t i = 0; i < g->runs; i++) {
+        fvi_options o;
+        int status = fvi_grid_options(g, g->first + i, &o, complaint, size);
+        if (status)
+            return status;
+        *no_solution |= o.no_solution;
+        fvi_options_free(&o);
+    }
+    return 0;
+}
+
+static int run_all(const fvi_grid *g, const fvi_options *o, int no_solution)
+{
+    const fvi_system system = fvi_options_system(o);
+    fvi_table t;
+    board b;
+    fvi_table_shape(&t, o, &system);
+    if (!board_open(&b, g->runs, g->count + t.width))
+        return fvi_complain("not enough memory");
+    board *shared = b.map;
+    *shared = b;
+    shared->rows = (double *)(shared + 1);
+    shared->verdicts = (verdict *)(shared->rows + b.count * b.width);
+    if (no_solution)
+        fprintf(stderr, "fvi: warning: %s\n", FVI_NO_SOLUTION);
+    int failed = work_together(g, shared)
+                     ? fvi_complain("a process of the sweep was ended")
+                     : print_table(g, o, shared, no_solution);
+    munmap(b.map, b.bytes);
+    return failed;
+}
+
+int fvi_command_sweep(int argc, char **argv)
+{
+    char complaint[FVI_COMPLAINT];
+    fvi_grid g;
+    fvi_options o;
+    int no_solution,
+        status = fvi_grid_parse(argc, argv, &g, complaint, sizeof complaint);
+    if (!status)
+        status = check_all(&g, &no_solution, complaint, sizeof complaint);
+    if (!status)
+        status = fvi_grid_options(&g, g.first, &o, complaint, sizeof complaint);
+    if (status) {
+        fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi sweep --help'.\n",
+                complaint);
+    } else {
+        status = run_all(&g, &o, no_solution);
+        fvi_options_free(&o);
+    }
+    fvi_grid_free(&g);
+    return status;
+}

@@ -1,0 +1,176 @@
+/* tests/program/test_fvi_sweep.c -- The program build/fvi: a grid of runs.
+ * Run alone: make test-fvi_sweep */
+#define _GNU_SOURCE
+#include "program.h"
+
+/* Each row is the last one of a run with these values, the last axis the fastest. */
+START_TEST(a_sweep_is_the_last_rows_of_its_runs)
+{
+    const double alpha[] = { 0, 0.25, 0.5, 0.75, 1 }, x0[] = { 1, 2 };
+    double got[10][5];
+    char line[200];
+    ck_assert_int_eq(fvi("sweep --vary alpha=0:1:5 --vary x0=1:2:2 --steps 30 "
+                         "--columns x,t,y"),
+                     0);
+    ck_assert_str_eq(err, "");
+    ck_assert_uint_eq(count_rows(), 10);
+    ck_assert_ptr_nonnull(strstr(out, "# columns = x,t,y\n# memory = auto\n"
+                                      "# tolerance = 1e-13\n# vary = "
+                                      "alpha=0:1:5,x0=1:2:2\n"
+                                      "# alpha\tx0\tx\tt\ty\n0\t1\t"));
+    ck_assert(!strstr(out, "# alpha =") && !strstr(out, "# x0 ="));
+    for (size_t i = 0; i < 10; i++)
+        for (size_t n = 0; n < 5; n++)
+            got[i][n] = cell(i, n);
+    for (size_t i = 0; i < 10; i++) {
+        ck_assert(got[i][0] == alpha[i / 2] && got[i][1] == x0[i % 2]);
+        snprintf(line, sizeof line,
+                 "run --alpha %g --x0 %g --steps 30 --columns x,t,y",
+                 alpha[i / 2], x0[i % 2]);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t n = 0; n < 3; n++)
+            ck_assert_ulp(cell(30, n), got[i][n + 2], 0, "%s", line);
+    }
+}
+END_TEST
+
+/* By a constant factor, over parameters of expressions, whole numbers, with --error. */
+START_TEST(what_can_be_varied)
+{
+    ck_assert_int_eq(fvi("sweep --vary k=1:100:3:log --let c=2 --potential "
+                         "'k*x^4/c' --steps 10"),
+                     0);
+    ck_assert(cell(0, 0) == 1 && fabs(cell(1, 0) - 10) < 1e-14
+              && cell(2, 0) == 100);
+    ck_assert_ptr_nonnull(strstr(out, "# let = c=2\n"));
+    const double x = cell(2, 2);
+    ck_assert_int_eq(fvi("run --potential '50*x^4' --steps 10"), 0);
+    ck_assert_near(cell(10, 1), x, 1e-12, "50 is 100/2");
+    ck_assert_int_eq(fvi("sweep --vary steps=10:30:3 --time 3 --columns t"), 0);
+    ck_assert(cell(0, 1) == 3 && cell(2, 1) == 3 && !strstr(out, "# h ="));
+    ck_assert_int_eq(fvi("sweep --vary error=1e-2:1e-7:2:log --alpha 0.3 "
+                         "--method fvi-shifted --time 2 --steps 4 --columns x"),
+                     0);
+    ck_assert(cell(0, 1) != cell(1, 1));
+    ck_assert_near(cell(0, 1), cell(1, 1), 1e-2 + 1e-7, "both are right");
+    ck_assert_int_eq(
+        fvi("sweep --vary rho=0.1:0.3:2 --dimension 2 --potential 'x1*x2' "
+            "--steps 2 --columns x,energy --format csv"),
+        0);
+    ck_assert(strncmp(out, "rho,x1,x2,energy\n0.1,", 21) == 0);
+    ck_assert_int_eq(fvi("sweep --vary x0=2:2:1 --steps 1 --columns t"), 0);
+    ck_assert_uint_eq(count_rows(), 1);
+}
+END_TEST
+
+/* The same bytes from one process and from seven; three parts make the whole. */
+START_TEST(neither_jobs_nor_parts_change_a_row)
+{
+    const char *sweep =
+        "sweep --vary alpha=0:1:11 --vary rho=0.1:2:7 --steps 300";
+    char line[300];
+    snprintf(line, sizeof line, "%s --jobs 1", sweep);
+    ck_assert_int_eq(fvi(line), 0);
+    char *want = strdup(out), *rows = strdup(first_row());
+    snprintf(line, sizeof line, "%s --jobs=7", sweep);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_str_eq(out, want);
+    snprintf(line, sizeof line,
+             "for i in 1 2 3; do \"$FVI\" %s --part $i/3; done > parts; "
+             "grep -v '^#' parts",
+             sweep);
+    ck_assert_int_eq(shell(line), 0);
+    ck_assert_str_eq(out, rows);
+    ck_assert_int_eq(shell("grep -c '# part = 2/3' parts"), 0);
+    snprintf(line, sizeof line, "%s -o whole", sweep);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_int_eq(shell("cat whole"), 0);
+    ck_assert_str_eq(out, want);
+    free(want);
+    free(rows);
+}
+END_TEST
+
+START_TEST(bad_sweeps_are_refused)
+{
+    static char lines[] =
+        "sweep;sweep --vary;sweep --vary alpha;sweep --vary alpha=0:1;"
+        "sweep --vary alpha=0:1:0;sweep --vary alpha=0:1:2.5;"
+        "sweep --vary alpha=0:1:1;sweep --vary alpha=0:x:3;"
+        "sweep --vary alpha=0:1:3:lin;sweep --vary alpha=0:1:3:log;"
+        "sweep --vary alpha=0:1:3:log:;sweep --vary rho=-1:1:3:log;"
+        "sweep --vary alpha=0:1.5:4;sweep --vary =0:1:3;"
+        "sweep --vary method=0:1:3;sweep --vary memory=0:1:3 --memory fft;"
+        "sweep --vary x=0:1:3;sweep --vary alpha=0:1:3 --vary alpha=0:1:3;"
+        "sweep --vary alpha=0:1:3 --alpha 0.5;sweep --vary steps=1:2:3;"
+        "sweep --vary a=1:2:2 --vary b=1:2:2 --vary c=1:2:2 --vary d=1:2:2;"
+        "sweep --vary alpha=0:1:1e9 --vary rho=0:1:1e9;"
+        "sweep --vary alpha=0:1:3 --part 0/2;sweep --vary alpha=0:1:3 --part "
+        "3/2;sweep --vary alpha=0:1:3 --part 1;sweep --vary x0=1:2:2 --part "
+        "1/5;sweep --vary alpha=0:1:3 "
+        "--jobs 0;sweep --vary alpha=0:1:3 --jobs;sweep --vary alpha=0:1:3 "
+        "walk;sweep --vary h=0.1:0.2:2 --time 3;sweep --vary k=1:2:2 "
+        "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
+        "sweep --vary alpha=0:1:2 --alhpa 3";
+    for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
+        if ((end = strchr(line, ';')))
+            *end = '\0';
+        ck_assert_msg(fvi(line) == 2, "fvi %s", line);
+        ck_assert_msg(*out == '\0', "fvi %s printed %s", line, out);
+        ck_assert_msg(count_lines(err) == 2 && strncmp(err, "fvi: ", 5) == 0
+                          && strstr(err, "--help"),
+                      "fvi %s said: %s", line, err);
+    }
+    fvi("sweep --vray alpha=0:1:3");
+    ck_assert_ptr_nonnull(strstr(err, "did you mean --vary?\n"));
+    fvi("sweep --vary alpha=0:1:2 --alhpa 3");
+    ck_assert_ptr_nonnull(strstr(err, "did you mean --alpha?\n"));
+}
+END_TEST
+
+/* The first run, in the order of the grid, that fails is named; rows before it stand, on
+ * standard output alone. */
+START_TEST(a_run_that_fails_is_named)
+{
+    const char *sweep = "sweep --vary rho=1:1e30:4:log --alpha 1 --steps 20";
+    char line[200];
+    ck_assert_int_eq(fvi(sweep), 1);
+    ck_assert(count_lines(err) == 1 && strncmp(err, "fvi: with rho = ", 16) == 0
+              && strstr(err, ": step ")
+              && strstr(err, ": a value is no longer finite\n"));
+    const size_t rows = count_rows();
+    ck_assert(rows >= 1 && rows < 4);
+    char *want = strdup(err);
+    snprintf(line, sizeof line, "%s --jobs 1 -o none", sweep);
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert_str_eq(err, want);
+    ck_assert(!exists("none"));
+    free(want);
+    ck_assert_int_eq(fvi("sweep --vary x0=1:2:2 -o missing/table"), 1);
+    ck_assert_int_eq(shell("\"$FVI\" sweep --vary x0=1:2:2 > /dev/full; "
+                           "test $? = 1"),
+                     0);
+}
+END_TEST
+
+/* What has no solution is said of the whole. */
+START_TEST(a_sweep_of_what_has_no_solution_warns)
+{
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.4:0.6:2 --derivative rl"), 0);
+    ck_assert(count_lines(err) == 1
+              && strncmp(err, "fvi: warning: rl ", 17) == 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = rl "));
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.3:0.5:2 --derivative rl"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: a grid of runs");
+    ADD_CASE(suite, "values", a_sweep_is_the_last_rows_of_its_runs,
+             what_can_be_varied, neither_jobs_nor_parts_change_a_row);
+    ADD_CASE(suite, "errors", bad_sweeps_are_refused, a_run_that_fails_is_named,
+             a_sweep_of_what_has_no_solution_warns);
+    return run_suite_of_program(suite);
+}
