@@ -13,13 +13,13 @@ typedef struct {
     const fvi_run *run;
     const fvi_gradients *want;
     size_t d;
-    double theta, end; /* the shift; what of H_N stands in p_N, (23.5) */
+    double theta, end; /* the shift; what of H_N stands in p_N, (23.7) */
     int printed; /* Algorithm 3: no pull, Riemann-Liouville by its weights */
 
     double *c;              /* each: rho h^(1 - 2 alpha) */
     double *lambda, *delta; /* each: lambda_j, lambda_{j-1} - lambda_j */
     double *q;              /* each: the momentum of the mirrored run */
-    double *nu, *dnu;       /* each: what the memory takes in, (23.5) */
+    double *nu, *dnu;       /* each: what the memory takes in, (23.7) */
     double *N, *Ndot; /* each: what it gives, and its derivative by 2 alpha */
     double *M, *S, *work;   /* each */
     double *sum, *rate;     /* each: sum_j z_j N_j, sum_j z_j Ndot_j */

@@ -31,7 +31,7 @@ static void ring(const fvi_mirror *m, size_t taps, const double *f,
     }
 }
 
-/* (23.5): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
+/* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
     const size_t bytes = m->d * sizeof *m->nu;
