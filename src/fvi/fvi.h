@@ -11,6 +11,7 @@
 #include "convolution_quadrature.h"
 #include "convolution_quadrature_methods.h"
 #include "convolution_quadrature_stability.h"
+#include "damping_laws.h"
 #include "discrete_mechanics.h"
 #include "error.h"
 #include "expression.h"

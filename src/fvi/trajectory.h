@@ -14,6 +14,7 @@
 #define FVI_TRAJECTORY_H
 
 #include "convolution_quadrature.h"
+#include "damping_laws.h"
 #include "memory.h"
 #include "past.h"
 #include "system.h"
@@ -38,6 +39,9 @@ extern "C" {
  *   step_error  for methods that choose their steps: what the estimated error of x
  *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
  *              h and steps say where the rows are, then, and not how long a step is
+ *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
+ *            not read, and the body was held before t = 0; must outlive the run. For
+ *            methods that say so
  *
  * What is left out of an initialiser is zero: begin with fvi_run_default, which
  * sets what must not be zero by accident.
@@ -54,6 +58,7 @@ typedef struct {
     fvi_memory_kind memory;
     double tolerance;
     double step_error;
+    const fvi_law *law;
 } fvi_run;
 
 /* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
@@ -105,6 +110,7 @@ typedef struct {
  *   takes_kappa  nonzero if run->kappa is used where there is a potential
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
  *          method with the Hessian of U
+ *   takes_laws  nonzero if run->law need not be NULL; fvi_start refuses it else (FVI_EUNSUP)
  *   past_as_printed  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
  *          its exact impulses (19.5), and is refused where there is no solution (19.2,
  *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2 alpha
@@ -129,7 +135,7 @@ struct fvi_method {
     unsigned memories;
     fvi_quadrature quadrature;
     fvi_scheme scheme;
-    int takes_kappa, implicit, past_as_printed;
+    int takes_kappa, takes_laws, implicit, past_as_printed;
     int (*load)(const fvi_run *run, double *load);
     int load_grows;
     int (*start)(fvi_stepper *s);
@@ -151,7 +157,8 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
- * FVI_EUNSUP if the method has no such memory; FVI_ENOMEM; FVI_ESING if a constant
+ * FVI_EUNSUP if the method has no such memory, does not know laws, or the past of a law
+ * is not FVI_PAST_HELD; what fvi_law_memory returns; FVI_ENOMEM; FVI_ESING if a constant
  * matrix is singular; what the potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);

@@ -5,6 +5,7 @@
 #include "memory_kinds.h"
 #include "system/fail.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -191,6 +192,31 @@ int fvi_memory_alloc_rate(double beta, size_t d, size_t steps,
                           fvi_memory **memory)
 {
     return alloc(beta, 1, d, steps, kind, tolerance, memory);
+}
+
+int fvi_memory_of(int increments, size_t d, size_t steps, double *weights,
+                  fvi_exponentials *e, fvi_memory **memory)
+{
+    fvi_memory *m = calloc(1, sizeof *m);
+    double *history = weights ? malloc((steps + 1) * d * sizeof *history) : NULL;
+    if (!m || !history != !weights || !weights == !e) {
+        free(m);
+        free(history);
+        free(weights);
+        fvi_exponentials_free(e);
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    }
+    *m = (fvi_memory){ .order = NAN,
+                       .on_increments = increments,
+                       .d = d,
+                       .steps = steps,
+                       .weights = weights,
+                       .history = history,
+                       .exponentials = e };
+    if (weights)
+        reverse(steps, weights);
+    *memory = m;
+    return FVI_SUCCESS;
 }
 
 /* n numbers again, or NULL; nothing of nothing. */

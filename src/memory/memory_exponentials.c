@@ -26,28 +26,35 @@ static double step(double nu, double delta)
 }
 //< step
 
-/* (12.9), (12.10): the nodes are at t = left + q step, q = 0, ..., Q - 1. */
-typedef struct {
-    double left, step;
-    size_t Q;
-} grid;
+/* ln W for W + ln W = A: A - W0(e^A). Beyond e^700 by Newton's method, which gains all
+ * digits in three steps. */
+static double log_of_lambert(double A)
+{
+    if (A < 700)
+        return A - gsl_sf_lambert_W0(exp(A));
+    double W = A - log(A);
+    for (int i = 0; i < 3; i++)
+        W -= (W + log(W) - A) * W / (W + 1);
+    return log(W);
+}
 
 //> nodes
-static grid grid_of(double nu, double N, double delta)
+fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip)
 {
-    const double x = FVI_TAIL - nu, L = log(4 / delta), h = step(nu, delta);
+    const double x = FVI_TAIL - nu, L = log(4 / delta);
+    const double h = strip * step(nu, delta);
     const double A = (L - gsl_sf_lngamma(2 + nu)) / (1 + nu) + 0.04;
-    const double left = gsl_sf_lambert_W0(exp(A)) - A; /* (12.9) */
+    const double left = -log_of_lambert(A); /* (12.9) */
     const double X =
         N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
     const double right = log(X) + 1 / X;
-    return (grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
+    return (fvi_grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
 }
 
 size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
                               double *c)
 {
-    const grid g = grid_of(nu, N, delta);
+    const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
     const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * g.step;
     for (size_t q = 0; s && q < g.Q; q++) { /* (12.7) */
         double t = g.left + (double)q * g.step;
@@ -61,7 +68,7 @@ size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
 //> rates
 void fvi_exponentials_rates(double nu, double N, double delta, double *rate)
 {
-    const grid g = grid_of(nu, N, delta);
+    const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
     const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
     for (size_t q = 0; q < g.Q; q++) { /* (23.11) */
         const double t = g.left + (double)q * g.step;
@@ -149,6 +156,23 @@ static fvi_exponentials *make(size_t Q, int rated, size_t d)
     return e;
 }
 
+/* The weights of the lags 1 to 32. */
+static void open_window(fvi_exponentials *e, const double *w)
+{
+    e->w1 = w[1];
+    for (size_t n2 = 2; n2 <= FVI_WINDOW; n2++)
+        e->weights[FVI_WINDOW + 1 - n2] = w[n2];
+}
+
+/* p holds s, and becomes what a mode loses in a step; padding ends as c = 0. */
+static void decays(fvi_exponentials *e)
+{
+    for (size_t q = 0; q < e->Q; q++) {
+        e->c[q] *= exp(-FVI_TAIL * e->p[q]);
+        e->p[q] = -expm1(-e->p[q]);
+    }
+}
+
 fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
                                          size_t steps, double delta)
 {
@@ -158,9 +182,7 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
         return NULL;
     double w[FVI_WINDOW + 1];
     fvi_coefficients(nu, FVI_WINDOW + 1, w);
-    e->w1 = w[1];
-    for (size_t n2 = 2; n2 <= FVI_WINDOW; n2++)
-        e->weights[FVI_WINDOW + 1 - n2] = w[n2];
+    open_window(e, w);
     count(nu, steps, delta, e->p, e->c);
     if (rated) {
         fvi_coefficients_rate(nu, FVI_WINDOW + 1, w);
@@ -170,10 +192,21 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
         for (size_t q = 0; q < Q; q++)
             e->rates[q] *= exp(-FVI_TAIL * e->p[q]);
     }
-    for (size_t q = 0; q < Q; q++) { /* p holds s; padding ends as c = 0 */
-        e->c[q] *= exp(-FVI_TAIL * e->p[q]);
-        e->p[q] = -expm1(-e->p[q]);
-    }
+    decays(e);
+    return e;
+}
+
+fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
+                                      const double *c, const double *w,
+                                      size_t d)
+{
+    fvi_exponentials *e = make(padded(Q), 0, d);
+    if (!e)
+        return NULL;
+    open_window(e, w);
+    memcpy(e->p, s, Q * sizeof *s);
+    memcpy(e->c, c, Q * sizeof *c);
+    decays(e);
     return e;
 }
 

@@ -75,6 +75,17 @@ size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
  * Arguments as above, but 0 <= nu <= 1; rate: output, Q numbers. */
 void fvi_exponentials_rates(double nu, double N, double delta, double *rate);
 
+/* Where those nodes are: at s = exp(t - exp(-t)) / N, t = left + q step, q = 0, ..., Q - 1.
+ *                                                             [(12.9), (12.10)] */
+typedef struct {
+    double left, step;
+    size_t Q;
+} fvi_grid;
+
+/* fvi_exponentials_grid -- for the powers s^nu, -1 < nu < 1, or what is analytic in a
+ * strip narrower than theirs by the factor `strip` (26.6). */
+fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip);
+
 typedef struct fvi_exponentials fvi_exponentials;
 
 /* delta of (12.6) for a run: see (12.11). */
@@ -85,11 +96,28 @@ size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
                               double delta);
 fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
                                          size_t steps, double delta);
+/* Modes and the weights 1, w_1, ..., w_32 of another's making. */
+fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
+                                      const double *c, const double *w,
+                                      size_t d);
 fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from);
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
 void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
                                 double *H, double *rate);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
 void fvi_exponentials_free(fvi_exponentials *e);
+
+/* ---- a memory with weights of another's making (memory.c) ---- */
+
+struct fvi_memory;
+
+/* fvi_memory_of -- takes over either weights, 1, w_1, ..., w_steps, or e; the other one
+ * is NULL. What it takes over is freed if it fails.
+ *
+ *   increments  nonzero if push shall sum dx, not x
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_memory_of(int increments, size_t d, size_t steps, double *weights,
+                  fvi_exponentials *e, struct fvi_memory **memory);
 
 #endif

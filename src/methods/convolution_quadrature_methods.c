@@ -217,16 +217,17 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
     o->r = calloc(s->run.system->d, sizeof *o->r);
     if (!o->r)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    int status =
-        fvi_damping_start(s, FVI_PAST_CAPUTO, &o->damping); /* D_0 = 0 */
+    const int law = s->run.law != NULL;
+    int status = fvi_damping_start(s, law ? FVI_PAST_HELD : FVI_PAST_CAPUTO,
+                                   &o->damping); /* D_0 = 0 */
     if (status)
         return status;
     if (o->damping) {
         const size_t count = o->damping->count;
-        if (is_bdf2)
+        if (is_bdf2 && !law)
             o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
         status = make_rows(o, count);
-        if (!status)
+        if (!status && !law)
             status = fvi_pull_start(s, 2, ends, &o->pull); /* (19.3) */
         if (status)
             return status;
@@ -270,6 +271,7 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .quadrature = FVI_QUADRATURE_BDF2,
                               .scheme = FVI_SCHEME_BDF2,
                               .takes_kappa = 1,
+                              .takes_laws = 1,
                               .implicit = 1,
                               .load = fvi_load_bdf2,
                               .load_grows = 1,

@@ -35,6 +35,19 @@ static int damping_alloc(size_t count, fvi_damping **damping)
     return FVI_SUCCESS;
 }
 
+/* The memory of a law; its first weight goes into the factors. */
+static int law_of(const fvi_stepper *s, fvi_damping *d)
+{
+    const fvi_run *run = &s->run;
+    double first = 0;
+    int status = fvi_law_memory(run->law, s->method->quadrature, run->h,
+                                d->count, run->steps, run->memory,
+                                run->tolerance, &first, &d->memory);
+    for (size_t j = 0; j < d->count; j++)
+        d->factor[j] *= first;
+    return status;
+}
+
 int fvi_damping_start(const fvi_stepper *s, fvi_past past,
                       fvi_damping **damping)
 {
@@ -57,7 +70,8 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
             continue;
         size_t j = d->count++;
         d->index[j] = i;
-        d->factor[j] = system->damping[i] * pow(run->h, 1 - order);
+        d->factor[j] =
+            system->damping[i] * (run->law ? run->h : pow(run->h, 1 - order));
         if (past != FVI_PAST_RIEMANN_LIOUVILLE)
             d->origin[j] = s->x[i]; /* (9.6) */
         if (past == FVI_PAST_CAPUTO && order > 1)
@@ -65,8 +79,9 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
     //< start
-    status = fvi_memory_alloc(order, count, run->steps, run->memory,
-                              run->tolerance, &d->memory);
+    status = run->law ? law_of(s, d)
+                      : fvi_memory_alloc(order, count, run->steps, run->memory,
+                                         run->tolerance, &d->memory);
     if (!status)
         status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
     return status;

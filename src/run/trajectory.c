@@ -26,6 +26,18 @@ fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                       .memory = FVI_MEMORY_AUTO };
 }
 
+static int check_law(const fvi_method *method, const fvi_run *run)
+{
+    if (!run->law)
+        return FVI_SUCCESS;
+    if (!method->takes_laws)
+        FVI_FAIL("this method knows no laws of damping", FVI_EUNSUP);
+    if (run->past != FVI_PAST_HELD)
+        FVI_FAIL("a law of damping is that of a body that was held",
+                 FVI_EUNSUP);
+    return fvi_law_check(run->law);
+}
+
 static int check_past(const fvi_method *method, const fvi_run *run)
 {
     if (run->past != FVI_PAST_HELD && run->past != FVI_PAST_CAPUTO
@@ -71,7 +83,8 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
     if (!fvi_method_has_memory(method, run->memory))
         FVI_FAIL("this method has no such memory", FVI_EUNSUP);
-    return check_past(method, run);
+    status = check_law(method, run);
+    return status ? status : check_past(method, run);
 }
 
 /* At k = 0, x0, p0 and the run's in one block of its own; or NULL. */

@@ -1,0 +1,23 @@
+/* src/memory/law_terms.h -- What damping_laws.c and law_memory.c share. [Chapter 26]
+ *
+ * Internal; nothing is checked. */
+#ifndef FVI_LAW_TERMS_H
+#define FVI_LAW_TERMS_H
+
+#include <fvi/damping_laws.h>
+
+/* rho s^{2 alpha} / (1 + time s^{2 alpha}): every term is one of these, or many. */
+typedef struct {
+    double rho, alpha, time;
+} fvi_law_simple;
+
+/* fvi_law_flatten -- the law as such terms, a new array for the caller to free.
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_law_flatten(const fvi_law *law, fvi_law_simple **terms, size_t *count);
+
+/* fvi_law_series -- adds to w the coefficients of C(delta(z)/h), divided by 1 - z if
+ * `increments` is 1; room for 2 count numbers. */
+void fvi_law_series(const fvi_law_simple *t, fvi_quadrature kind, double h,
+                    int increments, size_t count, double *room, double *w);
+
+#endif

@@ -1,0 +1,327 @@
+/* tests/damping_laws/test_damping_laws.c -- Tests of Chapter 26: symbols, weights, memories.
+ * Run alone: make test-damping_laws */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+#include "damping_laws_ref.h"
+
+#include <stdlib.h>
+
+enum { LAWS = LEN(ref_laws) };
+
+static double random_in(double low, double high)
+{
+    return low + (high - low) * rand() / RAND_MAX;
+}
+
+/* One to three terms of all kinds, orders and times over decades. */
+static size_t random_terms(fvi_law_term *term)
+{
+    const size_t count = 1 + (size_t)rand() % 3;
+    for (size_t i = 0; i < count; i++)
+        term[i] = (fvi_law_term){ .kind = (fvi_law_kind)(rand() % 4),
+                                  .rho = pow(10, random_in(-2, 2)),
+                                  .time = pow(10, random_in(-1, 2)),
+                                  .end = random_in(0.8, 1) };
+    for (size_t i = 0; i < count; i++) /* a fraction's has modes up to 0.45 */
+        term[i].alpha = term[i].kind == FVI_LAW_ZENER ? random_in(0, 0.45)
+                                                      : random_in(0, 0.8);
+    return count;
+}
+
+/* ---- the symbol ---- */
+
+/* A power, an exponential and a quotient of sums of one sign, some ten roundings of
+ * what a term is, and terms of one sign in Im; in Re the terms may cancel. */
+START_TEST(eq_26_2_moduli)
+{
+    for (size_t i = 0; i < LEN(ref_moduli); i++) {
+        double storage, loss;
+        ck_assert_int_eq(fvi_law_moduli(&ref_laws[ref_moduli[i].law],
+                                        ref_moduli[i].omega, &storage, &loss),
+                         FVI_SUCCESS);
+        const double size = hypot(ref_moduli[i].storage, ref_moduli[i].loss);
+        ck_assert_near(storage, ref_moduli[i].storage, 16 * U * size,
+                       "storage, row %zu", i);
+        ck_assert_near(loss, ref_moduli[i].loss, 16 * U * size,
+                       "loss, row %zu", i);
+    }
+}
+END_TEST
+
+START_TEST(eq_26_2_every_law_is_passive)
+{
+    srand(1);
+    for (int i = 0; i < 1000; i++) {
+        fvi_law_term term[3];
+        const fvi_law law = { random_terms(term), term };
+        double storage, loss;
+        ck_assert_int_eq(fvi_law_moduli(&law, pow(10, random_in(-4, 4)),
+                                        &storage, &loss),
+                         FVI_SUCCESS);
+        ck_assert_double_ge(loss, 0);
+    }
+}
+END_TEST
+
+START_TEST(eq_26_1_growth)
+{
+    const double growth[] = { 0.625, 0.75, 0, 0, 1, 1.5, 1.75, 1.5 };
+    for (size_t i = 0; i < LAWS; i++)
+        ck_assert_double_eq(fvi_law_growth(&ref_laws[i]), growth[i]);
+    const fvi_law_term dashpot = { FVI_LAW_MAXWELL, 1, 0, 0, 0 },
+                       zener = { FVI_LAW_ZENER, 1, 0.25, 0, 0 };
+    ck_assert_double_eq(fvi_law_growth(&(fvi_law){ 1, &dashpot }), 1);
+    ck_assert_double_eq(fvi_law_growth(&(fvi_law){ 1, &zener }), 0.5);
+}
+END_TEST
+
+/* ---- the weights ---- */
+
+/* Relative to the largest weight: 60 u a term, of the power h^{-2 alpha}, of the
+ * weights of (1-z)^{2 alpha}, 40 u with BDF2, and of sums of one sign. */
+START_TEST(eq_26_3_weights)
+{
+    double w[151];
+    for (size_t i = 0; i < LEN(ref_weights); i++) {
+        const fvi_law *law = &ref_laws[ref_weights[i].law];
+        ck_assert_int_eq(fvi_law_weights(law,
+                                         (fvi_quadrature)ref_weights[i].kind,
+                                         ref_weights[i].h, LEN(w), w),
+                         FVI_SUCCESS);
+        for (size_t j = 0; j < REF_INDICES; j++)
+            ck_assert_near(w[ref_index[j]], ref_weights[i].w[j],
+                           60 * U * (double)law->count
+                               * fabs(ref_weights[i].w[0]),
+                           "row %zu, n = %zu", i, ref_index[j]);
+    }
+}
+END_TEST
+
+/* Laws that are one another: a fraction without a time, a Maxwell element as a fraction
+ * of order 1, a sum in another order. To a rounding in each term. */
+START_TEST(eq_26_3_one_law_in_two_words)
+{
+    const fvi_law_term pairs[][2] = {
+        { { FVI_LAW_ZENER, 2, 0.3, 0, 0 }, { FVI_LAW_POWER, 2, 0.3, 0, 0 } },
+        { { FVI_LAW_MAXWELL, 2, 0, 0.7, 0 }, { FVI_LAW_ZENER, 2, 0.5, 0.7, 0 } },
+        { { FVI_LAW_MAXWELL, 2, 0, 0, 0 }, { FVI_LAW_POWER, 2, 0.5, 0, 0 } },
+    };
+    for (size_t i = 0; i < LEN(pairs); i++)
+        for (int kind = 0; kind < 2; kind++) {
+            double w[2][100];
+            for (int j = 0; j < 2; j++)
+                ck_assert_int_eq(fvi_law_weights(&(fvi_law){ 1, &pairs[i][j] },
+                                                 (fvi_quadrature)kind, 0.01,
+                                                 100, w[j]),
+                                 FVI_SUCCESS);
+            for (size_t n = 0; n < 100; n++)
+                ck_assert_near(w[0][n], w[1][n], 4 * U * w[1][0],
+                               "pair %zu, n = %zu", i, n);
+        }
+}
+END_TEST
+
+/* ---- the memory ---- */
+
+/* What a memory makes of random terms with first taken in again, in `H`. */
+static void sums(const fvi_law *law, fvi_quadrature kind, double h, size_t steps,
+                 fvi_memory_kind how, const double *x, double *H)
+{
+    fvi_memory *memory;
+    double first;
+    ck_assert_int_eq(fvi_law_memory(law, kind, h, 1, steps, how, 0, &first,
+                                    &memory),
+                     FVI_SUCCESS);
+    for (size_t k = 0; k <= steps; k++) {
+        const double dx = k ? x[k] - x[k - 1] : x[0];
+        fvi_memory_push(memory, &x[k], &dx, &H[k]);
+        H[k] *= first;
+    }
+    fvi_memory_free(memory);
+}
+
+/* The direct sum, from the weights: of k + 1 products, none above w_0 max |x|, and on
+ * increments as much again. Seen by the worst of eight laws. */
+START_TEST(eq_26_4_the_memory_sums_the_weights)
+{
+    enum { STEPS = 200 };
+    double x[STEPS + 1], w[STEPS + 1], H[STEPS + 1];
+    srand(2);
+    for (size_t k = 0; k <= STEPS; k++)
+        x[k] = random_in(-1, 1);
+    for (size_t i = 0; i < LAWS; i++)
+        for (int kind = 0; kind < 2; kind++) {
+            const fvi_quadrature q = (fvi_quadrature)kind;
+            fvi_law_weights(&ref_laws[i], q, 0.01, STEPS + 1, w);
+            sums(&ref_laws[i], q, 0.01, STEPS, FVI_MEMORY_DIRECT, x, H);
+            for (size_t k = 0; k <= STEPS; k++) {
+                double sum = 0;
+                for (size_t n = 0; n <= k; n++)
+                    sum += w[n] * x[k - n];
+                ck_assert_near(H[k], sum, 4 * (STEPS + 60) * U * fabs(w[0]),
+                               "law %zu, k = %zu", i, k);
+            }
+        }
+}
+END_TEST
+
+/* (26.6), (26.7): one set of modes. A unit impulse comes back as the weights, each kept
+ * to 1e-13 of what the sums of the moduli of all terms' weights are; here of w_0, times
+ * (1 + n)^(-1/2), for 200 random laws. Seen: see make seen. */
+START_TEST(eq_26_6_one_set_of_modes)
+{
+    enum { STEPS = 3000 };
+    static double x[STEPS + 1], direct[STEPS + 1], modes[STEPS + 1];
+    size_t ran = 0;
+    x[0] = 1;
+    srand(3);
+    for (int i = 0; i < 200; i++) {
+        fvi_law_term term[3];
+        const fvi_law law = { random_terms(term), term };
+        const fvi_quadrature kind = (fvi_quadrature)(i % 2);
+        const double h = pow(10, random_in(-4, -1.7)); /* 4 h <= time */
+        sums(&law, kind, h, STEPS, FVI_MEMORY_DIRECT, x, direct);
+        sums(&law, kind, h, STEPS, FVI_MEMORY_EXPONENTIALS, x, modes);
+        for (size_t k = 0; k <= STEPS; k++)
+            ck_assert_near(modes[k], direct[k],
+                           1e-13 * direct[0] / sqrt((double)k + 1),
+                           "law %d, n = %zu", i, k);
+        ran++;
+    }
+    ck_assert_uint_eq(ran, 200);
+}
+END_TEST
+
+/* AUTO takes modes beyond 256 steps, and the sum as it stands where there are none. */
+START_TEST(eq_26_6_where_there_are_no_modes)
+{
+    const struct {
+        fvi_law_term term;
+        fvi_quadrature kind;
+        double h;
+        int modes;
+    } cases[] = {
+        { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
+        { { FVI_LAW_ZENER, 1, 0.46, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
+        { { FVI_LAW_ZENER, 1, 0.8, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
+        { { FVI_LAW_ZENER, 1, 0.02, 10, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
+        { { FVI_LAW_ZENER, 1, 0.001, 10, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
+        { { FVI_LAW_ZENER, 1, 0.8, 0, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
+        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_EULER, 10, 1 },
+        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_BDF2, 0.25, 1 },
+        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_BDF2, 0.26, 0 },
+    };
+    enum { STEPS = 400 };
+    double x[STEPS + 1] = { 1 }, H[2][STEPS + 1], first = 7;
+    for (size_t i = 0; i < LEN(cases); i++) {
+        const fvi_law law = { 1, &cases[i].term };
+        fvi_memory *memory = NULL;
+        const int status =
+            fvi_law_memory(&law, cases[i].kind, cases[i].h, 1, STEPS,
+                           FVI_MEMORY_EXPONENTIALS, 0, &first, &memory);
+        ck_assert_int_eq(status, cases[i].modes ? FVI_SUCCESS : FVI_EUNSUP);
+        ck_assert((memory != NULL) == cases[i].modes);
+        fvi_memory_free(memory);
+        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_MEMORY_AUTO, x, H[0]);
+        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_MEMORY_DIRECT, x,
+             H[1]);
+        for (size_t k = 0; k <= STEPS; k++)
+            ck_assert_near(H[0][k], H[1][k],
+                           (cases[i].modes ? 1e-13 : 0x1p-1000) * H[1][0],
+                           "case %zu, n = %zu", i, k);
+    }
+}
+END_TEST
+
+/* ---- bad input ---- */
+
+START_TEST(what_is_no_law_is_refused)
+{
+    const fvi_law_term bad[] = {
+        { FVI_LAW_POWER, -1, 0.3, 0, 0 },
+        { FVI_LAW_POWER, INFINITY, 0.3, 0, 0 },
+        { FVI_LAW_POWER, NAN, 0.3, 0, 0 },
+        { FVI_LAW_POWER, 1, -0.1, 0, 0 },
+        { FVI_LAW_POWER, 1, 1.1, 0, 0 },
+        { FVI_LAW_ZENER, 1, 1.1, 1, 0 },
+        { FVI_LAW_ZENER, 1, 0.3, -1, 0 },
+        { FVI_LAW_MAXWELL, 1, 0, INFINITY, 0 },
+        { FVI_LAW_MAXWELL, 1, 0, NAN, 0 },
+        { FVI_LAW_DISTRIBUTED, 1, 0.3, 0, 0.3 },
+        { FVI_LAW_DISTRIBUTED, 1, 0.3, 0, 1.1 },
+    };
+    for (size_t i = 0; i < LEN(bad); i++)
+        ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, &bad[i] }), FVI_EDOM);
+    const fvi_law_term unknown = { (fvi_law_kind)4, 1, 0.3, 1, 1 };
+    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, &unknown }), FVI_EINVAL);
+    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 0, &unknown }), FVI_EINVAL);
+    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, NULL }), FVI_EFAULT);
+    ck_assert_int_eq(fvi_law_check(NULL), FVI_EFAULT);
+}
+END_TEST
+
+START_TEST(bad_numbers_leave_everything_untouched)
+{
+    const fvi_law *law = &ref_laws[0];
+    const fvi_quadrature euler = FVI_QUADRATURE_EULER;
+    double storage = 7, loss = 7, w[2] = { 7, 7 }, first = 7;
+    fvi_memory *memory = NULL;
+    ck_assert_int_eq(fvi_law_moduli(law, 0, &storage, &loss), FVI_EDOM);
+    ck_assert_int_eq(fvi_law_moduli(law, NAN, &storage, &loss), FVI_EDOM);
+    ck_assert_int_eq(fvi_law_moduli(law, 1, NULL, &loss), FVI_EFAULT);
+    ck_assert_int_eq(fvi_law_moduli(NULL, 1, &storage, &loss), FVI_EFAULT);
+    ck_assert_int_eq(fvi_law_weights(law, euler, 0, 2, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_law_weights(law, euler, NAN, 2, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_law_weights(law, euler, 1, 0, w), FVI_EINVAL);
+    ck_assert_int_eq(fvi_law_weights(law, euler, 1, 2, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_law_weights(law, FVI_QUADRATURE_L1, 1, 2, w),
+                     FVI_EINVAL);
+    ck_assert_int_eq(fvi_law_weights(NULL, euler, 1, 2, w), FVI_EFAULT);
+    const struct {
+        double h, tolerance;
+        size_t d, steps;
+        fvi_memory_kind how;
+        int code;
+    } bad[] = {
+        { 0, 0, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
+        { INFINITY, 0, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
+        { 1, 1, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
+        { 1, NAN, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
+        { 1, 0, 0, 9, FVI_MEMORY_AUTO, FVI_EINVAL },
+        { 1, 0, 1, (size_t)-1, FVI_MEMORY_AUTO, FVI_EINVAL },
+        { 1, 0, 1, 2000000000, FVI_MEMORY_EXPONENTIALS, FVI_EINVAL },
+        { 1, 1e-15, 1, 9, FVI_MEMORY_EXPONENTIALS, FVI_ETOL },
+        { 1, 0, 1, 9, FVI_MEMORY_FFT, FVI_EUNSUP },
+        { 1, 0, 1, 9, (fvi_memory_kind)4, FVI_EINVAL },
+    };
+    for (size_t i = 0; i < LEN(bad); i++)
+        ck_assert_int_eq(fvi_law_memory(law, euler, bad[i].h, bad[i].d,
+                                        bad[i].steps, bad[i].how,
+                                        bad[i].tolerance, &first, &memory),
+                         bad[i].code);
+    ck_assert_int_eq(fvi_law_memory(law, FVI_QUADRATURE_L1, 1, 1, 9,
+                                    FVI_MEMORY_AUTO, 0, &first, &memory),
+                     FVI_EINVAL);
+    ck_assert_int_eq(fvi_law_memory(law, euler, 1, 1, 9, FVI_MEMORY_AUTO, 0,
+                                    NULL, &memory),
+                     FVI_EFAULT);
+    ck_assert_int_eq(fvi_law_memory(law, euler, 1, 1, 9, FVI_MEMORY_AUTO, 0,
+                                    &first, NULL),
+                     FVI_EFAULT);
+    ck_assert(storage == 7 && loss == 7 && w[0] == 7 && first == 7 && !memory);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("damping_laws");
+    ADD_CASE(suite, "symbol", eq_26_1_growth, eq_26_2_moduli,
+             eq_26_2_every_law_is_passive);
+    ADD_CASE(suite, "weights", eq_26_3_weights, eq_26_3_one_law_in_two_words);
+    ADD_CASE(suite, "memory", eq_26_4_the_memory_sums_the_weights,
+             eq_26_6_one_set_of_modes, eq_26_6_where_there_are_no_modes);
+    ADD_CASE(suite, "bad input", what_is_no_law_is_refused,
+             bad_numbers_leave_everything_untouched);
+    return run_suite(suite);
+}

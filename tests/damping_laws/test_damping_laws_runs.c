@@ -1,0 +1,182 @@
+/* tests/damping_laws/test_damping_laws_runs.c -- Tests of Chapter 26: motions with a law.
+ * Run alone: make test-damping_laws_runs */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+#include "damping_laws_ref.h"
+
+#include <stdlib.h>
+
+static const double one = 1;
+
+/* x(T) of one mass with U = x^2/2 + g x^4/4, in `steps` steps. */
+static double end_of(const fvi_method *method, const fvi_law *law, double g,
+                     double x0, double p0, double force, double T, size_t steps)
+{
+    const double cg[] = { 1, g }, A[] = { force, 1e9 };
+    const fvi_system system = { 1, &one, &one, fvi_potential_duffing(cg),
+                                fvi_force_step(A) };
+    fvi_run run =
+        fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
+    run.law = law;
+    double *x = malloc((steps + 1) * sizeof *x);
+    ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), FVI_SUCCESS);
+    const double last = x[steps];
+    free(x);
+    return last;
+}
+
+/* At t = 1 and t = 4, for eight laws and three starts, by 512 and 1024 steps a unit of
+ * time. The errors of order 2 are within 10 % of a power, or below 1e-8. */
+START_TEST(eq_26_9_motions)
+{
+    for (size_t i = 0; i < LEN(ref_motions); i++) {
+        const fvi_law *law = &ref_laws[ref_motions[i].law];
+        double error[2][2];
+        for (int m = 0; m < 2; m++)
+            for (int r = 0; r < 2; r++)
+                error[m][r] =
+                    end_of(m ? &fvi_bdf2 : &fvi_fractional, law, 0,
+                           ref_motions[i].x0, ref_motions[i].p0,
+                           ref_motions[i].force, ref_motions[i].t,
+                           (size_t)(512 * ref_motions[i].t) << r)
+                    - ref_motions[i].x;
+        const double one_ = log2(error[0][0] / error[0][1]),
+                     two = log2(error[1][0] / error[1][1]);
+        seen(one_, "order of fvi");
+        ck_assert_near(one_, 1, 0.05, "fvi, row %zu", i);
+        ck_assert_double_lt(fabs(error[0][1]), 4e-4);
+        if (fabs(error[1][1]) > 1e-8) {
+            seen(two, "order of bdf2");
+            ck_assert_near(two, 2, 0.2, "bdf2, row %zu", i);
+        }
+        ck_assert_double_lt(fabs(error[1][1]), 1e-6);
+    }
+}
+END_TEST
+
+/* Nonlinear, from a start at rest nowhere: two methods, three steps each, no reference:
+ * what a halved step changes falls by 2 and by 4. */
+START_TEST(eq_26_9_orders_of_a_nonlinear_motion)
+{
+    for (size_t i = 0; i < LEN(ref_laws); i++)
+        for (int m = 0; m < 2; m++) {
+            double x[4];
+            for (int r = 0; r < 4; r++)
+                x[r] = end_of(m ? &fvi_bdf2 : &fvi_fractional, &ref_laws[i],
+                              0.5, 0.7, 0.4, 0.2, 3, (size_t)1000 << r);
+            const double order = log2((x[1] - x[2]) / (x[2] - x[3]));
+            seen(order, m ? "order of bdf2" : "order of fvi");
+            ck_assert_near(order, m + 1, 0.1 * (m + 1), "law %zu, method %d", i,
+                           m);
+        }
+}
+END_TEST
+
+/* A law of one power is the run that alpha gives: 500 steps of a bounded motion, to the
+ * rounding of two ways to sum it. BDF2's is another past where 2 alpha > 1. */
+START_TEST(a_power_is_the_run_that_alpha_gives)
+{
+    for (double alpha = 0; alpha <= 1; alpha += 0.125)
+        for (int m = 0; m < 2; m++) {
+            const fvi_law_term term = { FVI_LAW_POWER, 0.1, alpha, 0, 0 };
+            const fvi_law law = { 1, &term };
+            const double cg[] = { 1, 0.5 }, x0 = 0.7,
+                         p0 = m && alpha > 0.5 ? 0 : 0.4, rho = 0.1;
+            const fvi_potential spring = fvi_potential_duffing(cg);
+            const fvi_system by_law = { 1, &one, &one, spring, { 0 } },
+                             by_alpha = { 1, &one, &rho, spring, { 0 } };
+            fvi_run run = fvi_run_default(&by_law, &x0, &p0, 0.02, 500);
+            double x[2][501];
+            run.law = &law;
+            const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
+            ck_assert_int_eq(fvi_trajectory(method, &run, x[0], NULL, NULL),
+                             FVI_SUCCESS);
+            run.law = NULL;
+            run.system = &by_alpha;
+            run.alpha = alpha;
+            ck_assert_int_eq(fvi_trajectory(method, &run, x[1], NULL, NULL),
+                             FVI_SUCCESS);
+            for (size_t k = 0; k <= 500; k++)
+                ck_assert_near(x[0][k], x[1][k], 1e-12, "alpha %g, k = %zu",
+                               alpha, k);
+        }
+}
+END_TEST
+
+/* Masses that share a law, scaled by their rho; one that is not damped. Copies go on
+ * with the same digits. */
+START_TEST(a_chain_with_a_law_and_its_copy)
+{
+    const double mass[] = { 1, 2, 1 }, rho[] = { 1, 0, 0.5 }, cg[] = { 1, 0.2 };
+    const double x0[] = { 1, 0, 0 }, p0[] = { 0, 0, 0.3 };
+    const fvi_system system = { 3, mass, rho, fvi_potential_chain(cg), { 0 } };
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 600);
+    double x[2][601 * 3];
+    run.law = &ref_laws[5];
+    run.memory = FVI_MEMORY_DIRECT;
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x[0], NULL, NULL),
+                     FVI_SUCCESS);
+    run.memory = FVI_MEMORY_EXPONENTIALS;
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x[1], NULL, NULL),
+                     FVI_SUCCESS);
+    for (size_t i = 0; i < 601 * 3; i++)
+        ck_assert_near(x[0][i], x[1][i], 1e-12, "number %zu", i);
+    fvi_stepper *s, *fork;
+    ck_assert_int_eq(fvi_start(&fvi_bdf2, &run, &s), FVI_SUCCESS);
+    while (s->k < 300)
+        fvi_step(s);
+    ck_assert_int_eq(fvi_copy(s, &fork), FVI_SUCCESS);
+    fvi_stop(s);
+    while (fork->k < 600)
+        fvi_step(fork);
+    for (size_t i = 0; i < 3; i++)
+        ck_assert_double_eq(fork->x[i], x[1][600 * 3 + i]);
+    fvi_stop(fork);
+}
+END_TEST
+
+START_TEST(who_does_not_know_laws_says_so)
+{
+    const fvi_law_term bad = { FVI_LAW_POWER, -1, 0.3, 0, 0 };
+    const double x0 = 1, p0 = 0;
+    const fvi_system system = { 1, &one, &one, { 0 }, { 0 } };
+    fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 10);
+    double x[11] = { 7 };
+    run.law = &ref_laws[0];
+    size_t know = 0;
+    for (size_t i = 0; fvi_methods[i]; i++) {
+        know += fvi_methods[i]->takes_laws != 0;
+        ck_assert_int_eq(fvi_trajectory(fvi_methods[i], &run, x, NULL, NULL),
+                         fvi_methods[i]->takes_laws ? FVI_SUCCESS : FVI_EUNSUP);
+    }
+    ck_assert_uint_eq(know, 2);
+    x[0] = 7;
+    run.past = FVI_PAST_CAPUTO;
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL),
+                     FVI_EUNSUP);
+    run.past = FVI_PAST_HELD;
+    run.memory = FVI_MEMORY_FFT;
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL),
+                     FVI_EUNSUP);
+    run.memory = FVI_MEMORY_AUTO;
+    run.law = &(fvi_law){ 1, &bad };
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL), FVI_EDOM);
+    ck_assert_double_eq(x[0], 7);
+    double load = 7;
+    run.law = &ref_laws[0];
+    ck_assert_int_eq(fvi_stability_load(&fvi_bdf2, &run, &load), FVI_EUNSUP);
+    ck_assert_double_eq(load, 7);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("damping_laws_runs");
+    ADD_CASE(suite, "motions", eq_26_9_motions,
+             eq_26_9_orders_of_a_nonlinear_motion,
+             a_power_is_the_run_that_alpha_gives,
+             a_chain_with_a_law_and_its_copy);
+    ADD_CASE(suite, "refusals", who_does_not_know_laws_says_so);
+    return run_suite(suite);
+}

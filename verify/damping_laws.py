@@ -1,0 +1,204 @@
+"""Chapter 26: damping by its symbol. Prints tests/damping_laws/damping_laws_ref.h.
+
+  (26.2)  every law is passive: Im C(i w) >= 0, from the symbols;
+  (26.3)  the weights, from the power series of C(delta(z)/h) in 40 digits;
+  (26.5)  in a fraction's division all products have one sign;
+  (26.6)  C over the cut, and the weights as integrals along it;
+  (26.7)  the weights of a Maxwell element are geometric sequences;
+  (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
+  (26.9)  motions of an oscillator, by inversion of its Laplace transform.
+
+Inputs are the doubles they are."""
+import functools
+
+import mpmath
+from mpmath import mp, mpc, mpf
+from sympy import I, cos, im, sin, symbols
+
+from refgen import claim, header, prove
+
+mp.dps = 40
+POWER, ZENER, MAXWELL, DISTRIBUTED = range(4)
+# kind, rho, alpha, time, end: exact in binary
+LAWS = [
+    [(POWER, 1, "0.3125", 0, 0)],
+    [(POWER, 1, "0.125", 0, 0), (POWER, "0.5", "0.375", 0, 0)],
+    [(ZENER, 1, "0.3125", "0.75", 0)],
+    [(MAXWELL, 1, 0, "0.75", 0), (MAXWELL, "0.5", 0, 3, 0)],
+    [(DISTRIBUTED, 1, 0, 0, "0.5")],
+    [(POWER, "0.5", "0.125", 0, 0), (POWER, "0.25", "0.75", 0, 0), (MAXWELL, "0.5", 0, "0.75", 0)],
+    [(DISTRIBUTED, "0.5", "0.125", 0, "0.875")],
+    [(POWER, "0.5", 0, 0, 0), (POWER, "0.25", "0.75", 0, 0), (ZENER, "0.5", "0.4375", "1.5", 0)],
+]
+LAWS = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in LAWS]
+
+#> passive
+# Im of q / (1 + T q) for q = r e^{i phi}: r sin(phi) over a square, so >= 0 for phi in
+# [0, pi]; s^{2a} at s = i w has phi = pi a, a Maxwell element phi = pi/2, and an integral of
+# what is >= 0 is >= 0.
+r, T, phi = symbols("r T phi", positive=True)
+q = r * (cos(phi) + I * sin(phi))
+bottom = (1 + T * r * cos(phi))**2 + (T * r * sin(phi))**2
+prove("(26.2)", im((q * (1 + T * q.conjugate())).expand()).expand() - r * sin(phi),
+      (1 + T * q) * (1 + T * q.conjugate()) - bottom)
+#< passive
+
+
+def symbol(law, s):
+    """C(s) of numbers."""
+    def term(kind, rho, alpha, time, end):
+        if kind == DISTRIBUTED:
+            return rho * (s**(2 * end) - s**(2 * alpha)) / (2 * mpmath.log(s))
+        q = s if kind == MAXWELL else s**(2 * alpha)
+        return rho * (q if kind == POWER else q / (1 + time * q))
+    return sum(term(*t) for t in law)
+
+
+# ---- power series in z, as lists of coefficients ----
+
+def times(a, b):
+    return [sum(a[j] * b[n - j] for j in range(n + 1)) for n in range(len(a))]
+
+
+def over(a, b):
+    out = []
+    for n, top in enumerate(a):
+        out.append((top - sum(b[j] * out[n - j] for j in range(1, n + 1))) / b[0])
+    return out
+
+
+@functools.cache
+def power(base, nu):
+    """base^nu by n b_0 w_n = sum_j (nu j - n + j) b_j w_{n-j}; base is a polynomial."""
+    w = [base[0]**nu]
+    for n in range(1, COUNT):
+        w.append(sum((nu * j - n + j) * base[j] * w[n - j]
+                     for j in range(1, min(n, len(base) - 1) + 1)) / (n * base[0]))
+    return w
+
+
+COUNT = 151
+DELTA = [[mpf(1), mpf(-1)], [mpf(3) / 2, mpf(-2), mpf(1) / 2]]  # Euler, BDF2
+ORDERS = mpmath.calculus.quadrature.GaussLegendre(mp).calc_nodes(5, 160)
+
+
+#> weights
+def weights(law, delta, h):
+    """The coefficients of C(delta(z)/h)."""
+    base = tuple(d / h for d in delta)
+    total = [mpf(0)] * COUNT
+    for kind, rho, alpha, time, end in law:
+        if kind == DISTRIBUTED:
+            half, middle = (end - alpha) / 2, (end + alpha) / 2
+            for node, weight in ORDERS:
+                w = power(base, 2 * (middle + half * node))
+                total = [a + rho * half * weight * b for a, b in zip(total, w)]
+            continue
+        q = power(base, mpf(1) if kind == MAXWELL else 2 * alpha)
+        if kind != POWER:
+            q = over(q, [int(n == 0) + time * c for n, c in enumerate(q)])
+        total = [a + rho * b for a, b in zip(total, q)]
+    return total
+#< weights
+
+
+# ---- (26.5): of (1-z)^beta, 0 < beta <= 1, all coefficients but the first are <= 0, and
+# sum to more than -1: so, by induction, are those of q / (1 + T q), and all products in the
+# division have one sign.
+for law in LAWS:
+    for kind, rho, alpha, time, end in law:
+        if kind == ZENER:
+            w = weights([(kind, rho, alpha, time, end)], DELTA[0], mpf(1) / 8)
+            claim("(26.5)", w[0] > 0 and all(c < 0 for c in w[1:]) and sum(w) > 0)
+
+
+#> cut
+def on_the_cut(law, n, delta, h):
+    """(26.6): w_n as the integral along the cut, n >= 1, of a law without poles there."""
+    def density(s):
+        z = mpmath.exp(s)
+        radius = -sum(d * z**j for j, d in enumerate(delta)) / h
+        return (symbol(law, mpc(-radius, mpf(10)**-35)).imag) * mpmath.exp(-n * s)
+    end = mpmath.inf if len(delta) == 2 else mpmath.log(3)
+    return -mpmath.quad(density, [0, mpf(1) / n, mpf(10) / n, 1 if n < 10 else mpf(60) / n] +
+                        ([end] if n < 10 and end != mpmath.inf else [])) / mpmath.pi
+#< cut
+
+
+mp.dps = 30
+for law in LAWS[:3] + LAWS[4:5]:
+    w = weights(law, DELTA[0], mpf(1) / 8)
+    claim("(26.6)", all(abs(on_the_cut(law, n, DELTA[0], mpf(1) / 8) / w[n] - 1) < mpf(10)**-9
+                        for n in (20, 120)))
+mp.dps = 40
+
+# ---- (26.7) ----
+h, z, Tm = symbols("h z T", positive=True)
+ratio = Tm / (h + Tm)
+prove("(26.7)", (1 - z) / (h + Tm * (1 - z))
+      - (1 / Tm) * (1 - h / (h + Tm) / (1 - ratio * z)))
+root = symbols("w", positive=True)  # sqrt(1 - 2 h / T)
+bottom = h + Tm * (1 - z) * (3 - z) / 2
+prove("(26.7), BDF2", (bottom - Tm / 2 * (z - 2 + root) * (z - 2 - root)).subs(h, Tm * (1 - root**2) / 2))
+
+# ---- (26.8): the square root of a power series with W(0) > 0, and its square ----
+for law in LAWS:
+    W = weights(law, DELTA[0], mpf(1) / 8)[:60]
+    S = [mpmath.sqrt(W[0])]
+    for n in range(1, 60):
+        S.append((W[n] - sum(S[j] * S[n - j] for j in range(1, n))) / (2 * S[0]))
+    claim("(26.8)", max(abs(a - b) for a, b in zip(times(S, S), W)) < mpf(10)**-30)
+
+
+#> motion
+def motion(law, t, x0, v0, A):
+    """(26.9): m = c = 1, held at x0 before t = 0, a constant force A."""
+    def transform(s):
+        C = symbol(law, s)
+        return (s * x0 + v0 + C * x0 / s + A / s) / (s * s + 1 + C)
+    first, second = (mpmath.invertlaplace(transform, t, method="talbot", degree=n) for n in (80, 110))
+    claim("both inversions agree", abs(first - second) < mpf(10)**-22)
+    return second
+#< motion
+
+
+def nearest(x):
+    """The nearest double of a number that is known to some 20 digits."""
+    return "0" if x == 0 else float(mpmath.nstr(x, 20)).hex()
+
+
+header("verify/damping_laws.py")
+print("\n#include <fvi/damping_laws.h>")
+for i, law in enumerate(LAWS):
+    rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
+    print(f"static const fvi_law_term ref_terms_{i}[] = {{ {rows} }};")
+print("\nstatic const fvi_law ref_laws[] = {")
+for i, law in enumerate(LAWS):
+    print(f"    {{ {len(law)}, ref_terms_{i} }},")
+print("};")
+
+INDICES = [0, 1, 2, 3, 10, 32, 33, 34, 60, 100, 150]
+print(f"\nenum {{ REF_INDICES = {len(INDICES)} }};")
+print("static const size_t ref_index[REF_INDICES] = { %s };" % ", ".join(map(str, INDICES)))
+print("\nstatic const struct { size_t law; int kind; double h, w[REF_INDICES]; } ref_weights[] = {")
+for i, law in enumerate(LAWS):
+    for kind in (0, 1):
+        for step in (mpf(1) / 8, mpf(1) / 512):
+            w = weights(law, DELTA[kind], step)
+            print(f"    {{ {i}, {kind}, {nearest(step)}, {{ {', '.join(nearest(w[n]) for n in INDICES)} }} }},")
+print("};")
+
+print("\nstatic const struct { size_t law; double omega, storage, loss; } ref_moduli[] = {")
+for i, law in enumerate(LAWS):
+    for omega in (mpf(1) / 64, mpf(3) / 4, mpf(100)):
+        C = symbol(law, mpc(0, omega))
+        print(f"    {{ {i}, {nearest(omega)}, {nearest(C.real)}, {nearest(C.imag)} }},")
+print("};")
+
+print("\nstatic const struct { size_t law; double x0, p0, force, t, x; } ref_motions[] = {")
+for i, law in enumerate(LAWS):
+    for x0, v0, A in ((1, 0, 0), (mpf(1) / 2, 0, mpf(1) / 4), (0, 1, 0)):
+        for t in (1, 4):
+            x = motion(law, mpf(t), mpf(x0), mpf(v0), mpf(A))
+            print(f"    {{ {i}, {nearest(mpf(x0))}, {nearest(mpf(v0))}, {nearest(mpf(A))}, {t}, {nearest(x)} }},")
+print("};")
