@@ -7,8 +7,9 @@
 # What is more than a line of shell stands in src/make/.
 
 B       := build
-# Objects stood in $(B)/src before the sources had rooms; programs, where folders are now.
-ifneq ($(if $(filter clean,$(MAKECMDGOALS)),,$(wildcard $B/src/*.o)),)
+# Objects stood in $(B)/src before the sources had rooms; programs, where folders are now;
+# those for the shared library in $(B)/pic.
+ifneq ($(if $(filter clean,$(MAKECMDGOALS)),,$(wildcard $B/src/*.o $B/pic)),)
 $(error $B/ is of an older version, whose files stood elsewhere; please type: rm -rf $B)
 endif
 PYTHON  ?= /usr/bin/python3
@@ -160,9 +161,10 @@ $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
 ## -- the library and the program -------------------------------------------
 
+# Archive and shared library are made of the same objects, so each is position-independent.
 $B/%.o: src/%.c | needs
 	mkdir -p $(@D)
-	$(COMPILE) -c $< -o $@
+	$(COMPILE) -fPIC -c $< -o $@
 
 $B/libfvi.a: $(LIBRARY:src/%.c=$B/%.o)
 	rm -f $@
@@ -181,11 +183,7 @@ SONAME  := libfvi.so.$(basename $(VERSION))
 PREFIX  ?= /usr/local
 $(if $(word 2,[$(PREFIX)] [$(DESTDIR)]),$(if $(word 3,[$(PREFIX)] [$(DESTDIR)]),$(error no spaces, please, in PREFIX and DESTDIR)))
 
-$B/pic/%.o: src/%.c | needs
-	mkdir -p $(@D)
-	$(COMPILE) -fPIC -c $< -o $@
-
-$B/libfvi.so.$(VERSION): $(LIBRARY:src/%.c=$B/pic/%.o)
+$B/libfvi.so.$(VERSION): $(LIBRARY:src/%.c=$B/%.o)
 	$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL_LIBS) -o $@
 
 install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program, manual, completions (PREFIX=/usr/local DESTDIR=)
@@ -214,19 +212,15 @@ uninstall: ## remove what install put there
 # The Python package: laid out with headers and library in one folder, then made a wheel.
 PACKAGE := $(wildcard src/python/*.py src/python/*.toml src/python/fvi/*)
 
-$B/libfvi_pic.a: $(LIBRARY:src/%.c=$B/pic/%.o)
-	rm -f $@
-	ar rcs $@ $^
-
 python: $B/python/wheel ## the Python package as a wheel, build/python/fvi-*.whl (cffi)
 	ls $B/python/*.whl
 
-$B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi_pic.a
+$B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a
 	rm -rf $B/python
 	mkdir -p $B/python/package/include
 	cp -r src/python/. $B/python/package
 	cp -r src/fvi $B/python/package/include
-	cp $B/libfvi_pic.a $B/python/package/libfvi.a
+	cp $B/libfvi.a $B/python/package
 	cd $B/python/package && $(PYTHON) setup.py -q bdist_wheel -d .. >../wheel.log 2>&1 || { cat ../wheel.log; exit 1; }
 	touch $@
 
@@ -350,4 +344,4 @@ NEEDS := $(sort cc gsl \
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)
 
--include $(wildcard $B/*/*.d $B/pic/*/*.d $B/figures/*/*.d)
+-include $(wildcard $B/*/*.d $B/figures/*/*.d)

@@ -80,7 +80,7 @@ static int force_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_forces_force(const fvi_forces *f)
 {
-    return (fvi_force){ force_value, (void *)f };
+    return (fvi_force){ .value = force_value, .params = (void *)f };
 }
 
 double fvi_forces_jump(const fvi_forces *f, size_t i)

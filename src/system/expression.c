@@ -350,5 +350,5 @@ static int force_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_force_expression(const fvi_expression *e)
 {
-    return (fvi_force){ force_value, (void *)e };
+    return (fvi_force){ .value = force_value, .params = (void *)e };
 }
