@@ -39,23 +39,39 @@ struct fvi_modes {
 
 /* ---- the two loops over the modes ---- */
 
-/* Partial sum l takes every eighth mode from the l-th on, whatever the machine: no digit
- * depends on the width of its vectors. */
+/* H += sum over the modes for the stages i, ..., i + 3, or fewer, then the last is taken
+ * again and not used. Partial sum l takes every eighth mode from the l-th on, whatever the
+ * machine: no digit depends on the width of its vectors. */
+#define AT(x, q) (*(const fvi_four *)((x) + (q)))
+
 //> history
-FVI_VECTORS static void gather(size_t s, size_t Q,
+FVI_VECTORS static void gather(size_t stages, size_t Q,
                                const double *restrict weight,
                                const double *restrict y,
                                const double *restrict a, size_t stride,
                                double *restrict H)
 {
-    for (size_t i = 0; i < s; i++) {
-        const double *ai = a + i * stride;
-        double sum[FVI_LANES] = { 0 };
-        for (size_t q = 0; q < Q; q += FVI_LANES)
-            for (size_t l = 0; l < FVI_LANES; l++)
-                sum[l] += ai[q + l] * (weight[q + l] * y[q + l]); /* (22.10) */
-        H[i] = ((sum[0] + sum[4]) + (sum[2] + sum[6]))
-               + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    const double *a1 = a + (stages > 1 ? stride : 0),
+                 *a2 = a1 + (stages > 2 ? stride : 0),
+                 *a3 = a2 + (stages > 3 ? stride : 0);
+    fvi_four sum[8];
+    for (size_t i = 0; i < 8; i++)
+        sum[i] = (fvi_four){ 0 };
+    for (size_t q = 0; q < Q; q += FVI_LANES) {
+        const fvi_four low = AT(weight, q) * AT(y, q), /* (22.10) */
+            high = AT(weight, q + 4) * AT(y, q + 4);
+        sum[0] += AT(a, q) * low;
+        sum[1] += AT(a, q + 4) * high;
+        sum[2] += AT(a1, q) * low;
+        sum[3] += AT(a1, q + 4) * high;
+        sum[4] += AT(a2, q) * low;
+        sum[5] += AT(a2, q + 4) * high;
+        sum[6] += AT(a3, q) * low;
+        sum[7] += AT(a3, q + 4) * high;
+    }
+    for (size_t i = 0; i < stages && i < 4; i++) {
+        const fvi_four part = sum[2 * i] + sum[2 * i + 1];
+        H[i] = (part[0] + part[2]) + (part[1] + part[3]);
     }
 }
 //< history
@@ -65,15 +81,16 @@ FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
                                 const last_step *last, double *restrict y)
 {
     for (size_t q = 0; q < n; q += FVI_LANES) {
-        double sum[FVI_LANES] = { 0 };
-        for (size_t i = 0; i < s; i++) {
-            const double *a = row->a + i * row->stride + q;
-            for (size_t l = 0; l < FVI_LANES; l++)
-                sum[l] += a[l] * last->u[i];
+        fvi_four low = { 0 }, high = { 0 }, *z = (fvi_four *)(y + q);
+        const double *a = row->a + q;
+        for (size_t i = 0; i < s; i++, a += row->stride) {
+            low += AT(a, 0) * last->u[i];
+            high += AT(a, 4) * last->u[i];
         }
-        for (size_t l = 0; l < FVI_LANES; l++) /* (22.6), (22.7) */
-            y[q + l] +=
-                (row->mu[q + l] * sum[l] + last->ds) - row->p[q + l] * y[q + l];
+        z[0] += (AT(row->mu, q) * low + last->ds) /* (22.6), (22.7) */
+                - AT(row->p, q) * z[0];
+        z[1] +=
+            (AT(row->mu, q + 4) * high + last->ds) - AT(row->p, q + 4) * z[1];
     }
 }
 //< advance
@@ -143,7 +160,9 @@ void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
     const fvi_mode_row *row = &m->row;
     const double *y = m->y + j * m->Q;
     memset(H, 0, FVI_LANES * sizeof *H);
-    gather(m->rule->s, m->count, m->weight, y, row->a, row->stride, H);
+    for (size_t i = 0; i < m->rule->s; i += 4)
+        gather(m->rule->s - i, m->count, m->weight, y, row->a + i * row->stride,
+               row->stride, H + i);
     for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
         const size_t q = m->count - 1 - FVI_APART * l;
         for (size_t i = 0; i < m->rule->s; i++)

@@ -56,11 +56,14 @@ void fvi_variable_ends(double nu, double *c)
 FVI_VECTORS static void apply(size_t s, const fvi_square *M, const double *in,
                               double *out)
 {
-    double sum[FVI_LANES] = { 0 };
-    for (size_t l = 0; l < s; l++)
-        for (size_t i = 0; i < FVI_LANES; i++)
-            sum[i] += M->column[l][i] * in[l];
-    memcpy(out, sum, sizeof sum);
+    fvi_four low = { 0 }, high = { 0 };
+    for (size_t l = 0; l < s; l++) {
+        const fvi_four *column = (const fvi_four *)M->column[l];
+        low += column[0] * in[l];
+        high += column[1] * in[l];
+    }
+    ((fvi_four *)out)[0] = low;
+    ((fvi_four *)out)[1] = high;
 }
 
 void fvi_square_apply(size_t s, const fvi_square *M, const double *in,

@@ -15,6 +15,10 @@
 /* Stages are padded by zeros to LANES, the doubles of the widest vector. */
 enum { FVI_LANES = 8, FVI_ENDS = 6, FVI_APART = 3 };
 
+/* Four doubles side by side, at any address: a + b adds them one by one on every machine,
+ * with one instruction where there is one. */
+typedef double fvi_four __attribute__((vector_size(32), aligned(8), may_alias));
+
 /* A matrix, column by column: entry (i, l) at column[l][i]. */
 typedef struct {
     double column[FVI_LANES][FVI_LANES];

@@ -96,7 +96,7 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
  *
  *     L delta = R - h grad U(base + h to_x delta)
  *
- * to 1e-6 of o->allowed in x. FVI_EMAXITER or FVI_ESING if it does not converge: a
+ * to 1e-5 of o->allowed in x. FVI_EMAXITER or FVI_ESING if it does not converge: a
  * shorter step may. What a callback returned comes back. */
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
 

@@ -46,7 +46,7 @@ static void left_of(const fvi_adaptive_run *o, size_t j, double *left)
 /* ---- when to stop ---- */
 
 /* How far x still moves, from how far it has, h |change of delta|, and how far before
- * that: contraction / (1 - contraction) of it. Enough is 1e-6 of what the step may err,
+ * that: contraction / (1 - contraction) of it. Enough is 1e-5 of what the step may err,
  * or rounding. 1 go on, 0 enough, -1 it does not contract. */
 //> enough
 static int verdict(fvi_adaptive_run *o, int iteration, double moved,
@@ -64,7 +64,7 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
                                        : -1; /* rounding contracts no more */
     }
     const double q = o->contraction;
-    return moved * q / (1 - q) > fmax(floor, 1e-6 * o->allowed);
+    return moved * q / (1 - q) > fmax(floor, 1e-5 * o->allowed);
 }
 //< enough
 
@@ -104,17 +104,21 @@ static int jacobians(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
-/* delta_j += M (left - L delta_j); returns the largest change. */
+/* delta_j += M (left - L delta_j), M NULL for L^{-1}; returns the largest change. */
 static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
 {
     const size_t s = o->rule->s;
+    const fvi_kind *kind = &o->of_kind[o->kind[j]];
     double left[FVI_LANES], L[FVI_LANES], change[FVI_LANES], most = 0;
     left_of(o, j, left);
-    fvi_square_apply(s, &o->of_kind[o->kind[j]].L, o->delta + j * FVI_LANES, L);
-    for (size_t i = 0; i < s; i++)
-        left[i] -= L[i];
-    fvi_square_apply(s, M, left, change);
+    if (M) {
+        fvi_square_apply(s, &kind->L, o->delta + j * FVI_LANES, L);
+        for (size_t i = 0; i < s; i++)
+            left[i] -= L[i];
+    }
+    fvi_square_apply(s, M ? M : &kind->inverse, left, change);
     for (size_t i = 0; i < s; i++) {
+        change[i] -= M ? 0 : o->delta[j * FVI_LANES + i];
         o->delta[j * FVI_LANES + i] += change[i];
         if (!(fabs(change[i]) <= most)) /* NaN stays */
             most = fabs(change[i]);
@@ -123,8 +127,8 @@ static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
 }
 
 //> newton
-/* Newton's method with a Jacobian that is made anew while it contracts badly; or, with
- * L^{-1} in its place, the fixed-point iteration. */
+/* Newton's method with a Jacobian that is made anew while it contracts badly; or, with L
+ * in its place, the fixed-point iteration. */
 static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
                    double worst, int most)
 {
@@ -138,12 +142,11 @@ static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
             return status;
         double moved = 0;
         for (size_t j = 0; j < o->d; j++) {
-            const double change = correct(
-                o, j,
-                newton ? &o->jacobian[j] : &o->of_kind[o->kind[j]].inverse);
-            moved = isfinite(change) ? fmax(moved, change) : GSL_NAN;
+            const double change =
+                correct(o, j, newton ? &o->jacobian[j] : NULL);
             if (!isfinite(change))
                 return FVI_EMAXITER;
+            moved = fmax(moved, change);
         }
         moved *= o->length.h;
         const int go_on = verdict(o, i, moved, moved_before, worst);
