@@ -2,12 +2,14 @@
 
   (24.2)  the exact motion of a linear spring and its derivatives by all parameters, from
           their Laplace transforms, at two precisions: data of an independent program;
-  (24.3)  the standard deviations and correlations that follow.
+  (24.3)  the standard deviations and correlations that follow;
+  (24.6)  the derived equation of a step, from the equation of the step;
+  and derivatives of runs of Algorithm 3, by complex steps of 1e-25 in the definition.
 
 Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with
 Q = m s^2 + rho s^{2 alpha} + c. Inputs are the doubles they are."""
 from mpmath import mp, mpf
-from sympy import Rational, diff, symbols
+from sympy import Derivative, Function, Rational, Subs, diff, expand, symbols
 
 from refgen import claim, header, hexd, hexd_real, prove
 
@@ -70,6 +72,65 @@ def covariance(jacobian):
 #< covariance
 
 
+#> tangent
+theta, h, kappa = symbols("theta h kappa", positive=True)
+x, d, p = (Function(name)(theta) for name in "xdp")        # x_k, x_{k+1} - x_k, p_k
+u = Function("u")                                          # U'(S; theta)
+S = x + (1 - kappa) * d
+slope_x, delta, pi = (diff(f, theta) for f in (x, d, p))
+a, b = symbols("a b")
+G = diff(u(a, b), a).subs({a: S, b: theta})                # U''
+dU = diff(u(a, b), b).subs({a: S, b: theta})               # d U' at fixed S
+step = m * d / h + kappa * h * u(S, theta) - p             # it is zero
+derived = (m / h + kappa * (1 - kappa) * h * G) * delta - (pi - kappa * h * (G * slope_x + dU))
+prove("(24.6) the derived equation", expand((diff(step, theta) - derived).doit()))
+after = p - h * u(S, theta)
+prove("(24.6) the momentum after it", expand(
+    (diff(after, theta) - (pi - h * (G * (slope_x + (1 - kappa) * delta) + dU))).doit()))
+#< tangent
+
+
+def algorithm_3(v, steps, kappa, past):
+    """x_N of (9.4), from its definition: v are alpha, rho, mass, x0, p0, c, g."""
+    alpha, rho, m, x0, p0, c, g = v
+    h = mpf(1) / 16
+    w = [mpf(1)]
+    for n in range(1, steps + 1):
+        w.append(w[-1] * (n - 1 - 2 * alpha) / n)
+    line = past == "CAPUTO" and mp.re(alpha) > 0.5
+    z, x, p = [x0 if past == "RIEMANN_LIOUVILLE" else 0 * x0], x0, p0
+    for k in range(steps):
+        d = h * p / m
+        for _ in range(60):                                # Newton
+            at = x + (1 - kappa) * d
+            wrong = m * d / h + kappa * h * (c * at + g * at**3) - p
+            d -= wrong / (m / h + kappa * (1 - kappa) * h * (c + 3 * g * at**2))
+            if abs(wrong) < mpf(10) ** (-mp.dps + 8):
+                break
+        at = x + (1 - kappa) * d
+        x += d
+        z.append(x - (0 if past == "RIEMANN_LIOUVILLE" else x0) - ((k + 1) * h * p0 / m if line else 0))
+        H = sum(w[n] * z[k + 1 - n] for n in range(k + 2))
+        p -= h * (c * at + g * at**3) + rho * h ** (1 - 2 * alpha) * H
+    return x
+
+
+def slopes(values, steps, kappa, past, digits):
+    mp.dps = digits
+    tiny = mpf(10) ** (-digits // 2)
+    exact = [number(Rational(v)) for v in values]
+    found = [algorithm_3(exact, steps, mpf(kappa), past)]
+    for j in range(7):
+        found.append(algorithm_3([v + (1j * tiny if i == j else 0) for i, v in enumerate(exact)],
+                                 steps, mpf(kappa), past).imag / tiny)
+    return found
+
+
+RUNS = [(0.3, 0.5, "HELD"), (0.75, 0.25, "CAPUTO"), (0.75, 0.5, "HELD"),
+        (0.4, 0.5, "RIEMANN_LIOUVILLE"), (0.5, 0.5, "HELD")]
+REST = (0.4, 1.25, 1.0, 0.25, 1.5, 0.5)  # rho, mass, x0, p0, c, g
+STEPS = 100
+
 POINTS = 200
 TIMES = [Rational(i * 0.1) for i in range(1, POINTS + 1)]  # the doubles i * 0.1
 CASES = {"low": (0.3, 0.4, 1.0, 1.0, 0.25), "high": (0.65, 0.4, 1.0, 1.0, 0.25)}
@@ -93,6 +154,7 @@ def both(pair):
 
 def main():
     header("verify/identification.py")
+    print("#include <fvi/past.h>\n")
     print(f"enum {{ REF_POINTS = {POINTS} }}; /* t = 0.1, 0.2, ..., 20: the doubles i * 0.1 */")
     print("/* alpha, rho, c, x0, p0; m = 1; held */")
     motions, errors = [], []
@@ -116,6 +178,18 @@ def main():
           "ref_errors[] = {")
     for name, P, *rest in errors:
         print(f"    {{ {name}, {P}, {{ {', '.join(rest[:5])} }}, {rest[5]}, {rest[6]} }},")
+    print("};")
+    print("\n/* alpha, kappa, past; x_N and its derivatives by alpha, rho, mass, x0, p0, c, g; "
+          "h = 1/16 */")
+    print(f"enum {{ REF_STEPS = {STEPS} }};")
+    print(f"static const double ref_rest[] = {{ {', '.join(hexd(v) for v in REST)} }};")
+    rows = []
+    for al, kap, past in RUNS:
+        pairs = zip(*(slopes((al, *REST), STEPS, kap, past, digits) for digits in (50, 64)))
+        rows.append((al, kap, past, [both(pair) for pair in pairs]))
+    print("static const struct { double alpha, kappa; fvi_past past; double x, slope[7]; } ref_slopes[] = {")
+    for al, kap, past, (first, *others) in rows:
+        print(f"    {{ {hexd(al)}, {hexd(kap)}, FVI_PAST_{past}, {first}, {{ {', '.join(others)} }} }},")
     print("};")
 
 

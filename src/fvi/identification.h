@@ -13,6 +13,7 @@
 #ifndef FVI_IDENTIFICATION_H
 #define FVI_IDENTIFICATION_H
 
+#include "sensitivity.h"
 #include "trajectory.h"
 
 #ifdef __cplusplus
@@ -129,6 +130,26 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start;
  * FVI_ENOMEM. */
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+
+/* fvi_tangents -- a run of Algorithm 3 and its derivatives, side by side.  [(24.6)]
+ *
+ *   run    of one mass, for the method fvi_fractional
+ *   P, which  the parameters by which it is differentiated, P >= 1, all different; a
+ *          constant is one that fvi_sensitivity_of knows (sensitivity.h)
+ *   x      output: x_k, N + 1 numbers
+ *   slope  output: d x_k / d which[j] at [k * P + j], (N + 1) P numbers
+ *
+ * They are the derivatives of what the program computes, as (24.6) solves the derived
+ * equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
+ * by alpha is that from below. Cost: a run, a second memory of
+ * P coordinates, a third of x with its rate if alpha or rho is asked for. Accuracy:
+ * that of the run with the same memory; no bound is proved for the rounding.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if the system has
+ * not d == 1, P == 0, or there is no such constant; what fvi_start, fvi_step and
+ * fvi_memory_alloc_rate return; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0;
+ * FVI_ENOMEM; what a callback returned. */
+int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
+                 double *x, double *slope);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

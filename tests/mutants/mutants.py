@@ -58,8 +58,10 @@ def build(folder, entry, test):
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     library = [] if file.stem in PROGRAM else [wrong]
     library.append(BUILD / "libfvi.a")
-    parser = [o for o, p in zip(program, PROGRAM) if p != "fvi_cli"]  # where main is
-    subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", *parser, *library, *LIBS,
+    parser = folder / "program.a"  # without main; of it the test takes what it needs
+    parser.unlink(missing_ok=True)
+    subprocess.run(["ar", "rcs", parser, *(o for o, p in zip(program, PROGRAM) if p != "fvi_cli")], check=True)
+    subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", parser, *library, *LIBS,
                     "-o", folder / "test"], check=True)
     if '"program.h"' in test.read_text():
         subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)

@@ -1,0 +1,208 @@
+/* src/inverse/identification_tangent.c -- A run and its derivatives, side by side.
+ *                                                                     [Chapter 24] */
+#include <fvi/identification.h>
+
+#include <fvi/fvi.h>
+#include "system/fail.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Arrays of P numbers: of parameter j at [j]. */
+typedef struct {
+    const fvi_run *run;
+    size_t P;
+    const fvi_parameter *which;
+    fvi_sensitivity by;
+    fvi_stepper *stepper;
+    fvi_memory *memory, *own; /* of the slopes; of x with its rate, or NULL */
+    double c;                 /* rho h^(1 - 2 alpha) */
+    double *s, *pi, *delta;   /* d x_k, d p_k, d (x_{k+1} - x_k) */
+    double *z, *dz, *dU;      /* what the memory takes in; d U'(S) */
+    double *rows;             /* of the sensitivity */
+} tangents;
+
+static double rho(const tangents *o)
+{
+    return o->run->system->damping[0];
+}
+
+/* Does the memory know the line t p0/m? (9.6) */
+static int knows_the_line(const tangents *o)
+{
+    return o->run->past == FVI_PAST_CAPUTO && o->run->alpha > 0.5;
+}
+
+/* ---- one step ---- */
+
+/* d U'(S) by the parameters of U at fixed S, and U''(S). */
+static int potential_at(tangents *o, double S, double *G)
+{
+    const fvi_system *system = o->run->system;
+    double H[2] = { 0, 0 };
+    int status = fvi_hessian(system, &S, H);
+    *G = H[0];
+    if (!status && o->by.count > 0)
+        status = o->by.rows(1, &S, system->potential.params, o->rows);
+    for (size_t j = 0; j < o->P; j++)
+        o->dU[j] = o->which[j] < FVI_PARAMETER_CONSTANT
+                       ? 0
+                       : o->rows[o->which[j] - FVI_PARAMETER_CONSTANT];
+    return status;
+}
+
+//> tangent
+/* (24.6): the derived equation of a step is linear, with one matrix for all slopes.
+ * dx = x_{k+1} - x_k. */
+static int tangent_step(tangents *o, double G, double dx)
+{
+    const double h = o->run->h, kappa = o->run->kappa,
+                 m = o->run->system->mass[0],
+                 J = m / h + kappa * (1 - kappa) * h * G;
+    if (!(J != 0))
+        return FVI_ESING;
+    for (size_t j = 0; j < o->P; j++) {
+        const double of_mass = o->which[j] == FVI_PARAMETER_MASS ? dx / h : 0;
+        o->delta[j] =
+            (o->pi[j] - kappa * h * (G * o->s[j] + o->dU[j]) - of_mass) / J;
+        o->pi[j] -= h * (G * (o->s[j] + (1 - kappa) * o->delta[j]) + o->dU[j]);
+        o->s[j] += o->delta[j];
+    }
+    return FVI_SUCCESS;
+}
+//< tangent
+
+/* d z_k and its increment, of parameter j; k = 0 is the first, with delta = s. (24.7) */
+static void take_in(tangents *o, size_t k)
+{
+    const double t = (double)k * o->run->h, m = o->run->system->mass[0],
+                 p0 = o->run->p0[0];
+    const int line = knows_the_line(o) && k > 0;
+    for (size_t j = 0; j < o->P; j++) {
+        const double origin = o->which[j] == FVI_PARAMETER_X0
+                              && o->run->past != FVI_PAST_RIEMANN_LIOUVILLE,
+                     speed = !line                               ? 0
+                             : o->which[j] == FVI_PARAMETER_P0   ? 1 / m
+                             : o->which[j] == FVI_PARAMETER_MASS ? -p0 / (m * m)
+                                                                 : 0;
+        o->z[j] = o->s[j] - origin - t * speed;
+        o->dz[j] = k > 0 ? o->delta[j] - o->run->h * speed : o->z[j];
+    }
+}
+
+/* The memory of the slopes, and what alpha and rho change in that of x. */
+static int remember(tangents *o, size_t k, double x, double dx)
+{
+    const fvi_run *r = o->run;
+    const double t = (double)k * r->h, speed = r->p0[0] / r->system->mass[0];
+    double H = 0, rate = 0;
+    take_in(o, k);
+    int status = o->memory ? fvi_memory_push(o->memory, o->z, o->dz, o->z) : 0;
+    if (!status && o->own) {
+        double z = r->past == FVI_PAST_RIEMANN_LIOUVILLE ? x : x - r->x0[0],
+               dz = k > 0 ? dx : z;
+        if (knows_the_line(o)) {
+            z -= t * speed;
+            dz -= k > 0 ? r->h * speed : 0;
+        }
+        status = fvi_memory_push_rate(o->own, &z, &dz, &H, &rate);
+    }
+    for (size_t j = 0; j < o->P && k > 0 && !status; j++) {
+        o->pi[j] -= o->memory ? o->c * o->z[j] : 0;
+        if (o->which[j] == FVI_PARAMETER_RHO)
+            o->pi[j] -= pow(r->h, 1 - 2 * r->alpha) * H;
+        if (o->which[j] == FVI_PARAMETER_ALPHA)
+            o->pi[j] -= 2 * o->c * (rate - log(r->h) * H);
+    }
+    return status;
+}
+
+static int all_steps(tangents *o, double *x, double *slope)
+{
+    fvi_stepper *s = o->stepper;
+    const double kappa = o->run->kappa;
+    double before = s->x[0], G;
+    x[0] = before;
+    memcpy(slope, o->s, o->P * sizeof *slope);
+    int status = remember(o, 0, before, before);
+    while (!status && s->k < o->run->steps) {
+        status = fvi_step(s);
+        if (!status)
+            status =
+                potential_at(o, kappa * before + (1 - kappa) * s->x[0], &G);
+        if (!status)
+            status = tangent_step(o, G, s->x[0] - before);
+        if (!status)
+            status = remember(o, s->k, s->x[0], s->x[0] - before);
+        before = x[s->k] = s->x[0];
+        memcpy(slope + s->k * o->P, o->s, o->P * sizeof *slope);
+    }
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static int check(const tangents *o, const double *x, const double *slope)
+{
+    if (!o->run || !o->which || !x || !slope || !o->run->x0 || !o->run->p0)
+        FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
+    int status = fvi_system_check(o->run->system);
+    if (!status && (o->run->system->d != 1 || o->P == 0))
+        FVI_FAIL("tangents are of one mass, by a parameter or more",
+                 FVI_EINVAL);
+    for (size_t j = 0; j < o->P && !status; j++)
+        if (o->which[j] >= FVI_PARAMETER_CONSTANT
+            && o->which[j] - FVI_PARAMETER_CONSTANT
+                   >= fvi_sensitivity_of(&o->run->system->potential).count)
+            FVI_FAIL("the potential has no such constant", FVI_EINVAL);
+    return status;
+}
+
+static int prepare(tangents *o)
+{
+    const fvi_run *r = o->run;
+    int wants_own = 0;
+    o->by = fvi_sensitivity_of(&r->system->potential);
+    o->c = rho(o) * pow(r->h, 1 - 2 * r->alpha);
+    o->s = calloc(6 * o->P + o->by.count, sizeof *o->s);
+    if (!o->s)
+        FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
+    o->pi = o->s + o->P;
+    o->delta = o->pi + o->P;
+    o->z = o->delta + o->P;
+    o->dz = o->z + o->P;
+    o->dU = o->dz + o->P;
+    o->rows = o->dU + o->P;
+    for (size_t j = 0; j < o->P; j++) {
+        o->s[j] = o->which[j] == FVI_PARAMETER_X0;
+        o->pi[j] = o->which[j] == FVI_PARAMETER_P0;
+        wants_own |= o->which[j] == FVI_PARAMETER_RHO
+                     || (o->which[j] == FVI_PARAMETER_ALPHA && rho(o) > 0);
+    }
+    int status = rho(o) > 0
+                     ? fvi_memory_alloc(2 * r->alpha, o->P, r->steps, r->memory,
+                                        r->tolerance, &o->memory)
+                     : FVI_SUCCESS;
+    if (!status && wants_own)
+        status = fvi_memory_alloc_rate(2 * r->alpha, 1, r->steps, r->memory,
+                                       r->tolerance, &o->own);
+    return status;
+}
+
+int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
+                 double *x, double *slope)
+{
+    tangents o = { .run = run, .P = P, .which = which };
+    int status = check(&o, x, slope);
+    if (!status)
+        status = fvi_start(&fvi_fractional, run, &o.stepper);
+    if (!status)
+        status = prepare(&o);
+    if (!status)
+        status = all_steps(&o, x, slope);
+    fvi_stop(o.stepper);
+    fvi_memory_free(o.memory);
+    fvi_memory_free(o.own);
+    free(o.s);
+    return status;
+}

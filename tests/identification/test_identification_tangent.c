@@ -1,0 +1,164 @@
+/* tests/identification/test_identification_tangent.c -- Chapter 24: the derivatives that ride
+ * along with a run.
+ * Run alone: make test-identification_tangent */
+#include "identification_runs.h"
+
+#include <time.h>
+
+static const fvi_parameter SEVEN[] = {
+    FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,
+    FVI_PARAMETER_X0,          FVI_PARAMETER_P0,  FVI_PARAMETER_CONSTANT,
+    FVI_PARAMETER_CONSTANT + 1
+};
+
+/* Duffing's oscillator of the references; the run points into ref_rest. */
+static fvi_run duffing(fvi_system *system, size_t i, size_t steps)
+{
+    *system = (fvi_system){ .d = 1,
+                            .mass = &ref_rest[1],
+                            .damping = &ref_rest[0],
+                            .potential = fvi_potential_duffing(&ref_rest[4]) };
+    fvi_run run =
+        fvi_run_default(system, &ref_rest[2], &ref_rest[3], 0.0625, steps);
+    run.alpha = ref_slopes[i].alpha;
+    run.kappa = ref_slopes[i].kappa;
+    run.past = ref_slopes[i].past;
+    return run;
+}
+
+//> slopes
+/* Rounding: 100 steps of a few roundings each, which grow as the slopes do: 1e-12. The
+ * compressed memory keeps 1e-13 of each weight. Seen: 8e-16. */
+START_TEST(eq_24_6_tangents_are_the_derivatives_of_the_run)
+{
+    for (size_t i = 0; i < LEN(ref_slopes); i++)
+        for (int kind = 0; kind < 2; kind++) {
+            double x[REF_STEPS + 1], slope[(REF_STEPS + 1) * 7];
+            fvi_system system;
+            fvi_run run = duffing(&system, i, REF_STEPS);
+            run.memory = kind ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
+            ck_assert_int_eq(fvi_tangents(&run, 7, SEVEN, x, slope),
+                             FVI_SUCCESS);
+            ck_assert_double_eq_tol(x[REF_STEPS], ref_slopes[i].x, 1e-12);
+            for (size_t j = 0; j < 7; j++) {
+                const double got = slope[REF_STEPS * 7 + j],
+                             want = ref_slopes[i].slope[j];
+                seen(fabs(got - want), "error of a slope");
+                ck_assert_msg(fabs(got - want) <= 1e-12,
+                              "case %zu, kind %d, slope %zu: %.17g, not %.17g",
+                              i, kind, j, got, want);
+            }
+        }
+}
+END_TEST
+//< slopes
+
+/* The row x is that of the run, and each slope is the same whoever rides along. */
+START_TEST(tangents_do_not_feel_each_other)
+{
+    double x[REF_STEPS + 1], alone[REF_STEPS + 1], all[(REF_STEPS + 1) * 7],
+        one[REF_STEPS + 1];
+    fvi_system system;
+    const fvi_run run = duffing(&system, 0, REF_STEPS);
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, alone, NULL, NULL),
+                     0);
+    ck_assert_int_eq(fvi_tangents(&run, 7, SEVEN, x, all), FVI_SUCCESS);
+    ck_assert_mem_eq(x, alone, sizeof x);
+    for (size_t j = 0; j < 7; j++) {
+        ck_assert_int_eq(fvi_tangents(&run, 1, &SEVEN[j], x, one), FVI_SUCCESS);
+        for (size_t k = 0; k <= REF_STEPS; k++)
+            ck_assert_near(one[k], all[k * 7 + j], 1e-13, "%zu at %zu", j, k);
+    }
+}
+END_TEST
+
+/* A damping that is zero has a slope, and no memory of its own. */
+START_TEST(eq_24_6_by_a_damping_of_zero)
+{
+    static double x[101], up[101], slope[101];
+    const double zero = 0, small = 1e-6;
+    fvi_system system;
+    fvi_run run = duffing(&system, 0, 100);
+    system.damping = &zero;
+    ck_assert_int_eq(fvi_tangents(&run, 1, &SEVEN[1], x, slope), FVI_SUCCESS);
+    system.damping = &small;
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, up, NULL, NULL), 0);
+    for (size_t k = 0; k <= 100; k++) /* x'' by rho is about 10: 1e-5 */
+        ck_assert_near((up[k] - x[k]) / small, slope[k], 5e-5, "row %zu", k);
+}
+END_TEST
+
+static double seconds(const fvi_run *run, size_t P, double *x, double *slope)
+{
+    double least = 1e9;
+    for (int i = 0; i < 5; i++) {
+        const clock_t begin = clock();
+        if (P)
+            ck_assert_int_eq(fvi_tangents(run, P, SEVEN, x, slope), 0);
+        else
+            ck_assert_int_eq(
+                fvi_trajectory(&fvi_fractional, run, x, NULL, NULL), 0);
+        least = fmin(least, (double)(clock() - begin) / CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+/* What they cost, for the chapter; nothing is asserted but that they are had. */
+START_TEST(tangents_take_their_time)
+{
+    enum { N = 20000 };
+    static double x[N + 1], slope[7 * (N + 1)];
+    fvi_system system;
+    const fvi_run run = duffing(&system, 0, N);
+    const double alone = seconds(&run, 0, x, NULL);
+    seen(seconds(&run, 3, x, slope) / alone,
+         "time with 3 tangents over that without");
+    seen(seconds(&run, 7, x, slope) / alone,
+         "time with 7 tangents over that without");
+}
+END_TEST
+
+static int handled;
+static void handler(const char *reason, const char *file, int line, int code)
+{
+    (void)reason;
+    (void)file;
+    (void)line;
+    (void)code;
+    handled++;
+}
+
+START_TEST(tangents_refuse_what_they_do_not_know)
+{
+    static const double ones[] = { 1, 1 };
+    double x[11], slope[11];
+    const fvi_parameter beyond = FVI_PARAMETER_CONSTANT + 2;
+    fvi_system system;
+    fvi_run run = duffing(&system, 0, 10);
+    fvi_set_error_handler(handler);
+    ck_assert_int_eq(fvi_tangents(NULL, 1, SEVEN, x, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangents(&run, 1, NULL, x, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, NULL, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangents(&run, 0, SEVEN, x, slope), FVI_EINVAL);
+    ck_assert_int_eq(fvi_tangents(&run, 1, &beyond, x, slope), FVI_EINVAL);
+    run.h = -1;
+    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EDOM);
+    run.h = 1;
+    system.d = 2;
+    system.mass = system.damping = ones;
+    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EINVAL);
+    ck_assert_int_eq(handled, 8);
+    fvi_set_error_handler(NULL);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("derivatives beside a run");
+    ADD_CASE(suite, "values", eq_24_6_tangents_are_the_derivatives_of_the_run,
+             tangents_do_not_feel_each_other, eq_24_6_by_a_damping_of_zero,
+             tangents_take_their_time);
+    ADD_CASE(suite, "errors", tangents_refuse_what_they_do_not_know);
+    return run_suite(suite);
+}
