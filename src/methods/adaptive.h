@@ -67,6 +67,8 @@ typedef struct {
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted */
     /* control */
+    double *events; /* where steps have to end: jumps, t1, T at last */
+    size_t event, event_count;
     double T, least;    /* the end; no step is shorter */
     double scale;       /* the largest |x_i| so far */
     double allowed;     /* the tolerance of this step */

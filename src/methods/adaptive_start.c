@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +24,7 @@ void fvi_adaptive_stop(fvi_stepper *s)
         return;
     fvi_modes_free(o->modes);
     free(o->singular.c);
+    free(o->events);
     free(o->kind);
     free(o->of_kind);
     free(o->jacobian);
@@ -76,6 +78,7 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     *o = *old;
     o->modes = NULL;
     o->singular.c = NULL;
+    o->events = NULL;
     o->kind = NULL;
     o->of_kind = NULL;
     o->jacobian = NULL;
@@ -94,6 +97,10 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
         memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
         o->singular.pull = o->singular.c + o->d * (old->singular.J + 1);
     }
+    o->events = malloc(o->event_count * sizeof *o->events);
+    if (!o->events)
+        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
+    memcpy(o->events, old->events, o->event_count * sizeof *o->events);
     return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
 }
 
@@ -243,6 +250,32 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
                            &o->modes);
 }
 
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where steps end: the jumps of the force within the run, the end of the singular start,
+ * and of the run, in order. */
+static int find_events(const fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    if (force->jump_count > SIZE_MAX / sizeof(double) - 2)
+        FVI_FAIL("jumps must be addressable", FVI_EINVAL);
+    o->events = malloc((force->jump_count + 2) * sizeof *o->events);
+    if (!o->events)
+        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
+    for (size_t i = 0; i < force->jump_count; i++)
+        if (force->jumps[i] > 0 && force->jumps[i] < o->T)
+            o->events[o->event_count++] = force->jumps[i];
+    if (o->singular.J && o->singular.t1 < o->T)
+        o->events[o->event_count++] = o->singular.t1;
+    o->events[o->event_count++] = o->T;
+    qsort(o->events, o->event_count, sizeof *o->events, compare);
+    return FVI_SUCCESS;
+}
+
 int fvi_adaptive_start(fvi_stepper *s)
 {
     const size_t d = s->run.system->d;
@@ -263,6 +296,8 @@ int fvi_adaptive_start(fvi_stepper *s)
         sort_out(s, springs, o);
         status = begin_memory(s, o);
     }
+    if (!status)
+        status = find_events(s, o);
     free(springs);
     for (size_t j = 0; !status && j < d; j++) {
         const double m = s->run.system->mass[j];

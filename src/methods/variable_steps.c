@@ -123,17 +123,12 @@ static int trial(fvi_stepper *s, fvi_adaptive_run *o, fvi_length length,
 /* ---- the length of a step ---- */
 
 /* The next time at which a step has to end. */
-static double next_event(const fvi_stepper *s, const fvi_adaptive_run *o)
+static double next_event(fvi_adaptive_run *o)
 {
-    const fvi_force *force = &s->run.system->force;
-    const double after = o->t + 8 * GSL_DBL_EPSILON * o->t;
-    double event = o->T;
-    if (fvi_singular_is(o, after))
-        event = fmin(event, o->singular.t1);
-    for (size_t i = 0; i < force->jump_count; i++)
-        if (force->jumps[i] > after)
-            event = fmin(event, force->jumps[i]);
-    return event;
+    while (o->events[o->event] <= o->t * (1 + 8 * GSL_DBL_EPSILON)
+           && o->events[o->event] < o->T)
+        o->event++;
+    return o->events[o->event];
 }
 
 //> length
@@ -247,7 +242,7 @@ static void take(fvi_adaptive_run *o, double event)
 static int step(fvi_stepper *s)
 {
     fvi_adaptive_run *o = s->own;
-    const double event = next_event(s, o), rest = event - o->t;
+    const double event = next_event(o), rest = event - o->t;
     double error = 0, error_before = 0, h_before = 0;
     for (;;) {
         const fvi_length length = choose(o, rest);
@@ -262,6 +257,8 @@ static int step(fvi_stepper *s)
             const int k = exponent(length) + change(o, error);
             o->next = length.k == FVI_OFF_LATTICE ? (int)fmax(o->next, k) : k;
             o->next = (int)fmin(o->next, o->most);
+            if (o->fresh) /* the next restart begins where this one got to */
+                o->first = o->next;
             break;
         }
         if (length.h <= o->least)

@@ -22,6 +22,8 @@ typedef struct {
 struct fvi_forces {
     size_t count;
     part *parts;
+    size_t jump_count; /* the ends of steps, then the rows of tables */
+    double *jumps;
 };
 
 /* ---- values ---- */
@@ -80,7 +82,10 @@ static int force_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_forces_force(const fvi_forces *f)
 {
-    return (fvi_force){ .value = force_value, .params = (void *)f };
+    return (fvi_force){ .value = force_value,
+                        .params = (void *)f,
+                        .jumps = f->jumps,
+                        .jump_count = f->jump_count };
 }
 
 double fvi_forces_jump(const fvi_forces *f, size_t i)
@@ -97,8 +102,10 @@ void fvi_forces_free(fvi_forces *f)
         fvi_expression_free(f->parts[i].expression);
         free(f->parts[i].t);
     }
-    if (f)
+    if (f) {
         free(f->parts);
+        free(f->jumps);
+    }
     free(f);
 }
 
@@ -179,6 +186,23 @@ static const char *end_of_part(const char *at)
     return at + strlen(at);
 }
 
+/* Where the sum is not smooth. Returns 0, or 1 if there is no memory. */
+static int collect_jumps(fvi_forces *f)
+{
+    size_t room = 0;
+    for (size_t i = 0; i < f->count; i++)
+        room += f->parts[i].t ? f->parts[i].n : 1;
+    f->jumps = malloc(room * sizeof *f->jumps);
+    if (!f->jumps)
+        return 1;
+    for (double t; !isnan(t = fvi_forces_jump(f, f->jump_count));)
+        f->jumps[f->jump_count++] = t;
+    for (size_t i = 0; i < f->count; i++)
+        for (size_t k = 0; f->parts[i].t && k < f->parts[i].n; k++)
+            f->jumps[f->jump_count++] = f->parts[i].t[k];
+    return 0;
+}
+
 int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
                      fvi_forces **f, fvi_complaint c)
 {
@@ -202,6 +226,8 @@ int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
         if (*end == '\0')
             break;
     }
+    if (!status)
+        status = collect_jumps(new);
     if (status == 1)
         fvi_refuse(c, "not enough memory");
     free(copy);

@@ -2,6 +2,8 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 
+#include <fvi/variable_steps.h>
+
 #include <getopt.h>
 #include <string.h>
 #include <strings.h>
@@ -117,6 +119,8 @@ static int fill_in(fvi_options *o, fvi_complaint c)
                           fvi_option_list[instead].name);
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
+    if (o->text[ERROR] && !o->text[METHOD])
+        o->text[METHOD] = fvi_adaptive.name;
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME]))
             o->text[i] = fvi_option_list[i].preset;

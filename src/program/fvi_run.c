@@ -1,6 +1,6 @@
-/* src/program/fvi_run.c -- The command `fvi run`, step by step or to a wanted error. */
+/* src/program/fvi_run.c -- The command `fvi run`, step by step. */
 #include <fvi/fvi.h>
-#include "fvi_commands.h"
+#include "fvi_run.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_values.h"
@@ -9,11 +9,10 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
-/* Why a run could not begin. What the parser let through is in range: FVI_EINVAL
- * is then a number of steps that no memory is made for, FVI_EDOM an m / h. */
-static int complain_of_start(int status)
+/* What the parser let through is in range: FVI_EINVAL is then a number of steps that no
+ * memory is made for, FVI_EDOM an m / h. */
+int fvi_complain_of_start(int status)
 {
     if (status == FVI_ESING)
         return fvi_stopped_at(1, status);
@@ -51,9 +50,7 @@ static double run_bytes(const fvi_options *o)
                                       o->tolerance);
 }
 
-/* Room for the rows that are kept; NULL if what is surely asked for is more
- * than the machine has. */
-static double *room(const fvi_table *t)
+double *fvi_run_room(const fvi_table *t)
 {
     const fvi_options *o = t->o;
     return fvi_table_room(t, o->error > 0 /* fvi_step_search keeps rows */
@@ -149,6 +146,18 @@ static void warn(const fvi_options *o, const fvi_run *r)
     fputc('\n', stderr);
 }
 
+void fvi_adaptive_head(FILE *out, const fvi_options *o,
+                       const fvi_adaptive_counts *counts)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%c, %d stages", counts->form, counts->stages);
+    fvi_format_parameter(out, o->format, "form", text);
+    if (counts->steps == 0)
+        return;
+    snprintf(text, sizeof text, "%zu", counts->steps);
+    fvi_format_parameter(out, o->format, "steps taken", text);
+}
+
 int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
@@ -156,15 +165,18 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_stepper *s = NULL;
     int failed = 1, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
-    if ((t.rows = room(&t)))
+    if ((t.rows = fvi_run_room(&t)))
         status = fvi_start(o->method, &r, &s);
     if (status) {
-        complain_of_start(status);
+        fvi_complain_of_start(status);
     } else if (!(t.out = fvi_output_open(o->output))) {
         fvi_cannot_write(o->output);
     } else {
         warn(o, &r);
         fvi_table_head(t.out, o);
+        fvi_adaptive_counts counts;
+        if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
+            fvi_adaptive_head(t.out, o, &counts);
         fvi_table_names(&t);
         failed = steps_and_rows(&t, s);
         if (!failed)
@@ -174,89 +186,5 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     }
     fvi_stop(s);
     free(t.rows);
-    return failed;
-}
-
-/* ---- run --error ---- */
-
-/* Find the step; say what was found, or how near it came. */
-static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, fvi_step_found *found)
-{
-    const int terminal = isatty(STDERR_FILENO);
-    if (terminal)
-        fprintf(stderr, "looking for the step ...");
-    int status =
-        fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x, p, found);
-    if (terminal)
-        fprintf(stderr, "\r\033[K");
-    const fvi_method *other =
-        status == FVI_ETOL ? fvi_step_search_other(o->method, r) : NULL;
-    if (status == FVI_ETOL && isfinite(found->estimate))
-        fprintf(stderr,
-                "fvi: --error: %g is out of reach; the smallest estimate was "
-                "%.2g, with the step %.4g%s%s\n",
-                o->error, found->estimate, o->h / (double)found->parts,
-                other ? "; try --method " : "", other ? other->name : "");
-    else if (status == FVI_ETOL)
-        fvi_complain("--error: no step gives a result that can be trusted");
-    else if (status)
-        complain_of_start(status);
-    else
-        fprintf(stderr,
-                "fvi: the error of x is about %.2g, with the step %.4g\n",
-                found->estimate, o->h / (double)found->parts);
-    return status != 0;
-}
-
-static int print_found(const fvi_options *o, const fvi_system *system,
-                       const fvi_step_found *found, const double *x,
-                       const double *p)
-{
-    fvi_table t;
-    fvi_table_shape(&t, o, system);
-    if (!(t.rows = room(&t)))
-        return fvi_complain("not enough memory");
-    int failed = 1;
-    if ((t.out = fvi_output_open(o->output))) {
-        fvi_table_head(t.out, o);
-        char text[32];
-        fvi_shortest(o->h / (double)found->parts, text);
-        fvi_format_parameter(t.out, o->format, "step", text);
-        snprintf(text, sizeof text, "%.2g", found->estimate);
-        fvi_format_parameter(t.out, o->format, "error estimate", text);
-        fvi_table_names(&t);
-        int status = 0;
-        size_t k = 0;
-        for (; k <= o->steps && !status && !ferror(t.out); k++)
-            status = fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
-        failed = status ? fvi_stopped_at(k - 1, status) : 0;
-        if (!failed)
-            fvi_table_finish(&t);
-        if (fvi_output_close(t.out, !failed) != 0)
-            failed = fvi_cannot_write(o->output);
-    } else {
-        fvi_cannot_write(o->output);
-    }
-    free(t.rows);
-    return failed;
-}
-
-int fvi_command_error(const fvi_options *o, const fvi_system *system)
-{
-    const fvi_run r = fvi_options_run(o, system);
-    fvi_step_found found;
-    fvi_table t;
-    fvi_table_shape(&t, o, system);
-    double *rows = room(&t); /* is there enough, before anything is tried? */
-    double *x = rows ? malloc(2 * (o->steps + 1) * o->d * sizeof *x) : NULL;
-    free(rows);
-    if (!x)
-        return fvi_complain("not enough memory");
-    double *p = x + (o->steps + 1) * o->d;
-    int failed = find_step(o, &r, x, p, &found);
-    if (!failed)
-        failed = print_found(o, system, &found, x, p);
-    free(x);
     return failed;
 }

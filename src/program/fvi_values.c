@@ -34,11 +34,12 @@ static int choice(const fvi_options *o, option_index i,
 
 /* ---- what belongs together ---- */
 
-/* A jump of the force that is not at a row is what no estimate can see. */
+/* A jump of the force that is not at a row is what no estimate can see, but that of a
+ * method whose steps end there. */
 static int interpret_error(fvi_options *o, fvi_complaint c)
 {
     int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
-    for (size_t i = 0; !status; i++) {
+    for (size_t i = 0; !status && !o->method->dense; i++) {
         const double jump = o->forces ? fvi_forces_jump(o->forces, i)
                             : i == 0 && o->force == FVI_FORCING_STEP
                                 ? o->forcing[1]

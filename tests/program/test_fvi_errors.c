@@ -47,8 +47,10 @@ START_TEST(bad_use_is_refused)
         "1e15;"
         "run --error 0;run --error -1;run --error nan;run --error inf;"
         "run --error 1e-3 --h 0.1;run --error 1e-3 --h 0.1 --time 1;"
-        "exact --error 1e-3;run --error 1e-3 --force step:1,1.05;"
-        "run --error 1e-3 --force step:1,1 --steps 7;"
+        "exact --error 1e-3;run --error 1e-3 --method fvi --force "
+        "step:1,1.05;"
+        "run --error 1e-3 --method fvi --force step:1,1 --steps 7;"
+        "run --error 1e-3 --kappa 1;run --error 1e-3 --memory direct;"
         "run --method fvi-lobatto3 --memory fft;run --method fvi-lobatto";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
@@ -170,14 +172,17 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
     ck_assert_ptr_nonnull(strstr(err, "; try --method fvi-adaptive\n"));
     ck_assert_int_eq(
         fvi("run --error 1e-9 --time 2 --steps 4 --method fvi-lobatto4"), 0);
-    ck_assert_int_eq(fvi("run --error 1 --alpha 1 --rho 1e300 -o none"), 1);
+    ck_assert_int_eq(fvi("run --error 1 --alpha 1 --rho 1e300 -o none --method fvi"),
+                     1);
     ck_assert_str_eq(
         err, "fvi: --error: no step gives a result that can be trusted\n");
     ck_assert(!exists("none"));
     ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
     ck_assert_str_eq(err, "fvi: not enough memory\n");
-    ck_assert_int_eq(fvi("run --error 0.1 --steps 20 --force step:1,1"), 0);
-    ck_assert_int_eq(fvi("run --error 0.1 --steps 30 --force step:1,99"), 0);
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 20 --force step:1,1 --method fvi"),
+                     0);
+    ck_assert_int_eq(fvi("run --error 0.1 --steps 30 --force step:1,99 --method fvi"),
+                     0);
 }
 END_TEST
 

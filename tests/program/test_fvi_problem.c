@@ -225,7 +225,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
     REFUSED("exact --potential 'x^2'",
             "fvi: --potential: 'x^2' has no exact solution here; harmonic:C "
             "with C >= 0 and free have");
-    REFUSED("run --error 0.1 --force 'step:1,1 + step:1,1.05'",
+    REFUSED("run --error 0.1 --method fvi --force 'step:1,1 + step:1,1.05'",
             "fvi: --error: the force 'step:1,1 + step:1,1.05' ends between two "
             "rows; take other --steps");
 }

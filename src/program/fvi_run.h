@@ -1,0 +1,22 @@
+/* src/program/fvi_run.h -- What the two ways of `fvi run` share: by a given step, and to a
+ * wanted error. */
+#ifndef FVI_RUN_H
+#define FVI_RUN_H
+
+#include <fvi/variable_steps.h>
+#include "fvi_commands.h"
+#include "fvi_table.h"
+
+/* fvi_run_room -- room for the rows that are kept; NULL if what is surely asked for is more
+ * than the machine has. */
+double *fvi_run_room(const fvi_table *t);
+
+/* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
+int fvi_complain_of_start(int status);
+
+/* fvi_adaptive_head -- two lines of the head: what a method that chooses its steps has
+ * chosen; how many of them, if not 0. */
+void fvi_adaptive_head(FILE *out, const fvi_options *o,
+                       const fvi_adaptive_counts *counts);
+
+#endif

@@ -1,0 +1,123 @@
+/* tests/program/test_fvi_adaptive.c -- Program: steps of the method's own, `run --error`.
+ * Run alone: make test-fvi_adaptive */
+#define _GNU_SOURCE
+#include "program.h"
+
+/* The largest difference of column 1 from that of `exact`, in the rows. */
+static double off_by(const char *options)
+{
+    static double want[1000];
+    char line[400];
+    snprintf(line, sizeof line, "exact %s", options);
+    ck_assert_int_eq(fvi(line), 0);
+    const size_t rows = count_rows();
+    for (size_t k = 0; k < rows; k++)
+        want[k] = cell(k, 1);
+    snprintf(line, sizeof line, "run --error 1e-9 %s", options);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_uint_eq(count_rows(), rows);
+    double worst = 0;
+    for (size_t k = 0; k < rows; k++)
+        worst = fmax(worst, fabs(cell(k, 1) - want[k]));
+    return worst;
+}
+
+/* The wanted error, by the method that is taken where none is named, with a force that
+ * ends between two rows and with every past; the head and standard error say what was
+ * done. Seen: 2e-4 of 1e-9. */
+START_TEST(a_wanted_error_needs_no_other_word)
+{
+    static const char *const problems[] = {
+        "--steps 7 --time 20 --alpha 0.75 --rho 1 --x0 0 --force step:8,0.731",
+        "--steps 300 --time 20 --alpha 0.3 --derivative rl --force cosine:1,9",
+        "--steps 3 --time 1000 --alpha 0.75 --derivative caputo --rho 1e4",
+    };
+    for (size_t i = 0; i < LEN(problems); i++) {
+        ck_assert_near(off_by(problems[i]), 0, 1e-9, "%s", problems[i]);
+        double estimate = 7, said = 8;
+        unsigned steps = 0, of = 1;
+        ck_assert_ptr_nonnull(strstr(out, "\n# method = fvi-adaptive\n"));
+        const char *head = strstr(out, "\n# form = D, 8 stages\n");
+        ck_assert(head
+                  && sscanf(head,
+                            "\n# form = D, 8 stages\n# steps taken = %u\n"
+                            "# error estimate = %lg\n",
+                            &steps, &estimate)
+                         == 2);
+        ck_assert_int_eq(sscanf(err,
+                                "fvi: the error of x is about %lg, in %u "
+                                "steps\n",
+                                &said, &of),
+                         2);
+        ck_assert(said == estimate && estimate <= 1e-9 && steps == of
+                  && steps > 20 && count_lines(err) == 1);
+    }
+}
+END_TEST
+
+/* Rows where --h and --steps say, whatever the steps; the mirror of them too. */
+START_TEST(rows_are_where_they_are_wanted)
+{
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --h 0.01 --steps 1000 "
+                         "--every 250 --columns t,x,y --alpha 0.3"),
+                     0);
+    ck_assert_uint_eq(count_rows(), 5);
+    ck_assert_ptr_nonnull(strstr(out, "\n# form = D, 8 stages\n# t\t"));
+    ck_assert_str_eq(err, "");
+    double x[5];
+    for (size_t k = 0; k < 5; k++) {
+        ck_assert(cell(k, 0) == 2.5 * (double)k);
+        x[k] = cell(k, 1);
+    }
+    for (size_t k = 0; k < 5; k++)
+        ck_assert(cell(k, 2) == x[4 - k]);
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --h 2.5 --steps 4 "
+                         "--alpha 0.3"),
+                     0);
+    for (size_t k = 0; k < 5; k++)
+        ck_assert_near(cell(k, 1), x[k], 1e-9, "k=%zu", k);
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --rho 0 --steps 3"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# form = M, 8 stages\n"));
+}
+END_TEST
+
+/* A table of a force has a kink at each of its rows: the steps end there. */
+START_TEST(kinks_of_a_table_are_met)
+{
+    ck_assert_int_eq(shell("printf '0 0\n1.3 2\n1.7 -1\n30 0.5\n' > F"), 0);
+    ck_assert_int_eq(fvi("run --error 1e-11 --force file:F --steps 20 "
+                         "--alpha 0.3"),
+                     0);
+    const double x = cell(20, 1);
+    ck_assert_int_eq(fvi("run --error 1e-12 --force file:F --steps 160 "
+                         "--alpha 0.3"),
+                     0);
+    ck_assert_near(cell(160, 1), x, 1e-11, "x(20)");
+}
+END_TEST
+
+/* What is out of reach is said, with how near it came; and nothing is printed. */
+START_TEST(an_error_below_rounding_is_refused)
+{
+    double best = 0;
+    unsigned steps = 0;
+    ck_assert_int_eq(fvi("run --error 1e-17 --alpha 0.3"), 1);
+    ck_assert_str_eq(out, "");
+    ck_assert_int_eq(sscanf(err,
+                            "fvi: --error: 1e-17 is out of reach; the smallest "
+                            "estimate was %lg, in %u steps\n",
+                            &best, &steps),
+                     2);
+    ck_assert(best > 1e-14 && best < 1e-12 && steps > 100
+              && !strstr(err, "try"));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: steps of its own");
+    ADD_CASE(suite, "error", a_wanted_error_needs_no_other_word,
+             rows_are_where_they_are_wanted, kinks_of_a_table_are_met,
+             an_error_below_rounding_is_refused);
+    return run_suite_of_program(suite);
+}
