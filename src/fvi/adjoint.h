@@ -73,7 +73,7 @@ typedef struct {
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
- * parameters are wanted and sensitivity.rows is NULL; FVI_EUNSUP if the method has no
+ * parameters are wanted and sensitivity.column is NULL; FVI_EUNSUP if the method has no
  * adjoint, or needs more than x; FVI_ESING if the equation of a step backwards has no
  * unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
  * On error the outputs are of no use. */

@@ -11,13 +11,13 @@ extern "C" {
 
 /* fvi_sensitivity -- the derivatives of grad U by numbers on which U depends.
  *
- *   count  how many such numbers theta_0, ..., theta_{count-1} there are
- *   rows   writes d^2U / dx_i dtheta_j at x to S[j * d + i], count * d numbers, and
- *          returns as the functions of a potential do (system.h); it is handed the
- *          params of the potential. May be NULL if count is 0 */
+ *   count   how many such numbers theta_0, ..., theta_{count-1} there are
+ *   column  writes the d numbers d^2U / dx_i dtheta_j at x to S, and returns as the
+ *           functions of a potential do (system.h); it is handed the params of the
+ *           potential. May be NULL if count is 0 */
 typedef struct {
     size_t count;
-    int (*rows)(size_t d, const double *x, void *params, double *S);
+    int (*column)(size_t j, size_t d, const double *x, void *params, double *S);
 } fvi_sensitivity;
 
 /* fvi_sensitivity_of -- that of a potential which is ready to use (system.h), its

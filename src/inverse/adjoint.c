@@ -18,7 +18,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         || method->scheme == FVI_SCHEME_STAGES)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
-        && !want->sensitivity.rows)
+        && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
     fvi_stepper *s; /* knows what a run may be */
     int status = fvi_start(method, run, &s);

@@ -9,17 +9,18 @@
 
 /* ---- the start ---- */
 
-enum { ARRAYS = 20 };
+enum { ARRAYS = 21 };
 
 static int allocate(fvi_mirror *m)
 {
     const size_t d = m->d;
     const fvi_potential *u = &m->run->system->potential;
-    double **each[ARRAYS] = { &m->c,    &m->lambda, &m->delta,   &m->q,
-                              &m->nu,   &m->dnu,    &m->N,       &m->Ndot,
-                              &m->M,    &m->S,      &m->work,    &m->sum,
-                              &m->rate, &m->plain,  &m->linear,  &m->kinetic,
-                              &m->pull, &m->shift,  &m->pulldot, &m->before };
+    double **each[ARRAYS] = { &m->c,     &m->lambda, &m->delta,   &m->q,
+                              &m->nu,    &m->dnu,    &m->N,       &m->Ndot,
+                              &m->M,     &m->S,      &m->work,    &m->sum,
+                              &m->rate,  &m->plain,  &m->linear,  &m->kinetic,
+                              &m->pull,  &m->shift,  &m->pulldot, &m->before,
+                              &m->column };
     double *block = calloc(ARRAYS * d, sizeof *block);
     if (!block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
@@ -28,10 +29,7 @@ static int allocate(fvi_mirror *m)
     m->block = block;
     if (u->hessian)
         m->G = malloc(fvi_hessian_room(m->run->system) * sizeof *m->G);
-    if (m->want->parameters)
-        m->theta_rows =
-            malloc(m->want->sensitivity.count * d * sizeof *m->theta_rows);
-    if ((u->hessian && !m->G) || (m->want->parameters && !m->theta_rows))
+    if (u->hessian && !m->G)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     if (u->hessian && u->diagonals != 1
         && fvi_band_alloc(d, (u->diagonals ? u->diagonals : d) - 1, &m->J))
@@ -110,7 +108,6 @@ void fvi_mirror_stop(fvi_mirror *m)
     free(m->block);
     free(m->terms);
     free(m->G);
-    free(m->theta_rows);
 }
 
 /* ---- the end ---- */

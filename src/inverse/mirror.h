@@ -21,6 +21,7 @@ typedef struct {
     double *q;              /* each: the momentum of the mirrored run */
     double *nu, *dnu;       /* each: what the memory takes in, (23.7) */
     double *N, *Ndot; /* each: what it gives, and its derivative by 2 alpha */
+    double *column;   /* each: of the sensitivity */
     double *M, *S, *work;   /* each */
     double *sum, *rate;     /* each: sum_j z_j N_j, sum_j z_j Ndot_j */
     double *plain, *linear; /* each: sum_j N_j, sum_j j N_j */
@@ -37,10 +38,9 @@ typedef struct {
     int is_pulled;
     fvi_past_pull fading;
 
-    fvi_band J;         /* m/h + theta c + kappa (1 - kappa) h G, its factors */
-    double *G;          /* the Hessian; NULL: no potential; owned */
-    double *theta_rows; /* of the sensitivity; owned */
-    int is_ready;       /* U is quadratic, and J and G stay */
+    fvi_band J;   /* m/h + theta c + kappa (1 - kappa) h G, its factors */
+    double *G;    /* the Hessian; NULL: no potential; owned */
+    int is_ready; /* U is quadratic, and J and G stay */
 } fvi_mirror;
 
 /* fvi_mirror_start -- at node N, where lambda_N = J_p.

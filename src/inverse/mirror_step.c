@@ -189,13 +189,13 @@ static int meet(fvi_mirror *m, const double *rows)
     apply(m, m->M, m->work);
     for (size_t i = 0; i < d; i++)
         m->q[i] -= h * m->work[i];
-    if (!m->want->parameters)
-        return FVI_SUCCESS;
-    int status =
-        s->rows(d, m->S, m->run->system->potential.params, m->theta_rows);
-    for (size_t j = 0; !status && j < s->count; j++)
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; m->want->parameters && !status && j < s->count; j++) {
+        status =
+            s->column(j, d, m->S, m->run->system->potential.params, m->column);
         for (size_t i = 0; i < d; i++)
-            m->want->parameters[j] -= h * m->theta_rows[j * d + i] * m->M[i];
+            m->want->parameters[j] -= h * m->column[i] * m->M[i];
+    }
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include <fvi/methods.h>
 #include "fvi_commands.h"
 #include "fvi_fit.h"
+#include "fvi_gradient.h"
 #include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
@@ -158,6 +159,8 @@ int main(int argc, char **argv)
             return 1;
     if (fvi_is_fit(argc, argv))
         return fvi_command_fit(argc, argv);
+    if (fvi_is_gradient(argc, argv))
+        return fvi_command_gradient(argc, argv);
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
         fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",

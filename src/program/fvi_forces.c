@@ -64,6 +64,19 @@ static int value_of(const part *p, double t, double *F)
     return force.value(t, 1, force.params, F);
 }
 
+double fvi_forces_by_parameter(const fvi_forces *f, size_t j, double t)
+{
+    double sum = 0;
+    for (size_t i = 0; i < f->count; i++) {
+        double one = 0;
+        if (f->parts[i].expression)
+            fvi_expression_by_parameter(f->parts[i].expression, j, &t, &one,
+                                        NULL);
+        sum += one;
+    }
+    return sum;
+}
+
 static int force_value(double t, size_t d, void *params, double *F)
 {
     const fvi_forces *f = params;

@@ -20,6 +20,9 @@ int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
 /* fvi_forces_force -- the same on every mass. f must outlive it. */
 fvi_force fvi_forces_force(const fvi_forces *f);
 
+/* fvi_forces_by_parameter -- the derivative at t by parameter number j of the lets. */
+double fvi_forces_by_parameter(const fvi_forces *f, size_t j, double t);
+
 /* fvi_forces_jump -- the number i, from 0, of the times at which the force jumps, as far as
  * it is known: the ends of its steps. NaN if there are not so many. */
 double fvi_forces_jump(const fvi_forces *f, size_t i);

@@ -120,7 +120,8 @@ static inline void complex_step(const complex_run *r, const double complex *x,
                                 double complex *g)
 {
     const double share = r->kappa * r->h;
-    for (int it = 0; it < 30; it++) {
+    for (int left = 30; left > 0; left--) {
+        double change = 0;
         double complex S[MOST], e[MOST], H[MOST][MOST];
         for (size_t i = 0; i < r->d; i++)
             S[i] = x[i] + (1 - r->kappa) * dx[i];
@@ -132,8 +133,12 @@ static inline void complex_step(const complex_run *r, const double complex *x,
             H[i][i] += inertia[i];
         }
         complex_solve(r->d, H, e);
-        for (size_t i = 0; i < r->d; i++)
+        for (size_t i = 0; i < r->d; i++) {
             dx[i] += e[i];
+            change = fmax(change, fabs(creal(e[i])));
+        }
+        if (change < 1e-9 && left > 3) /* twice more, for both parts */
+            left = 3;
     }
 }
 

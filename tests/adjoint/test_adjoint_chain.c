@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_rng.h>
 
-enum { D = 5, N = 40 };
+enum { D = 5, N = 24 };
 
 /* Five masses, springs of Duffing's, one mass undamped; something of each kind. */
 typedef struct {
@@ -49,9 +49,11 @@ static chain *random_chain(gsl_rng *rng, const fvi_method *method,
         c->F[k] = uniform(rng, -1, 1);
     c->cg[0] = uniform(rng, 0.5, 2);
     c->cg[1] = uniform(rng, 0.2, 1);
-    c->system = (fvi_system){
-        D, c->mass, c->rho, fvi_potential_chain(c->cg), { table_value, c }
-    };
+    c->system = (fvi_system){ D,
+                              c->mass,
+                              c->rho,
+                              fvi_potential_chain(c->cg),
+                              { .value = table_value, .params = c } };
     c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 16, N);
     c->run.kappa = uniform(rng, 0.2, 0.8);
     c->run.alpha = alpha;
@@ -81,11 +83,12 @@ static void ck_assert_slopes(complex_run *r, double complex *number,
                              const double *got, size_t count, const char *what)
 {
     double want[LENGTH * MOST], largest = 0;
-    for (size_t i = 0; i < count; i++) {
+    const size_t stride = count > D ? 7 : 1; /* of many forces, some */
+    for (size_t i = 0; i < count; i += stride) {
         want[i] = complex_slope(r, number + i);
         largest = fmax(largest, fabs(want[i]));
     }
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i += stride)
         ck_assert_near(got[i], want[i], 1e-11 * largest,
                        "%s %zu, scheme %d past %d alpha=%g", what, i,
                        (int)r->scheme, (int)r->past, creal(r->alpha));

@@ -1,0 +1,402 @@
+/* src/program/fvi_gradient.c -- The command `fvi gradient`: derivatives of a last row. */
+#include "fvi_gradient.h"
+
+#include <fvi/fvi.h>
+#include "fvi_commands.h"
+#include "fvi_options.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const own_words[] = { "of", "forces", NULL };
+typedef enum { OF, FORCES, OWN } own_index;
+
+/* Of a run, and of no use to its derivatives. */
+static const char *const not_for_gradient[] = { "error", "columns", "every",
+                                                "format", NULL };
+
+/* What the words say, and what comes out. */
+typedef struct {
+    const char *own[OWN];
+    fvi_options o;
+    size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
+    fvi_system system;
+    fvi_run run;
+    double value; /* of what is differentiated */
+    fvi_gradients to;
+    double *numbers, *lets, *force; /* by each --let, by each F */
+} request;
+
+/* ---- words ---- */
+
+/* The number of this long option, "--name" or "--name=value", or -1. */
+static int index_of(const char *word, const char *const *names)
+{
+    const size_t length = strcspn(word, "=");
+    for (int i = 0; names[i]; i++)
+        if (strncmp(word, "--", 2) == 0 && length == strlen(names[i]) + 2
+            && strncmp(word + 2, names[i], length - 2) == 0)
+            return i;
+    return -1;
+}
+
+/* Words of `gradient` into r; those that it shares with `run` into run. */
+static int sort_words(request *r, int argc, char **argv, char **run, int *count,
+                      fvi_complaint c)
+{
+    for (int i = 2; i < argc; i++) {
+        char *word = argv[i], *value = strchr(word, '=');
+        const int own = index_of(word, own_words);
+        if (index_of(word, not_for_gradient) >= 0)
+            return fvi_refuse(c, "%.*s: not an option of this command",
+                              (int)strcspn(word, "="), word);
+        if (own < 0) {
+            run[(*count)++] = word;
+            if (*word == '-' && !value && i + 1 < argc)
+                run[(*count)++] = argv[++i];
+            continue;
+        }
+        value = value ? value + 1 : i + 1 < argc ? argv[++i] : NULL;
+        if (!value)
+            return fvi_refuse(c, "--%s: a value is missing", own_words[own]);
+        if (r->own[own] && strcmp(r->own[own], value) != 0)
+            return fvi_refuse(c, "--%s: given twice, as '%s' and as '%s'",
+                              own_words[own], r->own[own], value);
+        r->own[own] = value;
+    }
+    return 0;
+}
+
+/* x, p, energy; x:2, p:2. */
+static int interpret_of(request *r, fvi_complaint c)
+{
+    static const char *const known[] = { "x", "p", "energy", NULL };
+    if (!r->own[OF])
+        r->own[OF] = r->o.d > 1 ? "energy" : "x";
+    const char *text = r->own[OF], *colon = strchr(text, ':');
+    char word[8] = "";
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
+    if (fvi_word_choice("of", word, known, &r->of, c))
+        return 2;
+    if (!colon && r->of < 2 && r->o.d > 1)
+        return fvi_refuse(c, "--of: '%s' of which mass? %s:1 to %s:%zu", text,
+                          word, word, r->o.d);
+    if (colon && r->of == 2)
+        return fvi_refuse(c, "--of: '%s': there is one energy", text);
+    int status = colon ? fvi_word_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
+    r->i -= colon != NULL;
+    return status;
+}
+
+static int interpret(request *r, fvi_complaint c)
+{
+    const fvi_method *m = r->o.method;
+    if (m->scheme == FVI_SCHEME_OTHER || m->scheme == FVI_SCHEME_STAGES)
+        return fvi_refuse(c,
+                          "--method: '%s' has no gradient; fvi, fvi-shifted "
+                          "and fvi-bdf2 have",
+                          m->name);
+    if (r->own[FORCES] && !*r->own[FORCES])
+        return fvi_refuse(c, "--forces: '' is not a file's name");
+    return interpret_of(r, c);
+}
+
+/* ---- derivatives ---- */
+
+static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
+{
+    double value;
+    (void)d;
+    fvi_expression_by_parameter(params, j, x, &value, S);
+    return 0;
+}
+
+static int slopes(size_t k, size_t d, const double *x, const double *p,
+                  void *params, double *Jx, double *Jp)
+{
+    const request *r = params;
+    (void)k;
+    if (!p)
+        return 0;
+    if (r->of < 2) {
+        (r->of ? Jp : Jx)[r->i] = 1;
+        return 0;
+    }
+    for (size_t i = 0; i < d; i++)
+        Jp[i] = p[i] / r->system.mass[i];
+    return fvi_gradient(&r->system, x, Jx);
+}
+
+/* dU/dtheta_j at x: U is linear in the parameters of what is ready to use. */
+static int energy_by(const request *r, size_t j, const double *x, double *value)
+{
+    if (r->o.expression) {
+        fvi_expression_by_parameter(r->o.expression, j, x, value, NULL);
+        return 0;
+    }
+    const double unit[2] = { j == 0, j == 1 };
+    fvi_system system = r->system;
+    system.potential.params = (void *)unit;
+    return fvi_potential_value(&system, x, value);
+}
+
+/* What the last energy has of masses and parameters besides x_N and p_N. */
+static int add_energy(request *r, const double *x, const double *p)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        const double v = p[i] / r->o.mass[i];
+        r->to.mass[i] -= v * v / 2;
+    }
+    int status = 0;
+    for (size_t j = 0; j < r->to.sensitivity.count && !status; j++) {
+        double value = 0;
+        status = energy_by(r, j, x, &value);
+        r->to.parameters[j] += value;
+    }
+    return status;
+}
+
+/* A --let may stand in the force. */
+static void add_forces(request *r)
+{
+    for (size_t j = 0; r->o.forces && j < r->o.lets.count; j++)
+        for (size_t k = 0; k <= r->o.steps; k++) {
+            const double by =
+                fvi_forces_by_parameter(r->o.forces, j, (double)k * r->o.h);
+            for (size_t i = 0; i < r->o.d; i++)
+                r->lets[j] += by * r->force[k * r->o.d + i];
+        }
+}
+
+/* The run, all its rows, and back. */
+static int differentiate(request *r)
+{
+    const fvi_objective objective = { slopes, r };
+    const size_t d = r->o.d, N = r->o.steps;
+    fvi_stepper *s;
+    int status = fvi_start(r->o.method, &r->run, &s);
+    if (status)
+        return fvi_complain(fvi_strerror(status));
+    while (s->k < N && !(status = fvi_step(s)))
+        fvi_progress(s->k, N);
+    fvi_progress_clear();
+    const size_t reached = s->k;
+    if (!status)
+        status = r->of < 2 ? 0 : fvi_energy(&r->system, s->x, s->p, &r->value);
+    if (r->of < 2)
+        r->value = (r->of ? s->p : s->x)[r->i];
+    double *last = malloc(2 * d * sizeof *last);
+    if (last)
+        memcpy(last, s->x, 2 * d * sizeof *last); /* x, and p behind it */
+    fvi_stop(s);
+    if (status) {
+        free(last);
+        return fvi_stopped_at(reached + (reached < N), status);
+    }
+    status =
+        last ? fvi_adjoint(r->o.method, &r->run, NULL, NULL, &objective, &r->to)
+             : FVI_ENOMEM;
+    if (!status)
+        add_forces(r);
+    if (!status && r->of == 2)
+        status = add_energy(r, last, last + d);
+    free(last);
+    return status ? fvi_complain(status == FVI_ENOMEM ? "not enough memory"
+                                                      : fvi_strerror(status))
+                  : 0;
+}
+
+static int make_room(request *r)
+{
+    const size_t d = r->o.d;
+    r->system = fvi_options_system(&r->o);
+    r->run = fvi_run_default(&r->system, r->o.x0, r->o.p0, r->o.h, r->o.steps);
+    r->run.alpha = r->o.alpha;
+    r->run.kappa = r->o.kappa;
+    r->run.past = r->o.past;
+    r->run.memory = r->o.memory;
+    r->run.tolerance = r->o.tolerance;
+    r->to.sensitivity = fvi_sensitivity_of(&r->system.potential);
+    if (r->o.expression)
+        r->to.sensitivity = (fvi_sensitivity){ r->o.lets.count, by_let };
+    const double rows = 8 * (double)d * (double)(r->o.steps + 1);
+    const int wanted = r->own[FORCES] || (r->o.forces && r->o.lets.count > 0);
+    r->numbers = calloc(4 * d + 3 + r->o.lets.count, sizeof(double));
+    if (wanted && rows < fvi_machine_bytes())
+        r->force = malloc((r->o.steps + 1) * d * sizeof *r->force);
+    if (!r->numbers || (wanted && !r->force))
+        return fvi_complain("not enough memory");
+    r->to.x0 = r->numbers;
+    r->to.p0 = r->to.x0 + d;
+    r->to.mass = r->to.p0 + d;
+    r->to.damping = r->to.mass + d;
+    r->to.alpha = r->to.damping + d;
+    r->lets = r->to.alpha + 3; /* behind c and g */
+    r->to.parameters = r->o.expression ? r->lets : r->to.alpha + 1;
+    r->to.force = r->force;
+    return 0;
+}
+
+/* ---- the answer ---- */
+
+static void print_head(FILE *f, const request *r)
+{
+    const char *name, *value, *warning = fvi_table_warning(&r->o);
+    fprintf(f, "# fvi " FVI_VERSION "\n");
+    for (size_t i = 0; fvi_options_describe(&r->o, i, &name, &value); i++) {
+        int is_ours = 1;
+        for (size_t k = 0; not_for_gradient[k]; k++)
+            is_ours &= strcmp(name, not_for_gradient[k]) != 0;
+        if (is_ours)
+            fprintf(f, "# %s = %s\n", name, value);
+    }
+    fprintf(f, "# of = %s\n", r->own[OF]);
+    if (warning)
+        fprintf(f, "# warning = %s\n", warning);
+}
+
+/* One for each mass: name, or name_1, name_2, ... */
+static void print_each(FILE *f, const request *r, const char *name,
+                       const double *by)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        char number[24] = "";
+        if (r->o.numbered)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        if (isnan(by[i]))
+            fprintf(f,
+                    "# warning = no derivative by %s%s: other starts have "
+                    "no solution\n",
+                    name, number);
+        else
+            fprintf(f, "%s%s\t%.17g\n", name, number, by[i]);
+    }
+}
+
+static int print_answer(const request *r)
+{
+    static const char *const c_and_g[] = { "c", "g" };
+    FILE *f = fvi_output_open(r->o.output);
+    if (!f)
+        return fvi_cannot_write(r->o.output);
+    print_head(f, r);
+    fprintf(f, "# value = %.17g\n# name\tderivative\n", r->value);
+    print_each(f, r, "x0", r->to.x0);
+    print_each(f, r, "p0", r->to.p0);
+    print_each(f, r, "mass", r->to.mass);
+    print_each(f, r, "rho", r->to.damping);
+    fprintf(f, "alpha\t%.17g\n", *r->to.alpha);
+    const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
+    for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
+        fprintf(f, "%s\t%.17g\n", pendulum ? "g" : c_and_g[j],
+                r->to.parameters[j]);
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        fprintf(f, "%s\t%.17g\n", r->o.lets.name[j], r->lets[j]);
+    return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;
+}
+
+static int print_forces(const request *r)
+{
+    const size_t d = r->o.d;
+    if (!r->own[FORCES])
+        return 0;
+    FILE *f = fvi_output_open(r->own[FORCES]);
+    if (!f)
+        return fvi_cannot_write(r->own[FORCES]);
+    print_head(f, r);
+    fprintf(f, "# t");
+    for (size_t i = 0; i < d; i++)
+        if (r->o.numbered)
+            fprintf(f, "\tF%zu", i + 1);
+        else
+            fprintf(f, "\tF");
+    for (size_t k = 0; k <= r->o.steps; k++) {
+        fprintf(f, "\n%.17g", (double)k * r->o.h);
+        for (size_t i = 0; i < d; i++)
+            fprintf(f, "\t%.17g", r->force[k * d + i]);
+    }
+    fputc('\n', f);
+    return fvi_output_close(f, 1) ? fvi_cannot_write(r->own[FORCES]) : 0;
+}
+
+/* ---- the command ---- */
+
+static const char usage_gradient[] =
+    "usage: fvi gradient [options]\n"
+    "the derivatives of the last row of a run by all that determines it\n"
+    "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
+    "many]\n"
+    "  --forces FILE    t, and the derivative by the force at t\n"
+    "and of run: --method (fvi, fvi-shifted, fvi-bdf2) --alpha --rho --mass\n"
+    "--potential --let --dimension --force --derivative --kappa --x0 --p0 --h\n"
+    "--steps --time --memory --tolerance -o\n"
+    "\n"
+    "example:\n"
+    "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";
+
+int fvi_is_gradient(int argc, char **argv)
+{
+    return (argc > 1 && strcmp(argv[1], "gradient") == 0)
+           || (argc == 3 && strcmp(argv[1], "help") == 0
+               && strcmp(argv[2], "gradient") == 0);
+}
+
+static int is_help(int argc, char **argv)
+{
+    int help = strcmp(argv[1], "help") == 0;
+    for (int i = 2; i < argc; i++)
+        help |= strcmp(argv[i], "-h") == 0 || strcmp(argv[i], "--help") == 0;
+    return help;
+}
+
+static int answer(request *r)
+{
+    int failed = make_room(r);
+    if (!failed && fvi_table_warning(&r->o))
+        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(&r->o));
+    if (!failed)
+        failed = differentiate(r);
+    if (!failed)
+        failed = print_answer(r);
+    if (!failed)
+        failed = print_forces(r);
+    free(r->numbers);
+    free(r->force);
+    return failed;
+}
+
+int fvi_command_gradient(int argc, char **argv)
+{
+    char complaint[FVI_COMPLAINT] = "";
+    const fvi_complaint c = { complaint, sizeof complaint };
+    request r = { .i = 0 };
+    int count = 2;
+    if (is_help(argc, argv)) {
+        fputs(usage_gradient, stdout);
+        return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
+    }
+    char **run = malloc(((size_t)argc + 1) * sizeof *run);
+    if (!run)
+        return fvi_complain("not enough memory");
+    run[0] = argv[0];
+    run[1] = "run";
+    int status = sort_words(&r, argc, argv, run, &count, c);
+    run[count] = NULL;
+    if (!status)
+        status =
+            fvi_options_parse(count, run, &r.o, complaint, sizeof complaint);
+    const int parsed = !status;
+    if (!status)
+        status = interpret(&r, c);
+    if (status)
+        fprintf(stderr, "fvi: %s\nTry 'fvi gradient --help'.\n", complaint);
+    else
+        status = answer(&r);
+    if (parsed)
+        fvi_options_free(&r.o);
+    free(run);
+    return status;
+}

@@ -1,0 +1,161 @@
+/* tests/program/test_fvi_gradient.c -- The command fvi gradient.
+ *                                         Run alone: make test-fvi_gradient */
+#define _GNU_SOURCE
+#include "program.h"
+
+/* The number behind `name` in out; the test fails without one. */
+static double derivative(const char *name)
+{
+    char wanted[40];
+    snprintf(wanted, sizeof wanted, "\n%s\t", name);
+    const char *at = strstr(out, wanted);
+    ck_assert_msg(at != NULL, "no row %s in\n%s", name, out);
+    return strtod(at + strlen(wanted), NULL);
+}
+
+/* The last number of a run with one more option: of x, p or energy. */
+static double last(const char *options, const char *column, const char *more)
+{
+    char line[1000];
+    snprintf(line, sizeof line, "run %s --columns %s --every 1000 %s", options,
+             column, more);
+    ck_assert_int_eq(fvi(line), 0);
+    const char *row = strrchr(out, '\n');
+    while (row > out && row[-1] != '\n')
+        row--;
+    return strtod(row, NULL);
+}
+
+static const char *const runs[] = {
+    "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --force cosine:0.3,1",
+    "--alpha 0.7 --method fvi-shifted --potential pendulum:1 --rho 0.3",
+    "--alpha 0.7 --method fvi-bdf2 --potential 'k*x^4/4+x^2/2' --let k=0.5 "
+    "--force 'cos(k*t)' --derivative caputo",
+};
+
+/* Each row against a central difference of two runs, 2e-5 wide: its own error is some
+ * 1e-10/6 times a third derivative (t^3 = 8000 in cos(k t)), and 1e-14/1e-5 of rounding. */
+START_TEST(rows_of_a_gradient_are_differences_of_runs)
+{
+    static const struct {
+        int run;
+        const char *name, *option;
+        double at;
+    } rows[] = {
+        { 0, "x0", "--x0", 1 },      { 0, "p0", "--p0", 0.5 },
+        { 0, "mass", "--mass", 1 },  { 0, "g", "--potential duffing:1,", 0.5 },
+        { 1, "x0", "--x0", 1 },      { 1, "p0", "--p0", 0.5 },
+        { 1, "mass", "--mass", 1 },  { 1, "g", "--potential pendulum:", 1 },
+        { 2, "k", "--let k=", 0.5 }, { 2, "mass", "--mass", 1 },
+    };
+    static const char *const of[] = { "x", "p", "energy" };
+    for (size_t i = 0; i < 3 * LEN(rows); i++) {
+        const size_t j = i / 3;
+        char line[1000], options[500], more[100], ends = ' ';
+        /* what is varied must not be given twice */
+        snprintf(options, sizeof options, "%s", runs[rows[j].run]);
+        char *given = strstr(options, rows[j].name[0] == 'g'   ? "--potential"
+                                      : rows[j].name[0] == 'k' ? "--let k"
+                                                               : "--nothing");
+        if (given) {
+            char *end = strchr(strchr(given, ' ') + 1, ' ');
+            memset(given, ' ', end ? (size_t)(end - given) : strlen(given));
+        }
+        double v[2];
+        if (rows[j].option[strlen(rows[j].option) - 1] == ','
+            || strchr(rows[j].option, '=') || strchr(rows[j].option, ':'))
+            ends = '\0';
+        for (int side = 0; side < 2; side++) {
+            snprintf(more, sizeof more, "%s%.*s%.17g", rows[j].option,
+                     ends == ' ', " ", rows[j].at + (side ? 1e-5 : -1e-5));
+            v[side] = last(options, of[i % 3], more);
+        }
+        snprintf(line, sizeof line, "gradient %s --of %s", runs[rows[j].run],
+                 of[i % 3]);
+        ck_assert_int_eq(fvi(line), 0);
+        const double slope = (v[1] - v[0]) / 2e-5;
+        ck_assert_near(derivative(rows[j].name), slope,
+                       1e-6 * fmax(1, fabs(slope)), "%s by %s, run %d",
+                       of[i % 3], rows[j].name, rows[j].run);
+    }
+}
+END_TEST
+
+/* Of two masses; and the table of forces, which for a kick adds up to what the kick does.
+ * The force of all steps together, cos(t) on every mass, times its table: for a linear
+ * system x_N is the sum of what x0, p0 and F do to it. Roundings of 200 sums. */
+START_TEST(the_forces_and_the_start_add_up_to_a_linear_motion)
+{
+    const char *line = "gradient --potential chain:2,1,0 --alpha 0.4 --x0 1,2 "
+                       "--p0 0.5,-1 --force cosine:0.3,1 --rho 0.4,0.1 --of "
+                       "x:2 --forces f.tsv";
+    ck_assert_int_eq(fvi(line), 0);
+    double sum = derivative("x0_1") + 2 * derivative("x0_2")
+                 + 0.5 * derivative("p0_1") - derivative("p0_2");
+    const double value = strtod(strstr(out, "# value = ") + 10, NULL);
+    ck_assert_int_eq(shell("cat f.tsv"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# t\tF1\tF2\n"));
+    ck_assert_uint_eq(count_rows(), 201);
+    for (size_t k = 0; k <= 200; k++)
+        sum += 0.3 * cos(cell(k, 0)) * (cell(k, 1) + cell(k, 2));
+    ck_assert_near(sum, value, 400 * U * 10, "x_N");
+}
+END_TEST
+
+START_TEST(bad_words_of_a_gradient_are_refused)
+{
+    static const struct {
+        const char *words, *complaint;
+    } bad[] = {
+        { "--method lda", "--method: 'lda' has no gradient; fvi, " },
+        { "--of y", "--of: 'y' is none of x, p, energy" },
+        { "--of x:2", "--of: '2' is outside [1, 1]" },
+        { "--of energy:1", "--of: 'energy:1': there is one energy" },
+        { "--potential chain:2,1,0 --of x", "x:1 to x:2" },
+        { "--columns x", "--columns: not an option of this command" },
+        { "--of", "--of: a value is missing" },
+        { "--of x --of p", "--of: given twice, as 'x' and as 'p'" },
+        { "--alpha 2", "--alpha: '2' is outside [0, 1]" },
+        { "--forces ''", "--forces: '' is not a file's name" },
+        { "word", "'word': not expected here" },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        char line[200];
+        snprintf(line, sizeof line, "gradient %s", bad[i].words);
+        ck_assert_int_eq(fvi(line), 2);
+        ck_assert_str_eq(out, "");
+        ck_assert_msg(strstr(err, bad[i].complaint) != NULL, "%s: %s",
+                      bad[i].words, err);
+    }
+    ck_assert_int_eq(fvi("gradient --help"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "usage: fvi gradient"));
+    ck_assert_int_eq(fvi("help gradient"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "--forces FILE"));
+}
+END_TEST
+
+/* What cannot be done: a run that flies away is told with its step, a folder that is not
+ * there with its name. A start without neighbours has no row by x0. */
+START_TEST(a_gradient_that_cannot_be_had_says_why)
+{
+    ck_assert_int_eq(fvi("gradient --potential duffing:1,-9 --p0 9"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "step "));
+    ck_assert_str_eq(out, "");
+    ck_assert_int_eq(fvi("gradient --forces no/where"), 1);
+    ck_assert_int_eq(
+        fvi("gradient --method fvi-shifted --derivative rl --alpha 0.7 --x0 0"),
+        0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by x0"));
+    ck_assert_ptr_null(strstr(out, "nan"));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("fvi gradient");
+    ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
+             the_forces_and_the_start_add_up_to_a_linear_motion,
+             bad_words_of_a_gradient_are_refused,
+             a_gradient_that_cannot_be_had_says_why);
+    return run_suite_of_program(suite);
+}
