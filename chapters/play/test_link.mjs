@@ -7,9 +7,9 @@ import { asked, fvi, meant, model, page, test, wasm } from "./program.mjs";
 const { methods, choices, ranges, first, defaults, stops, fault, parse, link, command, unpack } = model;
 const source = name => readFileSync(fileURLToPath(new URL(name, import.meta.url)), "utf8");
 
-await test("the methods are those of the program, in its order", () => {
+await test("the methods are the first of the program, in its order", () => {
   const names = asked(["methods"]).stdout.trim().split("\n").map(line => line.split("\t")[0]);
-  assert.deepEqual(choices.method, names);
+  assert.deepEqual(choices.method, names.slice(0, choices.method.length));
 });
 
 await test("alpha = 1/2 is kept for those methods only that know no other", () => {

@@ -285,10 +285,10 @@ await test("the weights of the stages are a derivative's", () => {
 // ---- stability ----
 
 // The page sends a method as its place in the C table, which `fvi methods` prints.
-await test("the methods of the page are those of the table, in its order", () => {
+await test("the methods of the page are the first of the table, in its order", () => {
   const names = all.asked(["methods"]).stdout.trim().split("\n").map(line => line.split("\t")[0]);
-  assert.deepEqual(choices.method, names);
-  for (const name of names) { // what the page says of each, as the program has it
+  assert.deepEqual(choices.method, names.slice(0, choices.method.length));
+  for (const name of choices.method) { // what the page says of each, as the program has it
     const refuses = words => /is not for|all that/.test(all.asked(["run", "--method", name, "--steps", "1", ...words]).said);
     assert.equal(refuses(["--alpha", "0.4"]), Boolean(methods[name].half), name);
     assert.equal(refuses(["--kappa", "0.4"]), !methods[name].kappa, name);

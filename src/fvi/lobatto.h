@@ -1,4 +1,4 @@
-/* src/fvi/lobatto.h -- Variational integrators of order 2, 4, 6.    [Chapter 17] */
+/* src/fvi/lobatto.h -- Variational integrators on Lobatto nodes.     [Chapter 17] */
 #ifndef FVI_LOBATTO_H
 #define FVI_LOBATTO_H
 
@@ -9,8 +9,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_lobatto2, 3, 4 -- Galerkin variational integrators on s = 2, 3, 4 Lobatto
- * nodes, with Lobatto IIIC convolution quadrature for the damping.     [(17.8)]
+/* fvi_lobatto2 to 8, form M -- Galerkin variational integrators on s = 2, ..., 8
+ * Lobatto nodes, with Lobatto IIIC convolution quadrature for the damping. [(17.8)]
  *
  * The path of a step is a polynomial with the values X_1 = x_k, X_2, ..., X_s =
  * x_{k+1} at the nodes t_k + c_i h. With K = D^T B D, B = diag(b), and
@@ -39,7 +39,8 @@ extern "C" {
  * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
  * goes to 1 the order of x goes to s and that of p to s - 1.
- * Stable for rho = 0 and U = m w^2 x^2 / 2 if h w < 2, 2 sqrt(2), 3.1127 (17.15).
+ * Stable for rho = 0 and U = m w^2 x^2 / 2 if h w < 2, 2 sqrt(2), 3.1127 for s = 2, 3, 4
+ * (17.15); no friction is added: then the step is symplectic.
  * With damping: fvi_stability_lobatto (stability.h) says which steps are stable.
  *
  * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
@@ -53,6 +54,32 @@ extern "C" {
  * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each damped coordinate, Q about 90.
  * Errors as fvi_start and fvi_step, and FVI_EUNSUP for FFT. */
 extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
+extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
+
+/* fvi_lobatto2d to 8d, form D -- the same with the inertia as one more damping, of order
+ * 1, of the same kind: s stages V of the velocity, of which none is shared by two
+ * steps,                                                           [(17.24), (17.25)]
+ *
+ *     m (DD V)_k + rho Y + grad U(X) = F at all s stages of step k,
+ *     V = DD X,   Y = DD^beta (V - [beta > 0] p_0/m),   DD = Delta / h,
+ *     x_{k+1} = X_s,   p_{k+1} = m V_s:
+ *
+ * Lobatto IIIC, with its own quadrature for the damping. Systems, pasts, forces, memory,
+ * tolerance and errors as above, and FVI_ESING if the matrix of a step is singular.
+ *
+ * Order at a fixed t > 0 at which F does not jump: 2s - 2 in x and p for quadratic U and
+ * polynomial F of degree < s between its jumps at nodes, whatever alpha; else
+ *
+ *     x: min(2s - 2, s + 4 - 2 alpha)      p: min(2s - 2, s + 3 - 2 alpha)   [(17.27)]
+ *
+ * (proved for quadratic U, measured else); over all t as low as above.
+ * For quadratic convex U, 0 < alpha < 1, every step is stable; with F = 0, and
+ * alpha <= 1/2 or p_0 = 0, p^2/2m + U is never above its start (17.26), (17.28). Without
+ * damping it is not symplectic: it loses half the squares of the jumps of V.
+ * Cost of a step: s gradients; nonlinear U: three or four times s, with Hessians, and
+ * factors of an s d matrix with s times the diagonals of a Hessian; history as above. */
+extern const fvi_method fvi_lobatto2d, fvi_lobatto3d, fvi_lobatto4d,
+    fvi_lobatto5d, fvi_lobatto6d, fvi_lobatto7d, fvi_lobatto8d;
 
 /* fvi_lobatto_momenta -- better momenta of a finished run.     [(17.14)]
  *
@@ -64,7 +91,7 @@ extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
  * 1/2, 1, nor for s = 2 and alpha < 1/2, where the leading error is another one.
  * No order is gained for Riemann-Liouville with x0 != 0.
  *
- *   method  fvi_lobatto2, 3 or 4
+ *   method  fvi_lobatto2, 3 or 4, no other
  *   run     as it was run
  *   x       (steps + 1) d positions, rows k = 0, ..., N
  *   p       as x: momenta, corrected in place

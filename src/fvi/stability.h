@@ -25,8 +25,9 @@ extern "C" {
  * They are stable if load < 1, and have a growing, sign-alternating mode if load > 1;
  * this is exact if U is quadratic and convex, and speaks of small motions about x0
  * if not. In one dimension: (W (1 - 2 kappa)^2 + share 4^alpha R) / 4,
- * W = h^2 c / m, R = rho h^(2 - 2 alpha) / m. The load of fvi-lobatto2, 3 and 4 is
- * that of fvi_stability_lobatto, with its cost, accuracy and errors. Of Euler's
+ * W = h^2 c / m, R = rho h^(2 - 2 alpha) / m. The load of fvi-lobatto2 to 8 is
+ * that of fvi_stability_lobatto, with its cost, accuracy and errors; that of
+ * fvi-lobatto2d to 8d is 0 (17.28). Of Euler's
  * methods none is known here.
  *
  *   method  its load, alpha_least and alpha_most are read
@@ -45,7 +46,7 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
 
 /* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
  *
- *   method  as above, with load_grows: all but Euler's, fvi-lobatto3, fvi-lobatto4
+ *   method  as above, with load_grows: all but Euler's, fvi-lobatto3 to 8
  *   run  as above; its h is not read
  *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
  *        (alpha = 1 and strong damping)
@@ -57,7 +58,7 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
  * method may fall while h grows. On error *h is untouched. */
 int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
 
-/* fvi_stability_lobatto -- the same for the methods of chapter 17. [(17.18)]
+/* fvi_stability_lobatto -- the same for form M of chapter 17. [(17.18)]
  *
  * load > 1: at least one mode grows, and load <= 1: none does, for a quadratic
  * convex U in one dimension. For s = 2 both are proved, and in R^d: there
@@ -65,13 +66,13 @@ int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
  *     load = lambda / 4 of the matrix of (14.3) with 1 for (1 - 2 kappa)^2 and the
  *            number of (17.16) for 4^alpha,  0 if that is negative.
  *
- * For s = 3 and 4 load > 1 is proved to be a growing mode; that there is none
- * otherwise is measured, W and R up to 1000. The stable steps are then not always
+ * For s >= 3 load > 1 is proved to be a growing mode; that there is none
+ * otherwise is measured, W and R up to 1000, and W up to 10^4 for s >= 5. The stable steps are then not always
  * an interval: where the load first passes 1 it is continuous, further on it jumps.
- * In R^d, s = 3 and 4: exact where M^{-1} K and M^{-1} rho commute, an estimate
+ * In R^d, s >= 3: exact where M^{-1} K and M^{-1} rho commute, an estimate
  * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.
  *
- *   stages  s = 2, 3 or 4
+ *   stages  s = 2, ..., 8
  *   run     system, x0, h, alpha are read; the rest may be anything
  *   load    output, >= 0
  *

@@ -31,7 +31,7 @@ typedef struct {
  * <= error and is believed, which takes four runs at least:
  *
  *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
- *         (p' = p but for fvi_variational, 1, and fvi_lobatto3, fvi_lobatto4, whose
+ *         (p' = p but for fvi_variational, 1, and three stages and more, whose
  *         order over all t may be as low as 3 - 2 alpha. p = 1 - 2 alpha for
  *         a method with past_as_printed, Riemann-Liouville, alpha < 1/2, where a damped
  *         coordinate does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);

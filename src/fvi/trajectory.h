@@ -99,6 +99,8 @@ typedef struct {
  *   lowest, highest  the order as numbers: the lowest and the highest that x has at
  *          a fixed time, over all alpha (a kick or kappa != 1/2 may cost more)
  *   stages  s, of the methods of Lobatto; 0 for all others
+ *   damped_inertia  nonzero if the inertia is a damping of order 1 of the same kind,
+ *          m DD^2 x, form D of chapter 17
  *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
  *          linear damping only; fvi_start refuses other runs (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory that it can sum with;
@@ -130,7 +132,7 @@ typedef struct {
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
-    int lowest, highest, stages;
+    int lowest, highest, stages, damped_inertia;
     double alpha_least, alpha_most;
     unsigned memories;
     fvi_quadrature quadrature;

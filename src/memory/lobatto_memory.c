@@ -43,7 +43,7 @@ static int check(size_t s, double beta, size_t d, size_t steps,
                  fvi_memory_kind kind, double tolerance)
 {
     if (!fvi_lobatto(s))
-        FVI_FAIL("the stages must be 2, 3 or 4", FVI_EINVAL);
+        FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
     if (kind == FVI_MEMORY_FFT)
         FVI_FAIL("there is no FFT for the stages", FVI_EUNSUP);
     if (d == 0 || kind < FVI_MEMORY_AUTO || kind > FVI_MEMORY_EXPONENTIALS)
@@ -170,16 +170,19 @@ const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
     return m->W;
 }
 
+enum { FEW = 4 }; /* stages, for which there is a loop of their own */
+
 /* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
  * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
  * make the digits independent of the width of the vectors. */
-FVI_VECTORS static void
-advance_stages(size_t s, size_t Q, const double *restrict q,
-               const double *restrict p, const double *restrict a,
-               const double *u, double *restrict z, double *H)
+FVI_VECTORS static void advance_few(size_t s, size_t Q,
+                                    const double *restrict q,
+                                    const double *restrict p,
+                                    const double *restrict a, const double *u,
+                                    double *restrict z, double *H)
 {
     const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
-    double sum[FVI_STAGES][LANES] = { { 0 } };
+    double sum[FEW][LANES] = { { 0 } };
     for (size_t j = 0; j < Q; j += LANES) {
 #pragma GCC unroll 8
         //> modes
@@ -195,6 +198,43 @@ advance_stages(size_t s, size_t Q, const double *restrict q,
             sum[3][l] += x3 * y;
         }
         //< modes
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += sum[i][l];
+}
+
+/* The same for s = 8, and 5, 6, 7 in its place. */
+FVI_VECTORS static void advance_many(size_t s, size_t Q,
+                                     const double *restrict q,
+                                     const double *restrict p,
+                                     const double *restrict a, const double *u,
+                                     double *restrict z, double *H)
+{
+    const double *row[FVI_STAGES];
+    double sum[FVI_STAGES][LANES] = { { 0 } };
+    for (size_t i = 0; i < FVI_STAGES; i++)
+        row[i] = a + (i < s ? i : s - 1) * Q;
+    for (size_t j = 0; j < Q; j += LANES) {
+        double in[LANES], y[LANES];
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++)
+            in[l] = -p[j + l] * z[j + l];
+#pragma GCC unroll 8
+        for (size_t i = 0; i < FVI_STAGES; i++)
+#pragma GCC unroll 8
+            for (size_t l = 0; l < LANES; l++)
+                in[l] += u[i] * row[i][j + l];
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++) {
+            z[j + l] += in[l];
+            y[l] = q[j + l] * z[j + l];
+        }
+#pragma GCC unroll 8
+        for (size_t i = 0; i < FVI_STAGES; i++)
+#pragma GCC unroll 8
+            for (size_t l = 0; l < LANES; l++)
+                sum[i][l] += row[i][j + l] * y[l];
     }
     for (size_t i = 0; i < s; i++)
         for (size_t l = 0; l < LANES; l++)
@@ -227,7 +267,8 @@ int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
                     sum[l] += W[l * s + j] * term[j];
         }
         if (m->Q > 0)
-            advance_stages(s, m->Q, m->q, m->p, m->a, u, m->z + i * m->Q, sum);
+            (s > FEW ? advance_many : advance_few)(s, m->Q, m->q, m->p, m->a, u,
+                                                   m->z + i * m->Q, sum);
         memcpy(H, sum, s * sizeof *H);
     }
     return FVI_SUCCESS;

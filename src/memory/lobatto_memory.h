@@ -24,8 +24,8 @@ typedef struct fvi_lobatto_memory fvi_lobatto_memory;
  *
  * beta = 0 and beta = -1 need no history: they take the place of EXPONENTIALS
  * with no mode and with one, whatever the kind.
- * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if s is none of
- * 2, 3, 4, if d == 0, if kind is unknown, or if steps and d are too large to be
+ * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if s is not
+ * in 2, ..., 8, if d == 0, if kind is unknown, or if steps and d are too large to be
  * addressed; FVI_EUNSUP for FFT; FVI_EDOM if beta is not in [-1, 1] or tolerance
  * not in [0, 1); FVI_ETOL if EXPONENTIALS, asked for or taken by AUTO, would have to
  * keep less than 1e-14; FVI_ENOMEM. On error *memory is untouched. */

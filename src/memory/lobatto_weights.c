@@ -9,30 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the rules ---- */
-
-#define R 2.23606797749978969641 /* sqrt(5) */
-
-//> rules
-static const fvi_lobatto_rule rules[] = {
-    { { 0, 1 }, { 1. / 2, 1. / 2 }, { { -1, 1 }, { -1, 1 } } },
-    { { 0, 1. / 2, 1 },
-      { 1. / 6, 4. / 6, 1. / 6 },
-      { { -3, 4, -1 }, { -1, 0, 1 }, { 1, -4, 3 } } },
-    { { 0, (5 - R) / 10, (5 + R) / 10, 1 },
-      { 1. / 12, 5. / 12, 5. / 12, 1. / 12 },
-      { { -6, 5 * (1 + R) / 2, 5 * (1 - R) / 2, 1 },
-        { -(1 + R) / 2, 0, R, (1 - R) / 2 },
-        { (R - 1) / 2, -R, 0, (1 + R) / 2 },
-        { -1, 5 * (R - 1) / 2, -5 * (1 + R) / 2, 6 } } },
-};
-//< rules
-
-const fvi_lobatto_rule *fvi_lobatto(size_t s)
-{
-    return s >= 2 && s <= FVI_STAGES ? &rules[s - 2] : NULL;
-}
-
 /* ---- power series of s x s matrices, up to z^3 ---- */
 
 enum { TERMS = FVI_LAGS + 1 };
@@ -187,10 +163,10 @@ static void node(size_t s, double mu, double *a)
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
                          double *q, double *p, double *a, size_t stride)
 {
-    static const double decay[] = { 2, 6, 12 }; /* R(-mu) ~ decay/mu^2 */
-    const double *b = fvi_lobatto(s)->b, L = -log(tolerance);
+    const double *b = fvi_lobatto(s)->b, L = -log(tolerance),
+                 decay = (double)(s * (s - 1)); /* R(-mu) ~ decay/mu^2 */
     const double first = -L / (3 + beta) - log(N),
-                 last = fmax((L + FVI_LAGS * log(decay[s - 2])
+                 last = fmax((L + FVI_LAGS * log(decay)
                               + 2 * log((double)s / b[0]))
                                  / (2 * FVI_LAGS + 1 - beta),
                              M_LN2 * 3);
@@ -244,7 +220,7 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
     if (!W)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!fvi_lobatto(s))
-        FVI_FAIL("the stages must be 2, 3 or 4", FVI_EINVAL);
+        FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
     if (n == 0 || n > SIZE_MAX / sizeof(double) / (s * s))
         FVI_FAIL("n must be at least 1 and addressable", FVI_EINVAL);
     if (!(beta >= -1 && beta <= 1))

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-enum { FVI_STAGES = 4 /* at most */, FVI_LAGS = 3 /* near ones */ };
+enum { FVI_STAGES = 8 /* at most */, FVI_LAGS = 3 /* near ones */ };
 
 /* The s Lobatto nodes c of [0, 1], their weights b, and D, which differentiates
  * the polynomial through s values at c, there.                          [(17.1)] */
@@ -17,12 +17,12 @@ typedef struct {
     double c[FVI_STAGES], b[FVI_STAGES], D[FVI_STAGES][FVI_STAGES];
 } fvi_lobatto_rule;
 
-/* fvi_lobatto -- the rule of s stages, s = 2, 3 or 4; NULL for another s. */
+/* fvi_lobatto -- the rule of s stages, s = 2, ..., 8; NULL for another s. */
 const fvi_lobatto_rule *fvi_lobatto(size_t s);
 
 /* fvi_lobatto_weights -- the matrices W_0, ..., W_{n-1}.      [(17.5), (17.10)]
  *
- *   s      stages, 2, 3 or 4
+ *   s      stages, 2 to 8
  *   beta   -1 <= beta <= 1
  *   n      how many, n >= 1
  *   W      output, n s s numbers: entry (i, j) of W_k at [(k * s + i) * s + j]
@@ -30,8 +30,8 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
  * Step size is NOT included: multiply by h^(-beta). Cost 0.2 ms, then O(n Q),
  * Q about 100. Accuracy, in units of 2^-53 max|W_0|: the first four matrices 1000
  * (no proof; seen 160), the others 100 (seen 13).
- * Returns FVI_SUCCESS; FVI_EFAULT if W is NULL; FVI_EINVAL if s is none of 2, 3,
- * 4 or n is 0 or too large to be addressed; FVI_EDOM if beta is out of range;
+ * Returns FVI_SUCCESS; FVI_EFAULT if W is NULL; FVI_EINVAL if s is not in
+ * 2, ..., 8 or n is 0 or too large to be addressed; FVI_EDOM if beta is out of range;
  * FVI_ENOMEM. On error W is untouched. */
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 

@@ -25,17 +25,22 @@ int fvi_load_bdf2(const fvi_run *run, double *load)
     return fvi_stability_share(pow(4, run->alpha), run, load);
 }
 
-int fvi_load_lobatto2(const fvi_run *run, double *load)
+int fvi_load_none(const fvi_run *run, double *load)
 {
-    return fvi_stability_lobatto(2, run, load);
+    fvi_run half = *run; /* of which kappa is not used */
+    half.kappa = 0.5;
+    return fvi_stability_share(0, &half, load);
 }
 
-int fvi_load_lobatto3(const fvi_run *run, double *load)
-{
-    return fvi_stability_lobatto(3, run, load);
-}
-
-int fvi_load_lobatto4(const fvi_run *run, double *load)
-{
-    return fvi_stability_lobatto(4, run, load);
-}
+#define OF_STAGES(s)                                                           \
+    int fvi_load_lobatto##s(const fvi_run *run, double *load)                  \
+    {                                                                          \
+        return fvi_stability_lobatto(s, run, load);                            \
+    }
+OF_STAGES(2)
+OF_STAGES(3)
+OF_STAGES(4)
+OF_STAGES(5)
+OF_STAGES(6)
+OF_STAGES(7)
+OF_STAGES(8)

@@ -23,5 +23,12 @@ int fvi_load_bdf2(const fvi_run *run, double *load);
 int fvi_load_lobatto2(const fvi_run *run, double *load);
 int fvi_load_lobatto3(const fvi_run *run, double *load);
 int fvi_load_lobatto4(const fvi_run *run, double *load);
+int fvi_load_lobatto5(const fvi_run *run, double *load);
+int fvi_load_lobatto6(const fvi_run *run, double *load);
+int fvi_load_lobatto7(const fvi_run *run, double *load);
+int fvi_load_lobatto8(const fvi_run *run, double *load);
+
+/* 0: no step is too long. (13.17), (17.28) */
+int fvi_load_none(const fvi_run *run, double *load);
 
 #endif

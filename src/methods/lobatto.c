@@ -1,4 +1,4 @@
-/* src/methods/lobatto.c -- Variational integrators of order 2, 4, 6: a step.
+/* src/methods/lobatto.c -- Variational integrators on Lobatto nodes: a step of form M.
  *                                                                 [Chapter 17] */
 #include <fvi/lobatto.h>
 
@@ -33,7 +33,7 @@ static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 static double solved(const fvi_stepper *s, const fvi_lobatto_stages *o,
                      size_t i, size_t j)
 {
-    const double *M = o->M[j][i - 1];
+    const double *M = o->M + (j * o->n + i - 1) * o->n;
     double sum = -M[0] * s->p[j];
     for (size_t l = 0; l < o->s - 1; l++)
         sum +=
@@ -69,7 +69,7 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
     for (size_t j = 0; j < d; j++)
         for (size_t i = 0; i < inner; i++)
             for (size_t l = 1; l <= inner; l++)
-                *to++ = -o->M[j][i][l] * weight(s, o, l, j);
+                *to++ = -o->M[(j * o->n + i) * o->n + l] * weight(s, o, l, j);
     int status =
         fvi_newton_stages_alloc(s->run.system, inner, coupling, &s->newton);
     free(coupling);
@@ -155,14 +155,18 @@ static int drive(fvi_stepper *s, fvi_lobatto_stages *o)
 }
 //< force
 
+int fvi_lobatto_known(fvi_stepper *s, fvi_lobatto_stages *o)
+{
+    int status = drive(s, o);
+    return status ? status : remember(s, o);
+}
+
 //> step
 int fvi_lobatto_step(fvi_stepper *s)
 {
     fvi_lobatto_stages *o = s->own;
     const size_t d = o->d, end = o->s - 1;
-    int status = drive(s, o);
-    if (!status)
-        status = remember(s, o);
+    int status = fvi_lobatto_known(s, o);
     if (!status && end > 1 && s->run.system->potential.gradient)
         status = solve_inner(s, o);
     for (size_t i = 1; !status && i < end; i++)

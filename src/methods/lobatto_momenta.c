@@ -38,8 +38,8 @@ int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
     if (status)
         return status;
     const size_t s = (size_t)method->stages;
-    if (s < 2 || s > 4)
-        FVI_FAIL("not a Lobatto method", FVI_EINVAL);
+    if (s < 2 || s > 4 || method->damped_inertia)
+        FVI_FAIL("not fvi-lobatto2, 3 or 4", FVI_EINVAL);
     if (!(run->alpha >= 0 && run->alpha <= 1))
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
     if (!(gsl_finite(run->h) && run->h > 0))

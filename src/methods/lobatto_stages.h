@@ -1,29 +1,34 @@
 /* src/methods/lobatto_stages.h -- The stages of a step.           [Chapter 17]
  *
- * Internal: what lobatto_start.c makes and lobatto.c steps with. */
+ * Internal: what lobatto_start.c makes, and lobatto.c and lobatto_damped.c step with. */
 #ifndef FVI_LOBATTO_STAGES_H
 #define FVI_LOBATTO_STAGES_H
 
 #include "memory/lobatto_memory.h"
 #include "pull.h"
 
-enum { FVI_INNER = FVI_STAGES - 1 };
-
 /* Stage i of coordinate j stands at [i * d + j]; of the l-th damped coordinate,
  * in v, Y and v0, at [l * s + i]. Stages count from 0 here. */
 typedef struct {
     const fvi_lobatto_rule *rule;
     size_t s, d;
-    double *share;                     /* of each coordinate, see (17.17) */
-    double (*M)[FVI_INNER][FVI_INNER]; /* of each: the inverse of L in (17.8) */
+    double *share; /* of each coordinate, see (17.17) */
+    double *M; /* of each: the inverse of L in (17.8), or G of (17.25), n x n */
+    size_t n;  /* s - 1, or s */
     double *dX, *S, *grad; /* X_i - x_k, S_i but for grad U, grad U */
-    double *r;             /* of the inner stages, see (17.8) */
+    double *r;             /* of the stages that are solved for */
     size_t damped, *index; /* the coordinates that have a Y */
     double *v, *Y, *v0;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
+    double A[FVI_STAGES][FVI_STAGES];        /* of Lobatto IIIC (17.3) */
     fvi_lobatto_memory *memory;              /* NULL: there is no history */
     fvi_pull pull;
 } fvi_lobatto_stages;
+
+/* fvi_lobatto_known -- S_i but for grad U and the part of the present in the memory:
+ * force, impulses of the past and history. o->v holds the v of the step before.
+ * Returns what the force and fvi_lobatto_memory_push return. */
+int fvi_lobatto_known(fvi_stepper *s, fvi_lobatto_stages *o);
 
 /* fvi_lobatto_step -- (17.8), as fvi_step. */
 int fvi_lobatto_step(fvi_stepper *s);
@@ -32,5 +37,10 @@ int fvi_lobatto_step(fvi_stepper *s);
  * stages and grad U(x_0). Errors as fvi_newton_stages_alloc; what the gradient
  * returns. */
 int fvi_lobatto_prepare(fvi_stepper *s, fvi_lobatto_stages *o);
+
+/* fvi_lobatto_damped_step, _prepare -- the same for form D: (17.24), and M too is made
+ * here. Errors also FVI_ESING. */
+int fvi_lobatto_damped_step(fvi_stepper *s);
+int fvi_lobatto_damped_prepare(fvi_stepper *s, fvi_lobatto_stages *o);
 
 #endif

@@ -1,4 +1,4 @@
-/* src/methods/lobatto_start.c -- Variational integrators of order 2, 4, 6: the start.
+/* src/methods/lobatto_start.c -- Variational integrators on Lobatto nodes: the start.
  *                                                                 [Chapter 17] */
 #include <fvi/lobatto.h>
 
@@ -28,11 +28,11 @@ static void stop_lobatto(fvi_stepper *s)
 /* L = (m/h) K - rho b W D, rows 1, ..., s-1, columns 2, ..., s: what multiplies
  * X_2 - x_k, ..., X_s - x_k in (17.8). M becomes its inverse. */
 static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
-                  double M[FVI_INNER][FVI_INNER])
+                  double *M)
 {
     const size_t s = o->s, n = s - 1;
     const fvi_lobatto_rule *r = o->rule;
-    double L[FVI_INNER * FVI_INNER];
+    double L[FVI_STAGES * FVI_STAGES];
     for (size_t i = 0; i < n; i++)
         for (size_t j = 1; j < s; j++) {
             double K = 0, WD = 0; /* K = D^T B D */
@@ -42,10 +42,10 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
             }
             L[i * n + j - 1] = m / h * K - rho * r->b[i] * WD;
         }
-    size_t order[FVI_INNER];
+    size_t order[FVI_STAGES];
     gsl_permutation permutation = { n, order };
     gsl_matrix_view from = gsl_matrix_view_array(L, n, n),
-                    to = gsl_matrix_view_array_with_tda(M[0], n, n, FVI_INNER);
+                    to = gsl_matrix_view_array(M, n, n);
     int sign;
     gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
     for (size_t i = 0; i < n; i++)
@@ -56,7 +56,8 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
 }
 //< linear
 
-static int allocate(fvi_stepper *s, size_t stages)
+/* n is the number of stages that a step solves for. */
+static int allocate(fvi_stepper *s, size_t stages, size_t n)
 {
     const size_t d = s->run.system->d;
     fvi_lobatto_stages *o = s->own = calloc(1, sizeof *o);
@@ -65,7 +66,8 @@ static int allocate(fvi_stepper *s, size_t stages)
     o->rule = fvi_lobatto(stages);
     o->s = stages;
     o->d = d;
-    o->M = calloc(d, sizeof *o->M);
+    o->n = n;
+    o->M = calloc(d * n * n, sizeof *o->M);
     o->index = calloc(d, sizeof *o->index);
     o->share = calloc(2 * d + 6 * stages * d, sizeof *o->share);
     if (!o->M || !o->index || !o->share)
@@ -116,10 +118,10 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     return status;
 }
 
-static int start(fvi_stepper *s, size_t stages)
+static int start(fvi_stepper *s, size_t stages, int damped)
 {
     const fvi_system *system = s->run.system;
-    int status = allocate(s, stages);
+    int status = allocate(s, stages, damped ? stages : stages - 1);
     if (status)
         return status;
     fvi_lobatto_stages *o = s->own;
@@ -134,16 +136,18 @@ static int start(fvi_stepper *s, size_t stages)
     status = fvi_pull_start(s, stages, o->rule->c, &o->pull);
     if (!status)
         status = prepare(s, o);
+    if (!status && damped)
+        return fvi_lobatto_damped_prepare(s, o);
     for (size_t j = 0; !status && j < o->d; j++)
-        status =
-            invert(o, system->mass[j], system->damping[j], s->run.h, o->M[j]);
+        status = invert(o, system->mass[j], system->damping[j], s->run.h,
+                        o->M + j * o->n * o->n);
     return status ? status : fvi_lobatto_prepare(s, o);
 }
 
 static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
 {
     const fvi_lobatto_stages *old = from->own;
-    int status = allocate(to, old->s);
+    int status = allocate(to, old->s, old->n);
     if (status)
         return status;
     fvi_lobatto_stages *o = to->own;
@@ -151,7 +155,8 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
     o->damped = old->damped;
     o->scale = old->scale;
     memcpy(o->W, old->W, sizeof o->W);
-    memcpy(o->M, old->M, d * sizeof *o->M);
+    memcpy(o->A, old->A, sizeof o->A);
+    memcpy(o->M, old->M, d * o->n * o->n * sizeof *o->M);
     memcpy(o->index, old->index, d * sizeof *o->index);
     memcpy(o->share, old->share, (2 + 6 * o->s) * d * sizeof *o->share);
     status = fvi_pull_copy(&old->pull, d, &o->pull);
@@ -160,31 +165,49 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
                : fvi_lobatto_memory_copy(old->memory, &o->memory);
 }
 
-static int start2(fvi_stepper *s)
-{
-    return start(s, 2);
-}
+/* ---- the methods ---- */
 
-static int start3(fvi_stepper *s)
-{
-    return start(s, 3);
-}
-
-static int start4(fvi_stepper *s)
-{
-    return start(s, 4);
-}
-
-#define METHOD(s, orders, from, to)                                            \
+#define BOTH(s, orders, form, damped, is_implicit, its_load)                   \
+    static int start_##form(fvi_stepper *stepper)                              \
     {                                                                          \
-        .name = "fvi-lobatto" #s, .order = orders, .memory = "full",           \
-        .lowest = from, .highest = to, .stages = s, .alpha_most = 1,           \
+        return start(stepper, s, damped);                                      \
+    }                                                                          \
+    const fvi_method fvi_lobatto##form = {                                     \
+        .name = "fvi-lobatto" #form,                                           \
+        .order = orders,                                                       \
+        .memory = "full",                                                      \
+        .lowest = s == 2    ? 2                                                \
+                  : !damped ? s                                                \
+                  : s < 4   ? 2 * s - 2                                        \
+                            : s + 2,                                             \
+        .highest = 2 * s - 2,                                                  \
+        .stages = s,                                                           \
+        .damped_inertia = damped,                                              \
+        .alpha_most = 1,                                                       \
         .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
-        .implicit = s > 2, .load = fvi_load_lobatto##s, .load_grows = s == 2,  \
-        .start = start##s, .step = fvi_lobatto_step, .copy = copy_lobatto,     \
+        .implicit = is_implicit,                                               \
+        .load = its_load,                                                      \
+        .load_grows = s == 2 || damped,                                        \
+        .start = start_##form,                                                 \
+        .step = damped ? fvi_lobatto_damped_step : fvi_lobatto_step,           \
+        .copy = copy_lobatto,                                                  \
         .stop = stop_lobatto                                                   \
     }
 
-const fvi_method fvi_lobatto2 = METHOD(2, "2", 2, 2),
-                 fvi_lobatto3 = METHOD(3, "3 to 4", 3, 4),
-                 fvi_lobatto4 = METHOD(4, "4 to 6", 4, 6);
+#define FORM_M(s, orders) BOTH(s, orders, s, 0, s > 2, fvi_load_lobatto##s)
+#define FORM_D(s, orders) BOTH(s, orders, s##d, 1, 1, fvi_load_none)
+
+FORM_M(2, "2");
+FORM_M(3, "3 to 4");
+FORM_M(4, "4 to 6");
+FORM_M(5, "5 to 8");
+FORM_M(6, "6 to 10");
+FORM_M(7, "7 to 12");
+FORM_M(8, "8 to 14");
+FORM_D(2, "2");
+FORM_D(3, "4");
+FORM_D(4, "6");
+FORM_D(5, "7 to 8");
+FORM_D(6, "8 to 10");
+FORM_D(7, "9 to 12");
+FORM_D(8, "10 to 14");

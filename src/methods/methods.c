@@ -15,7 +15,12 @@ const fvi_method *const fvi_methods[] = {
     &fvi_shifted,        &fvi_bdf2,
     &fvi_lobatto2,       &fvi_lobatto3,
     &fvi_lobatto4,       &fvi_adaptive,
-    NULL
+    &fvi_lobatto5,       &fvi_lobatto6,
+    &fvi_lobatto7,       &fvi_lobatto8,
+    &fvi_lobatto2d,      &fvi_lobatto3d,
+    &fvi_lobatto4d,      &fvi_lobatto5d,
+    &fvi_lobatto6d,      &fvi_lobatto7d,
+    &fvi_lobatto8d,      NULL
 };
 
 const fvi_method *fvi_method_named(const char *name)

@@ -103,7 +103,8 @@ static void orders(const fvi_method *method, const fvi_run *run, double *least,
     if (method->stages > 0)
         *least = *most = 2 * s - 2;
     if (method->stages > 2 && alpha != 0 && alpha != 0.5) {
-        *most = fmin(2 * s - 2, s + 2 - 2 * alpha);
+        *most = fmin(2 * s - 2, (method->damped_inertia ? s + 4 : s + 2)
+                                    - 2 * alpha); /* (17.13), (17.27) */
         *least = fmin(*most, 3 - 2 * alpha);
     }
 }

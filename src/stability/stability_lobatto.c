@@ -177,7 +177,7 @@ static int check(size_t stages, const fvi_run *run, const void *load)
     if (!run || !load)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!fvi_lobatto(stages))
-        FVI_FAIL("the stages must be 2, 3 or 4", FVI_EINVAL);
+        FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
     int status = fvi_system_check(run->system);
     if (status)
         return status;

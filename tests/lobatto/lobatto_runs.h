@@ -8,8 +8,16 @@
 
 #include <gsl/gsl_math.h>
 
-static const fvi_method *const methods[] = { NULL, NULL, &fvi_lobatto2,
-                                             &fvi_lobatto3, &fvi_lobatto4 };
+static const fvi_method *const methods[] = {
+    NULL,          NULL,          &fvi_lobatto2, &fvi_lobatto3, &fvi_lobatto4,
+    &fvi_lobatto5, &fvi_lobatto6, &fvi_lobatto7, &fvi_lobatto8
+};
+/* The same of form D. */
+static const fvi_method *const damped[] = { NULL,           NULL,
+                                            &fvi_lobatto2d, &fvi_lobatto3d,
+                                            &fvi_lobatto4d, &fvi_lobatto5d,
+                                            &fvi_lobatto6d, &fvi_lobatto7d,
+                                            &fvi_lobatto8d };
 
 typedef struct {
     size_t s;

@@ -322,7 +322,7 @@ START_TEST(bytes_of_the_stages_are_what_is_kept)
                           "s=%zu beta=%g d=%zu N=%zu: said %g, kept %g", s,
                           beta, d, N, said, taken);
     }
-    ck_assert(fvi_lobatto_memory_bytes(5, 0.4, 1, 9, FVI_MEMORY_AUTO, 0) == 0);
+    ck_assert(fvi_lobatto_memory_bytes(9, 0.4, 1, 9, FVI_MEMORY_AUTO, 0) == 0);
     /* more than can be addressed, or nearly */
     ck_assert(fvi_lobatto_memory_bytes(4, 0.4, 1, (size_t)1 << 40,
                                        FVI_MEMORY_DIRECT, 0)

@@ -385,7 +385,7 @@ START_TEST(bad_questions_about_stages_are_refused)
     ck_assert_int_eq(fvi_stability_lobatto(2, NULL, &load), FVI_EFAULT);
     ck_assert_int_eq(fvi_stability_lobatto(2, &run, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_stability_lobatto(1, &run, &load), FVI_EINVAL);
-    ck_assert_int_eq(fvi_stability_lobatto(5, &run, &load), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stability_lobatto(9, &run, &load), FVI_EINVAL);
     fvi_run bad = run;
     bad.x0 = NULL;
     ck_assert_int_eq(fvi_stability_lobatto(2, &bad, &load), FVI_EFAULT);

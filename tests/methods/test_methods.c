@@ -14,7 +14,7 @@ START_TEST(a_method_is_found_by_its_name)
         ck_assert(m->order && m->memory && m->step);
         count++;
     }
-    ck_assert_uint_eq(count, 10);
+    ck_assert_uint_eq(count, 21);
     ck_assert_ptr_null(fvi_method_named("variational"));
     ck_assert_ptr_null(fvi_method_named("fv"));
     ck_assert_ptr_null(fvi_method_named(""));
@@ -202,6 +202,8 @@ START_TEST(eq_9_5_a_past_as_printed_is_a_kick)
                 last[t] = now;
             }
         }
+        if (D[1] < 1e-11) /* rounding is all that is left */
+            continue;
         const double rate = log2(D[1] / D[2]);
         seen(rate, m->past_as_printed ? "as printed" : "exact impulses");
         ck_assert_msg((rate < 0.75) == (m->past_as_printed != 0), "%s: %g",

@@ -26,15 +26,19 @@ static int grows(const fvi_method *m, const fvi_run *run)
 }
 
 /* 200 random linear runs of each method that has a load; those of a load near 1, where a
- * mode hardly grows, are left out. */
+ * mode hardly grows, are left out. W is up to 100, with many stages up to 10^4. A method
+ * whose load is always 0 never grows. */
 START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
     FOR_EACH(m)
     {
         size_t above = 0, below = 0;
+        double most = 0;
         for (size_t i = 0; i < 200 && m->load; i++) {
-            double stiffness = pow(10, 3 * gsl_rng_uniform(random) - 1),
+            double stiffness =
+                       pow(10, (m->stages > 4 ? 5 : 3) * gsl_rng_uniform(random)
+                                   - 1),
                    damping = pow(10, 3 * gsl_rng_uniform(random) - 1.5), load;
             const fvi_system system = {
                 1, &one, &damping, fvi_potential_harmonic(&stiffness), { 0 }
@@ -46,6 +50,7 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
             if (m->takes_kappa)
                 run.kappa = gsl_rng_uniform(random);
             ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
+            most = fmax(most, load);
             if (load > 0.8 && load < 1.25)
                 continue;
             ck_assert_msg(grows(m, &run) == (load > 1),
@@ -53,8 +58,8 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
                           run.alpha, run.kappa, stiffness, damping, load);
             *(load > 1 ? &above : &below) += 1;
         }
-        ck_assert_msg(!m->load || (above >= 5 && below >= 5), "%s: %zu, %zu",
-                      m->name, above, below);
+        ck_assert_msg(!m->load || most == 0 || (above >= 5 && below >= 5),
+                      "%s: %zu, %zu", m->name, above, below);
     }
     gsl_rng_free(random);
 }
@@ -80,6 +85,7 @@ START_TEST(eq_14_4_the_longest_step_parts_the_loads)
             falls |= load < last;
         }
         ck_assert_msg(!m->load || falls == !m->load_grows, "%s", m->name);
+        const int is_safe = last == 0;
         last = 0;
         if (!m->load_grows) {
             ck_assert_int_eq(fvi_stability_step(m, &run, &h), FVI_EUNSUP);
@@ -87,6 +93,9 @@ START_TEST(eq_14_4_the_longest_step_parts_the_loads)
             continue;
         }
         ck_assert_int_eq(fvi_stability_step(m, &run, &h), FVI_SUCCESS);
+        ck_assert(!isinf(h) == !is_safe); /* then no step is too long */
+        if (is_safe)
+            continue;
         for (int n = -100; n <= 100; n++) {
             run.h = n == 0 ? h : h * (1 + 1e-11 * n) * exp2(n / 10);
             ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
@@ -132,7 +141,10 @@ START_TEST(a_copied_method_is_as_good)
             ck_assert_int_eq(fvi_trajectory(which, &run, x[j], p[j], NULL),
                              FVI_SUCCESS);
             ck_assert_int_eq(fvi_lobatto_momenta(which, &run, x[j], p[j]),
-                             m->stages ? FVI_SUCCESS : FVI_EINVAL);
+                             m->stages >= 2 && m->stages <= 4
+                                     && !m->damped_inertia
+                                 ? FVI_SUCCESS
+                                 : FVI_EINVAL);
         }
         ck_assert(memcmp(x[0], x[1], sizeof x[0]) == 0
                   && memcmp(p[0], p[1], sizeof p[0]) == 0);

@@ -1,0 +1,207 @@
+/* src/methods/lobatto_damped.c -- Form D: the inertia is a damping of order 1, too.
+ *                                                                 [Chapter 17] */
+#include <fvi/lobatto.h>
+
+#include <fvi/discrete_mechanics.h>
+#include "lobatto_stages.h"
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- matrices ---- */
+
+/* l_j(t), of degree s - 1 */
+static double lagrange(const fvi_lobatto_rule *r, size_t s, size_t j, double t)
+{
+    double l = 1;
+    for (size_t m = 0; m < s; m++)
+        if (m != j)
+            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
+    return l;
+}
+
+//> table
+/* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
+ * the first column b_1. What that changes is paid back by w, which is orthogonal to all
+ * polynomials of degree s - 2, so that A integrates those as before. (17.3) */
+static void make_A(const fvi_lobatto_rule *r, size_t s,
+                   double A[FVI_STAGES][FVI_STAGES])
+{
+    for (size_t i = 0; i < s; i++) {
+        for (size_t j = 0; j < s; j++) {
+            A[i][j] = 0;
+            for (size_t k = 0; k < s; k++)
+                A[i][j] +=
+                    r->c[i] * r->b[k] * lagrange(r, s, j, r->c[i] * r->c[k]);
+        }
+        const double missing = r->b[0] - A[i][0];
+        double sign = 1; /* w_j = +-sqrt(b_j / b_1) */
+        for (size_t j = 0; j < s; j++, sign = -sign)
+            A[i][j] += missing * sign * sqrt(r->b[j] / r->b[0]);
+    }
+}
+//< table
+
+//> inverse
+/* G = (m A^(-1) + rho h W)^(-1) = (m + rho h A W)^(-1) A, h^(-beta) being in W. (17.25) */
+static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
+                  double *G)
+{
+    const size_t s = o->s;
+    double N[FVI_STAGES * FVI_STAGES], A[FVI_STAGES * FVI_STAGES];
+    for (size_t i = 0; i < s; i++)
+        for (size_t j = 0; j < s; j++) {
+            double AW = 0;
+            for (size_t l = 0; l < s; l++)
+                AW += o->A[i][l] * o->W[l][j];
+            N[i * s + j] = (i == j ? m : 0) + rho_h * AW;
+            A[j * s + i] = o->A[i][j]; /* columns in one piece */
+        }
+    size_t order[FVI_STAGES];
+    gsl_permutation permutation = { s, order };
+    gsl_matrix_view matrix = gsl_matrix_view_array(N, s, s);
+    int sign;
+    gsl_linalg_LU_decomp(&matrix.matrix, &permutation, &sign);
+    for (size_t i = 0; i < s; i++)
+        if (N[i * s + i] == 0)
+            return FVI_ESING;
+    for (size_t j = 0; j < s; j++) {
+        gsl_vector_view column = gsl_vector_view_array(A + j * s, s);
+        gsl_linalg_LU_svx(&matrix.matrix, &permutation, &column.vector);
+        for (size_t i = 0; i < s; i++)
+            G[i * s + j] = A[j * s + i];
+    }
+    return FVI_SUCCESS;
+}
+//< inverse
+
+/* ---- a step ---- */
+
+/* V_i - v_k of coordinate j into delta, for the forces in S and g = grad U; g may be
+ * NULL: no potential. */
+static void velocities(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                       size_t j, const double *g, double *delta)
+{
+    const size_t n = o->s, d = o->d;
+    const double *G = o->M + j * n * n;
+    double f[FVI_STAGES];
+    for (size_t i = 0; i < n; i++) {
+        f[i] = o->S[i * d + j] / o->rule->b[i];
+        if (g)
+            f[i] += s->run.h * o->share[j] * g[i * d + j];
+    }
+    for (size_t i = 0; i < n; i++) {
+        delta[i] = 0;
+        for (size_t l = 0; l < n; l++)
+            delta[i] -= G[i * n + l] * f[l];
+    }
+}
+
+/* X_i - x_k = h c_i v_k + h (A delta)_i */
+static double moved(const fvi_stepper *s, const fvi_lobatto_stages *o, size_t i,
+                    size_t j, const double *delta)
+{
+    double sum = 0;
+    for (size_t l = 0; l < o->s; l++)
+        sum += o->A[i][l] * delta[l];
+    return s->run.h
+           * (o->rule->c[i] * (s->p[j] / s->run.system->mass[j]) + sum);
+}
+
+/* All stages: dX + h^2 A G grad U(x + dX) = what it is without U. (17.24) */
+static int solve(fvi_stepper *s, fvi_lobatto_stages *o)
+{
+    const size_t n = o->s, d = o->d;
+    double delta[FVI_STAGES];
+    memset(o->grad, 0, n * d * sizeof *o->grad);
+    for (size_t j = 0; j < d; j++) {
+        velocities(s, o, j, NULL, delta);
+        for (size_t i = 0; i < n; i++) {
+            o->r[i * d + j] = moved(s, o, i, j, delta);
+            o->dX[i * d + j] = o->rule->c[i] * s->run.h * s->p[j]
+                               / s->run.system->mass[j]; /* a guess */
+        }
+    }
+    return fvi_newton_solve(s->newton, s->x, o->r, o->dX, o->grad);
+}
+
+/* S += h b rho W v_k: what the memory of the present makes of a constant velocity. */
+static void damp(const fvi_stepper *s, fvi_lobatto_stages *o)
+{
+    for (size_t l = 0; l < o->damped; l++) {
+        const size_t j = o->index[l];
+        const double push = s->run.h * s->run.system->damping[j]
+                            * (s->p[j] / s->run.system->mass[j]);
+        for (size_t i = 0; i < o->s; i++) {
+            double W = 0;
+            for (size_t c = 0; c < o->s; c++)
+                W += o->W[i][c];
+            o->S[i * o->d + j] += o->rule->b[i] * push * W;
+        }
+    }
+}
+
+//> step
+int fvi_lobatto_damped_step(fvi_stepper *s)
+{
+    fvi_lobatto_stages *o = s->own;
+    const size_t n = o->s, d = o->d;
+    const int is_free = !s->run.system->potential.gradient;
+    int status = fvi_lobatto_known(s, o);
+    if (status)
+        return status;
+    damp(s, o);
+    if (!is_free)
+        status = solve(s, o);
+    if (status)
+        return status;
+    for (size_t j = 0, l = 0; j < d; j++) {
+        const double m = s->run.system->mass[j], v = s->p[j] / m;
+        double delta[FVI_STAGES];
+        velocities(s, o, j, is_free ? NULL : o->grad, delta);
+        for (size_t i = 0; l < o->damped && o->index[l] == j && i < n; i++)
+            o->v[l * n + i] = v + delta[i] - o->v0[l];
+        l += l < o->damped && o->index[l] == j;
+        s->x[j] += moved(s, o, n - 1, j, delta);
+        s->p[j] += m * delta[n - 1];
+    }
+    return FVI_SUCCESS;
+}
+//< step
+
+/* ---- the start ---- */
+
+/* What multiplies grad U: h^2 A G share. */
+static int make_solver(fvi_stepper *s, const fvi_lobatto_stages *o)
+{
+    const size_t n = o->s;
+    double *coupling = calloc(o->d * n * n, sizeof *coupling), *to = coupling;
+    if (!coupling)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    for (size_t j = 0; j < o->d; j++)
+        for (size_t i = 0; i < n; i++)
+            for (size_t l = 0; l < n; l++, to++)
+                for (size_t c = 0; c < n; c++)
+                    *to += s->run.h * s->run.h * o->share[j] * o->A[i][c]
+                           * o->M[(j * n + c) * n + l];
+    int status =
+        fvi_newton_stages_alloc(s->run.system, n, coupling, &s->newton);
+    free(coupling);
+    return status;
+}
+
+int fvi_lobatto_damped_prepare(fvi_stepper *s, fvi_lobatto_stages *o)
+{
+    const fvi_system *system = s->run.system;
+    const size_t n = o->s;
+    int status = FVI_SUCCESS;
+    make_A(o->rule, n, o->A);
+    for (size_t j = 0; !status && j < o->d; j++)
+        status = make_G(o, system->mass[j], s->run.h * system->damping[j],
+                        o->M + j * n * n); /* alpha = 1: W is 0 */
+    return status || !system->potential.gradient ? status : make_solver(s, o);
+}

@@ -1,0 +1,374 @@
+/* tests/lobatto/test_lobatto_forms.c -- Chapter 17: form M and form D beside each other:
+ * orders, stability, energy.   Run alone: make test-lobatto_forms */
+#include <fvi/exact_solution.h>
+#include <fvi/stability.h>
+#include "lobatto_runs.h"
+
+#include <gsl/gsl_rng.h>
+
+enum { MOST = 1280 };
+static double x[MOST + 1], p[MOST + 1], want_x[MOST + 1], want_p[MOST + 1];
+static double times[MOST + 1];
+
+/* ---- orders ---- */
+
+/* The orders that are expected of form D: (17.27). */
+static double order_x(size_t s, double alpha)
+{
+    return fmin(2 * (double)s - 2, (double)s + 4 - 2 * alpha);
+}
+
+static double order_p(size_t s, double alpha)
+{
+    return fmin(2 * (double)s - 2, (double)s + 3 - 2 * alpha);
+}
+
+typedef struct {
+    size_t count;
+    double errors[12]; /* at h, h/2, h/4, ... */
+} errors;
+
+/* The slope between the last two errors above the floor of rounding; NaN where there
+ * are not two. */
+static double slope(const errors *e, double floor)
+{
+    size_t last = 0;
+    while (last < e->count && e->errors[last] > floor)
+        last++;
+    return last < 2 ? NAN : log2(e->errors[last - 2] / e->errors[last - 1]);
+}
+
+typedef struct {
+    double alpha, rho;
+} driving;
+
+/* x = t^8 on a Duffing oscillator */
+static int drive(double t, size_t d, void *params, double *F)
+{
+    const driving *a = params;
+    const double b = 2 * a->alpha, q = pow(t, 8),
+                 D = tgamma(9) / tgamma(9 - b) * pow(t, 8 - b);
+    for (size_t i = 0; i < d; i++)
+        F[i] = 56 * pow(t, 6) + (1 + q * q) * q + a->rho * D;
+    return 0;
+}
+
+static void run_driven(const fvi_method *method, const driving *a, errors *ex,
+                       errors *ep)
+{
+    const double one = 1, zero = 0, cg[] = { 1, 1 };
+    const fvi_system system = {
+        1, &one, &a->rho, fvi_potential_duffing(cg), { drive, (void *)a }
+    };
+    ex->count = ep->count = 0;
+    for (size_t N = 4; N <= MOST; N *= 2) {
+        fvi_run run = fvi_run_default(&system, &zero, &zero, 1 / (double)N, N);
+        run.alpha = a->alpha;
+        ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
+        for (size_t k = 0; k <= N; k++) {
+            want_x[k] = pow((double)k * run.h, 8);
+            want_p[k] = 8 * pow((double)k * run.h, 7);
+        }
+        ex->errors[ex->count++] = farthest(0, N + 1, x, want_x);
+        ep->errors[ep->count++] = farthest(0, N + 1, p, want_p);
+    }
+}
+
+//> nonlinear
+/* (17.27), nonlinear, all t: the path begins smoothly. Not a bound: a fit, and where
+ * the order is not 2s - 2 it is met from both sides. */
+START_TEST(eq_17_27_orders_of_form_d_on_a_driven_duffing_oscillator)
+{
+    const driving drivings[] = {
+        { 0.25, 100 }, { 0.5, 1 }, { 0.75, 1 }, { 0.9, 1 }
+    };
+    size_t fits = 0;
+    for (size_t s = 2; s <= 7; s++)
+        for (size_t i = 0; i < LEN(drivings); i++) {
+            errors ex, ep;
+            const double alpha = drivings[i].alpha;
+            if (s > 4 && alpha <= 0.5)
+                continue; /* rounding comes before the order */
+            run_driven(damped[s], drivings + i, &ex, &ep);
+            const double of[] = { slope(&ex, 1e-12), slope(&ep, 2e-12) },
+                         full = 2 * (double)s - 2,
+                         want[] = { alpha == 0.5 ? full : order_x(s, alpha),
+                                    alpha == 0.5 ? full : order_p(s, alpha) };
+            for (size_t j = 0; j < 2; j++) {
+                if (isnan(of[j]))
+                    continue;
+                fits++;
+                seen(want[j] - of[j], "below (17.27)");
+                ck_assert_msg(of[j] >= want[j] - 0.3,
+                              "%c: s = %zu, alpha = %g: %g", j ? 'p' : 'x', s,
+                              alpha, of[j]);
+                if (want[j] == full || alpha < 0.5)
+                    continue;
+                seen(of[j] - want[j], "above it, where it is not full");
+                ck_assert_msg(of[j] <= want[j] + 0.5,
+                              "%c: s = %zu, alpha = %g: %g", j ? 'p' : 'x', s,
+                              alpha, of[j]);
+            }
+        }
+    seen((double)fits, "fits");
+    ck_assert_uint_ge(fits, 22);
+}
+END_TEST
+//< nonlinear
+
+/* Errors against the exact solution on [from, 1] T, N = 8, 16, ... */
+static void run_linear(const fvi_method *method, const fvi_linear *problem,
+                       double T, size_t part, errors *ex, errors *ep)
+{
+    const double aT[] = { problem->A, problem->T };
+    const fvi_system system = { 1, &problem->m, &problem->rho,
+                                fvi_potential_harmonic(&problem->c),
+                                problem->forcing == FVI_FORCING_STEP
+                                    ? fvi_force_step(aT)
+                                    : (fvi_force){ 0 } };
+    ex->count = ep->count = 0;
+    for (size_t N = part; N <= MOST; N *= 2) {
+        fvi_run run = fvi_run_default(&system, &problem->x0, &problem->v0,
+                                      T / (double)N, N);
+        run.alpha = problem->alpha;
+        run.past = FVI_PAST_CAPUTO;
+        ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
+        for (size_t k = 0; k <= N; k++)
+            times[k] = (double)k * run.h;
+        ck_assert_int_eq(fvi_exact(problem, N + 1, times, want_x, want_p), 0);
+        const size_t first = N / part * (part / 4);
+        ex->errors[ex->count++] = farthest(first, N + 1, x, want_x);
+        ep->errors[ep->count++] = farthest(first, N + 1, p, want_p);
+    }
+}
+
+//> linear
+/* 4 oscillations from x_0 = 1, v_0 = 1/2 without a force, on [1, 4]: form D has 2s - 2 in x
+ * and in p, whatever alpha. */
+START_TEST(eq_17_27_form_d_has_the_full_order_from_a_start_away_from_zero)
+{
+    const double some[] = { 0.1, 0.25, 0.5, 0.75, 0.9 };
+    for (size_t s = 2; s <= 5; s++)
+        for (size_t i = 0; i < LEN(some); i++) {
+            const fvi_linear problem = { .m = 1,
+                                         .c = 16,
+                                         .rho = 0.5,
+                                         .alpha = some[i],
+                                         .past = FVI_PAST_CAPUTO,
+                                         .x0 = 1,
+                                         .v0 = 0.5 };
+            errors ex, ep;
+            run_linear(damped[s], &problem, 4, 16, &ex, &ep);
+            const double of_x = slope(&ex, 1e-12), of_p = slope(&ep, 1e-12),
+                         full = 2 * (double)s - 2;
+            seen(fmax(full - of_x, full - of_p), "below 2s - 2");
+            ck_assert_msg(of_x >= full - 0.25 && of_p >= full - 0.25,
+                          "s = %zu, alpha = %g: %g, %g", s, some[i], of_x,
+                          of_p);
+        }
+}
+END_TEST
+//< linear
+
+/* Bagley and Torvik, t >= 2: 2s - 2 again, although F jumps at t = 1; form M has
+ * s + 1/2. With 80 steps form D has seven stages down to 1e-13. */
+START_TEST(eq_17_27_bagley_torvik_with_both_forms)
+{
+    const fvi_linear problem = { .m = 1,
+                                 .c = 1,
+                                 .rho = 1,
+                                 .alpha = 0.75,
+                                 .forcing = FVI_FORCING_STEP,
+                                 .A = 8,
+                                 .T = 1 };
+    for (size_t s = 3; s <= 8; s++) {
+        errors M, D, pM, pD;
+        run_linear(methods[s], &problem, 20, 20, &M, &pM);
+        run_linear(damped[s], &problem, 20, 20, &D, &pD);
+        seen(D.errors[2], "D, x, s=%zu, 80 steps", s);
+        seen(M.errors[2], "M, x, s=%zu, 80 steps", s);
+        if (s <= 5) {
+            seen(slope(&D, 1e-12), "D, order of x, s=%zu", s);
+            seen(slope(&pD, 1e-12), "D, order of p, s=%zu", s);
+            ck_assert_double_ge(slope(&D, 1e-12), 2 * (double)s - 2.25);
+            ck_assert_double_ge(slope(&pD, 1e-12), 2 * (double)s - 2.35);
+        }
+        if (s <= 6)
+            ck_assert_near(slope(&M, 1e-12), (double)s + 0.5, 0.6, "M, s=%zu",
+                           s);
+        if (s <= 6) /* else rounding is all that is left */
+            ck_assert_double_lt(D.errors[2], M.errors[2] / 1.5);
+    }
+}
+END_TEST
+
+/* The orders of form M, five stages and more: (17.13). */
+START_TEST(eq_17_13_orders_of_form_m_with_many_stages)
+{
+    const driving drivings[] = { { 0.25, 1 }, { 0.75, 1 }, { 0.9, 1 } };
+    for (size_t s = 5; s <= 8; s++)
+        for (size_t i = 0; i < LEN(drivings); i++) {
+            errors ex, ep;
+            const double alpha = drivings[i].alpha;
+            run_driven(methods[s], drivings + i, &ex, &ep);
+            const double of_x = slope(&ex, 1e-13), of_p = slope(&ep, 1e-12),
+                         want = (double)s + 2 - 2 * alpha;
+            if (!isnan(of_x))
+                seen(fabs(of_x - want), "off, x");
+            if (!isnan(of_p))
+                seen(fabs(of_p - want + 1), "off, p");
+            ck_assert_msg(!(of_x < want - 0.3), "x: s = %zu, alpha = %g: %g", s,
+                          alpha, of_x);
+            ck_assert_msg(!(of_p < want - 1.3), "p: s = %zu, alpha = %g: %g", s,
+                          alpha, of_p);
+            if (alpha > 0.5)
+                ck_assert_msg(!(of_p > want - 0.7),
+                              "p: s = %zu, alpha = %g: %g", s, alpha, of_p);
+        }
+}
+END_TEST
+
+//> uniform
+/* Over all t the order is that of the first nodes for form D too, as (17.22) has it for
+ * form M: 3 - 2 alpha in x and 2 - 2 alpha in p, one more for alpha > 1/2. */
+START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
+{
+    const double some[] = { 0.15, 0.3, 0.6, 0.7 };
+    for (size_t s = 3; s <= 6; s++)
+        for (size_t i = 0; i < LEN(some); i++) {
+            const double alpha = some[i], gain = alpha > 0.5 ? 1 : 0, one = 1,
+                         rho = 0.5, c = 1, x0 = 1, p0 = 2;
+            const fvi_system system = {
+                1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
+            };
+            const fvi_linear problem = { .m = 1,
+                                         .c = 1,
+                                         .rho = 0.5,
+                                         .alpha = alpha,
+                                         .past = FVI_PAST_CAPUTO,
+                                         .x0 = 1,
+                                         .v0 = 2 };
+            errors ex = { 0 }, ep = { 0 };
+            for (double h = 1. / 64; h > 1. / 500; h /= 2) {
+                fvi_run run = fvi_run_default(&system, &x0, &p0, h, 16);
+                run.alpha = alpha;
+                run.past = FVI_PAST_CAPUTO;
+                ck_assert_int_eq(fvi_trajectory(damped[s], &run, x, p, NULL),
+                                 0);
+                for (size_t k = 0; k <= 16; k++)
+                    times[k] = (double)k * h;
+                ck_assert_int_eq(fvi_exact(&problem, 17, times, want_x, want_p),
+                                 0);
+                ex.errors[ex.count++] = farthest(0, 17, x, want_x);
+                ep.errors[ep.count++] = farthest(0, 17, p, want_p);
+            }
+            const double of_x = slope(&ex, 1e-13), of_p = slope(&ep, 1e-13);
+            seen(of_x - (3 - 2 * alpha + gain), "order of x, less expected");
+            seen(of_p - (2 - 2 * alpha + gain), "order of p, less expected");
+            ck_assert_near(of_x, 3 - 2 * alpha + gain, 0.15, "x, s=%zu a=%g", s,
+                           alpha);
+            ck_assert_near(of_p, 2 - 2 * alpha + gain, 0.15, "p, s=%zu a=%g", s,
+                           alpha);
+        }
+}
+END_TEST
+//< uniform
+
+/* ---- stability and energy of form D ---- */
+
+//> energy
+/* (17.26) and (17.28): 400 linear runs without a force, alpha up to 1/2, or from rest:
+ * W and R from 1e-4 to 1e8, and the energy never exceeds that of the start, but for 1000
+ * roundings a step of what is exchanged. A damping on the wrong side would add. */
+START_TEST(eq_17_26_form_d_never_gains_energy)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+    for (size_t i = 0; i < 400; i++) {
+        enum { N = 60 };
+        const double one = 1, c = pow(10, 12 * gsl_rng_uniform(random) - 4),
+                     rho = pow(10, 12 * gsl_rng_uniform(random) - 4), x0 = 1,
+                     alpha = gsl_rng_uniform(random),
+                     p0 = alpha > 0.5 ? 0 : 0.5;
+        const fvi_system system = {
+            1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
+        };
+        fvi_run run = fvi_run_default(&system, &x0, &p0, 1, N);
+        double E[N + 1];
+        run.alpha = alpha;
+        run.past = FVI_PAST_CAPUTO;
+        const size_t s = 2 + i % 7;
+        ck_assert_int_eq(fvi_trajectory(damped[s], &run, NULL, NULL, E), 0);
+        for (size_t k = 1; k <= N; k++) {
+            seen_worst((E[k] / E[0] - 1) / (1000 * U), "above 1, of 1000 u");
+            ck_assert_msg(E[k] <= E[0] * (1 + 1000 * U),
+                          "s=%zu alpha=%g c=%g rho=%g k=%zu: %g", s, alpha, c,
+                          rho, k, E[k] / E[0] - 1);
+        }
+    }
+    gsl_rng_free(random);
+}
+END_TEST
+//< energy
+
+/* Stiff, and a chain: load 0, any step allowed, and the run decays. */
+START_TEST(eq_17_28_form_d_is_stable_for_every_step)
+{
+    enum { D = 5 };
+    const double m[D] = { 1, 2, 3, 1, 0.5 }, rho[D] = { 1e8, 0, 1, 3, 1e-3 },
+                 x0[D] = { 1, 0, 0, 0, -1 }, p0[D] = { 0 }, cg[] = { 1e4, 0 };
+    static double rows[(MOST + 1) * D];
+    const fvi_system system = { D, m, rho, fvi_potential_chain(cg), { 0 } };
+    for (size_t s = 2; s <= 8; s++)
+        for (int a = 1; a <= 9; a += 2) {
+            fvi_run run = fvi_run_default(&system, x0, p0, 10, 300);
+            double load = 7, h = 0;
+            run.alpha = a / 10.;
+            ck_assert_int_eq(fvi_stability_load(damped[s], &run, &load), 0);
+            ck_assert_int_eq(fvi_stability_step(damped[s], &run, &h), 0);
+            ck_assert(load == 0 && h == GSL_POSINF);
+            ck_assert_int_eq(fvi_trajectory(damped[s], &run, rows, NULL, NULL),
+                             0);
+            ck_assert_double_le(farthest(0, 301 * D, rows, NULL), 1 + 1e-9);
+        }
+}
+END_TEST
+
+/* rho = 0, x'' + x^3 = 0: form M keeps the energy in a band, form D loses it, the more
+ * the fewer the stages. 2000 steps of length 1/4. */
+START_TEST(eq_17_26_form_d_loses_where_form_m_keeps)
+{
+    enum { N = 2000 };
+    static double E[N + 1];
+    const double one = 1, zero = 0, cg[] = { 0, 1 }, x0 = 1, p0 = 0;
+    const fvi_system system = {
+        1, &one, &zero, fvi_potential_duffing(cg), { 0 }
+    };
+    for (size_t s = 2; s <= 5; s++) {
+        const fvi_run run = fvi_run_default(&system, &x0, &p0, 0.25, N);
+        double band = 0;
+        ck_assert_int_eq(fvi_trajectory(methods[s], &run, NULL, NULL, E), 0);
+        for (size_t k = 0; k <= N; k++)
+            band = fmax(band, fabs(E[k] / E[0] - 1));
+        ck_assert_int_eq(fvi_trajectory(damped[s], &run, NULL, NULL, E), 0);
+        const double lost = 1 - E[N] / E[0];
+        seen(band, "band of form M, s=%zu", s);
+        seen(lost, "lost by form D, s=%zu", s);
+        ck_assert_msg(lost > 10 * band, "s=%zu: %g, %g", s, lost, band);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("lobatto_forms");
+    ADD_CASE(suite, "orders",
+             eq_17_27_orders_of_form_d_on_a_driven_duffing_oscillator,
+             eq_17_27_form_d_has_the_full_order_from_a_start_away_from_zero,
+             eq_17_27_bagley_torvik_with_both_forms,
+             eq_17_13_orders_of_form_m_with_many_stages,
+             eq_17_22_orders_of_the_first_nodes_of_form_d);
+    ADD_CASE(suite, "form_d", eq_17_26_form_d_never_gains_energy,
+             eq_17_28_form_d_is_stable_for_every_step,
+             eq_17_26_form_d_loses_where_form_m_keeps);
+    return run_suite(suite);
+}
