@@ -57,9 +57,11 @@ static void run_driven(const fvi_method *method, const driving *a, errors *ex,
                        errors *ep)
 {
     const double one = 1, zero = 0, cg[] = { 1, 1 };
-    const fvi_system system = {
-        1, &one, &a->rho, fvi_potential_duffing(cg), { drive, (void *)a }
-    };
+    const fvi_system system = { 1,
+                                &one,
+                                &a->rho,
+                                fvi_potential_duffing(cg),
+                                { .value = drive, .params = (void *)a } };
     ex->count = ep->count = 0;
     for (size_t N = 4; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &zero, &zero, 1 / (double)N, N);

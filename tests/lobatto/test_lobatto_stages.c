@@ -98,7 +98,7 @@ START_TEST(eq_17_24_form_d_is_the_solution_of_its_equations)
 {
     const double m = 1.5, c = 2, rho = 0.75, x0 = 0.25, p0 = 0.5;
     const fvi_system system = {
-        1, &m, &rho, fvi_potential_harmonic(&c), { drive, NULL }
+        1, &m, &rho, fvi_potential_harmonic(&c), { .value = drive }
     };
     for (size_t e = 0; e < LEN(ref_damped); e++)
         for (size_t kind = 0; kind < 2; kind++) {

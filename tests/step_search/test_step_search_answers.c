@@ -117,9 +117,9 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
 {
     const fvi_system system = pair();
     fvi_run run = pair_run(&system);
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_lobatto8d);
-    ck_assert(fvi_step_search_other(&fvi_lobatto4, &run) == &fvi_lobatto8d);
-    ck_assert(fvi_step_search_other(&fvi_lobatto8d, &run) == NULL);
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
+    ck_assert(fvi_step_search_other(&fvi_lobatto4, &run) == &fvi_adaptive);
+    ck_assert(fvi_step_search_other(&fvi_adaptive, &run) == NULL);
     run.memory = FVI_MEMORY_FFT; /* not for the stages */
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_shifted);
     ck_assert(fvi_step_search_other(&fvi_bdf2, &run) == NULL);
