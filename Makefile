@@ -273,6 +273,7 @@ $B/tests/bench_precision: tests/bench/peer_product_trapezoid.c
 TABLE_memory    := figures/memory/memory_bench.tsv
 TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv
+TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
 
 $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@

@@ -6,7 +6,7 @@ DD is block lower bidiagonal on all stages of all steps (k,k): A^(-1)/h_k,
           DD^(-1) v, the path of form D (three steps, symbols; s = 2, 3, 4);
   (22.3)  BB^(-1) DD^T BB is DD of the reversed mesh, reversed;
   (22.4)  v^T S v is half a sum of squares;
-  (22.5)  the resolvent (s + DD)^(-1), and its moving forms (22.6), (22.7);
+  (22.5)  the resolvent (sigma + DD)^(-1), and its moving forms (22.6), (22.7);
   (22.8)  n(mu), d(mu) in closed form; d is the characteristic polynomial of -A^(-1),
           its coefficients and those of n_s are integers, s = 2 to 8;
   (22.21) the restricted variation with the inertia as a term of order 1, its powers
@@ -256,9 +256,9 @@ def prove_all():
         zero("(22.1) DD^(-1) v", DD * Matrix(found) - v)
 
     #> forms
-    # (22.5): w_k = h N v_k + a w_{k-1,s} solves (s + DD) w = v; with p = mu b.a = 1 - R the
-    # last stage moves by w <- w - p w + h a.u, u = P B v; and y = s w, z = v_e - s w. All
-    # times d: N is an adjugate, a its first column over b_1.
+    # (22.5): w_k = h N v_k + a w_{k-1,s} solves (sigma + DD) w = v; with p = mu b.a = 1 - R the
+    # last stage moves by w <- w - p w + h a.u, u = P B v; and y = sigma w, z = v_e - sigma w.
+    # All times d: N is an adjugate, a its first column over b_1.
     step, w, ve, z = symbols("h w v_e z")
     for s in (2, 3, 4):
         b, D = exact_rule(s)
@@ -267,12 +267,12 @@ def prove_all():
         d, a, v = closed(s)[2], N[:, 0] / b[0], Matrix(symbols(f"v:{s}"))
         zero("(22.8) d", (mu * eye(s) + inverse) * N - d * eye(s))
         new = step * N * v + a * w
-        zero("(22.5) one block row of (s + DD) w = v", (mu * eye(s) + inverse) * new
+        zero("(22.5) one block row of (sigma + DD) w = v", (mu * eye(s) + inverse) * new
              - eye(s)[:, 0] * w * d / b[0] - step * v * d)
         p = mu * sum(b[i] * a[i] for i in range(s))
         au = lambda f: sum(a[i] * b[i] * f[s - 1 - i] for i in range(s))
         prove("(22.5) the last stage", expand(new[s - 1] - (d * w - p * w + step * au(v))))
-        # y = s w and z = v_e - s w, where s = mu/h
+        # y = sigma w and z = v_e - sigma w, where sigma = mu/h
         moved = (mu / step * new[s - 1]).subs(w, step * z / mu)
         prove("(22.6)", expand(moved - (d * z - p * z + mu * au(v))))
         moved = d * v[s - 1] - (mu / step * new[s - 1]).subs(w, step * (ve - z) / mu)

@@ -1,0 +1,28 @@
+# figures/variable_steps/variable_steps.gp -- Chapter 22: steps and modes on one ladder.
+# Input: figures/variable_steps/variable_steps.c. Output: variable_steps.svg.
+width = 900; height = 470
+load 'figures/style.gp'
+set multiplot layout 1,2 margins 0.07,0.985,0.13,0.91 spacing 0.09
+set title "Bagley and Torvik's problem: all the steps there are"
+set xlabel "t"
+set ylabel "x"
+set xrange [0:20]
+plot dat index 0 using 1:2 with lines ls 1 notitle, \
+     dat index 1 using 2:3 with points ls 2 pt 7 ps 0.7 title "ends of steps"
+
+set title "Their lengths, and the times 1/σ of the modes"
+set xlabel "number of the step"
+set ylabel "time" offset 1
+stats dat index 1 using 1 name "N" nooutput
+set xrange [0:N_max + 1]
+set logscale y
+set format y "10^{%L}"
+set yrange [1e-8:1e7]
+set ytics 1e2
+unset grid
+set key at graph 0.98, graph 0.97 top right
+set style line 9 lc rgb "#9fb8c8" dt 1 lw 0.7
+plot dat index 2 using 1:2 with lines ls 9 title "1/σ, awake", \
+     dat index 1 using ($5 == 1 ? $1 : NaN):4 with points ls 2 pt 7 ps 0.6 title "h, on a rung", \
+     dat index 1 using ($5 == 0 ? $1 : NaN):4 with points ls 2 pt 6 ps 0.8 title "h, to meet a time"
+unset multiplot

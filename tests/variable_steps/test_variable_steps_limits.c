@@ -1,0 +1,162 @@
+/* tests/variable_steps/test_variable_steps_limits.c -- Chapter 22: what steps of any
+ * length do not do. Run alone: make test-variable_steps_limits */
+#include <fvi/exact_solution.h>
+#include <fvi/fvi.h>
+#include "harness/energy.h"
+#include "harness/ulp.h"
+
+enum { ROWS = 400 };
+static const double one = 1, zero = 0;
+
+static int late_jump(double t, size_t d, void *params, double *F)
+{
+    (void)d, (void)params;
+    *F = t <= 0.7310585 ? 8 : 0;
+    return 0;
+}
+
+static int short_pulse(double t, size_t d, void *params, double *F)
+{
+    (void)d, (void)params;
+    *F = fabs(t - 9.3) < 0.01 ? 100 : 0;
+    return 0;
+}
+
+/* Bagley and Torvik's plate, under a force that declares no jumps. */
+static fvi_adaptive_counts plate(int (*value)(double, size_t, void *, double *),
+                                 double tolerance, double *x)
+{
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &one,
+                                .potential = fvi_potential_harmonic(&one),
+                                .force = { .value = value } };
+    fvi_run run = fvi_run_default(&system, &zero, &zero, 20. / ROWS, ROWS);
+    run.alpha = 0.75;
+    run.past = FVI_PAST_CAPUTO;
+    run.step_error = tolerance;
+    fvi_stepper *s;
+    fvi_adaptive_counts counts;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    for (size_t k = 0; k <= ROWS; k++)
+        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, x + k, NULL), 0);
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    fvi_stop(s);
+    return counts;
+}
+
+/* A jump that nobody declared is found by steps that are rejected; it may cost ten times
+ * the tolerance, and does cost steps. Seen: 5.1 times. */
+START_TEST(a_jump_that_is_not_declared_costs_steps)
+{
+    const fvi_linear problem = { .m = 1,
+                                 .c = 1,
+                                 .rho = 1,
+                                 .alpha = 0.75,
+                                 .past = FVI_PAST_CAPUTO,
+                                 .forcing = FVI_FORCING_STEP,
+                                 .A = 8,
+                                 .T = 0.7310585 };
+    double t[ROWS + 1], exact[ROWS + 1], v[ROWS + 1], x[ROWS + 1];
+    for (size_t k = 0; k <= ROWS; k++)
+        t[k] = 20. / ROWS * (double)k;
+    ck_assert_int_eq(fvi_exact(&problem, ROWS + 1, t, exact, v), 0);
+    for (double tolerance = 1e-4; tolerance > 1e-13; tolerance /= 100) {
+        const fvi_adaptive_counts n = plate(late_jump, tolerance, x);
+        double worst = 0;
+        for (size_t k = 0; k <= ROWS; k++)
+            worst = fmax(worst, fabs(x[k] - exact[k]));
+        seen_worst(worst / tolerance, "of the tolerance");
+        ck_assert_double_le(worst, 10 * tolerance);
+        seen((double)n.steps, "steps, %.0e", tolerance);
+        seen((double)n.rejected, "rejected, %.0e", tolerance);
+        ck_assert_uint_ge(n.rejected, 5);
+    }
+}
+END_TEST
+
+/* What falls between the stages of a step does not exist. */
+START_TEST(a_pulse_between_the_stages_is_passed_over)
+{
+    double x[ROWS + 1];
+    const fvi_adaptive_counts n = plate(short_pulse, 1e-8, x);
+    seen((double)n.steps, "steps");
+    for (size_t k = 0; k <= ROWS; k++)
+        ck_assert_double_eq(x[k], 0);
+}
+END_TEST
+
+/* A spring of period 2 pi/10^4, hardly damped: each period is resolved. */
+START_TEST(a_fast_spring_is_followed_through_every_period)
+{
+    const double c = 1e8, rho = 1e-6;
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&c) };
+    fvi_run run = fvi_run_default(&system, &one, &zero, 2. / ROWS, ROWS);
+    run.alpha = 0.3;
+    run.past = FVI_PAST_CAPUTO;
+    run.step_error = 1e-10;
+    const fvi_linear problem = { .m = 1,
+                                 .c = c,
+                                 .rho = rho,
+                                 .alpha = 0.3,
+                                 .past = FVI_PAST_CAPUTO,
+                                 .x0 = 1 };
+    fvi_stepper *s;
+    fvi_adaptive_counts counts;
+    double x, p, t = 2, exact, v;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ck_assert_int_eq(fvi_run_to(s, t, &x, &p), 0);
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    fvi_stop(s);
+    ck_assert_int_eq(fvi_exact(&problem, 1, &t, &exact, &v), 0);
+    /* rounding: omega t u for the phase, ten times */
+    ck_assert_near(x, exact, 10 * 1e4 * t * U + 1e-10, "at %g", t);
+    seen((double)counts.steps / (1e4 * t / (2 * M_PI)), "steps a period");
+    ck_assert_uint_ge(counts.steps, 5 * 3183);
+}
+END_TEST
+
+/* Without damping variable steps lose the balance of chapter 2: the energy of x'' + x^3 = 0
+ * drifts as the time, also in form M. Twice the time, between 1.2 and 3 times as far. */
+START_TEST(without_damping_the_energy_drifts)
+{
+    const double cg[] = { 0, 1 };
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &zero,
+                                .potential = fvi_potential_duffing(cg) };
+    fvi_run run = fvi_run_default(&system, &one, &zero, 2000. / ROWS, ROWS);
+    for (double tolerance = 1e-6; tolerance > 1e-10; tolerance /= 1000) {
+        double off[2] = { 0, 0 };
+        fvi_stepper *s;
+        fvi_adaptive_counts counts;
+        run.step_error = tolerance;
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        while (s->k < ROWS) {
+            ck_assert_int_eq(fvi_step(s), 0);
+            double *o = &off[s->t > 1000];
+            *o = fmax(*o, fabs(energy_of(&system, s->x, s->p) - 0.25));
+        }
+        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+        fvi_stop(s);
+        ck_assert_int_eq(counts.form, 'M');
+        seen(off[1], "drift, %.0e", tolerance);
+        seen((double)counts.steps, "steps, %.0e", tolerance);
+        ck_assert_double_gt(off[1] / off[0], 1.2);
+        ck_assert_double_lt(off[1] / off[0], 3);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("variable_steps: limits");
+    ADD_CASE(suite, "limits", a_jump_that_is_not_declared_costs_steps,
+             a_pulse_between_the_stages_is_passed_over,
+             a_fast_spring_is_followed_through_every_period,
+             without_damping_the_energy_drifts);
+    return run_suite(suite);
+}
