@@ -19,7 +19,6 @@ typedef struct {
     double c;                 /* rho h^(1 - 2 alpha) */
     double *s, *pi, *delta;   /* d x_k, d p_k, d (x_{k+1} - x_k) */
     double *z, *dz, *dU;      /* what the memory takes in; d U'(S) */
-    double *rows;             /* of the sensitivity */
 } tangents;
 
 static double rho(const tangents *o)
@@ -42,12 +41,12 @@ static int potential_at(tangents *o, double S, double *G)
     double H[2] = { 0, 0 };
     int status = fvi_hessian(system, &S, H);
     *G = H[0];
-    if (!status && o->by.count > 0)
-        status = o->by.rows(1, &S, system->potential.params, o->rows);
-    for (size_t j = 0; j < o->P; j++)
-        o->dU[j] = o->which[j] < FVI_PARAMETER_CONSTANT
-                       ? 0
-                       : o->rows[o->which[j] - FVI_PARAMETER_CONSTANT];
+    for (size_t j = 0; j < o->P && !status; j++) {
+        o->dU[j] = 0;
+        if (o->which[j] >= FVI_PARAMETER_CONSTANT)
+            status = o->by.column(o->which[j] - FVI_PARAMETER_CONSTANT, 1, &S,
+                                  system->potential.params, &o->dU[j]);
+    }
     return status;
 }
 
@@ -164,7 +163,7 @@ static int prepare(tangents *o)
     int wants_own = 0;
     o->by = fvi_sensitivity_of(&r->system->potential);
     o->c = rho(o) * pow(r->h, 1 - 2 * r->alpha);
-    o->s = calloc(6 * o->P + o->by.count, sizeof *o->s);
+    o->s = calloc(6 * o->P, sizeof *o->s);
     if (!o->s)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
     o->pi = o->s + o->P;
@@ -172,7 +171,6 @@ static int prepare(tangents *o)
     o->z = o->delta + o->P;
     o->dz = o->z + o->P;
     o->dU = o->dz + o->P;
-    o->rows = o->dU + o->P;
     for (size_t j = 0; j < o->P; j++) {
         o->s[j] = o->which[j] == FVI_PARAMETER_X0;
         o->pi[j] = o->which[j] == FVI_PARAMETER_P0;
