@@ -132,6 +132,11 @@ int fvi_fit_model_run(fvi_fit_model *m)
     double x = s->x[0], p = s->p[0]; /* a step before s */
     for (size_t i = 0; i < m->fit->n && !status; i++) {
         const double t = m->fit->t[i];
+        if (m->fit->method->dense) { /* it has the motion between its steps */
+            status = fvi_run_to(s, fmin(t, (double)m->run.steps * h),
+                                m->motion + i, NULL);
+            continue;
+        }
         while (s->t < t - 1e-9 * h && s->k < m->run.steps && !status) {
             x = s->x[0];
             p = s->p[0];
