@@ -41,8 +41,8 @@ extern "C" {
  * numerical damping; fvi_adaptive_look says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
- * next begin small. A jump that is not declared is come near to by rejected steps, which
- * takes some sixty; a pulse that is shorter than the steps may be passed over.
+ * next begin small. A jump that is not declared is come near to by rejected steps, some
+ * fifty; a pulse that is shorter than the steps may be passed over.
  *
  * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
  * linear solution if U is quadratic); others by fixed-point iteration where it contracts
@@ -51,7 +51,9 @@ extern "C" {
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 80 to 190 modes; s gradients for
  * each iteration, mostly 2 to 6 of them; O(d s^2). Memory O(d (Q + 10 s)).
- * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough. */
+ * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from
+ * fvi_start if it is clear beforehand: alpha < 1 near 1, a damping far above the mass, and
+ * a past that the body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

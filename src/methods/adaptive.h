@@ -14,6 +14,7 @@ typedef struct {
     double
         spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
     double drag;        /* rho h^{1 - beta} */
+    double reach;       /* how far x moves, at most, for a velocity 1 more */
     fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 */
     fvi_square inverse; /* of L + c h^2 A */
 } fvi_kind;
@@ -78,7 +79,6 @@ typedef struct {
     int fresh; /* nonzero in the first step after a jump */
     int most, fewest; /* those of the longest and the shortest step */
     int growth;       /* so much may k grow from step to step */
-    double rough;     /* up to this time a force may jump that did not say so */
     fvi_adaptive_counts counts;
 } fvi_adaptive_run;
 
@@ -122,8 +122,15 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o);
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull);
 
-/* fvi_singular_moment -- I(a, S) of (22.20), a > 0, S > 0; to 1e-15 of itself. */
-double fvi_singular_moment(double a, double S);
+/* fvi_singular_moment -- sum_n d_n I(a_n, S) of (22.20), S >= 0, from what
+ * fvi_singular_sums makes of d_n and a_n > 0, n < count. To 1e-14 of sum |d_n| I(a_n, S). */
+enum { FVI_SERIES = 128 };
+typedef struct {
+    double B[FVI_SERIES], D[FVI_SERIES];
+} fvi_singular_series;
+void fvi_singular_sums(size_t count, const double *d, const double *a,
+                       fvi_singular_series *f);
+double fvi_singular_moment(const fvi_singular_series *f, double S);
 
 /* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over
  * what G has done, and the singular part is no more.                        (22.20) */

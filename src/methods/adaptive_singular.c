@@ -22,7 +22,8 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-enum { MOST_TERMS = 256 };
+/* 2^-ENOUGH of a velocity is left to y at t1; more where y would not be smooth. */
+enum { ENOUGH = 32, MOST_TERMS = 256 };
 
 /* a_n */
 static double power(const fvi_singular *g, size_t n)
@@ -56,7 +57,8 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         return FVI_SUCCESS;
     g->gap = 2 - 2 * alpha;
     g->e = alpha > 0.5;
-    g->J = (size_t)fmin(ceil((1 + 2 * alpha - g->e) / g->gap), MOST_TERMS);
+    g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap), ENOUGH),
+                        MOST_TERMS);
     g->t1 = 0.5 * pow(fastest, -1 / g->gap);
     g->c = calloc(o->d * (g->J + 2), sizeof *g->c);
     if (!g->c)
@@ -95,39 +97,59 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
 }
 //< at
 
-/* I(a, S), a > 0: the series of e^{Su} where it is short, else that in 1 / S, whose
- * terms fall below rounding as S > 40. */
-double fvi_singular_moment(double a, double S)
+/* The sums of (22.20) over the terms of G, that over the modes need not do them again:
+ * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k / k!, and sum_k D_k / S^{k+1} as S grows,
+ *
+ *     B_k = sum_n d_n / (a_n + k),   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
+//> moments
+void fvi_singular_sums(size_t count, const double *d, const double *a,
+                       fvi_singular_series *f)
 {
-    double sum = 0, term = 1;
+    for (size_t k = 0; k < FVI_SERIES; k++) {
+        f->B[k] = f->D[k] = 0;
+        for (size_t n = 0; n < count; n++)
+            f->B[k] += d[n] / (a[n] + (double)k);
+    }
+    for (size_t n = 0; n < count; n++) {
+        double term = d[n];
+        for (size_t k = 0; k < FVI_SERIES; term *= (double)++k - a[n])
+            f->D[k] += term;
+    }
+}
+
+/* Of the second series no term is taken that is larger than the one before. */
+double fvi_singular_moment(const fvi_singular_series *f, double S)
+{
+    double sum = 0, term = 1, last = GSL_POSINF;
     if (S < 40) {
-        for (double n = 0; term > sum * GSL_DBL_EPSILON / 4 * S || n < S; n++) {
-            sum += term / (a + n);
-            term *= S / (n + 1);
-        }
+        for (size_t k = 0; k < FVI_SERIES; term *= S / (double)++k)
+            sum += f->B[k] * term;
         return exp(-S) * sum;
     }
     term = 1 / S;
-    for (double n = 1; fabs(term) > fabs(sum) * GSL_DBL_EPSILON / 4 && n < S;
-         n++) {
-        sum += term;
-        term *= -(a - n) / S;
+    for (size_t k = 0; k < 40 && fabs(term * f->D[k]) < last; k++) {
+        last = fabs(term * f->D[k]);
+        sum += term * f->D[k];
+        if (last <= GSL_DBL_EPSILON / 8 * fabs(sum))
+            break;
+        term /= S;
     }
     return sum;
 }
+//< moments
 
 //> hand-over
-/* What the start has done to the mode of rate sigma, of coordinate j. */
-static double done(const fvi_singular *g, size_t j, double sigma)
+/* d_n and a_n of (22.20) for coordinate j. */
+static void series(const fvi_singular *g, size_t j, fvi_singular_series *f)
 {
-    const double *c = g->c + j * (g->J + 1), S = sigma * g->t1;
-    double sum = c[0] * exp(-S);
+    const double *c = g->c + j * (g->J + 1);
+    double d[MOST_TERMS], a[MOST_TERMS];
     for (size_t n = 1; n <= g->J; n++) {
-        const double a = power(g, n) - g->e;
-        sum += c[n] * power(g, n) * (g->e == 1 ? a : 1) * pow(g->t1, a)
-               * fvi_singular_moment(a, S);
+        a[n - 1] = power(g, n) - g->e;
+        d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1)
+                   * pow(g->t1, a[n - 1]);
     }
-    return g->e == 1 ? sum : sum * sigma;
+    fvi_singular_sums(g->J, d, a, f);
 }
 
 void fvi_singular_hand_over(fvi_adaptive_run *o)
@@ -140,9 +162,15 @@ void fvi_singular_hand_over(fvi_adaptive_run *o)
         o->v[j] += slope;
     }
     fvi_modes_wake_all(o->modes);
-    for (size_t l = 0; l < o->damped; l++)
-        for (size_t q = 0; q < fvi_modes_count(o->modes); q++)
-            fvi_modes_add(o->modes, l, q,
-                          done(g, o->index[l], fvi_modes_rate(o->modes, q)));
+    for (size_t l = 0; l < o->damped; l++) {
+        fvi_singular_series f;
+        series(g, o->index[l], &f);
+        const double jump = g->c[o->index[l] * (g->J + 1)];
+        for (size_t q = 0; q < fvi_modes_count(o->modes); q++) {
+            const double sigma = fvi_modes_rate(o->modes, q), S = sigma * g->t1,
+                         more = jump * exp(-S) + fvi_singular_moment(&f, S);
+            fvi_modes_add(o->modes, l, q, g->e == 1 ? more : sigma * more);
+        }
+    }
 }
 //< hand-over

@@ -137,6 +137,19 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
 
 /* ---- the start ---- */
 
+/* How far a velocity 1 more moves a body of mass m in the time T: t without forces; with a
+ * damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after
+ * (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that for
+ * one that is softer elsewhere. */
+static double reach_of(double m, double rho, double c, double alpha, double T)
+{
+    double reach = T;
+    if (rho > 0 && alpha < 1)
+        reach = fmin(reach, alpha > 0.5 ? m / rho * pow(T, 2 * alpha - 1)
+                                        : pow(m / rho, 1 / (2 - 2 * alpha)));
+    return c > 0 ? fmin(reach, 2 * sqrt(m / c)) : reach;
+}
+
 /* Kinds for all coordinates: a new one where mass, damping or spring change from the one
  * before. springs: of each coordinate, or NULL. Returns their number; writes them if
  * there is room. */
@@ -150,18 +163,19 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
     for (size_t j = 0; j < system->d; j++) {
         const double rho = system->damping[j],
                      m = system->mass[j] + (heavier ? rho : 0),
-                     c = springs ? springs[j] : 0;
+                     c = springs ? springs[j] : 0,
+                     linear = o->solve == FVI_SOLVE_LINEAR ? c : 0,
+                     reach = reach_of(m, rho, c, s->run.alpha, o->T);
         if (j == 0 || m != last.mass || rho != last.damping
-            || c != last.spring) {
-            last.mass = m;
-            last.damping = rho;
-            last.spring = c;
-            if (o->of_kind)
-                o->of_kind[n] = last;
+            || linear != last.spring) {
+            last = (fvi_kind){ .mass = m, .damping = rho, .spring = linear };
             n++;
         }
-        if (o->kind)
+        last.reach = fmax(last.reach, reach);
+        if (o->kind) {
+            o->of_kind[n - 1] = last;
             o->kind[j] = n - 1;
+        }
     }
     return n;
 }
@@ -208,10 +222,9 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->first = (int)floor(log(0.1 * pow(fmin(wish, 1), 0.4) * T) / L);
     o->most = (int)ceil(log(T) / L);
     o->fresh = 1;
-    o->rough = -1;
 }
 
-/* The springs of a quadratic U whose Hessian is diagonal, by one Hessian. */
+/* The springs at x0 of a U whose Hessian is diagonal. */
 static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -220,7 +233,7 @@ static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
     o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
                : diagonal                              ? FVI_SOLVE_DIAGONAL
                                                        : FVI_SOLVE_COUPLED;
-    if (o->solve != FVI_SOLVE_LINEAR || !u->gradient)
+    if (o->solve == FVI_SOLVE_COUPLED || !u->gradient)
         return FVI_SUCCESS;
     *springs = malloc(fvi_hessian_room(s->run.system) * sizeof **springs);
     if (!*springs)
@@ -243,9 +256,9 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         return status;
     if (o->singular.J)
         o->least = fmin(o->least, o->singular.t1 / 16);
-    if (o->least < 1e-26 * o->T)
+    if (o->least < 1e-75 * o->T)
         FVI_FAIL("no step is short enough for the start of such a damping",
-                 FVI_ETOL);
+                 FVI_EUNSUP);
     return fvi_modes_alloc(o->rule, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }

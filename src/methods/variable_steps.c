@@ -82,21 +82,24 @@ static void remember(fvi_adaptive_run *o)
 
 /* ---- a trial of a step, and its error ---- */
 
-/* 0.01 h^2 of the last Legendre coefficient of x'', the largest of all coordinates; NaN if
- * one is not finite.                                                        (22.16) */
+/* What the last Legendre coefficient a of x'' says: x is off by 0.01 h^2 a, and v by
+ * 0.0005 h a, which moves x by as much times the reach of a velocity. The largest of all
+ * coordinates; NaN if one is not finite.                                    (22.16) */
 //> estimate
 static double estimate(fvi_adaptive_run *o)
 {
     const size_t s = o->rule->s;
-    double last = 0;
+    double worst = 0;
     for (size_t j = 0; j < o->d; j++) {
         double *bend = o->bend + j * FVI_LANES;
         fvi_square_apply(s, &o->rule->legendre, o->delta + j * FVI_LANES, bend);
         if (!isfinite(bend[s - 1]))
             return GSL_NAN;
-        last = fmax(last, fabs(bend[s - 1]));
+        const double reach = fmin(o->of_kind[o->kind[j]].reach, o->T - o->t);
+        worst = fmax(worst,
+                     (0.01 * o->length.h + 0.0005 * reach) * fabs(bend[s - 1]));
     }
-    return 0.01 * o->length.h * last;
+    return worst;
 }
 //< estimate
 
@@ -166,21 +169,6 @@ static int change(const fvi_adaptive_run *o, double error)
 }
 //< control
 
-/* A smooth force makes the last coefficient of x'' fall like h^{s-1}. One that hardly
- * falls when the step becomes shorter jumps: then the error of v counts too, for the
- * rest of the run, until the place is passed. */
-static double roughness(fvi_adaptive_run *o, double error, double error_before,
-                        double h_before)
-{
-    const double h = o->length.h;
-    if (!o->fresh && error_before > 0
-        && error > error_before * gsl_pow_4(h / h_before))
-        o->rough = fmax(o->rough, o->t + h_before);
-    if (o->t >= o->rough || h < 2 * o->least)
-        return error;
-    return fmax(error, 0.3 * error / h * (o->T - o->t));
-}
-
 /* ---- a step ---- */
 
 /* sum += more, what rounding takes from it kept in less (Kahan). */
@@ -243,16 +231,13 @@ static int step(fvi_stepper *s)
 {
     fvi_adaptive_run *o = s->own;
     const double event = next_event(o), rest = event - o->t;
-    double error = 0, error_before = 0, h_before = 0;
+    double error = 0;
     for (;;) {
         const fvi_length length = choose(o, rest);
         int status = trial(s, o, length, &error);
         const int failed = status == FVI_EMAXITER || status == FVI_ESING;
         if (status && !failed)
             return status;
-        const double raw = error;
-        if (!failed)
-            error = roughness(o, raw, error_before, h_before);
         if (!failed && error <= o->allowed) {
             const int k = exponent(length) + change(o, error);
             o->next = length.k == FVI_OFF_LATTICE ? (int)fmax(o->next, k) : k;
@@ -268,8 +253,6 @@ static int step(fvi_stepper *s)
         o->counts.rejected++;
         o->next = exponent(length) + (failed ? -4 : change(o, error));
         o->next = (int)fmax(o->next, o->fewest);
-        error_before = failed ? 0 : raw;
-        h_before = length.h;
     }
     take(o, event);
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
