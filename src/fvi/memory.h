@@ -7,6 +7,8 @@
 #ifndef FVI_MEMORY_H
 #define FVI_MEMORY_H
 
+#include "visit.h"
+
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -130,6 +132,11 @@ int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
  * of cosines anew. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM.
  * On error *to is untouched. */
 int fvi_memory_copy(const fvi_memory *from, fvi_memory **to);
+
+/* fvi_memory_visit -- show the terms that came in, or what is left of them, to a visitor; as
+ * fvi_visit (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if
+ * there are more terms than this memory was made for; what the visitor returns. */
+int fvi_memory_visit(fvi_memory *memory, fvi_visitor *visitor);
 
 /* fvi_memory_free -- give everything back. NULL is allowed. */
 void fvi_memory_free(fvi_memory *memory);

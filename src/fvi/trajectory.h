@@ -18,6 +18,7 @@
 #include "memory.h"
 #include "past.h"
 #include "system.h"
+#include "visit.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -129,6 +130,8 @@ typedef struct {
  *          sets s->t, to steps h in the end
  *   copy   makes to->own out of from->own; NULL only if own is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
+ *   visit  shows what steps change of own to a visitor, and what must be the same (visit.h).
+ *          NULL if own is never set, or the method has no such function
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
@@ -144,6 +147,7 @@ struct fvi_method {
     int (*step)(fvi_stepper *s);
     int (*dense)(const fvi_stepper *s, double t, double *x, double *p);
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
+    int (*visit)(fvi_stepper *s, fvi_visitor *visitor);
     void (*stop)(fvi_stepper *s);
 };
 
@@ -203,6 +207,25 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p);
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
  * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
 int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
+
+/* fvi_visit -- show a visitor all that steps have changed, so that a run can be saved, and
+ * gone on with in another process:
+ *
+ *   save   let the visitor copy the pieces, whatever `constant`
+ *   load   fvi_start the same run, then let the visitor write them back: where constant != 0
+ *          it must compare instead, and return a code of its own if they differ. After an
+ *          error stop the stepper
+ *
+ * The digits are then those of the run that was saved. The system is not among the pieces,
+ * but for d, masses and dampings, which are constant; potential and force must be the same.
+ * `steps` may be another one where the memory is none or FVI_MEMORY_DIRECT, and at least k; in the
+ * other memories what depends on it is constant. All pieces are as this machine has them.
+ * O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
+ * the method has data of its own and no visit; FVI_EINVAL if the k that was loaded is beyond
+ * the run; what the visitor returns. */
+int fvi_visit(fvi_stepper *s, fvi_visitor *visitor);
 
 /* fvi_reset -- back to k = 0 of the same run, also after a step that failed. The digits
  * are the same again. s->x and s->p are other arrays then.

@@ -157,6 +157,23 @@ int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
     return FVI_SUCCESS;
 }
 
+/* How many lags are kept, and the nodes, may depend on N, and must be the same. */
+int fvi_lobatto_memory_visit(fvi_lobatto_memory *m, fvi_visitor *v)
+{
+    const size_t number = sizeof(double);
+    int status = v->visit(v, &m->lags, sizeof m->lags, 1);
+    if (!status)
+        status = v->visit(v, &m->Q, sizeof m->Q, 1);
+    if (!status)
+        status = v->visit(v, m->q, (2 + m->s) * m->Q * number, 1);
+    if (!status)
+        status = v->visit(v, &m->k, sizeof m->k, 0);
+    if (!status)
+        status = v->visit(v, m->z, m->d * m->Q * number, 0);
+    return status ? status
+                  : v->visit(v, m->past, m->lags * m->s * m->d * number, 0);
+}
+
 void fvi_lobatto_memory_free(fvi_lobatto_memory *m)
 {
     if (!m)

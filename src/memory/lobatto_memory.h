@@ -4,6 +4,7 @@
 #define FVI_LOBATTO_MEMORY_H
 
 #include <fvi/memory.h>
+#include <fvi/visit.h>
 #include "lobatto_weights.h"
 
 typedef struct fvi_lobatto_memory fvi_lobatto_memory;
@@ -59,6 +60,9 @@ const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *memory);
  * terms. On error H is untouched. */
 int fvi_lobatto_memory_push(fvi_lobatto_memory *memory, const double *v,
                             double *H);
+
+/* fvi_lobatto_memory_visit -- as fvi_memory_visit. */
+int fvi_lobatto_memory_visit(fvi_lobatto_memory *memory, fvi_visitor *visitor);
 
 /* fvi_lobatto_memory_free -- give everything back. NULL is allowed. */
 void fvi_lobatto_memory_free(fvi_lobatto_memory *memory);

@@ -258,6 +258,42 @@ int fvi_memory_copy(const fvi_memory *from, fvi_memory **to)
     return FVI_SUCCESS;
 }
 
+/* The terms so far, coordinate by coordinate: the room behind them depends on N. */
+static int visit_direct(fvi_memory *m, fvi_visitor *v)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < m->d; i++)
+        status = v->visit(v, m->history + i * (m->steps + 1),
+                          m->k * sizeof *m->history, 0);
+    return status;
+}
+
+int fvi_memory_visit(fvi_memory *m, fvi_visitor *v)
+{
+    if (!m || !v)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = v->visit(v, &m->order, sizeof m->order, 1);
+    if (!status)
+        status = v->visit(v, &m->kind, sizeof m->kind, 1);
+    if (!status)
+        status = v->visit(v, &m->k, sizeof m->k, 0);
+    if (status)
+        return status;
+    if (m->k > m->steps + 1)
+        FVI_FAIL("more terms than there is room for", FVI_EINVAL);
+    if (m->last)
+        status = v->visit(v, m->last, m->d * sizeof *m->last, 0);
+    if (!status && m->history)
+        status = visit_direct(m, v);
+    if (!status && m->blocks)
+        status = fvi_blocks_visit(m->blocks, v);
+    if (!status && m->rate_blocks)
+        status = fvi_blocks_visit(m->rate_blocks, v);
+    return status || !m->exponentials
+               ? status
+               : fvi_exponentials_visit(m->exponentials, v);
+}
+
 void fvi_memory_free(fvi_memory *m)
 {
     if (!m)

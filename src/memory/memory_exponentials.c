@@ -221,6 +221,24 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
     return e;
 }
 
+/* The nodes depend on N, and must be the same. */
+int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
+{
+    const size_t number = sizeof(double);
+    int status = v->visit(v, &e->Q, sizeof e->Q, 1);
+    if (!status)
+        status = v->visit(v, e->p, 2 * e->Q * number, 1);
+    if (!status)
+        status = v->visit(v, &e->k, sizeof e->k, 0);
+    if (!status)
+        status = v->visit(
+            v, e->z, (e->d * (e->Q + 2 * FVI_WINDOW) + padded(e->d)) * number,
+            0);
+    return status || !e->further
+               ? status
+               : v->visit(v, e->further, padded(e->d) * number, 0);
+}
+
 void fvi_exponentials_free(fvi_exponentials *e)
 {
     if (!e)

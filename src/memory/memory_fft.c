@@ -148,6 +148,17 @@ fvi_blocks *fvi_blocks_copy(const fvi_blocks *from)
     return b;
 }
 
+/* Where the blocks begin depends on N. */
+int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v)
+{
+    int status = v->visit(v, &b->steps, sizeof b->steps, 1);
+    if (!status)
+        status = v->visit(v, &b->k, sizeof b->k, 0);
+    return status ? status
+                  : v->visit(v, b->terms,
+                             2 * b->d * (b->steps + 1) * sizeof *b->terms, 0);
+}
+
 void fvi_blocks_free(fvi_blocks *b)
 {
     if (!b)

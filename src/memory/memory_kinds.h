@@ -9,6 +9,7 @@
 #ifndef FVI_MEMORY_KINDS_H
 #define FVI_MEMORY_KINDS_H
 
+#include <fvi/visit.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -43,6 +44,7 @@ fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps);
 fvi_blocks *fvi_blocks_copy(const fvi_blocks *from);
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
 void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
+int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v);
 void fvi_blocks_free(fvi_blocks *b);
 
 /* ---- a window and decaying exponentials (memory_exponentials.c) ---- */
@@ -105,6 +107,7 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
 void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
                                 double *H, double *rate);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
+int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v);
 void fvi_exponentials_free(fvi_exponentials *e);
 
 /* ---- a memory with weights of another's making (memory.c) ---- */

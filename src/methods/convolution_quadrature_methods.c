@@ -193,6 +193,18 @@ static int copy_second_order(const fvi_stepper *from, fvi_stepper *to)
     return status;
 }
 
+static int visit_second_order(fvi_stepper *s, fvi_visitor *v)
+{
+    second_order *o = s->own;
+    if (!o->damping)
+        return FVI_SUCCESS;
+    int status = v->visit(v, &o->place, sizeof o->place, 0);
+    if (!status)
+        status = v->visit(v, o->H,
+                          rows(o, o->damping->count) * sizeof *o->H, 0);
+    return status ? status : fvi_damping_visit(o->damping, v);
+}
+
 /* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha):
  * in D_{k+1} the weight w_0 = 1 stands before x_{k+1}. (13.10) */
 static int solver(fvi_stepper *s, const second_order *o)
@@ -260,6 +272,7 @@ const fvi_method fvi_shifted = { .name = "fvi-shifted",
                                  .start = start_shifted,
                                  .step = step_second_order,
                                  .copy = copy_second_order,
+                                 .visit = visit_second_order,
                                  .stop = stop_second_order };
 const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .order = "2",
@@ -278,4 +291,5 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .start = start_bdf2,
                               .step = step_second_order,
                               .copy = copy_second_order,
+                              .visit = visit_second_order,
                               .stop = stop_second_order };

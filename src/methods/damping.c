@@ -100,3 +100,9 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);
     return fvi_memory_copy(from->memory, &(*to)->memory);
 }
+
+/* z and dz are of one step only. */
+int fvi_damping_visit(fvi_damping *d, fvi_visitor *v)
+{
+    return d ? fvi_memory_visit(d->memory, v) : FVI_SUCCESS;
+}

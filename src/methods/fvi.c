@@ -30,6 +30,11 @@ static int copy_fractional(const fvi_stepper *from, fvi_stepper *to)
     return status;
 }
 
+static int visit_fractional(fvi_stepper *s, fvi_visitor *v)
+{
+    return fvi_damping_visit(s->own, v);
+}
+
 //> damp
 /* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
 static int damp(fvi_stepper *s, fvi_damping *d)
@@ -79,4 +84,5 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .start = start_fractional,
                                     .step = step_fractional,
                                     .copy = copy_fractional,
+                                    .visit = visit_fractional,
                                     .stop = stop_fractional };

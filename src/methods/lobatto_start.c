@@ -165,6 +165,16 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
                : fvi_lobatto_memory_copy(old->memory, &o->memory);
 }
 
+/* The stages of the last step are where this one begins. */
+static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
+{
+    fvi_lobatto_stages *o = s->own;
+    int status =
+        v->visit(v, o->share, (2 + 6 * o->s) * o->d * sizeof *o->share, 0);
+    return status || !o->memory ? status
+                                : fvi_lobatto_memory_visit(o->memory, v);
+}
+
 /* ---- the methods ---- */
 
 #define BOTH(s, orders, form, damped, is_implicit, its_load)                   \
@@ -191,6 +201,7 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
         .start = start_##form,                                                 \
         .step = damped ? fvi_lobatto_damped_step : fvi_lobatto_step,           \
         .copy = copy_lobatto,                                                  \
+        .visit = visit_lobatto,                                                \
         .stop = stop_lobatto                                                   \
     }
 

@@ -41,6 +41,8 @@ typedef struct {
     int numbered; /* 1: the columns are x1, ..., not x */
     fvi_format format;
     double *x0, *p0, *mass, *rho; /* d numbers each, one block */
+    const char *checkpoint;       /* as output; NULL: none */
+    int resume;                   /* go on from there */
     const char *output;   /* points into argv, or NULL for standard output */
     const char *text[48]; /* each as it was given or by default, by index */
     char step[32];        /* the text of a step that follows from --time */
@@ -69,7 +71,9 @@ typedef enum {
     TOLERANCE,
     COUNT,
     FORMAT, /* from here on what does not change a number: not in the head */
-    OUTPUT, /* the last, as it is -o */
+    CHECKPOINT,
+    CONTINUE, /* has no value */
+    OUTPUT,   /* the last, as it is -o */
     OPTIONS
 } option_index;
 

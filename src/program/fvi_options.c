@@ -63,6 +63,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
+    if (i == CONTINUE)
+        optarg = optarg ? optarg : "";
     if (i == LET) { /* --let k=3 --let c=1 is --let k=3,c=1 */
         o->text[LET] = o->lets.text;
         return fvi_lets_add(&o->lets, optarg, c);
@@ -81,8 +83,10 @@ static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
     for (int i = 0; i < OUTPUT; i++)
-        longs[i] = (struct option){ fvi_option_list[i].name, required_argument,
-                                    NULL, 256 + i };
+        longs[i] =
+            (struct option){ fvi_option_list[i].name,
+                             i == CONTINUE ? no_argument : required_argument,
+                             NULL, 256 + i };
     longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
 
     optind = 0; /* start afresh, whoever parsed before */

@@ -1,5 +1,6 @@
 /* src/program/fvi_run.c -- The command `fvi run`, step by step. */
 #include <fvi/fvi.h>
+#include "fvi_checkpoint.h"
 #include "fvi_run.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
@@ -80,18 +81,21 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
 {
     const size_t steps = t->o->steps, d = t->o->d;
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
-    size_t next = fvi_table_next(t, 0),
-           look = often; /* divided by at no step */
-    int status = fvi_table_take(t, 0, s->x, s->p);
+    size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
+           look = s->k + often; /* divided by at no step */
+    int status = s->k == 0 ? fvi_table_take(t, 0, s->x, s->p) : FVI_SUCCESS;
     if (status)
         return fvi_stopped_at(0, status);
-    while (s->k < steps && !ferror(t->out)) {
+    while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
         if (s->k >= look) {
             fvi_progress(s->k, steps);
             look = s->k + often;
+            if (t->o->checkpoint && fvi_checkpoint_due()
+                && fvi_checkpoint_write(t->o, s))
+                return 1;
         }
         for (; s->k >= next; next = fvi_table_next(t, next)) {
             fvi_progress_clear(); /* the rows may go to the same terminal */
@@ -160,32 +164,47 @@ void fvi_adaptive_head(FILE *out, const fvi_options *o,
     fvi_format_parameter(out, o->format, "steps taken", text);
 }
 
+/* The table of a run that has been started, or goes on. */
+static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
+{
+    const fvi_options *o = t->o;
+    if (!(t->out = fvi_output_open(o->output)))
+        return fvi_cannot_write(o->output);
+    if (o->checkpoint)
+        fvi_checkpoint_watch();
+    warn(o, r);
+    fvi_table_head(t->out, o);
+    fvi_adaptive_counts counts;
+    if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
+        fvi_adaptive_head(t->out, o, &counts);
+    fvi_table_names(t);
+    int failed = steps_and_rows(t, s);
+    if (!failed && o->checkpoint && !ferror(t->out))
+        failed = fvi_checkpoint_write(o, s);
+    if (!failed && !fvi_checkpoint_stopped())
+        fvi_table_finish(t);
+    if (fvi_output_close(t->out, !failed && !fvi_checkpoint_stopped()) != 0)
+        failed = fvi_cannot_write(o->output);
+    fvi_checkpoint_end();
+    return failed;
+}
+
 int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
     fvi_table t;
     fvi_stepper *s = NULL;
-    int failed = 1, status = FVI_ENOMEM;
+    int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
         status = fvi_start(o->method, &r, &s);
-    if (status) {
-        fvi_complain_of_start(status);
-    } else if (!(t.out = fvi_output_open(o->output))) {
-        fvi_cannot_write(o->output);
-    } else {
-        warn(o, &r);
-        fvi_table_head(t.out, o);
-        fvi_adaptive_counts counts;
-        if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
-            fvi_adaptive_head(t.out, o, &counts);
-        fvi_table_names(&t);
-        failed = steps_and_rows(&t, s);
-        if (!failed)
-            fvi_table_finish(&t);
-        if (fvi_output_close(t.out, !failed) != 0)
-            failed = fvi_cannot_write(o->output);
-    }
+    failed = status          ? fvi_complain_of_start(status)
+             : o->checkpoint ? fvi_checkpoint_begin(o, s)
+                             : 0;
+    if (!failed && s->k > 0)
+        t.begin = s->k < o->steps ? fvi_table_next(&t, s->k) : o->steps + 1;
+    if (!failed)
+        failed = run_to_the_end(&t, &r, s);
     fvi_stop(s);
     free(t.rows);
     return failed;

@@ -219,7 +219,11 @@ static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
         if (status)
             return status;
         *no_solution |= o.no_solution;
+        const int saved = o.checkpoint != NULL;
         fvi_options_free(&o);
+        if (saved)
+            return fvi_refuse((fvi_complaint){ complaint, size },
+                              "--checkpoint: not an option of this command");
     }
     return 0;
 }

@@ -131,7 +131,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
         if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
             return FVI_EOVRFLW;
         if (!t->wait)
-            fvi_format_row(t->out, o->format, k, t->width, row);
+            fvi_format_row(t->out, o->format, k - t->begin, t->width, row);
     }
     if (t->wait && is_printed(o, o->steps - k))
         return fill(t, k, x, p, 1,

@@ -17,6 +17,7 @@ typedef struct {
     size_t height; /* rows that are kept: one, or all of them */
     double *rows;
     int wait;
+    size_t begin; /* the first row of a run that goes on; 0 */
 } fvi_table;
 
 /* fvi_table_shape -- fill everything but out and rows. */

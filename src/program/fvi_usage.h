@@ -65,6 +65,8 @@ static const char usage_run[] =
     "  --memory W       direct, fft, exponentials, auto               [auto]\n"
     "                   (fvi-lobatto: no fft)\n"
     "  --tolerance E    of the compressed memory, E >= 1e-14          [1e-13]\n"
+    "  --checkpoint F   the state of the run, into a file, every 10 seconds\n"
+    "  --continue       go on from that file, with the same digits\n"
     "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n"

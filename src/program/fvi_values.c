@@ -261,6 +261,9 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
         status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
+    for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
+        if (o->columns.at[i] == FVI_COLUMN_Y)
+            status = fvi_refuse(c, "--continue: column y needs every row");
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
@@ -274,6 +277,14 @@ static int interpret(fvi_options *o, fvi_complaint c)
     if (o->text[OUTPUT] && !*o->text[OUTPUT])
         return fvi_refuse(c, "-o: '' is not a file's name");
     o->output = o->text[OUTPUT];
+    o->checkpoint = o->text[CHECKPOINT];
+    o->resume = o->text[CONTINUE] != NULL;
+    if (o->checkpoint && !*o->checkpoint)
+        return fvi_refuse(c, "--checkpoint: '' is not a file's name");
+    if (o->checkpoint && o->text[ERROR])
+        return fvi_refuse(c, "--checkpoint: not together with --error");
+    if (o->resume && !o->checkpoint)
+        return fvi_refuse(c, "--continue: from which --checkpoint FILE?");
     int status = choice(o, FORMAT, fvi_format_names, &format, c);
     if (status)
         return status;

@@ -47,8 +47,8 @@ static int check_past(const fvi_method *method, const fvi_run *run)
         if (!fvi_past_has_solution(run->past, run->alpha,
                                    run->system->damping[i], run->x0[i]))
             FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
-                      "alpha > 1/2",
-                      FVI_EDOM);
+                     "alpha > 1/2",
+                     FVI_EDOM);
     return FVI_SUCCESS;
 }
 
@@ -148,7 +148,8 @@ int fvi_step(fvi_stepper *s)
         s->t = (double)s->k * s->run.h;
         return FVI_SUCCESS;
     }
-    const double rows = floor(s->t / s->run.h); /* by a rounding too many or too few */
+    const double rows =
+        floor(s->t / s->run.h); /* by a rounding too many or too few */
     s->k = rows < (double)s->run.steps ? (size_t)rows : s->run.steps;
     s->k -= (double)s->k * s->run.h > s->t;
     s->k += s->k < s->run.steps && (double)(s->k + 1) * s->run.h <= s->t;
@@ -203,6 +204,37 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
     return status;
 }
 
+int fvi_visit(fvi_stepper *s, fvi_visitor *v)
+{
+    if (!s || !v)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (s->own && !s->method->visit)
+        FVI_FAIL("the method does not show its data", FVI_EUNSUP);
+    fvi_system system = *s->run.system;
+    const size_t d = system.d, bytes = d * sizeof *s->x;
+    const struct {
+        void *data;
+        size_t bytes;
+        int constant;
+    } pieces[] = { { &system.d, sizeof system.d, 1 },
+                   { (void *)system.mass, bytes, 1 },
+                   { (void *)system.damping, bytes, 1 },
+                   { (void *)s->run.x0, bytes, 1 },
+                   { (void *)s->run.p0, bytes, 1 },
+                   { &s->k, sizeof s->k, 0 },
+                   { &s->t, sizeof s->t, 0 },
+                   { s->x, (NUMBERS - 2) * bytes, 0 } }; /* but x0, p0 */
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
+        status =
+            v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    if (status)
+        return status;
+    if (s->k > s->run.steps)
+        FVI_FAIL("the run that was saved is longer", FVI_EINVAL);
+    return s->own ? s->method->visit(s, v) : FVI_SUCCESS;
+}
+
 int fvi_reset(fvi_stepper *s)
 {
     if (!s)
@@ -239,8 +271,7 @@ static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
     if (s->t == t)
         return fvi_energy(s->run.system, s->x, s->p, energy + k);
     status = fvi_run_to(s, t, s->dx, s->g);
-    return status ? status
-                  : fvi_energy(s->run.system, s->dx, s->g, energy + k);
+    return status ? status : fvi_energy(s->run.system, s->dx, s->g, energy + k);
 }
 
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,

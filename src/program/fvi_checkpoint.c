@@ -1,0 +1,272 @@
+/* src/program/fvi_checkpoint.c -- The state of a run in a file. */
+#define _GNU_SOURCE
+#include "fvi_checkpoint.h"
+
+#include "fvi_commands.h"
+#include <fvi/error.h>
+#include <fvi/version.h>
+
+#include <errno.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* A file is a line with the version, a line for each parameter, an empty line, then the
+ * pieces that fvi_visit shows, each behind its length, then the checksum of all before. */
+typedef struct {
+    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    FILE *file;
+    uint64_t sum;
+    int failed; /* a read or a write */
+} state;
+
+/* FNV-1a. */
+static void add_to_sum(state *f, const void *data, size_t bytes)
+{
+    const unsigned char *at = data;
+    for (size_t i = 0; i < bytes; i++)
+        f->sum = (f->sum ^ at[i]) * 0x100000001b3u;
+}
+
+static void put(state *f, const void *data, size_t bytes)
+{
+    f->failed |= fwrite(data, 1, bytes, f->file) != bytes;
+    add_to_sum(f, data, bytes);
+}
+
+static int get(state *f, void *data, size_t bytes)
+{
+    if (fread(data, 1, bytes, f->file) != bytes)
+        return 0;
+    add_to_sum(f, data, bytes);
+    return 1;
+}
+
+static int save_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    state *f = (state *)v;
+    const uint64_t length = bytes;
+    (void)constant;
+    put(f, &length, sizeof length);
+    put(f, data, bytes);
+    return f->failed ? -1 : 0;
+}
+
+/* What is constant is compared, by parts. */
+static int is_same(state *f, const unsigned char *data, size_t bytes)
+{
+    unsigned char part[4096];
+    for (size_t n; bytes > 0; bytes -= n, data += n) {
+        n = bytes < sizeof part ? bytes : sizeof part;
+        if (!get(f, part, n) || memcmp(part, data, n) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+static int load_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    state *f = (state *)v;
+    uint64_t length;
+    if (!get(f, &length, sizeof length) || length != bytes)
+        return -1;
+    return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
+}
+
+/* ---- the head ---- */
+
+/* What may be another one when a run goes on. */
+static int is_free(const char *name)
+{
+    static const char *const names[] = { "steps", "time", "columns", "every" };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i]) == 0)
+            return 1;
+    return 0;
+}
+
+/* The head as a text of its own; NULL if there is no memory. */
+static char *head_of(const fvi_options *o)
+{
+    const char *name, *value;
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
+        return NULL;
+    fprintf(f, "fvi " FVI_VERSION " checkpoint\n");
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        if (!is_free(name))
+            fprintf(f, "%s = %s\n", name, value);
+    fputc('\n', f);
+    if (fclose(f) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+static int refuse(const fvi_options *o, const char *why)
+{
+    fprintf(stderr,
+            "fvi: --continue: %s: %s\n"
+            "Try 'fvi --help' or 'fvi run --help'.\n",
+            o->checkpoint, why);
+    return 2;
+}
+
+/* The head, line by line: the first that differs is said. */
+static int compare_heads(const fvi_options *o, state *f, const char *head)
+{
+    char *line = NULL;
+    size_t room = 0;
+    int status = 0;
+    for (const char *want = head; !status && *want;) {
+        const size_t length = strcspn(want, "\n") + 1;
+        const ssize_t got = getline(&line, &room, f->file);
+        if (got > 0)
+            add_to_sum(f, line, (size_t)got);
+        if (got == (ssize_t)length && memcmp(line, want, length) == 0) {
+            want += length;
+            continue;
+        }
+        char why[400];
+        if (got > 0 && line[got - 1] == '\n')
+            line[got - 1] = '\0';
+        if (want == head)
+            snprintf(why, sizeof why, "%s",
+                     got > 4 && strncmp(line, "fvi ", 4) == 0
+                         ? "a checkpoint of another version"
+                         : "not a checkpoint");
+        else
+            snprintf(why, sizeof why, "a run with %.150s, not %.*s",
+                     got > 1 ? line : "less", (int)length - 1, want);
+        status = refuse(o, why);
+    }
+    free(line);
+    return status;
+}
+
+/* ---- files ---- */
+
+static int write_all(const char *name, const char *head, fvi_stepper *s)
+{
+    state f = { .visitor = { save_piece },
+                .file = fopen(name, "w"),
+                .sum = 0xcbf29ce484222325u };
+    if (!f.file)
+        return 0;
+    put(&f, head, strlen(head));
+    int status = fvi_visit(s, &f.visitor);
+    const uint64_t sum = f.sum;
+    put(&f, &sum, sizeof sum);
+    status |= fflush(f.file) != 0 || fsync(fileno(f.file)) != 0;
+    return !(fclose(f.file) != 0 || status || f.failed);
+}
+
+int fvi_checkpoint_write(const fvi_options *o, fvi_stepper *s)
+{
+    char new[PATH_MAX], *head = head_of(o);
+    const int length = snprintf(new, sizeof new, "%s.new", o->checkpoint);
+    struct stat old;
+    int done = 0;
+    errno = ENAMETOOLONG;
+    if (stat(o->checkpoint, &old) == 0 && !S_ISREG(old.st_mode))
+        errno = EEXIST; /* a device, say, that must stay one */
+    else if (head && length < (int)sizeof new)
+        done = write_all(new, head, s) && rename(new, o->checkpoint) == 0;
+    const int why = errno;
+    if (!done && length < (int)sizeof new)
+        unlink(new);
+    free(head);
+    errno = why;
+    return done ? 0 : fvi_cannot_write(o->checkpoint);
+}
+
+static int read_checkpoint(const fvi_options *o, fvi_stepper *s)
+{
+    state f = { .visitor = { load_piece },
+                .file = fopen(o->checkpoint, "r"),
+                .sum = 0xcbf29ce484222325u };
+    if (!f.file)
+        return refuse(o, strerror(errno));
+    char *head = head_of(o);
+    int status = head ? compare_heads(o, &f, head) : fvi_complain("no memory");
+    if (!status) {
+        uint64_t sum = 0, read = 0;
+        const int visited = fvi_visit(s, &f.visitor);
+        sum = f.sum;
+        if (visited == FVI_EINVAL)
+            status = refuse(o, "it is further than --steps");
+        else if (visited)
+            status = refuse(o, "damaged, or of a run with other --steps, whose "
+                               "memory is another one");
+        else if (!get(&f, &read, sizeof read) || read != sum
+                 || fgetc(f.file) != EOF)
+            status = refuse(o, "damaged");
+    }
+    free(head);
+    fclose(f.file);
+    return status;
+}
+
+int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s)
+{
+    if (s->own && !s->method->visit) {
+        fprintf(stderr,
+                "fvi: --checkpoint: not known to %s\n"
+                "Try 'fvi --help' or 'fvi run --help'.\n",
+                s->method->name);
+        return 2;
+    }
+    return o->resume ? read_checkpoint(o, s) : 0;
+}
+
+/* ---- when ---- */
+
+static volatile sig_atomic_t signal_number;
+
+static void note(int number)
+{
+    signal_number = number;
+}
+
+void fvi_checkpoint_watch(void)
+{
+    static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        if (signal(ends[i], note) == SIG_IGN)
+            signal(ends[i], SIG_IGN);
+}
+
+int fvi_checkpoint_stopped(void)
+{
+    return signal_number != 0;
+}
+
+void fvi_checkpoint_end(void)
+{
+    if (!signal_number)
+        return;
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+int fvi_checkpoint_due(void)
+{
+    static double last = -1;
+    struct timespec clock;
+    clock_gettime(CLOCK_MONOTONIC, &clock);
+    const double now = (double)clock.tv_sec + 1e-9 * (double)clock.tv_nsec;
+    if (last < 0)
+        last = now;
+    if (now - last < 10)
+        return 0;
+    last = now;
+    return 1;
+}

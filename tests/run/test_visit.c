@@ -1,0 +1,225 @@
+/* tests/run/test_visit.c -- A run that is saved, and gone on with.   Run alone: make test-visit */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+#include <stdlib.h>
+
+enum { N = 300, D = 3, ROOM = 1 << 20 };
+
+/* A visitor that keeps the pieces, or gives them back. */
+typedef struct {
+    fvi_visitor visitor;
+    unsigned char *at, *end;
+    size_t pieces, constants;
+} shelf;
+
+static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    ck_assert(bytes <= (size_t)(s->end - s->at));
+    if (bytes > 0)
+        memcpy(s->at, data, bytes);
+    s->at += bytes;
+    s->pieces++;
+    s->constants += constant != 0;
+    return 0;
+}
+
+static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    if (bytes > (size_t)(s->end - s->at)
+        || (constant && memcmp(s->at, data, bytes) != 0))
+        return -7;
+    if (!constant && bytes > 0)
+        memcpy(data, s->at, bytes);
+    s->at += bytes;
+    return 0;
+}
+
+static unsigned char bytes[ROOM];
+
+static size_t saved(fvi_stepper *s)
+{
+    shelf all = { { save }, bytes, bytes + ROOM, 0, 0 };
+    ck_assert_int_eq(fvi_visit(s, &all.visitor), 0);
+    ck_assert(all.pieces > all.constants && all.constants >= 5);
+    return (size_t)(all.at - bytes);
+}
+
+static int loaded(fvi_stepper *s, size_t size)
+{
+    shelf all = { { load }, bytes, bytes + size, 0, 0 };
+    int status = fvi_visit(s, &all.visitor);
+    ck_assert(status != 0 || all.at == all.end);
+    return status;
+}
+
+static void steps(fvi_stepper *s, size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+}
+
+static const double mass[D] = { 1, 2, 1 }, rho[D] = { 0.3, 0, 0.2 },
+                    x0[D] = { 1, 0, -0.5 }, p0[D] = { 0.5, 0.1, 0 },
+                    cg[2] = { 1, 0.5 }, aw[2] = { 0.3, 2 };
+
+static fvi_system duffing(void)
+{
+    return (fvi_system){ D, mass, rho, fvi_potential_chain(cg),
+                         fvi_force_cosine(aw) };
+}
+
+/* Every method, memory, past and kind of alpha: the run that goes on from what was saved
+ * has the bits of the one that was not interrupted. */
+START_TEST(a_run_goes_on_with_the_same_bits)
+{
+    static const double alphas[] = { 0, 0.3, 0.5, 0.75, 1 };
+    const fvi_system system = duffing();
+    size_t tried = 0;
+    for (size_t m = 0; fvi_methods[m]; m++)
+        for (size_t a = 0; a < LEN(alphas); a++)
+            for (int kind = 0; kind <= FVI_MEMORY_EXPONENTIALS; kind++)
+                for (int past = 0; past < 3; past++) {
+                    fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
+                    fvi_stepper *whole, *again;
+                    run.alpha = alphas[a];
+                    run.memory = (fvi_memory_kind)kind;
+                    run.past = (fvi_past)past;
+                    if (fvi_start(fvi_methods[m], &run, &whole))
+                        continue; /* not for this method */
+                    if (whole->own && !fvi_methods[m]->visit) {
+                        fvi_stop(whole);
+                        continue;
+                    }
+                    steps(whole, 100);
+                    const size_t size = saved(whole);
+                    steps(whole, N - 100);
+                    ck_assert_int_eq(fvi_start(fvi_methods[m], &run, &again),
+                                     0);
+                    ck_assert_int_eq(loaded(again, size), 0);
+                    ck_assert(again->k == 100 && again->t == 100 * 0.05);
+                    steps(again, N - 100);
+                    ck_assert_msg(
+                        memcmp(whole->x, again->x, D * sizeof *x0) == 0
+                            && memcmp(whole->p, again->p, D * sizeof *x0) == 0,
+                        "%s, alpha = %g, memory %d, past %d",
+                        fvi_methods[m]->name, alphas[a], kind, past);
+                    fvi_stop(whole);
+                    fvi_stop(again);
+                    tried++;
+                }
+    ck_assert_uint_gt(tried, 200);
+}
+END_TEST
+
+/* O(Q d) bytes with the compressed memory, whatever N: of a window of 2 * 32 terms, at most 100
+ * modes and some more for each coordinate, and twice 100 nodes. */
+START_TEST(what_is_saved_is_short)
+{
+    const fvi_system system = duffing();
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 1000000);
+    fvi_stepper *s;
+    run.alpha = 0.3;
+    run.memory = FVI_MEMORY_EXPONENTIALS;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    steps(s, 1000);
+    ck_assert_uint_lt(saved(s), 8 * (D * (100 + 2 * 32 + 20) + 200 + 20));
+    fvi_stop(s);
+}
+END_TEST
+
+/* Of another problem, or a longer run, nothing is taken. */
+START_TEST(another_run_is_refused)
+{
+    const double heavy[D] = { 1, 2, 1.5 }, less[D] = { 0.3, 0, 0.1 };
+    const fvi_system system = duffing();
+    fvi_system other = system, second = system, small = system;
+    other.mass = heavy;
+    second.damping = less;
+    small.d = 2;
+    const struct {
+        const fvi_system *system;
+        double alpha;
+        size_t steps;
+        fvi_memory_kind memory;
+        int status;
+    } runs[] = { { &system, 0.3, N, FVI_MEMORY_EXPONENTIALS, 0 },
+                 { &other, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
+                 { &second, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
+                 { &small, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
+                 { &system, 0.4, N, FVI_MEMORY_EXPONENTIALS, -7 },
+                 { &system, 0.3, 9 * N, FVI_MEMORY_EXPONENTIALS, -7 },
+                 { &system, 0.3, N, FVI_MEMORY_DIRECT, -7 },
+                 { &system, 0.3, 99, FVI_MEMORY_DIRECT, FVI_EINVAL } };
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
+    fvi_stepper *s;
+    run.alpha = 0.3;
+    run.memory = FVI_MEMORY_EXPONENTIALS;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    steps(s, 100);
+    const size_t size = saved(s);
+    fvi_stop(s);
+    for (size_t n = 0; n < LEN(runs); n++) {
+        run.system = runs[n].system;
+        run.alpha = runs[n].alpha;
+        run.steps = runs[n].steps;
+        run.memory = runs[n].memory;
+        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+        ck_assert_int_eq(loaded(s, size), runs[n].status);
+        fvi_stop(s);
+    }
+    ck_assert_int_eq(fvi_visit(NULL, NULL), FVI_EFAULT);
+}
+END_TEST
+
+/* The direct memory knows all that was, and so a run may be made longer. */
+START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
+{
+    const fvi_system system = duffing();
+    fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 2 * N);
+    fvi_stepper *whole, *first, *longer;
+    run.alpha = 0.3;
+    run.memory = FVI_MEMORY_DIRECT;
+    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &whole), 0);
+    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &longer), 0);
+    run.steps = N;
+    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &first), 0);
+    steps(whole, 2 * N);
+    steps(first, N);
+    ck_assert_int_eq(loaded(longer, saved(first)), 0);
+    steps(longer, N);
+    ck_assert(memcmp(whole->x, longer->x, D * sizeof *x0) == 0);
+    fvi_stop(whole);
+    fvi_stop(first);
+    fvi_stop(longer);
+}
+END_TEST
+
+/* A method that keeps data, and does not show them. */
+START_TEST(a_method_without_a_visit_is_refused)
+{
+    fvi_method shy = fvi_fractional;
+    shy.visit = NULL;
+    const fvi_system system = duffing();
+    const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
+    fvi_stepper *s;
+    ck_assert_int_eq(fvi_start(&shy, &run, &s), 0);
+    shelf all = { { save }, bytes, bytes + ROOM, 0, 0 };
+    ck_assert_int_eq(fvi_visit(s, &all.visitor), FVI_EUNSUP);
+    ck_assert_uint_eq(all.pieces, 0);
+    fvi_stop(s);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("runs that are saved");
+    ADD_CASE(suite, "values", a_run_goes_on_with_the_same_bits,
+             what_is_saved_is_short,
+             a_run_with_the_direct_memory_may_be_made_longer);
+    ADD_CASE(suite, "errors", another_run_is_refused,
+             a_method_without_a_visit_is_refused);
+    return run_suite(suite);
+}
