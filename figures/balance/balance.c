@@ -33,10 +33,10 @@ static int pairs(void)
                                 .potential = fvi_potential_harmonic(&one) };
     fvi_system undamped = system;
     undamped.damping = &zero;
-    const fvi_scheme scheme = {
+    const fvi_balance_scheme scheme = {
         &system, alpha, 0.5, h, FVI_QUADRATURE_EULER, 0
     };
-    fvi_scheme step = scheme;
+    fvi_balance_scheme step = scheme;
     step.system = &undamped;
     if (motion(&system, alpha, FVI_PAST_RIEMANN_LIOUVILLE, h, N, &zero, &one, u)
         || motion(&system, alpha, FVI_PAST_RIEMANN_LIOUVILLE, h, N, &one, &zero,

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static int check(const fvi_scheme *scheme, size_t N)
+static int check(const fvi_balance_scheme *scheme, size_t N)
 {
     if (!scheme)
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -46,7 +46,7 @@ static void add_form(size_t d, const double *B, double factor, const double *a,
 //> near
 /* *C = v_n . K u_{n+1} - u_n . K v_{n+1}, K = -m/h - kappa (1 - kappa) h U'' at the
  * point where the step takes its potential: the symplectic form of the step. */
-static int near(const fvi_scheme *s, const double *x, const double *u,
+static int near(const fvi_balance_scheme *s, const double *x, const double *u,
                 const double *v, double *room, double *C)
 {
     const size_t d = s->system->d;
@@ -87,7 +87,7 @@ static double far(const fvi_system *system, size_t n, const double *t,
 }
 //< far
 
-int fvi_green_form(const fvi_scheme *scheme, size_t N, const double *x,
+int fvi_green_form(const fvi_balance_scheme *scheme, size_t N, const double *x,
                    const double *u, const double *v, double *C)
 {
     int status = check(scheme, N);
@@ -126,14 +126,14 @@ int fvi_green_form(const fvi_scheme *scheme, size_t N, const double *x,
 /* ---- energy ---- */
 
 /* delta(-1)^(2 alpha) (1 - 2 theta): the damping of what alternates. */
-static double chi_at_minus_one(const fvi_scheme *s)
+static double chi_at_minus_one(const fvi_balance_scheme *s)
 {
     const double delta = s->weights == FVI_QUADRATURE_BDF2 ? 4 : 2;
     return pow(delta, 2 * s->alpha) * (1 - 2 * s->theta);
 }
 
-int fvi_scheme_energy(const fvi_scheme *scheme, size_t N, const double *x,
-                      double *E, double *hat)
+int fvi_scheme_energy(const fvi_balance_scheme *scheme, size_t N,
+                      const double *x, double *E, double *hat)
 {
     int status = check(scheme, N);
     if (status)

@@ -13,22 +13,22 @@ enum { MOST = 82 };
 static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
                                              &fvi_bdf2 };
 
-static inline fvi_scheme scheme_of(int method, const fvi_system *system,
-                                   double alpha, double kappa, double h)
+static inline fvi_balance_scheme scheme_of(int method, const fvi_system *system,
+                                           double alpha, double kappa, double h)
 {
-    return (fvi_scheme){ system,
-                         alpha,
-                         kappa,
-                         h,
-                         method == 2 ? FVI_QUADRATURE_BDF2
-                                     : FVI_QUADRATURE_EULER,
-                         method == 1 ? alpha : 0 };
+    return (fvi_balance_scheme){ system,
+                                 alpha,
+                                 kappa,
+                                 h,
+                                 method == 2 ? FVI_QUADRATURE_BDF2
+                                             : FVI_QUADRATURE_EULER,
+                                 method == 1 ? alpha : 0 };
 }
 
 /* Held at x0 until t = 0, its memory summed as it stands. */
-static inline void trajectory(int method, const fvi_scheme *s, fvi_past past,
-                              size_t N, const double *x0, const double *p0,
-                              double *x, double *p)
+static inline void trajectory(int method, const fvi_balance_scheme *s,
+                              fvi_past past, size_t N, const double *x0,
+                              const double *p0, double *x, double *p)
 {
     fvi_run run = fvi_run_default(s->system, x0, p0, s->h, N);
     run.alpha = s->alpha;
@@ -41,7 +41,7 @@ static inline void trajectory(int method, const fvi_scheme *s, fvi_past past,
 
 /* t[n + 1] = h^(1 - 2 alpha) ((1 - theta) w_n + theta w_{n+1}), n = -1, ..., N:
  * T_{kj} = rho t[k - j + 1] for k - j >= -1. */
-static inline void memory_of(const fvi_scheme *s, size_t N, double *t)
+static inline void memory_of(const fvi_balance_scheme *s, size_t N, double *t)
 {
     double w[MOST + 3];
     ck_assert_int_eq(fvi_quadrature_weights(s->weights, 2 * s->alpha, N + 2, w),

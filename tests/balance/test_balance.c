@@ -15,7 +15,7 @@ START_TEST(eq_21_4_the_form_without_rounding)
                                 .damping = damping,
                                 .potential = fvi_potential_duffing(cg) };
     for (size_t i = 0; i < LEN(ref_forms); i++) {
-        const fvi_scheme s = {
+        const fvi_balance_scheme s = {
             &system, ref_forms[i].alpha,   ref_forms[i].kappa,
             0.25,    ref_forms[i].weights, ref_forms[i].theta
         };
@@ -30,8 +30,8 @@ START_TEST(eq_21_4_the_form_without_rounding)
 END_TEST
 
 /* K_{kj} a of the linearised action about x, d = 2; rows k = 1..N-1, |k - j| <= 1. */
-static void stiffness(const fvi_scheme *s, const double *x, size_t k, size_t j,
-                      double K[4])
+static void stiffness(const fvi_balance_scheme *s, const double *x, size_t k,
+                      size_t j, double K[4])
 {
     const double c = s->kappa, h = s->h;
     const size_t steps[] = { k - 1, k }; /* the two steps that meet at k */
@@ -52,8 +52,8 @@ static void stiffness(const fvi_scheme *s, const double *x, size_t k, size_t j,
 }
 
 /* The size of all terms of all C_n - C_{n-1}: what one rounding error in each costs. */
-static double size_of_terms(const fvi_scheme *s, size_t N, const double *x,
-                            const double *u, const double *v)
+static double size_of_terms(const fvi_balance_scheme *s, size_t N,
+                            const double *x, const double *u, const double *v)
 {
     double t[MOST + 3], sum = 0, a = fabs(s->theta);
     memory_of(s, N, t);
@@ -87,7 +87,7 @@ static double size_of_terms(const fvi_scheme *s, size_t N, const double *x,
  * for the sum over the past, N for momenta that carry the errors of all steps before.
  * The form's own rounding is (N + 18) u of the same terms. Returns the spread of C,
  * in units of that bound. Seen: 0.0011. */
-static double spread(const fvi_scheme *s, size_t N, const double *x,
+static double spread(const fvi_balance_scheme *s, size_t N, const double *x,
                      const double *u, const double *v, double *relative)
 {
     double C[MOST], far = 0, largest = 0;
@@ -117,7 +117,7 @@ START_TEST(eq_21_4_a_run_pairs_with_one_read_backwards)
                                     .mass = mass,
                                     .damping = rho,
                                     .potential = fvi_potential_chain(spring) };
-        const fvi_scheme s =
+        const fvi_balance_scheme s =
             scheme_of(i % 3, &system, between(random, 0.05, i % 3 ? 0.5 : 0.95),
                       between(random, 0, 1), between(random, 0.1, 0.5));
         double u[D * MOST], back[D * MOST], v[D * MOST], constant, exchanged;
@@ -142,7 +142,7 @@ END_TEST
 
 /* The linearised equations about x for u, forwards from u_0, u_1, or, transposed, for
  * v, backwards from v_N, v_{N-1}: a system of two unknowns at each step. */
-static void linearised(const fvi_scheme *s, size_t N, const double *x,
+static void linearised(const fvi_balance_scheme *s, size_t N, const double *x,
                        int backwards, double *u)
 {
     double t[MOST + 3];
@@ -182,7 +182,7 @@ START_TEST(eq_21_4_about_a_nonlinear_trajectory)
         const fvi_system system = {
             .d = D, .mass = mass, .damping = rho, .potential = central
         };
-        const fvi_scheme s =
+        const fvi_balance_scheme s =
             scheme_of(i % 3, &system, between(random, 0.05, 0.95),
                       between(random, 0, 1), between(random, 0.05, 0.25));
         const double x0[] = { 1, between(random, -1, 1) }, p0[] = { 0, 1 };
@@ -214,7 +214,7 @@ START_TEST(eq_21_5_bateman_at_one_half_and_areas_without_damping)
                                     .mass = mass,
                                     .damping = damping,
                                     .potential = fvi_potential_duffing(cg) };
-        const fvi_scheme s = scheme_of(0, &system, 0.5, 0, h);
+        const fvi_balance_scheme s = scheme_of(0, &system, 0.5, 0, h);
         double C[5];
         ck_assert_int_eq(fvi_green_form(&s, 5, ref_x, ref_u, ref_v, C),
                          FVI_SUCCESS);
@@ -249,7 +249,7 @@ START_TEST(eq_21_6_five_masses_answer_each_other)
                                 .potential = fvi_potential_chain(spring) };
     for (size_t i = 0; i < LEN(ref_response); i++) {
         const int method = ref_response[i].method;
-        const fvi_scheme s =
+        const fvi_balance_scheme s =
             scheme_of(method, &system, ref_response[i].alpha, 0.25, 0.25);
         double x[5][(REF_STEPS + 1) * 5], bound = 200 * U;
         for (size_t j = 0; j < 5; j++) {
@@ -276,8 +276,10 @@ START_TEST(what_is_out_of_range_is_refused)
 {
     const double one = 1, x[] = { 0, 1, 2 };
     const fvi_system system = { .d = 1, .mass = &one, .damping = &one };
-    const fvi_scheme good = { &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER, 0 };
-    fvi_scheme bad[7];
+    const fvi_balance_scheme good = {
+        &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER, 0
+    };
+    fvi_balance_scheme bad[7];
     const int code[] = { FVI_EFAULT, FVI_EDOM, FVI_EDOM,  FVI_EDOM,
                          FVI_EDOM,   FVI_EDOM, FVI_EINVAL };
     for (size_t i = 0; i < LEN(bad); i++)
@@ -320,7 +322,8 @@ START_TEST(what_the_potential_returns_comes_back)
     const fvi_system system = {
         .d = 1, .mass = &one, .damping = &one, .potential = none
     };
-    const fvi_scheme s = { &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER, 0 };
+    const fvi_balance_scheme s = { &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER,
+                                   0 };
     double C[2], E[2];
     ck_assert_int_eq(fvi_green_form(&s, 2, x, x, x, C), FVI_EMAXITER);
     ck_assert_int_eq(fvi_scheme_energy(&s, 2, x, E, C), FVI_EMAXITER);

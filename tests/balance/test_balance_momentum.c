@@ -52,7 +52,7 @@ START_TEST(eq_21_7_the_memory_turns_the_angular_momentum)
         const fvi_system system = {
             .d = D, .mass = mass, .damping = rho, .potential = central
         };
-        const fvi_scheme s =
+        const fvi_balance_scheme s =
             scheme_of(0, &system, alpha, between(random, 0, 1), h);
         const double x0[] = { 1, -0.5 }, p0[] = { 0.5, 1 };
         const double v0[] = { p0[0] / 1.5, p0[1] / 1.5 };
@@ -99,7 +99,7 @@ START_TEST(eq_21_10_the_dressed_momentum_is_conserved)
         const fvi_system system = {
             .d = D, .mass = mass, .damping = rho, .potential = two_bodies
         };
-        const fvi_scheme s =
+        const fvi_balance_scheme s =
             scheme_of(0, &system, alpha, between(random, 0, 1), h);
         const double x0[] = { 1, -0.5 }, p0[] = { 0.5, 1 };
         const double v0[] = { p0[0], p0[1] / 3 };
@@ -147,7 +147,8 @@ START_TEST(eq_21_8_a_turned_solution_pairs_with_a_backward_variation)
             .d = D, .mass = mass, .damping = rho, .potential = central
         };
         const double h = 0.1, alpha = between(random, 0.05, 0.5);
-        const fvi_scheme s = scheme_of(0, &system, alpha, 1, h); /* explicit */
+        const fvi_balance_scheme s =
+            scheme_of(0, &system, alpha, 1, h); /* explicit */
         const double x0[] = { 1, -0.5 }, p0[] = { 0.5, 1 };
         double x[D * (N + 1)], u[D * (N + 1)], v[D * (N + 1)], t[MOST + 3];
         double C[N], size = 0, far = 0;
@@ -201,7 +202,7 @@ START_TEST(eq_12_16_the_energies_without_rounding)
                                 .damping = damping,
                                 .potential = fvi_potential_chain(spring) };
     for (size_t i = 0; i < LEN(ref_energies); i++) {
-        const fvi_scheme s = {
+        const fvi_balance_scheme s = {
             &system, ref_energies[i].alpha,   ref_energies[i].kappa,
             0.25,    ref_energies[i].weights, ref_energies[i].theta
         };
@@ -222,7 +223,7 @@ END_TEST
 typedef struct {
     double mass[D], rho[D], spring[2], x[D * (N + 1)], E[N], hat[N];
     fvi_system system;
-    fvi_scheme scheme;
+    fvi_balance_scheme scheme;
     size_t steps; /* before x leaves 1e150 */
 } energy_run;
 

@@ -13,7 +13,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_scheme -- one of the three schemes of (21.1), as data.
+/* fvi_balance_scheme -- one of the three schemes of (21.1), as data.
  *
  *   system  its masses, dampings and potential; the force takes no part
  *   alpha   the damping is of order 2 alpha, 0 <= alpha <= 1
@@ -29,7 +29,7 @@ typedef struct {
     double alpha, kappa, h;
     fvi_quadrature weights;
     double theta;
-} fvi_scheme;
+} fvi_balance_scheme;
 
 /* fvi_green_form -- what pairs a forward with a backward variation.    [(21.4)]
  *
@@ -53,7 +53,7 @@ typedef struct {
  * weights are none of the two, or if 2 (N + 2) d numbers cannot be addressed;
  * FVI_ENOMEM; what the potential returned, C is then of no use. Else, on error, C is
  * untouched. */
-int fvi_green_form(const fvi_scheme *scheme, size_t N, const double *x,
+int fvi_green_form(const fvi_balance_scheme *scheme, size_t N, const double *x,
                    const double *u, const double *v, double *C);
 
 /* fvi_scheme_energy -- the energy that the scheme itself balances, and what of it can
@@ -74,8 +74,8 @@ int fvi_green_form(const fvi_scheme *scheme, size_t N, const double *x,
  * any. Cost O(N d) and N values of U; N Hessians, O(N d^2), if kappa is not 1/2.
  * Rounding: (2 d + 16) 2^-53 times the sum of the sizes of the terms. Errors as
  * fvi_green_form; likewise E and hat. */
-int fvi_scheme_energy(const fvi_scheme *scheme, size_t N, const double *x,
-                      double *E, double *hat);
+int fvi_scheme_energy(const fvi_balance_scheme *scheme, size_t N,
+                      const double *x, double *E, double *hat);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus
