@@ -67,6 +67,10 @@ int fvi_law_check(const fvi_law *law);
 int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
                    double *loss);
 
+/* fvi_law_symbol -- C(s) of s > 0, where it is real. Of a law that has passed
+ * fvi_law_check; nothing is checked. */
+double fvi_law_symbol(const fvi_law *law, double s);
+
 /* fvi_law_growth -- the largest nu with which |C(s)| grows like |s|^nu at infinity, but
  * for a logarithm: 2 alpha of a POWER, 0 of a MAXWELL or a ZENER with a time, 2 end of
  * a DISTRIBUTED. The law has passed fvi_law_check. */

@@ -39,8 +39,8 @@ extern "C" {
  * Accuracy: 8 d u relative to the larger term, u = 2^-53.
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is
  * NULL; FVI_EDOM if h, kappa or alpha is out of range, or the method does not know
- * this alpha; FVI_EUNSUP if method->load is NULL or run->law is not; FVI_EOVRFLW if an entry is not
- * finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
+ * this alpha; FVI_EUNSUP if method->load is NULL, or the method
+ * does not take run->law; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
 int fvi_stability_load(const fvi_method *method, const fvi_run *run,
                        double *load);
 

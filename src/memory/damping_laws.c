@@ -65,26 +65,43 @@ double fvi_law_growth(const fvi_law *law)
     return most;
 }
 
-/* e^{i pi a} omega^{2 a}: s^{2 a} at s = i omega. */
-static double complex power_at(double a, double omega)
+/* e^{2 a ln s}, whose angle is 2 a times that of s: exact where that is none. */
+static double complex power_at(double a, double modulus, double angle)
 {
-    return pow(omega, 2 * a) * (cos(M_PI * a) + I * sin(M_PI * a));
+    const double size = pow(modulus, 2 * a);
+    return size * cos(2 * a * angle) + I * size * sin(2 * a * angle);
 }
 
-//> moduli
-static double complex symbol_at(const fvi_law_term *t, double omega)
+//> symbol
+static double complex symbol_at(const fvi_law_term *t, double modulus,
+                                double angle)
 {
-    const double complex ln_s = log(omega) + I * M_PI_2;
+    const double complex ln_s = log(modulus) + I * angle;
     if (t->kind == FVI_LAW_POWER)
-        return power_at(t->alpha, omega);
+        return power_at(t->alpha, modulus, angle);
     if (t->kind == FVI_LAW_DISTRIBUTED) /* the integral of e^{2 a ln s} */
-        return (power_at(t->end, omega) - power_at(t->alpha, omega))
-               / (2 * ln_s);
-    const double complex q =
-        power_at(t->kind == FVI_LAW_MAXWELL ? 0.5 : t->alpha, omega);
+        return ln_s == 0 ? t->end - t->alpha
+                         : (power_at(t->end, modulus, angle)
+                            - power_at(t->alpha, modulus, angle))
+                               / (2 * ln_s);
+    const double complex q = power_at(
+        t->kind == FVI_LAW_MAXWELL ? 0.5 : t->alpha, modulus, angle);
     return q / (1 + t->time * q);
 }
-//< moduli
+//< symbol
+
+static double complex sum_at(const fvi_law *law, double modulus, double angle)
+{
+    double complex C = 0;
+    for (size_t i = 0; i < law->count; i++)
+        C += law->term[i].rho * symbol_at(&law->term[i], modulus, angle);
+    return C;
+}
+
+double fvi_law_symbol(const fvi_law *law, double s)
+{
+    return creal(sum_at(law, s, 0));
+}
 
 int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
                    double *loss)
@@ -96,9 +113,7 @@ int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(isfinite(omega) && omega > 0))
         FVI_FAIL("omega must be finite and positive", FVI_EDOM);
-    double complex C = 0;
-    for (size_t i = 0; i < law->count; i++)
-        C += law->term[i].rho * symbol_at(&law->term[i], omega);
+    const double complex C = sum_at(law, omega, M_PI_2);
     *storage = creal(C);
     *loss = cimag(C);
     return FVI_SUCCESS;

@@ -6,9 +6,18 @@
 
 #include <math.h>
 
+/* C(s/h) of the run's law over the power that alpha would give there: 1 without a law. At
+ * z = -1 delta(z) is s = 2 for Euler, 4 for BDF2. */
+static double of_law(const fvi_run *run, double s)
+{
+    return run->law ? fvi_law_symbol(run->law, s / run->h)
+                          / pow(s / run->h, 2 * run->alpha)
+                    : 1;
+}
+
 int fvi_load_backward(const fvi_run *run, double *load)
 {
-    return fvi_stability_share(1, run, load);
+    return fvi_stability_share(of_law(run, 2), run, load);
 }
 
 int fvi_load_shifted(const fvi_run *run, double *load)
@@ -22,7 +31,7 @@ int fvi_load_shifted(const fvi_run *run, double *load)
 
 int fvi_load_bdf2(const fvi_run *run, double *load)
 {
-    return fvi_stability_share(pow(4, run->alpha), run, load);
+    return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
 }
 
 int fvi_load_none(const fvi_run *run, double *load)

@@ -13,8 +13,10 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
 {
     if (!method || !run || !load)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (!method->load || run->law)
-        FVI_FAIL("the load of this run is not known", FVI_EUNSUP);
+    if (!method->load)
+        FVI_FAIL("the load of this method is not known", FVI_EUNSUP);
+    if (run->law && !method->takes_laws)
+        FVI_FAIL("this method knows no laws of damping", FVI_EUNSUP);
     if (!(run->alpha >= method->alpha_least
           && run->alpha <= method->alpha_most))
         FVI_FAIL("this method does not know this alpha", FVI_EDOM);
