@@ -11,7 +11,8 @@ unless something else is said:
   (13.8)  the expansions that give theta = alpha, and order 2 of BDF2;
   (13.10) the momentum form is (13.7), with the momentum (13.9) at both its ends;
   (13.11) delta of BDF2 is (1 - z) (3 - z)/2;
-  (13.13) to (13.15) arguments on the unit circle, values at -1.
+  (13.13) to (13.15), (13.17) arguments on the unit circle, values at -1;
+  (13.16) is of order 2.
 Printed: weights by the binomial series, 60 and 90 digits; trajectories of the
 three-term equation (13.7) as it stands, the derivative of order alpha taken
 twice; growth factors by bisection."""
@@ -172,6 +173,23 @@ turning = (re(weight.rewrite(cos)) * diff(im(weight.rewrite(cos)), phi)
 prove("(13.14) the argument a (pi - phi) + arg(1 - a + a e^{i phi}) is monotone",
       trigsimp(simplify((turning - a) * square + a * (1 - a) * (1 - 2 * a) * (1 - cos(phi)))))
 #< shift
+#> stable
+g = (1 - 2 * a) / 2                                   # g_1; g_0 = 1 - g, b = 2 a
+taps = (1 - g) + g * exp(-I * phi)                    # g_0 + g_1 z, its argument is -psi
+square = (1 - g) ** 2 + 2 * g * (1 - g) * cos(phi) + g**2
+prove("(13.17) |g_0 + g_1 z|^2", trigsimp(expand(
+    (taps * taps.subs(I, -I)).rewrite(cos) - square)))
+turning = g * (g + (1 - g) * cos(phi)) / square       # d psi / d phi
+prove("(13.17) the slope of psi = atan(g sin / (1 - g + g cos))", simplify(
+    diff(g * sin(phi) / (1 - g + g * cos(phi)), phi)
+    / (1 + (g * sin(phi) / (1 - g + g * cos(phi))) ** 2) - turning))
+prove("(13.17) g - psi' has the sign of g", simplify(
+    (g - turning) * square - g * (1 - g) * (1 - 2 * g) * (1 - cos(phi))))
+b = symbols("b", positive=True)
+late = ((1 + b) / 2 + (1 - b) / 2 * exp(-s)) * (1 + exp(s)) / 2
+prove("(13.16) order 2: no term of order s", series(
+    ((1 - exp(-s)) / s) ** b * late, s, 0, 2).removeO() - 1)
+#< stable
 #> bdf2
 delta = DELTA["BDF2"].subs(z, exp(-I * phi)).rewrite(cos).expand()
 prove("(13.14) Re delta = (1 - cos)^2, Im delta = sin (2 - cos)",

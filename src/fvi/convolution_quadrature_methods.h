@@ -10,7 +10,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* Two integrators of order 2 in x and in p, measured at a fixed t at which F does not
+/* Three integrators of order 2 in x and in p, measured at a fixed t at which F does not
  * jump, for kappa = 1/2 (else of order 1); over all t it may be lower (19.9):
  *
  *     D1 L_d(x_k, x_{k+1}) + D2 L_d(x_{k-1}, x_k)
@@ -23,6 +23,9 @@ extern "C" {
  *                nothing is lost
  *   fvi_bdf2     theta = 0, BDF2: explicit memory, stable for shorter steps than
  *                Algorithm 3
+ *   fvi_stable   theta = kappa = 1/2 (run->kappa is not used), EULER, of the mean
+ *                (1/2 + alpha) z_k + (1/2 - alpha) z_{k-1} in place of z_k: implicit, and
+ *                for a quadratic U >= 0 stable for every step and alpha (13.17)
  *
  * D_k is Caputo's: z = x - x0 or, if 2 alpha > 1, x - x0 - t v0. What another past
  * adds to it is a force that is known beforehand (19.3) and acts by its exact
@@ -32,10 +35,11 @@ extern "C" {
  * the start, or after a jump of F, the error of p is larger and falls more slowly
  * with h; that does not spread. Cost of a step: as Algorithm 3, and two values of
  * F; DIRECT and FFT memories of fvi_shifted sum twice; BDF2 takes 36 products a
- * damped coordinate more. Errors as fvi_start and fvi_step; fvi_start also returns
- * FVI_EDOM if m/h + theta rho h^(1 - 2 alpha) overflows. */
+ * damped coordinate more, fvi_stable 2. Errors as fvi_start and fvi_step; fvi_start also
+ * returns FVI_EDOM if m/h + theta rho h^(1 - 2 alpha) overflows. */
 extern const fvi_method fvi_shifted;
 extern const fvi_method fvi_bdf2;
+extern const fvi_method fvi_stable;
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -15,18 +15,18 @@
 
 typedef struct {
     fvi_damping *damping; /* NULL if nothing is damped */
-    double theta;
+    double theta, kappa;
     double *r;               /* right-hand side of the step, d numbers */
     double *H;               /* h^(2 alpha) D_k of each damped coordinate */
     double *ahead;           /* that of the next step if x stands still */
-    double g[FVI_BDF2_TAPS]; /* (13.11) */
+    double g[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
     size_t taps, place;      /* taps == 0: no factor */
     double *past; /* the last terms of each, the latest at [place], twice */
     fvi_pull pull;
     double impulse[2]; /* of this step, at its ends (19.5) */
 } second_order;
 
-/* ---- what both methods do ---- */
+/* ---- what the methods do ---- */
 
 //> force
 /* The limits of F at t_k from below and from above. h, the product k h and the place
@@ -45,7 +45,8 @@ static int force_after(fvi_stepper *s, size_t k)
 //< force
 
 //> filter
-/* ((3 - z)/2)^beta applied to the term that has come in.             (13.11) */
+/* The factor g, ((3 - z)/2)^beta or g_0 + g_1 z, applied to the term that has come in.
+ * (13.11), (13.16) */
 static void filter(second_order *o, size_t count, double *term)
 {
     if (o->taps == 0)
@@ -84,6 +85,12 @@ static void pull(fvi_stepper *s, second_order *o, size_t end)
         s->p[i] -= o->pull.size[i] * o->impulse[end];
 }
 
+/* The weight of z_{k+1} in H_{k+1}: w_0 = 1, times g_0. */
+static double first(const second_order *o)
+{
+    return o->taps ? o->g[0] : 1;
+}
+
 /* First line of (13.10): p becomes p_k and its half of F and of the damping, r what
  * remains of it when all of D_{k+1} is taken away but the term with dx. */
 //> right-hand-side
@@ -106,8 +113,12 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
     for (size_t j = 0; j < count; j++)
         d->z[j] = s->x[d->index[j]] - d->origin[j];
     status = fvi_memory_ahead(d->memory, d->z, o->ahead);
-    for (size_t j = 0; j < count; j++)
-        o->r[d->index[j]] -= theta * d->factor[j] * (o->ahead[j] - d->drift[j]);
+    for (size_t j = 0; j < count; j++) {
+        double ahead = o->ahead[j] - first(o) * d->drift[j];
+        if (o->taps && 2 * s->run.alpha > 1) /* g_1 times the last increment */
+            ahead += o->g[1] * o->past[j * 2 * FVI_BDF2_TAPS + o->place];
+        o->r[d->index[j]] -= theta * d->factor[j] * ahead;
+    }
     return status;
 }
 //< right-hand-side
@@ -205,7 +216,7 @@ static int visit_second_order(fvi_stepper *s, fvi_visitor *v)
     return status ? status : fvi_damping_visit(o->damping, v);
 }
 
-/* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha):
+/* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0:
  * in D_{k+1} the weight w_0 = 1 stands before x_{k+1}. (13.10) */
 static int solver(fvi_stepper *s, const second_order *o)
 {
@@ -214,18 +225,30 @@ static int solver(fvi_stepper *s, const second_order *o)
     for (size_t i = 0; i < run->system->d; i++)
         o->r[i] = run->system->mass[i] / run->h;
     for (size_t j = 0; damping && j < damping->count; j++)
-        o->r[damping->index[j]] += o->theta * damping->factor[j];
-    return fvi_newton_alloc(run->system, o->r, run->kappa * run->h,
-                            1 - run->kappa, &s->newton);
+        o->r[damping->index[j]] += o->theta * first(o) * damping->factor[j];
+    return fvi_newton_alloc(run->system, o->r, o->kappa * run->h, 1 - o->kappa,
+                            &s->newton);
 }
 
-static int start(fvi_stepper *s, double theta, int is_bdf2)
+/* The factor of (13.16): the mean of the last two, by which D^{2 alpha} becomes half a
+ * step earlier than it is, less alpha of a step. Returns how many terms it has. */
+static size_t two_taps(double alpha, double *g)
+{
+    g[0] = 0.5 + alpha;
+    g[1] = 0.5 - alpha;
+    return g[1] == 0 ? 0 : 2;
+}
+
+typedef enum { SHIFTED, BDF2, STABLE } scheme;
+
+static int start(fvi_stepper *s, double theta, scheme which)
 {
     static const double ends[] = { 0, 1 };
     second_order *o = s->own = calloc(1, sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     o->theta = theta;
+    o->kappa = which == STABLE ? 0.5 : s->run.kappa;
     o->r = calloc(s->run.system->d, sizeof *o->r);
     if (!o->r)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
@@ -236,8 +259,10 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
         return status;
     if (o->damping) {
         const size_t count = o->damping->count;
-        if (is_bdf2 && !law)
+        if (which == BDF2 && !law)
             o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
+        if (which == STABLE)
+            o->taps = two_taps(s->run.alpha, o->g);
         status = make_rows(o, count);
         if (!status && !law)
             status = fvi_pull_start(s, 2, ends, &o->pull); /* (19.3) */
@@ -249,12 +274,17 @@ static int start(fvi_stepper *s, double theta, int is_bdf2)
 
 static int start_shifted(fvi_stepper *s)
 {
-    return start(s, s->run.alpha, 0);
+    return start(s, s->run.alpha, SHIFTED);
 }
 
 static int start_bdf2(fvi_stepper *s)
 {
-    return start(s, 0, 1);
+    return start(s, 0, BDF2);
+}
+
+static int start_stable(fvi_stepper *s)
+{
+    return start(s, 0.5, STABLE);
 }
 
 const fvi_method fvi_shifted = { .name = "fvi-shifted",
@@ -293,3 +323,18 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .copy = copy_second_order,
                               .visit = visit_second_order,
                               .stop = stop_second_order };
+const fvi_method fvi_stable = { .name = "fvi-stable",
+                                .order = "2",
+                                .lowest = 2,
+                                .highest = 2,
+                                .memory = "full",
+                                .alpha_most = 1,
+                                .memories = FVI_ALL_MEMORIES,
+                                .implicit = 1,
+                                .load = fvi_load_none,
+                                .load_grows = 1,
+                                .start = start_stable,
+                                .step = step_second_order,
+                                .copy = copy_second_order,
+                                .visit = visit_second_order,
+                                .stop = stop_second_order };

@@ -20,7 +20,8 @@ const fvi_method *const fvi_methods[] = {
     &fvi_lobatto2d,      &fvi_lobatto3d,
     &fvi_lobatto4d,      &fvi_lobatto5d,
     &fvi_lobatto6d,      &fvi_lobatto7d,
-    &fvi_lobatto8d,      NULL
+    &fvi_lobatto8d,      &fvi_stable,
+    NULL
 };
 
 const fvi_method *fvi_method_named(const char *name)

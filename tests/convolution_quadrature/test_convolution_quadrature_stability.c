@@ -160,6 +160,52 @@ START_TEST(eq_13_14_the_shifted_integrator_is_stable_without_condition)
 }
 END_TEST
 
+//> stable
+/* (13.17): fvi_stable takes every step, stiffness, damping and order, and every past: a
+ * stiff and strongly damped oscillator, W and R from 1e-4 to 1e8, from x_0 = 1 and at
+ * rest, stays below 1 as the exact one does; and goes on doing so where fvi_shifted
+ * has left all bounds. Riemann-Liouville's pull makes it overshoot a little. */
+START_TEST(eq_13_17_the_stable_method_takes_every_step)
+{
+    const double orders[] = { 0.05, 0.25, 0.4, 0.5, 0.6, 0.8, 0.95 };
+    size_t lost = 0;
+    for (size_t i = 0; i < LEN(orders) * 49; i++) {
+        const double alpha = orders[i % 7],
+                     W = pow(10, 2. * (double)(i / 7 % 7) - 4),
+                     R = pow(10, 2. * (double)(i / 49) - 4);
+        for (int past = FVI_PAST_HELD; past <= FVI_PAST_RIEMANN_LIOUVILLE;
+             past++) {
+            setup a = scalar(alpha, 0.5, W, R, 2000);
+            a.past = (fvi_past)past;
+            a.x0 = 1;
+            a.p0 = 0;
+            if (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5)
+                continue;
+            solve(&fvi_stable, &a, x, NULL);
+            ck_assert_msg(
+                farthest(2001, x, NULL)
+                    <= (past == FVI_PAST_RIEMANN_LIOUVILLE ? 1.1 : 1 + 1e-9),
+                "alpha=%g W=%g R=%g past=%d: %g", alpha, W, R, past,
+                farthest(2001, x, NULL));
+        }
+        const double one = 1;
+        double load = 7, R_most = bound(&fvi_shifted, alpha, 0.5, W);
+        const fvi_system system = {
+            1, &one, &R, fvi_potential_harmonic(&W), { 0 }
+        };
+        const double x0 = 1, p0 = 0;
+        fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
+        run.alpha = alpha;
+        run.kappa = 0.1; /* which is not used */
+        ck_assert_int_eq(fvi_stability_load(&fvi_stable, &run, &load), 0);
+        ck_assert(load == 0);
+        lost += R > R_most;
+    }
+    ck_assert_uint_ge(lost, 60);
+}
+END_TEST
+//< stable
+
 //> trapezoid
 /* Trapezoidal weights in the place of w: whatever the damping, there is a growing
  * mode, and (13.15) says how fast it grows. The other solutions are by then growth^-n
@@ -200,6 +246,7 @@ int main(void)
     ADD_CASE(suite, "identities", eq_13_13_the_recurrence_is_the_integrator);
     ADD_CASE(suite, "runs", eq_13_14_runs_on_both_sides_of_the_edge,
              eq_13_14_the_shifted_integrator_is_stable_without_condition,
+             eq_13_17_the_stable_method_takes_every_step,
              eq_13_15_trapezoidal_weights_are_always_unstable);
     return run_suite(suite);
 }
