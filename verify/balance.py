@@ -88,6 +88,31 @@ for n in range(N):
                - v[n + 1].dot(rho * u[n]))
     prove("(21.5) Bateman's form", expand(form(n, memory).subs(half) - bateman))
 
+# ---- where U is asked and where it is felt ----
+
+#> felt
+# grad U is asked at S_i = sum_l a_l x_{i+l} and felt at the node k as sum_l b_l grad U(S_{k-l}).
+N, width = 5, 3
+a, b, G = symbols("a:3"), symbols("b:3"), symbols("G:6")
+
+
+def pulls(a, b, G):
+    """The derivatives of what is felt at the node k by x_j; G_i = U''(S_i)."""
+    B = zeros(N + width, N + width)
+    for i in range(N + 1):
+        B[i:i + width, i:i + width] += G[i] * Matrix(b) * Matrix(a).T
+    return B
+
+
+P = Matrix(N + width, N + width, lambda i, j: int(i + j == N + width - 1))
+prove("transposed and read backwards: asked at the mirror of b, felt at that of a",
+      *(P * pulls(a, b, G).T * P - pulls(b[::-1], a[::-1], G[::-1])))
+for i in range(width):
+    for j in range(width):
+        prove("the pull is a gradient for every U if and only if all of these vanish",
+              diff((pulls(a, b, G) - pulls(a, b, G).T)[i, j], G[0]) - (b[i] * a[j] - b[j] * a[i]))
+#< felt
+
 # ---- reciprocity ----
 
 #> reciprocity
