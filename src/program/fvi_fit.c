@@ -17,7 +17,7 @@ static const char *const own_words[] = { "fit", "sigma", "starts", "curve",
 typedef enum { FIT, SIGMA, STARTS, CURVE, OWN } own_index;
 
 /* Of a run, and not of a fit, which takes its times from the data. */
-static const char *const not_for_fit[] = { "steps",   "time",  "error",
+static const char *const not_for_fit[] = { "steps",   "time",  "error", "damping",
                                            "columns", "every", "format",
                                            NULL };
 

@@ -7,6 +7,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [METHOD] = { "method", RUN, "fvi" },
     [ALPHA] = { "alpha", RUN | EXACT | COEFFICIENTS, "0.5" },
     [RHO] = { "rho", RUN | EXACT, "0.2" },
+    [DAMPING] = { "damping", RUN, NULL },
     [MASS] = { "mass", RUN | EXACT, "1" },
     [POTENTIAL] = { "potential", RUN | EXACT, "harmonic:1" },
     [LET] = { "let", RUN | EXACT, NULL },

@@ -6,6 +6,7 @@
 #include <fvi/trajectory.h>
 #include "fvi_format.h"
 #include "fvi_forces.h"
+#include "fvi_laws.h"
 #include "fvi_lets.h"
 #include "fvi_words.h"
 
@@ -34,6 +35,7 @@ typedef struct {
     fvi_forcing force;
     double forcing[2];  /* its parameters */
     fvi_forces *forces; /* any other force, or NULL */
+    fvi_laws laws; /* instead of alpha, and then count > 0 */
     fvi_past past;
     int no_solution; /* 1: only the method that does what is printed runs it */
     fvi_memory_kind memory;
@@ -52,6 +54,7 @@ typedef enum {
     METHOD,
     ALPHA,
     RHO,
+    DAMPING,
     MASS,
     POTENTIAL,
     LET,

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 
+#include <fvi/convolution_quadrature_methods.h>
 #include <fvi/variable_steps.h>
 
 #include <getopt.h>
@@ -69,6 +70,10 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
         o->text[LET] = o->lets.text;
         return fvi_lets_add(&o->lets, optarg, c);
     }
+    if (i == DAMPING) { /* laws add */
+        o->text[DAMPING] = o->laws.text;
+        return fvi_laws_add(&o->laws, optarg, c);
+    }
     if (o->text[i] && strcmp(o->text[i], optarg) != 0)
         return fvi_refuse(c, "%s%s: given twice, as '%s' and as '%s'",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
@@ -123,10 +128,15 @@ static int fill_in(fvi_options *o, fvi_complaint c)
                           fvi_option_list[instead].name);
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
+    const int law = o->text[DAMPING] != NULL;
+    if (law && (o->text[ALPHA] || o->text[RHO]))
+        return fvi_refuse(c, "--damping: not together with --%s",
+                          o->text[ALPHA] ? "alpha" : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
-        o->text[METHOD] = fvi_adaptive.name;
+        o->text[METHOD] = law ? fvi_bdf2.name : fvi_adaptive.name;
     for (int i = 0; i < OPTIONS; i++)
-        if (!o->text[i] && !(i == H && o->text[TIME]))
+        if (!o->text[i] && !(i == H && o->text[TIME])
+            && !(law && (i == ALPHA || i == RHO)))
             o->text[i] = fvi_option_list[i].preset;
     return 0;
 }

@@ -48,8 +48,9 @@ static double run_bytes(const fvi_options *o)
         return bytes
                + fvi_lobatto_memory_bytes(s, 2 * o->alpha - 1, d, o->steps,
                                           o->memory, o->tolerance);
+    const double order = o->laws.law.count > 0 ? 0.5 : 2 * o->alpha;
     return bytes
-           + (double)fvi_memory_bytes(2 * o->alpha, d, o->steps, o->memory,
+           + (double)fvi_memory_bytes(order, d, o->steps, o->memory,
                                       o->tolerance);
 }
 

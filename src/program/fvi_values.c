@@ -63,6 +63,14 @@ static int check_method(const fvi_options *o, fvi_complaint c)
     if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
         return fvi_refuse(c, "--alpha: '%s' is not %g, all that %s knows",
                           o->text[ALPHA], m->alpha_least, m->name);
+    if (o->text[DAMPING] && !m->takes_laws)
+        return fvi_refuse(c, "--damping: '%s' is not known to %s",
+                          o->text[DAMPING], m->name);
+    if (o->text[DAMPING] && o->past != FVI_PAST_HELD)
+        return fvi_refuse(c, "--derivative: '%s' is not for --damping",
+                          o->text[DERIVATIVE]);
+    if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
+        return fvi_refuse(c, "--memory: 'fft' is not for --damping");
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);
@@ -143,10 +151,13 @@ static int interpret_lists(fvi_options *o, fvi_complaint c)
                   { X0, o->x0, -INFINITY, "()" },
                   { P0, o->p0, -INFINITY, "()" } };
     int status = 0;
-    for (size_t i = 0; !status && i < sizeof lists / sizeof *lists; i++)
+    for (size_t i = 0; !status && i < sizeof lists / sizeof *lists; i++) {
+        const char *text = o->text[lists[i].option];
         status = fvi_word_list(fvi_option_list[lists[i].option].name,
-                               o->text[lists[i].option], lists[i].low, INFINITY,
-                               lists[i].brackets, o->d, lists[i].values, c);
+                               text ? text : "1", /* rho of a law */
+                               lists[i].low, INFINITY, lists[i].brackets, o->d,
+                               lists[i].values, c);
+    }
     return status;
 }
 
@@ -291,7 +302,9 @@ static int interpret(fvi_options *o, fvi_complaint c)
     o->format = (fvi_format)format;
     /* The weights go up to the order 2 alpha of the damping. */
     int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
-    status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+    o->alpha = 0.5;
+    if (o->text[ALPHA])
+        status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
     if (status)
         return status;
     return only_weights ? whole(o, COUNT, &o->count, c)
@@ -358,5 +371,6 @@ fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
                       .alpha = o->alpha,
                       .past = o->past,
                       .memory = o->memory,
-                      .tolerance = o->tolerance };
+                      .tolerance = o->tolerance,
+                      .law = o->text[DAMPING] ? &o->laws.law : NULL };
 }

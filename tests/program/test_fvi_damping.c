@@ -1,0 +1,133 @@
+/* tests/program/test_fvi_damping.c -- The program build/fvi: laws of damping.
+ * Run alone: make test-fvi_damping */
+#define _GNU_SOURCE
+#include "program.h"
+
+#include <string.h>
+
+/* x in the last row of `run` with these words. */
+static double last_x(const char *words)
+{
+    char line[1000];
+    snprintf(line, sizeof line, "run --time 4 --columns x %s", words);
+    ck_assert_msg(fvi(line) == 0, "%s: %s", line, err);
+    const char *row = out;
+    for (const char *at = out; *at; at = strchr(at, '\n') + 1)
+        row = at;
+    return strtod(row, NULL);
+}
+
+/* The lines of (26.9) and of chapter 11, to 1e-12: two ways to sum 400 terms. */
+START_TEST(a_power_is_alpha_and_rho)
+{
+    const double law = last_x("--damping power:0.3,0.35 --steps 400"),
+                 alpha = last_x("--alpha 0.35 --rho 0.3 --steps 400");
+    ck_assert_near(law, alpha, 1e-12, "x(4)");
+    ck_assert_near(last_x("--damping power:0.1,0.35 --damping power:0.2,0.35 "
+                          "--method FVI-BDF2 --steps 400"),
+                   last_x("--damping power:0.3,0.35 --method fvi-bdf2 "
+                          "--steps 400"),
+                   1e-12, "laws add");
+}
+END_TEST
+
+/* Each kind means its symbol: x(4) of (26.9), m = c = 1, held at 1, p0 = 0, from
+ * verify/damping_laws.py. Order 2: some 0.3 h^2. Seen: 5e-8. */
+START_TEST(each_kind_is_its_symbol)
+{
+    const struct {
+        const char *words;
+        double x;
+    } laws[] = {
+        { "--damping power:1,0.3125", 0x1.57afc9be8fa8bp-3 },
+        { "--damping zener:1,0.3125,0.75", 0x1.d4ed457a18de0p-3 },
+        { "--damping maxwell:1,0.75 --damping maxwell:0.5,3",
+          0x1.3b232fdfd4090p-3 },
+        { "--damping distributed:1,0,0.5", 0x1.0c3372023837cp-5 },
+    };
+    size_t ran = 0;
+    for (size_t i = 0; i < LEN(laws); i++) {
+        char line[300];
+        snprintf(line, sizeof line, "--p0 0 --method fvi-bdf2 --steps 8000 %s",
+                 laws[i].words);
+        ck_assert_near(last_x(line), laws[i].x, 1e-7, "%s", laws[i].words);
+        ran++;
+    }
+    ck_assert_uint_eq(ran, 4);
+}
+END_TEST
+
+START_TEST(the_head_repeats_the_law_and_no_alpha)
+{
+    ck_assert_int_eq(fvi("run --damping zener:1,0.3,2 --damping maxwell:2,5 "
+                         "--steps 3"),
+                     0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "\n# damping = zener:1,0.3,2 + maxwell:2,5\n"));
+    ck_assert_ptr_null(strstr(out, "alpha"));
+    ck_assert_ptr_null(strstr(out, "rho"));
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+START_TEST(error_takes_the_method_that_knows_laws)
+{
+    ck_assert_int_eq(fvi("run --damping power:0.2,0.3 --error 1e-6 --steps 4"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# method = fvi-bdf2\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\n# error estimate = "));
+}
+END_TEST
+
+START_TEST(an_unstable_step_is_told_of_a_law_too)
+{
+    ck_assert_int_eq(fvi("run --damping maxwell:20,0.01 --h 0.5 --steps 3"), 0);
+    ck_assert_ptr_nonnull(strstr(err, "this step is unstable"));
+}
+END_TEST
+
+START_TEST(what_is_no_law_is_bad_use)
+{
+    const struct {
+        const char *words, *said;
+    } bad[] = {
+        { "--damping zenr:1,2,3", "--damping: 'zenr:1,2,3' is none of" },
+        { "--damping power:1", "is none of" },
+        { "--damping power:1,x", "is none of" },
+        { "--damping ''", "is none of" },
+        { "--damping power:1,2", "--damping: 'power:1,2': power:R,A" },
+        { "--damping power:-1,0.5", "power:R,A" },
+        { "--damping zener:1,0.5,-1", "zener:R,A,T" },
+        { "--damping distributed:1,0.5,0.4", "distributed:R,A,B" },
+        { "--damping power:1,0.3 --alpha 0.3", "not together with --alpha" },
+        { "--damping power:1,0.3 --rho 1", "not together with --rho" },
+        { "--damping power:1,0.3 --method fvi-shifted", "is not known to" },
+        { "--damping power:1,0.3 --method fvi-adaptive", "is not known to" },
+        { "--damping power:1,0.3 --derivative rl", "--derivative: 'rl'" },
+        { "--damping power:1,0.3 --derivative caputo", "--derivative: 'cap" },
+        { "--damping power:1,0.3 --memory fft", "--memory: 'fft'" },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        char line[300];
+        snprintf(line, sizeof line, "run %s", bad[i].words);
+        ck_assert_msg(fvi(line) == 2, "%s", line);
+        ck_assert_msg(strstr(err, bad[i].said), "%s: %s", line, err);
+        ck_assert_str_eq(out, "");
+    }
+    ck_assert_int_eq(fvi("exact --damping power:1,0.3"), 2);
+    ck_assert_int_eq(fvi("fit --damping power:1,0.3 data"), 2);
+    ck_assert_int_eq(fvi("gradient --damping power:1,0.3"), 2);
+    ck_assert_int_eq(fvi("run --damping zener:1,0.48,2 --memory exponentials"),
+                     1);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: laws of damping");
+    ADD_CASE(suite, "laws", a_power_is_alpha_and_rho, each_kind_is_its_symbol,
+             the_head_repeats_the_law_and_no_alpha,
+             error_takes_the_method_that_knows_laws,
+             an_unstable_step_is_told_of_a_law_too, what_is_no_law_is_bad_use);
+    return run_suite_of_program(suite);
+}
