@@ -99,6 +99,11 @@ START_TEST(the_forces_and_the_start_add_up_to_a_linear_motion)
     for (size_t k = 0; k <= 200; k++)
         sum += 0.3 * cos(cell(k, 0)) * (cell(k, 1) + cell(k, 2));
     ck_assert_near(sum, value, 400 * U * 10, "x_N");
+    ck_assert_int_eq(fvi("run --potential chain:2,1,0 --alpha 0.4 --x0 1,2 "
+                         "--p0 0.5,-1 --force cosine:0.3,1 --rho 0.4,0.1 "
+                         "--columns x --every 1000"),
+                     0);
+    ck_assert(cell(1, 1) == value);
 }
 END_TEST
 
