@@ -274,6 +274,7 @@ TABLE_memory    := figures/memory/memory_bench.tsv
 TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv
 TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
+TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 
 $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@

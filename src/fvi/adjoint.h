@@ -67,9 +67,9 @@ typedef struct {
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic, and no
- * iteration. Measured, one coordinate, all derivatives: a quarter of the time of the
- * run (figures/adjoint/). Accuracy: that of the run with the same memory; no bound is
- * proved for the rounding. Seen: 4e-13 of each derivative, N = 2000.
+ * iteration. Measured, one coordinate, all derivatives: a third to a half of the time of
+ * the run (figures/adjoint/adjoint_bench.tsv). Accuracy: no bound is proved for the
+ * rounding. Seen: 5e-14 of a derivative, or of 1 where that is more, N = 2000.
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if

@@ -9,18 +9,18 @@
 
 /* ---- the start ---- */
 
-enum { ARRAYS = 21 };
+enum { ARRAYS = 24 };
 
 static int allocate(fvi_mirror *m)
 {
     const size_t d = m->d;
     const fvi_potential *u = &m->run->system->potential;
-    double **each[ARRAYS] = { &m->c,     &m->lambda, &m->delta,   &m->q,
-                              &m->nu,    &m->dnu,    &m->N,       &m->Ndot,
-                              &m->M,     &m->S,      &m->work,    &m->sum,
-                              &m->rate,  &m->plain,  &m->linear,  &m->kinetic,
-                              &m->pull,  &m->shift,  &m->pulldot, &m->before,
-                              &m->column };
+    double **each[ARRAYS] = { &m->c,      &m->lambda,  &m->delta,   &m->q,
+                              &m->nu,     &m->dnu,     &m->N,       &m->Ndot,
+                              &m->M,      &m->S,       &m->work,    &m->sum,
+                              &m->rate,   &m->plain,   &m->linear,  &m->kinetic,
+                              &m->pull,   &m->shift,   &m->pulldot, &m->before,
+                              &m->column, &m->inertia, &m->origin,  &m->drift };
     double *block = calloc(ARRAYS * d, sizeof *block);
     if (!block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
@@ -71,6 +71,28 @@ static int start_filter(fvi_mirror *m)
     return FVI_SUCCESS;
 }
 
+/* Does the memory know p0/m? */
+static int drifts(const fvi_mirror *m)
+{
+    return 2 * m->run->alpha > 1
+           && (!m->printed || m->run->past == FVI_PAST_CAPUTO);
+}
+
+/* z_j = x_j - origin - j drift, on which the memory of the run acts, and c. */
+static void start_terms(fvi_mirror *m)
+{
+    const fvi_run *run = m->run;
+    const int whole = m->printed && run->past == FVI_PAST_RIEMANN_LIOUVILLE;
+    const double unit = pow(run->h, 1 - 2 * run->alpha);
+    for (size_t i = 0; i < m->d; i++) {
+        const double mass = run->system->mass[i];
+        m->c[i] = run->system->damping[i] * unit;
+        m->inertia[i] = mass / run->h + m->theta * m->c[i];
+        m->origin[i] = whole ? 0 : run->x0[i];
+        m->drift[i] = drifts(m) ? run->h * run->p0[i] / mass : 0;
+    }
+}
+
 int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
                      const fvi_gradients *want, const double *Jp, fvi_mirror *m)
 {
@@ -89,8 +111,7 @@ int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
         status = start_filter(m);
     if (status)
         return status;
-    for (size_t i = 0; i < m->d; i++)
-        m->c[i] = run->system->damping[i] * pow(run->h, 1 - 2 * run->alpha);
+    start_terms(m);
     memcpy(m->lambda, Jp, m->d * sizeof *Jp);
     m->is_pulled = !printed && m->memory && run->alpha != 0.5
                    && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
@@ -125,8 +146,7 @@ static void end_damping(const fvi_mirror *m, size_t i)
     if (want->alpha)
         *want->alpha -= 2 * rho * unit * (m->rate[i] - log(h) * m->sum[i])
                         + m->c[i] * m->shift[i];
-    if (2 * run->alpha > 1
-        && (!m->printed || run->past == FVI_PAST_CAPUTO)) { /* the drift */
+    if (drifts(m)) {
         const double slope = m->c[i] * h * m->linear[i] / mass;
         if (want->p0)
             want->p0[i] += slope;

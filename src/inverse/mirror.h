@@ -16,7 +16,8 @@ typedef struct {
     double theta, end; /* the shift; what of H_N stands in p_N, (23.7) */
     int printed; /* Algorithm 3: no pull, Riemann-Liouville by its weights */
 
-    double *c;              /* each: rho h^(1 - 2 alpha) */
+    double *c, *inertia;    /* each: rho h^(1 - 2 alpha); m/h + theta c */
+    double *origin, *drift; /* each: z_j = x_j - origin - j drift */
     double *lambda, *delta; /* each: lambda_j, lambda_{j-1} - lambda_j */
     double *q;              /* each: the momentum of the mirrored run */
     double *nu, *dnu;       /* each: what the memory takes in, (23.7) */

@@ -7,16 +7,10 @@
 
 /* ---- the memory ---- */
 
-/* z_j = x_j - origin - j drift, on which the memory of the run acts. */
+/* z_j, on which the memory of the run acts. */
 static double term(const fvi_mirror *m, size_t j, double x, size_t i)
 {
-    const fvi_run *run = m->run;
-    const double h = run->h, v0 = run->p0[i] / run->system->mass[i];
-    if (m->printed && run->past == FVI_PAST_RIEMANN_LIOUVILLE)
-        return x;
-    if (2 * run->alpha > 1 && (!m->printed || run->past == FVI_PAST_CAPUTO))
-        return x - run->x0[i] - (double)j * h * v0;
-    return x - run->x0[i];
+    return x - m->origin[i] - (double)j * m->drift[i];
 }
 
 /* out += sum_n f[n] of the last terms of a ring, `in` being the newest. */
@@ -34,11 +28,10 @@ static void ring(const fvi_mirror *m, size_t taps, const double *f,
 /* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
-    const size_t bytes = m->d * sizeof *m->nu;
     double *nu = m->nu, *dnu = m->dnu;
     if (m->taps > 0) {
         double **in = 2 * m->run->alpha < 1 ? &nu : &dnu;
-        memset(m->work, 0, bytes);
+        memset(m->work, 0, m->d * sizeof *m->work);
         ring(m, m->taps, m->g, m->terms, *in, m->work);
         *in = m->work;
     }
@@ -80,6 +73,11 @@ static void apply(const fvi_mirror *m, const double *v, double *out)
 {
     const size_t d = m->d, w = m->run->system->potential.diagonals;
     const double *row = m->G;
+    if (m->G && w == 1) { /* the usual case, at a third of the time */
+        for (size_t i = 0; i < d; i++)
+            out[i] = row[i] * v[i];
+        return;
+    }
     memset(out, 0, d * sizeof *out);
     for (size_t i = 0; m->G && i < d; i++, row += w ? w : d)
         for (size_t j = 0; j < (w ? w : d); j++) {
@@ -100,8 +98,7 @@ static int factorise(fvi_mirror *m)
     const size_t d = m->d, w = run->system->potential.diagonals;
     fvi_band_clear(&m->J);
     for (size_t i = 0; i < d; i++)
-        fvi_band_row(&m->J, i)[i] =
-            run->system->mass[i] / run->h + m->theta * m->c[i];
+        fvi_band_row(&m->J, i)[i] = m->inertia[i];
     for (size_t i = 0; i < d; i++)
         for (size_t j = 0; j < (w ? w : d) && (w ? i + j : j) < d; j++) {
             const double value = share * m->G[i * (w ? w : d) + j];
@@ -140,8 +137,8 @@ static int solve(fvi_mirror *m)
         return FVI_SUCCESS;
     }
     for (size_t i = 0; i < m->d; i++) {
-        const double J = run->system->mass[i] / h + m->theta * m->c[i]
-                         + kappa * (1 - kappa) * h * (m->G ? m->G[i] : 0);
+        const double J =
+            m->inertia[i] + kappa * (1 - kappa) * h * (m->G ? m->G[i] : 0);
         if (J == 0)
             return FVI_ESING;
         m->delta[i] /= J;
@@ -205,7 +202,8 @@ static int right_hand_side(fvi_mirror *m, size_t k, const double *x)
 {
     const double last = k + 1 == m->run->steps ? m->end + m->theta : 1;
     int status = FVI_SUCCESS;
-    memcpy(m->delta, m->q, m->d * sizeof *m->q);
+    for (size_t i = 0; i < m->d; i++)
+        m->delta[i] = m->q[i];
     if (!m->memory)
         return status;
     if (m->theta > 0)

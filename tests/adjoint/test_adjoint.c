@@ -61,6 +61,7 @@ static void ck_assert_row(size_t i, fvi_memory_kind memory, double tolerance)
                            *s->to.alpha,        s->to.parameters[0],
                            s->to.parameters[1], s->force[ref_slopes[i].force] };
     for (size_t j = 0; j < LEN(want); j++) {
+        seen_worst(fabs(got[j] - want[j]) / fmax(1, fabs(want[j])), "worst");
         if (isnan(want[j]))
             ck_assert_msg(isnan(got[j]), "row %zu", i);
         else

@@ -89,6 +89,8 @@ static void ck_assert_slopes(complex_run *r, double complex *number,
         largest = fmax(largest, fabs(want[i]));
     }
     for (size_t i = 0; i < count; i += stride)
+        seen_worst(fabs(got[i] - want[i]) / largest, "worst");
+    for (size_t i = 0; i < count; i += stride)
         ck_assert_near(got[i], want[i], 1e-11 * largest,
                        "%s %zu, scheme %d past %d alpha=%g", what, i,
                        (int)r->scheme, (int)r->past, creal(r->alpha));
