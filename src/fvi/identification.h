@@ -83,7 +83,8 @@ typedef struct {
                            the model is right */
     size_t agree; /* starts that led here */
     double h;     /* step of the last run */
-    double bias;  /* what its last halving changed, in sd, at most */
+    double bias;  /* what the last halving changed, in sd, at most; changes
+                           below 1e-7 of an estimate do not count */
 } fvi_fitted;
 
 /* fvi_fit_box -- a box of plausible starts, by the size and the frequency of the data.

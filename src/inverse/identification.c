@@ -228,13 +228,13 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
         status = statistics(o, best, fitted);
-        fitted->bias = moves = 0;
+        fitted->bias = 0;
         for (size_t j = 0; j < o->fdf.p; j++) {
             const double by = fabs(fitted->estimate[j] - before.estimate[j]);
-            fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
-            moves |= by > fmax(fitted->sd[j] / 100,
-                               1e-7 * fabs(fitted->estimate[j]));
+            if (by > 1e-7 * fabs(fitted->estimate[j]))
+                fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
         }
+        moves = fitted->bias > 0.01;
     }
     return status;
 }

@@ -57,6 +57,42 @@ START_TEST(eq_24_2_exact_data_give_the_parameters_back)
 END_TEST
 //< exact
 
+//> method
+/* The same bound, with a step that is not halved: how wrong are the parameters that a
+ * method of each order gives? First order in e: 1.2 for the second. */
+START_TEST(eq_24_4_the_error_of_a_method_is_one_of_the_parameters)
+{
+    const struct {
+        const fvi_method *method;
+        double h;
+    } runs[] = { { &fvi_fractional, 0.1 },
+                 { &fvi_fractional, 0.01 },
+                 { &fvi_shifted, 0.1 },
+                 { &fvi_lobatto3, 0.1 },
+                 { &fvi_lobatto4, 0.1 } };
+    for (size_t i = 0; i < LEN(runs); i++) {
+        question q;
+        fvi_fitted f;
+        ask(&q, ref_low, 3);
+        q.fit.method = runs[i].method;
+        q.fit.h = runs[i].h;
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        const double e = length_of_error(&q, ref_errors[0].truth, f.h);
+        for (size_t j = 0; j < 3; j++) {
+            const double error = f.estimate[j] - ref_errors[0].truth[j];
+            seen(error, "error of %s, %s, h = %g",
+                 j == 0   ? "alpha"
+                 : j == 1 ? "rho"
+                          : "c",
+                 runs[i].method->name, runs[i].h);
+            ck_assert_msg(fabs(error) <= 1.2 * ref_errors[0].sd[j] * e + 1e-9,
+                          "%zu %zu: %g, e %g", i, j, error, e);
+        }
+    }
+}
+END_TEST
+//< method
+
 //> covariance
 /* The Jacobian is a difference quotient with the step 1.5e-8 |u|: its relative error is
  * that times x'' / x' by u, some tens at most, and 1e-13 / 1.5e-8 for the memory's
@@ -187,6 +223,7 @@ int main(void)
 {
     Suite *suite = suite_create("parameters from a measured motion");
     ADD_CASE(suite, "values", eq_24_2_exact_data_give_the_parameters_back,
+             eq_24_4_the_error_of_a_method_is_one_of_the_parameters,
              eq_24_3_standard_deviations_and_correlations,
              eq_24_3_sigma_is_estimated);
     ADD_CASE(suite, "noise",

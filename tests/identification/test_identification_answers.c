@@ -36,6 +36,56 @@ START_TEST(eq_24_5_one_start_alone_is_not_believed)
 }
 END_TEST
 
+/* Little damping, many swings of the frequency 1, rho known. The order 1 - alpha with
+ * c + 2 rho cos(pi alpha) damps that frequency as much and pulls as hard (24.8): a false
+ * minimum, in which all starts that begin near it agree, and chi^2 does not refuse it. From
+ * the whole box the truth is found. */
+START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
+{
+    const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
+                                    FVI_PARAMETER_CONSTANT };
+    const double low[] = { 0.65, 1.05 }, high[] = { 0.69, 1.06 };
+    const fvi_linear exact = {
+        .m = 1, .c = 1, .rho = 0.05, .alpha = 0.3, .x0 = 1, .v0 = 0.25
+    };
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    question q;
+    fvi_fitted twin, f;
+    ask(&q, NULL, 2);
+    for (size_t i = 0; i < REF_POINTS; i++)
+        q.t[i] = 0.3 * (double)(i + 1);
+    ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+    add_noise(&q, 0.02, r);
+    q.fit.which = which;
+    q.rho = 0.05;
+    q.run.alpha = 0.68;
+    q.constants[0] = 1.055;
+    q.fit.low = low;
+    q.fit.high = high;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &twin), FVI_SUCCESS);
+    ck_assert_uint_eq(twin.agree, 4);
+    ck_assert_double_eq_tol(twin.estimate[0], 1 - 0.3, 0.05);
+    ck_assert_double_eq_tol(twin.estimate[1], 1 + 0.1 * cos(0.3 * M_PI), 0.01);
+    seen(twin.estimate[0], "alpha of the twin");
+    seen(twin.estimate[1], "c of the twin");
+    seen(twin.chi2, "chi2 of the twin");
+    seen(twin.probability, "probability of the twin");
+    seen(twin.neighbours, "neighbours of the twin");
+    q.fit.low = q.fit.high = NULL;
+    q.fit.starts = 20;
+    q.run.alpha = 0.5;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert(f.chi2 < twin.chi2 - 30);
+    ck_assert_double_eq_tol(f.estimate[0], 0.3, 4 * f.sd[0]);
+    seen((double)f.agree, "of 20 agree, rho known");
+    q.fit.which = FIVE;
+    q.fit.parameters = 3;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    seen((double)f.agree, "of 20 agree, rho free");
+    gsl_rng_free(r);
+}
+END_TEST
+
 /* The noise is five times, or a fifth of, what sigma says: chi^2 is 25 times too large or
  * too small. A model with another past fits as badly as it is wrong. */
 START_TEST(eq_24_4_a_chi_squared_out_of_range_is_not_believed)
@@ -199,6 +249,7 @@ int main(void)
 {
     Suite *suite = suite_create("what is not believed");
     ADD_CASE(suite, "answers", eq_24_5_one_start_alone_is_not_believed,
+             eq_24_8_the_twin_order_is_a_false_minimum,
              eq_24_4_a_chi_squared_out_of_range_is_not_believed,
              eq_24_3_what_the_data_do_not_determine_is_said,
              a_fit_is_repeatable_and_leaves_no_trace);

@@ -3,8 +3,6 @@
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
 
-#include <time.h>
-
 static const fvi_parameter SEVEN[] = {
     FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,
     FVI_PARAMETER_X0,          FVI_PARAMETER_P0,  FVI_PARAMETER_CONSTANT,
@@ -88,36 +86,6 @@ START_TEST(eq_24_6_by_a_damping_of_zero)
 }
 END_TEST
 
-static double seconds(const fvi_run *run, size_t P, double *x, double *slope)
-{
-    double least = 1e9;
-    for (int i = 0; i < 5; i++) {
-        const clock_t begin = clock();
-        if (P)
-            ck_assert_int_eq(fvi_tangents(run, P, SEVEN, x, slope), 0);
-        else
-            ck_assert_int_eq(
-                fvi_trajectory(&fvi_fractional, run, x, NULL, NULL), 0);
-        least = fmin(least, (double)(clock() - begin) / CLOCKS_PER_SEC);
-    }
-    return least;
-}
-
-/* What they cost, for the chapter; nothing is asserted but that they are had. */
-START_TEST(tangents_take_their_time)
-{
-    enum { N = 20000 };
-    static double x[N + 1], slope[7 * (N + 1)];
-    fvi_system system;
-    const fvi_run run = duffing(&system, 0, N);
-    const double alone = seconds(&run, 0, x, NULL);
-    seen(seconds(&run, 3, x, slope) / alone,
-         "time with 3 tangents over that without");
-    seen(seconds(&run, 7, x, slope) / alone,
-         "time with 7 tangents over that without");
-}
-END_TEST
-
 static int handled;
 static void handler(const char *reason, const char *file, int line, int code)
 {
@@ -157,8 +125,7 @@ int main(void)
 {
     Suite *suite = suite_create("derivatives beside a run");
     ADD_CASE(suite, "values", eq_24_6_tangents_are_the_derivatives_of_the_run,
-             tangents_do_not_feel_each_other, eq_24_6_by_a_damping_of_zero,
-             tangents_take_their_time);
+             tangents_do_not_feel_each_other, eq_24_6_by_a_damping_of_zero);
     ADD_CASE(suite, "errors", tangents_refuse_what_they_do_not_know);
     return run_suite(suite);
 }

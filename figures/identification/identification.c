@@ -1,0 +1,61 @@
+/* figures/identification/identification.c -- Chapter 24: data, fit, residuals.
+ *
+ * m = c = 1, rho = 0.4, alpha = 0.3, x0 = 1, p0 = 1/4, held: the exact motion at t = 0.1,
+ * 0.2, ..., 20 with Gaussian noise of sigma = 0.02, and the fit of five parameters, begun
+ * elsewhere. A line for each time: t, data, fit, residual / sigma; then, in a second
+ * block, each name with its estimate, sd, and the truth. */
+#include <fvi/fvi.h>
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <stdio.h>
+
+enum { N = 200, P = 5 };
+
+int main(void)
+{
+    const fvi_linear truth = {
+        .m = 1, .c = 1, .rho = 0.4, .alpha = 0.3, .x0 = 1, .v0 = 0.25
+    };
+    const fvi_parameter which[P] = { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO,
+                                     FVI_PARAMETER_CONSTANT, FVI_PARAMETER_X0,
+                                     FVI_PARAMETER_P0 };
+    const char *const name[P] = { "alpha", "rho", "c", "x0", "p0" };
+    const double put_in[P] = { 0.3, 0.4, 1, 1, 0.25 }, sigma = 0.02, m = 1,
+                 rho = 0.2, x0 = 0.9, p0 = 0.5;
+    double c = 2, t[N], x[N], curve[N];
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    for (int i = 0; i < N; i++)
+        t[i] = 0.1 * (i + 1);
+    if (fvi_exact(&truth, N, t, x, NULL))
+        return 1;
+    for (int i = 0; i < N; i++)
+        x[i] += gsl_ran_gaussian(r, sigma);
+    gsl_rng_free(r);
+
+    const fvi_system system = { .d = 1,
+                                .mass = &m,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&c) };
+    const fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
+    const fvi_fit fit = { .method = &fvi_lobatto4,
+                          .run = &run,
+                          .constants = &c,
+                          .n = N,
+                          .t = t,
+                          .x = x,
+                          .sigma = sigma,
+                          .parameters = P,
+                          .which = which,
+                          .starts = 20 };
+    fvi_fitted f;
+    if (fvi_fit_search(&fit, curve, &f))
+        return 1;
+    for (int i = 0; i < N; i++)
+        printf("%g %.6f %.6f %.4f\n", t[i], x[i], curve[i],
+               (x[i] - curve[i]) / sigma);
+    printf("\n\n");
+    for (int j = 0; j < P; j++)
+        printf("%s %.4f %.4f %g\n", name[j], f.estimate[j], f.sd[j], put_in[j]);
+    return 0;
+}
