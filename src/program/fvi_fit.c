@@ -274,22 +274,29 @@ static void print_head(FILE *out, const request *r)
 static void print_answer(FILE *out, const request *r, const fvi_fitted *f)
 {
     print_head(out, r);
-    for (size_t j = 0; j < r->fit.parameters; j++)
-        fprintf(out, "%s\t%.17g\t%.17g\t%.17g\t%.17g\n", r->name[j],
-                f->estimate[j], f->sd[j],
-                f->estimate[j] - f->quantile * f->sd[j],
-                f->estimate[j] + f->quantile * f->sd[j]);
-    fprintf(out, "# chi2 = %.17g\n", f->chi2);
+    for (size_t j = 0; j < r->fit.parameters; j++) {
+        const double reach = f->quantile * f->sd[j];
+        fputs(r->name[j], out);
+        fvi_print_number(out, "\t", f->estimate[j]);
+        fvi_print_number(out, "\t", f->sd[j]);
+        fvi_print_number(out, "\t", f->estimate[j] - reach);
+        fvi_print_number(out, "\t", f->estimate[j] + reach);
+        fputc('\n', out);
+    }
+    fvi_print_number(out, "# chi2 = ", f->chi2);
     if (r->fit.sigma > 0)
-        fprintf(out, "# probability = %.3g\n", f->probability);
+        fprintf(out, "\n# probability = %.3g", f->probability);
     else
-        fprintf(out, "# estimated sigma = %.17g\n", f->sigma);
-    fprintf(out, "# points = %zu\n# starts = %zu, %zu agree\n# step = %.17g\n",
-            r->fit.n, r->fit.starts, f->agree, f->h);
+        fvi_print_number(out, "\n# estimated sigma = ", f->sigma);
+    fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree", r->fit.n,
+            r->fit.starts, f->agree);
+    fvi_print_number(out, "\n# step = ", f->h);
     for (size_t j = 0; j < r->fit.parameters; j++)
-        for (size_t i = 0; i < j; i++)
-            fprintf(out, "# correlation %s %s = %.17g\n", r->name[i],
-                    r->name[j], f->correlation[i][j]);
+        for (size_t i = 0; i < j; i++) {
+            fprintf(out, "\n# correlation %s %s", r->name[i], r->name[j]);
+            fvi_print_number(out, " = ", f->correlation[i][j]);
+        }
+    fputc('\n', out);
     warnings(out, r, f);
 }
 
@@ -302,8 +309,9 @@ static int print_curve(const request *r)
         return fvi_cannot_write(r->own[CURVE]);
     fprintf(out, "# t\tdata\tfit\tresidual\n");
     for (size_t i = 0; i < r->fit.n; i++)
-        fprintf(out, "%.17g\t%.17g\t%.17g\t%.17g\n", r->t[i], r->x[i],
-                r->curve[i], r->x[i] - r->curve[i]);
+        fvi_format_row(out, FVI_FORMAT_TSV, i, 4,
+                       (double[]){ r->t[i], r->x[i], r->curve[i],
+                                   r->x[i] - r->curve[i] });
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->own[CURVE]) : 0;
 }
 

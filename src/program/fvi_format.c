@@ -31,9 +31,10 @@ int fvi_shortest(double v, char text[32])
     return (int)strlen(text);
 }
 
-static void print_number(FILE *out, double v)
+void fvi_print_number(FILE *out, const char *before, double v)
 {
     char text[32];
+    fputs(before, out);
     fwrite(text, 1, (size_t)fvi_shortest(v, text), out);
 }
 
@@ -70,7 +71,7 @@ void fvi_format_parameter(FILE *out, fvi_format format, const char *name,
     fprintf(out, ",\n  \"%s\": ", name);
     const double number = strtod(value, &end);
     if (end != value && *end == '\0' && isfinite(number))
-        print_number(out, number);
+        fvi_print_number(out, "", number);
     else
         print_quoted(out, value);
 }
@@ -99,7 +100,7 @@ void fvi_format_row(FILE *out, fvi_format format, size_t i, size_t width,
     for (size_t n = 0; n < width; n++) {
         if (n > 0)
             fputs(parted[format], out);
-        print_number(out, row[n]);
+        fvi_print_number(out, "", row[n]);
     }
     fputs(format == FVI_FORMAT_JSON ? "]" : "\n", out);
 }

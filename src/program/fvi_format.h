@@ -16,6 +16,9 @@ extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
  * with as many digits the nearest to v. Returns its length. */
 int fvi_shortest(double v, char text[32]);
 
+/* fvi_print_number -- `before`, and then v in that way. */
+void fvi_print_number(FILE *out, const char *before, double v);
+
 /* In this order: the version, as the first parameter; parameters; the names of the columns,
  * then rows; the end. What a format has no place for is not printed. */
 void fvi_format_begin(FILE *out, fvi_format format);

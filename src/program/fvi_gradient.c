@@ -259,6 +259,13 @@ static void print_head(FILE *f, const request *r)
 }
 
 /* One for each mass: name, or name_1, name_2, ... */
+static void print_row(FILE *f, const char *name, const char *number, double by)
+{
+    fprintf(f, "%s%s", name, number);
+    fvi_print_number(f, "\t", by);
+    fputc('\n', f);
+}
+
 static void print_each(FILE *f, const request *r, const char *name,
                        const double *by)
 {
@@ -272,7 +279,7 @@ static void print_each(FILE *f, const request *r, const char *name,
                     "no solution\n",
                     name, number);
         else
-            fprintf(f, "%s%s\t%.17g\n", name, number, by[i]);
+            print_row(f, name, number, by[i]);
     }
 }
 
@@ -283,18 +290,18 @@ static int print_answer(const request *r)
     if (!f)
         return fvi_cannot_write(r->o.output);
     print_head(f, r);
-    fprintf(f, "# value = %.17g\n# name\tderivative\n", r->value);
+    fvi_print_number(f, "# value = ", r->value);
+    fprintf(f, "\n# name\tderivative\n");
     print_each(f, r, "x0", r->to.x0);
     print_each(f, r, "p0", r->to.p0);
     print_each(f, r, "mass", r->to.mass);
     print_each(f, r, "rho", r->to.damping);
-    fprintf(f, "alpha\t%.17g\n", *r->to.alpha);
+    print_row(f, "alpha", "", *r->to.alpha);
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
-        fprintf(f, "%s\t%.17g\n", pendulum ? "g" : c_and_g[j],
-                r->to.parameters[j]);
+        print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
     for (size_t j = 0; j < r->o.lets.count; j++)
-        fprintf(f, "%s\t%.17g\n", r->o.lets.name[j], r->lets[j]);
+        print_row(f, r->o.lets.name[j], "", r->lets[j]);
     return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;
 }
 
@@ -314,9 +321,9 @@ static int print_forces(const request *r)
         else
             fprintf(f, "\tF");
     for (size_t k = 0; k <= r->o.steps; k++) {
-        fprintf(f, "\n%.17g", (double)k * r->o.h);
+        fvi_print_number(f, "\n", (double)k * r->o.h);
         for (size_t i = 0; i < d; i++)
-            fprintf(f, "\t%.17g", r->force[k * d + i]);
+            fvi_print_number(f, "\t", r->force[k * d + i]);
     }
     fputc('\n', f);
     return fvi_output_close(f, 1) ? fvi_cannot_write(r->own[FORCES]) : 0;

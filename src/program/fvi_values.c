@@ -126,7 +126,7 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
     if (!status && !(o->h > 0))
         return fvi_refuse(c, "--time: '%s' is too short for so many steps",
                           o->text[TIME]);
-    snprintf(o->step, sizeof o->step, "%.17g", o->h);
+    fvi_shortest(o->h, o->step);
     o->text[H] = o->step; /* the head says what follows */
     return status;
 }
