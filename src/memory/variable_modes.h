@@ -38,7 +38,7 @@ typedef struct fvi_modes fvi_modes;
  *   beta   -1 < beta < 1, not 0
  *   d      how many coordinates, >= 1
  *   T      the time of the whole run, > 0; no step is longer
- *   least  no step is shorter, 1e-75 T at least
+ *   least  no step is shorter, 1e-250 T at least
  *   modes  output; free it with fvi_modes_free
  *
  * Accuracy of H: 2e-14 of its size without the modes' signs (no proof; tested against the

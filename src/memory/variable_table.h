@@ -5,7 +5,7 @@
 #include "variable_rule.h"
 
 /* Lattice points: mu = exp(FVI_SPACING j), j from FVI_FIRST on, FVI_POINTS of them. */
-enum { FVI_FIRST = -704, FVI_POINTS = 880 };
+enum { FVI_FIRST = -280, FVI_POINTS = 456 };
 
 /* The coefficients of a row of modes: entry i of a(mu_q) at a[i * stride + q]. */
 typedef struct {
@@ -25,7 +25,7 @@ void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
                        const double *mu, double *p, double *a);
 
 /* fvi_mode_table -- the row of all lattice points for a rule; NULL: no memory. It is made
- * when it is first asked for, 70 kB, and kept until the process ends. Threads that ask at
+ * when it is first asked for, 36 kB, and kept until the process ends. Threads that ask at
  * the same time make it each, and all but one give theirs back: no lock, and what has
  * been read never changes. */
 const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule);

@@ -21,22 +21,24 @@ typedef struct {
 
 /* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
  *
- *     G(t) = sum_{n=1}^{J} c_n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha */
+ *     G(t) = sum_{n=1}^{J} c_n (rho/m)^n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha */
 typedef struct {
     size_t J; /* 0: there is no such part */
     double e, gap, t1;
-    double
-        *c; /* c_0, ..., c_J of each coordinate; c_0 is what jumped at t = 0 */
-    double
-        *pull; /* of each: what is left as a force is -pull t^{a_J - 2 alpha} */
+    double *c; /* c_0, ..., c_J of each coordinate; c_0 = A jumped at t = 0 */
+    double *ratio; /* rho / m of each */
+    double *
+        pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */
 } fvi_singular;
 
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
- * diagonal; coordinate by coordinate, as its Hessian is diagonal; all together. */
+ * diagonal; coordinate by coordinate, as its Hessian is diagonal; by the iteration that
+ * couples them as long as it contracts; all together at once. */
 typedef enum {
     FVI_SOLVE_LINEAR,
     FVI_SOLVE_DIAGONAL,
-    FVI_SOLVE_COUPLED
+    FVI_SOLVE_COUPLED,
+    FVI_SOLVE_TOGETHER
 } fvi_solve;
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i], but in point, gradient and
@@ -79,6 +81,8 @@ typedef struct {
     int fresh; /* nonzero in the first step after a jump */
     int most, fewest; /* those of the longest and the shortest step */
     int growth;       /* so much may k grow from step to step */
+    double rough;     /* up to this time a force may jump that did not say so */
+    int stuck;        /* so often has the iteration not contracted */
     fvi_adaptive_counts counts;
 } fvi_adaptive_run;
 

@@ -4,10 +4,11 @@
  *
  *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2 alpha),
  *
- * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-rho/m)^n / Gamma(1 + a_n),
+ * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-1)^n / Gamma(1 + a_n),
  * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
  * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
- * At t1 the terms of G fall no faster than 2^-n, and it is handed over: what G and the
+ * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster;
+ * there it is handed over: what G and the
  * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
  *
  *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
@@ -31,16 +32,6 @@ static double power(const fvi_singular *g, size_t n)
     return (double)n * g->gap + g->e;
 }
 
-//> terms
-/* (-rho/m)^n A / Gamma(1 + a_n), and the pull that they leave. */
-static void terms(fvi_singular *g, size_t j, double A, double ratio)
-{
-    double *c = g->c + j * (g->J + 1), size = A;
-    for (size_t n = 0; n <= g->J; n++, size *= -ratio)
-        c[n] = size / tgamma(1 + power(g, n));
-}
-//< terms
-
 int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_system *system = s->run.system;
@@ -59,20 +50,21 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
     g->e = alpha > 0.5;
     g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap), ENOUGH),
                         MOST_TERMS);
-    g->t1 = 0.5 * pow(fastest, -1 / g->gap);
-    g->c = calloc(o->d * (g->J + 2), sizeof *g->c);
+    g->t1 = pow(2 * fastest, -1 / g->gap);
+    g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
     if (!g->c)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
-    g->pull = g->c + o->d * (g->J + 1);
+    g->ratio = g->c + o->d * (g->J + 1);
+    g->pull = g->ratio + o->d;
     for (size_t j = 0; j < o->d; j++) {
         const double m = system->mass[j], rho = system->damping[j],
                      A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
                                             s->p[j] / m);
-        if (rho == 0)
-            continue;
-        terms(g, j, A, rho / m);
-        g->pull[j] = rho * A * pow(-rho / m, (double)g->J)
-                     / tgamma(1 + power(g, g->J) - 2 * alpha);
+        double sign = rho > 0 ? A : 0;
+        g->ratio[j] = rho / m;
+        for (size_t n = 0; n <= g->J; n++, sign = -sign)
+            g->c[j * (g->J + 1) + n] = sign / tgamma(1 + power(g, n));
+        g->pull[j] = -sign * m / tgamma(1 + power(g, g->J) - 2 * alpha);
     }
     return FVI_SUCCESS;
 }
@@ -81,7 +73,7 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
 void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull)
 {
-    const double *c = g->c + j * (g->J + 1), q = pow(t, g->gap);
+    const double *c = g->c + j * (g->J + 1), q = g->ratio[j] * pow(t, g->gap);
     double value = 0, first = 0, last = 1;
     for (size_t n = g->J; n > 0; n--) {
         value = value * q + c[n];
@@ -92,7 +84,7 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
         *G = g->e == 1 ? value * q * t : value * q;
     if (slope)
         *slope = g->e == 1 ? first * q : first * q / t;
-    if (pull) /* t^{a_J - 2 alpha} = q^{J + 1} t^{e - 2} */
+    if (pull) /* q^{J + 1} t^{e - 2} */
         *pull = g->pull[j] * (last * q / (g->e == 1 ? t : t * t));
 }
 //< at
@@ -117,23 +109,18 @@ void fvi_singular_sums(size_t count, const double *d, const double *a,
     }
 }
 
-/* Of the second series no term is taken that is larger than the one before. */
+/* The terms of the second series fall to 35! / 40^35, below rounding, before they grow. */
 double fvi_singular_moment(const fvi_singular_series *f, double S)
 {
-    double sum = 0, term = 1, last = GSL_POSINF;
+    double sum = 0, term = 1;
     if (S < 40) {
         for (size_t k = 0; k < FVI_SERIES; term *= S / (double)++k)
             sum += f->B[k] * term;
         return exp(-S) * sum;
     }
     term = 1 / S;
-    for (size_t k = 0; k < 40 && fabs(term * f->D[k]) < last; k++) {
-        last = fabs(term * f->D[k]);
+    for (size_t k = 0; k < 36; k++, term /= S)
         sum += term * f->D[k];
-        if (last <= GSL_DBL_EPSILON / 8 * fabs(sum))
-            break;
-        term /= S;
-    }
     return sum;
 }
 //< moments
@@ -143,11 +130,11 @@ double fvi_singular_moment(const fvi_singular_series *f, double S)
 static void series(const fvi_singular *g, size_t j, fvi_singular_series *f)
 {
     const double *c = g->c + j * (g->J + 1);
-    double d[MOST_TERMS], a[MOST_TERMS];
+    double d[MOST_TERMS], a[MOST_TERMS], q = 1;
     for (size_t n = 1; n <= g->J; n++) {
         a[n - 1] = power(g, n) - g->e;
-        d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1)
-                   * pow(g->t1, a[n - 1]);
+        q *= g->ratio[j] * pow(g->t1, g->gap);
+        d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
     }
     fvi_singular_sums(g->J, d, a, f);
 }

@@ -246,6 +246,12 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
     predict(o);
     if (o->solve == FVI_SOLVE_DIAGONAL)
         return iterate(s, o, 1, 0.9, 12);
+    if (o->solve == FVI_SOLVE_TOGETHER)
+        return solve_coupled(s, o);
     int status = iterate(s, o, 0, 0.8, 60);
-    return status == FVI_EMAXITER ? solve_coupled(s, o) : status;
+    if (status != FVI_EMAXITER)
+        return status;
+    if (++o->stuck == 20) /* it is not worth trying */
+        o->solve = FVI_SOLVE_TOGETHER;
+    return solve_coupled(s, o);
 }

@@ -90,12 +90,13 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
     memcpy(o->of_kind, old->of_kind, o->kinds * sizeof *o->of_kind);
     if (old->singular.c) {
-        const size_t n = o->d * (old->singular.J + 2);
+        const size_t n = o->d * (old->singular.J + 3);
         o->singular.c = malloc(n * sizeof *o->singular.c);
         if (!o->singular.c)
             FVI_FAIL("no memory for the start", FVI_ENOMEM);
         memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
-        o->singular.pull = o->singular.c + o->d * (old->singular.J + 1);
+        o->singular.ratio = o->singular.c + o->d * (old->singular.J + 1);
+        o->singular.pull = o->singular.ratio + o->d;
     }
     o->events = malloc(o->event_count * sizeof *o->events);
     if (!o->events)
@@ -256,7 +257,7 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         return status;
     if (o->singular.J)
         o->least = fmin(o->least, o->singular.t1 / 16);
-    if (o->least < 1e-75 * o->T)
+    if (o->least < 1e-250 * o->T)
         FVI_FAIL("no step is short enough for the start of such a damping",
                  FVI_EUNSUP);
     return fvi_modes_alloc(o->rule, o->beta, o->damped, o->T, o->least,

@@ -169,6 +169,18 @@ static int change(const fvi_adaptive_run *o, double error)
 }
 //< control
 
+/* Where x'' is smooth, a shorter step has an error of order h^s at least. One that hardly
+ * falls tells of a jump that is not declared, and what the last coefficient says of it is
+ * a hundredth of the truth: until the place is passed it counts so much more. */
+static double judge(fvi_adaptive_run *o, double error, double error_before,
+                    double h_before)
+{
+    if (!o->fresh && error_before > 0
+        && error > error_before * gsl_pow_4(o->length.h / h_before))
+        o->rough = fmax(o->rough, o->t + h_before);
+    return o->t < o->rough ? 100 * error : error;
+}
+
 /* ---- a step ---- */
 
 /* sum += more, what rounding takes from it kept in less (Kahan). */
@@ -231,16 +243,20 @@ static int step(fvi_stepper *s)
 {
     fvi_adaptive_run *o = s->own;
     const double event = next_event(o), rest = event - o->t;
-    double error = 0;
+    double found = 0, error = 0, found_before = 0, h_before = 0;
     for (;;) {
         const fvi_length length = choose(o, rest);
-        int status = trial(s, o, length, &error);
+        int status = trial(s, o, length, &found);
         const int failed = status == FVI_EMAXITER || status == FVI_ESING;
         if (status && !failed)
             return status;
+        if (!failed)
+            error = judge(o, found, found_before, h_before);
         if (!failed && error <= o->allowed) {
             const int k = exponent(length) + change(o, error);
-            o->next = length.k == FVI_OFF_LATTICE ? (int)fmax(o->next, k) : k;
+            o->next = length.k == FVI_OFF_LATTICE && !o->fresh
+                          ? (int)fmax(o->next, k) /* it was cut by an event */
+                          : k;
             o->next = (int)fmin(o->next, o->most);
             if (o->fresh) /* the next restart begins where this one got to */
                 o->first = o->next;
@@ -253,6 +269,8 @@ static int step(fvi_stepper *s)
         o->counts.rejected++;
         o->next = exponent(length) + (failed ? -4 : change(o, error));
         o->next = (int)fmax(o->next, o->fewest);
+        found_before = failed ? 0 : found;
+        h_before = length.h;
     }
     take(o, event);
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST = 128, MOST_RUNS = 12 };
+enum { FEWEST = 128, MOST_RUNS = 16 };
 
 /* Rows of a run, `first` times as many as the caller wants, so that few rows do not
  * hide what is between them. */
@@ -60,23 +60,26 @@ static int too_long(int status)
            || status == FVI_ESING;
 }
 
-/* max |x - before|, and what rounding may be of it. */
-static double distance(const pair *o)
+/* max |x - before|, and what rounding may be of it; max |x|. */
+static double distance(const pair *o, double *largest)
 {
-    double D = 0, largest = 0;
+    double D = 0;
+    *largest = 0;
     for (size_t i = 0; i < o->length; i++) {
         D = fmax(D, fabs(o->x[i] - o->before[i]));
-        largest = fmax(largest, fabs(o->x[i]));
+        *largest = fmax(*largest, fabs(o->x[i]));
     }
-    return D + 3e-14 * largest;
+    return D + 3e-14 * *largest;
 }
 
 //> search
-/* Every second run is limited, so that no two neighbours have the same steps. */
+/* Every second run is limited, so that no two neighbours have the same steps. Estimates
+ * that do not fall end it only where they may be rounding. */
 static int search(pair *o, double error, fvi_adaptive_found *found)
 {
     const double T = o->run->h * (double)o->run->steps;
     double step_error = error, longest = T, last = GSL_POSINF;
+    double largest = 0;
     int failed_before = 1, status = FVI_SUCCESS, worse = 0;
     found->estimate = GSL_POSINF;
     for (int i = 0; i < MOST_RUNS && worse < 3; i++, step_error /= 10) {
@@ -85,12 +88,13 @@ static int search(pair *o, double error, fvi_adaptive_found *found)
         if (status && !too_long(status))
             return status;
         const double estimate =
-            status || failed_before ? GSL_POSINF : distance(o);
+            status || failed_before ? GSL_POSINF : distance(o, &largest);
         if (estimate < found->estimate)
             *found = (fvi_adaptive_found){ estimate, o->counts };
         if (estimate <= error)
             return FVI_SUCCESS;
-        worse += !status && !failed_before && estimate > last / 2;
+        worse +=
+            estimate > last / 2 && estimate <= GSL_SQRT_DBL_EPSILON * largest;
         last = estimate;
         failed_before = status != 0;
         longest = status ? T : o->counts.longest;

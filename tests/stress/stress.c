@@ -66,6 +66,8 @@ static const struct {
     { "rounding", "the floor at N = 10^5", stress_rounding, 1 },
     { "weights", "the nearest doubles at n = 10^7 and 10^8", stress_weights,
       1 },
+    { "adaptive", "a wanted error is had, or refused with words",
+      stress_adaptive, 1000 },
     { "matching", "the matched momentum is both F^- and F^+", stress_matching,
       300 },
     { "dissipation", "the work of the damping is never negative",
@@ -82,7 +84,7 @@ static const struct {
 static unsigned long run_family(size_t f, unsigned long seed, long only)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    char describe[300] = "";
+    char describe[600] = "";
     double worst = 0;
     unsigned long failures = 0, done = 0;
     clock_t began = clock();

@@ -113,10 +113,9 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
     return fvi_exact(&exact, q->N + 1, t, q->want, NULL);
 }
 
-/* (true error - 1e-12 max |x| of the truth) / (1.2 of the wanted error). What was refused
- * uses nothing, if the error is below 1e-9 max |x| or alpha above .95, and is a failure, 2,
- * if not. NaN if
- * there is no truth. */
+/* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). What was
+ * refused uses nothing, if the error is below 1e-9 of that size, or the motion may be
+ * chaotic, or alpha is above .95; it is a failure, 2, if not. NaN if there is no truth. */
 static inline double used_by(adaptive_problem *q, int linear)
 {
     const fvi_system system = system_of(q, linear);
@@ -124,16 +123,16 @@ static inline double used_by(adaptive_problem *q, int linear)
         fvi_run_default(&system, q->x0, q->p0, q->T / (double)q->N, q->N);
     run.alpha = q->alpha;
     run.past = q->past;
-    double size = 0, worst = 0;
+    double size = fabs(q->p0[0]) / sqrt(q->mass[0] * q->spring[0]), worst = 0;
     if (truth(q, linear, &run))
-        return GSL_NAN;
+        return linear ? GSL_NAN : 0; /* 1e-13 a step was too much */
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
         size = fmax(size, fabs(q->want[i]));
-    q->error *= size > 0 ? size : 1;
+    q->error *= size;
     q->status =
         fvi_adaptive_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
     if (q->status) /* said in words; is there a reason? */
-        return (q->status == FVI_ETOL && q->error < 1e-9 * size)
+        return (q->status == FVI_ETOL && (!linear || q->error < 1e-9 * size))
                        || (q->status == FVI_EUNSUP && q->alpha > 0.95)
                    ? 0
                    : 2;

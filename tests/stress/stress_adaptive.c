@@ -1,0 +1,16 @@
+/* tests/stress/stress_adaptive.c -- Stress: a wanted error, by variable steps. */
+#include "stress.h"
+
+#include "variable_steps/adaptive_problems.h"
+
+/* Three of four linear, against the exact motion; the others against a run with 1e-13 a
+ * step. What is allowed is 1.2 of the wanted error, or words. */
+double stress_adaptive(gsl_rng *random, char *describe, size_t size)
+{
+    static adaptive_problem q;
+    const int linear = gsl_rng_uniform_int(random, 4) > 0;
+    draw(random, linear, &q);
+    const double used = used_by(&q, linear);
+    describe_problem(&q, describe, size);
+    return used;
+}

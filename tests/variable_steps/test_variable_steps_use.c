@@ -1,0 +1,379 @@
+/* tests/variable_steps/test_variable_steps_use.c -- Chapter 22: many masses, jumps that
+ * nobody declared, the life of a stepper, a wanted error.
+ * Run alone: make test-variable_steps_use */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+#include "methods/adaptive.h"
+
+#include "adaptive_problems.h"
+
+enum { D = 5, N = 80 };
+static const double one = 1;
+static double x[(N + 1) * D], y[(N + 1) * D], p[(N + 1) * D], q[(N + 1) * D];
+
+/* ---- many masses ---- */
+
+static const double mass[D] = { 1, 1, 2, 0.5, 1 },
+                    rho[D] = { 0.3, 0.3, 0, 1, 0.1 },
+                    start[D] = { 0.5, -0.2, 0.1, 0.7, 0 },
+                    push[D] = { 0, 1, -0.5, 0.2, 0.3 };
+
+static fvi_run run_of(const fvi_system *system, double step_error)
+{
+    fvi_run run = fvi_run_default(system, start, push, 0.125, N);
+    run.alpha = 0.3;
+    run.step_error = step_error;
+    return run;
+}
+
+static double distance(size_t n, const double *a, const double *b)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
+/* The springs of a chain, with a full Hessian, or as if each mass was alone. */
+static const double cg[2] = { 2, 0.7 };
+static int full_hessian(size_t d, const double *at, void *params, double *H)
+{
+    double band[2 * D];
+    int status = fvi_potential_chain(params).hessian(d, at, params, band);
+    for (size_t i = 0; i < d; i++)
+        for (size_t j = 0; j < d; j++)
+            H[i * d + j] = i == j       ? band[2 * i]
+                           : i + 1 == j ? band[2 * i + 1]
+                           : j + 1 == i ? band[2 * j + 1]
+                                        : 0;
+    return status;
+}
+
+//> ways
+/* One equation, solved by the fixed-point iteration, by Newton's method for a band matrix
+ * and for a full one: the same motion to 20 times the tolerance of a step; and against
+ * fvi_lobatto4, whose order is 4 at least, its last 30 rows to the square of its distance
+ * from a run with steps twice as long. Seen: 6e-5 of the first. */
+START_TEST(many_masses_by_three_ways_and_by_lobatto)
+{
+    fvi_system system = { D, mass, rho, fvi_potential_chain(cg),
+                          fvi_force_cosine(cg) };
+    fvi_run run = run_of(&system, 1e-11);
+    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+    fvi_stepper *s;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ((fvi_adaptive_run *)s->own)->solve = FVI_SOLVE_TOGETHER;
+    for (size_t k = 0; k <= N; k++)
+        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, y + k * D, q + k * D),
+                         0);
+    ck_assert_ptr_nonnull(s->newton);
+    fvi_stop(s);
+    ck_assert_near(distance((N + 1) * D, x, y), 0, 20e-11, "band");
+    ck_assert_near(distance((N + 1) * D, p, q), 0, 200e-11, "band, p");
+    system.potential.hessian = full_hessian;
+    system.potential.diagonals = 0;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ((fvi_adaptive_run *)s->own)->solve = FVI_SOLVE_TOGETHER;
+    ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
+    fvi_stop(s);
+    ck_assert_near(distance(D, x + N * D, y), 0, 20e-11, "full");
+    system.potential = fvi_potential_chain(cg);
+    double far[2];
+    for (size_t j = 0; j < 2; j++) {
+        run.h = 0.125 / (double)(4 << j);
+        run.steps = N * ((size_t)4 << j);
+        double *rows = malloc((run.steps + 1) * D * sizeof *rows);
+        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &run, rows, NULL, NULL),
+                         0);
+        far[j] = distance(D, x + N * D, rows + run.steps * D);
+        free(rows);
+    }
+    ck_assert_msg(far[1] < 1e-7 && far[1] < far[0] / 12, "%g %g", far[0],
+                  far[1]);
+}
+END_TEST
+//< ways
+
+/* Stiff springs, without damping, form M: the energy is kept to 100 times the tolerance.
+ * Seen: 8e-4 of that. */
+START_TEST(stiff_chains_keep_their_energy)
+{
+    const double stiff[2] = { 1e4, 1e4 }, none[D] = { 0 };
+    const fvi_system system = {
+        D, mass, none, fvi_potential_chain(stiff), { 0 }
+    };
+    fvi_run run = run_of(&system, 1e-10);
+    double E[N + 1];
+    run.h = 0.02;
+    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, NULL, NULL, E), 0);
+    for (size_t k = 1; k <= N; k++)
+        ck_assert_near(E[k], E[0], 1e-8 * E[0], "k=%zu", k);
+    fvi_stepper *s;
+    fvi_adaptive_counts counts;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    ck_assert(counts.form == 'M' && counts.stages == 8 && counts.steps == 0);
+    fvi_stop(s);
+}
+END_TEST
+
+/* Masses that do not know of each other, run together and alone: Newton's method for each
+ * coordinate, and one linear solution; kinds of coordinates are not mixed up. 20 times the
+ * tolerance of a step. Seen: 7e-4 of that. */
+START_TEST(masses_alone_and_together)
+{
+    const fvi_potential potentials[] = { fvi_potential_pendulum(cg),
+                                         fvi_potential_harmonic(cg) };
+    for (size_t u = 0; u < 2; u++) {
+        const fvi_system all = { D, mass, rho, potentials[u], { 0 } };
+        const fvi_run run = run_of(&all, 1e-11);
+        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+        for (size_t j = 0; j < D; j++) {
+            const fvi_system alone = {
+                1, mass + j, rho + j, potentials[u], { 0 }
+            };
+            fvi_run of_one = run;
+            of_one.system = &alone;
+            of_one.x0 = start + j;
+            of_one.p0 = push + j;
+            ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &of_one, y, q, NULL),
+                             0);
+            for (size_t k = 0; k <= N; k++)
+                ck_assert_near(x[k * D + j], y[k], 20e-11, "u=%zu j=%zu k=%zu",
+                               u, j, k);
+        }
+    }
+}
+END_TEST
+
+/* ---- jumps that nobody declared ---- */
+
+static double jump_at = 0.7310585;
+static int jumping(double t, size_t d, void *params, double *F)
+{
+    (void)params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = t < jump_at ? 8 : 0;
+    return 0;
+}
+
+//> undeclared
+/* A jump is found by steps that are rejected: 100 times the tolerance, and some more
+ * steps. Declared, it is met. Seen: 0.02 of that. */
+START_TEST(a_jump_that_is_not_declared_is_found)
+{
+    const double none = 0, aT[] = { 8, jump_at };
+    fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = jumping }
+    };
+    for (int e = 6; e <= 12; e += 3) {
+        fvi_run run = fvi_run_default(&system, &none, &none, 0.25, N);
+        fvi_adaptive_counts counts[2];
+        fvi_stepper *s;
+        run.alpha = 0.75;
+        run.step_error = pow(10, -e);
+        for (size_t declared = 0; declared < 2; declared++) {
+            system.force =
+                declared ? fvi_force_step(aT) : (fvi_force){ .value = jumping };
+            ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+            double *to = declared ? y : x;
+            for (size_t k = 0; k <= N; k++)
+                ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, to + k, NULL),
+                                 0);
+            ck_assert_int_eq(fvi_adaptive_look(s, counts + declared), 0);
+            fvi_stop(s);
+        }
+        ck_assert_near(distance(N + 1, x, y), 0, 100 * run.step_error, "%d", e);
+        ck_assert(counts[0].rejected > counts[1].rejected);
+        ck_assert_uint_le(counts[0].steps, counts[1].steps + 120);
+    }
+}
+END_TEST
+//< undeclared
+
+/* ---- the life of a stepper ---- */
+
+/* A copy and a run begun anew go on with the same digits; rows may be had at any time that
+ * is not before the last step. */
+START_TEST(a_copy_goes_on_with_the_same_digits)
+{
+    const double jumps[] = { 3.3, 1.1, 99 };
+    for (size_t way = 0; way < 3; way++) {
+        fvi_system system = { D, mass, rho,
+                              way == 0   ? fvi_potential_chain(cg)
+                              : way == 1 ? fvi_potential_duffing(cg)
+                                         : fvi_potential_harmonic(cg),
+                              fvi_force_cosine(cg) };
+        system.force.jumps = jumps;
+        system.force.jump_count = LEN(jumps);
+        fvi_run run = run_of(&system, 1e-9);
+        run.alpha = way == 2 ? 0.75 : 0.3;
+        fvi_stepper *s, *copy;
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        double last = -1;
+        int met = 0;
+        while (s->t < 1e-3) {
+            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert(s->t > last);
+            last = s->t;
+        }
+        if (way == 0)
+            ((fvi_adaptive_run *)s->own)->solve = FVI_SOLVE_TOGETHER;
+        ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_int_eq(fvi_copy(s, &copy), 0);
+        while (s->k < N) {
+            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_step(copy), 0);
+            ck_assert(s->t == copy->t && s->k == copy->k);
+            ck_assert(s->k == N || (double)(s->k + 1) * run.h > s->t);
+            ck_assert((double)s->k * run.h <= s->t);
+            ck_assert(memcmp(s->x, copy->x, D * sizeof *x) == 0
+                      && memcmp(s->p, copy->p, D * sizeof *x) == 0);
+            met += s->t == 3.3 || s->t == 1.1;
+        }
+        ck_assert(met == 2 && s->t == N * run.h);
+        ck_assert_int_eq(fvi_step(s), FVI_EINVAL);
+        memcpy(x, s->x, D * sizeof *x);
+        const fvi_adaptive_run *o = s->own;
+        double middle = (o->t0 + s->t) / 2;
+        ck_assert_int_eq(fvi_run_to(s, middle, y, NULL), 0);
+        ck_assert_int_eq(fvi_run_to(copy, middle, NULL, p), 0);
+        ck_assert_int_eq(fvi_run_to(copy, s->t, y, NULL), 0);
+        ck_assert(memcmp(x, y, D * sizeof *x) == 0);
+        ck_assert_int_eq(fvi_run_to(s, o->t0 * 0.999, y, NULL), FVI_EDOM);
+        ck_assert_int_eq(fvi_run_to(s, s->t * 1.001, y, NULL), FVI_EDOM);
+        ck_assert_int_eq(fvi_run_to(NULL, 1, y, NULL), FVI_EFAULT);
+        fvi_stop(copy);
+        if (way > 0) {
+            ck_assert_int_eq(fvi_reset(s), 0);
+            ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
+            ck_assert(memcmp(x, y, D * sizeof *x) == 0);
+        }
+        fvi_stop(s);
+    }
+}
+END_TEST
+
+/* fvi_run_to knows the rows of methods that step by h, and no other times. */
+START_TEST(uniform_methods_have_rows_only)
+{
+    const fvi_system system = {
+        D, mass, rho, fvi_potential_harmonic(cg), { 0 }
+    };
+    const fvi_run run = run_of(&system, 0);
+    fvi_stepper *s;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_run_to(s, 7 * run.h, x, p), 0);
+    ck_assert(s->k == 7 && memcmp(x, s->x, D * sizeof *x) == 0
+              && memcmp(p, s->p, D * sizeof *x) == 0);
+    ck_assert_int_eq(fvi_run_to(s, 7.5 * run.h, x, p), FVI_EDOM);
+    ck_assert_int_eq(fvi_run_to(s, 2 * run.h, x, p), FVI_EDOM);
+    fvi_adaptive_counts counts;
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), FVI_EINVAL);
+    ck_assert_int_eq(fvi_adaptive_look(NULL, &counts), FVI_EFAULT);
+    fvi_stop(s);
+}
+END_TEST
+
+/* What a callback returns comes back; what is never finite ends the run. */
+static int moods, mood;
+static int moody(double t, size_t d, void *params, double *F)
+{
+    (void)t, (void)params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = mood ? GSL_NAN : 1;
+    return ++moods > 200 && !mood ? -77 : 0;
+}
+
+START_TEST(what_callbacks_say_comes_back)
+{
+    fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }
+    };
+    const fvi_run run = fvi_run_default(&system, &one, &one, 1, 100);
+    for (mood = 0; mood < 2; mood++) {
+        fvi_stepper *s;
+        int status = 0;
+        moods = 0;
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        while (s->k < run.steps && !status)
+            status = fvi_step(s);
+        ck_assert_int_eq(status, mood ? FVI_EOVRFLW : -77);
+        fvi_stop(s);
+    }
+    fvi_run wrong = run;
+    fvi_stepper *s;
+    wrong.step_error = -1;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
+    wrong.step_error = GSL_NAN;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
+}
+END_TEST
+
+/* ---- a wanted error ---- */
+
+//> promise
+/* Sixty random problems, three of four with an exact motion: the true error is at most 1.2
+ * times the wanted one, or it is refused with words, and that seldom. Seen: 0.04. */
+START_TEST(a_wanted_error_is_had_or_refused)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    size_t refused = 0;
+    for (unsigned long i = 0; i < 60; i++) {
+        static adaptive_problem problem;
+        char text[600];
+        gsl_rng_set(random, 7000 + i);
+        draw(random, i % 4 > 0, &problem);
+        const double used = used_by(&problem, i % 4 > 0);
+        describe_problem(&problem, text, sizeof text);
+        ck_assert_msg(used <= 1, "%g of 1.2 E: %s", used, text);
+        seen_worst(used, "of 1.2 E");
+        refused += problem.status != 0;
+    }
+    ck_assert_uint_le(refused, 2);
+    gsl_rng_free(random);
+}
+END_TEST
+//< promise
+
+/* The arguments, the rows, and how far a search goes. */
+START_TEST(a_search_checks_and_ends)
+{
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), { 0 }
+    };
+    const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 8);
+    fvi_adaptive_found found = { .estimate = 7 };
+    ck_assert_int_eq(fvi_adaptive_search(NULL, 1, 99, x, p, &found),
+                     FVI_EFAULT);
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1, 99, NULL, p, &found),
+                     FVI_EFAULT);
+    ck_assert_int_eq(fvi_adaptive_search(&run, 0, 99, x, p, &found), FVI_EDOM);
+    ck_assert(found.estimate == 7);
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 3, x, p, &found),
+                     FVI_ETOL);
+    ck_assert(found.estimate == GSL_POSINF);
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-18, 1 << 20, x, p, &found),
+                     FVI_ETOL);
+    ck_assert(found.estimate > 1e-15 && found.estimate < 1e-12);
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL, &found),
+                     0);
+    ck_assert(found.estimate <= 1e-9 && found.counts.steps > 8);
+    ck_assert_int_eq(fvi_step_search(&fvi_adaptive, &run, 1e-3, 99, x, p,
+                                     &(fvi_step_found){ 0 }),
+                     FVI_EUNSUP);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("variable_steps: use");
+    ADD_CASE(suite, "masses", many_masses_by_three_ways_and_by_lobatto,
+             stiff_chains_keep_their_energy, masses_alone_and_together);
+    ADD_CASE(suite, "jumps", a_jump_that_is_not_declared_is_found);
+    ADD_CASE(suite, "stepper", a_copy_goes_on_with_the_same_digits,
+             uniform_methods_have_rows_only, what_callbacks_say_comes_back);
+    ADD_CASE(suite, "error", a_wanted_error_is_had_or_refused,
+             a_search_checks_and_ends);
+    return run_suite(suite);
+}
