@@ -62,8 +62,7 @@ double *fvi_run_room(const fvi_table *t)
                                  : run_bytes(o));
 }
 
-/* Row k, which the run has reached or just passed. */
-static int row(const fvi_table *t, fvi_stepper *s, size_t k)
+int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
 {
     const size_t d = t->o->d;
     const double time = (double)k * t->o->h;
@@ -100,7 +99,7 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
         }
         for (; s->k >= next; next = fvi_table_next(t, next)) {
             fvi_progress_clear(); /* the rows may go to the same terminal */
-            status = row(t, s, next);
+            status = fvi_run_row(t, s, next);
             if (status)
                 return fvi_stopped_at(next, status);
             if (next == steps)

@@ -14,6 +14,10 @@ double *fvi_run_room(const fvi_table *t);
 /* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
 int fvi_complain_of_start(int status);
 
+/* fvi_run_row -- take row k, which the run has reached or just passed. Returns what
+ * fvi_table_take and fvi_run_to return, or FVI_ENOMEM. */
+int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k);
+
 /* fvi_adaptive_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */
 void fvi_adaptive_head(FILE *out, const fvi_options *o,

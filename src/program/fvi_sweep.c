@@ -5,6 +5,7 @@
 #include "fvi_grid.h"
 #include "fvi_options.h"
 #include "fvi_output.h"
+#include "fvi_run.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"
 
@@ -49,7 +50,7 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
         v.status = fvi_step(s);
     }
     if (!v.status)
-        v.status = fvi_table_take(t, o->steps, s->x, s->p);
+        v.status = fvi_run_row(t, s, o->steps);
     fvi_stop(s);
     return v;
 }
