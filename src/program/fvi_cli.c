@@ -86,17 +86,11 @@ static int exact(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     if (!(t.rows = fvi_table_room(&t, 0)))
         return fvi_complain("not enough memory");
-    int failed = 1;
-    if (!(t.out = fvi_output_open(o->output))) {
-        fvi_cannot_write(o->output);
-    } else {
+    int failed = fvi_table_open(&t);
+    if (!failed) {
         fvi_table_head(t.out, o);
         fvi_table_names(&t);
-        failed = exact_rows(&t, &problem);
-        if (!failed)
-            fvi_table_finish(&t);
-        if (fvi_output_close(t.out, !failed) != 0)
-            failed = fvi_cannot_write(o->output);
+        failed = fvi_table_close(&t, exact_rows(&t, &problem));
     }
     free(t.rows);
     return failed;

@@ -27,6 +27,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [TOLERANCE] = { "tolerance", RUN, "1e-13" },
     [COUNT] = { "count", COEFFICIENTS, "10" },
     [FORMAT] = { "format", RUN | EXACT | COEFFICIENTS, "tsv" },
+    [PLOT] = { "plot", RUN | EXACT, NULL },
     [CHECKPOINT] = { "checkpoint", RUN, NULL },
     [CONTINUE] = { "continue", RUN, NULL },
     [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },

@@ -43,6 +43,7 @@ typedef struct {
     int numbered; /* 1: the columns are x1, ..., not x */
     fvi_format format;
     double *x0, *p0, *mass, *rho; /* d numbers each, one block */
+    const char *plot;             /* as output; NULL: none */
     const char *checkpoint;       /* as output; NULL: none */
     int resume;                   /* go on from there */
     const char *output;   /* points into argv, or NULL for standard output */
@@ -74,6 +75,7 @@ typedef enum {
     TOLERANCE,
     COUNT,
     FORMAT, /* from here on what does not change a number: not in the head */
+    PLOT,
     CHECKPOINT,
     CONTINUE, /* has no value */
     OUTPUT,   /* the last, as it is -o */

@@ -168,8 +168,8 @@ void fvi_adaptive_head(FILE *out, const fvi_options *o,
 static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
 {
     const fvi_options *o = t->o;
-    if (!(t->out = fvi_output_open(o->output)))
-        return fvi_cannot_write(o->output);
+    if (fvi_table_open(t))
+        return 1;
     if (o->checkpoint)
         fvi_checkpoint_watch();
     warn(o, r);
@@ -181,10 +181,7 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
     int failed = steps_and_rows(t, s);
     if (!failed && o->checkpoint && !ferror(t->out))
         failed = fvi_checkpoint_write(o, s);
-    if (!failed && !fvi_checkpoint_stopped())
-        fvi_table_finish(t);
-    if (fvi_output_close(t->out, !failed && !fvi_checkpoint_stopped()) != 0)
-        failed = fvi_cannot_write(o->output);
+    failed = fvi_table_close(t, failed || fvi_checkpoint_stopped());
     fvi_checkpoint_end();
     return failed;
 }

@@ -106,8 +106,8 @@ static int print_found(const fvi_options *o, const fvi_system *system,
     fvi_table_shape(&t, o, system);
     if (!(t.rows = fvi_run_room(&t)))
         return fvi_complain("not enough memory");
-    int failed = 1;
-    if ((t.out = fvi_output_open(o->output))) {
+    int failed = fvi_table_open(&t);
+    if (!failed) {
         fvi_table_head(t.out, o);
         head_of_search(t.out, o, found);
         fvi_table_names(&t);
@@ -115,13 +115,8 @@ static int print_found(const fvi_options *o, const fvi_system *system,
         size_t k = 0;
         for (; k <= o->steps && !status && !ferror(t.out); k++)
             status = fvi_table_take(&t, k, x + k * o->d, p + k * o->d);
-        failed = status ? fvi_stopped_at(k - 1, status) : 0;
-        if (!failed)
-            fvi_table_finish(&t);
-        if (fvi_output_close(t.out, !failed) != 0)
-            failed = fvi_cannot_write(o->output);
-    } else {
-        fvi_cannot_write(o->output);
+        failed =
+            fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
     }
     free(t.rows);
     return failed;

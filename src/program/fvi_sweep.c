@@ -220,11 +220,13 @@ static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
         if (status)
             return status;
         *no_solution |= o.no_solution;
-        const int saved = o.checkpoint != NULL;
+        const char *other = o.checkpoint ? "checkpoint"
+                            : o.plot     ? "plot"
+                                         : NULL;
         fvi_options_free(&o);
-        if (saved)
+        if (other)
             return fvi_refuse((fvi_complaint){ complaint, size },
-                              "--checkpoint: not an option of this command");
+                              "--%s: not an option of this command", other);
     }
     return 0;
 }

@@ -1,6 +1,9 @@
 /* src/program/fvi_table.c -- The table that the program prints. */
 #define _GNU_SOURCE /* _SC_PHYS_PAGES */
 #include "fvi_table.h"
+#include "fvi_commands.h"
+#include "fvi_output.h"
+#include "fvi_plot.h"
 
 #include <fvi/error.h>
 
@@ -119,6 +122,15 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
     return status;
 }
 
+/* The row of step k, the i-th that is printed. The last one may not be a multiple. */
+static void print_row(const fvi_table *t, size_t k, size_t i, const double *row)
+{
+    const size_t step = k < t->o->steps ? k : t->o->steps;
+    fvi_format_row(t->out, t->o->format, i, t->width, row);
+    if (t->plot)
+        fvi_plot_row(t->plot, (double)step * t->o->h, t->width, row);
+}
+
 int fvi_table_take(const fvi_table *t, size_t k, const double *x,
                    const double *p)
 {
@@ -131,7 +143,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
         if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
             return FVI_EOVRFLW;
         if (!t->wait)
-            fvi_format_row(t->out, o->format, k - t->begin, t->width, row);
+            print_row(t, k, k - t->begin, row);
     }
     if (t->wait && is_printed(o, o->steps - k))
         return fill(t, k, x, p, 1,
@@ -139,10 +151,24 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
     return FVI_SUCCESS;
 }
 
-void fvi_table_finish(const fvi_table *t)
+int fvi_table_open(fvi_table *t)
 {
-    for (size_t i = 0; t->wait && i < t->height; i++)
-        fvi_format_row(t->out, t->o->format, i, t->width,
-                       t->rows + i * t->width);
-    fvi_format_end(t->out, t->o->format);
+    const fvi_options *o = t->o;
+    if (o->plot && !(t->plot = fvi_plot_begin()))
+        return 1;
+    if ((t->out = fvi_output_open(o->output)))
+        return 0;
+    fvi_cannot_write(o->output);
+    return fvi_plot_end(t->plot, o, 0) || 1;
+}
+
+int fvi_table_close(fvi_table *t, int failed)
+{
+    for (size_t i = 0; !failed && t->wait && i < t->height; i++)
+        print_row(t, i * t->o->every, i, t->rows + i * t->width);
+    if (!failed)
+        fvi_format_end(t->out, t->o->format);
+    if (fvi_output_close(t->out, !failed) != 0)
+        failed = fvi_cannot_write(t->o->output);
+    return fvi_plot_end(t->plot, t->o, !failed) || failed;
 }

@@ -17,6 +17,7 @@ typedef struct {
     size_t height; /* rows that are kept: one, or all of them */
     double *rows;
     int wait;
+    FILE *plot;   /* where rows are kept to be drawn; or NULL */
     size_t begin; /* the first row of a run that goes on; 0 */
 } fvi_table;
 
@@ -58,7 +59,11 @@ size_t fvi_table_next(const fvi_table *t, size_t k);
 int fvi_table_take(const fvi_table *t, size_t k, const double *x,
                    const double *p);
 
-/* fvi_table_finish -- print the rows that waited, and the end. */
-void fvi_table_finish(const fvi_table *t);
+/* fvi_table_open -- open o->output, and a place for the rows of a picture if one is wanted.
+ * fvi_table_close -- the rows that waited, and the end, if nothing failed; then the file gets its
+ * name, and the picture is drawn. Both return 0, or 1 after they have said what is wrong, and
+ * close 1 if something failed before. */
+int fvi_table_open(fvi_table *t);
+int fvi_table_close(fvi_table *t, int failed);
 
 #endif

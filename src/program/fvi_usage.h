@@ -68,6 +68,7 @@ static const char usage_run[] =
     "  --memory W       direct, fft, exponentials, auto               [auto]\n"
     "                   (fvi-lobatto: no fft)\n"
     "  --tolerance E    of the compressed memory, E >= 1e-14          [1e-13]\n"
+    "  --plot FILE      a picture of the table, FILE.svg or FILE.png\n"
     "  --checkpoint F   the state of the run, into a file, every 10 seconds\n"
     "  --continue       go on from that file, with the same digits\n"
     "  --format F       tsv; csv (names in the first line); json      [tsv]\n"

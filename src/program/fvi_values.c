@@ -1,5 +1,6 @@
 /* src/program/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
+#include "fvi_plot.h"
 
 #include <fvi/fvi.h>
 
@@ -275,6 +276,9 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
             status = fvi_refuse(c, "--continue: column y needs every row");
+    if (!status && o->plot && o->columns.count == 1
+        && o->columns.at[0] == FVI_COLUMN_T)
+        status = fvi_refuse(c, "--plot: the only column is t");
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
@@ -288,6 +292,10 @@ static int interpret(fvi_options *o, fvi_complaint c)
     if (o->text[OUTPUT] && !*o->text[OUTPUT])
         return fvi_refuse(c, "-o: '' is not a file's name");
     o->output = o->text[OUTPUT];
+    o->plot = o->text[PLOT];
+    if (o->plot && !fvi_plot_name(o->plot))
+        return fvi_refuse(c, "--plot: '%s' is not a name.svg or name.png",
+                          o->plot);
     o->checkpoint = o->text[CHECKPOINT];
     o->resume = o->text[CONTINUE] != NULL;
     if (o->checkpoint && !*o->checkpoint)
