@@ -76,7 +76,7 @@ help: ## print this list
 check: test test-install test-python test-play verify text layers ## everything: tests, proofs, chapters equal to the code
 	sh src/make/count.sh $B
 
-test: $(TESTS:%=test-%) test-example ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
+test: $(TESTS:%=test-%) test-example test-fuzz ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
 
 verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values with tests/*/*_ref.h
 
@@ -126,6 +126,13 @@ refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
 san: ## the tests under AddressSanitizer and UBSan
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
 
+fuzz: ## random command lines and files under the sanitizers, minutes (SEED=1 CASE=7)
+	$(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' $B/san/fuzz
+	ASAN_OPTIONS=allocator_may_return_null=1 $B/san/fuzz $(or $(SEED),1) 100000 10000 $(CASE)
+
+test-fuzz: $B/fuzz
+	$< 1 1500 300
+
 valgrind: $(TESTS:%=valgrind-%) ## the tests under valgrind (many minutes)
 
 $(TESTS:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
@@ -156,7 +163,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check test test-example test-fuzz fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -278,6 +285,11 @@ TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 
 $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
+
+# The program in one process: its main under another name.
+$B/fuzz: tests/fuzz/fuzz.c $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
+	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
+	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
 
 $B/stress: $(wildcard tests/stress/*.c) tests/stress/stress.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@

@@ -129,7 +129,7 @@ START_TEST(forces_add_up)
     write_file("F.tsv", "# made by hand\n# F\tt\n0.5\t-1\n0.5\t0\n2.5\t20\n");
     near_rows("run --force '0.5 + t/10' --h 0.5 --steps 40",
               "run --force file:F.tsv --h 0.5 --steps 40");
-    write_file("F.csv", "t,\"F\"\n0,0\n10,1\n20,0\n");
+    write_file("F.csv", "\"F\",\"t\"\n0,0\n1,10\n0,20\n");
     near_rows("run --force '1 - abs(t - 10)/10' --h 0.5 --steps 40",
               "run --force FILE:F.csv --h 0.5 --steps 40");
     near_rows("run --force '1 - abs(t - 10)/10 + 2*t' --h 0.5 --steps 40",

@@ -123,6 +123,8 @@ START_TEST(bad_sweeps_are_refused)
     }
     fvi("sweep --vray alpha=0:1:3");
     ck_assert_ptr_nonnull(strstr(err, "did you mean --vary?\n"));
+    fvi("sweep --vary rho=-1:1:3:log");
+    ck_assert_ptr_nonnull(strstr(err, ": log needs two ends of one sign\n"));
     fvi("sweep --vary alpha=0:1:2 --alhpa 3");
     ck_assert_ptr_nonnull(strstr(err, "did you mean --alpha?\n"));
 }
