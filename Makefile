@@ -242,6 +242,10 @@ $B/tests/test_%: test_%.c $B/libfvi.a | needs
 # One test takes another road, by libcerf's complex error functions.
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
 
+# The peers of the benchmark, which stand in a library of their own.
+EXTRA_peers := $B/peers.a
+$B/tests/test_peers: $B/peers.a
+
 # The parser is tested in the process, the program by running it.
 EXTRA_fvi_options := $B/program.a
 $B/tests/test_fvi_options: $B/program.a
@@ -275,8 +279,20 @@ test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (
 
 $B/tests/bench_%: tests/bench/bench_%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
-	$(COMPILE) -Itests $(filter %.c,$^) $B/libfvi.a $(GSL_LIBS) -o $@
-$B/tests/bench_precision: tests/bench/peer_product_trapezoid.c
+	$(COMPILE) -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
+$B/tests/bench_precision: tests/bench/precision_sweep.c tests/bench/precision_small.c $B/peers.a | $B/fvi
+
+# The peers, the problems and their solutions; they are compiled as the library is.
+PEERS := $(wildcard tests/bench/peers/*.c) tests/bench/problems.c tests/bench/reference.c
+$B/peers/%.o: tests/bench/peers/%.c | needs
+	mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+$B/peers/%.o: tests/bench/%.c | needs
+	mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+$B/peers.a: $(patsubst %.c,$B/peers/%.o,$(notdir $(PEERS)))
+	rm -f $@
+	ar rcs $@ $^
 TABLE_memory    := figures/memory/memory_bench.tsv
 TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv

@@ -1,0 +1,46 @@
+/* tests/bench/peers/exact.c -- Where the problem is linear and has one mass, its solution
+ * need not be stepped to: that of chapter 11, by residues and a contour integral; and
+ * Podlubny's matrix method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).
+ *                                                                       [Chapter 18] */
+#include "peers.h"
+
+#include <fvi/paper/experiments.h>
+#include <stdlib.h>
+
+static int linear(const problem *p)
+{
+    return p->linear != NULL;
+}
+
+static int run_exact(const task *of, double *rows)
+{
+    double t[ROWS + 1];
+    for (size_t k = 0; k <= ROWS; k++)
+        t[k] = of->p->T * (double)k / ROWS;
+    return fvi_exact(of->p->linear, ROWS + 1, t, rows, NULL);
+}
+
+/* From rest, and where the damping is of an order above 1. */
+static int from_rest(const problem *p)
+{
+    return p->linear && p->alpha > 0.5 && p->linear->x0 == 0
+           && p->linear->v0 == 0;
+}
+
+static int run_matrix(const task *of, double *rows)
+{
+    const problem *p = of->p;
+    const fvi_linear *l = p->linear;
+    double *x = malloc((of->N + 1) * sizeof *x);
+    int status = x ? fvi_matrix_method(l->m, l->rho, l->c, l->alpha, p->system.force,
+                                       p->T / (double)of->N, of->N, x)
+                   : FVI_ENOMEM;
+    for (size_t k = 0; k <= ROWS && !status; k++)
+        rows[k] = x[k * (of->N / ROWS)];
+    free(x);
+    return status;
+}
+
+const peer peer_exact = { "exact solution", "chapter 11", 0, 0, 0, linear, run_exact },
+           peer_matrix = { "matrix method", "Podlubny 2000", 0,
+                           ROWS, 0, from_rest,       run_matrix };

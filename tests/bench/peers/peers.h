@@ -1,0 +1,46 @@
+/* tests/bench/peers/peers.h -- What others would take.                  [Chapter 18]
+ *
+ * A peer is one file of less than 250 lines after a publication. How to add one:
+ * README.md in this folder. */
+#ifndef PEERS_H
+#define PEERS_H
+
+#include "../problems.h"
+
+/* task -- one run.
+ *
+ *   N          steps, or T over the longest, if the peer goes by them; else of no use
+ *   tolerance  > 0: what the peer is to reach, or of the compression of its memory
+ *              (0: as exact as it can be)
+ */
+typedef struct {
+    const problem *p;
+    size_t N;
+    double tolerance;
+} task;
+
+/* peer -- a method that is not ours.
+ *
+ *   name       as the tables have it
+ *   after      who described it, and where
+ *   fewest     the least N that is tried, a multiple of 20; 0: it goes by its tolerance alone
+ *   tolerance  nonzero: it reads the tolerance
+ *   any        nonzero: N may be any number, not a multiple of `fewest` only
+ *   takes      nonzero if it can solve the problem
+ *   run        writes the ROWS + 1 rows of d positions; all that the problem, N or the
+ *              tolerance decide is made within. Tables of numbers that belong to the
+ *              method alone may be kept from one call to the next.
+ *              Returns FVI_SUCCESS or any other code */
+typedef struct {
+    const char *name, *after;
+    int tolerance;
+    size_t fewest;
+    int any;
+    int (*takes)(const problem *p);
+    int (*run)(const task *task, double *rows);
+} peer;
+
+/* peers -- all of them, ended by NULL. */
+extern const peer *const peers[];
+
+#endif

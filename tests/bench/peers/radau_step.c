@@ -1,0 +1,218 @@
+/* tests/bench/peers/radau_step.c -- The equations of the stages: radau_step.h.
+ *                                                                       [Chapter 18] */
+#include "radau_step.h"
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Invert the s by s matrix K into inverse, by Gauss and Jordan. */
+static void invert(int s, double *K, double *inverse)
+{
+    for (int i = 0; i < s * s; i++)
+        inverse[i] = i % (s + 1) == 0;
+    for (int k = 0; k < s; k++) {
+        int best = k;
+        for (int i = k + 1; i < s; i++)
+            if (fabs(K[i * s + k]) > fabs(K[best * s + k]))
+                best = i;
+        for (int j = 0; j < s && best != k; j++) {
+            double t = K[k * s + j], r = inverse[k * s + j];
+            K[k * s + j] = K[best * s + j];
+            K[best * s + j] = t;
+            inverse[k * s + j] = inverse[best * s + j];
+            inverse[best * s + j] = r;
+        }
+        const double pivot = 1 / K[k * s + k];
+        for (int j = 0; j < s; j++) {
+            K[k * s + j] *= pivot;
+            inverse[k * s + j] *= pivot;
+        }
+        for (int i = 0; i < s; i++) {
+            const double f = K[i * s + k];
+            for (int j = 0; j < s && i != k; j++) {
+                K[i * s + j] -= f * K[k * s + j];
+                inverse[i * s + j] -= f * inverse[k * s + j];
+            }
+        }
+    }
+}
+
+/* The factors for steps of length h, made when they are first asked for. */
+static const radau_factor *factor_of(radau_solver *o, double h)
+{
+    const int s = o->s;
+    const size_t ss = (size_t)(s * s);
+    const fvi_system *system = &o->p->system;
+    for (int k = o->kept - 1; k >= 0; k--)
+        if (o->factors[k].h == h)
+            return &o->factors[k];
+    radau_factor *f = &o->factors[o->kept < KEPT ? o->kept++ : KEPT - 1];
+    f->h = h;
+    if (!f->K)
+        f->K = malloc(2 * o->kinds * ss * sizeof *f->K);
+    if (!f->K)
+        return NULL;
+    f->inverse = f->K + o->kinds * ss;
+    for (size_t a = 0; a < o->d; a++) {
+        const double mass = system->mass[a] / h,
+                     rho = system->damping[a] * pow(h, -o->beta);
+        double J[S * S], *K = f->K + o->kind[a] * ss;
+        if (a > 0 && o->kind[a] == o->kind[a - 1])
+            continue;
+        for (int i = 0; i < s; i++)
+            for (int j = 0; j < s; j++) {
+                K[i * s + j] = mass * o->m->M[i][j] + rho * o->W[i * s + j];
+                J[i * s + j] = K[i * s + j] + o->curvature * h * o->m->A[i][j];
+            }
+        invert(s, J, f->inverse + o->kind[a] * ss);
+    }
+    return f;
+}
+
+/* out = K in for each of d coordinates, stage after stage. */
+FVI_VECTORS static void combine(int s, size_t d, const double *restrict K,
+                                const double *restrict in, double *restrict out)
+{
+    for (int i = 0; i < s; i++)
+#pragma omp simd
+        for (size_t a = 0; a < d; a++) {
+            double sum = 0;
+            for (int j = 0; j < s; j++)
+                sum += K[i * s + j] * in[(size_t)j * d + a];
+            out[(size_t)i * d + a] = sum;
+        }
+}
+
+/* X, and G = F - grad U(X) - H, from D = V - v. */
+static int pull(radau_solver *o, double t, double h)
+{
+    const size_t d = o->d;
+    const fvi_system *system = &o->p->system;
+    combine(o->s, d, o->A, o->D, o->X);
+    for (int i = 0; i < o->s; i++) {
+        double *X = o->X + (size_t)i * d, *G = o->G + (size_t)i * d;
+        for (size_t a = 0; a < d; a++)
+            X[a] = o->x[a] + h * (o->m->c[i] * o->v[a] + X[a]);
+        int status = fvi_gradient(system, X, o->room);
+        memset(G, 0, d * sizeof *G);
+        if (!status && system->force.value)
+            status = system->force.value(t + h * o->m->c[i], d,
+                                         system->force.params, G);
+        if (status)
+            return status;
+        for (size_t a = 0; a < d; a++)
+            G[a] -= o->room[a] + o->H[(size_t)i * d + a];
+    }
+    return FVI_SUCCESS;
+}
+
+/* H <- rho (H + h^{-beta} M^beta 1 v for beta <= 0, and the pull of Riemann and Liouville). */
+static void known(radau_solver *o, double t, double h)
+{
+    const double power = o->beta > 0 ? 0 : pow(h, -o->beta),
+                 order = 2 * o->p->alpha;
+    for (int i = 0; i < o->s; i++) {
+        double row = 0, fades = 0;
+        for (int j = 0; j < o->s; j++)
+            row += power * o->W[i * o->s + j];
+        if (o->p->past == FVI_PAST_RIEMANN_LIOUVILLE)
+            fades = pow(t + h * o->m->c[i], -order) / tgamma(1 - order);
+        for (size_t a = 0; a < o->d; a++) {
+            double *H = &o->H[(size_t)i * o->d + a];
+            *H = o->p->system.damping[a]
+                 * (*H + row * o->v[a] + fades * o->p->x0[a]);
+        }
+    }
+}
+
+/* The fixed-point iteration D <- K^{-1} G; returns how far D moved, against its size. */
+static double iterate(radau_solver *o, const radau_factor *f)
+{
+    const size_t d = o->d, n = (size_t)o->s * d;
+    double moved = 0, largest = 0;
+    if (o->kinds == 1)
+        combine(o->s, d, f->inverse, o->G, o->V);
+    for (size_t a = 0; a < d && o->kinds > 1; a++) {
+        const double *K = f->inverse + o->kind[a] * (size_t)(o->s * o->s);
+        for (int i = 0; i < o->s; i++) {
+            double sum = 0;
+            for (int j = 0; j < o->s; j++)
+                sum += K[i * o->s + j] * o->G[(size_t)j * d + a];
+            o->V[(size_t)i * d + a] = sum;
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        const double by = fabs(o->V[i] - o->D[i]), size = fabs(o->V[i]);
+        moved = by > moved || by != by ? by : moved;
+        largest = size > largest ? size : largest;
+    }
+    memcpy(o->D, o->V, n * sizeof *o->D);
+    return moved / fmax(largest, 1e-30);
+}
+
+/* Newton's correction D <- D + J^{-1} (G - K D) of one mass. */
+static double correct(radau_solver *o, const radau_factor *f, const double *J)
+{
+    const int s = o->s;
+    double moved = 0, largest = 0, r[S];
+    for (int i = 0; i < s; i++) {
+        r[i] = o->G[i];
+        for (int j = 0; j < s; j++)
+            r[i] -= f->K[i * s + j] * o->D[j];
+    }
+    for (int i = 0; i < s; i++) {
+        double sum = 0;
+        for (int j = 0; j < s; j++)
+            sum += J[i * s + j] * r[j];
+        o->D[i] += sum;
+        moved = fmax(moved, fabs(sum));
+        largest = fmax(largest, fabs(o->D[i]));
+    }
+    return moved / fmax(largest, 1e-30);
+}
+
+/* The Jacobian at the guess, inverted: one mass, any U. */
+static int jacobian(radau_solver *o, double h, const radau_factor *f, double *inverse)
+{
+    double J[S * S];
+    for (int i = 0; i < o->s; i++) {
+        double curvature;
+        int status = o->p->system.potential.hessian(
+            1, o->X + i, o->p->system.potential.params, &curvature);
+        if (status)
+            return status;
+        for (int j = 0; j < o->s; j++)
+            J[i * o->s + j] =
+                f->K[i * o->s + j] + curvature * h * o->m->A[i][j];
+    }
+    invert(o->s, J, inverse);
+    return FVI_SUCCESS;
+}
+
+int radau_solve(radau_solver *o, double t, double h)
+{
+    known(o, t, h);
+    const radau_factor *f = factor_of(o, h);
+    const int linear = o->curvature != 0, newton = o->d == 1 && !linear;
+    double J[S * S], moved = 1, before = GSL_POSINF;
+    if (!f)
+        return FVI_ENOMEM;
+    if (linear)
+        memset(o->D, 0, (size_t)o->s * sizeof *o->D);
+    for (int i = 0; i < 100; i++) {
+        int status = pull(o, t, h);
+        if (!status && newton && i == 0)
+            status = jacobian(o, h, f, J);
+        if (status)
+            return status;
+        moved = newton ? correct(o, f, J) : iterate(o, f);
+        if (linear || moved <= o->stop || (moved < 1e-13 && moved >= before))
+            return FVI_SUCCESS;
+        if (!(moved < 1e10) || (i > 5 && moved > 2 * before))
+            break;
+        before = moved;
+    }
+    return FVI_EMAXITER;
+}

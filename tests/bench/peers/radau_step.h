@@ -1,0 +1,41 @@
+/* tests/bench/peers/radau_step.h -- One step of a Radau IIA method.     [Chapter 18] */
+#ifndef RADAU_STEP_H
+#define RADAU_STEP_H
+
+#include "peers.h"
+#include "radau_memory.h"
+
+enum { S = RADAU_STAGES, KEPT = 512 };
+
+/* on_lattice: h is e^{L j} times the unit of the memory */
+typedef struct {
+    double h;
+    int on_lattice;
+} radau_step;
+
+/* What steps of one length take, for each coordinate that differs from the one before
+ * it: K = m M / h + rho h^{-beta} M^beta, and its inverse (where U = c x^2 / 2 that of
+ * K + c h A). */
+typedef struct {
+    double h, *K, *inverse;
+} radau_factor;
+
+typedef struct {
+    const problem *p;
+    const radau *m;
+    radau_memory *memory;
+    size_t d, steps, kinds;
+    int s, kept;
+    double beta, stop, curvature; /* U'' if it is constant */
+    double W[S * S], A[S * S];    /* M^beta; A without gaps */
+    radau_step *mesh;
+    radau_factor factors[KEPT];
+    size_t *kind; /* which factor a coordinate takes */
+    double *x, *v, *room, *H, *X, *D, *G, *V, *powers;
+} radau_solver;
+
+/* radau_solve -- D = V - v of the step from t to t + h; in: a guess, and the memory in H. X, G are
+ * used. FVI_EMAXITER if the iteration does not end; FVI_ENOMEM; what a callback returned. */
+int radau_solve(radau_solver *o, double t, double h);
+
+#endif

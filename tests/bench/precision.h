@@ -1,0 +1,42 @@
+/* tests/bench/precision.h -- The runs of the benchmark, and what is printed of them.
+ *                                                                       [Chapter 18] */
+#ifndef PRECISION_H
+#define PRECISION_H
+
+#include "peers/peers.h"
+
+enum { DECADES = 13, MOST_CONTENDERS = 128 };
+
+/* contender -- one of ours, by a kind of memory, or a peer. */
+typedef struct {
+    char name[40];
+    const fvi_method *method; /* NULL for a peer */
+    fvi_memory_kind kind;
+    const peer *peer;
+    int ours;
+} contender;
+
+/* timing -- the least processor time of `runs` runs, in seconds, and their median over
+ * it; 0 seconds: no run was as exact. Also: which run, and its error for t >= 2. */
+typedef struct {
+    double seconds, spread, tolerance;
+    size_t N;
+    int runs;
+} timing;
+
+/* gather -- every method of fvi_methods by the direct sum and by exponentials, and all
+ * peers; methods that know alpha = 1/2 alone are of the textbooks, and peers. Returns
+ * how many. */
+size_t gather(contender *all);
+
+/* sweep -- runs of one contender on problem P, with more and more steps, and tolerances
+ * about the error that comes. best[k], k = 1 ... DECADES: the fastest run whose error
+ * over all rows is at most 10^-k; late[k] the same for the rows with t >= 2. front[k]:
+ * the least time of its side so far: runs that are far from it are not repeated. */
+void sweep(const contender *c, int P, const double *truth, timing *best,
+           timing *late, double *front);
+
+/* print_small -- what small and long runs of ours cost; `program` is build/fvi. */
+void print_small(const char *program);
+
+#endif

@@ -1,0 +1,65 @@
+/* tests/bench/precision_small.c -- What small and long runs cost: precision.h.
+ *                                                                       [Chapter 18] */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, fork, uname */
+#include "precision.h"
+#include "bench.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Seconds by the wall clock of `program run --steps 200`, its table thrown away. */
+static double process(const char *program)
+{
+    struct timespec t[2];
+    clock_gettime(CLOCK_MONOTONIC, &t[0]);
+    int status = 1;
+    const pid_t child = fork();
+    if (child == 0) {
+        const int hole = open("/dev/null", O_WRONLY);
+        dup2(hole, STDOUT_FILENO);
+        dup2(hole, STDERR_FILENO);
+        execl(program, program, "run", "--steps", "200", (char *)NULL);
+        _exit(127);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child || status)
+        return 0;
+    clock_gettime(CLOCK_MONOTONIC, &t[1]);
+    return (double)(t[1].tv_sec - t[0].tv_sec)
+           + 1e-9 * (double)(t[1].tv_nsec - t[0].tv_nsec);
+}
+
+/* Seconds of N uniform steps of `fvi` on the plate. */
+static double steps(size_t N, int runs)
+{
+    const fvi_run run = problem_run(problem_number(0), N,
+                                    FVI_MEMORY_EXPONENTIALS, 0);
+    double best = 0;
+    for (int i = 0; i < runs; i++) {
+        const double start = now();
+        fvi_stepper *s;
+        if (fvi_start(&fvi_fractional, &run, &s))
+            return 0;
+        while (s->k < N && !fvi_step(s))
+            ;
+        fvi_stop(s);
+        const double time = now() - start;
+        best = best == 0 || time < best ? time : best;
+    }
+    return best;
+}
+
+void print_small(const char *program)
+{
+    double best = 0;
+    for (int i = 0; i < 100; i++) {
+        const double t = process(program);
+        best = best == 0 || (t > 0 && t < best) ? t : best;
+    }
+    printf("# small and long runs of ours\n#> small\n# of what\tis\n"
+           "ms, `fvi run` of 200 steps, the whole process, wall clock\t%.3g\n"
+           "ms, 10^6 uniform steps of fvi, P1\t%.3g\n"
+           "s, 10^8 uniform steps of fvi, P1\t%.3g\n#< small\n\n\n",
+           1e3 * best, 1e3 * steps(1000000, 3), steps(100000000, 1));
+}

@@ -1,0 +1,162 @@
+/* tests/bench/precision_sweep.c -- The runs of the benchmark: precision.h. [Chapter 18] */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include "precision.h"
+#include "bench.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { RUNS = 9, FEW = 3 };
+
+size_t gather(contender *all)
+{
+    static const fvi_memory_kind kinds[] = { FVI_MEMORY_EXPONENTIALS,
+                                             FVI_MEMORY_DIRECT };
+    size_t count = 0;
+    for (size_t i = 0; fvi_methods[i]; i++)
+        for (int k = 0; k < 2; k++) {
+            const fvi_method *m = fvi_methods[i];
+            const int remembers = m->memories != 0,
+                      ours = m->alpha_least < m->alpha_most;
+            if (remembers ? !fvi_method_has_memory(m, kinds[k]) : k > 0)
+                continue;
+            contender *c = &all[count++];
+            *c = (contender){ .method = m, .kind = kinds[k], .ours = ours };
+            snprintf(c->name, sizeof c->name, "%s%s", m->name,
+                     remembers && k ? ", direct" : "");
+        }
+    for (size_t i = 0; peers[i]; i++) {
+        contender *c = &all[count++];
+        *c = (contender){ .peer = peers[i] };
+        snprintf(c->name, sizeof c->name, "%s", peers[i]->name);
+    }
+    return count;
+}
+
+/* Nothing that the problem decides is made outside. */
+static int run_once(const contender *c, const problem *p, size_t N,
+                    double tolerance, double *rows)
+{
+    if (c->peer) {
+        const task t = { p, N, tolerance };
+        return c->peer->run(&t, rows);
+    }
+    const fvi_run run = problem_run(p, N, c->kind, tolerance);
+    const size_t d = p->system.d, every = N / ROWS;
+    fvi_stepper *s;
+    int status = fvi_start(c->method, &run, &s);
+    if (status)
+        return status;
+    while (!status) {
+        if (s->k % every == 0)
+            memcpy(rows + s->k / every * d, s->x, d * sizeof *rows);
+        if (s->k == N)
+            break;
+        status = fvi_step(s);
+    }
+    fvi_stop(s);
+    return status;
+}
+
+static double error_from(const problem *p, double from, const double *rows,
+                         const double *truth)
+{
+    const size_t d = p->system.d;
+    double worst = 0;
+    for (size_t k = 1; k <= ROWS; k++)
+        for (size_t i = k * d; i < (k + 1) * d; i++) {
+            const double e = fabs(rows[i] - truth[i]);
+            if ((double)k * p->T / ROWS >= from && !(e <= worst))
+                worst = e == e ? e : GSL_POSINF;
+        }
+    return worst;
+}
+
+static void keep(timing *all, double error, const timing *t)
+{
+    for (int k = 1; k <= DECADES; k++)
+        if (error <= pow(10, -k)
+            && (all[k].seconds == 0 || t->seconds < all[k].seconds))
+            all[k] = *t;
+}
+
+/* The places that a run of this error and time would win: not far from the front? */
+static int may_matter(double error, double seconds, const double *front)
+{
+    const int k = (int)fmin(DECADES, floor(-log10(fmax(error, 1e-99))));
+    return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
+}
+
+/* One point: one run, and more of them if it may matter. Returns its error. */
+static double point(const contender *c, const problem *p, size_t N,
+                    double tolerance, const double *truth, double *rows,
+                    timing *best, timing *late, double *front, double *seconds)
+{
+    double times[RUNS], start = now();
+    int runs = 1;
+    const int status = run_once(c, p, N, tolerance, rows);
+    times[0] = *seconds = now() - start;
+    if (status)
+        return GSL_POSINF;
+    const double error = error_from(p, 0, rows, truth),
+                 after = error_from(p, 2, rows, truth);
+    if (may_matter(after, times[0], front))
+        for (; runs < (times[0] > 0.1 ? FEW : RUNS); runs++) {
+            start = now();
+            run_once(c, p, N, tolerance, rows);
+            times[runs] = now() - start;
+        }
+    gsl_sort(times, 1, (size_t)runs);
+    const timing t = { times[0], times[runs / 2] / times[0], tolerance, N, runs };
+    keep(best, error, &t);
+    keep(late, after, &t);
+    for (int k = 1; k <= DECADES; k++)
+        if (error <= pow(10, -k) && (front[k] == 0 || t.seconds < front[k]))
+            front[k] = t.seconds;
+    *seconds = t.seconds;
+    return error;
+}
+
+/* More steps: all numbers that the contender takes, each half as many again or double. */
+static size_t next(const contender *c, size_t N)
+{
+    return c->peer && c->peer->any ? (size_t)ceil(1.4 * (double)N) : 2 * N;
+}
+
+void sweep(const contender *c, int P, const double *truth, timing *best,
+           timing *late, double *front)
+{
+    const problem *p = problem_number(P);
+    const int by_steps = !c->peer || c->peer->fewest > 0,
+              tunes = c->peer ? c->peer->tolerance
+                              : c->method->memories != 0
+                                    && c->kind == FVI_MEMORY_EXPONENTIALS;
+    double *rows = malloc((ROWS + 1) * p->system.d * sizeof *rows),
+           before = GSL_POSINF, seconds = 0;
+    size_t N = c->peer && by_steps ? c->peer->fewest : ROWS;
+    if (!rows)
+        exit(EXIT_FAILURE);
+    int stalls = 0;
+    for (int first = 1; N <= (size_t)1 << 21; first = 0, N = next(c, N)) {
+        double error = by_steps ? point(c, p, N, 0, truth, rows, best, late, front,
+                                        &seconds)
+                                : GSL_POSINF,
+               spent = seconds, time;
+        /* tolerances about the error; all of them where only they decide */
+        const double most = first ? 0.1 : fmin(0.1, 30 * error),
+                     least = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
+        if (tunes && (error < 1 || !by_steps) && spent < p->seconds / 4)
+            for (double t = most; t >= least; t /= first ? 3.1622776601683795 : 10)
+                point(c, p, N, t, truth, rows, best, late, front, &time);
+        if (isatty(STDERR_FILENO))
+            fprintf(stderr, "\rP%d %-40s %10zu", P + 1, c->name, N);
+        stalls = error < 0.1 && error > before / 1.5 ? stalls + 1 : 0;
+        if (!by_steps || stalls == 2 || error < 3e-15
+            || (error < GSL_POSINF && 2 * seconds > p->seconds))
+            break;
+        before = error;
+    }
+    free(rows);
+}

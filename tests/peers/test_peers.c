@@ -1,0 +1,245 @@
+/* tests/peers/test_peers.c -- Chapter 18.  Run alone: make test-peers
+ *
+ * What ours are measured against must be right, or a lead means nothing: each peer
+ * converges to the truth at the order that its publication states, and the truth agrees
+ * with the exact solutions. */
+#include "../bench/peers/peers.h"
+#include "harness/ulp.h"
+
+#include <fvi/fvi.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+static const peer *named(const char *name)
+{
+    for (size_t i = 0; peers[i]; i++)
+        if (strcmp(peers[i]->name, name) == 0)
+            return peers[i];
+    ck_abort_msg("no peer of the name %s", name);
+    return NULL;
+}
+
+static void exact_rows(const problem *p, double *rows)
+{
+    double t[ROWS + 1];
+    for (size_t k = 0; k <= ROWS; k++)
+        t[k] = p->T * (double)k / ROWS;
+    ck_assert_int_eq(fvi_exact(p->linear, ROWS + 1, t, rows, NULL), FVI_SUCCESS);
+}
+
+static double distance(const problem *p, const double *a, const double *b)
+{
+    double worst = 0;
+    for (size_t i = 0; i < (ROWS + 1) * p->system.d; i++) {
+        const double e = fabs(a[i] - b[i]);
+        worst = e <= worst ? worst : e;
+    }
+    return worst;
+}
+
+/* The largest error of all rows. */
+static double error_of(const char *name, int P, size_t N, double tolerance,
+                       const double *truth)
+{
+    static double rows[(ROWS + 1) * 32];
+    const problem *p = problem_number(P - 1);
+    const task t = { p, N, tolerance };
+    ck_assert(named(name)->takes(p));
+    ck_assert_int_eq(named(name)->run(&t, rows), 0);
+    return distance(p, rows, truth);
+}
+
+/* The errors of N and 2 N fall by 2^order, within a fifth of an order or more exactly. */
+static void ck_assert_order(const char *name, int P, size_t N, double order,
+                            const double *truth)
+{
+    const double coarse = error_of(name, P, N, 0, truth),
+                 fine = error_of(name, P, 2 * N, 0, truth),
+                 q = log2(coarse / fine);
+    seen(q, "%s, P%d: order", name, P);
+    ck_assert_msg(q > order - 0.2 && q < order + 1.2,
+                  "%s, P%d: order %.2f, stated %.2f (%.2e, %.2e)", name, P, q,
+                  order, coarse, fine);
+}
+
+/* ---- the truth ---- */
+
+/* In long double, and F and grad U in double: some units of rounding. Seen: 1.8e-15. */
+START_TEST(eq_18_4_collocation_on_graded_panels_is_exact)
+{
+    static const int linear[] = { 1, 2, 6 };
+    for (size_t i = 0; i < LEN(linear); i++) {
+        const problem *p = problem_number(linear[i] - 1);
+        double rows[ROWS + 1], want[ROWS + 1];
+        exact_rows(p, want);
+        ck_assert_int_eq(reference(p, 16, p->panel, rows), FVI_SUCCESS);
+        seen_worst(distance(p, rows, want), "from the exact solution");
+        ck_assert_msg(distance(p, rows, want) < 1e-14, "P%d: off by %.2e",
+                      linear[i], distance(p, rows, want));
+    }
+}
+END_TEST
+
+/* Other nodes and panels, the same solution; and two methods that have nothing in common
+ * with it agree with it: a Radau IIA convolution quadrature, and fvi-lobatto4, whose order
+ * near the start is low, at t = T. */
+START_TEST(eq_18_4_other_panels_and_other_methods_agree)
+{
+    static const int nonlinear[] = { 3, 5, 9 };
+    static double a[ROWS + 1], b[ROWS + 1], x[12801];
+    for (size_t i = 0; i < LEN(nonlinear); i++) {
+        const int P = nonlinear[i];
+        const problem *p = problem_number(P - 1);
+        ck_assert_int_eq(reference(p, 16, p->panel, a), FVI_SUCCESS);
+        ck_assert_int_eq(reference(p, 18, 0.8 * p->panel, b), FVI_SUCCESS);
+        seen_worst(distance(p, a, b), "between two references");
+        ck_assert_msg(distance(p, a, b) < 1e-14, "P%d: %.2e apart", P,
+                      distance(p, a, b));
+        const double radau = error_of("Radau IIA 7, graded", P, 1280, 0, a);
+        seen_worst(radau, "from Radau IIA 7");
+        ck_assert_msg(radau < 1e-12, "P%d: Radau IIA 7 is off by %.2e", P, radau);
+        const fvi_run run = problem_run(p, 12800, FVI_MEMORY_AUTO, 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &run, x, NULL, NULL), 0);
+        seen_worst(fabs(x[12800] - a[ROWS]), "from fvi-lobatto4 at T");
+        ck_assert_msg(fabs(x[12800] - a[ROWS]) < 1e-12, "P%d: %.2e at T", P,
+                      fabs(x[12800] - a[ROWS]));
+    }
+}
+END_TEST
+
+/* ---- the peers ---- */
+
+/* Product integration and the linear multistep methods are of order 2, at any order of
+ * the damping, also where a jump of F is met by a step. */
+START_TEST(eq_18_4_methods_of_order_two)
+{
+    static const char *const names[] = { "product trapezoid", "FLMM2 trapezoidal",
+                                         "FLMM2 Newton-Gregory", "FLMM2 BDF2" };
+    double want[ROWS + 1];
+    for (size_t i = 0; i < LEN(names); i++) {
+        exact_rows(problem_number(0), want);
+        ck_assert_order(names[i], 1, 320, 2, want); /* 640: with transforms */
+        exact_rows(problem_number(1), want);
+        ck_assert_order(names[i], 2, 320, 2, want);
+        exact_rows(problem_number(7), want);
+        ck_assert_order(names[i], 8, 640, 2, want);
+    }
+}
+END_TEST
+
+START_TEST(eq_18_4_methods_of_order_two_on_a_pendulum_and_a_chain)
+{
+    static const char *const names[] = { "product trapezoid", "FLMM2 BDF2",
+                                         "fast L2-1_sigma" };
+    static double want[(ROWS + 1) * 32];
+    for (int P = 4; P <= 5; P++) {
+        const problem *p = problem_number(P - 1);
+        ck_assert_int_eq(reference(p, 8, p->panel, want), FVI_SUCCESS);
+        for (size_t i = 0; i < LEN(names); i++)
+            ck_assert_order(names[i], P, 320, 2, want);
+    }
+}
+END_TEST
+
+/* The formula is of order 2 where v' is smooth; a jump of it leaves 3/2 (seen; no theorem). */
+START_TEST(the_fast_formula_after_a_jump)
+{
+    double want[ROWS + 1];
+    exact_rows(problem_number(0), want);
+    ck_assert_order("fast L2-1_sigma", 1, 640, 1.5, want);
+}
+END_TEST
+
+/* Without memory s stages have the order 2 s - 1; 5 and 7 of them reach rounding. */
+START_TEST(radau_methods_have_their_order)
+{
+    double want[ROWS + 1];
+    exact_rows(problem_number(1), want);
+    ck_assert_order("Radau IIA 2", 2, 160, 3, want);
+    ck_assert_order("Radau IIA 3", 2, 160, 5, want);
+    ck_assert_order("Radau IIA 5", 2, 20, 7, want); /* rows within steps: s + 2 */
+    ck_assert_double_lt(error_of("Radau IIA 7", 2, 80, 0, want), 2e-14);
+}
+END_TEST
+
+/* With memory s stages have at least s + 1 on steps of one length, where the jump is met
+ * and the start is smooth enough; graded steps reach rounding, whatever alpha and wherever
+ * the jump. Seen: 4e-14. */
+START_TEST(radau_convolution_quadrature_converges)
+{
+    double want[ROWS + 1];
+    exact_rows(problem_number(0), want);
+    ck_assert_order("Radau IIA 2", 1, 320, 3, want);
+    ck_assert_order("Radau IIA 3", 1, 320, 4.5, want);
+    const double plate = error_of("Radau IIA 7, graded", 1, 200, 0, want);
+    exact_rows(problem_number(5), want);
+    const double jump = error_of("Radau IIA 7, graded", 6, 200, 0, want),
+                 five = error_of("Radau IIA 5, graded", 6, 500, 0, want);
+    seen(jump, "P6: error");
+    ck_assert_msg(plate < 1e-13 && jump < 1e-13 && five < 1e-12,
+                  "%.2e, %.2e, %.2e", plate, jump, five);
+    exact_rows(problem_number(7), want);
+    ck_assert_double_lt(error_of("Radau IIA 7, graded", 8, 400, 0, want), 1e-10);
+}
+END_TEST
+
+/* A tolerance t lets no more than about 10 t into the positions, and saves modes. */
+START_TEST(radau_memories_keep_their_tolerance)
+{
+    double want[ROWS + 1];
+    exact_rows(problem_number(0), want);
+    for (double t = 1e-4; t > 1e-12; t /= 100) {
+        const double error = error_of("Radau IIA 7", 1, 640, t, want);
+        seen_worst(error / t, "error over tolerance");
+        ck_assert_msg(error < 10 * t, "%.2e at a tolerance of %.0e", error, t);
+    }
+}
+END_TEST
+
+START_TEST(solvers_of_ordinary_differential_equations)
+{
+    double want[ROWS + 1];
+    exact_rows(problem_number(1), want);
+    ck_assert_order("RK4", 2, 160, 4, want);
+    ck_assert_order("rk8pd, uniform", 2, 80, 8, want);
+    ck_assert_double_lt(error_of("rk8pd", 2, 0, 1e-12, want), 1e-11);
+}
+END_TEST
+
+START_TEST(linear_problems_need_no_steps)
+{
+    static const int linear[] = { 1, 2, 6 };
+    for (size_t i = 0; i < LEN(linear); i++) {
+        double want[ROWS + 1];
+        const problem *p = problem_number(linear[i] - 1);
+        exact_rows(p, want);
+        const double error =
+            error_of("Chebyshev in sqrt(t)", linear[i], 42, 0, want);
+        seen_worst(error, "collocation in the root of t");
+        ck_assert_msg(error < 2e-12, "P%d: %.2e", linear[i], error);
+    }
+    double want[ROWS + 1], rough = 0;
+    exact_rows(problem_number(0), want);
+    rough = error_of("matrix method", 1, 640, 0, want);
+    ck_assert_double_gt(rough / error_of("matrix method", 1, 1280, 0, want), 1.9);
+    ck_assert(!named("matrix method")->takes(problem_number(1)));
+    ck_assert(!named("Chebyshev in sqrt(t)")->takes(problem_number(7)));
+    ck_assert(!named("exact solution")->takes(problem_number(2)));
+}
+END_TEST
+
+int main(void)
+{
+    fvi_set_error_handler(NULL);
+    Suite *suite = suite_create("peers");
+    ADD_CASE(suite, "truth", eq_18_4_collocation_on_graded_panels_is_exact,
+             eq_18_4_other_panels_and_other_methods_agree);
+    ADD_CASE(suite, "order", eq_18_4_methods_of_order_two,
+             eq_18_4_methods_of_order_two_on_a_pendulum_and_a_chain,
+             the_fast_formula_after_a_jump, radau_methods_have_their_order,
+             radau_convolution_quadrature_converges,
+             radau_memories_keep_their_tolerance,
+             solvers_of_ordinary_differential_equations,
+             linear_problems_need_no_steps);
+    return run_suite(suite);
+}
