@@ -147,7 +147,7 @@ stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
-mutants: $B/libfvi.a | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
+mutants: $B/libfvi.a $B/peers.a | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
 	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  $(PYTHON) tests/mutants/mutants.py $B $(STEM)
 
@@ -280,7 +280,7 @@ test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (
 $B/tests/bench_%: tests/bench/bench_%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
 	$(COMPILE) -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
-$B/tests/bench_precision: tests/bench/precision_sweep.c tests/bench/precision_small.c $B/peers.a | $B/fvi
+$B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
 
 # The peers, the problems and their solutions; they are compiled as the library is.
 PEERS := $(wildcard tests/bench/peers/*.c) tests/bench/problems.c tests/bench/reference.c

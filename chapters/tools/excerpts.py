@@ -7,7 +7,8 @@ A block of a chapter that shows code stands under an invisible pointer:
     <!-- excerpt: src/stem.c#region -->
 A region lies between the lines `//> region` and `//< region` of the source
 (`#> region`, `#< region` in Python and gnuplot); without #region the whole file
-is meant. A fenced block in a language other than text, sh and math must have a
+is meant. Below a pointer to words, such as those that a benchmark prints, stands a quote
+instead: lines that begin with `>`. A fenced block in a language other than text, sh and math must have a
 pointer. Only Python's standard library is used."""
 import difflib
 import pathlib
@@ -44,6 +45,11 @@ def rewrite(lines):
         out.append(line)
         i += 1
         if pointer:
+            if i < len(lines) and lines[i].startswith(">"):
+                while i < len(lines) and lines[i].startswith(">"):
+                    i += 1
+                out += [f"> {text}".rstrip() for text in region(*pointer.groups())]
+                continue
             if i == len(lines) or not re.fullmatch(r"```\w+", lines[i]):
                 raise ValueError(f"line {i}: a pointer needs a ``` block below it")
             out.append(lines[i])

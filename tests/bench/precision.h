@@ -36,6 +36,31 @@ size_t gather(contender *all);
 void sweep(const contender *c, int P, const double *truth, timing *best,
            timing *late, double *front);
 
+/* results -- the fastest runs of all contenders on all problems. */
+typedef struct {
+    size_t count;
+    contender all[MOST_CONTENDERS];
+    timing best[PROBLEMS][MOST_CONTENDERS][DECADES + 1],
+        late[PROBLEMS][MOST_CONTENDERS][DECADES + 1];
+} results;
+
+/* fastest -- the fastest of ours, or of the peers, whose error is at most 10^-k, and who it
+ * is; `from` is best[P] or late[P]. NULL if none is as exact. */
+const timing *fastest(const results *r, const timing from[][DECADES + 1],
+                      int ours, int k, size_t *who);
+
+/* ratio -- our least time over that of the peers; 0 if no peer is as exact, infinite if
+ * ours is not, NaN if nobody is. */
+double ratio(const results *r, const timing from[][DECADES + 1], int k);
+
+/* Tables and sentences, each a region of the file that is printed. */
+void print_verdict(const results *r);
+void print_ratios(const results *r);
+void print_picture(const results *r);
+void print_fronts(const results *r, int P);
+void print_memory(const results *r);
+void print_methods(const results *r, int P);
+
 /* print_small -- what small and long runs of ours cost; `program` is build/fvi. */
 void print_small(const char *program);
 

@@ -33,8 +33,8 @@ static double process(const char *program)
 /* Seconds of N uniform steps of `fvi` on the plate. */
 static double steps(size_t N, int runs)
 {
-    const fvi_run run = problem_run(problem_number(0), N,
-                                    FVI_MEMORY_EXPONENTIALS, 0);
+    const fvi_run run =
+        problem_run(problem_number(0), N, FVI_MEMORY_EXPONENTIALS, 0);
     double best = 0;
     for (int i = 0; i < runs; i++) {
         const double start = now();

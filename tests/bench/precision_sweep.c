@@ -43,19 +43,16 @@ static int run_once(const contender *c, const problem *p, size_t N,
         const task t = { p, N, tolerance };
         return c->peer->run(&t, rows);
     }
-    const fvi_run run = problem_run(p, N, c->kind, tolerance);
-    const size_t d = p->system.d, every = N / ROWS;
+    fvi_run run = problem_run(p, N, c->kind, tolerance);
+    run.step_error = tolerance; /* read by methods that choose their steps */
+    const size_t d = p->system.d;
     fvi_stepper *s;
     int status = fvi_start(c->method, &run, &s);
     if (status)
         return status;
-    while (!status) {
-        if (s->k % every == 0)
-            memcpy(rows + s->k / every * d, s->x, d * sizeof *rows);
-        if (s->k == N)
-            break;
-        status = fvi_step(s);
-    }
+    for (size_t k = 0; k <= ROWS && !status; k++)
+        status =
+            fvi_run_to(s, (double)(k * (N / ROWS)) * run.h, rows + k * d, NULL);
     fvi_stop(s);
     return status;
 }
@@ -109,7 +106,8 @@ static double point(const contender *c, const problem *p, size_t N,
             times[runs] = now() - start;
         }
     gsl_sort(times, 1, (size_t)runs);
-    const timing t = { times[0], times[runs / 2] / times[0], tolerance, N, runs };
+    const timing t = { times[0], times[runs / 2] / times[0], tolerance, N,
+                       runs };
     keep(best, error, &t);
     keep(late, after, &t);
     for (int k = 1; k <= DECADES; k++)
@@ -140,21 +138,22 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
         exit(EXIT_FAILURE);
     int stalls = 0;
     for (int first = 1; N <= (size_t)1 << 21; first = 0, N = next(c, N)) {
-        double error = by_steps ? point(c, p, N, 0, truth, rows, best, late, front,
-                                        &seconds)
-                                : GSL_POSINF,
+        double error = by_steps || !tunes ? point(c, p, N, 0, truth, rows, best,
+                                                  late, front, &seconds)
+                                          : GSL_POSINF,
                spent = seconds, time;
         /* tolerances about the error; all of them where only they decide */
         const double most = first ? 0.1 : fmin(0.1, 30 * error),
                      least = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
         if (tunes && (error < 1 || !by_steps) && spent < p->seconds / 4)
-            for (double t = most; t >= least; t /= first ? 3.1622776601683795 : 10)
+            for (double t = most; t >= least;
+                 t /= first ? 3.1622776601683795 : 10)
                 point(c, p, N, t, truth, rows, best, late, front, &time);
         if (isatty(STDERR_FILENO))
             fprintf(stderr, "\rP%d %-40s %10zu", P + 1, c->name, N);
         stalls = error < 0.1 && error > before / 1.5 ? stalls + 1 : 0;
         if (!by_steps || stalls == 2 || error < 3e-15
-            || (error < GSL_POSINF && 2 * seconds > p->seconds))
+            || 2 * seconds > p->seconds)
             break;
         before = error;
     }

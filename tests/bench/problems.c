@@ -81,8 +81,11 @@ static void set_up(void)
           { MOST, ones, fifth, chain, none },
           waves, zeros, 20, 0.3, C, 0, NULL, 0.5, 0.3 },
     };
-    for (int P = 0; P < PROBLEMS; P++)
+    for (int P = 0; P < PROBLEMS; P++) {
         all[P] = table[P];
+        all[P].system.force.jumps = &all[P].jump; /* declared to all alike */
+        all[P].system.force.jump_count = all[P].jump > 0;
+    }
 }
 
 const problem *problem_number(int P)

@@ -15,8 +15,8 @@ typedef struct {
     real gamma, unit; /* 2 - beta, 1 / Gamma(gamma) */
     real c[MOST_NODES], b[MOST_NODES], bary[MOST_NODES];
     real A[MOST_NODES][MOST_NODES], B[MOST_NODES][MOST_NODES];
-    real *t;             /* where the panels begin, and T */
-    real *V, *X, *P;     /* panels n d; panels n d; d: v, x, J(F - grad U) so far */
+    real *t;         /* where the panels begin, and T */
+    real *V, *X, *P; /* panels n d; panels n d; d: v, x, J(F - grad U) so far */
     real *x, *g, *H, *G; /* d; n d each */
     double *point, *grad, *F;
 } collocation;
@@ -26,7 +26,8 @@ static void gauss(int n, real *c, real *b)
 {
     const real pi = acosl(-1);
     for (int i = 0; i < n; i++) {
-        real z = cosl(pi * ((real)(n - i) - 0.25L) / ((real)n + 0.5L)), slope = 1;
+        real z = cosl(pi * ((real)(n - i) - 0.25L) / ((real)n + 0.5L)),
+             slope = 1;
         for (int k = 0; k < 20; k++) {
             real p = 1, q = 0;
             for (int j = 1; j <= n; j++) {
@@ -107,7 +108,8 @@ static size_t mesh(const problem *p, real longest, real *t)
     size_t k = 0;
     real now = 0;
     for (int e = 0; e < 2; e++)
-        for (real h = 1e-6L * longest; now < ends[e]; h = fminl(2 * h, longest)) {
+        for (real h = 1e-6L * longest; now < ends[e];
+             h = fminl(2 * h, longest)) {
             if (t)
                 t[k] = now;
             k++;
@@ -125,7 +127,8 @@ static void history(collocation *o, size_t k, int i)
     const int n = o->n;
     const real h = o->t[k + 1] - o->t[k], t = o->t[k] + h * o->c[i];
     for (size_t l = 0; l < k; l++) {
-        const real length = o->t[l + 1] - o->t[l], *V = o->V + l * (size_t)n * d,
+        const real length = o->t[l + 1] - o->t[l],
+                   *V = o->V + l * (size_t)n * d,
                    scale = powl(length, o->gamma);
         real w[MOST_NODES] = { 0 };
         const real at = (t - o->t[l]) / length;
@@ -180,11 +183,14 @@ static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
         for (size_t a = 0; a < d; a++) {
             const real m = p->system.mass[a], rho = p->system.damping[a],
                        v0 = p->p0[a] / m, t = t0 + h * o->c[i];
-            real sum = m * v0 + o->P[a] - rho * o->unit * o->H[(size_t)i * d + a]
-                       + rho * s * v0 * powl(t, o->gamma) / tgammal(o->gamma + 1);
+            real sum =
+                m * v0 + o->P[a] - rho * o->unit * o->H[(size_t)i * d + a]
+                + rho * s * v0 * powl(t, o->gamma) / tgammal(o->gamma + 1);
             for (int j = 0; j < n; j++)
                 sum += h * o->A[i][j] * o->G[(size_t)j * d + a]
-                       - (i == j ? 0 : rho * own * o->B[i][j] * o->g[(size_t)j * d + a]);
+                       - (i == j ? 0
+                                 : rho * own * o->B[i][j]
+                                       * o->g[(size_t)j * d + a]);
             const real new = sum / (m + rho * own * o->B[i][i]);
             *moved = fmaxl(*moved, fabsl(new - V[(size_t)i * d + a]));
             largest = fmaxl(largest, fabsl(new));
@@ -195,7 +201,8 @@ static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
 }
 
 /* The rows within panel k: x is a polynomial through its start and the nodes. */
-static void write_rows(const collocation *o, size_t k, const real *X, double *rows)
+static void write_rows(const collocation *o, size_t k, const real *X,
+                       double *rows)
 {
     const size_t d = o->d;
     const real h = o->t[k + 1] - o->t[k];
@@ -203,7 +210,8 @@ static void write_rows(const collocation *o, size_t k, const real *X, double *ro
         const real s = ((real)o->p->T * (real)r / ROWS - o->t[k]) / h;
         if (s < 0 || (s >= 1 && r < ROWS) || (r == ROWS && k + 1 < o->panels))
             continue;
-        real l[MOST_NODES], first = 1; /* first: the polynomial that is 1 at 0 */
+        real l[MOST_NODES],
+            first = 1; /* first: the polynomial that is 1 at 0 */
         lagrange(o, s, l);
         for (int j = 0; j < o->n; j++)
             first *= 1 - s / o->c[j];
@@ -225,7 +233,8 @@ static int solve_panel(collocation *o, size_t k, double *rows)
     for (int i = 0; i < o->n; i++) {
         history(o, k, i);
         for (size_t a = 0; a < d; a++) /* the guess: the last velocity */
-            V[(size_t)i * d + a] = k ? *(V + a - d) : o->p->p0[a] / o->p->system.mass[a];
+            V[(size_t)i * d + a] =
+                k ? *(V + a - d) : o->p->p0[a] / o->p->system.mass[a];
     }
     for (int i = 0, after = 0; after < 2; i++) {
         int status = iterate(o, k, V, X, &moved);

@@ -57,7 +57,7 @@ def build(folder, entry, test):
     wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent))
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     library = [] if file.stem in PROGRAM else [wrong]
-    library.append(BUILD / "libfvi.a")
+    library += [BUILD / "peers.a", BUILD / "libfvi.a"]
     parser = folder / "program.a"  # without main; of it the test takes what it needs
     parser.unlink(missing_ok=True)
     subprocess.run(["ar", "rcs", parser, *(o for o, p in zip(program, PROGRAM) if p != "fvi_cli")], check=True)

@@ -15,7 +15,8 @@ struct blocks {
     const double *w;
     size_t N, d;
     double *spectrum[MOST_BITS];
-    double *g, *sum, *work; /* d rows of N + 1, newest values last; d rows of sums */
+    double *g, *sum,
+        *work; /* d rows of N + 1, newest values last; d rows of sums */
 };
 
 blocks *blocks_alloc(const double *w, size_t N, size_t d)
@@ -91,7 +92,8 @@ static int add_block(blocks *b, size_t n)
 }
 
 /* sum_{j=from}^{n-1} w_{n-j} g_j */
-FVI_VECTORS static double direct(size_t from, size_t n, const double *restrict w,
+FVI_VECTORS static double direct(size_t from, size_t n,
+                                 const double *restrict w,
                                  const double *restrict g)
 {
     double sum = 0;

@@ -18,7 +18,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOST = 4, KEPT = 64 }; /* J^2 adds t^2 = s^4 to a degree in s = sqrt(t) */
+enum {
+    LOST = 4,
+    KEPT = 64
+}; /* J^2 adds t^2 = s^4 to a degree in s = sqrt(t) */
 
 /* For N polynomials and one gamma: node[i]; J[i * N + k] = J^gamma T_k at node i;
  * T[i * N + k] = T_k there; X[l * N + k]: coefficient l of J^2 T_k. */
@@ -158,7 +161,8 @@ static int run(const task *of, double *rows)
     for (size_t i = 0; i < N; i++) {
         const double now = T * t->node[i] * t->node[i];
         for (size_t k = 0; k < N; k++)
-            A[i * W + k] = l->m * t->T[i * N + k] + l->rho * size * t->J[i * N + k]
+            A[i * W + k] = l->m * t->T[i * N + k]
+                           + l->rho * size * t->J[i * N + k]
                            + l->c * T * T * t->J2[i * N + k];
         A[i * W + N] = -l->c * (l->x0 + l->v0 * now)
                        - (beta <= 1 ? l->rho * l->v0 * pow(now, 1 - beta)
@@ -195,5 +199,14 @@ static int takes(const problem *p)
            && p->linear->forcing != FVI_FORCING_COSINE;
 }
 
-const peer peer_collocation = { "Chebyshev in sqrt(t)", "Hale, Olver 2018", 0, 20, 1,
-                                takes, run };
+const peer peer_collocation = {
+    "Chebyshev in sqrt(t)",
+    "Hale, Olver 2018",
+    "a linear motion whose powers are known beforehand is one "
+    "sum of polynomials, and no step is taken",
+    0,
+    20,
+    1,
+    takes,
+    run
+};

@@ -32,15 +32,29 @@ static int run_matrix(const task *of, double *rows)
     const problem *p = of->p;
     const fvi_linear *l = p->linear;
     double *x = malloc((of->N + 1) * sizeof *x);
-    int status = x ? fvi_matrix_method(l->m, l->rho, l->c, l->alpha, p->system.force,
-                                       p->T / (double)of->N, of->N, x)
-                   : FVI_ENOMEM;
+    int status =
+        x ? fvi_matrix_method(l->m, l->rho, l->c, l->alpha, p->system.force,
+                              p->T / (double)of->N, of->N, x)
+          : FVI_ENOMEM;
     for (size_t k = 0; k <= ROWS && !status; k++)
         rows[k] = x[k * (of->N / ROWS)];
     free(x);
     return status;
 }
 
-const peer peer_exact = { "exact solution", "chapter 11", 0, 0, 0, linear, run_exact },
-           peer_matrix = { "matrix method", "Podlubny 2000", 0,
-                           ROWS, 0, from_rest,       run_matrix };
+const peer peer_exact = { "exact solution",
+                          "chapter 11",
+                          "a linear motion need not be stepped to",
+                          0,
+                          0,
+                          0,
+                          linear,
+                          run_exact },
+           peer_matrix = { "matrix method",
+                           "Podlubny 2000",
+                           "its matrix is triangular",
+                           0,
+                           ROWS,
+                           0,
+                           from_rest,
+                           run_matrix };

@@ -19,8 +19,9 @@ typedef struct {
     size_t d, Q;
     int of_v, linear;
     double b, sigma, h, scale; /* 1 / Gamma(1 - b) */
-    double *om, *decay, *near, *far; /* modes: weights, e^{-s h}, of two differences */
-    double local, implicit;          /* sum om near, of the line; sum om far */
+    double *om, *decay, *near,
+        *far;               /* modes: weights, e^{-s h}, of two differences */
+    double local, implicit; /* sum om near, of the line; sum om far */
     double *z, *x[3], *v[3], *F, *grad, *at, *r;
 } solver;
 
@@ -29,7 +30,9 @@ typedef struct {
 static int modes(solver *o, double tolerance)
 {
     const double digits = -log(fmax(tolerance, 1e-15)), h = o->h,
-                 L = 9.87 / (digits + 2), first = exp(-L * APART * (ENDS - 1) / 2.0 - fmax(0, digits - 6.6) / ENDS)
+                 L = 9.87 / (digits + 2),
+                 first = exp(-L * APART * (ENDS - 1) / 2.0
+                             - fmax(0, digits - 6.6) / ENDS)
                          / o->p->T,
                  last = (digits + 4) / (o->sigma * h);
     double c[ENDS];
@@ -44,7 +47,8 @@ static int modes(solver *o, double tolerance)
     ends(L, o->b, c);
     for (size_t q = 0; q < o->Q; q++) {
         const double s = first * exp(L * (double)q), y = s * h;
-        o->om[q] = L * pow(s, o->b) / tgamma(o->b) * o->scale * exp(-o->sigma * y);
+        o->om[q] =
+            L * pow(s, o->b) / tgamma(o->b) * o->scale * exp(-o->sigma * y);
         if (q % APART == 0 && q / APART < ENDS)
             o->om[q] += L * pow(first, o->b) / tgamma(o->b) * o->scale
                         * exp(-o->sigma * y) * c[q / APART];
@@ -84,8 +88,8 @@ FVI_VECTORS static double advance(size_t Q, const double *restrict om,
     return sum;
 }
 
-FVI_VECTORS static void complete(size_t Q, const double *restrict far, double after,
-                                 double *restrict z)
+FVI_VECTORS static void complete(size_t Q, const double *restrict far,
+                                 double after, double *restrict z)
 {
 #pragma omp simd
     for (size_t q = 0; q < Q; q++)
@@ -93,7 +97,8 @@ FVI_VECTORS static void complete(size_t Q, const double *restrict far, double af
 }
 
 /* Solve M w + grad U(a + e w) = r for w, w = v_{n+1}; M by coordinates in `M`. */
-static int solve(solver *o, const double *M, const double *a, double e, double *w)
+static int solve(solver *o, const double *M, const double *a, double e,
+                 double *w)
 {
     const fvi_system *s = &o->p->system;
     double before = GSL_POSINF;
@@ -103,12 +108,13 @@ static int solve(solver *o, const double *M, const double *a, double e, double *
             o->at[j] = a[j] + e * w[j];
         int status = fvi_gradient(s, o->at, o->grad);
         if (!status && o->d == 1 && s->potential.hessian)
-            status = s->potential.hessian(1, o->at, s->potential.params, &curvature);
+            status =
+                s->potential.hessian(1, o->at, s->potential.params, &curvature);
         if (status)
             return status;
         for (size_t j = 0; j < o->d; j++) {
-            const double by = (o->r[j] - o->grad[j] - M[j] * w[j])
-                              / (M[j] + e * curvature);
+            const double by =
+                (o->r[j] - o->grad[j] - M[j] * w[j]) / (M[j] + e * curvature);
             w[j] += by;
             moved = fabs(by) > moved || by != by ? fabs(by) : moved;
             largest = fabs(w[j]) > largest ? fabs(w[j]) : largest;
@@ -134,12 +140,15 @@ static int step(solver *o, size_t n, double *M, double *a)
     double **x = o->x, **v = o->v;
     int status = FVI_SUCCESS;
     if (s->force.value)
-        status = s->force.value(h * ((double)n + g), o->d, s->force.params, o->F);
+        status =
+            s->force.value(h * ((double)n + g), o->d, s->force.params, o->F);
     for (size_t j = 0; j < o->d && !status; j++) {
         /* x_{n+1} = base + h' v_{n+1}; the rest of m v'; of D^b u */
-        const double xs = three ? (4 * g * x[1][j] - (2 * g - 1) * x[0][j]) / (2 * h)
+        const double xs = three ? (4 * g * x[1][j] - (2 * g - 1) * x[0][j])
+                                      / (2 * h)
                                 : x[1][j] / h,
-                     vs = three ? (4 * g * v[1][j] - (2 * g - 1) * v[0][j]) / (2 * h)
+                     vs = three ? (4 * g * v[1][j] - (2 * g - 1) * v[0][j])
+                                      / (2 * h)
                                 : v[1][j] / h,
                      base = (xs + (1 - g) * v[1][j]) / top, slope = g / top,
                      rho = s->damping[j], last = o->of_v ? v[1][j] : x[1][j],
@@ -184,8 +193,8 @@ static int run(const task *of, double *rows)
     double *block = calloc(12 * d, sizeof *block), *M = block + 10 * d,
            *a = block + 11 * d;
     int status = block ? modes(&o, of->tolerance) : FVI_ENOMEM;
-    double **parts[] = { o.x, o.x + 1, o.x + 2, o.v, o.v + 1, o.v + 2,
-                         &o.F, &o.grad, &o.at, &o.r };
+    double **parts[] = { o.x,     o.x + 1, o.x + 2, o.v,   o.v + 1,
+                         o.v + 2, &o.F,    &o.grad, &o.at, &o.r };
     for (size_t i = 0; i < 10 && block; i++)
         *parts[i] = block + i * d;
     for (size_t j = 0; j < d && !status; j++) {
@@ -195,7 +204,8 @@ static int run(const task *of, double *rows)
     for (size_t n = 0; n < of->N && !status; n++) {
         status = step(&o, n, M, a);
         if ((n + 1) % (of->N / ROWS) == 0)
-            memcpy(rows + (n + 1) / (of->N / ROWS) * d, o.x[1], d * sizeof *rows);
+            memcpy(rows + (n + 1) / (of->N / ROWS) * d, o.x[1],
+                   d * sizeof *rows);
     }
     free(o.om);
     free(block);
@@ -207,5 +217,11 @@ static int fractional(const problem *p)
     return p->alpha != 0.5 && p->past == FVI_PAST_CAPUTO;
 }
 
-const peer peer_l21sigma = { "fast L2-1_sigma", "Yan, Sun, Zhang 2017", 1, ROWS, 0,
-                             fractional, run };
+const peer peer_l21sigma = { "fast L2-1_sigma",
+                             "Yan, Sun, Zhang 2017",
+                             "a step is one sum over few modes",
+                             1,
+                             ROWS,
+                             0,
+                             fractional,
+                             run };

@@ -50,7 +50,8 @@ static int run_controlled(const task *of, double *rows)
     if (!status)
         begin(p, y, rows);
     for (size_t k = 1; k <= ROWS && !status; k++) {
-        status = gsl_odeiv2_driver_apply(driver, &t, p->T * (double)k / ROWS, y);
+        status =
+            gsl_odeiv2_driver_apply(driver, &t, p->T * (double)k / ROWS, y);
         memcpy(rows + k * d, y, d * sizeof *y);
     }
     gsl_odeiv2_driver_free(driver);
@@ -67,8 +68,7 @@ static int run_uniform(const task *of, double *rows)
     double *y = malloc(8 * d * sizeof *y), *error = y + 2 * d,
            *before = y + 4 * d, *after = y + 6 * d;
     gsl_odeiv2_system system = { slope, NULL, 2 * d, (void *)(size_t)p };
-    gsl_odeiv2_step *step =
-        gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2 * d);
+    gsl_odeiv2_step *step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2 * d);
     int status = y && step ? GSL_SUCCESS : GSL_ENOMEM;
     if (!status) {
         begin(p, y, rows);
@@ -121,9 +121,18 @@ static int half(const problem *p)
     return p->alpha == 0.5;
 }
 
-const peer peer_rk8pd = { "rk8pd",     "Prince, Dormand 1981; GSL", 1, 0, 0, half,
-                          run_controlled },
-           peer_rk8pd_uniform = { "rk8pd, uniform", "Prince, Dormand 1981; GSL",
-                                  0,                ROWS, 0,
-                                  half,             run_uniform },
-           peer_rk4 = { "RK4", "Kutta 1901", 0, ROWS, 0, half, run_rk4 };
+static const char why[] = "nothing is remembered, so the problem is an "
+                          "ordinary differential equation";
+const peer peer_rk8pd = { "rk8pd", "Prince, Dormand 1981; GSL",
+                          why,     1,
+                          0,       0,
+                          half,    run_controlled },
+           peer_rk8pd_uniform = { "rk8pd, uniform",
+                                  "Prince, Dormand 1981; GSL",
+                                  why,
+                                  0,
+                                  ROWS,
+                                  0,
+                                  half,
+                                  run_uniform },
+           peer_rk4 = { "RK4", "Kutta 1901", why, 0, ROWS, 0, half, run_rk4 };

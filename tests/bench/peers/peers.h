@@ -23,6 +23,7 @@ typedef struct {
  *
  *   name       as the tables have it
  *   after      who described it, and where
+ *   why        in a clause, why it is fast where it is
  *   fewest     the least N that is tried, a multiple of 20; 0: it goes by its tolerance alone
  *   tolerance  nonzero: it reads the tolerance
  *   any        nonzero: N may be any number, not a multiple of `fewest` only
@@ -32,7 +33,7 @@ typedef struct {
  *              method alone may be kept from one call to the next.
  *              Returns FVI_SUCCESS or any other code */
 typedef struct {
-    const char *name, *after;
+    const char *name, *after, *why;
     int tolerance;
     size_t fewest;
     int any;

@@ -64,7 +64,8 @@ static int solve(solver *o, double A)
         double curvature = 0, moved = 0, largest = 1e-30;
         int status = fvi_gradient(s, x, o->grad);
         if (!status && o->d == 1 && s->potential.hessian)
-            status = s->potential.hessian(1, x, s->potential.params, &curvature);
+            status =
+                s->potential.hessian(1, x, s->potential.params, &curvature);
         if (status)
             return status;
         for (size_t a = 0; a < o->d; a++) {
@@ -134,8 +135,8 @@ static int step(solver *o, size_t n)
         o->I2[a] += h * o->I1[a] + h * h / 3 * o->g[a];
         o->r[a] = s->mass[a] * o->p->x0[a] + t * o->p->p0[a] + o->I2[a]
                   + s->damping[a] * (A * line(o, a, t) - o->size * past);
-        o->x[3][a] = n < 3 ? o->x[2][a]
-                           : 3 * (o->x[2][a] - o->x[1][a]) + o->x[0][a];
+        o->x[3][a] =
+            n < 3 ? o->x[2][a] : 3 * (o->x[2][a] - o->x[1][a]) + o->x[0][a];
     }
     if (!status)
         status = solve(o, A);
@@ -156,8 +157,9 @@ static int run(const task *of, rule which, double *rows)
         return FVI_ENOMEM;
     o.start0 = o.w + N + 1;
     o.start1 = o.start0 + N + 1;
-    double **parts[] = { &o.x[0], &o.x[1], &o.x[2], &o.x[3], &o.I1, &o.I2, &o.g,
-                         &o.F, &o.r, &o.sum, &o.u, &o.first, &o.one, &o.grad };
+    double **parts[] = { &o.x[0], &o.x[1],  &o.x[2], &o.x[3], &o.I1,
+                         &o.I2,   &o.g,     &o.F,    &o.r,    &o.sum,
+                         &o.u,    &o.first, &o.one,  &o.grad };
     for (size_t i = 0; i < 14; i++)
         *parts[i] = o.w + n + i * d;
     product_weights(which, o.gamma, N, o.w, o.start0, o.start1);
@@ -188,7 +190,16 @@ static int any(const problem *p)
     {                                                                          \
         return run(t, rule, rows);                                             \
     }                                                                          \
-    const peer peer_##name = { words, after, 0, ROWS, 0, any, run_##name };
+    const peer peer_##name = {                                                 \
+        words,                                                                 \
+        after,                                                                 \
+        "a step is one short sum, as long as the steps are few",               \
+        0,                                                                     \
+        ROWS,                                                                  \
+        0,                                                                     \
+        any,                                                                   \
+        run_##name                                                             \
+    };
 RULE(product, "product trapezoid", PRODUCT, "Diethelm, Ford, Freed 2004")
 RULE(flmm_trapezoidal, "FLMM2 trapezoidal", TRAPEZOIDAL, "Garrappa 2015")
 RULE(flmm_newton, "FLMM2 Newton-Gregory", NEWTON_GREGORY, "Garrappa 2015")

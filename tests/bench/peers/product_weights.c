@@ -50,15 +50,17 @@ static void power_of_series(const double *a, double gamma, size_t N, double *w)
     }
 }
 
-static void multistep(rule which, double gamma, size_t N, double *w, double *start0,
-                      double *start1)
+static void multistep(rule which, double gamma, size_t N, double *w,
+                      double *start0, double *start1)
 {
     static const double bdf[] = { 1.5, -2, 0.5 }, difference[] = { 1, -1, 0 };
-    if (which == TRAPEZOIDAL) { /* ((1 + z) / (2 (1 - z)))^gamma, by its own recursion */
+    if (which
+        == TRAPEZOIDAL) { /* ((1 + z) / (2 (1 - z)))^gamma, by its own recursion */
         w[0] = pow(2, -gamma);
         for (size_t n = 1; n <= N; n++)
             w[n] = (2 * gamma * w[n - 1]
-                       + (n > 1 ? (double)(n - 2) * w[n - 2] : 0)) / (double)n;
+                    + (n > 1 ? (double)(n - 2) * w[n - 2] : 0))
+                   / (double)n;
     } else {
         power_of_series(which == BDF2 ? bdf : difference, -gamma, N, w);
     }
@@ -79,8 +81,8 @@ static void multistep(rule which, double gamma, size_t N, double *w, double *sta
     }
 }
 
-void product_weights(rule which, double gamma, size_t N, double *w, double *start0,
-                     double *start1)
+void product_weights(rule which, double gamma, size_t N, double *w,
+                     double *start0, double *start1)
 {
     if (which == PRODUCT)
         trapezoid(gamma, N, w, start0);

@@ -15,7 +15,8 @@
 /* ---- steps ---- */
 
 /* The rows from t to t + h, r the first that is due: x by the polynomial of V. */
-static size_t write_rows(const radau_solver *o, double t, double h, size_t r, double *rows)
+static size_t write_rows(const radau_solver *o, double t, double h, size_t r,
+                         double *rows)
 {
     const double T = o->p->T, slack = 1e-12 * T;
     for (; r <= ROWS && T * (double)r / ROWS <= t + h + slack; r++) {
@@ -59,7 +60,8 @@ static void extrapolate(radau_solver *o, double ratio)
         }
 }
 
-static int take_step(radau_solver *o, double t, size_t k, size_t *row, double *rows)
+static int take_step(radau_solver *o, double t, size_t k, size_t *row,
+                     double *rows)
 {
     const size_t d = o->d, last = (size_t)(o->s - 1) * d;
     const double h = o->mesh[k].h;
@@ -90,52 +92,6 @@ static int take_step(radau_solver *o, double t, size_t k, size_t *row, double *r
     if (k + 1 < o->steps)
         extrapolate(o, o->mesh[k + 1].h / h);
     return FVI_SUCCESS;
-}
-
-static size_t uniform(const problem *p, size_t N, radau_step *mesh)
-{
-    for (size_t k = 0; k < N; k++)
-        mesh[k] = (radau_step){ p->T / (double)N, 1 };
-    return N;
-}
-
-/* Steps over a length of time: the first is `first`, then they grow by e^{4 L} at most,
- * as t^{3/4}, up to `longest`. With `meets` the last ones leave the lattice to meet the
- * end; else they reach beyond it. Returns how many; their sum is added to *t. */
-static size_t grow(double whole, double first, double longest, double L,
-                   int meets, radau_step *mesh, double *t)
-{
-    size_t k = 0;
-    double j = fmin(0, floor(log(first / longest) / L));
-    for (*t = 0; *t < whole * (1 - 1e-12); k++) {
-        double h = longest * exp(L * j);
-        const double rest = whole - *t;
-        const int off = meets && 2 * h > rest;
-        if (off)
-            h = h >= rest * 0.999 ? rest : rest / 2;
-        mesh[k] = (radau_step){ h, !off };
-        *t += h;
-        j = fmax(j, floor(fmin(fmin(0, j + 4), 0.75 * log(*t) / L)));
-    }
-    return k;
-}
-
-/* From 0 and from the jump on. All steps after the jump are on the lattice: *longest is
- * chosen so that they meet T. */
-static size_t graded(const problem *p, double first, double *longest, double L,
-                     radau_step *mesh)
-{
-    double t;
-    size_t k = 0, n = grow(p->T - p->jump, first, *longest, L, 0, mesh, &t);
-    const double scale = (p->T - p->jump) / t;
-    *longest *= scale;
-    if (p->jump > 0) {
-        k = grow(p->jump, first, *longest, L, 1, mesh, &t);
-        n = grow(p->T - p->jump, first, *longest / scale, L, 0, mesh + k, &t);
-    }
-    for (size_t l = k; l < k + n; l++)
-        mesh[l].h *= scale;
-    return k + n;
 }
 
 /* One block for all numbers. */
@@ -184,15 +140,19 @@ static int run(const task *of, int s, int grade, double *rows)
     const double L = radau_memory_spacing(of->tolerance), T = p->T,
                  tolerance = fmax(of->tolerance, 1e-16),
                  power = p->past == FVI_PAST_RIEMANN_LIOUVILLE
-                             ? 1 / (1 - 2 * p->alpha) : 0.4;
+                             ? 1 / (1 - 2 * p->alpha)
+                             : 0.4;
     double longest = T / (double)of->N;
     radau_solver *o = calloc(1, sizeof *o);
     if (!o)
         return FVI_ENOMEM;
-    *o = (radau_solver){ .p = p, .m = radau_method(s), .d = p->system.d, .s = s };
+    *o = (radau_solver){
+        .p = p, .m = radau_method(s), .d = p->system.d, .s = s
+    };
     o->beta = 2 * p->alpha - 1;
     o->stop = fmax(1e-15, tolerance / 10);
-    int status = allocate(o, grade ? of->N + 4000 : of->N);
+    const size_t most = grade ? 2 * of->N + 4000 : of->N;
+    int status = allocate(o, most);
     if (!status)
         status = begin(o, rows);
     if (!status) {
@@ -200,16 +160,16 @@ static int run(const task *of, int s, int grade, double *rows)
         size_t row = 1;
         if (grade)
             least = fmin(longest, 0.1 * pow(tolerance, power));
-        o->steps = grade ? graded(p, least, &longest, L, o->mesh)
-                         : uniform(p, of->N, o->mesh);
+        o->steps = grade ? radau_graded(p, least, &longest, L, most, o->mesh)
+                         : radau_uniform(p, of->N, o->mesh);
         for (size_t k = 0; k < o->steps; k++)
             least = fmin(least, o->mesh[k].h);
         radau_power(o->m, o->beta, o->W);
         for (int i = 0; i < s * s; i++)
             o->A[i] = o->m->A[i / s][i % s];
         if (o->beta != 0)
-            o->memory = radau_memory_alloc(o->m, o->beta, o->d, longest, least, T,
-                                           tolerance);
+            o->memory = radau_memory_alloc(o->m, o->beta, o->d, longest, least,
+                                           T, tolerance);
         if (o->beta != 0 && !o->memory)
             status = FVI_ENOMEM;
         for (size_t k = 0; k < o->steps && !status; k++) {
@@ -235,6 +195,7 @@ static int any(const problem *p)
     return 1;
 }
 
+#define WHY "many digits a step, from stages and modes as ours"
 #define RADAU(stages, grade, word)                                             \
     static int run_##stages##_##grade(const task *t, double *rows)             \
     {                                                                          \
@@ -243,8 +204,13 @@ static int any(const problem *p)
     const peer peer_radau##stages##_##grade = {                                \
         "Radau IIA " #stages word,                                             \
         grade ? "Guo, Lopez-Fernandez 2025" : "Banjai, Lopez-Fernandez 2019",  \
-        1, 20, grade,                                                                 \
-        any, run_##stages##_##grade                           \
+        grade ? WHY ", with steps fixed beforehand: it estimates no error"     \
+              : WHY ", on steps of one length",                                \
+        1,                                                                     \
+        20,                                                                    \
+        grade,                                                                 \
+        any,                                                                   \
+        run_##stages##_##grade                                                 \
     };
 RADAU(2, 0, "")
 RADAU(3, 0, "")

@@ -4,7 +4,7 @@
 #include "ends.h"
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +19,8 @@ typedef struct {
 struct radau_memory {
     const radau *m;
     size_t d;
-    int Q, q0, awake, read, stride; /* modes that are updated, that are summed */
+    int Q, q0, awake, read,
+        stride; /* modes that are updated, that are summed */
     double beta, L, unit, far, top[ENDS], *om, *z, *weighted, *own;
     const table *t;
     const double *now; /* a_0 of mode 0 in this step */
@@ -27,8 +28,9 @@ struct radau_memory {
 
 double radau_memory_spacing(double tolerance)
 {
-    const double digits = -log(fmax(tolerance, 1e-16));
-    return fmin(0.6, 9.87 / (digits + 3)); /* e^{-pi^2 / L} */
+    /* e^{-pi^2 / L}; by whole decades, so that there are few tables */
+    const double digits = M_LN10 * ceil(-log10(fmax(tolerance, 1e-16)) - 1e-9);
+    return fmin(0.6, 9.87 / (digits + 3));
 }
 
 /* The table of s and L, kept: it knows no order and no problem. */
@@ -68,8 +70,7 @@ static void weights(radau_memory *o)
     const double first = o->om[0];
     ends(L, beta > 0 ? beta : 1 + beta, c);
     for (int l = 0; l < ENDS; l++)
-        o->om[APART * l] +=
-            first * c[l] * (beta > 0 ? 1 : exp(-L * APART * l));
+        o->om[APART * l] += first * c[l] * (beta > 0 ? 1 : exp(-L * APART * l));
     const double nu = (beta > 0 ? 2 : 1) - beta;
     ends(L, nu, o->top);
     for (int l = 0; l < ENDS; l++)
@@ -176,7 +177,8 @@ FVI_VECTORS static void advance(int n, int s, int stride,
                                 const double *restrict a, const double *u,
                                 double *restrict z)
 {
-    const double *restrict R = a + (s - 1) * stride, *restrict g = a + s * stride;
+    const double *restrict R = a + (s - 1) * stride, *restrict g =
+                                                         a + s * stride;
 #pragma omp simd
     for (int q = 0; q < n; q++) {
         double sum = R[q] * z[q];
@@ -205,6 +207,7 @@ void radau_memory_push(radau_memory *o, const double *u)
     for (size_t a = 0; a < o->d; a++) {
         for (int i = 0; i < o->m->s; i++)
             v[i] = u[(size_t)i * o->d + a];
-        advance(o->awake, o->m->s, o->stride, o->now, v, o->z + a * (size_t)o->Q);
+        advance(o->awake, o->m->s, o->stride, o->now, v,
+                o->z + a * (size_t)o->Q);
     }
 }

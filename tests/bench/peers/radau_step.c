@@ -174,7 +174,8 @@ static double correct(radau_solver *o, const radau_factor *f, const double *J)
 }
 
 /* The Jacobian at the guess, inverted: one mass, any U. */
-static int jacobian(radau_solver *o, double h, const radau_factor *f, double *inverse)
+static int jacobian(radau_solver *o, double h, const radau_factor *f,
+                    double *inverse)
 {
     double J[S * S];
     for (int i = 0; i < o->s; i++) {

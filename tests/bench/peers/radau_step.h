@@ -38,4 +38,12 @@ typedef struct {
  * used. FVI_EMAXITER if the iteration does not end; FVI_ENOMEM; what a callback returned. */
 int radau_solve(radau_solver *o, double t, double h);
 
+/* radau_uniform, radau_graded -- the steps: N of one length; or from 0 and from the jump
+ * on, `first` long at first, growing by e^{4 L} at most and as t^{3/4}, up to *longest,
+ * which is chosen so that all steps after the jump are on the lattice and meet T. At most
+ * `most`; return how many. */
+size_t radau_uniform(const problem *p, size_t N, radau_step *mesh);
+size_t radau_graded(const problem *p, double first, double *longest, double L,
+                    size_t most, radau_step *mesh);
+
 #endif

@@ -3,13 +3,12 @@
  * Differential Equations II, IV.5).                                     [Chapter 18] */
 #include "radau_tables.h"
 
-#include <complex.h>
+#include "radau_algebra.h"
+
 #include <math.h>
 #include <string.h>
 
 enum { S = RADAU_STAGES };
-typedef long double complex number;
-typedef number matrix[S][S];
 
 /* P_s - P_{s-1} at 2x - 1, and its slope by x. */
 static long double polynomial(int s, long double x, long double *slope)
@@ -51,109 +50,6 @@ static void nodes(int s, long double *c)
             }
 }
 
-/* x = B^{-1} x for n columns, by Gauss's elimination with pivots; B is lost. */
-static void solve(int s, matrix B, int n, matrix x)
-{
-    for (int k = 0; k < s; k++) {
-        int best = k;
-        for (int i = k; i < s; i++)
-            if (cabsl(B[i][k]) > cabsl(B[best][k]))
-                best = i;
-        for (int j = 0; j < s; j++) {
-            number t = B[k][j];
-            B[k][j] = B[best][j];
-            B[best][j] = t;
-        }
-        for (int j = 0; j < n; j++) {
-            number t = x[k][j];
-            x[k][j] = x[best][j];
-            x[best][j] = t;
-        }
-        for (int i = 0; i < s; i++) {
-            if (i == k)
-                continue;
-            const number f = B[i][k] / B[k][k];
-            for (int j = k; j < s; j++)
-                B[i][j] -= f * B[k][j];
-            for (int j = 0; j < n; j++)
-                x[i][j] -= f * x[k][j];
-        }
-    }
-    for (int i = 0; i < s; i++)
-        for (int j = 0; j < n; j++)
-            x[i][j] /= B[i][i];
-}
-
-/* Eigenvalue number k of M: Durand and Kerner's iteration on the characteristic
- * polynomial, by Faddeev and LeVerrier. */
-static void eigenvalues(int s, matrix M, number *lambda)
-{
-    matrix T = { { 0 } };
-    number coefficient[S + 1] = { 0 };
-    coefficient[s] = 1;
-    for (int k = 1; k <= s; k++) {
-        matrix N = { { 0 } };
-        number trace = 0;
-        for (int i = 0; i < s; i++)
-            T[i][i] += coefficient[s - k + 1];
-        for (int i = 0; i < s; i++)
-            for (int j = 0; j < s; j++)
-                for (int l = 0; l < s; l++)
-                    N[i][j] += M[i][l] * T[l][j];
-        for (int i = 0; i < s; i++)
-            trace += N[i][i];
-        coefficient[s - k] = -trace / k;
-        memcpy(T, N, sizeof T);
-    }
-    for (int i = 0; i < s; i++)
-        lambda[i] = s * cpowl(0.4L + 0.9L * I, i);
-    for (int round = 0; round < 300; round++)
-        for (int i = 0; i < s; i++) {
-            number f = 1, g = 1;
-            for (int k = s - 1; k >= 0; k--)
-                f = f * lambda[i] + coefficient[k];
-            for (int j = 0; j < s; j++)
-                if (j != i)
-                    g *= lambda[i] - lambda[j];
-            lambda[i] -= f / g;
-        }
-}
-
-/* P = prod over the other eigenvalues of (M - lambda_j) / (lambda_i - lambda_j). */
-static void projector(int s, matrix M, const number *lambda, int i, matrix P)
-{
-    memset(P, 0, sizeof(matrix));
-    for (int k = 0; k < s; k++)
-        P[k][k] = 1;
-    for (int j = 0; j < s; j++) {
-        matrix N = { { 0 } };
-        for (int k = 0; k < s && j != i; k++)
-            for (int l = 0; l < s; l++)
-                for (int n = 0; n < s; n++)
-                    N[k][l] += P[k][n] * (M[n][l] - (n == l ? lambda[j] : 0))
-                               / (lambda[i] - lambda[j]);
-        if (j != i)
-            memcpy(P, N, sizeof N);
-    }
-}
-
-/* lambda = tr (M P) / tr P: the error is squared. */
-static void refine(int s, matrix M, number *lambda)
-{
-    for (int round = 0; round < 3; round++)
-        for (int i = 0; i < s; i++) {
-            matrix P;
-            number above = 0, below = 0;
-            projector(s, M, lambda, i, P);
-            for (int k = 0; k < s; k++) {
-                below += P[k][k];
-                for (int l = 0; l < s; l++)
-                    above += M[k][l] * P[l][k];
-            }
-            lambda[i] = above / below;
-        }
-}
-
 static void projectors(radau *m, matrix M, const number *lambda)
 {
     for (int i = 0; i < m->s; i++) {
@@ -162,7 +58,7 @@ static void projectors(radau *m, matrix M, const number *lambda)
         matrix P;
         if (cimagl(lambda[i]) < 0 && !real)
             continue;
-        projector(m->s, M, lambda, i, P);
+        radau_projector(m->s, M, lambda, i, P);
         m->re[m->pairs] = (double)creall(lambda[i]);
         m->im[m->pairs] = real ? 0 : (double)cimagl(lambda[i]);
         for (int k = 0; k < m->s; k++)
@@ -207,7 +103,8 @@ const radau *radau_method(int s)
             A[k][i] = powl(c[i], k + 1) / (k + 1);
         }
     memcpy(W, V, sizeof W);
-    solve(s, W, s, A); /* column i of A is now row i of the method's matrix */
+    radau_divide(s, W, s,
+                 A); /* column i of A is now row i of the method's matrix */
     for (int i = 0; i < s; i++) {
         for (int j = 0; j < s; j++) {
             W[i][j] = A[j][i];
@@ -216,14 +113,13 @@ const radau *radau_method(int s)
         M[i][i] = 1;
         m->c[i] = (double)c[i];
     }
-    solve(s, W, s, M);
+    radau_divide(s, W, s, M);
     for (int i = 0; i < s; i++)
         for (int j = 0; j < s; j++)
             m->M[i][j] = (double)creall(M[i][j]);
     m->s = s;
     powers(m, c);
-    eigenvalues(s, M, lambda);
-    refine(s, M, lambda);
+    radau_eigenvalues(s, M, lambda);
     projectors(m, M, lambda);
     return m;
 }

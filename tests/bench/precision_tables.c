@@ -1,0 +1,148 @@
+/* tests/bench/precision_tables.c -- The tables of the benchmark: precision.h.
+ *                                                                       [Chapter 18] */
+#include "precision.h"
+
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The fastest of ours, or of the peers, at decade k; NULL if none is as exact. */
+const timing *fastest(const results *r, const timing from[][DECADES + 1],
+                      int ours, int k, size_t *who)
+{
+    const timing *least = NULL;
+    for (size_t i = 0; i < r->count; i++)
+        if (r->all[i].ours == ours && from[i][k].seconds > 0
+            && (!least || from[i][k].seconds < least->seconds)) {
+            least = &from[i][k];
+            *who = i;
+        }
+    return least;
+}
+
+/* Ours over the best peer; 0 if no peer is as exact, infinite if we are not. */
+double ratio(const results *r, const timing from[][DECADES + 1], int k)
+{
+    size_t i;
+    const timing *a = fastest(r, from, 1, k, &i),
+                 *b = fastest(r, from, 0, k, &i);
+    return a ? b ? a->seconds / b->seconds : 0 : b ? GSL_POSINF : NAN;
+}
+
+static void write_number(char *to, size_t n, double x)
+{
+    if (x > 0 && x < GSL_POSINF)
+        snprintf(to, n, "%.3g", x);
+    else
+        snprintf(to, n, "%s",
+                 x == 0  ? "ours alone"
+                 : x > 0 ? "peers alone"
+                         : "-");
+}
+
+/* Padded too, to be read as they are. */
+void print_fronts(const results *r, int P)
+{
+    static const char row[] =
+        "%-7s\t%-7s\t%-7s\t%-24s\t%-7s\t%-7s\t%-22s\t%-11s\t%s\n";
+    printf("# P%d, %s: the fastest, by error\n#> fronts-%d\n", P + 1,
+           problem_number(P)->what, P + 1);
+    printf(row, "# error", "our ms", "spread", "ours", "peer ms", "spread",
+           "peer", "ours / peer", "the same, t >= 2");
+    for (int k = 1; k <= DECADES; k++) {
+        char error[8], ms[2][16], spread[2][16], over[2][16];
+        const char *names[2] = { "-", "-" };
+        snprintf(error, sizeof error, "1e-%02d", k);
+        for (int peers_ = 0; peers_ < 2; peers_++) {
+            size_t who;
+            const timing *t = fastest(r, r->best[P], !peers_, k, &who);
+            write_number(ms[peers_], sizeof *ms, t ? 1e3 * t->seconds : NAN);
+            write_number(spread[peers_], sizeof *spread, t ? t->spread : NAN);
+            names[peers_] = t ? r->all[who].name : "-";
+        }
+        write_number(over[0], sizeof *over, ratio(r, r->best[P], k));
+        write_number(over[1], sizeof *over, ratio(r, r->late[P], k));
+        printf(row, error, ms[0], spread[0], names[0], ms[1], spread[1],
+               names[1], over[0], over[1]);
+    }
+    printf("#< fronts-%d\n\n\n", P + 1);
+}
+
+/* Milliseconds of every method, by error. For the picture: the same in two columns. */
+void print_methods(const results *r, int P)
+{
+    printf("# P%d: ms of each method, by error\n#> methods-%d\n# %-22s", P + 1,
+           P + 1, "method");
+    for (int k = 1; k <= DECADES; k++)
+        printf("\t1e-%02d", k);
+    printf("\n");
+    for (size_t i = 0; i < r->count; i++) {
+        if (r->best[P][i][1].seconds == 0)
+            continue;
+        printf("%-24s", r->all[i].name);
+        for (int k = 1; k <= DECADES; k++)
+            if (r->best[P][i][k].seconds > 0)
+                printf("\t%.3g", 1e3 * r->best[P][i][k].seconds);
+            else
+                printf("\t-");
+        printf("\n");
+    }
+    printf("#< methods-%d\n\n\n", P + 1);
+}
+
+void print_ratios(const results *r)
+{
+    printf("# our time over that of the best peer, by error over all rows\n"
+           "#> ratios\n# problem");
+    for (int k = 1; k <= DECADES; k++)
+        printf("\t1e-%02d", k);
+    printf("\n");
+    for (int P = 0; P < PROBLEMS; P++) {
+        printf("P%-8d", P + 1);
+        for (int k = 1; k <= DECADES; k++) {
+            char over[16];
+            write_number(over, sizeof over, ratio(r, r->best[P], k));
+            printf("\t%s", over);
+        }
+        printf("\n");
+    }
+    printf("#< ratios\n\n\n");
+}
+
+/* For the picture: decade, problem, ratio (1e-9: ours alone; 1e9: peers alone). */
+void print_picture(const results *r)
+{
+    printf("# picture:\n# decade\tproblem\tours over peer\n");
+    for (int P = 0; P < PROBLEMS; P++)
+        for (int k = 1; k <= DECADES; k++) {
+            const double q = ratio(r, r->best[P], k);
+            if (q == q)
+                printf("%d\t%d\t%.3g\n", k, P + 1, fmin(fmax(q, 1e-9), 1e9));
+        }
+    printf("\n\n");
+}
+
+/* Our time at 1e-12 over rk8pd's on the oscillator without memory. */
+void print_memory(const results *r)
+{
+    static const int with[] = { 0, 2, 3, 4, 8 };
+    double oscillator = 0;
+    for (size_t i = 0; i < r->count; i++)
+        if (strncmp(r->all[i].name, "rk8pd", 5) == 0
+            && r->best[1][i][12].seconds > 0
+            && (oscillator == 0 || r->best[1][i][12].seconds < oscillator))
+            oscillator = r->best[1][i][12].seconds;
+    printf("# what memory costs: our ms at 1e-12, and that over rk8pd's on P2\n"
+           "#> memory\n# problem\tms\tover rk8pd\nrk8pd, P2\t%.3g\t1\n",
+           1e3 * oscillator);
+    for (size_t i = 0; i < sizeof with / sizeof *with; i++) {
+        size_t who;
+        const timing *t = fastest(r, r->best[with[i]], 1, 12, &who);
+        if (t)
+            printf("P%d       \t%.3g\t%.3g\n", with[i] + 1, 1e3 * t->seconds,
+                   t->seconds / oscillator);
+        else
+            printf("P%d       \t-\t-\n", with[i] + 1);
+    }
+    printf("#< memory\n\n\n");
+}

@@ -1,0 +1,118 @@
+/* tests/bench/precision_words.c -- The sentences that say who is ahead: precision.h.
+ *                                                                       [Chapter 18] */
+#include "precision.h"
+
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* "1e-3 to 1e-6, 1e-9": the decades of P of which `ours` is true. */
+static int decades(const results *r, int P, int ours, char *to, size_t n)
+{
+    int found = 0, begin = 0;
+    size_t at = 0;
+    to[0] = 0;
+    for (int k = 1; k <= DECADES + 1; k++) {
+        const double q = k <= DECADES ? ratio(r, r->best[P], k) : NAN;
+        const int is = ours ? q < 1 : q >= 1;
+        found += is;
+        if (is && !begin)
+            begin = k;
+        if (!is && begin) {
+            at += (size_t)snprintf(to + at, n - at, "%s1e-%d", at ? ", " : "",
+                                   begin);
+            if (k - 1 > begin)
+                at += (size_t)snprintf(to + at, n - at, " to 1e-%d", k - 1);
+            begin = 0;
+        }
+    }
+    return found;
+}
+
+/* Who is ahead on P, where, and by how much at most. */
+static void print_sentence(const results *r, int P)
+{
+    char mine[200], theirs[200];
+    const int a = decades(r, P, 1, mine, sizeof mine),
+              b = decades(r, P, 0, theirs, sizeof theirs);
+    double least = GSL_POSINF, most = 0;
+    int at = 1;
+    for (int k = 1; k <= DECADES; k++) {
+        const double q = ratio(r, r->best[P], k);
+        if (q > 0 && q < least)
+            least = q;
+        if (q > most && q < GSL_POSINF) {
+            most = q;
+            at = k;
+        }
+    }
+    printf("- **P%d**, %s: ", P + 1, problem_number(P)->what);
+    if (a + b == 0)
+        printf("nobody has a digit.\n");
+    else if (b == 0)
+        printf("ours is ahead at every error that anybody reached, %s.\n",
+               mine);
+    else if (a == 0)
+        printf("a peer is ahead at every error that anybody reached, %s",
+               theirs);
+    else
+        printf("ours is ahead at %s, a peer at %s", mine, theirs);
+    if (b && most > 1) {
+        size_t who = 0;
+        fastest(r, r->best[P], 0, at, &who);
+        printf(
+            ";\n  most at 1e-%d, where ours takes %.3g times as long as %s.\n",
+            at, most, r->all[who].name);
+    } else if (b) {
+        printf(".\n");
+    }
+}
+
+/* Which peers lead somewhere, at how many places, and why. */
+static void print_reasons(const results *r)
+{
+    int any = 0;
+    for (size_t i = 0; i < r->count; i++) {
+        int places = 0;
+        for (int P = 0; P < PROBLEMS; P++)
+            for (int k = 1; k <= DECADES; k++) {
+                size_t who = r->count;
+                const double q = ratio(r, r->best[P], k);
+                fastest(r, r->best[P], 0, k, &who);
+                places += q >= 1 && who == i;
+            }
+        if (!places)
+            continue;
+        if (!any++)
+            printf("\nWhere a peer is ahead, it is one of these, and this is "
+                   "why:\n\n");
+        printf("- **%s**, %d: %s.\n", r->all[i].name, places,
+               r->all[i].peer ? r->all[i].peer->why
+                              : "a step costs next to nothing");
+    }
+}
+
+void print_verdict(const results *r)
+{
+    int a = 0, b = 0;
+    char none[200];
+    for (int P = 0; P < PROBLEMS; P++) {
+        a += decades(r, P, 1, none, sizeof none);
+        b += decades(r, P, 0, none, sizeof none);
+    }
+    printf("# who is ahead, in words\n#> verdict\n");
+    if (b == 0)
+        printf("Of %d places, eleven problems by thirteen errors as far as "
+               "anybody reached "
+               "them,\nours is ahead at all.\n\n",
+               a);
+    else
+        printf("Of %d places, eleven problems by thirteen errors as far as "
+               "anybody reached "
+               "them,\nours is ahead at %d, **a peer at %d**.\n\n",
+               a + b, a, b);
+    for (int P = 0; P < PROBLEMS; P++)
+        print_sentence(r, P);
+    print_reasons(r);
+    printf("#< verdict\n\n\n");
+}
