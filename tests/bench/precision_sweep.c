@@ -99,6 +99,12 @@ static double point(const contender *c, const problem *p, size_t N,
         return GSL_POSINF;
     const double error = error_from(p, 0, rows, truth),
                  after = error_from(p, 2, rows, truth);
+    /* The first run may have made tables that are kept: a second one shows. */
+    if (times[0] < 0.01) {
+        start = now();
+        run_once(c, p, N, tolerance, rows);
+        times[0] = fmin(times[0], now() - start);
+    }
     if (may_matter(after, times[0], front))
         for (; runs < (times[0] > 0.1 ? FEW : RUNS); runs++) {
             start = now();
