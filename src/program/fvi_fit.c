@@ -104,6 +104,7 @@ static const char *constant_name(const fvi_options *o, size_t i)
     case FVI_POTENTIAL_PENDULUM:
         return i == 0 ? "g" : NULL;
     case FVI_POTENTIAL_FREE:
+    case FVI_POTENTIAL_SHARED:
         return NULL;
     case FVI_POTENTIAL_EXPRESSION:
         return i < o->lets.count ? o->lets.name[i] : NULL;

@@ -32,10 +32,12 @@ typedef struct {
     double spring[2];           /* its parameters */
     fvi_lets lets;              /* those of the expressions */
     fvi_expression *expression; /* that it is, or NULL */
+    void *library;              /* where it stands, or NULL, */
+    fvi_potential user;         /* and it */
     fvi_forcing force;
     double forcing[2];  /* its parameters */
     fvi_forces *forces; /* any other force, or NULL */
-    fvi_laws laws; /* instead of alpha, and then count > 0 */
+    fvi_laws laws;      /* instead of alpha, and then count > 0 */
     fvi_past past;
     int no_solution; /* 1: only the method that does what is printed runs it */
     fvi_memory_kind memory;

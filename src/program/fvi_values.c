@@ -1,6 +1,7 @@
 /* src/program/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
 #include "fvi_plot.h"
+#include "fvi_shared.h"
 
 #include <fvi/fvi.h>
 
@@ -206,8 +207,12 @@ static int interpret_potential(fvi_options *o, fvi_complaint c)
     o->numbered = o->d > 1 || o->potential == FVI_POTENTIAL_CHAIN;
     if (!status && o->text[LET])
         status = fvi_lets_interpret(&o->lets, c);
-    if (!status && o->potential == FVI_POTENTIAL_EXPRESSION)
-        status = interpret_expression(o, c);
+    if (!status && o->potential == FVI_POTENTIAL_EXPRESSION) {
+        if (!fvi_shared_name(o->text[POTENTIAL]))
+            return interpret_expression(o, c);
+        o->potential = FVI_POTENTIAL_SHARED;
+        status = fvi_shared_open(o->text[POTENTIAL], &o->library, &o->user, c);
+    }
     return status;
 }
 
@@ -334,6 +339,8 @@ void fvi_options_free(fvi_options *o)
     fvi_forces_free(o->forces);
     o->x0 = o->p0 = o->mass = o->rho = NULL;
     o->expression = NULL;
+    fvi_shared_close(o->library);
+    o->library = NULL;
     o->forces = NULL;
 }
 
@@ -355,6 +362,9 @@ fvi_system fvi_options_system(const fvi_options *o)
         break;
     case FVI_POTENTIAL_EXPRESSION:
         s.potential = fvi_potential_expression(o->expression);
+        break;
+    case FVI_POTENTIAL_SHARED:
+        s.potential = o->user;
         break;
     case FVI_POTENTIAL_FREE:
         break;

@@ -14,7 +14,8 @@ typedef enum {
     FVI_POTENTIAL_PENDULUM,
     FVI_POTENTIAL_FREE,
     FVI_POTENTIAL_CHAIN,
-    FVI_POTENTIAL_EXPRESSION
+    FVI_POTENTIAL_EXPRESSION,
+    FVI_POTENTIAL_SHARED
 } fvi_potential_kind;
 
 /* The columns of a table, in the order of fvi_column_names. */

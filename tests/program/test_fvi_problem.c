@@ -38,6 +38,15 @@ static void near_rows(const char *one, const char *other)
         ck_assert_near(cell(k, 1), x[k], 41 * 100 * U, "%s", other);
 }
 
+/* Exit code 2, nothing printed, and what is said first. */
+#define REFUSED(line, said)                                                    \
+    do {                                                                       \
+        ck_assert_msg(fvi(line) == 2, "%s", line);                             \
+        ck_assert_str_eq(out, "");                                             \
+        ck_assert_msg(strncmp(err, said "\n", strlen(said "\n")) == 0, "%s",   \
+                      err);                                                    \
+    } while (0)
+
 /* A run with an expression is what the library makes of it. */
 START_TEST(an_expression_is_a_potential)
 {
@@ -86,6 +95,45 @@ START_TEST(expressions_have_as_many_coordinates_as_masses)
         strncmp(err, "fvi: --dimension: '2' is not that of 'chain:3,1,1'\n",
                 51),
         0);
+}
+END_TEST
+
+/* A shared object with the functions of <fvi/system.h>, compiled as the manual says; the same
+ * rows as the expression, to roundings. Without a compiler there is nothing to load. */
+START_TEST(a_shared_object_is_a_potential)
+{
+    REFUSED("run --potential nowhere.so",
+            "fvi: --potential: cannot load 'nowhere.so': ./nowhere.so: cannot "
+            "open shared object file: No such file or directory");
+    if (shell("command -v cc > /dev/null") != 0)
+        return;
+    write_file("my.c",
+               "#include <fvi/system.h>\n"
+               "static int value(size_t d, const double *x, void *p, double *U)"
+               "{ (void)d, (void)p; *U = x[0] * x[0] * x[1]; return 0; }\n"
+               "static int gradient(size_t d, const double *x, void *p, double "
+               "*g) { (void)d, (void)p; g[0] = 2 * x[0] * x[1]; "
+               "g[1] = x[0] * x[0]; return 0; }\n"
+               "static int hessian(size_t d, const double *x, void *p, double "
+               "*H) { (void)d, (void)p; H[0] = 2 * x[1]; H[1] = H[2] = 2 * "
+               "x[0]; H[3] = 0; return 0; }\n"
+               "const fvi_potential fvi_user_potential = { .value = value, "
+               ".gradient = gradient, .hessian = hessian };\n");
+    ck_assert_int_eq(shell("cc -shared -fPIC -I\"$SOURCES\" my.c -o my.so"), 0);
+    near_rows("run --potential 'x1^2*x2' --dimension 2 --h 0.02 --steps 40",
+              "run --potential my.so --dimension 2 --h 0.02 --steps 40");
+    near_rows("run --potential 'x1^2*x2' --dimension 2 --h 0.02 --steps 40",
+              "run --potential $PWD/my.so --dimension 2 --h 0.02 --steps 40");
+    ck_assert_int_eq(shell("echo 'int fvi_other;' > o.c; "
+                           "cc -shared -fPIC o.c -o other.so; "
+                           "sed 's/[.]value = value,//' my.c > half.c; cc "
+                           "-shared -fPIC -I\"$SOURCES\" half.c -o half.so"),
+                     0);
+    REFUSED("run --potential other.so",
+            "fvi: --potential: 'other.so' defines no fvi_user_potential");
+    REFUSED("run --potential half.so --dimension 2",
+            "fvi: --potential: 'half.so': a function is missing in "
+            "fvi_user_potential");
 }
 END_TEST
 
@@ -144,13 +192,6 @@ START_TEST(forces_add_up)
                      0);
 }
 END_TEST
-#define REFUSED(line, said)                                                    \
-    do {                                                                       \
-        ck_assert_msg(fvi(line) == 2, "%s", line);                             \
-        ck_assert_str_eq(out, "");                                             \
-        ck_assert_msg(strncmp(err, said "\n", strlen(said "\n")) == 0, "%s",   \
-                      err);                                                    \
-    } while (0)
 
 /* The caret stands below what is wrong. */
 START_TEST(a_misprint_is_shown)
@@ -339,12 +380,15 @@ END_TEST
 
 int main(void)
 {
+    char *sources = realpath("src", NULL);
+    setenv("SOURCES", sources ? sources : "src", 1);
+    free(sources);
     Suite *suite = suite_create("the program fvi: one's own problem");
     ADD_CASE(suite, "values", an_expression_is_a_potential,
              expressions_have_as_many_coordinates_as_masses,
-             masses_and_dampings_one_by_one, forces_add_up,
-             case_does_not_matter_for_words, tables_in_three_formats,
-             other_programs_read_the_tables,
+             a_shared_object_is_a_potential, masses_and_dampings_one_by_one,
+             forces_add_up, case_does_not_matter_for_words,
+             tables_in_three_formats, other_programs_read_the_tables,
              digits_are_the_fewest_that_come_back);
     ADD_CASE(suite, "errors", a_misprint_is_shown,
              wrong_parameters_and_lists_are_refused,

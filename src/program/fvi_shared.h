@@ -1,0 +1,24 @@
+/* src/program/fvi_shared.h -- A potential from a shared object. */
+#ifndef FVI_SHARED_H
+#define FVI_SHARED_H
+
+#include "fvi_words.h"
+
+/* fvi_shared_name -- nonzero if the text of --potential is a shared object: it ends with .so. */
+int fvi_shared_name(const char *text);
+
+/* fvi_shared_open -- load a shared object that defines
+ *
+ *     const fvi_potential fvi_user_potential = { .value = ..., ... };
+ *
+ *   library  output; close it with fvi_shared_close when U is no longer used
+ *   U        output
+ *
+ * Returns 0; 2 if it cannot be loaded, or has no such potential. */
+int fvi_shared_open(const char *text, void **library, fvi_potential *U,
+                    fvi_complaint c);
+
+/* fvi_shared_close -- NULL is allowed. */
+void fvi_shared_close(void *library);
+
+#endif
