@@ -409,7 +409,10 @@ static const char usage_fit[] =
     "and of run: --alpha --rho --mass --potential --x0 --p0 (what is not "
     "fitted;\n"
     "of what is, one of the starts) --let --force --derivative --kappa\n"
-    "--memory --tolerance --method [fvi-lobatto4] -o\n";
+    "--memory --tolerance --method [fvi-lobatto4] -o\n"
+    "\n"
+    "example:\n"
+    "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
 
 int fvi_is_fit(int argc, char **argv)
 {

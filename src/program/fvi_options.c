@@ -26,7 +26,11 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
             *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
             return 0;
         }
-    const char *nearest = fvi_word_nearest(name, strlen(name), commands);
+    static const char *const all[] = {
+        "run",  "exact",        "fit",    "sweep",     "gradient", "methods",
+        "help", "coefficients", "--help", "--version", NULL
+    };
+    const char *nearest = fvi_word_nearest(name, strlen(name), all);
     return fvi_refuse(c, "'%s' is not a command%s%s%s", name,
                       nearest ? "; did you mean " : "", nearest ? nearest : "",
                       nearest ? "?" : "");

@@ -327,6 +327,8 @@ START_TEST(help_is_asked_for_in_many_ways)
         { "help run", "run --help", "run -h" },
         { "help exact", "exact --help", "exact --alpha 0.3 -h" },
         { "help sweep", "sweep --help", "sweep --vary alpha=0:1:2 -h" },
+        { "help fit", "fit --help", "fit -h" },
+        { "help gradient", "gradient --help", "gradient -h" },
         { "help coefficients", "coefficients --help", "coefficients -h" },
         { "help methods", "methods --help", "methods -h" }
     };
