@@ -58,6 +58,21 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
  * method may fall while h grows. On error *h is untouched. */
 int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
 
+/* fvi_stability_along -- the load where a run has come to, if it is stiffer there than it
+ * was: U is not quadratic.                                               [(14.6)]
+ *
+ *   method  as for fvi_stability_load; run  as there, but for x0, which is not read
+ *   x         d numbers: small motions about x are what is asked about
+ *   stiffest  in: the largest max_i sum_j |U_ij| / m_i so far, 0 at first; out: that at x,
+ *             where it is more than 1.05 times as much
+ *   load      output: the load at x, if *stiffest has changed; else 0
+ *
+ * Cost: a Hessian, and where it is stiffer a load: along a run whose stiffness grows by a
+ * factor q, ln q / ln 1.05 of them at most. Errors as fvi_stability_load; on error both
+ * are untouched. */
+int fvi_stability_along(const fvi_method *method, const fvi_run *run,
+                        const double *x, double *stiffest, double *load);
+
 /* fvi_stability_lobatto -- the same for form M of chapter 17. [(17.18)]
  *
  * load > 1: at least one mode grows, and load <= 1: none does, for a quadratic
@@ -67,7 +82,7 @@ int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
  *            number of (17.16) for 4^alpha,  0 if that is negative.
  *
  * For s >= 3 load > 1 is proved to be a growing mode; that there is none
- * otherwise is measured, W and R up to 1000, and W up to 10^4 for s >= 5. The stable steps are then not always
+ * otherwise is measured, W and R up to 1000; for s >= 5, W up to 10^4 and R up to 30. The stable steps are then not always
  * an interval: where the load first passes 1 it is continuous, further on it jumps.
  * In R^d, s >= 3: exact where M^{-1} K and M^{-1} rho commute, an estimate
  * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.

@@ -5,6 +5,7 @@
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_values.h"
+#include "fvi_watch.h"
 #include "memory/lobatto_memory.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
 }
 
 /* Returns 0, or 1 after it has said at which step the run ended. */
-static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
+static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
 {
     const size_t steps = t->o->steps, d = t->o->d;
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
@@ -90,6 +91,7 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s)
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
+        fvi_watch_step(w, s);
         if (s->k >= look) {
             fvi_progress(s->k, steps);
             look = s->k + often;
@@ -135,21 +137,25 @@ static double most(const fvi_options *o)
 }
 
 /* Warnings before a run that has no limit, or must blow up; it goes on all the
- * same. */
-static void warn(const fvi_options *o, const fvi_run *r)
+ * same. What is said of the step goes into text, for the head. */
+static void warn(const fvi_options *o, const fvi_run *r, size_t size,
+                 char *text)
 {
     double load = 0, h = 0;
+    *text = '\0';
     if (fvi_table_warning(o))
         fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
     if (load_of(o, r, &load, &h) != 0 || load <= 1)
         return;
-    fprintf(stderr, "fvi: warning: this step is unstable (load %.4g, above 1)",
-            load);
+    char more[80] = "";
     if (h > 0)
-        fprintf(stderr, "; stable below h = %.4g", h);
+        snprintf(more, sizeof more, "; stable below h = %.4g", h);
     else if (h == 0)
-        fprintf(stderr, "; no step is stable: rho / m is %.4g", most(o));
-    fputc('\n', stderr);
+        snprintf(more, sizeof more, "; no step is stable: rho / m is %.4g",
+                 most(o));
+    snprintf(text, size, "this step is unstable (load %.4g, above 1)%s", load,
+             more);
+    fprintf(stderr, "fvi: warning: %s\n", text);
 }
 
 void fvi_adaptive_head(FILE *out, const fvi_options *o,
@@ -172,13 +178,17 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
         return 1;
     if (o->checkpoint)
         fvi_checkpoint_watch();
-    warn(o, r);
+    char unstable[160];
+    warn(o, r, sizeof unstable, unstable);
     fvi_table_head(t->out, o);
+    if (*unstable)
+        fvi_format_parameter(t->out, o->format, "warning", unstable);
+    fvi_watch watch = fvi_watch_begin(o, t->system, *unstable != '\0');
     fvi_adaptive_counts counts;
     if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
         fvi_adaptive_head(t->out, o, &counts);
     fvi_table_names(t);
-    int failed = steps_and_rows(t, s);
+    int failed = steps_and_rows(t, s, &watch);
     if (!failed && o->checkpoint && !ferror(t->out))
         failed = fvi_checkpoint_write(o, s);
     failed = fvi_table_close(t, failed || fvi_checkpoint_stopped());

@@ -263,6 +263,48 @@ START_TEST(an_unstable_step_with_stages_is_warned_of)
 }
 END_TEST
 
+/* Duffing, h = 1/2: 1 + 3 x^2 passes 16, where two stages are no longer stable, on the way;
+ * three are, and where nothing depends on the spring nothing is said. At the start it
+ * is in the head, on the way only on standard error, and once. */
+START_TEST(a_run_that_gets_stiffer_is_warned_of)
+{
+    const struct {
+        const char *method;
+        int warned;
+    } runs[] = { { "fvi-lobatto2", 1 },          { "fvi --kappa 0", 1 },
+                 { "fvi-shifted --kappa 1", 1 }, { "fvi-lobatto3", 0 },
+                 { "fvi-lobatto2d", 0 },         { "fvi-stable", 0 },
+                 { "fvi", 0 },                   { "fvi-adaptive", 0 } };
+    for (size_t i = 0; i < LEN(runs); i++) {
+        char line[200];
+        double at = 0, load = 0;
+        snprintf(line, sizeof line,
+                 "run --potential duffing:1,1 --x0 0.1 --p0 5 --h 0.5 "
+                 "--steps 15 --rho 0.1 --method %s",
+                 runs[i].method);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_int_eq(sscanf(err,
+                                "fvi: warning: this step is unstable where the "
+                                "run is at t = %lg (load %lg, above 1)\n",
+                                &at, &load),
+                         runs[i].warned ? 2 : -1);
+        ck_assert_uint_eq(count_lines(err), (size_t)runs[i].warned);
+        ck_assert(!runs[i].warned || (at == 0.5 && load > 1));
+        ck_assert(!strstr(out, "# warning"));
+    }
+    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3"), 0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "\n# warning = this step is unstable (load 1.01, above 1); "
+                    "stable below h = 0.9901\n"));
+    /* known from the start: no more is said on the way */
+    ck_assert_int_eq(fvi("run --potential duffing:1,1 --x0 3 --p0 0 --h 0.5 "
+                         "--steps 3 --method fvi-lobatto2"),
+                     0);
+    ck_assert_uint_eq(count_lines(err), 1);
+    ck_assert_ptr_null(strstr(err, "where the run is"));
+}
+END_TEST
+
 /* sqrt(c/m) = 10^80: where the body is after so many swings depends on digits of m
  * that a double does not have. Where the swing has died away all is well. */
 START_TEST(a_lost_phase_is_an_error)
@@ -363,7 +405,7 @@ int main(void)
              what_error_was_reached_is_said_if_not_the_one_asked_for,
              a_lost_phase_is_an_error, an_unstable_step_is_warned_of,
              an_unstable_step_with_stages_is_warned_of,
-             too_large_a_run_is_refused_before_it_starts,
+             a_run_that_gets_stiffer_is_warned_of, too_large_a_run_is_refused_before_it_starts,
              other_roundings_are_not_compiled,
              only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);
