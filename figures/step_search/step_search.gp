@@ -12,8 +12,8 @@ set xtics nomirror out; set ytics nomirror out
 set xtics ("10^{-1}" 1, "10^{-2}" 2, "10^{-3}" 3, "10^{-4}" 4, "10^{-5}" 5, "10^{-6}" 6, "10^{-7}" 7, \
            "10^{-8}" 8, "10^{-9}" 9, "10^{-10}" 10, "10^{-11}" 11, "10^{-12}" 12, "10^{-13}" 13)
 set ytics ("P1  plate, jump" 1, "P2  no memory" 2, "P3  Duffing, cosine" 3, "P4  chain of 32" 4, \
-           "P5  {/Symbol a} = 0.1" 5, "P6  jump off the grid" 6, "P7  two time scales" 7, \
-           "P8  Riemann-Liouville" 8, "P9  {/Symbol a} = 1/{/Symbol \326}8" 9, "P10  T = 10^4" 10, \
+           "P5  α = 0.1" 5, "P6  jump off the grid" 6, "P7  two time scales" 7, \
+           "P8  Riemann-Liouville" 8, "P9  α = 1/√8" 9, "P10  T = 10^4" 10, \
            "P11  chain of 1000" 11)
 set lmargin 22
 set xlabel "largest error over all rows" offset 0,0.3
