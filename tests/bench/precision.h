@@ -32,9 +32,10 @@ size_t gather(contender *all);
 /* sweep -- runs of one contender on problem P, with more and more steps, and tolerances
  * about the error that comes. best[k], k = 1 ... DECADES: the fastest run whose error
  * over all rows is at most 10^-k; late[k] the same for the rows with t >= 2. front[k]:
- * the least time of its side so far: runs that are far from it are not repeated. */
+ * the least time of its side so far: runs that are far from it are not repeated.
+ * *least: becomes the least error of its side. */
 void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, double *front);
+           timing *late, double *front, double *least);
 
 /* results -- the fastest runs of all contenders on all problems. */
 typedef struct {

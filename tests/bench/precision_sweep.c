@@ -86,39 +86,49 @@ static int may_matter(double error, double seconds, const double *front)
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
 }
 
-/* One point: one run, and more of them if it may matter. Returns its error. */
-static double point(const contender *c, const problem *p, size_t N,
-                    double tolerance, const double *truth, double *rows,
-                    timing *best, timing *late, double *front, double *seconds)
+/* What a sweep is about, and where its runs are kept. */
+typedef struct {
+    const contender *c;
+    const problem *p;
+    const double *truth;
+    double *rows;
+    timing *best, *late;
+    double *front, *least;
+} place;
+
+/* One point: a run or two, and more of them if it may matter. Returns its error. */
+static double point(place *o, size_t N, double tolerance, double *seconds)
 {
     double times[RUNS], start = now();
     int runs = 1;
-    const int status = run_once(c, p, N, tolerance, rows);
+    const int status = run_once(o->c, o->p, N, tolerance, o->rows);
     times[0] = *seconds = now() - start;
     if (status)
         return GSL_POSINF;
-    const double error = error_from(p, 0, rows, truth),
-                 after = error_from(p, 2, rows, truth);
+    const double error = error_from(o->p, 0, o->rows, o->truth),
+                 after = error_from(o->p, 2, o->rows, o->truth);
     /* The first run may have made tables that are kept: a second one shows. */
     if (times[0] < 0.01) {
         start = now();
-        run_once(c, p, N, tolerance, rows);
+        run_once(o->c, o->p, N, tolerance, o->rows);
         times[0] = fmin(times[0], now() - start);
     }
-    if (may_matter(after, times[0], front))
+    if (may_matter(after, times[0], o->front))
         for (; runs < (times[0] > 0.1 ? FEW : RUNS); runs++) {
             start = now();
-            run_once(c, p, N, tolerance, rows);
+            run_once(o->c, o->p, N, tolerance, o->rows);
             times[runs] = now() - start;
         }
     gsl_sort(times, 1, (size_t)runs);
     const timing t = { times[0], times[runs / 2] / times[0], tolerance, N,
                        runs };
-    keep(best, error, &t);
-    keep(late, after, &t);
+    *o->least = fmin(*o->least, error);
+    keep(o->best, error, &t);
+    keep(o->late, after, &t);
     for (int k = 1; k <= DECADES; k++)
-        if (error <= pow(10, -k) && (front[k] == 0 || t.seconds < front[k]))
-            front[k] = t.seconds;
+        if (error <= pow(10, -k)
+            && (o->front[k] == 0 || t.seconds < o->front[k]))
+            o->front[k] = t.seconds;
     *seconds = t.seconds;
     return error;
 }
@@ -130,31 +140,33 @@ static size_t next(const contender *c, size_t N)
 }
 
 void sweep(const contender *c, int P, const double *truth, timing *best,
-           timing *late, double *front)
+           timing *late, double *front, double *least)
 {
     const problem *p = problem_number(P);
     const int by_steps = !c->peer || c->peer->fewest > 0,
               tunes = c->peer ? c->peer->tolerance
                               : c->method->memories != 0
                                     && c->kind == FVI_MEMORY_EXPONENTIALS;
-    double *rows = malloc((ROWS + 1) * p->system.d * sizeof *rows),
-           before = GSL_POSINF, seconds = 0;
+    place o = { c,     p,
+                truth, malloc((ROWS + 1) * p->system.d * sizeof(double)),
+                best,  late,
+                front, least };
+    double before = GSL_POSINF, seconds = 0;
     size_t N = c->peer && by_steps ? c->peer->fewest : ROWS;
-    if (!rows)
-        exit(EXIT_FAILURE);
     int stalls = 0;
+    if (!o.rows)
+        exit(EXIT_FAILURE);
     for (int first = 1; N <= (size_t)1 << 21; first = 0, N = next(c, N)) {
-        double error = by_steps || !tunes ? point(c, p, N, 0, truth, rows, best,
-                                                  late, front, &seconds)
-                                          : GSL_POSINF,
-               spent = seconds, time;
-        /* tolerances about the error; all of them where only they decide */
+        double error = GSL_POSINF, time;
+        if (by_steps || !tunes)
+            error = point(&o, N, 0, &seconds);
+        /* tolerances about the error; at first all, as some go by them alone */
         const double most = first ? 0.1 : fmin(0.1, 30 * error),
-                     least = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
-        if (tunes && (error < 1 || !by_steps) && spent < p->seconds / 4)
-            for (double t = most; t >= least;
-                 t /= first ? 3.1622776601683795 : 10)
-                point(c, p, N, t, truth, rows, best, late, front, &time);
+                     lowest = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
+        if (tunes && (error < 1 || !by_steps)
+            && seconds < p->seconds / (first ? 1 : 4))
+            for (double t = most; t >= lowest; t /= first ? sqrt(10) : 10)
+                point(&o, N, t, &time);
         if (isatty(STDERR_FILENO))
             fprintf(stderr, "\rP%d %-40s %10zu", P + 1, c->name, N);
         stalls = error < 0.1 && error > before / 1.5 ? stalls + 1 : 0;
@@ -163,5 +175,5 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
             break;
         before = error;
     }
-    free(rows);
+    free(o.rows);
 }

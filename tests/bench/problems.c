@@ -76,10 +76,10 @@ static void set_up(void)
           ones, zeros, 20, 1 / sqrt(8), C, 0, NULL, 0.4, 0.02 },
         { "driven to T = 10^4",
           { 1, ones, tenth, spring, fvi_force_cosine(slow) },
-          zeros, zeros, 1e4, 0.3, C, 0, &exactly[4], 0.5, 0.15 },
+          zeros, zeros, 1e4, 0.3, C, 0, &exactly[4], 0.5, 0.4 },
         { "a chain of 1000 masses",
           { MOST, ones, fifth, chain, none },
-          waves, zeros, 20, 0.3, C, 0, NULL, 0.5, 0.3 },
+          waves, zeros, 20, 0.3, C, 0, NULL, 0.5, 0.4 },
     };
     for (int P = 0; P < PROBLEMS; P++) {
         all[P] = table[P];
