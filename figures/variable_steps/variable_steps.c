@@ -81,7 +81,7 @@ int main(void)
          q++)
         for (size_t k = 0; k < n; k++)
             if (exp(L * (q - 1)) * h[k] < TOP) /* up to the first above TOP */
-                printf("%.1f %.6g\n%.1f %.6g\n\n", (double)k + 0.5,
-                       exp(-L * q), (double)k + 1.5, exp(-L * q));
+                printf("%.1f %.6g\n%.1f %.6g\n\n", (double)k + 0.5, exp(-L * q),
+                       (double)k + 1.5, exp(-L * q));
     return EXIT_SUCCESS;
 }

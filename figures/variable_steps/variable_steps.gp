@@ -17,7 +17,7 @@ stats dat index 1 using 1 name "N" nooutput
 set xrange [0:N_max + 1]
 set logscale y
 set format y "10^{%L}"
-set yrange [1e-8:1e7]
+set yrange [1e-8:1e8]
 set ytics 1e2
 unset grid
 set key at graph 0.98, graph 0.97 top right

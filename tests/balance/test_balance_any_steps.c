@@ -21,10 +21,10 @@ static double decades(gsl_rng *random, double least, double most)
     return pow(10, between(random, least, most));
 }
 
-/* Three bodies on springs that share their steps, any alpha, any tolerance; v_0 = 0 where 2 alpha > 1 asks
+/* Three bodies on equal springs that share their steps, any alpha, any tolerance; v_0 = 0 where 2 alpha > 1 asks
  * for it. */
 typedef struct {
-    double mass[D], rho[D], spring[D], x0[D], p0[D];
+    double mass[D], rho[D], spring, x0[D], p0[D];
     fvi_system system;
     fvi_run run;
 } random_run;
@@ -32,8 +32,8 @@ typedef struct {
 static void draw(gsl_rng *random, double damping, random_run *r)
 {
     r->run.alpha = between(random, 0.02, 0.98);
+    r->spring = decades(random, -1, 3);
     for (size_t i = 0; i < D; i++) {
-        r->spring[i] = decades(random, -1, 3);
         r->mass[i] = decades(random, -1, 1);
         r->rho[i] = damping * decades(random, -2, 1);
         r->x0[i] = between(random, -1, 1);
@@ -42,7 +42,7 @@ static void draw(gsl_rng *random, double damping, random_run *r)
     r->system = (fvi_system){ .d = D,
                               .mass = r->mass,
                               .damping = r->rho,
-                              .potential = fvi_potential_harmonic(r->spring) };
+                              .potential = fvi_potential_harmonic(&r->spring) };
     r->run.system = &r->system;
     r->run.x0 = r->x0;
     r->run.p0 = r->p0;

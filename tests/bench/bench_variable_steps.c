@@ -43,8 +43,9 @@ static void need(int status)
 
 /* ---- problems ---- */
 
-static void linear(problem *P, const char *name, double alpha, const double *rho,
-                   const double *x0, const double *p0, double T)
+static void linear(problem *P, const char *name, double alpha,
+                   const double *rho, const double *x0, const double *p0,
+                   double T)
 {
     P->name = name;
     P->linear = 1;
@@ -117,8 +118,8 @@ static void rows_of(problem *P, double tolerance, double *x)
 }
 
 /* Its steps: how many, their ends, and x there if it is asked for. */
-static fvi_adaptive_counts steps_of(const problem *P, double tolerance, double *t,
-                                    double *x)
+static fvi_adaptive_counts steps_of(const problem *P, double tolerance,
+                                    double *t, double *x)
 {
     fvi_run run = P->run;
     fvi_stepper *s;
@@ -177,12 +178,14 @@ int main(void)
 {
     static problem all[7];
     describe();
-    printf("# problem and tolerance of a step; errors at the ends of the steps, in 400 rows; "
+    printf("# problem and tolerance of a step; errors at the ends of the "
+           "steps, in 400 rows; "
            "microseconds\n");
     const size_t count = set_up(all);
     for (size_t i = 0; i < count; i++) {
         problem *P = &all[i];
-        printf("\n\n#> %s\n# run\tstages\tsteps\trejected\tends\trows\ttime\n", P->name);
+        printf("\n\n#> %s\n# run\tstages\tsteps\trejected\tends\trows\ttime\n",
+               P->name);
         if (P->linear) {
             double t[ROWS + 1], v[ROWS + 1];
             for (size_t k = 0; k <= ROWS; k++)
