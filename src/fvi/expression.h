@@ -75,7 +75,7 @@ int fvi_name_is_free(const char *name, const char *variable);
  * and a factor that is constant goes to each; which coordinates meet in a term says
  * where the Hessian is zero.
  * Returns FVI_SUCCESS; FVI_EFAULT if text, names or e is NULL; FVI_EINVAL if the text is
- * none that is understood, is nested 100 deep, or has a term of more than 4096 operations;
+ * none that is understood, is nested 100 deep, or has a term of more than 1024 operations;
  * FVI_ENOMEM. On error *e is untouched. No call of the error handler: a misprint is the
  * user's. */
 int fvi_expression_parse(const char *text, const fvi_names *names,

@@ -46,7 +46,9 @@ typedef struct {
     double number;
 } fvi_node;
 
-enum { FVI_TAPE_LONGEST = 4096 };
+/* A walk keeps four numbers for each node on the stack: 32 kilobytes, which the threads of
+ * every C library have. */
+enum { FVI_TAPE_LONGEST = 1024 };
 
 /* fvi_parse -- a text into nodes, children before their parents, the root last.
  *
