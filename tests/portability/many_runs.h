@@ -14,14 +14,15 @@ enum {
     MASSES = 3,
     PASTS = 3,
     ORDERS = 7,
-    METHODS = 9,
+    METHODS = 12,
     MANY = METHODS * PASTS * ORDERS
 };
 
 static const fvi_method *const many_methods[METHODS] = {
     &fvi_fractional,     &fvi_lagrange_dalembert, &fvi_euler_explicit,
     &fvi_euler_implicit, &fvi_shifted,            &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,           &fvi_lobatto4
+    &fvi_lobatto2,       &fvi_lobatto3,           &fvi_lobatto4,
+    &fvi_lobatto6,       &fvi_lobatto4d,          &fvi_stable
 };
 static const double many_orders[ORDERS] = { 0, 0.125, 0.25, 0.3, 0.5, 0.75, 1 };
 
