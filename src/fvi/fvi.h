@@ -7,6 +7,7 @@
 
 #include "adjoint.h"
 #include "coefficients.h"
+#include "control.h"
 #include "convergence.h"
 #include "convolution_quadrature.h"
 #include "convolution_quadrature_methods.h"
