@@ -114,8 +114,9 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * A start agrees with the best if all its parameters come within sd / 10 of those, or
  * within 1e-6 of their size. Then the step, at first the longest that meets all times
  * and is no longer than 1/w, is halved until no estimate moves by more than sd / 100,
- * or 1e-7 of its size, up to 2^17 steps (bias says how far it moved last). Times
- * that no step meets are read off by Hermite's cubic through x and p / m.
+ * or 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the
+ * moves (bias is the last). Times that no step meets are read off by Hermite's cubic
+ * through x and p / m, or as a method of variable steps has them.
  *
  * The searches are repeatable: the same digits each time. Time: some 50 runs a
  * start. fit->constants is written to while it works: no other thread may read them.

@@ -217,7 +217,8 @@ static int statistics(search *o, const place *at, fvi_fitted *fitted)
 
 //> refine
 /* Halve the step until no estimate moves any more: the error of the method is one of
- * the model, and no noise tells of it. */
+ * the model, and no noise tells of it. If a move is hardly shorter than the one before,
+ * it is not the step that moves them, and bias tells. */
 static int refine(search *o, place *best, fvi_fitted *fitted)
 {
     int status = FVI_SUCCESS, moves = 1;
@@ -234,7 +235,7 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
             if (by > 1e-7 * fabs(fitted->estimate[j]))
                 fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
         }
-        moves = fitted->bias > 0.01;
+        moves = fitted->bias > 0.01 && !(fitted->bias > 0.75 * before.bias);
     }
     return status;
 }

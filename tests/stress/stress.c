@@ -77,6 +77,8 @@ static const struct {
     { "overflow", "never an infinity in silence", stress_overflow, 500 },
     { "memories", "FFT and exponentials against the direct sum",
       stress_memories, 200 },
+    { "scatter", "500 fits scatter as they say", stress_scatter, 1 },
+    { "found", "100 noisy motions of another program are found", stress_found, 1 },
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
 };
 
