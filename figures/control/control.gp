@@ -15,7 +15,7 @@ plot dat index 0 using 1:2 with lines ls 1 title "x", \
      dat index 2 using 1:2 with lines ls 2 dt (4,3) title "the force that holds"
 unset arrow 1
 set title "a pendulum, from hanging to standing"
-set key top left
+set key bottom right
 set xrange [0:16]
 set yrange [-1:1.25]
 set label 1 "standing" at 0.4,1.06 left tc rgb "#666666" font ",12"

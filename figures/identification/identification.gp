@@ -4,7 +4,7 @@ width = 900; height = 470
 load 'figures/style.gp'
 set xrange [0:20]
 set multiplot
-set lmargin at screen 0.07
+set lmargin at screen 0.085
 set rmargin at screen 0.985
 set tmargin at screen 0.97
 set bmargin at screen 0.42

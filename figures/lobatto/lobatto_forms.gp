@@ -2,7 +2,7 @@
 # Input: figures/lobatto/lobatto_forms.c. Output: figures/lobatto/lobatto_forms.svg.
 width = 920; height = 470
 load 'figures/style.gp'
-set multiplot layout 1,2 margins 0.09,0.985,0.12,0.92 spacing 0.1
+set multiplot layout 1,2 margins 0.09,0.985,0.12,0.9 spacing 0.1
 
 set title "Bagley and Torvik, x at 2 ≤ t ≤ 20"
 set logscale xy
