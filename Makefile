@@ -279,7 +279,7 @@ test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (
 
 $B/tests/bench_%: tests/bench/bench_%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
-	$(COMPILE) -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
+	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
 
 # The peers, the problems and their solutions; they are compiled as the library is.

@@ -35,6 +35,9 @@ static inline void describe(void)
 #else
     printf("# compiler: gcc %s\n", __VERSION__);
 #endif
+#ifdef OPTIONS
+    printf("# options, of all that runs: %s\n", OPTIONS);
+#endif
 }
 
 #endif
