@@ -59,7 +59,7 @@ int main(void)
     const fvi_system torvik = { 1, &one, &one, fvi_potential_harmonic(&one),
                                 fvi_force_step(step) };
     const fvi_system duffing = {
-        1, &one, &one, fvi_potential_duffing(spring), { drive, NULL }
+        1, &one, &one, fvi_potential_duffing(spring), { .value = drive }
     };
     const fvi_linear problem = { .m = 1,
                                  .c = 1,

@@ -37,8 +37,18 @@ extern "C" {
  *                  H[i * diagonals + k] = d^2U / dx_i dx_{i+k},   i + k < d;
  *              there is no room where i + k >= d. This is LAPACK's band
  *              storage of a symmetric matrix, UPLO = 'L', LDAB = diagonals
+ *   solve      NULL, or the caller's own way through the equation of a step, for
+ *              Hessians that should not be written down: r becomes
+ *              (diag(a) + c Hess U(x))^-1 r, where a is d numbers > 0. Returns 0;
+ *              FVI_ESING if that matrix is singular; or a code of its own. If U is
+ *              quadratic it is asked with the same a and c at each step, so factors
+ *              may be kept, and what it leaves of r is an error of the step; else
+ *              a solution to eight digits does, and costs a step of Newton's more
  *
- * All three functions, or none: a zeroed potential is that of a free particle.
+ * The first three functions, or none: a zeroed potential is that of a free particle.
+ * With solve a step of one equation makes no matrix and does not ask for the Hessian;
+ * methods with stages, fvi_stability_load and the adjoint may. A Hessian that is out of
+ * reach returns a code, which those calls then return.
  * The library calls them with arrays that do not overlap. A function that cannot
  * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW, or
  * with FVI_EMAXITER where only a Hessian that changes is NaN.
@@ -54,6 +64,8 @@ typedef struct {
     void *params;
     int (*quadratic)(const void *params);
     size_t diagonals;
+    int (*solve)(size_t d, const double *x, const double *a, double c,
+                 void *params, double *r);
 } fvi_potential;
 
 /* fvi_force -- F(t), d numbers written to F. A zeroed force is none.

@@ -19,6 +19,7 @@ typedef struct {
     void *params;
     int (*quadratic)(const void *params);
     size_t diagonals;
+    ...;
 } fvi_potential;
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);

@@ -37,6 +37,24 @@ static int look(fvi_newton *n, const double *x, const double *r,
     return n->theirs;
 }
 
+/* n->step = J^-1 n->step; 0, or the status of the factors, or of the potential's own
+ * solution, which is in n->theirs too unless it only says that J is singular. */
+static int eliminate(fvi_newton *n, int factorised)
+{
+    const fvi_potential *u = &n->system->potential;
+    if (n->own) {
+        const int status = u->solve(n->system->d, n->point, n->H,
+                                    n->s[0] * n->theta, u->params, n->step);
+        if (status != FVI_ESING)
+            n->theirs = status;
+        return status;
+    }
+    if (!factorised && fvi_band_factorise(&n->J))
+        return FVI_ESING;
+    fvi_band_solve(&n->J, n->step);
+    return FVI_SUCCESS;
+}
+
 /* s theta == 0, or U quadratic: grad U(x + theta d) = grad U(x) + theta Hess U d,
  * so that (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. */
 static int solve_linear(fvi_newton *n, const double *x, const double *r,
@@ -50,11 +68,11 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
         return n->theirs;
     fvi_newton_residual(n, r, d, g);
     memcpy(n->step, n->e, rows * sizeof *n->e);
-    if (n->implicit)
-        fvi_band_solve(&n->J, n->step);
-    else
-        for (size_t j = 0; j < rows; j++) /* one stage */
-            n->step[j] /= n->A[j];
+    const int status = n->implicit ? eliminate(n, 1) : FVI_SUCCESS;
+    if (status)
+        return status;
+    for (size_t j = 0; j < rows && !n->implicit; j++) /* one stage */
+        n->step[j] /= n->A[j];
     take(n, d);
     if (!pulled || n->theta != 0)
         return fvi_newton_gradients(n, x, d, g);
@@ -88,16 +106,14 @@ static int is_stuck(const fvi_newton *n)
 }
 //< stop
 
-/* step = J^-1 e, and d + step; status of the factors. */
+/* step = J^-1 e, and d + step; status of the elimination. */
 static int newton_step(fvi_newton *n, double *d)
 {
-    const size_t rows = n->q * n->system->d;
-    if (fvi_band_factorise(&n->J))
-        return FVI_ESING;
-    memcpy(n->step, n->e, rows * sizeof *n->e);
-    fvi_band_solve(&n->J, n->step);
-    take(n, d);
-    return FVI_SUCCESS;
+    memcpy(n->step, n->e, n->q * n->system->d * sizeof *n->e);
+    const int status = eliminate(n, 0);
+    if (!status)
+        take(n, d);
+    return status;
 }
 
 //> newton
@@ -108,9 +124,9 @@ static int newton(fvi_newton *n, const double *x, const double *r, double *d,
     for (int i = 0; i < NEWTON_STEPS; i++) {
         if (look(n, x, r, d, g) || fvi_newton_jacobian(n, x, d, 0))
             return n->theirs;
-        const int enough = is_noise(n);
-        if (newton_step(n, d))
-            return FVI_ESING;
+        const int enough = is_noise(n), status = newton_step(n, d);
+        if (status)
+            return status;
         if (enough || is_stuck(n))
             return FVI_SUCCESS;
         if (!gsl_finite(n->size))
@@ -169,6 +185,8 @@ static int descend(fvi_newton *n, const double *x, const double *r, double *d,
         memcpy(n->from, d, bytes);
         memcpy(n->before, n->e, bytes);
         int good = !newton_step(n, d);
+        if (n->theirs)
+            return n->theirs;
         if (good && mu == 0 && is_stuck(n))
             return FVI_SUCCESS;
         if (look(n, x, r, d, g))

@@ -24,7 +24,8 @@ typedef struct fvi_newton fvi_newton;
  * matrix is made. If U is quadratic, A + s theta Hess U is factorised here, once.
  * Else Newton's method, with the exact Hessian. The factors keep to the diagonals
  * of the Hessian, with room for exchanges of rows: U need not be convex.
- * Memory O(d) if explicit, O(d w) for 2 w - 1 diagonals, O(d^2) if it is full.
+ * Memory O(d) if explicit, O(d w) for 2 w - 1 diagonals, O(d^2) if it is full. Where
+ * the potential solves for itself no matrix is made, and memory is O(d).
  *
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if A or newton
  * is NULL; FVI_EDOM if A, s or theta is out of range; FVI_ENOMEM; FVI_ESING if
@@ -61,7 +62,8 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  *
  * Cost: explicit or quadratic, two gradients and the solution with the factors, O(d w)
  * for a Hessian of 2 w - 1 diagonals, O(d^2) for a full one. Else mostly two to five
- * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each; up to 1050, and
+ * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each, or as many solutions
+ * by the potential itself; up to 1050, and
  * twice as many gradients, where Newton's method fails.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EMAXITER, or FVI_ESING if

@@ -82,8 +82,14 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, q = n->q;
-    fvi_band_clear(&n->J);
     memset(n->moves, 0, q * dim * sizeof *n->moves);
+    if (n->own) {
+        point(n, x, d, 0);
+        for (size_t j = 0; j < dim; j++)
+            n->H[j] = (1 + mu) * n->A[j];
+        return FVI_SUCCESS;
+    }
+    fvi_band_clear(&n->J);
     for (size_t i = 0; i < q; i++) {
         const double *z = point(n, x, d, i);
         n->theirs = u->hessian(dim, z, u->params, n->H);
@@ -104,7 +110,7 @@ static size_t numbers(const fvi_newton *n)
 {
     const size_t dim = n->system->d, m = n->system->potential.diagonals;
     return 2 * dim + (n->q + 6) * n->q * dim
-           + (n->implicit ? dim * (m ? m : dim) : 0);
+           + (n->implicit ? dim * (n->own ? 1 : m ? m : dim) : 0);
 }
 
 static int allocate(fvi_newton *n)
@@ -124,8 +130,9 @@ static int allocate(fvi_newton *n)
     n->from = n->step + rows;
     n->before = n->from + rows;
     n->H = n->before + rows;
-    return n->implicit ? fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J)
-                       : FVI_SUCCESS;
+    return n->implicit && !n->own
+               ? fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J)
+               : FVI_SUCCESS;
 }
 
 /* Room for everything, A and s to be filled in. */
@@ -140,6 +147,7 @@ static int make(const fvi_system *system, size_t q, double theta, int implicit,
     n->q = q;
     n->theta = theta;
     n->implicit = implicit && u->gradient;
+    n->own = n->implicit && q == 1 && u->solve;
     n->linear = !n->implicit || (u->quadratic && u->quadratic(u->params));
     if (allocate(n)) {
         fvi_newton_free(n);
@@ -155,7 +163,7 @@ static int finish(fvi_newton *n, fvi_newton **newton)
     int status = FVI_SUCCESS;
     if (n->implicit && n->linear) {
         status = fvi_newton_jacobian(n, n->e, n->e, 0);
-        if (!status)
+        if (!status && !n->own)
             status = fvi_band_factorise(&n->J);
     }
     if (status)
@@ -223,7 +231,7 @@ int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
     }
     memcpy(n->A, from->A, numbers(n) * sizeof *n->A);
-    if (n->implicit)
+    if (n->implicit && !n->own)
         fvi_band_copy(&from->J, &n->J);
     *to = n;
     return FVI_SUCCESS;

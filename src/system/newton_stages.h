@@ -16,6 +16,7 @@ struct fvi_newton {
     size_t reach; /* d^2U / dx_j dx_c = 0 if |j - c| > reach */
     double theta;
     int implicit, linear;
+    int own;                    /* the potential solves: H is the diagonal a */
     double *A;                  /* of each coordinate */
     double *s;                  /* of each q * q numbers; one in (2.10) */
     double *point, *H;          /* x + theta d of a stage, and Hess U there */
@@ -39,7 +40,8 @@ void fvi_newton_residual(fvi_newton *n, const double *r, const double *d,
 
 /* fvi_newton_jacobian -- n->J = (1 + mu) A + s theta Hess U(x + theta d), mu = 0 in
  * (2.11); and in n->moves how far s grad U moves if each coordinate of x and d does by
- * the whole of itself. Returns as fvi_newton_gradients. */
+ * the whole of itself. Where the potential solves for itself, n->H = (1 + mu) A and
+ * n->moves = 0. Returns as fvi_newton_gradients. */
 int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
                         double mu);
 

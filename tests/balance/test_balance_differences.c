@@ -46,7 +46,10 @@ static void varied(const fvi_method *method, const differenced *o, double kappa)
         .d = o->d,
         .mass = mass,
         .damping = rho,
-        .potential = { value, gradient, hessian, (void *)&o->g, NULL, 0 }
+        .potential = { .value = value,
+                       .gradient = gradient,
+                       .hessian = hessian,
+                       .params = (void *)&o->g }
     };
     fvi_run run = fvi_run_default(&system, x0, p0, o->h, o->steps);
     run.alpha = o->alpha;

@@ -107,8 +107,8 @@ START_TEST(eq_2_7_runs_make_the_action_stationary)
                                         mass3,
                                         forced ? rho : none,
                                         fvi_potential_chain(quartic),
-                                        { forced ? ramp : NULL,
-                                          (void *)push } };
+                                        { .value = forced ? ramp : NULL,
+                                          .params = (void *)push } };
             const setup a = {
                 .alpha = 0.5, .kappa = kappa, .h = 0.05, .steps = N
             };

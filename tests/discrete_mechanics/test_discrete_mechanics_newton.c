@@ -33,8 +33,10 @@ static int told_hessian(size_t d, const double *x, void *params, double *H)
 
 static fvi_system telling(diary *const *told)
 {
-    const fvi_potential u = { told_value,   told_gradient, told_hessian,
-                              (void *)told, NULL,          0 };
+    const fvi_potential u = { .value = told_value,
+                              .gradient = told_gradient,
+                              .hessian = told_hessian,
+                              .params = (void *)told };
     return (fvi_system){ 1, one, none, u, { 0 } };
 }
 

@@ -92,8 +92,10 @@ static void draw(uint64_t *state, trial *t)
     const fvi_potential u[] = { fvi_potential_duffing(t->cg),
                                 fvi_potential_chain(t->cg),
                                 fvi_potential_pendulum(t->cg),
-                                { full_value, full_gradient, full_hessian,
-                                  t->cg, NULL, 0 } };
+                                { .value = full_value,
+                                  .gradient = full_gradient,
+                                  .hessian = full_hessian,
+                                  .params = t->cg } };
     t->system = (fvi_system){ d, t->mass, t->rho, u[kind], { 0 } };
     t->run = (fvi_run){ .system = &t->system,
                         .x0 = t->x0,

@@ -67,9 +67,10 @@ static const double mass2[] = { 1, 2 }, damping2[] = { 0.5, 0.75 };
 static const fvi_system coupled = { 2,
                                     mass2,
                                     damping2,
-                                    { coupled_value, coupled_gradient,
-                                      coupled_hessian, NULL, NULL, 0 },
-                                    { NULL, NULL } };
+                                    { .value = coupled_value,
+                                      .gradient = coupled_gradient,
+                                      .hessian = coupled_hessian },
+                                    { 0 } };
 
 /* Mass 2, damping 3/2, and the potential of the reference values. */
 static fvi_system cubic(const double c[3])
@@ -78,9 +79,11 @@ static fvi_system cubic(const double c[3])
     return (fvi_system){ 1,
                          &mass,
                          &damping,
-                         { cubic_value, cubic_gradient, cubic_hessian,
-                           (void *)c, NULL, 0 },
-                         { NULL, NULL } };
+                         { .value = cubic_value,
+                           .gradient = cubic_gradient,
+                           .hessian = cubic_hessian,
+                           .params = (void *)c },
+                         { 0 } };
 }
 
 enum { MOST = 130 }; /* room for N + 1 <= 65 vectors of R^2 */

@@ -105,8 +105,9 @@ static fvi_run wide_run(fvi_system *system)
     *system = (fvi_system){ WIDE,
                             wide[0],
                             wide[0],
-                            { full_value, full_gradient, full_hessian, NULL,
-                              NULL, 0 },
+                            { .value = full_value,
+                              .gradient = full_gradient,
+                              .hessian = full_hessian },
                             { 0 } };
     fvi_run run = fvi_run_default(system, wide[1], wide[0], 0x1p-6, 300);
     run.kappa = 0.25;

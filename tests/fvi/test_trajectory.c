@@ -273,7 +273,7 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
                                     one,
                                     one,
                                     { no_value, sign, claimed,
-                                      (void *)&bad[i].hessian, 0, 0 },
+                                      (void *)&bad[i].hessian, 0, 0, 0 },
                                     { 0 } };
         const fvi_run run = { .system = &system,
                               .x0 = &bad[i].x0,
@@ -312,7 +312,7 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
                                     one,
                                     none,
                                     { no_value, sign, claimed, (void *)&hessian,
-                                      0, 0 },
+                                      0, 0, 0 },
                                     { 0 } };
         const fvi_run run = { .system = &system,
                               .x0 = &x0,

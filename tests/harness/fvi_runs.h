@@ -45,9 +45,10 @@ static inline fvi_potential potential(int kind, const double cg[2])
     case PENDULUM:
         return fvi_potential_pendulum(cg);
     default:
-        return (fvi_potential){
-            cubic_value, cubic_gradient, cubic_hessian, (void *)cg, 0, 0
-        };
+        return (fvi_potential){ .value = cubic_value,
+                                .gradient = cubic_gradient,
+                                .hessian = cubic_hessian,
+                                .params = (void *)cg };
     }
 }
 

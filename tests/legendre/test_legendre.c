@@ -73,7 +73,11 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
     const double rho[] = { 0.5, 0, 0.25 }, push[] = { 0.25, 0, -0.5 };
     const double alphas[] = { 0, 0.3, 0.5, 0.75, 1 };
     const fvi_system system = {
-        3, mass3, rho, fvi_potential_chain(quartic), { ramp, (void *)push }
+        3,
+        mass3,
+        rho,
+        fvi_potential_chain(quartic),
+        { .value = ramp, .params = (void *)push }
     };
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {

@@ -157,7 +157,11 @@ START_TEST(a_singular_equation_is_refused)
     const fvi_potential promised = fvi_potential_harmonic(&one);
     for (int i = 0; i < 40; i++, stiffness = nextafter(stiffness, 0)) {
         fvi_system system = {
-            1, &one, &none, { no_value, sign, claimed, &stiffness, 0, 0 }, { 0 }
+            1,
+            &one,
+            &none,
+            { no_value, sign, claimed, &stiffness, 0, 0, 0 },
+            { 0 }
         };
         for (int constant = 0; constant <= 1; constant++) {
             if (constant)
@@ -219,7 +223,7 @@ START_TEST(stages_that_find_no_room_are_refused)
     for (size_t i = 0; i < D; i++)
         ones[i] = 1;
     const fvi_system system = {
-        D, ones, ones, { no_value, sign, claimed, ones, 0, 0 }, { 0 }
+        D, ones, ones, { no_value, sign, claimed, ones, 0, 0, 0 }, { 0 }
     };
     const fvi_run run = { .system = &system,
                           .x0 = ones,
@@ -239,7 +243,11 @@ START_TEST(lobatto_steps_fail_with_their_code)
 {
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
     fvi_system system = {
-        1, &one, &none, { no_value, sign, claimed, (void *)&flat, 0, 0 }, { 0 }
+        1,
+        &one,
+        &none,
+        { no_value, sign, claimed, (void *)&flat, 0, 0, 0 },
+        { 0 }
     };
     ck_assert_int_eq(last_step(&system, &start, 3), FVI_EMAXITER);
     ck_assert_int_eq(last_step(&system, &start, 4), FVI_EMAXITER);

@@ -63,7 +63,11 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
 {
     const double one = 1, zero = 0, cg[] = { 1, 1 };
     const fvi_system system = {
-        1, &one, &a->rho, fvi_potential_duffing(cg), { drive, (void *)a }
+        1,
+        &one,
+        &a->rho,
+        fvi_potential_duffing(cg),
+        { .value = drive, .params = (void *)a }
     };
     ex->count = ep->count = fixed->count = 0;
     for (size_t N = 20; N <= 1280; N *= 2) {

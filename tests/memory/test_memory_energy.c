@@ -74,7 +74,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                                 a->mass,
                                 a->rho,
                                 { plane_value, plane_gradient, plane_hessian,
-                                  (void *)a->C, plane_quadratic, 0 },
+                                  (void *)a->C, plane_quadratic, 0, NULL },
                                 { 0 } };
     const fvi_run run = { .system = &system,
                           .x0 = a->x0,

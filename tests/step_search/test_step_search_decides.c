@@ -105,7 +105,8 @@ START_TEST(eq_18_6_all_of_a_row_of_the_hessian_counts)
     for (size_t i = 0; i < 4; i++) {
         fvi_potential u = {
             link_value, link_gradient, i < 2 ? link_full : link_band,
-            NULL,       always,        i < 2 ? 0 : 2
+            NULL,       always,        i < 2 ? 0 : 2,
+            NULL
         };
         const fvi_system system = { 2, masses[i % 2], none, u, { 0 } };
         const fvi_run run = { .system = &system,
@@ -140,7 +141,7 @@ START_TEST(eq_18_7_a_small_fast_part_of_a_force_is_seen)
     const double mass[] = { 1, 1 }, rho[] = { 0.2, 0.2 }, c = 1,
                  none[] = { 0, 0 };
     const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { two_tones, NULL }
+        2, mass, rho, fvi_potential_harmonic(&c), { .value = two_tones }
     };
     const fvi_run run = { .system = &system,
                           .x0 = none,
