@@ -23,7 +23,7 @@ set ylabel "χ^2 / n"
 set logscale y
 set yrange [1:3000]
 set format y "10^{%L}"
-set key at graph 0.98, graph 0.55 right
+set key noopaque at graph 0.98, graph 0.5 right samplen 2
 plot dat index 2 using (log10($1)):2 with lines ls 2 title "over α, ρ known", \
      dat index 2 using (log10($1)):3 with lines ls 1 title "over α and ρ"
 unset multiplot
