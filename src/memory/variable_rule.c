@@ -99,15 +99,16 @@ FVI_VECTORS static int invert(size_t s, fvi_square *square)
             exchange(M[k], M[p], FVI_LANES, 1);
         const double pivot = 1 / M[k][k];
         M[k][k] = 1;
-        for (size_t i = 0; i < FVI_LANES; i++)
-            M[k][i] *= pivot;
+        fvi_four *row = (fvi_four *)M[k];
+        const fvi_four low = row[0] *= pivot, high = row[1] *= pivot;
         for (size_t r = 0; r < s; r++) {
             if (r == k)
                 continue;
             const double factor = M[r][k];
             M[r][k] = 0;
-            for (size_t i = 0; i < FVI_LANES; i++)
-                M[r][i] -= factor * M[k][i];
+            row = (fvi_four *)M[r];
+            row[0] -= factor * low;
+            row[1] -= factor * high;
         }
     }
     for (size_t k = s; k-- > 0;)
