@@ -84,7 +84,7 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
     size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
            look = s->k + often; /* divided by at no step */
-    int status = s->k == 0 ? fvi_table_take(t, 0, s->x, s->p) : FVI_SUCCESS;
+    int status = t->begin == 0 ? fvi_table_take(t, 0, s->x, s->p) : FVI_SUCCESS;
     if (status)
         return fvi_stopped_at(0, status);
     while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
@@ -200,16 +200,17 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
     fvi_table t;
+    size_t done = 0; /* steps of a run that goes on */
     fvi_stepper *s = NULL;
     int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
         status = fvi_start(o->method, &r, &s);
     failed = status          ? fvi_complain_of_start(status)
-             : o->checkpoint ? fvi_checkpoint_begin(o, s)
+             : o->checkpoint ? fvi_checkpoint_begin(o, s, &done)
                              : 0;
-    if (!failed && s->k > 0)
-        t.begin = s->k < o->steps ? fvi_table_next(&t, s->k) : o->steps + 1;
+    if (!failed && done > 0)
+        t.begin = done < o->steps ? fvi_table_next(&t, done) : o->steps + 1;
     if (!failed)
         failed = run_to_the_end(&t, &r, s);
     fvi_stop(s);
