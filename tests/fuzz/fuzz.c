@@ -199,6 +199,9 @@ static void small(const char *option, char *word)
                   { "vary", { "x0=1:2:3", "alpha=0:1:2", "k=1:4:3:log" } },
                   { "of", { "x", "p", "energy", "x:1" } },
                   { "jobs", { "1", "3" } },
+                  { "damping",
+                    { "zener:1,0.3,0.1", "maxwell:1,2", "power:1,0.3",
+                      "distributed:1,0,1" } },
                   { "error", { "0.1", "1e-3" } } };
     strcpy(word, "1");
     for (size_t i = 0; i < LEN(known); i++)
@@ -217,9 +220,9 @@ static void option(void)
                                            "h",     "tolerance", "time" };
     static const char *const counted[] = { "every", "dimension" };
     static const char *const others[] = { "memory", "derivative", "format" };
-    static const char *const rare[] = {
-        "checkpoint", "part", "vary", "of", "jobs", "error", "fit", "count"
-    };
+    static const char *const rare[] = { "checkpoint", "part",    "vary",
+                                        "of",         "damping", "jobs",
+                                        "error",      "fit",     "count" };
     static const struct {
         const char *name;
         void (*value)(char *);
