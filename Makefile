@@ -277,7 +277,7 @@ test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (
 	PYTHONPATH=$B/python/site FVI=$B/fvi EXAMPLE=$B/example.out $(PYTHON) -m pytest -q -p no:cacheprovider tests/python > $B/python/test.log || \
 	  { cat $B/python/test.log; exit 1; }; tail -1 $B/python/test.log | sed 's/^/python: /'
 
-$B/tests/bench_%: tests/bench/bench_%.c $B/libfvi.a | needs
+$B/tests/bench_%: tests/bench/bench_%.c $(wildcard tests/bench/*.h) $B/libfvi.a | needs
 	mkdir -p $(@D)
 	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
