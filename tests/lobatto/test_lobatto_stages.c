@@ -22,7 +22,7 @@ START_TEST(eq_17_1_rules_are_the_nearest_doubles)
 END_TEST
 
 /* As eq_17_5_weights_match_cauchys_integral, with the same bounds, 1000 u for the first
- * four and 100 u. Seen: 222 u and 8 u. */
+ * four and 100 u. Seen: 313 u and 8 u. */
 START_TEST(eq_17_5_weights_of_many_stages_match_cauchys_integral)
 {
     static double W[6 * 64];
@@ -36,8 +36,10 @@ START_TEST(eq_17_5_weights_of_many_stages_match_cauchys_integral)
         for (size_t i = 0; i < s * s; i++) {
             const double off =
                 fabs(W[n * s * s + i] - ref_many_stages[e].want[i]);
-            seen_worst(off / largest / U,
-                       n <= FVI_LAGS ? "u, first four" : "u, the rest");
+            if (n <= FVI_LAGS)
+                seen_worst(off / largest / U, "u, first four");
+            else
+                seen_worst(off / largest / U, "u, the rest");
             ck_assert_msg(off <= (n <= FVI_LAGS ? 1000 : 100) * U * largest,
                           "s=%zu beta=%g n=%zu: %g u", s,
                           ref_many_stages[e].beta, n, off / largest / U);
@@ -47,7 +49,7 @@ START_TEST(eq_17_5_weights_of_many_stages_match_cauchys_integral)
 END_TEST
 
 /* The modes of five to eight stages against the direct sum, to the tolerance and the
- * rounding of some hundred terms of size |W_0| < 60. Seen: 0.3 of the bound. */
+ * rounding of some hundred terms of size |W_0| < 60. Seen: 0.8 of the bound. */
 START_TEST(eq_17_12_modes_of_many_stages_equal_the_direct_sum)
 {
     enum { N = 600 };
@@ -92,8 +94,8 @@ static int drive(double t, size_t d, void *params, double *F)
 }
 
 /* Form D of a driven oscillator is the solution of (17.24), all three steps in one
- * system, with any memory. The bound is that of the first four weights, 1000 u, times
- * |W_0| rho h^(-beta)/m <= 60; x and p are below 1. Seen: 0.02 of it. */
+ * system, with any memory. The bound is that of the first four weights, 1000 u; x and p
+ * are below 1. Seen: 0.02 of it. */
 START_TEST(eq_17_24_form_d_is_the_solution_of_its_equations)
 {
     const double m = 1.5, c = 2, rho = 0.75, x0 = 0.25, p0 = 0.5;
@@ -111,11 +113,11 @@ START_TEST(eq_17_24_form_d_is_the_solution_of_its_equations)
                 fvi_trajectory(damped[ref_damped[e].s], &run, x, p, NULL),
                 FVI_SUCCESS);
             for (size_t k = 0; k < 3; k++) {
-                ck_assert_near(x[k + 1], ref_damped[e].want[2 * k], 60000 * U,
+                ck_assert_near(x[k + 1], ref_damped[e].want[2 * k], 1000 * U,
                                "x, s=%zu alpha=%g k=%zu", ref_damped[e].s,
                                run.alpha, k);
                 ck_assert_near(p[k + 1], ref_damped[e].want[2 * k + 1],
-                               60000 * U, "p, s=%zu alpha=%g k=%zu",
+                               1000 * U, "p, s=%zu alpha=%g k=%zu",
                                ref_damped[e].s, run.alpha, k);
             }
         }
@@ -125,7 +127,7 @@ END_TEST
 /* Without damping a step of form M is stationary in the mean, p^2/2 + U goes up and down,
  * and returns; form D is Lobatto IIIC itself, and multiplies the energy of x'' = -w^2 x by
  * |R(i h w)|^2: for s = 2 R = 2/(2 - 2y + y^2), for s = 3 6 (y + 4)/(24 - 18y + 6y^2 - y^3).
- * Seen: 9 u. */
+ * Seen: 0.1 of 100 u max(1, h^2). */
 START_TEST(eq_17_25_form_d_multiplies_the_energy_of_an_oscillator)
 {
     const double one = 1, rho = 0, c = 1, x0 = 0.75, p0 = 0.5;
