@@ -72,7 +72,9 @@ extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
  *
  *     x: min(2s - 2, s + 4 - 2 alpha)      p: min(2s - 2, s + 3 - 2 alpha)   [(17.27)]
  *
- * (proved for quadratic U, measured else); over all t as low as above.
+ * (proved for quadratic U, measured else); over all t as low as above. That is for Caputo's
+ * past, and held with alpha <= 1/2; held with alpha > 1/2 has s + 2 - 2 alpha at most, and
+ * Riemann-Liouville with alpha < 1/2, x0 != 0, s + 1 - 2 alpha (measured).
  * For quadratic convex U, 0 < alpha < 1, every step is stable; with F = 0, and
  * alpha <= 1/2 or p_0 = 0, p^2/2m + U is never above its start (17.26), (17.28). Without
  * damping it is not symplectic: it loses half the squares of the jumps of V.

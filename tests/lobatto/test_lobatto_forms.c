@@ -230,6 +230,51 @@ START_TEST(eq_17_13_orders_of_form_m_with_many_stages)
 }
 END_TEST
 
+/* A pull that is known beforehand is not smooth at t = 0, and acts by its exact impulses:
+ * form D has no more than form M then, s + 2 - 2 alpha for a body that was held,
+ * alpha > 1/2, and s + 1 - 2 alpha for Riemann-Liouville, alpha < 1/2. From t = 1 on, three
+ * and four stages; not a bound: a fit. Seen: 0.3 above to 0.05 below. */
+START_TEST(eq_17_27_orders_of_form_d_with_another_past)
+{
+    const double one = 1, rho = 0.5;
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&one) };
+    for (size_t s = 3; s <= 4; s++)
+        for (size_t i = 0; i < 2; i++) {
+            const fvi_linear problem = { .m = 1,
+                                         .c = 1,
+                                         .rho = rho,
+                                         .alpha = i ? 0.3 : 0.75,
+                                         .past = i ? FVI_PAST_RIEMANN_LIOUVILLE
+                                                   : FVI_PAST_HELD,
+                                         .x0 = 1,
+                                         .v0 = 0.5 };
+            errors ex = { 0 };
+            for (size_t N = 8; N <= 256; N *= 2) {
+                fvi_run run = fvi_run_default(&system, &problem.x0, &problem.v0,
+                                              4 / (double)N, N);
+                run.alpha = problem.alpha;
+                run.past = problem.past;
+                ck_assert_int_eq(fvi_trajectory(damped[s], &run, x, p, NULL),
+                                 0);
+                for (size_t k = 0; k <= N; k++)
+                    times[k] = (double)k * run.h;
+                ck_assert_int_eq(
+                    fvi_exact(&problem, N + 1, times, want_x, want_p), 0);
+                ex.errors[ex.count++] = farthest(N / 4, N + 1, x, want_x);
+            }
+            const double of = slope(&ex, 3e-13),
+                         want =
+                             fmin(2 * (double)s - 2,
+                                  (double)s + (i ? 1 : 2) - 2 * problem.alpha);
+            seen(of - want, "order of x, less expected");
+            ck_assert_near(of, want, 0.4, "s=%zu, past %zu", s, i);
+        }
+}
+END_TEST
+
 //> uniform
 /* Over all t the order is that of the first nodes for form D too, as (17.22) has it for
  * form M: 3 - 2 alpha in x and 2 - 2 alpha in p, one more for alpha > 1/2. */
@@ -368,6 +413,7 @@ int main(void)
              eq_17_27_form_d_has_the_full_order_from_a_start_away_from_zero,
              eq_17_27_bagley_torvik_with_both_forms,
              eq_17_13_orders_of_form_m_with_many_stages,
+             eq_17_27_orders_of_form_d_with_another_past,
              eq_17_22_orders_of_the_first_nodes_of_form_d);
     ADD_CASE(suite, "form_d", eq_17_26_form_d_never_gains_energy,
              eq_17_28_form_d_is_stable_for_every_step,
