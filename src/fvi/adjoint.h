@@ -46,7 +46,8 @@ typedef struct {
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.   [(23.4), (23.6)]
  *
- *   method     fvi_fractional, fvi_shifted, fvi_bdf2
+ *   method     fvi_fractional, fvi_shifted, fvi_bdf2; or fvi_lobatto2 to 8 (form M), with
+ *              alpha < 1, no derivative by alpha, and x and p NULL
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
  *              d momenta p_N of its last row. Or both NULL: the run is done here, and
@@ -74,7 +75,7 @@ typedef struct {
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL; FVI_EUNSUP if the method has no
- * adjoint, or needs more than x; FVI_ESING if the equation of a step backwards has no
+ * adjoint, or not this one; FVI_ESING if the equation of a step backwards has no
  * unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
  * On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

@@ -3,6 +3,7 @@
 
 #include "backward.h"
 #include "mirror.h"
+#include "mirror_stages.h"
 #include "system/fail.h"
 
 #include <stdlib.h>
@@ -14,9 +15,13 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 {
     if (!method || !run || !J || !J->slopes || !want || !x != !p)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (method->scheme == FVI_SCHEME_OTHER
-        || method->scheme == FVI_SCHEME_STAGES)
+    if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_STAGES
+        && (want->alpha || run->alpha == 1 || x))
+        FVI_FAIL("stages have no derivative by alpha, none at alpha = 1, and "
+                 "need their own run",
+                 FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
         && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
@@ -27,8 +32,14 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     return status;
 }
 
+/* Of a step: its end, and the stages before. */
+static size_t rows_of(const fvi_method *method)
+{
+    return method->scheme == FVI_SCHEME_STAGES ? (size_t)method->stages - 1 : 1;
+}
+
 /* What is added to, from zero on. */
-static void clear(const fvi_run *run, const fvi_gradients *want)
+static void clear(const fvi_run *run, const fvi_gradients *want, size_t per)
 {
     const size_t d = run->system->d;
     if (want->alpha)
@@ -36,7 +47,8 @@ static void clear(const fvi_run *run, const fvi_gradients *want)
     if (want->damping)
         memset(want->damping, 0, d * sizeof *want->damping);
     if (want->force)
-        memset(want->force, 0, (run->steps + 1) * d * sizeof *want->force);
+        memset(want->force, 0,
+               (run->steps * per + 1) * d * sizeof *want->force);
     for (size_t j = 0; want->parameters && j < want->sensitivity.count; j++)
         want->parameters[j] = 0;
 }
@@ -50,32 +62,69 @@ static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
+/* One of the two kinds of mirrored runs: with stages, or without (0). */
+typedef struct {
+    size_t stages;
+    fvi_mirror plain;
+    fvi_mirror_stages staged;
+} mirror;
+
+static int begin(const fvi_method *method, const fvi_run *run,
+                 const fvi_gradients *want, const double *Jp, mirror *m)
+{
+    *m = (mirror){ .stages = method->scheme == FVI_SCHEME_STAGES
+                                 ? (size_t)method->stages
+                                 : 0 };
+    return m->stages
+               ? fvi_mirror_stages_start(m->stages, run, want, Jp, &m->staged)
+               : fvi_mirror_start(method->scheme, run, want, Jp, &m->plain);
+}
+
+static int step(mirror *m, size_t k, const double *rows, const double *Jx)
+{
+    return m->stages ? fvi_mirror_stages_step(&m->staged, k, rows, Jx)
+                     : fvi_mirror_step(&m->plain, k, rows, Jx);
+}
+
+static int finish(mirror *m, const double *Jx)
+{
+    return m->stages ? fvi_mirror_stages_end(&m->staged, Jx)
+                     : fvi_mirror_end(&m->plain, Jx);
+}
+
+static void stop(mirror *m)
+{
+    fvi_mirror_stages_stop(&m->staged);
+    fvi_mirror_stop(&m->plain);
+}
+
 //> walk
 /* From node N to node 0. J: d numbers for dJ/dx_k, and d for dJ/dp_N. */
-static int walk(fvi_scheme scheme, fvi_backward *path, const fvi_run *run,
-                const fvi_objective *objective, const fvi_gradients *want,
-                double *J)
+static int walk(const fvi_method *method, fvi_backward *path,
+                const fvi_run *run, const fvi_objective *objective,
+                const fvi_gradients *want, double *J)
 {
     const size_t d = run->system->d, N = run->steps;
+    const size_t per = rows_of(method);
     const double *rows;
-    fvi_mirror m = { 0 };
+    mirror m = { 0 };
     int status = fvi_backward_step(path, N - 1, &rows);
     if (!status)
-        status = slopes(objective, N, d, rows + d, fvi_backward_momentum(path),
-                        J, J + d);
+        status = slopes(objective, N, d, rows + per * d,
+                        fvi_backward_momentum(path), J, J + d);
     if (!status)
-        status = fvi_mirror_start(scheme, run, want, J + d, &m);
+        status = begin(method, run, want, J + d, &m);
     for (size_t k = N; !status && k-- > 0;) {
         if (k + 1 < N)
             status = fvi_backward_step(path, k, &rows);
         if (!status)
-            status = fvi_mirror_step(&m, k, rows, J);
+            status = step(&m, k, rows, J);
         if (!status)
             status = slopes(objective, k, d, rows, NULL, J, NULL);
     }
     if (!status)
-        status = fvi_mirror_end(&m, J);
-    fvi_mirror_stop(&m);
+        status = finish(&m, J);
+    stop(&m);
     return status;
 }
 //< walk
@@ -90,13 +139,13 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
         status = fvi_backward_alloc(method, run, x, p, &path);
     if (status)
         return status;
-    clear(run, want);
+    clear(run, want, rows_of(method));
     double *J = calloc(2 * run->system->d, sizeof *J);
     if (!J) {
         fvi_backward_free(path);
         FVI_FAIL("no memory for the slopes", FVI_ENOMEM);
     }
-    status = walk(method->scheme, path, run, objective, want, J);
+    status = walk(method, path, run, objective, want, J);
     free(J);
     fvi_backward_free(path);
     return status;

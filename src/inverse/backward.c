@@ -1,6 +1,7 @@
 /* src/inverse/backward.c -- A trajectory, read from its end.           [Chapter 23] */
 #include "backward.h"
 
+#include "methods/lobatto_stages.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -12,6 +13,7 @@ struct fvi_backward {
     size_t d, length; /* steps of a piece; all if the rows are the caller's */
     size_t piece;     /* the one whose rows are there */
     size_t steps;     /* of the run */
+    size_t per;       /* rows of a step: its end, and its inner stages */
     const double *x;  /* its rows */
     double *rows, *p; /* owned; NULL, or those rows; p_N */
     size_t copies;    /* one at the beginning of each piece but the last, */
@@ -45,18 +47,30 @@ static size_t length_of(const fvi_run *run)
 }
 //< length
 
+/* The rows that the step just done adds behind the one at `row`. */
+static void keep(const fvi_backward *b, const fvi_stepper *s, double *row)
+{
+    const size_t d = b->d;
+    const fvi_lobatto_stages *o = b->per > 1 ? s->own : NULL;
+    for (size_t i = 1; i < b->per; i++)
+        for (size_t j = 0; j < d; j++)
+            row[i * d + j] = row[j] + o->dX[i * d + j];
+    memcpy(row + b->per * d, s->x, d * sizeof *row);
+}
+
 /* From where s stands to the end of its piece; the rows are kept. */
 static int run_piece(fvi_backward *b, fvi_stepper *s)
 {
-    const size_t d = b->d, first = s->k;
+    const size_t first = s->k;
     const size_t last =
         b->steps - first > b->length ? first + b->length : b->steps;
     int status = FVI_SUCCESS;
-    memcpy(b->rows, s->x, d * sizeof *b->rows);
+    memcpy(b->rows, s->x, b->d * sizeof *b->rows);
     while (!status && s->k < last) {
+        double *row = b->rows + (s->k - first) * b->per * b->d;
         status = fvi_step(s);
         if (!status)
-            memcpy(b->rows + (s->k - first) * d, s->x, d * sizeof *b->rows);
+            keep(b, s, row);
     }
     b->piece = first / b->length;
     return status;
@@ -84,9 +98,9 @@ static int run_here(const fvi_method *method, const fvi_run *run,
     fvi_stepper *s;
     b->length = length_of(run);
     const size_t pieces = (b->steps - 1) / b->length + 1;
-    if (b->length >= SIZE_MAX / sizeof(double) / b->d)
+    if (b->length >= SIZE_MAX / sizeof(double) / b->d / b->per)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
-    b->rows = malloc((b->length + 1) * b->d * sizeof *b->rows);
+    b->rows = malloc((b->length * b->per + 1) * b->d * sizeof *b->rows);
     b->at = calloc(pieces, sizeof *b->at);
     if (!b->rows || !b->at)
         FVI_FAIL("no memory for the path", FVI_ENOMEM);
@@ -113,6 +127,8 @@ int fvi_backward_alloc(const fvi_method *method, const fvi_run *run,
     }
     b->d = d;
     b->steps = b->length = run->steps;
+    b->per =
+        method->scheme == FVI_SCHEME_STAGES ? (size_t)method->stages - 1 : 1;
     b->x = x;
     if (x)
         memcpy(b->p, p, d * sizeof *p);
@@ -138,6 +154,6 @@ int fvi_backward_step(fvi_backward *b, size_t k, const double **rows)
         fvi_stop(b->at[piece]);
         b->at[piece] = NULL;
     }
-    *rows = b->x + (k - piece * b->length) * b->d;
+    *rows = b->x + (k - piece * b->length) * b->per * b->d;
     return status;
 }

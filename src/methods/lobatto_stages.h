@@ -25,6 +25,9 @@ typedef struct {
     fvi_pull pull;
 } fvi_lobatto_stages;
 
+/* fvi_lobatto_finer -- the tolerance that the memory of a run is asked for, (17.21). */
+double fvi_lobatto_finer(const fvi_run *run);
+
 /* fvi_lobatto_known -- S_i but for grad U and the part of the present in the memory:
  * force, impulses of the past and history. o->v holds the v of the step before.
  * Returns what the force and fvi_lobatto_memory_push return. */

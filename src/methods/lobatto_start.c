@@ -85,12 +85,12 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
 //> finer
 /* What the memory has to keep, so that the impulse of its error, over the whole time
  * T, is no more than the tolerance of m max|v|. (17.21) */
-static double finer(const fvi_stepper *s, double beta)
+double fvi_lobatto_finer(const fvi_run *run)
 {
-    const fvi_system *system = s->run.system;
-    const double T = s->run.h * (double)s->run.steps,
-                 Y = pow(beta > 0 ? s->run.h : T, -beta),
-                 wish = s->run.tolerance > 0 ? s->run.tolerance : 1e-13;
+    const fvi_system *system = run->system;
+    const double beta = 2 * run->alpha - 1, T = run->h * (double)run->steps,
+                 Y = pow(beta > 0 ? run->h : T, -beta),
+                 wish = run->tolerance > 0 ? run->tolerance : 1e-13;
     double worst = 1;
     for (size_t j = 0; j < system->d; j++)
         worst = fmax(worst, T * system->damping[j] * Y / system->mass[j]);
@@ -110,7 +110,7 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     }
     int status =
         fvi_lobatto_memory_alloc(o->s, beta, o->damped, s->run.steps,
-                                 s->run.memory, finer(s, beta), &o->memory);
+                                 s->run.memory, fvi_lobatto_finer(&s->run), &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
@@ -193,6 +193,7 @@ static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
         .highest = 2 * s - 2,                                                  \
         .stages = s,                                                           \
         .damped_inertia = damped,                                              \
+        .scheme = damped ? FVI_SCHEME_OTHER : FVI_SCHEME_STAGES,               \
         .alpha_most = 1,                                                       \
         .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
         .implicit = is_implicit,                                               \

@@ -6,6 +6,7 @@
 #include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "memory/lobatto_weights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,8 +16,8 @@ static const char *const own_words[] = { "of", "forces", NULL };
 typedef enum { OF, FORCES, OWN } own_index;
 
 /* Of a run, and of no use to its derivatives. */
-static const char *const not_for_gradient[] = { "error", "damping", "columns", "every",
-                                                "format", NULL };
+static const char *const not_for_gradient[] = { "error", "damping", "columns",
+                                                "every", "format",  NULL };
 
 /* What the words say, and what comes out. */
 typedef struct {
@@ -27,6 +28,7 @@ typedef struct {
     fvi_run run;
     double value; /* of what is differentiated */
     fvi_gradients to;
+    size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
 } request;
 
@@ -94,11 +96,15 @@ static int interpret_of(request *r, fvi_complaint c)
 static int interpret(request *r, fvi_complaint c)
 {
     const fvi_method *m = r->o.method;
-    if (m->scheme == FVI_SCHEME_OTHER || m->scheme == FVI_SCHEME_STAGES)
+    if (m->scheme == FVI_SCHEME_OTHER)
         return fvi_refuse(c,
-                          "--method: '%s' has no gradient; fvi, fvi-shifted "
-                          "and fvi-bdf2 have",
+                          "--method: '%s' has no gradient; fvi, fvi-shifted, "
+                          "fvi-bdf2 and fvi-lobatto2 to 8 have",
                           m->name);
+    if (m->stages && r->o.alpha == 1)
+        return fvi_refuse(c, "--alpha: '%s' has no gradient with %s",
+                          r->o.text[ALPHA], m->name);
+    r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->own[FORCES] && !*r->own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
     return interpret_of(r, c);
@@ -159,13 +165,20 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
+/* Row k of the forces: t_k, or the time of a stage. */
+static double row_time(const request *r, size_t k)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto((size_t)r->o.method->stages);
+    return ((double)(k / r->per) + (rule ? rule->c[k % r->per] : 0)) * r->o.h;
+}
+
 /* A --let may stand in the force. */
 static void add_forces(request *r)
 {
     for (size_t j = 0; r->o.forces && j < r->o.lets.count; j++)
-        for (size_t k = 0; k <= r->o.steps; k++) {
+        for (size_t k = 0; k <= r->o.steps * r->per; k++) {
             const double by =
-                fvi_forces_by_parameter(r->o.forces, j, (double)k * r->o.h);
+                fvi_forces_by_parameter(r->o.forces, j, row_time(r, k));
             for (size_t i = 0; i < r->o.d; i++)
                 r->lets[j] += by * r->force[k * r->o.d + i];
         }
@@ -222,20 +235,21 @@ static int make_room(request *r)
     r->to.sensitivity = fvi_sensitivity_of(&r->system.potential);
     if (r->o.expression)
         r->to.sensitivity = (fvi_sensitivity){ r->o.lets.count, by_let };
-    const double rows = 8 * (double)d * (double)(r->o.steps + 1);
+    const double rows =
+        8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
     const int wanted = r->own[FORCES] || (r->o.forces && r->o.lets.count > 0);
     r->numbers = calloc(4 * d + 3 + r->o.lets.count, sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
-        r->force = malloc((r->o.steps + 1) * d * sizeof *r->force);
+        r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
     if (!r->numbers || (wanted && !r->force))
         return fvi_complain("not enough memory");
     r->to.x0 = r->numbers;
     r->to.p0 = r->to.x0 + d;
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
-    r->to.alpha = r->to.damping + d;
-    r->lets = r->to.alpha + 3; /* behind c and g */
-    r->to.parameters = r->o.expression ? r->lets : r->to.alpha + 1;
+    r->to.alpha = r->o.method->stages ? NULL : r->to.damping + d;
+    r->lets = r->to.damping + d + 3; /* behind c and g */
+    r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
     r->to.force = r->force;
     return 0;
 }
@@ -296,7 +310,10 @@ static int print_answer(const request *r)
     print_each(f, r, "p0", r->to.p0);
     print_each(f, r, "mass", r->to.mass);
     print_each(f, r, "rho", r->to.damping);
-    print_row(f, "alpha", "", *r->to.alpha);
+    if (r->to.alpha)
+        print_row(f, "alpha", "", *r->to.alpha);
+    else
+        fprintf(f, "# warning = no derivative by alpha with stages yet\n");
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
@@ -320,8 +337,8 @@ static int print_forces(const request *r)
             fprintf(f, "\tF%zu", i + 1);
         else
             fprintf(f, "\tF");
-    for (size_t k = 0; k <= r->o.steps; k++) {
-        fvi_print_number(f, "\n", (double)k * r->o.h);
+    for (size_t k = 0; k <= r->o.steps * r->per; k++) {
+        fvi_print_number(f, "\n", row_time(r, k));
         for (size_t i = 0; i < d; i++)
             fvi_print_number(f, "\t", r->force[k * d + i]);
     }
@@ -337,7 +354,8 @@ static const char usage_gradient[] =
     "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
     "many]\n"
     "  --forces FILE    t, and the derivative by the force at t\n"
-    "and of run: --method (fvi, fvi-shifted, fvi-bdf2) --alpha --rho --mass\n"
+    "and of run: --method (fvi, fvi-shifted, fvi-bdf2, and fvi-lobatto2 to 8\n"
+    "without the row of alpha) --alpha --rho --mass\n"
     "--potential --let --dimension --force --derivative --kappa --x0 --p0 --h\n"
     "--steps --time --memory --tolerance -o\n"
     "\n"

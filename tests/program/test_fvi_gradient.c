@@ -31,6 +31,8 @@ static const char *const runs[] = {
     "--alpha 0.7 --method fvi-shifted --potential pendulum:1 --rho 0.3",
     "--alpha 0.7 --method fvi-bdf2 --potential 'k*x^4/4+x^2/2' --let k=0.5 "
     "--force 'cos(k*t)' --derivative caputo",
+    "--alpha 0.7 --method fvi-lobatto3 --potential 'k*x^4/4+x^2/2' --let k=0.5 "
+    "--force 'cos(k*t)'",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -47,6 +49,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 1, "x0", "--x0", 1 },      { 1, "p0", "--p0", 0.5 },
         { 1, "mass", "--mass", 1 },  { 1, "g", "--potential pendulum:", 1 },
         { 2, "k", "--let k=", 0.5 }, { 2, "mass", "--mass", 1 },
+        { 3, "k", "--let k=", 0.5 }, { 3, "rho", "--rho", 0.2 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -113,6 +116,7 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
+        { "--method fvi-lobatto2 --alpha 1", "--alpha: '1' has no gradient" },
         { "--of y", "--of: 'y' is none of x, p, energy" },
         { "--of x:2", "--of: '2' is outside [1, 1]" },
         { "--of energy:1", "--of: 'energy:1': there is one energy" },

@@ -1,0 +1,234 @@
+/* tests/adjoint/test_adjoint_stages.c -- Chapter 23: methods with stages, and identities
+ * that every method has to keep.       Run alone: make test-adjoint_stages */
+#include "adjoint_runs.h"
+#include "memory/lobatto_weights.h"
+
+static const fvi_method *const staged[] = { &fvi_lobatto2, &fvi_lobatto3,
+                                            &fvi_lobatto4, &fvi_lobatto5,
+                                            &fvi_lobatto8 };
+static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
+                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const double alphas[] = { 0.05, 0.3, 0.5, 0.7, 0.95 };
+enum { D = 3, N = 100 };
+
+/* Three masses in a chain; t moves all numbers but alpha along a direction. */
+typedef struct {
+    double x0[D], p0[D], mass[D], rho[D], cg[2], aw[2];
+    fvi_system system;
+    fvi_run run;
+} chain;
+
+static void chain_at(chain *c, fvi_past past, double alpha, double g, double t)
+{
+    const int from_zero = past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5;
+    *c = (chain){ .p0 = { 0.5 + t, -0.3, 0.2 - t },
+                  .mass = { 1 + 0.2 * t, 1.5, 0.7 - 0.3 * t },
+                  .rho = { 0.4 + 0.3 * t, 0.2, 0.1 - 0.1 * t },
+                  .cg = { 1 + 0.5 * t, g + (g > 0 ? 0.4 * t : 0) },
+                  .aw = { 0.2, 1.3 } };
+    if (!from_zero)
+        memcpy(c->x0, (double[]){ 1 - 0.3 * t, -0.5, 0.25 + t }, sizeof c->x0);
+    c->system = (fvi_system){ .d = D,
+                              .mass = c->mass,
+                              .damping = c->rho,
+                              .potential = fvi_potential_chain(c->cg),
+                              .force = fvi_force_cosine(c->aw) };
+    c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 16, N);
+    c->run.alpha = alpha;
+    c->run.past = past;
+}
+
+/* J = x_N,1 + p_N,2; or the J of to_sine. */
+static int ends(size_t k, size_t d, const double *x, const double *p,
+                void *params, double *Jx, double *Jp)
+{
+    (void)k, (void)d, (void)x, (void)params;
+    if (p) {
+        Jx[0] = 1;
+        Jp[1] = 1;
+    }
+    return 0;
+}
+
+static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends)
+{
+    const size_t per = method->stages ? (size_t)method->stages - 1 : 1;
+    slopes *s = slopes_of(&c->run, N * per + 1);
+    const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
+    if (method->stages)
+        s->to.alpha = NULL;
+    ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
+                     FVI_SUCCESS);
+    return s;
+}
+
+static void run_of(const fvi_method *method, chain *c, double *x, double *p)
+{
+    ck_assert_int_eq(fvi_trajectory(method, &c->run, x, p, NULL), FVI_SUCCESS);
+}
+
+/* sum_k dJ/dF_k . F(t_k) over the times of all stages. */
+static double by_forces(const fvi_method *method, const chain *c,
+                        const slopes *s)
+{
+    const size_t per = method->stages ? (size_t)method->stages - 1 : 1;
+    const fvi_lobatto_rule *rule =
+        method->stages ? fvi_lobatto((size_t)method->stages) : NULL;
+    double sum = 0;
+    for (size_t k = 0; k <= N * per; k++) {
+        const double inner = rule ? rule->c[k % per] : 0;
+        const double t = ((double)(k / per) + inner) * c->run.h;
+        for (size_t i = 0; i < D; i++)
+            sum += s->force[k * D + i] * c->aw[0] * cos(c->aw[1] * t);
+    }
+    return sum;
+}
+
+static const fvi_method *method_of(size_t i)
+{
+    static const fvi_method *const plain[] = { &fvi_fractional, &fvi_shifted,
+                                               &fvi_bdf2 };
+    return i < LEN(plain) ? plain[i] : staged[i - LEN(plain)];
+}
+
+enum { METHODS = 3 + LEN(staged) };
+
+/* For a linear system x_N and p_N are linear in x0, p0 and F: J is the sum of what they
+ * do. Roundings of N sums, 1e-12 in all, as J is of order 1;
+ * of stages 2e-11, since for alpha near 0 their memory integrates lambda, and does so with
+ * weights that are larger the more stages there are. Seen: 9e-12 (eight stages, alpha =
+ * 0.05), 0.03 of 1e-12 without stages. */
+START_TEST(eq_23_6_start_and_force_add_up_to_a_linear_motion)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    for (size_t i = 0; i < METHODS * LEN(pasts) * LEN(alphas); i++) {
+        const fvi_method *method = method_of(i % METHODS);
+        chain c;
+        chain_at(&c, pasts[i / METHODS % LEN(pasts)],
+                 alphas[i / METHODS / LEN(pasts)], 0, 0);
+        slopes *s = slopes_by(method, &c, 1);
+        run_of(method, &c, x, p);
+        double sum = by_forces(method, &c, s);
+        for (size_t j = 0; j < D; j++) {
+            sum += isnan(s->to.x0[j]) ? 0 : s->to.x0[j] * c.x0[j];
+            sum += s->to.p0[j] * c.p0[j];
+        }
+        ck_assert_near(sum, x[N * D] + p[N * D + 1],
+                       method->stages ? 2e-11 : 1e-12, "%s past %d alpha=%g",
+                       method->name, (int)c.run.past, c.run.alpha);
+        slopes_free(s);
+    }
+}
+END_TEST
+
+/* Masses, dampings, springs, forces and momenta times one factor: the same x. So
+ * J(x) has the slope zero there, Duffing springs and all. J = x_N,1 + p_N,2, of which
+ * p_N grows by the factor. */
+START_TEST(eq_23_6_a_factor_of_all_forces_changes_no_position)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    for (size_t i = 0; i < METHODS * LEN(pasts) * LEN(alphas); i++) {
+        const fvi_method *method = method_of(i % METHODS);
+        chain c;
+        chain_at(&c, pasts[i / METHODS % LEN(pasts)],
+                 alphas[i / METHODS / LEN(pasts)], 0.5, 0);
+        slopes *s = slopes_by(method, &c, 1);
+        run_of(method, &c, x, p);
+        double sum = by_forces(method, &c, s), size = fabs(sum);
+        const double parts[] = { s->to.parameters[0] * c.cg[0],
+                                 s->to.parameters[1] * c.cg[1] };
+        for (size_t j = 0; j < 2; j++) {
+            sum += parts[j];
+            size += fabs(parts[j]);
+        }
+        for (size_t j = 0; j < D; j++) {
+            const double some[] = { s->to.p0[j] * c.p0[j],
+                                    s->to.mass[j] * c.mass[j],
+                                    s->to.damping[j] * c.rho[j] };
+            for (size_t l = 0; l < LEN(some); l++) {
+                sum += some[l];
+                size += fabs(some[l]);
+            }
+        }
+        ck_assert_near(sum, p[N * D + 1], 1e-12 * fmax(1, size),
+                       "%s past %d alpha=%g", method->name, (int)c.run.past,
+                       c.run.alpha);
+        slopes_free(s);
+    }
+}
+END_TEST
+
+/* Taylor's test for the methods with stages: as in test_adjoint_identities.c. */
+static double objective(const fvi_method *method, chain *c)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    double J = 0;
+    run_of(method, c, x, p);
+    for (size_t i = 0; i < D; i++) {
+        for (size_t k = 1; k <= N; k++) {
+            const double away = x[k * D + i] - sin((double)k * c->run.h);
+            J += c->run.h / 2 * away * away;
+        }
+        J += x[N * D + i] / 2 + x[N * D + i] * p[N * D + i] * p[N * D + i] / 4;
+    }
+    return J;
+}
+
+START_TEST(eq_23_6_what_the_gradient_of_stages_leaves_is_of_order_2)
+{
+    for (size_t i = 0; i < LEN(staged) * LEN(pasts) * LEN(alphas); i++) {
+        const fvi_method *method = staged[i % LEN(staged)];
+        const fvi_past past = pasts[i / LEN(staged) % LEN(pasts)];
+        const double alpha = alphas[i / LEN(staged) / LEN(pasts)], t = 1e-3;
+        chain c;
+        chain_at(&c, past, alpha, 0.5, 0);
+        slopes *s = slopes_by(method, &c, 0);
+        const fvi_gradients *g = &s->to;
+        double slope = g->p0[0] - g->p0[2] + 0.2 * g->mass[0] - 0.3 * g->mass[2]
+                       + 0.3 * g->damping[0] - 0.1 * g->damping[2]
+                       + 0.5 * g->parameters[0] + 0.4 * g->parameters[1];
+        if (!isnan(g->x0[0]))
+            slope += -0.3 * g->x0[0] + g->x0[2];
+        const double J = objective(method, &c);
+        chain_at(&c, past, alpha, 0.5, t);
+        const double whole = objective(method, &c) - J - t * slope;
+        chain_at(&c, past, alpha, 0.5, t / 2);
+        const double half = objective(method, &c) - J - t / 2 * slope;
+        ck_assert_near(whole / half, 4, 0.4, "%s past %d alpha=%g",
+                       method->name, (int)past, alpha);
+        slopes_free(s);
+    }
+}
+END_TEST
+
+/* What the stages do not know is refused. */
+START_TEST(stages_refuse_what_they_have_no_derivative_of)
+{
+    chain c;
+    double alpha, x[(N + 1) * D] = { 0 };
+    chain_at(&c, FVI_PAST_HELD, 0.3, 0, 0);
+    const fvi_objective J = { ends, NULL };
+    const fvi_gradients by_alpha = { .alpha = &alpha }, none = { .x0 = NULL };
+    ck_assert_int_eq(
+        fvi_adjoint(&fvi_lobatto3, &c.run, NULL, NULL, &J, &by_alpha),
+        FVI_EUNSUP);
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3, &c.run, x, x, &J, &none),
+                     FVI_EUNSUP);
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3d, &c.run, NULL, NULL, &J, &none),
+                     FVI_EUNSUP);
+    c.run.alpha = 1;
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3, &c.run, NULL, NULL, &J, &none),
+                     FVI_EUNSUP);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, stages");
+    ADD_CASE(suite, "identities",
+             eq_23_6_start_and_force_add_up_to_a_linear_motion,
+             eq_23_6_a_factor_of_all_forces_changes_no_position,
+             eq_23_6_what_the_gradient_of_stages_leaves_is_of_order_2);
+    ADD_CASE(suite, "errors", stages_refuse_what_they_have_no_derivative_of);
+    return run_suite(suite);
+}
