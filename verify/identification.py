@@ -3,13 +3,16 @@
   (24.2)  the exact motion of a linear spring and its derivatives by all parameters, from
           their Laplace transforms, at two precisions: data of an independent program;
   (24.3)  the standard deviations and correlations that follow;
+  (24.8)  the twin order gives the same complex modulus;
+  (24.10) the modulus of the weights;
   (24.6)  the derived equation of a step, from the equation of the step;
   and derivatives of runs of Algorithm 3, by complex steps of 1e-25 in the definition.
 
 Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with
 Q = m s^2 + rho s^{2 alpha} + c. Inputs are the doubles they are."""
 from mpmath import mp, mpf
-from sympy import Derivative, Function, Rational, Subs, diff, expand, symbols
+from sympy import Function, I, Rational, cos, diff, exp, expand, expand_trig, sin, symbols
+from sympy import pi as sympi
 
 from refgen import claim, header, hexd, hexd_real, prove
 
@@ -88,6 +91,18 @@ after = p - h * u(S, theta)
 prove("(24.6) the momentum after it", expand(
     (diff(after, theta) - (pi - h * (G * (slope_x + (1 - kappa) * delta) + dU))).doit()))
 #< tangent
+
+#> moduli
+w, al, r_, c_ = symbols("w alpha_0 rho_0 c_0", positive=True)
+seen = c_ + r_ * w ** (2 * al) * (cos(sympi * al) + I * sin(sympi * al))
+twin_rho = r_ * w ** (2 * al) / w ** (2 * (1 - al))
+twin_c = c_ + 2 * r_ * w ** (2 * al) * cos(sympi * al)
+twin = twin_c + twin_rho * w ** (2 * (1 - al)) * (cos(sympi * (1 - al)) + I * sin(sympi * (1 - al)))
+prove("(24.8) the twin is seen the same", expand(expand_trig(twin - seen)))
+turn = symbols("turn", real=True)                          # w h
+prove("(24.10) 1 - e^(-i wh) = 2 sin(wh/2) e^(i (pi - wh)/2)", expand(
+    (1 - exp(-I * turn) - 2 * sin(turn / 2) * I * exp(-I * turn / 2)).rewrite(exp)))
+#< moduli
 
 
 def algorithm_3(v, steps, kappa, past):

@@ -133,6 +133,26 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * FVI_ENOMEM. */
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
 
+/* fvi_fit_moduli -- alpha, rho and k from storage and loss.             [(24.9)]
+ *
+ *     storage = k + rho w^{2 alpha} cos(pi alpha),   loss = rho w^{2 alpha} sin(pi alpha)
+ *
+ *   n, w           frequencies, n >= 2, > 0, two different ones at least
+ *   storage, loss  the moduli there, each with an error in proportion to
+ *                  (storage^2 + loss^2)^(1/2), which is not 0; the least squares are so
+ *                  weighed
+ *   fitted         output: alpha, rho, k in this order, their sd and correlations; sigma
+ *                  is that relative error, estimated. The rest but quantile, chi2 and
+ *                  probability is 0
+ *
+ * For each alpha rho and k are had from two linear equations, so that alpha alone is
+ * searched: a scan of (0, 1), then Brent's method, to about 1e-8. The sign of rho is not
+ * asked for. Cost: some 150 n powers. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is
+ * NULL; FVI_EINVAL if n < 2; FVI_EDOM if a number is out of range; FVI_ESING, of which no
+ * handler is called, if the data do not determine the three; FVI_ENOMEM. */
+int fvi_fit_moduli(size_t n, const double *w, const double *storage,
+                   const double *loss, fvi_fitted *fitted);
+
 /* fvi_tangents -- a run of Algorithm 3 and its derivatives, side by side.  [(24.6)]
  *
  *   run    of one mass, for the method fvi_fractional

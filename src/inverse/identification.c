@@ -6,16 +6,14 @@
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_qrng.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define MANY_STEPS 0x1p17
-#define HOPELESS 1e8   /* the residual where there is no motion */
-#define VAGUE 20       /* sd of a logit or a logarithm that says nothing */
-#define DEPENDENT 1e-6 /* least singular value of J, its columns of length 1 */
+#define HOPELESS 1e8 /* the residual where there is no motion */
+#define VAGUE 20     /* sd of a logit or a logarithm that says nothing */
 
 /* Where a search ended: the parameters as u, and the sum of squares. */
 typedef struct {
@@ -136,36 +134,6 @@ static size_t agreeing(const search *o, const place *best,
 
 /* ---- what the data say of the parameters ---- */
 
-/* C = (J^T J)^-1 by J = Q S V^T, its columns scaled to length 1. Returns FVI_ESING if
- * they are dependent. Q is J before. */
-static int invert(gsl_matrix *Q, double C[][FVI_FIT_MOST])
-{
-    const size_t P = Q->size2;
-    double v[FVI_FIT_MOST * FVI_FIT_MOST], s[FVI_FIT_MOST], work[FVI_FIT_MOST],
-        length[FVI_FIT_MOST];
-    gsl_matrix_view V = gsl_matrix_view_array(v, P, P);
-    gsl_vector_view S = gsl_vector_view_array(s, P),
-                    W = gsl_vector_view_array(work, P);
-    for (size_t j = 0; j < P; j++) {
-        gsl_vector_view column = gsl_matrix_column(Q, j);
-        length[j] = gsl_blas_dnrm2(&column.vector);
-        if (!(length[j] > 0) || !isfinite(length[j]))
-            return FVI_ESING;
-        gsl_vector_scale(&column.vector, 1 / length[j]);
-    }
-    if (gsl_linalg_SV_decomp(Q, &V.matrix, &S.vector, &W.vector)
-        || !(s[P - 1] > DEPENDENT))
-        return FVI_ESING;
-    for (size_t i = 0; i < P; i++)
-        for (size_t j = 0; j < P; j++) {
-            C[i][j] = 0;
-            for (size_t k = 0; k < P; k++)
-                C[i][j] += v[i * P + k] * v[j * P + k]
-                           / (s[k] * s[k] * length[i] * length[j]);
-        }
-    return FVI_SUCCESS;
-}
-
 //> covariance
 /* (24.3), from the Jacobian by u where the solver stands. */
 static int covariance(search *o, const place *at, fvi_fitted *fitted)
@@ -175,7 +143,7 @@ static int covariance(search *o, const place *at, fvi_fitted *fitted)
     double C[FVI_FIT_MOST][FVI_FIT_MOST];
     const double variance =
         m->fit->sigma > 0 ? 1 : at->sum / (double)(n - P); /* of f */
-    if (invert(gsl_multifit_nlinear_jac(o->solver), C))
+    if (fvi_fit_invert(gsl_multifit_nlinear_jac(o->solver), C))
         return FVI_ESING;
     for (size_t j = 0; j < P; j++) {
         const double slope =

@@ -7,6 +7,8 @@
 
 #include <fvi/identification.h>
 
+#include <gsl/gsl_matrix.h>
+
 typedef struct {
     const fvi_fit *fit;
     fvi_system system;
@@ -42,6 +44,10 @@ double fvi_fit_first_step(const fvi_fit *fit);
 /* w where the periodogram of x - mean is largest, and A = max |x - mean|. */
 void fvi_fit_frequency(size_t n, const double *t, const double *x, double *w,
                        double *A);
+
+/* C = (J^T J)^-1 for at most FVI_FIT_MOST columns; J is lost. FVI_ESING if they are
+ * dependent. GSL's handler is off. */
+int fvi_fit_invert(gsl_matrix *J, double C[][FVI_FIT_MOST]);
 
 /* The answer of fvi_fit_search to a question that cannot be asked, or FVI_SUCCESS. */
 int fvi_fit_check(const fvi_fit *fit);
