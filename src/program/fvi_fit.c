@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define ALIKE 0.9 /* a correlation above this is worth a word */
 
@@ -375,9 +376,14 @@ static int search_and_print(request *r)
     run.tolerance = r->o.tolerance;
     r->fit.run = &run;
     fvi_fitted f = { .agree = 0 };
+    const int terminal = isatty(STDERR_FILENO);
+    if (terminal)
+        fprintf(stderr, "looking for %s ...", r->own[FIT]);
     int status = make_box(r);
     if (!status)
         status = fvi_fit_search(&r->fit, r->curve, &f);
+    if (terminal)
+        fprintf(stderr, "\r\033[K");
     int failed = status != 0;
     if (!status
         || ((status == FVI_EMAXITER || status == FVI_ETOL) && !r->o.output)) {
