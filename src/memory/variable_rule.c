@@ -97,18 +97,19 @@ FVI_VECTORS static int invert(size_t s, fvi_square *square)
         from[k] = p;
         if (p != k)
             exchange(M[k], M[p], FVI_LANES, 1);
+        /* what a vector has to wait for, a single number, is written last */
         const double pivot = 1 / M[k][k];
-        M[k][k] = 1;
         fvi_four *row = (fvi_four *)M[k];
         const fvi_four low = row[0] *= pivot, high = row[1] *= pivot;
+        M[k][k] = pivot;
         for (size_t r = 0; r < s; r++) {
             if (r == k)
                 continue;
             const double factor = M[r][k];
-            M[r][k] = 0;
             row = (fvi_four *)M[r];
             row[0] -= factor * low;
             row[1] -= factor * high;
+            M[r][k] = -factor * pivot;
         }
     }
     for (size_t k = s; k-- > 0;)
