@@ -12,7 +12,8 @@ extern "C" {
 /* fvi_methods -- the integrators of damped systems, ended by NULL: fvi_fractional
  * (fvi.h), fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
  * (discrete_mechanics.h), fvi_shifted, fvi_bdf2 (convolution_quadrature_methods.h),
- * fvi_lobatto2 to 8, fvi_lobatto2d to 8d (lobatto.h). `fvi methods` prints it, and
+ * fvi_lobatto2 to 8, fvi_lobatto2d to 8d (lobatto.h), fvi_adaptive (variable_steps.h),
+ * whose steps are its own. `fvi methods` prints it, and
  * all that has to know the methods reads it. Without fvi_variational, which refuses
  * damping.
  *
