@@ -1,7 +1,8 @@
 /* src/methods/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
  *
  * Internal: adaptive_start.c makes it, variable_steps.c steps with it, adaptive_solve.c
- * solves the equation of a step, adaptive_singular.c has the start that is not smooth. */
+ * solves the equation of a step, adaptive_dense.c has what is between its ends,
+ * adaptive_singular.c the start that is not smooth. */
 #ifndef FVI_ADAPTIVE_H
 #define FVI_ADAPTIVE_H
 
@@ -110,6 +111,9 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
  * from 0 to theta, and Q_n that of R_n, n < s.
  *   Q  may be NULL */
 void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q);
+
+/* fvi_adaptive_dense -- as fvi_method has it.                               (22.18) */
+int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p);
 
 /* fvi_singular_is -- is x = y + G in a step that begins at t? */
 static inline int fvi_singular_is(const fvi_adaptive_run *o, double t)
