@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-enum { N = 300, D = 3, ROOM = 1 << 20 };
+enum { N = 120, D = 3, ROOM = 1 << 20 };
 
 /* A visitor that keeps the pieces, or gives them back. */
 typedef struct {
@@ -87,20 +87,23 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                     run.alpha = alphas[a];
                     run.memory = (fvi_memory_kind)kind;
                     run.past = (fvi_past)past;
+                    if (kind > 0 && 4 * run.alpha == floor(4 * run.alpha)
+                        && run.alpha != 0.75)
+                        continue; /* 0, 1/2, 1: the kinds are one */
                     if (fvi_start(fvi_methods[m], &run, &whole))
                         continue; /* not for this method */
                     if (whole->own && !fvi_methods[m]->visit) {
                         fvi_stop(whole);
                         continue;
                     }
-                    steps(whole, 100);
+                    steps(whole, 50);
                     const size_t size = saved(whole);
-                    steps(whole, N - 100);
+                    steps(whole, N - 50);
                     ck_assert_int_eq(fvi_start(fvi_methods[m], &run, &again),
                                      0);
                     ck_assert_int_eq(loaded(again, size), 0);
-                    ck_assert(again->k == 100 && again->t == 100 * 0.05);
-                    steps(again, N - 100);
+                    ck_assert(again->k == 50 && again->t == 50 * 0.05);
+                    steps(again, N - 50);
                     ck_assert_msg(
                         memcmp(whole->x, again->x, D * sizeof *x0) == 0
                             && memcmp(whole->p, again->p, D * sizeof *x0) == 0,
