@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { RUNS = 9, FEW = 3 };
+enum { RUNS = 9, FEW = 3, HOPELESS = 50 };
 
 size_t gather(contender *all)
 {
@@ -84,6 +84,13 @@ static int may_matter(double error, double seconds, const double *front)
 {
     const int k = (int)fmin(DECADES, floor(-log10(fmax(error, 1e-99))));
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
+}
+
+/* So far from the front that more steps will not bring it back. */
+static int is_hopeless(double error, double seconds, const double *front)
+{
+    const int k = (int)fmin(DECADES, floor(-log10(fmax(error, 1e-99))));
+    return k >= 1 && front[k] > 0 && seconds > HOPELESS * front[k];
 }
 
 /* What a sweep is about, and where its runs are kept. */
@@ -171,7 +178,7 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
             fprintf(stderr, "\rP%d %-40s %10zu", P + 1, c->name, N);
         stalls = error < 0.1 && error > before / 1.5 ? stalls + 1 : 0;
         if (!by_steps || stalls == 2 || error < 3e-15
-            || 2 * seconds > p->seconds)
+            || is_hopeless(error, seconds, front) || 2 * seconds > p->seconds)
             break;
         before = error;
     }

@@ -68,11 +68,12 @@ void print_fronts(const results *r, int P)
     printf("#< fronts-%d\n\n\n", P + 1);
 }
 
-/* Milliseconds of every method, by error. For the picture: the same in two columns. */
+/* Milliseconds of every method, by error. */
 void print_methods(const results *r, int P)
 {
-    printf("# P%d: ms of each method, by error\n#> methods-%d\n# %-22s", P + 1,
-           P + 1, "method");
+    printf("# P%d: ms of each method, by error (-: not reached, or "
+           "given up at fifty times the least)\n#> methods-%d\n# %-22s",
+           P + 1, P + 1, "method");
     for (int k = 1; k <= DECADES; k++)
         printf("\t1e-%02d", k);
     printf("\n");
