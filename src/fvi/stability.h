@@ -27,8 +27,8 @@ extern "C" {
  * if not. In one dimension: (W (1 - 2 kappa)^2 + share 4^alpha R) / 4,
  * W = h^2 c / m, R = rho h^(2 - 2 alpha) / m. The load of fvi-lobatto2 to 8 is
  * that of fvi_stability_lobatto, with its cost, accuracy and errors; that of
- * fvi-lobatto2d to 8d is 0 (17.28). Of Euler's
- * methods none is known here.
+ * fvi-lobatto2d to 8d, fvi-stable and euler-implicit is 0 (17.28). Of Euler's
+ * explicit method and fvi-adaptive none is known here.
  *
  *   method  its load, alpha_least and alpha_most are read
  *   run     system, x0, h, kappa, alpha are read; the rest may be anything
@@ -46,7 +46,7 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
 
 /* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
  *
- *   method  as above, with load_grows: all but Euler's, fvi-lobatto3 to 8
+ *   method  as above, with load_grows: all but euler-explicit, fvi-adaptive, fvi-lobatto3 to 8
  *   run  as above; its h is not read
  *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
  *        (alpha = 1 and strong damping)

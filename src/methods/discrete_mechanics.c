@@ -237,5 +237,7 @@ const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .alpha_least = 0.5,
                                         .alpha_most = 0.5,
                                         .implicit = 1,
+                                        .load = fvi_load_none,
+                                        .load_grows = 1,
                                         .start = start_euler_implicit,
                                         .step = step_euler_implicit };

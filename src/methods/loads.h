@@ -28,7 +28,7 @@ int fvi_load_lobatto6(const fvi_run *run, double *load);
 int fvi_load_lobatto7(const fvi_run *run, double *load);
 int fvi_load_lobatto8(const fvi_run *run, double *load);
 
-/* 0: no step is too long. (13.17), (17.28) */
+/* 0: no step is too long. (13.17), (17.28); Euler's implicit method */
 int fvi_load_none(const fvi_run *run, double *load);
 
 #endif
