@@ -76,7 +76,7 @@ int fvi_coefficients_rate(double alpha, size_t count, double *rate)
     dd s = { -1, 0 }, r = { 0, 0 }; /* w[n] / alpha, and its derivative */
     for (size_t n = 1; n < count; n++) {
         const double x = (double)n;
-        if (n > 1) {
+        if (n >= 2) {
             const dd factor = two_sum(x - 1, -alpha);
             r = over(plus(times(r, factor), (dd){ -s.hi, -s.lo }), x);
             s = over(times(s, factor), x);

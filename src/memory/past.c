@@ -96,7 +96,7 @@ void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
 static void power_moments_rate(double e, size_t k, size_t count,
                                double *moments, double *rates)
 {
-    const double middle = (double)k + 0.5, power = pow(middle, e);
+    const double middle = 0.5 + (double)k, power = pow(middle, e);
     double term = 1, slope = 0;
     for (size_t degree = 0; degree < count; degree++)
         moments[degree] = rates[degree] = 0;
