@@ -19,6 +19,7 @@ static double end_of(const fvi_method *method, const fvi_law *law, double g,
     fvi_run run =
         fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.law = law;
+    run.alpha = 0.8; /* not read */
     double *x = malloc((steps + 1) * sizeof *x);
     ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), FVI_SUCCESS);
     const double last = x[steps];
