@@ -217,8 +217,9 @@ static int put_in_place(void)
 
 int fvi_output_close(FILE *stream, int keep)
 {
-    int failed = fflush(stream) != 0 || ferror(stream)
-                 || (keep && give_name(fileno(stream)) != 0);
+    int failed =
+        fflush(stream) != 0 || ferror(stream)
+        || (keep && stream != stdout && give_name(fileno(stream)) != 0);
     int why = errno;
     if (stream != stdout && fclose(stream) != 0 && !failed) {
         failed = 1;
@@ -231,6 +232,7 @@ int fvi_output_close(FILE *stream, int keep)
     if (temporary[0] && (failed || !keep))
         unlink(temporary);
     temporary[0] = '\0';
+    nameless = 0;
     errno = why;
     return failed ? -1 : 0;
 }

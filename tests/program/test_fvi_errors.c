@@ -28,7 +28,8 @@ START_TEST(bad_use_is_refused)
         "run --method rk4;run --method '';run --method lda --alpha 0.4;"
         "run --method euler-explicit --alpha 1;run --derivative both;"
         "run --potential duffing;run --potential harmonic:;"
-        "run --potential harmonic:1,2;run --potential harmonic:nan;"
+        "run --potential harmonic:1,2;run --potential harmonic:nan;run "
+        "--potential harmonic:inf;"
         "run --potential duffing:1;run --potential duffing:1,,2;"
         "run --potential free:1;run --potential pendulum:1x;"
         "run --potential harmonics:1;run --potential chain:0,1,1;"
@@ -156,8 +157,8 @@ END_TEST
 /* The best that was reached is said; there are no rows that are not good enough. */
 START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 {
-    ck_assert_int_eq(fvi("run --error 1e-16 --method fvi-lobatto8d --alpha 0.3"),
-                     1);
+    ck_assert_int_eq(
+        fvi("run --error 1e-16 --method fvi-lobatto8d --alpha 0.3"), 1);
     ck_assert_str_eq(out, "");
     double best = 0, step = 0;
     ck_assert_int_eq(sscanf(err,
@@ -172,17 +173,17 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
     ck_assert_ptr_nonnull(strstr(err, "; try --method fvi-adaptive\n"));
     ck_assert_int_eq(
         fvi("run --error 1e-9 --time 2 --steps 4 --method fvi-lobatto4"), 0);
-    ck_assert_int_eq(fvi("run --error 1 --alpha 1 --rho 1e300 -o none --method fvi"),
-                     1);
+    ck_assert_int_eq(
+        fvi("run --error 1 --alpha 1 --rho 1e300 -o none --method fvi"), 1);
     ck_assert_str_eq(
         err, "fvi: --error: no step gives a result that can be trusted\n");
     ck_assert(!exists("none"));
     ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
     ck_assert_str_eq(err, "fvi: not enough memory\n");
-    ck_assert_int_eq(fvi("run --error 0.1 --steps 20 --force step:1,1 --method fvi"),
-                     0);
-    ck_assert_int_eq(fvi("run --error 0.1 --steps 30 --force step:1,99 --method fvi"),
-                     0);
+    ck_assert_int_eq(
+        fvi("run --error 0.1 --steps 20 --force step:1,1 --method fvi"), 0);
+    ck_assert_int_eq(
+        fvi("run --error 0.1 --steps 30 --force step:1,99 --method fvi"), 0);
 }
 END_TEST
 
@@ -271,10 +272,14 @@ START_TEST(a_run_that_gets_stiffer_is_warned_of)
     const struct {
         const char *method;
         int warned;
-    } runs[] = { { "fvi-lobatto2", 1 },          { "fvi --kappa 0", 1 },
-                 { "fvi-shifted --kappa 1", 1 }, { "fvi-lobatto3", 0 },
-                 { "fvi-lobatto2d", 0 },         { "fvi-stable", 0 },
-                 { "fvi", 0 },                   { "fvi-adaptive", 0 } };
+    } runs[] = { { "fvi-lobatto2", 1 },
+                 { "fvi --kappa 0", 1 },
+                 { "fvi-shifted --kappa 1", 1 },
+                 { "fvi-lobatto3", 0 },
+                 { "fvi-lobatto2d", 0 },
+                 { "fvi-stable", 0 },
+                 { "fvi", 0 },
+                 { "fvi-adaptive", 0 } };
     for (size_t i = 0; i < LEN(runs); i++) {
         char line[200];
         double at = 0, load = 0;
@@ -405,7 +410,8 @@ int main(void)
              what_error_was_reached_is_said_if_not_the_one_asked_for,
              a_lost_phase_is_an_error, an_unstable_step_is_warned_of,
              an_unstable_step_with_stages_is_warned_of,
-             a_run_that_gets_stiffer_is_warned_of, too_large_a_run_is_refused_before_it_starts,
+             a_run_that_gets_stiffer_is_warned_of,
+             too_large_a_run_is_refused_before_it_starts,
              other_roundings_are_not_compiled,
              only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);
