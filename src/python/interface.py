@@ -76,6 +76,44 @@ void fvi_stop(fvi_stepper *s);
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x, double *p, double *energy);
 int fvi_stability_load(const fvi_method *method, const fvi_run *run, double *load);
 
+typedef struct fvi_expression fvi_expression;
+typedef struct {
+    const char *variable;
+    size_t d;
+    const char *const *parameter;
+    size_t parameters;
+} fvi_names;
+typedef struct { size_t at; const char *reason; } fvi_misprint;
+int fvi_expression_parse(const char *text, const fvi_names *names, const double *values,
+                         fvi_expression **e, fvi_misprint *wrong);
+void fvi_expression_free(fvi_expression *e);
+fvi_potential fvi_potential_expression(const fvi_expression *e);
+fvi_force fvi_force_expression(const fvi_expression *e);
+
+typedef enum { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO, FVI_PARAMETER_MASS, FVI_PARAMETER_X0,
+               FVI_PARAMETER_P0, FVI_PARAMETER_CONSTANT, ... } fvi_parameter;
+enum { FVI_FIT_MOST = 8, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_ESING = 21 };
+typedef struct {
+    const fvi_method *method;
+    const fvi_run *run;
+    double *constants;
+    size_t n;
+    const double *t, *x;
+    double sigma;
+    size_t parameters;
+    const fvi_parameter *which;
+    size_t starts;
+    double h;
+    ...;
+} fvi_fit;
+typedef struct {
+    double estimate[8], sd[8], correlation[8][8];
+    double quantile, sigma, chi2, probability, neighbours;
+    size_t agree;
+    double h, bias;
+} fvi_fitted;
+int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+
 typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;
 typedef struct {
     double m, c, rho, alpha;

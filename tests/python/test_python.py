@@ -102,6 +102,44 @@ def test_compiled_functions_are_taken_by_their_addresses():
     assert np.array_equal(fvi.run(U, alpha=0.3).x, fvi.run("harmonic:2", alpha=0.3).x)
 
 
+def test_an_expression_is_a_potential_as_good():
+    """The same roundings as in the program, which reads the same text."""
+    run = fvi.run("k*x^4/4 - x^2/2", let={"k": 2}, alpha=0.3, force="0.3*cos(t)", columns="t,x,p,energy")
+    table = program("run", "--potential", "k*x^4/4 - x^2/2", "--let", "k=2", "--alpha", "0.3",
+                    "--force", "0.3*cos(t)")
+    assert np.array_equal(columns(run), table)
+    two = fvi.run("(x1 - x2)^2/2 + x1^2", alpha=0.3, x0=[1, 0], p0=0)
+    assert np.array_equal(two.x, program("run", "--potential", "(x1 - x2)^2/2 + x1^2", "--dimension", "2",
+                                         "--alpha", "0.3", "--x0", "1,0", "--p0", "0")[:, 1:3])
+    with pytest.raises(ValueError, match=r"x\^4/4 - y\n +\^"):
+        fvi.run("x^4/4 - y")
+    with pytest.raises(ValueError, match="force"):
+        fvi.run(force="cos(")
+
+
+def test_a_fit_is_the_programs(tmp_path):
+    t = 0.1 * np.arange(1, 101)
+    noise = np.random.default_rng(1).normal(0, 0.02, t.size)
+    data = fvi.exact(t, alpha=0.3, rho=0.4, x0=1, v0=0.25)[0] + noise
+    path = tmp_path / "data.tsv"
+    path.write_text("t\tx\n" + "".join(f"{a!r}\t{b!r}\n" for a, b in zip(t.tolist(), data.tolist())))
+    found = fvi.fit(t, data, which="alpha,rho,c", sigma=0.02, p0=0.25)
+    text = subprocess.run([PROGRAM, "fit", "--fit", "alpha,rho,c", "--sigma", "0.02", "--p0", "0.25", str(path)],
+                          check=True, capture_output=True, text=True).stdout
+    rows = {line.split("\t")[0]: [float(w) for w in line.split("\t")[1:]] for line in text.splitlines()
+            if line[0] != "#"}
+    for name, truth in (("alpha", 0.3), ("rho", 0.4), ("c", 1.0)):
+        assert [found.estimate[name], found.sd[name], *found.interval[name]] == rows[name]
+        assert abs(found.estimate[name] - truth) < 4 * found.sd[name]
+    assert found.agree >= 2 and found.correlation.shape == (3, 3)
+    assert abs(data - found.curve).std() < 0.03
+    with pytest.raises(fvi.Error) as caught:  # a wrong sigma is refused, and what was found is kept
+        fvi.fit(t, data, which="alpha,rho,c", sigma=0.001, p0=0.25)
+    assert caught.value.code == 14 and caught.value.fit.estimate["c"] > 0
+    with pytest.raises(ValueError, match="which"):
+        fvi.fit(t, data, which="alpha,beta")
+
+
 def test_a_force_of_ones_own():
     own = fvi.run(force=lambda t: 0.3 * np.cos(1.2 * t), alpha=0.3)
     assert abs(own.x - fvi.run(force="cosine:0.3,1.2", alpha=0.3).x).max() <= 200 * 16 * 2**-53
@@ -162,7 +200,7 @@ def test_the_examples_of_the_readme_give_the_same_numbers():
 
 
 @pytest.mark.parametrize("options, what", [
-    (dict(potential="harmonics:1"), ValueError), (dict(potential="harmonic"), ValueError),
+    (dict(potential="harmonics:1"), ValueError), (dict(potential="harmonic:"), ValueError),
     (dict(potential="duffing:1"), ValueError), (dict(potential="chain:2.5,1,0"), ValueError),
     (dict(potential="chain:3,1,0", x0=[1, 2]), ValueError),
     (dict(force="push"), ValueError), (dict(method="rk4"), ValueError),

@@ -9,6 +9,7 @@ defaults; `help(fvi.run)` lists them. Lengths, times and masses are in units of 
 
     run         a whole trajectory as arrays
     Stepper     one step after the other: look, fork, go on
+    fit         parameters from a measured motion
     exact       the exact solution of the linear problem
     methods     what `method` can be
     weights     the Grunwald-Letnikov weights of any order up to 2
@@ -16,8 +17,8 @@ defaults; `help(fvi.run)` lists them. Lengths, times and masses are in units of 
     Error       what is raised where the library returns a code
 """
 from ._problem import Error, Potential, potential
-from ._run import Method, Run, Stepper, exact, methods, run, version, weights
+from ._run import Fit, Method, Run, Stepper, exact, fit, methods, run, version, weights
 
 __version__ = version()
-__all__ = ["Error", "Method", "Potential", "Run", "Stepper", "exact", "methods", "potential",
+__all__ = ["Error", "Fit", "Method", "Potential", "Run", "Stepper", "exact", "fit", "methods", "potential",
            "run", "version", "weights"]

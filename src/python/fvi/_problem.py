@@ -21,6 +21,7 @@ class Error(Exception):
         reason = ffi.string(why).decode() if why != ffi.NULL else words
         super().__init__(f"{reason}{where}")
         self.code = code
+        self.fit: Any = None  # what a fit found that is not to be believed
 
 
 class Potential:
@@ -126,6 +127,26 @@ def ask_quadratic(params):
     return 1
 
 
+class Expression:
+    """A text that was understood; it lives as long as the runs that use it."""
+
+    def __init__(self, what: str, text: str, variable: str, d: int, let: dict):
+        self.values = np.array(list(let.values()) or [0.0], dtype=float)
+        encoded = [ffi.new("char[]", name.encode()) for name in let]
+        names = ffi.new("fvi_names *", {"variable": ffi.new("char[]", variable.encode()), "d": d})
+        kept = [ffi.new("const char *[]", encoded or [ffi.NULL]), ffi.new("char[]", variable.encode())]
+        names.variable, names.parameter, names.parameters = kept[1], kept[0], len(let)
+        out, wrong = ffi.new("fvi_expression **"), ffi.new("fvi_misprint *")
+        status = lib.fvi_expression_parse(text.encode(), names, ffi.cast("double *", self.values.ctypes.data),
+                                          out, wrong)
+        if status == 4:  # FVI_EINVAL
+            place = len(text.encode()[:wrong.at].decode(errors="ignore"))
+            raise ValueError(f"{what}: {ffi.string(wrong.reason).decode()}\n  {text}\n  {' ' * place}^")
+        if status:
+            raise Error(status)
+        self.pointer = ffi.gc(out[0], lib.fvi_expression_free)
+
+
 def words(text: str, known: dict) -> tuple:
     """'duffing:1,0.5' -> ('duffing', [1.0, 0.5]); known says how many numbers a word takes."""
     name, _, rest = text.partition(":")
@@ -149,8 +170,11 @@ class Problem:
     """A system and its start as the library wants them. Whatever C points to is kept here."""
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
-                 x0: Numbers, p0: Numbers):
+                 x0: Numbers, p0: Numbers, let: Optional[dict] = None):
         self.keep: list = []
+        self.let = {name: float(value) for name, value in (let or {}).items()}
+        self.constants: Optional[Array] = None  # of the potential, by names
+        self.names: list = []
         self.scalar = np.ndim(x0) == 0 and np.ndim(p0) == 0
         self.d = max(np.size(a) for a in (mass, rho, x0, p0))
         U = self.potential(potential)
@@ -175,14 +199,24 @@ class Problem:
     def potential(self, given: Union[str, Potential]) -> Any:
         if isinstance(given, Potential):
             return self.own_potential(given)
-        name, n = words(given, {"harmonic": 1, "duffing": 2, "pendulum": 1, "chain": 3, "free": 0})
+        known = {"harmonic": 1, "duffing": 2, "pendulum": 1, "chain": 3, "free": 0}
+        if given.partition(":")[0] not in known:
+            return self.expression(given)
+        name, n = words(given, known)
         if name == "chain":
             if n[0] != int(n[0]) or n[0] < 1 or self.d not in (1, n[0]):
                 raise ValueError(f"'{given}': so many masses do not fit the other lists")
             self.d = int(n.pop(0))
         if name == "free":
             return ffi.new("fvi_potential *")[0]
-        return getattr(lib, f"fvi_potential_{name}")(self.pointer(np.array(n)))
+        self.constants, self.names = np.array(n), ["g"] if name == "pendulum" else ["c", "g"][:len(n)]
+        return getattr(lib, f"fvi_potential_{name}")(self.pointer(self.constants))
+
+    def expression(self, text: str) -> Any:
+        e = Expression("potential", text, "x", self.d, self.let)
+        self.keep.append(e)
+        self.constants, self.names = e.values, list(self.let)
+        return lib.fvi_potential_expression(e.pointer)
 
     def own_potential(self, given: Potential) -> Any:
         U = ffi.new("fvi_potential *")
@@ -202,7 +236,12 @@ class Problem:
         if callable(given):
             F.value, F.params = lib.ask_force, self.handle
             return F[0]
-        name, n = words(given, {"step": 2, "cosine": 2})
+        known = {"step": 2, "cosine": 2}
+        if given.partition(":")[0] not in known:
+            e = Expression("force", given, "t", 1, self.let)
+            self.keep.append(e)
+            return lib.fvi_force_expression(e.pointer)
+        name, n = words(given, known)
         return getattr(lib, f"fvi_force_{name}")(self.pointer(np.array(n)))
 
     def check(self, status: int, where: str = "") -> None:

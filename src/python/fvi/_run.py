@@ -111,11 +111,11 @@ class Stepper:
 
 def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0.5,
             rho: Numbers = 0.2, mass: Numbers = 1.0,
-            force: Union[None, str, Callable[[float], Numbers]] = None,
+            force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: float = 0.1, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
             memory: str = "auto", tolerance: float = 0.0) -> tuple:
-    problem = Problem(potential, force, mass, rho, x0, p0)
+    problem = Problem(potential, force, mass, rho, x0, p0, let)
     if steps != int(steps) or steps < 1:
         raise ValueError(f"steps: {steps} is no whole number >= 1")
     found = lib.fvi_method_named(method.encode())
@@ -148,11 +148,13 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     """A whole trajectory of m x'' + grad U(x) + rho D^{2 alpha} x = F(t).
 
     potential   "harmonic:C", "duffing:C,G", "pendulum:G", "free", "chain:D,C,G", as the
-                program has them, or what `fvi.potential` makes
+                program has them; an expression in x, or in x1, x2, ...: "x^4/4 - k*x^2/2";
+                or what `fvi.potential` makes
+    let         the numbers that expressions name: {"k": 3}
     alpha       0 ... 1, the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them; 0.2 and 1
-    force       None, "step:A,T", "cosine:A,W", or a function of t that gives one number
-                or d of them
+    force       None, "step:A,T", "cosine:A,W", an expression in t, or a function of t that
+                gives one number or d of them
     derivative  the past: "held", "caputo" or "rl"
     x0, p0      the start, one number or d of them; 1 and 0.5
     h, steps    the step and how many; 0.1 and 200; time=T instead of h: h = T / steps
@@ -177,6 +179,75 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 for n in ("x", "p", "energy")]
     problem.check(lib.fvi_trajectory(method, r, *pointers))
     return Run(np.arange(rows) * r.h, *(out.get(n) for n in ("x", "p", "energy")))
+
+
+class Fit(NamedTuple):
+    """What a motion says of its parameters: `estimate`, `sd` and `interval` (95 %) by name;
+    `correlation`, an array in the order of the names; `chi2` with `sigma`, which is
+    estimated if it was not given, and its `probability` (1 then); how many starts `agree`;
+    `curve`, the fitted x at the times of the data; `neighbours`, the correlation of
+    neighbouring residuals, near 0 if the model is right."""
+    estimate: dict
+    sd: dict
+    interval: dict
+    correlation: Array
+    chi2: float
+    sigma: float
+    probability: float
+    agree: int
+    neighbours: float
+    curve: Array
+
+
+def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1", *,
+        which: str = "alpha,rho", sigma: Optional[float] = None, starts: int = 20,
+        method: str = "fvi-lobatto4", h: float = 0.0, **options: Any) -> Fit:
+    """Parameters of one mass from its measured motion, by least squares from several starts.
+
+    t, x       the data: increasing times >= 0, and positions
+    which      any of alpha, rho, mass, x0, p0, and the potential's c, g or names of `let`
+    sigma      standard deviation of each x; None: estimated
+    starts     how many searches, the first from the values given
+    h          the longest step; 0: found
+    the rest   the model, as for `run`
+
+    Raises fvi.Error where fewer than two starts agree on the best (code 11), chi^2 is out of
+    range for the given sigma (14) or the data do not determine the parameters (21); the
+    exception's `fit` has what was found all the same.
+    """
+    times, xs = (np.ascontiguousarray(a, dtype=float) for a in (t, x))
+    if times.ndim != 1 or times.shape != xs.shape:
+        raise ValueError("t and x are two arrays of one length")
+    problem, model, found = prepare(potential, method=method, **options)
+    places = {"alpha": lib.FVI_PARAMETER_ALPHA, "rho": lib.FVI_PARAMETER_RHO, "mass": lib.FVI_PARAMETER_MASS,
+              "x0": lib.FVI_PARAMETER_X0, "p0": lib.FVI_PARAMETER_P0}
+    places.update((name, lib.FVI_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))
+    names = which.split(",")
+    chosen = ffi.new("fvi_parameter[]", [int(choice("which", name, places)) for name in names])
+    question = ffi.new("fvi_fit *")
+    question.method, question.run, question.n = found, model, times.size
+    question.t, question.x = problem.pointer(times), problem.pointer(xs)
+    if problem.constants is not None:
+        question.constants = problem.pointer(problem.constants)
+    question.sigma = 0.0 if sigma is None else sigma
+    question.parameters, question.which = len(names), chosen
+    question.starts, question.h = starts, h
+    curve, f = np.empty_like(times), ffi.new("fvi_fitted *")
+    status = lib.fvi_fit_search(question, ffi.from_buffer("double[]", curve), f)
+    if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
+        problem.check(status)
+    P = range(len(names))
+    answer = Fit({n: f.estimate[j] for j, n in enumerate(names)}, {n: f.sd[j] for j, n in enumerate(names)},
+                 {n: (f.estimate[j] - f.quantile * f.sd[j], f.estimate[j] + f.quantile * f.sd[j])
+                  for j, n in enumerate(names)},
+                 np.array([[f.correlation[i][j] for j in P] for i in P]),
+                 f.chi2, f.sigma, f.probability, f.agree, f.neighbours, curve)
+    if status:
+        error = Error(status)
+        error.fit = answer
+        raise error
+    problem.check(0)
+    return answer
 
 
 def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: float = 0.2, alpha: float = 0.5,
