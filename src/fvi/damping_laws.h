@@ -105,7 +105,7 @@ int fvi_law_weights(const fvi_law *law, fvi_quadrature kind, double h,
  *   first          output, w_0: it is taken out, so that x_k stands in H_k with 1
  *   memory         output; free it with fvi_memory_free
  *
- * As there, increments are summed where the law grows like s or faster: *first is then
+ * As there, increments are summed where the law grows faster than s: *first is then
  * the factor of x_k - x_{k-1}.
  * Returns FVI_SUCCESS; what fvi_law_weights and fvi_memory_alloc return; FVI_EUNSUP for
  * FFT, and for EXPONENTIALS where there are no modes. On error *first and *memory are

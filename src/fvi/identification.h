@@ -168,8 +168,8 @@ int fvi_fit_moduli(size_t n, const double *w, const double *storage,
  * that of the run with the same memory; no bound is proved for the rounding.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if the system has
  * not d == 1, P == 0, or there is no such constant; what fvi_start, fvi_step and
- * fvi_memory_alloc_rate return; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0;
- * FVI_ENOMEM; what a callback returned. */
+ * fvi_memory_alloc_rate return; FVI_EUNSUP for a run with a law; FVI_ESING if
+ * m/h + kappa (1 - kappa) h U'' is 0; FVI_ENOMEM; what a callback returned. */
 int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
                  double *x, double *slope);
 

@@ -17,6 +17,8 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (run->law)
+        FVI_FAIL("a law of damping has no adjoint here", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_STAGES
         && (want->alpha || run->alpha == 1 || x))
         FVI_FAIL("stages have no derivative by alpha, none at alpha = 1, and "

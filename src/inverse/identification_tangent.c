@@ -145,6 +145,8 @@ static int check(const tangents *o, const double *x, const double *slope)
 {
     if (!o->run || !o->which || !x || !slope || !o->run->x0 || !o->run->p0)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
+    if (o->run->law)
+        FVI_FAIL("the tangents are those of a power", FVI_EUNSUP);
     int status = fvi_system_check(o->run->system);
     if (!status && (o->run->system->d != 1 || o->P == 0))
         FVI_FAIL("tangents are of one mass, by a parameter or more",

@@ -110,13 +110,17 @@ START_TEST(tangents_refuse_what_they_do_not_know)
     ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_tangents(&run, 0, SEVEN, x, slope), FVI_EINVAL);
     ck_assert_int_eq(fvi_tangents(&run, 1, &beyond, x, slope), FVI_EINVAL);
+    const fvi_law_term term = { FVI_LAW_MAXWELL, 1, 0, 1, 0 };
+    run.law = &(fvi_law){ 1, &term };
+    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EUNSUP);
+    run.law = NULL;
     run.h = -1;
     ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EDOM);
     run.h = 1;
     system.d = 2;
     system.mass = system.damping = ones;
     ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EINVAL);
-    ck_assert_int_eq(handled, 8);
+    ck_assert_int_eq(handled, 9);
     fvi_set_error_handler(NULL);
 }
 END_TEST
