@@ -9,6 +9,11 @@
 
 static const double one = 1;
 
+static double random_in(double low, double high)
+{
+    return low + (high - low) * rand() / (double)RAND_MAX;
+}
+
 /* x(T) of one mass with U = x^2/2 + g x^4/4, in `steps` steps. */
 static double end_of(const fvi_method *method, const fvi_law *law, double g,
                      double x0, double p0, double force, double T, size_t steps)
@@ -171,6 +176,53 @@ START_TEST(eq_26_10_the_longest_step)
 }
 END_TEST
 
+/* A spring and two random terms, held, let go with a velocity where the law allows it. */
+static double most_energy(const fvi_method *method, const fvi_law *law)
+{
+    enum { STEPS = 300 };
+    double x[STEPS + 1], first = 0, worst = 0, scale = 0;
+    const double c = pow(10, random_in(-2, 2)), h = pow(10, random_in(-2, 0.5)),
+                 p0 = fvi_law_growth(law) <= 1 ? random_in(-1, 1) : 0;
+    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&c),
+                                { 0 } };
+    fvi_run run = fvi_run_default(&system, &one, &p0, h, STEPS);
+    run.law = law;
+    run.memory = FVI_MEMORY_DIRECT;
+    if (fvi_trajectory(method, &run, x, NULL, NULL))
+        return 0; /* a long step overflows */
+    const double s = (method == &fvi_bdf2 ? 4 : 2) / h;
+    for (size_t k = 0; k < STEPS; k++) {
+        const double d = x[k + 1] - x[k], middle = (x[k] + x[k + 1]) / 2,
+                     E = d * d / (2 * h * h) + c * middle * middle / 2,
+                     hat = fvi_law_symbol(law, s) * d * d / 8;
+        first = k ? first : E;
+        scale = fmax(scale, E + hat);
+        worst = fmax(worst, (E - hat - first) / scale);
+    }
+    return worst;
+}
+
+/* The corollary: no energy but for some roundings of 300 steps, stable or not. */
+START_TEST(eq_26_10_no_law_gains_energy)
+{
+    srand(7);
+    for (int i = 0; i < 200; i++) {
+        fvi_law_term term[2];
+        for (int j = 0; j < 2; j++) {
+            const double alpha = random_in(0.01, 0.99);
+            term[j] = (fvi_law_term){ (fvi_law_kind)(rand() % 4),
+                                      pow(10, random_in(-2, 1)), alpha,
+                                      pow(10, random_in(-2, 2)),
+                                      random_in(alpha + 0.001, 1) };
+        }
+        const fvi_law law = { 2, term };
+        const double most = fmax(most_energy(&fvi_fractional, &law),
+                                 most_energy(&fvi_bdf2, &law));
+        ck_assert_double_le(most, 300 * 0x1p-52);
+    }
+}
+END_TEST
+
 START_TEST(who_does_not_know_laws_says_so)
 {
     const fvi_law_term bad = { FVI_LAW_POWER, -1, 0.3, 0, 0 };
@@ -211,7 +263,8 @@ int main(void)
     ADD_CASE(suite, "motions", eq_26_9_motions,
              eq_26_9_orders_of_a_nonlinear_motion,
              a_power_is_the_run_that_alpha_gives,
-             a_chain_with_a_law_and_its_copy, eq_26_10_the_longest_step);
+             a_chain_with_a_law_and_its_copy, eq_26_10_the_longest_step,
+             eq_26_10_no_law_gains_energy);
     ADD_CASE(suite, "refusals", who_does_not_know_laws_says_so);
     return run_suite(suite);
 }
