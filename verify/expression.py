@@ -7,6 +7,7 @@ formulas on jets is followed, with the error of its operands and one rounding of
 (two where a function of the C library is called, sums by the sizes of their terms). The
 formulas here bound the errors; no reference value comes from them."""
 import random
+from functools import cache
 
 import mpmath
 from sympy import Abs, DiracDelta, I, Symbol, diff, lambdify, nan, oo, pi, zoo
@@ -176,34 +177,38 @@ def cases(seed, names, count, depth):
         tree = grow(dice, names, depth)
         words = text(tree, dice)
         point = {n: dice.randint(-64, 64) / 32 + 1 / 64 for n in names}
-        expression = parse_expr(words.replace("^", "**"), {**symbols, **FUNCTIONS, "pi": pi},
-                                transformations=standard_transformations + (rationalize,))
         if len(words) > 90 or not all(n in words for n in names):
             continue
+        pairs = [(i, j) for a, i in enumerate(names) for j in names[a:]]
         rows = []
         try:
-            for a, i in enumerate(names):
-                for j in names[a:]:
-                    wanted = [w.replace(DiracDelta, lambda *_: 0) for w in (
-                        expression, diff(expression, symbols[i]),
-                        diff(expression, symbols[i], symbols[j]))]
-                    if any(w.has(zoo, oo, nan, I) for w in wanted):
+            bounds = {}
+            with mpmath.workdps(40):        # what is cheap refuses first
+                for i, j in pairs:
+                    bounds[i, j] = [c.e for c in jet(tree, point, i, j)]
+                    if any(mpmath.im(b) != 0 or not mpmath.isfinite(b) or b > 1e9 for b in bounds[i, j]):
                         raise ValueError
-                    run = [lambdify(list(symbols.values()), w, "mpmath") for w in wanted]
+            expression = parse_expr(words.replace("^", "**"), {**symbols, **FUNCTIONS, "pi": pi},
+                                    transformations=standard_transformations + (rationalize,))
+            slopes = {i: diff(expression, symbols[i]) for i in names}
+            for i, j in pairs:
+                wanted = [w.replace(DiracDelta, lambda *_: 0) for w in (
+                    expression, slopes[i], diff(slopes[i], symbols[j]))]
+                if any(w.has(zoo, oo, nan, I) for w in wanted):
+                    raise ValueError
+                run = lambdify(list(symbols.values()), wanted, "mpmath")
 
-                    def exact(f, digits):
-                        with mpmath.workdps(digits):
-                            return +f(*(mpmath.mpf(point[n]) for n in names)) * mpmath.mpf(1)
+                @cache
+                def exact(digits):
+                    with mpmath.workdps(digits):
+                        return [+v * mpmath.mpf(1) for v in run(*(mpmath.mpf(point[n]) for n in names))]
 
-                    with mpmath.workdps(40):
-                        if not real_and_tame([exact(f, 40) for f in run]):
-                            raise ValueError
-                        bound = [c.e for c in jet(tree, point, i, j)]
-                        if any(mpmath.im(b) != 0 or not mpmath.isfinite(b) or b > 1e9 for b in bound):
-                            raise ValueError
-                    rows.append((names.index(i), names.index(j),
-                                 *(hexd_real(lambda n, f=f: mpmath.nstr(exact(f, n + 20), n)) for f in run),
-                                 *(f"{float(b):.3g}" for b in (bound[0], bound[1], bound[3]))))
+                if not real_and_tame(exact(40)):
+                    raise ValueError
+                value, slope, _, curvature = bounds[i, j]
+                rows.append((names.index(i), names.index(j),
+                             *(hexd_real(lambda n, k=k: mpmath.nstr(exact(n + 20)[k], n)) for k in range(3)),
+                             *(f"{float(b):.3g}" for b in (value, slope, curvature))))
         except (ValueError, ZeroDivisionError, TypeError, NameError, mpmath.libmp.NoConvergence):
             continue
         found.append((words, [point[n] for n in names], rows))
