@@ -11,6 +11,7 @@ Printed: DD^beta v on a mesh; runs of form D (linear spring, four steps); exact
 solutions by power series; I(a, S) of the hand-over and the singular part."""
 import random
 from functools import cache
+from operator import mul
 
 import mpmath
 from mpmath import mp, mpf
@@ -49,10 +50,26 @@ def dense(s, steps, beta, digits):
                                    / (lam[e] / hs[j] - lam[a] / h))
             row[j] = block
         blocks.append(row)
-    left, right = mpmath.matrix(V).T, mpmath.matrix(W)
-    real = lambda block: (left * mpmath.matrix(block) * right).apply(mpmath.re)
-    return [{j: real(block) for j, block in row.items()} for row in blocks]
+    left, right = parts(zip(*V)), parts(zip(*W))
+    return [{j: sandwich(left, block, right) for j, block in row.items()} for row in blocks]
 #< parlett
+
+
+def parts(rows):
+    """Real and imaginary parts of rows of numbers, in units of 2^-(prec + 100)."""
+    whole = lambda e: int(mpmath.ldexp(e, mp.prec + 100))
+    return [([whole(mpmath.re(e)) for e in row], [whole(mpmath.im(e)) for e in row])
+            for row in map(list, rows)]
+
+
+def sandwich(left, block, right):
+    """Re(left block right): left by rows, right by columns, both as parts."""
+    dot = lambda a, b: sum(map(mul, a, b)) >> mp.prec + 100
+    middle = parts(block)
+    columns = [([dot(re, c_re) - dot(im, c_im) for re, im in middle],
+                [dot(re, c_im) + dot(im, c_re) for re, im in middle]) for c_re, c_im in right]
+    return mpmath.matrix([[mpmath.ldexp(dot(re, c_re) - dot(im, c_im), -mp.prec - 100)
+                           for c_re, c_im in columns] for re, im in left])
 
 
 def product(F, G, s, k, j):
@@ -126,8 +143,7 @@ def history(s, alpha, steps, stages, v0, L=mpf(26) / 100, low=mpf(13) / 2, top=m
     mp.dps = 40
     beta = 2 * alpha - 1
     up = beta > 0
-    b, n = one.rule(s, 40)[1], one.numerators(s, 40)
-    d = [one.exactly(k) for k in one.Poly(one.closed(s)[2], one.mu).all_coeffs()[::-1]]
+    b = one.rule(s, 40)[1]
     s0 = mpmath.exp(-low) / sum(steps)
     number = int(mpmath.ceil(mpmath.log(top / min(steps) / s0) / L)) + 1
     nodes = [s0 * mpmath.exp(L * q) for q in range(number)]
@@ -137,7 +153,7 @@ def history(s, alpha, steps, stages, v0, L=mpf(26) / 100, low=mpf(13) / 2, top=m
         Q = next(q for q in range(number) if h * nodes[q] >= top) + 1
         if Q > awake:                                           # (22.13)
             for q in range(awake, Q):
-                z[q] = moved(before, before[2] if not up else mpf(0), nodes[q], up, b, n, d)
+                z[q] = moved(before, before[2] if not up else mpf(0), nodes[q], up, b)
         awake = Q
         omega = [factor * node**beta for node in nodes[:Q]]
         for end, nu in ((0, beta if up else 1 + beta), (Q - 1, (2 if up else 1) - beta)):
@@ -151,23 +167,29 @@ def history(s, alpha, steps, stages, v0, L=mpf(26) / 100, low=mpf(13) / 2, top=m
                     omega[3 * l] += base * c[l] * (1 if up else mpmath.exp(-3 * L * l))
         sums = [mpf(0)] * s
         for q in range(Q):
-            at = h * nodes[q]
-            det = one.horner(d, at)
-            for i in range(s):
-                sums[i] += omega[q] * one.horner(n[i], at) / det * z[q]
+            for i, a in enumerate(values(s, h * nodes[q])):
+                sums[i] += omega[q] * a * z[q]
         H.append(sums)
         before = (h, v, ve)
-        z[:Q] = [moved(before, z[q], nodes[q], up, b, n, d) for q in range(Q)]
+        z[:Q] = [moved(before, z[q], nodes[q], up, b) for q in range(Q)]
         ve = v[-1]
     return H
 
 
-def moved(step, old, node, up, b, n, d):
+@cache
+def values(s, at):
+    """a(mu) = n/d of (22.8), in 40 digits."""
+    n = one.numerators(s, 40)
+    d = [one.exactly(k) for k in one.Poly(one.closed(s)[2], one.mu).all_coeffs()[::-1]]
+    det = one.horner(d, at)
+    return [one.horner(row, at) / det for row in n]
+
+
+def moved(step, old, node, up, b):
     """(22.6), (22.7): one mode over one step."""
     h, v, ve = step
     s, at = len(v), h * node
-    det = one.horner(d, at)
-    a = [one.horner(n[i], at) / det for i in range(s)]
+    a = values(s, at)
     p = at * sum(b[i] * a[i] for i in range(s))
     au = sum(a[i] * b[i] * (v[s - 1 - i] - (ve if up else 0)) for i in range(s))
     return old - p * old + (v[-1] - ve - at * au if up else at * au)
@@ -273,7 +295,7 @@ def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
     mp.dps = digits + 60
     two, q = 2 * alpha, (2 * alpha).q
     shift, most = 2 * q - two.p, 400 * q
-    a = [mpf(0)] * most
+    a, ratios = [mpf(0)] * most, {}
     a[0] = mpf(x0)
     remembered = lambda j: past == "rl" or not (j == 0 or (j == q and two > 1))
     for j in range(1, most):
@@ -284,7 +306,11 @@ def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
             total -= c * a[j - 2 * q] if j >= 2 * q else 0
             if j >= shift and remembered(j - shift):
                 below = mpf(j - shift) / q
-                total -= rho * a[j - shift] * mpmath.gamma(below + 1) * mpmath.rgamma(r - 1)
+                if j - q in ratios and r > 2:       # Gamma(below + 1) / Gamma(r - 1)
+                    ratios[j] = ratios[j - q] * below / (r - 2)
+                else:
+                    ratios[j] = mpmath.gamma(below + 1) * mpmath.rgamma(r - 1)
+                total -= rho * a[j - shift] * ratios[j]
             a[j] += total / (m * r * (r - 1))
     root = mpmath.root(at, q)
     x = mpmath.polyval(a[::-1], root)
