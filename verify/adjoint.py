@@ -22,7 +22,7 @@ from refgen import claim, header, hexd, hexd_real, prove, short, table
 
 # ---- the transpose ----
 
-kappa, h, m, c, theta = symbols("kappa h m c theta", positive=True)
+kappa, h, m, c, theta = symbols("kappa h m c theta")
 
 
 def jacobian(M, C, G, w, kappa, h, theta):
@@ -153,8 +153,9 @@ for past, th, en in (("held", 0, 1), ("caputo", 0, 1), ("rl", 0, 1), ("caputo", 
                                         for k in range(N4)))))
     prove(f"(23.6) by c, {past}", expand(diff(L, c) + sum(z[j] * n[j] for j in range(N4 + 1))))
     prove(f"(23.6) by F, {past}", *[diff(L, F[k]) - h * lam[k] for k in range(1, N4 + 1)])
-prove("(23.6) h^(1 - 2 alpha) by alpha", diff(rho * h ** (1 - 2 * al), al)
-      + 2 * log(h) * rho * h ** (1 - 2 * al))
+step = symbols("h", positive=True)
+prove("(23.6) h^(1 - 2 alpha) by alpha", diff(rho * step ** (1 - 2 * al), al)
+      + 2 * log(step) * rho * step ** (1 - 2 * al))
 #< gradients
 
 #> action
@@ -175,7 +176,7 @@ for k in range(1, N4):
 
 # ---- the rates of the weights ----
 
-b, z, s, nu = symbols("beta z s nu", positive=True)
+b, z, s, nu = symbols("beta z s nu")
 
 
 def weight(n):
