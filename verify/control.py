@@ -5,7 +5,7 @@ Proved here:
           u = -lambda (N = 4, a quartic U, all symbols);
   (25.6)  at rest under the force c H_k / h the next step is at rest (symbols, N = 4).
 Printed: solutions of all conditions together, as one dense system of 3 N equations by
-Newton's method with 60 digits: no adjoint and no Gramian in it."""
+Newton's method with 40 digits: no adjoint and no Gramian in it."""
 import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, diff, expand, symbols
@@ -39,12 +39,12 @@ step = R[3].subs(u[3], c * H[3] / h).subs({x[j]: 0 for j in range(3, N + 1)})
 prove("(25.6) x_4 = 0 solves the step from rest, x_2 = x_3 = 0", expand(step.subs(rest)))
 #< hold
 
-mp.dps = 60
-UNIT = 1 << 280
+mp.dps = 40
+UNIT = 1 << 200
 
 
 def dense(A, right):
-    """A^(-1) right by Gauss's elimination with the largest pivot, in units of 2^-280."""
+    """A^(-1) right by Gauss's elimination with the largest pivot, in units of 2^-200."""
     n = len(right)
     fixed = lambda v: int(mpmath.nint(v * UNIT))
     A = [[fixed(v) if v else 0 for v in row] + [fixed(b)] for row, b in zip(A, right)]
@@ -56,7 +56,7 @@ def dense(A, right):
             if row[k]:
                 q = row[k] * UNIT // top[k]
                 for j in used:
-                    row[j] -= q * top[j] >> 280
+                    row[j] -= q * top[j] >> 200
     x = [0] * n
     for k in reversed(range(n)):
         x[k] = (A[k][n] * UNIT - sum(a * b for a, b in zip(A[k][k + 1:n], x[k + 1:]))) // A[k][k]
@@ -123,7 +123,7 @@ def solve(case):
             us[k] += d[i]
         for k, i in il.items():
             la[k] += d[i]
-        if max(map(abs, d)) < mpf(10) ** -40:
+        if max(map(abs, d)) < mpf(10) ** -28:
             return us, h / 2 * sum(v * v for v in us)
     raise SystemExit("NOT TRUE: Newton's method converged")
 
@@ -140,7 +140,7 @@ cases = [  # N, h, kappa, rho, alpha, past, c, g, x0, p0, x_T, p_T
 
 
 def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 40, min_fixed=0, max_fixed=0)))
+    return hexd(Rational(mpmath.nstr(v, 32, min_fixed=0, max_fixed=0)))
 
 
 header("verify/control.py")
