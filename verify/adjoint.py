@@ -10,7 +10,7 @@ Proved here:
           order, and the generating function ln(1 - z) (1 - z)^beta, n <= 12;
   (23.11) the derivative of the density of (12.5) by nu.
 Printed: the rates of the weights, from the definition: the product, differentiated; and
-derivatives of runs, differences of runs of 175 bits, which are right to 24 digits."""
+derivatives of runs, differences of runs of 178 bits, which are right to 21 digits."""
 from fractions import Fraction
 
 import mpmath
@@ -243,7 +243,7 @@ claim("the two definitions agree",
 # ---- derivatives of runs, by the definition ----
 
 mp.dps = 70
-BITS = 175  # a number of a run is an integer times 2^-BITS
+BITS = 178  # a number of a run is an integer times 2^-BITS
 
 
 def fixed(v):
@@ -347,8 +347,8 @@ def objective(q):
 
 
 def derivatives(q, names, force):
-    """(J, x_N, p_N), and differences, 2^-85 wide with 175 bits: right to 24 digits."""
-    eps, out, middle = mpmath.mpf(2) ** -85, [], objective(q)
+    """(J, x_N, p_N), and differences, 2^-80 wide with 178 bits: right to 21 digits."""
+    eps, out, middle = mpmath.mpf(2) ** -80, [], objective(q)
     for name in names + [force]:
         r = dict(q)
         if name == force:

@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_math.h>
 
-/* ---- one oscillator, against derivatives of 35 digits ---- */
+/* ---- one oscillator, against derivatives of 21 digits ---- */
 
 /* Row i of ref_slopes, as it was run. */
 typedef struct {
