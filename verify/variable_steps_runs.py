@@ -294,7 +294,7 @@ def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
     """m x'' + c x + rho D^(2 alpha) x = F by powers of t^(1/q), alpha = n/(2 q); x and p."""
     mp.dps = digits + 60
     two, q = 2 * alpha, (2 * alpha).q
-    shift, most = 2 * q - two.p, 400 * q
+    shift, most = 2 * q - two.p, 240 * q
     a, ratios = [mpf(0)] * most, {}
     a[0] = mpf(x0)
     remembered = lambda j: past == "rl" or not (j == 0 or (j == q and two > 1))
@@ -374,7 +374,7 @@ if __name__ == "__main__":
                                        (Q(3, 4), 8, 0, 0, "caputo", "20"), (Q(1, 5), 0, 1, Q(1, 2), "rl", "20"),
                                        (Q(2, 5), 0, 1, Q(1, 2), "rl", "20"), (Q(1, 20), 0, 1, Q(1, 2), "rl", "20"),
                                        (Q(3, 4), 0, 0, 1, "rl", "20"), (Q(9, 10), 0, 0, 1, "rl", "20")):
-        value = doubles(lambda dg: exact(alpha, 1, 1, 1, F, one.exactly(x0), one.exactly(v0), past, mpf(float(at)), dg))
+        value = doubles(lambda dg: exact(alpha, 1, 1, 1, F, one.exactly(x0), one.exactly(v0), past, mpf(float(at)), dg // 2))
         rows.append([hexd(float(alpha)), F, hexd(x0), hexd(v0), f"'{past[0]}'", hexd(float(at)), *value, f"alpha = {alpha}, t = {at}"])
     table("ref_exact", "double alpha, F, x0, v0; char past; double t, x, p;", rows)
 
