@@ -18,9 +18,10 @@ static const char *const own_words[] = { "fit", "sigma", "starts", "curve",
 typedef enum { FIT, SIGMA, STARTS, CURVE, OWN } own_index;
 
 /* Of a run, and not of a fit, which takes its times from the data. */
-static const char *const not_for_fit[] = { "steps",   "time",  "error", "damping",
-                                           "columns", "every", "format",
-                                           NULL };
+static const char *const not_for_fit[] = { "steps",    "time",    "error",
+                                           "damping",  "columns", "every",
+                                           "format",   "plot",    "checkpoint",
+                                           "continue", NULL };
 
 /* What the words say, and what is read. */
 typedef struct {
@@ -311,9 +312,9 @@ static int print_curve(const request *r)
         return fvi_cannot_write(r->own[CURVE]);
     fprintf(out, "# t\tdata\tfit\tresidual\n");
     for (size_t i = 0; i < r->fit.n; i++)
-        fvi_format_row(out, FVI_FORMAT_TSV, i, 4,
-                       (double[]){ r->t[i], r->x[i], r->curve[i],
-                                   r->x[i] - r->curve[i] });
+        fvi_format_row(
+            out, FVI_FORMAT_TSV, i, 4,
+            (double[]){ r->t[i], r->x[i], r->curve[i], r->x[i] - r->curve[i] });
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->own[CURVE]) : 0;
 }
 

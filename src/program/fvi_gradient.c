@@ -16,8 +16,10 @@ static const char *const own_words[] = { "of", "forces", NULL };
 typedef enum { OF, FORCES, OWN } own_index;
 
 /* Of a run, and of no use to its derivatives. */
-static const char *const not_for_gradient[] = { "error", "damping", "columns",
-                                                "every", "format",  NULL };
+static const char *const not_for_gradient[] = {
+    "error", "damping",    "columns",  "every", "format",
+    "plot",  "checkpoint", "continue", NULL
+};
 
 /* What the words say, and what comes out. */
 typedef struct {

@@ -202,6 +202,8 @@ static const char *const refused[][2] = {
     { "fit --sigma 1 --sigma 2 d.tsv", "twice" },
     { "fit --steps 5 d.tsv", "--steps" },
     { "fit --time=5 d.tsv", "--time" },
+    { "fit --plot a.svg d.tsv", "--plot: not an option of this command" },
+    { "fit --checkpoint c d.tsv", "--checkpoint: not an option" },
     { "fit --sigm 1 d.tsv", "no such option" },
     { "fit --h 0 d.tsv", "--h" },
     { "fit --alpha 2 d.tsv", "--alpha" },

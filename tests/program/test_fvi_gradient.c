@@ -122,6 +122,8 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         { "--of energy:1", "--of: 'energy:1': there is one energy" },
         { "--potential chain:2,1,0 --of x", "x:1 to x:2" },
         { "--columns x", "--columns: not an option of this command" },
+        { "--plot a.svg", "--plot: not an option of this command" },
+        { "--checkpoint c", "--checkpoint: not an option of this command" },
         { "--of", "--of: a value is missing" },
         { "--of x --of p", "--of: given twice, as 'x' and as 'p'" },
         { "--alpha 2", "--alpha: '2' is outside [0, 1]" },
