@@ -2,6 +2,7 @@
 #include "fvi_grid.h"
 #include "fvi_options.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,13 +50,14 @@ int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
 /* ---- words ---- */
 
 /* What a sweep can vary, besides the parameters of expressions. */
+static const char *const numbers[] = { "alpha", "rho",   "mass",      "kappa",
+                                       "x0",    "p0",    "h",         "steps",
+                                       "time",  "error", "tolerance", NULL };
+
 static int is_numeric(const char *name)
 {
-    static const option_index numbers[] = { ALPHA, RHO,   MASS,     KAPPA,
-                                            X0,    P0,    H,        STEPS,
-                                            TIME,  ERROR, TOLERANCE };
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (strcmp(fvi_option_list[numbers[i]].name, name) == 0)
+    for (size_t i = 0; numbers[i]; i++)
+        if (strcmp(numbers[i], name) == 0)
             return 1;
     return 0;
 }
@@ -240,6 +242,37 @@ int fvi_grid_parse(int argc, char **argv, fvi_grid *g, char *complaint,
         return fvi_refuse(c, "--part: '%s' of %zu rows", g->part_text, runs);
     g->first = (g->part - 1) * runs / g->parts;
     g->runs = g->part * runs / g->parts - g->first;
+    return 0;
+}
+
+static int is_of_name(char letter)
+{
+    return isalnum((unsigned char)letter) || letter == '_';
+}
+
+/* Does the name stand in this text, and not as a part of another one? */
+static int stands_in(const char *text, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *at = text; (at = strstr(at, name)); at++)
+        if (!(at > text && is_of_name(at[-1])) && !is_of_name(at[length]))
+            return 1;
+    return 0;
+}
+
+int fvi_grid_check(const fvi_grid *g, const fvi_options *o, fvi_complaint c)
+{
+    for (size_t n = 0; n < g->count; n++) {
+        const char *name = g->axis[n].name,
+                   *near = fvi_word_nearest(name, strlen(name), numbers);
+        if (g->axis[n].is_let && !stands_in(o->text[POTENTIAL], name)
+            && !stands_in(o->text[FORCE], name))
+            return fvi_refuse(c,
+                              "--vary: '%s' is no option that can be varied, "
+                              "and in no expression%s%s%s",
+                              name, near ? "; did you mean " : "",
+                              near ? near : "", near ? "?" : "");
+    }
     return 0;
 }
 

@@ -64,8 +64,8 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
     fvi_adaptive_found of_steps;
     verdict v = { FVI_ENOMEM, 0 };
     if (x && o->method->dense)
-        v.status = fvi_adaptive_search(r, o->error, (size_t)1 << 24, x, p,
-                                       &of_steps);
+        v.status =
+            fvi_adaptive_search(r, o->error, (size_t)1 << 24, x, p, &of_steps);
     else if (x)
         v.status = fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x,
                                    p, &found);
@@ -220,10 +220,13 @@ static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
         if (status)
             return status;
         *no_solution |= o.no_solution;
+        status = fvi_grid_check(g, &o, (fvi_complaint){ complaint, size });
         const char *other = o.checkpoint ? "checkpoint"
                             : o.plot     ? "plot"
                                          : NULL;
         fvi_options_free(&o);
+        if (status)
+            return status;
         if (other)
             return fvi_refuse((fvi_complaint){ complaint, size },
                               "--%s: not an option of this command", other);

@@ -111,7 +111,8 @@ START_TEST(bad_sweeps_are_refused)
         "--jobs 0;sweep --vary alpha=0:1:3 --jobs;sweep --vary alpha=0:1:3 "
         "walk;sweep --vary h=0.1:0.2:2 --time 3;sweep --vary k=1:2:2 "
         "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
-        "sweep --vary alpha=0:1:2 --alhpa 3";
+        "sweep --vary alpha=0:1:2 --alhpa 3;sweep --vary alhpa=0:1:2;"
+        "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
             *end = '\0';
@@ -125,6 +126,8 @@ START_TEST(bad_sweeps_are_refused)
     ck_assert_ptr_nonnull(strstr(err, "did you mean --vary?\n"));
     fvi("sweep --vary rho=-1:1:3:log");
     ck_assert_ptr_nonnull(strstr(err, ": log needs two ends of one sign\n"));
+    fvi("sweep --vary ALPHA=0:1:2");
+    ck_assert_ptr_nonnull(strstr(err, "did you mean alpha?\n"));
     fvi("sweep --vary alpha=0:1:2 --alhpa 3");
     ck_assert_ptr_nonnull(strstr(err, "did you mean --alpha?\n"));
 }
