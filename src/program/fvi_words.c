@@ -185,7 +185,7 @@ int fvi_word_whole(const char *name, const char *text, size_t most,
 int fvi_word_choice(const char *name, const char *text,
                     const char *const *words, size_t *which, fvi_complaint c)
 {
-    char known[200] = "", place[64];
+    char known[320] = "", place[64];
     for (size_t i = 0; words[i]; i++) {
         if (strcasecmp(text, words[i]) == 0) {
             *which = i;
