@@ -110,7 +110,7 @@ static int coefficients(const fvi_options *o)
     if (out) {
         fvi_table_head(out, o);
         fvi_format_name(out, o->format, 0, "n", 0);
-        fvi_format_name(out, o->format, 1, "alpha_n", 0);
+        fvi_format_name(out, o->format, 1, "w_n", 0);
         fvi_format_names_end(out, o->format);
         for (size_t n = 0; n < o->count && !ferror(out); n++)
             fvi_format_row(out, o->format, n, 2, (double[]){ (double)n, w[n] });

@@ -8,7 +8,7 @@ static const char usage[] =
     "       fvi fit [options] DATA       parameters from a measured motion\n"
     "       fvi sweep [options]          a grid of runs, a row each\n"
     "       fvi gradient [options]       derivatives of a run's last row\n"
-    "       fvi coefficients [options]   n, alpha_n\n"
+    "       fvi coefficients [options]   n, w_n: the weights\n"
     "       fvi methods                  name, order, memory of each method\n"
     "       fvi help [COMMAND]           also: fvi -h, fvi run -h, --version\n"
     "\n"

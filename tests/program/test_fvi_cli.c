@@ -245,7 +245,7 @@ START_TEST(coefficients_and_methods_and_help)
 {
     ck_assert_int_eq(fvi("coefficients --alpha 0.5 --count 4"), 0);
     ck_assert_ptr_nonnull(strstr(out,
-                                 "# alpha = 0.5\n# count = 4\n# n\talpha_n\n"
+                                 "# alpha = 0.5\n# count = 4\n# n\tw_n\n"
                                  "0\t1\n1\t-0.5\n2\t-0.125\n3\t-0.0625\n"));
     ck_assert_int_eq(fvi("coefficients --alpha 2 --count 5"), 0);
     ck_assert_ptr_nonnull(strstr(out, "0\t1\n1\t-2\n2\t1\n3\t0\n4\t0\n"));

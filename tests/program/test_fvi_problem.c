@@ -314,7 +314,7 @@ START_TEST(tables_in_three_formats)
                     "\"y2\"],\n\"rows\": [\n [1, 0, 0, "));
     ck_assert_str_eq(strrchr(out, '\n') - 3, "\n]}\n");
     ck_assert_int_eq(fvi("coefficients --count 2 --format csv"), 0);
-    ck_assert_str_eq(out, "n,alpha_n\n0,1\n1,-0.5\n");
+    ck_assert_str_eq(out, "n,w_n\n0,1\n1,-0.5\n");
     ck_assert_int_eq(fvi("exact --steps 1 --format csv --columns t"), 0);
     ck_assert_str_eq(out, "t\n0\n0.1\n");
 }
