@@ -195,8 +195,9 @@ static void power(double alpha, fvi_quadrature kind, double h, int increments,
         fvi_coefficients(nu, count, w);
     if (kind == FVI_QUADRATURE_BDF2)
         times_bdf2(2 * alpha, count, w);
+    const double scale = pow(h, -2 * alpha);
     for (size_t n = 0; n < count; n++)
-        w[n] *= pow(h, -2 * alpha);
+        w[n] *= scale;
 }
 
 /* W (1 + T q) = q, one coefficient after the other. In a law's fraction all that is
@@ -234,20 +235,28 @@ void fvi_law_series(const fvi_law_simple *t, fvi_quadrature kind, double h,
     }
 }
 
+int fvi_law_check_weights(const fvi_law *law, fvi_quadrature kind, double h)
+{
+    int status = fvi_law_check(law);
+    if (status)
+        return status;
+    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2)
+        FVI_FAIL("a law has weights of Euler and of BDF2", FVI_EINVAL);
+    if (!(isfinite(h) && h > 0))
+        FVI_FAIL("h must be finite and positive", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
 int fvi_law_weights(const fvi_law *law, fvi_quadrature kind, double h,
                     size_t count, double *w)
 {
-    int status = fvi_law_check(law);
+    int status = fvi_law_check_weights(law, kind, h);
     if (status)
         return status;
     if (!w)
         FVI_FAIL("w is a null pointer", FVI_EFAULT);
     if (count == 0 || count > (size_t)-1 / 4 / sizeof *w)
         FVI_FAIL("count must be at least 1 and addressable", FVI_EINVAL);
-    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2)
-        FVI_FAIL("a law has weights of Euler and of BDF2", FVI_EINVAL);
-    if (!(isfinite(h) && h > 0))
-        FVI_FAIL("h must be finite and positive", FVI_EDOM);
     fvi_law_simple *term;
     size_t terms;
     status = fvi_law_flatten(law, &term, &terms);

@@ -181,7 +181,7 @@ static size_t all_modes(const ready *r, double N, double delta, double *s,
 
 /* ---- the two kinds of memory ---- */
 
-/* The first `count` weights, w_0 taken out. */
+/* The first `count` weights, w_0 taken out, if it is not 0 as all the others. */
 static double *weights_of(const ready *r, size_t count, double *first)
 {
     double *w = calloc(count, sizeof *w);
@@ -196,7 +196,7 @@ static double *weights_of(const ready *r, size_t count, double *first)
                        w);
     free(room);
     *first = w[0];
-    for (size_t n = 0; n < count; n++)
+    for (size_t n = 0; n < count && *first > 0; n++)
         w[n] /= *first;
     return w;
 }
@@ -267,15 +267,11 @@ int fvi_law_memory(const fvi_law *law, fvi_quadrature kind, double h, size_t d,
                    size_t steps, fvi_memory_kind how, double tolerance,
                    double *first, fvi_memory **memory)
 {
-    int status = fvi_law_check(law);
+    int status = fvi_law_check_weights(law, kind, h);
     if (status)
         return status;
     if (!first || !memory)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2)
-        FVI_FAIL("a law has weights of Euler and of BDF2", FVI_EINVAL);
-    if (!(isfinite(h) && h > 0))
-        FVI_FAIL("h must be finite and positive", FVI_EDOM);
     if (how > FVI_MEMORY_EXPONENTIALS)
         FVI_FAIL("unknown kind of memory", FVI_EINVAL);
     if (!(tolerance >= 0 && tolerance < 1))

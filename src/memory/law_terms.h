@@ -1,6 +1,6 @@
 /* src/memory/law_terms.h -- What damping_laws.c and law_memory.c share. [Chapter 26]
  *
- * Internal; nothing is checked. */
+ * Internal; but for the first nothing is checked. */
 #ifndef FVI_LAW_TERMS_H
 #define FVI_LAW_TERMS_H
 
@@ -10,6 +10,10 @@
 typedef struct {
     double rho, alpha, time;
 } fvi_law_simple;
+
+/* fvi_law_check_weights -- fvi_law_check, and are these weights that a law has?
+ * Returns what it returns; FVI_EINVAL for kind, FVI_EDOM for h. */
+int fvi_law_check_weights(const fvi_law *law, fvi_quadrature kind, double h);
 
 /* fvi_law_flatten -- the law as such terms, a new array for the caller to free.
  * Returns FVI_SUCCESS or FVI_ENOMEM. */

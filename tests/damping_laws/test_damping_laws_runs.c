@@ -110,6 +110,36 @@ START_TEST(a_power_is_the_run_that_alpha_gives)
 }
 END_TEST
 
+/* A law whose terms are all nothing is no damping, and no 0/0. */
+START_TEST(a_law_of_nothing_is_no_damping)
+{
+    const fvi_law_term none[] = { { FVI_LAW_POWER, 0, 0.3, 0, 0 },
+                                  { FVI_LAW_MAXWELL, 0, 0, 1, 0 } };
+    const fvi_law law = { 2, none };
+    const double x0 = 1, p0 = 0.5, rho = 0;
+    const fvi_memory_kind how[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_EXPONENTIALS };
+    for (size_t m = 0; m < 2; m++)
+        for (size_t i = 0; i < LEN(how); i++) {
+            const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
+            const fvi_potential spring = fvi_potential_harmonic(&one);
+            const fvi_system damped = { 1, &one, &one, spring, { 0 } },
+                             free_ = { 1, &one, &rho, spring, { 0 } };
+            fvi_run run = fvi_run_default(&damped, &x0, &p0, 0.1, 100);
+            double x[2][101];
+            run.law = &law;
+            run.memory = how[i];
+            ck_assert_int_eq(fvi_trajectory(method, &run, x[0], NULL, NULL),
+                             FVI_SUCCESS);
+            run.law = NULL;
+            run.system = &free_;
+            ck_assert_int_eq(fvi_trajectory(method, &run, x[1], NULL, NULL),
+                             FVI_SUCCESS);
+            for (size_t k = 0; k <= 100; k++)
+                ck_assert_double_eq(x[0][k], x[1][k]);
+        }
+}
+END_TEST
+
 /* Masses that share a law, scaled by their rho; one that is not damped. Copies go on
  * with the same digits. */
 START_TEST(a_chain_with_a_law_and_its_copy)
@@ -263,6 +293,7 @@ int main(void)
     ADD_CASE(suite, "motions", eq_26_9_motions,
              eq_26_9_orders_of_a_nonlinear_motion,
              a_power_is_the_run_that_alpha_gives,
+             a_law_of_nothing_is_no_damping,
              a_chain_with_a_law_and_its_copy, eq_26_10_the_longest_step,
              eq_26_10_no_law_gains_energy);
     ADD_CASE(suite, "refusals", who_does_not_know_laws_says_so);

@@ -206,7 +206,7 @@ def test_the_examples_of_the_readme_give_the_same_numbers():
     (dict(force="push"), ValueError), (dict(method="rk4"), ValueError),
     (dict(memory="none"), ValueError), (dict(derivative="weyl"), ValueError),
     (dict(columns="t,y"), ValueError), (dict(steps=2.5), ValueError), (dict(steps=0), ValueError),
-    (dict(x0=[1, 2], p0=[1, 2, 3]), ValueError), (dict(x0=[[1, 2]]), ValueError),
+    (dict(h=0.1, time=20), ValueError), (dict(x0=[1, 2], p0=[1, 2, 3]), ValueError), (dict(x0=[[1, 2]]), ValueError),
     (dict(alpha=1.5), fvi.Error), (dict(alpha=float("nan")), fvi.Error), (dict(h=-1), fvi.Error),
     (dict(mass=0), fvi.Error), (dict(rho=-1), fvi.Error), (dict(x0=float("inf")), fvi.Error),
     (dict(kappa=0.3, method="fvi-lobatto3"), ValueError),

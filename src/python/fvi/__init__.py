@@ -4,8 +4,8 @@
     run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, h=0.1, steps=200)
     run.t, run.x, run.p          # arrays of 201 numbers
 
-The options are those of the program `fvi run`, under the same names and with the same
-defaults; `help(fvi.run)` lists them. Lengths, times and masses are in units of your own.
+Its options bear the names that they have in the program `fvi run`, and have the same
+defaults; `help(fvi.run)` lists those that there are. Lengths, times and masses are in units of your own.
 
     run         a whole trajectory as arrays
     Stepper     one step after the other: look, fork, go on

@@ -133,9 +133,9 @@ class Expression:
     def __init__(self, what: str, text: str, variable: str, d: int, let: dict):
         self.values = np.array(list(let.values()) or [0.0], dtype=float)
         encoded = [ffi.new("char[]", name.encode()) for name in let]
-        names = ffi.new("fvi_names *", {"variable": ffi.new("char[]", variable.encode()), "d": d})
-        kept = [ffi.new("const char *[]", encoded or [ffi.NULL]), ffi.new("char[]", variable.encode())]
-        names.variable, names.parameter, names.parameters = kept[1], kept[0], len(let)
+        coordinate, parameters = ffi.new("char[]", variable.encode()), ffi.new("const char *[]", encoded)
+        names = ffi.new("fvi_names *", {"variable": coordinate, "d": d, "parameter": parameters,
+                                        "parameters": len(let)})
         out, wrong = ffi.new("fvi_expression **"), ffi.new("fvi_misprint *")
         status = lib.fvi_expression_parse(text.encode(), names, ffi.cast("double *", self.values.ctypes.data),
                                           out, wrong)

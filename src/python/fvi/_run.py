@@ -113,11 +113,15 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0
             rho: Numbers = 0.2, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
-            h: float = 0.1, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
+            h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
             memory: str = "auto", tolerance: float = 0.0) -> tuple:
     problem = Problem(potential, force, mass, rho, x0, p0, let)
     if steps != int(steps) or steps < 1:
         raise ValueError(f"steps: {steps} is no whole number >= 1")
+    if h is not None and time is not None:
+        raise ValueError("h: not together with time")
+    if time is not None:
+        h = time / int(steps)
     found = lib.fvi_method_named(method.encode())
     if found == ffi.NULL:
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
@@ -126,7 +130,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0
     run = ffi.new("fvi_run *")
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
-    run.h, run.steps = h if time is None else time / int(steps), int(steps)
+    run.h, run.steps = 0.1 if h is None else h, int(steps)
     run.kappa, run.alpha, run.tolerance = kappa, alpha, tolerance
     run.past = choice("derivative", derivative, PASTS)
     run.memory = choice("memory", memory, MEMORIES)
