@@ -24,7 +24,9 @@ typedef struct {
     fvi_fit_model model;
     gsl_multifit_nlinear_fdf fdf;
     gsl_multifit_nlinear_workspace *solver;
-    place *found; /* one for each start */
+    place *found;        /* one for each start */
+    double *last, *base; /* residuals: the last ones, and those of slopes */
+    double size[FVI_FIT_MOST]; /* of each u: it is nearly zero far below that */
 } search;
 
 /* ---- one search ---- */
@@ -33,18 +35,45 @@ typedef struct {
 /* f_i = (x(t_i) - x_i) / scale. A motion that cannot be had is a bad one. */
 static int residuals(const gsl_vector *u, void *params, gsl_vector *f)
 {
-    fvi_fit_model *m = params;
+    search *o = params;
+    fvi_fit_model *m = &o->model;
     for (size_t j = 0; j < u->size; j++)
         fvi_fit_model_set(m, j,
                           fvi_fit_model_bound(m, j, gsl_vector_get(u, j)));
     const int failed = fvi_fit_model_run(m);
     for (size_t i = 0; i < f->size; i++) {
         const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
-        gsl_vector_set(f, i, !failed && fabs(r) < HOPELESS ? r : HOPELESS);
+        o->last[i] = !failed && fabs(r) < HOPELESS ? r : HOPELESS;
+        gsl_vector_set(f, i, o->last[i]);
     }
     return GSL_SUCCESS;
 }
 //< residuals
+
+//> slopes
+/* The Jacobian by differences, at the u of the last residuals, where GSL asks for it. Its
+ * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
+ * rho = 1, p0 = 0. */
+static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
+{
+    search *o = params;
+    double there[FVI_FIT_MOST];
+    gsl_vector_view v = gsl_vector_view_array(there, u->size);
+    memcpy(o->base, o->last, J->size1 * sizeof *o->base);
+    for (size_t j = 0; j < u->size; j++) {
+        gsl_vector_view f = gsl_matrix_column(J, j);
+        const double size = fmax(fabs(gsl_vector_get(u, j)), o->size[j]),
+                     step = GSL_SQRT_DBL_EPSILON * size;
+        gsl_vector_memcpy(&v.vector, u);
+        there[j] += step;
+        residuals(&v.vector, o, &f.vector);
+        for (size_t i = 0; i < J->size1; i++)
+            gsl_vector_set(&f.vector, i, (o->last[i] - o->base[i]) / step);
+    }
+    memcpy(o->last, o->base, J->size1 * sizeof *o->last);
+    return GSL_SUCCESS;
+}
+//< slopes
 
 //> minimise
 /* From at->u downhill. What the driver says is not asked: a false minimum is reached
@@ -113,7 +142,16 @@ static int try_all(search *o, const double *low, const double *high,
     return FVI_SUCCESS;
 }
 
-/* Starts that came within sd / 10 of the best, or 1e-6 of its size. */
+/* The size of parameter j, of which small parts do not count: a start or a constant may be
+ * 0, and has still that of the data. */
+static double size_of(const search *o, size_t j, double theta)
+{
+    return o->model.fit->which[j] <= FVI_PARAMETER_MASS
+               ? fabs(theta)
+               : fmax(fabs(theta), o->size[j]);
+}
+
+/* Starts that came within sd / 10 of the best, or 1e-6 of its size. (24.5) */
 static size_t agreeing(const search *o, const place *best,
                        const fvi_fitted *fitted)
 {
@@ -125,7 +163,7 @@ static size_t agreeing(const search *o, const place *best,
             const double here = fvi_fit_model_bound(m, j, o->found[k].u[j]),
                          there = fvi_fit_model_bound(m, j, best->u[j]);
             same = fabs(here - there)
-                   <= fmax(fitted->sd[j] / 10, 1e-6 * fabs(there));
+                   <= fmax(fitted->sd[j] / 10, 1e-6 * size_of(o, j, there));
         }
         agree += same != 0;
     }
@@ -200,7 +238,7 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
         fitted->bias = 0;
         for (size_t j = 0; j < o->fdf.p; j++) {
             const double by = fabs(fitted->estimate[j] - before.estimate[j]);
-            if (by > 1e-7 * fabs(fitted->estimate[j]))
+            if (by > 1e-7 * size_of(o, j, fitted->estimate[j]))
                 fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
         }
         moves = fitted->bias > 0.01 && !(fitted->bias > 0.75 * before.bias);
@@ -237,7 +275,7 @@ static int whole(search *o, const double *low, const double *high,
     if (!status && fit->h == 0)
         status = refine(o, &best, fitted);
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
-    residuals(&u.vector, &o->model, o->solver->f); /* for the motion there */
+    residuals(&u.vector, o, o->solver->f); /* for the motion there */
     if (curve)
         memcpy(curve, o->model.motion, fit->n * sizeof *curve);
     return status ? status : judge(o, fitted);
@@ -249,13 +287,17 @@ static int search_alloc(search *o, const fvi_fit *fit)
         gsl_multifit_nlinear_default_parameters();
     double *motion = malloc(fit->n * sizeof *motion);
     fvi_fit_model_init(&o->model, fit, motion);
-    o->fdf = (gsl_multifit_nlinear_fdf){
-        .f = residuals, .n = fit->n, .p = fit->parameters, .params = &o->model
-    };
+    o->fdf = (gsl_multifit_nlinear_fdf){ .f = residuals,
+                                         .df = slopes,
+                                         .n = fit->n,
+                                         .p = fit->parameters,
+                                         .params = o };
+    o->last = calloc(2 * fit->n, sizeof *o->last);
+    o->base = o->last ? o->last + fit->n : NULL;
     o->found = calloc(fit->starts, sizeof *o->found);
     o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
                                            fit->n, fit->parameters);
-    if (!motion || !o->found || !o->solver)
+    if (!motion || !o->last || !o->found || !o->solver)
         FVI_FAIL("no memory for the fit", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
@@ -269,6 +311,10 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
         return status;
     if (!fitted)
         FVI_FAIL("no room for the answer", FVI_EFAULT);
+    for (size_t j = 0; j < fit->parameters; j++)
+        o.size[j] = fit->which[j] <= FVI_PARAMETER_MASS
+                        ? 0.25 /* a logit, a logarithm */
+                        : (high[j] - low[j]) / 16;
     if (fit->low) {
         memcpy(low, fit->low, fit->parameters * sizeof *low);
         memcpy(high, fit->high, fit->parameters * sizeof *high);
@@ -283,6 +329,7 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
         fvi_fit_model_set(&o.model, j, were[j]);
     gsl_multifit_nlinear_free(o.solver);
     free(o.found);
+    free(o.last);
     free(o.model.motion);
     fvi_loud();
     return status;

@@ -148,6 +148,8 @@ static int check_parameters(const fvi_fit *fit)
         if (fit->which[j] == FVI_PARAMETER_ALPHA
             && fit->method->alpha_least == fit->method->alpha_most)
             FVI_FAIL("the method knows one alpha", FVI_EUNSUP);
+        if (fit->which[j] == FVI_PARAMETER_ALPHA && fit->run->law)
+            FVI_FAIL("a law of damping does not read alpha", FVI_EUNSUP);
         if (fit->which[j] >= FVI_PARAMETER_CONSTANT && !fit->constants)
             FVI_FAIL("there are no constants", FVI_EFAULT);
         if (fit->low && fit->high

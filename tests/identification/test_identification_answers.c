@@ -189,6 +189,8 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     const fvi_parameter twice[] = { FVI_PARAMETER_RHO, FVI_PARAMETER_ALPHA,
                                     FVI_PARAMETER_RHO };
     const double box[] = { 0.1, 0.2, 0.3 };
+    const fvi_law_term dashpot = { .kind = FVI_LAW_MAXWELL, .rho = 1 };
+    const fvi_law law = { 1, &dashpot };
     fvi_fitted f;
     question right;
     ask(&right, ref_low, 3);
@@ -213,6 +215,7 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     REFUSED(q.fit.h = -1, FVI_EDOM);
     REFUSED(q.fit.low = q.fit.high = box, FVI_EDOM);
     REFUSED(q.fit.method = &fvi_lagrange_dalembert, FVI_EUNSUP);
+    REFUSED((q.run.law = &law, q.fit.method = &fvi_bdf2), FVI_EUNSUP);
     handled = 0;
     ck_assert_int_eq(fvi_fit_search(NULL, NULL, &f), FVI_EFAULT);
     ck_assert_int_eq(fvi_fit_search(&right.fit, NULL, NULL), FVI_EFAULT);
