@@ -307,7 +307,7 @@ $B/fuzz: tests/fuzz/fuzz.c $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$
 	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
 	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
 
-$B/stress: $(wildcard tests/stress/*.c) tests/stress/stress.h $B/libfvi.a
+$B/stress: $(wildcard tests/stress/*.[ch]) tests/variable_steps/adaptive_problems.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 ## -- proofs and exact values -----------------------------------------------

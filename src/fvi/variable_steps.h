@@ -31,26 +31,32 @@ extern "C" {
  * to the same order as far as the force is smooth.
  *
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
- *                    the largest |x_i| so far. p is off by more
+ *                    the size so far, max |x_i|. p is off by more
  *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
  *   run->tolerance   not read: the modes are right to 2e-14
  *   run->kappa       not read
  *
- * s = 8, or 6 if step_error is above 1e-6 of |x0| + |v0| T. Where nothing is damped the
- * step is form M instead, that of the variational methods of chapter 17, which has no
- * numerical damping; fvi_adaptive_look says which.
+ * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
+ * if v0 = 0 too, or 1. s = 8, or 6 if step_error is above 1e-6 of that size. Where nothing
+ * is damped the step is form M instead, that of the variational methods of chapter 17,
+ * which has no numerical damping; fvi_adaptive_look says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
- * fifty; a pulse that is shorter than the steps may be passed over.
+ * fifty, or is overlooked where it is small: x was off by 25 step_error at most in what the
+ * tests tried. A pulse that is shorter than the steps may be passed over.
  *
  * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
  * linear solution if U is quadratic); others by fixed-point iteration where it contracts
  * by .8 or better, and by Newton's method with all stages and coordinates where it does
  * not.
  *
- * Cost of a step: O(Q s) for each damped coordinate, Q 80 to 190 modes; s gradients for
- * each iteration, mostly 2 to 6 of them; O(d s^2). Memory O(d (Q + 10 s)).
+ * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
+ * each decade below; s gradients for each iteration, mostly 2 to 6 of them; O(d s^2), and
+ * O(s^3) for each mass, damping and spring where h changes. Newton's method for one
+ * coordinate is O(s^3) more; for all together O(d s^3 b^2), b the diagonals of the Hessian,
+ * or O(d^3 s^3). Memory O(d (Q + s^2)), Q 190, or up to 2300 where a start is singular;
+ * with all together O(d s^2 b) or O(d^2 s^2) more.
  * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from
  * fvi_start if it is clear beforehand: alpha < 1 near 1, a damping far above the mass, and
  * a past that the body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */
@@ -95,12 +101,13 @@ typedef struct {
  *   found  output
  *
  * It is an estimate, no bound: what both runs pass over, a pulse of the force shorter
- * than their steps, say, is not seen. The error of p is another matter.
+ * than their steps, say, is not seen; and a small jump that is not declared was seen to
+ * cost 2.2 times the wanted error. The error of p is another matter.
  * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
  * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_start
  * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
- * because of most: found->estimate is then the smallest one, infinite if there was none. On error x, p and, but for FVI_ETOL, *found
- * are untouched. */
+ * because of most: found->estimate is then the smallest one, infinite if there was none. On
+ * error x, p and, but for FVI_ETOL, *found are untouched. */
 int fvi_adaptive_search(const fvi_run *run, double error, size_t most,
                         double *x, double *p, fvi_adaptive_found *found);
 

@@ -111,9 +111,10 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
 int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
 {
     const size_t s = o->rule->s;
-    const double h = length.h, hh = h * h, power = pow(h, 1 - o->beta);
+    const double h = length.h, hh = h * h;
     if (h == o->length.h)
         return FVI_SUCCESS;
+    const double power = pow(h, 1 - o->beta);
     o->length.h = 0; /* until all of them are there */
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_kind *kind = &o->of_kind[n];

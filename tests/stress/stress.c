@@ -78,7 +78,8 @@ static const struct {
     { "memories", "FFT and exponentials against the direct sum",
       stress_memories, 200 },
     { "scatter", "500 fits scatter as they say", stress_scatter, 1 },
-    { "found", "100 noisy motions of another program are found", stress_found, 1 },
+    { "found", "100 noisy motions of another program are found", stress_found,
+      1 },
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
 };
 
@@ -88,7 +89,7 @@ static unsigned long run_family(size_t f, unsigned long seed, long only)
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     char describe[600] = "";
     double worst = 0;
-    unsigned long failures = 0, done = 0;
+    unsigned long failures = 0, done = 0, silent = 0;
     clock_t began = clock();
     for (unsigned long i = 0; random && i < families[f].cases; i++) {
         if (only >= 0 && i != (unsigned long)only)
@@ -97,6 +98,7 @@ static unsigned long run_family(size_t f, unsigned long seed, long only)
                     seed * 1000003 + 7919 * (unsigned long)f + 31 * i + 1);
         double used = families[f].run(random, describe, sizeof describe);
         done++;
+        silent += used < 0;
         worst = GSL_MAX(worst, used);
         if (!(used <= 1)) {
             failures++;
@@ -108,11 +110,15 @@ static unsigned long run_family(size_t f, unsigned long seed, long only)
     printf("%-12s %6lu cases, worst %9.2e of what is allowed, %4.1f s: %s\n",
            families[f].name, done, worst,
            (double)(clock() - began) / CLOCKS_PER_SEC, families[f].what);
+    const int too_silent = done > 1 && silent > done / 100;
+    if (silent > 0)
+        printf("%14s%lu of them say nothing%s\n", "", silent,
+               too_silent ? ": FAILED, too many" : "");
     if (done == 1)
         printf("%14s%s\n", "", describe);
     fflush(stdout);
     gsl_rng_free(random);
-    return done ? failures : 1;
+    return done ? failures + (unsigned long)too_silent : 1;
 }
 
 int main(int argc, char **argv)

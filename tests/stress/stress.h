@@ -7,7 +7,9 @@
 #include <gsl/gsl_rng.h>
 
 /* One random case of a family. Returns how much of its allowance was used: above
- * 1 is a failure. describe gets one line that says what the case was. */
+ * 1 is a failure; below 0 it says nothing, refused for a reason or without a truth, and
+ * more than one such case in a hundred is a failure. describe gets one line that says
+ * what the case was. */
 typedef double stress_case(gsl_rng *random, char *describe, size_t size);
 
 stress_case stress_exact, stress_quadruple, stress_rounding,

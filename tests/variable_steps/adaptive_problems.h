@@ -113,9 +113,11 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
     return fvi_exact(&exact, q->N + 1, t, q->want, NULL);
 }
 
-/* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). What was
- * refused uses nothing, if the error is below 1e-9 of that size, or the motion may be
- * chaotic, or alpha is above .95; it is a failure, 2, if not. NaN if there is no truth. */
+/* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). -1, which the
+ * callers count, where nothing can be compared: it was refused, and the error is below 1e-9
+ * of that size, or the motion may be chaotic, or alpha is above .95; or the finer run of a
+ * motion that may be chaotic was refused. Refused without such a reason is a failure, 2; a
+ * linear motion without a truth is one too, NaN. */
 static inline double used_by(adaptive_problem *q, int linear)
 {
     const fvi_system system = system_of(q, linear);
@@ -125,7 +127,7 @@ static inline double used_by(adaptive_problem *q, int linear)
     run.past = q->past;
     double size = fabs(q->p0[0]) / sqrt(q->mass[0] * q->spring[0]), worst = 0;
     if (truth(q, linear, &run))
-        return linear ? GSL_NAN : 0; /* 1e-13 a step was too much */
+        return linear ? GSL_NAN : -1;
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
         size = fmax(size, fabs(q->want[i]));
     q->error *= size;
@@ -134,7 +136,7 @@ static inline double used_by(adaptive_problem *q, int linear)
     if (q->status) /* said in words; is there a reason? */
         return (q->status == FVI_ETOL && (!linear || q->error < 1e-9 * size))
                        || (q->status == FVI_EUNSUP && q->alpha > 0.95)
-                   ? 0
+                   ? -1
                    : 2;
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
         worst = fmax(worst, fabs(q->x[i] - q->want[i]));

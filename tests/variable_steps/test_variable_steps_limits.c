@@ -22,8 +22,8 @@ static int short_pulse(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* Its exact motion in all rows, if the force 8 ends at T. */
-static void plate_exact(double T, double *exact)
+/* Its exact motion in all rows, from x0, if the force A ends at T. */
+static void plate_exact(double x0, double A, double T, double *exact)
 {
     const fvi_linear problem = { .m = 1,
                                  .c = 1,
@@ -31,8 +31,9 @@ static void plate_exact(double T, double *exact)
                                  .alpha = 0.75,
                                  .past = FVI_PAST_CAPUTO,
                                  .forcing = FVI_FORCING_STEP,
-                                 .A = 8,
-                                 .T = T };
+                                 .A = A,
+                                 .T = T,
+                                 .x0 = x0 };
     double t[ROWS + 1], v[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = 20. / ROWS * (double)k;
@@ -49,14 +50,14 @@ static double worst_of(const double *x, const double *exact)
 
 /* Bagley and Torvik's plate, under a force that declares no jumps. */
 static fvi_adaptive_counts plate(int (*value)(double, size_t, void *, double *),
-                                 double tolerance, double *x)
+                                 double x0, double tolerance, double *x)
 {
     const fvi_system system = { .d = 1,
                                 .mass = &one,
                                 .damping = &one,
                                 .potential = fvi_potential_harmonic(&one),
                                 .force = { .value = value } };
-    fvi_run run = fvi_run_default(&system, &zero, &zero, 20. / ROWS, ROWS);
+    fvi_run run = fvi_run_default(&system, &x0, &zero, 20. / ROWS, ROWS);
     run.alpha = 0.75;
     run.past = FVI_PAST_CAPUTO;
     run.step_error = tolerance;
@@ -75,9 +76,9 @@ static fvi_adaptive_counts plate(int (*value)(double, size_t, void *, double *),
 START_TEST(a_jump_that_is_not_declared_costs_steps)
 {
     double exact[ROWS + 1], x[ROWS + 1];
-    plate_exact(0.7310585, exact);
+    plate_exact(0, 8, 0.7310585, exact);
     for (double tolerance = 1e-4; tolerance > 1e-13; tolerance /= 100) {
-        const fvi_adaptive_counts n = plate(late_jump, tolerance, x);
+        const fvi_adaptive_counts n = plate(late_jump, 0, tolerance, x);
         const double off = worst_of(x, exact) / tolerance;
         seen_worst(off, "of the tolerance");
         ck_assert_double_lt(off, 10);
@@ -88,16 +89,43 @@ START_TEST(a_jump_that_is_not_declared_costs_steps)
 }
 END_TEST
 
-static double jumps_at;
+static double jumps_at, jumps_from;
 
 static int some_jump(double t, size_t d, void *params, double *F)
 {
     (void)d, (void)params;
-    *F = t <= jumps_at ? 8 : 0;
+    *F = t <= jumps_at ? jumps_from : 0;
     return 0;
 }
 
-/* Two runs see it, in 60 places, for four wanted errors. Measured. Seen: 0.4 of them. */
+/* A step that feels a small jump by less than its tolerance, as the estimate has it, is
+ * taken as it is; but that estimate is made for what is smooth. Of jumps from 8, 8e-2 and
+ * 8e-4 in 60 places, at five tolerances, large ones are off by ten of them at most, small
+ * ones by more, and by 100 at most. Measured. Seen: 3.5, 24.8 and 17.5. */
+START_TEST(a_small_jump_that_is_not_declared_is_overlooked)
+{
+    double exact[ROWS + 1], x[ROWS + 1], worst[3] = { 0 };
+    for (size_t n = 0; n < 3; n++) {
+        jumps_from = 8 / gsl_pow_int(100, (int)n);
+        for (int i = 0; i < 60; i++) {
+            jumps_at = 0.13 + 0.3171 * i;
+            plate_exact(1, jumps_from, jumps_at, exact);
+            for (double tolerance = 1e-4; tolerance > 1e-13; tolerance /= 100) {
+                plate(some_jump, 1, tolerance, x);
+                worst[n] = fmax(worst[n], worst_of(x, exact) / tolerance);
+            }
+        }
+        seen(worst[n], "of the tolerance, from %g", jumps_from);
+    }
+    ck_assert_double_lt(worst[0], 10);
+    ck_assert_double_gt(fmax(worst[1], worst[2]), 10);
+    ck_assert_double_lt(fmax(worst[1], worst[2]), 100);
+}
+END_TEST
+
+/* Two runs see it, in 60 places, for four wanted errors, if it is a jump from 8; small
+ * ones may come between both. Measured. Seen: 0.32 of them; 1.36 and 2.2 from 8e-2 and
+ * 8e-4. */
 START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
 {
     const fvi_system system = { .d = 1,
@@ -105,24 +133,30 @@ START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
                                 .damping = &one,
                                 .potential = fvi_potential_harmonic(&one),
                                 .force = { .value = some_jump } };
-    fvi_run run = fvi_run_default(&system, &zero, &zero, 20. / ROWS, ROWS);
+    fvi_run run = fvi_run_default(&system, &one, &zero, 20. / ROWS, ROWS);
     run.alpha = 0.75;
     run.past = FVI_PAST_CAPUTO;
     size_t ran = 0;
-    for (int i = 0; i < 60; i++) {
-        double exact[ROWS + 1], x[ROWS + 1];
-        jumps_at = 0.13 + 0.3171 * i;
-        plate_exact(jumps_at, exact);
-        for (double error = 1e-3; error > 1e-10; error /= 100) {
-            fvi_adaptive_found found;
-            ck_assert_int_eq(
-                fvi_adaptive_search(&run, error, 100000, x, NULL, &found), 0);
-            seen_worst(worst_of(x, exact) / error, "of the wanted error");
-            ck_assert_double_lt(worst_of(x, exact), 1.2 * error);
-            ran++;
+    for (size_t n = 0; n < 3; n++) {
+        double most = 0;
+        jumps_from = 8 / gsl_pow_int(100, (int)n);
+        for (int i = 0; i < 60; i++) {
+            double exact[ROWS + 1], x[ROWS + 1];
+            jumps_at = 0.13 + 0.3171 * i;
+            plate_exact(1, jumps_from, jumps_at, exact);
+            for (double error = 1e-3; error > 1e-10; error /= 100) {
+                fvi_adaptive_found found;
+                ck_assert_int_eq(
+                    fvi_adaptive_search(&run, error, 100000, x, NULL, &found),
+                    0);
+                most = fmax(most, worst_of(x, exact) / error);
+                ran++;
+            }
         }
+        seen(most, "of the wanted error, from %g", jumps_from);
+        ck_assert_double_lt(most, n == 0 ? 1.2 : 3);
     }
-    ck_assert_uint_eq(ran, 240);
+    ck_assert_uint_eq(ran, 720);
 }
 END_TEST
 
@@ -130,7 +164,7 @@ END_TEST
 START_TEST(a_pulse_between_the_stages_is_passed_over)
 {
     double x[ROWS + 1];
-    const fvi_adaptive_counts n = plate(short_pulse, 1e-8, x);
+    const fvi_adaptive_counts n = plate(short_pulse, 0, 1e-8, x);
     seen((double)n.steps, "steps");
     for (size_t k = 0; k <= ROWS; k++)
         ck_assert_double_eq(x[k], 0);
@@ -207,6 +241,7 @@ int main(void)
 {
     Suite *suite = suite_create("variable_steps: limits");
     ADD_CASE(suite, "limits", a_jump_that_is_not_declared_costs_steps,
+             a_small_jump_that_is_not_declared_is_overlooked,
              a_jump_that_is_not_declared_is_seen_by_two_runs,
              a_pulse_between_the_stages_is_passed_over,
              a_fast_spring_is_followed_through_every_period,

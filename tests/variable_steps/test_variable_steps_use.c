@@ -314,11 +314,12 @@ END_TEST
 
 //> promise
 /* Sixty random problems, three of four with an exact motion: the true error is at most 1.2
- * times the wanted one, or it is refused with words, and that seldom. Seen: 0.04. */
+ * times the wanted one; no more than two may say nothing, as used_by has it. Seen: 5e-4,
+ * and none. */
 START_TEST(a_wanted_error_is_had_or_refused)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    size_t refused = 0;
+    size_t silent = 0;
     for (unsigned long i = 0; i < 60; i++) {
         static adaptive_problem problem;
         char text[600];
@@ -327,10 +328,11 @@ START_TEST(a_wanted_error_is_had_or_refused)
         const double used = used_by(&problem, i % 4 > 0);
         describe_problem(&problem, text, sizeof text);
         ck_assert_msg(used <= 1, "%g of 1.2 E: %s", used, text);
-        seen_worst(used, "of 1.2 E");
-        refused += problem.status != 0;
+        seen_worst(fmax(0, used), "of 1.2 E");
+        silent += used < 0;
     }
-    ck_assert_uint_le(refused, 2);
+    seen((double)silent, "say nothing");
+    ck_assert_uint_le(silent, 2);
     gsl_rng_free(random);
 }
 END_TEST
