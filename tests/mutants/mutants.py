@@ -86,10 +86,12 @@ def run(number, entry):
         return "it does not compile"
     except subprocess.TimeoutExpired:
         return "no end within two minutes"
-    failed = re.findall(r":[FE]:\w+:(\w+):", result.stdout)
+    failed = re.findall(r":[FE]:[^:]*:(\w+):", result.stdout)
     if entry["named"] in failed:
         return None
-    return "it survived" if not failed else "it was named by " + ", ".join(sorted(set(failed)))
+    if not failed:
+        return "it died and no test was named" if result.returncode else "it survived"
+    return "it was named by " + ", ".join(sorted(set(failed)))
 
 
 def main():
