@@ -2,7 +2,7 @@
 #ifndef FVI_CHECKPOINT_H
 #define FVI_CHECKPOINT_H
 
-#include "fvi_option_list.h"
+#include "words/fvi_option_list.h"
 
 /* fvi_checkpoint_write -- the state of the stepper into the file o->checkpoint: complete, or
  * what was there stays. Returns 0; 1 after it has said what is wrong. */

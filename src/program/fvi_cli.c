@@ -6,11 +6,12 @@
 #include <fvi/methods.h>
 #include "fvi_commands.h"
 #include "fvi_fit.h"
+#include "fvi_format.h"
 #include "fvi_gradient.h"
-#include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"
+#include "words/fvi_options.h"
 
 #include <fcntl.h>
 #include <math.h>

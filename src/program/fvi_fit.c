@@ -2,9 +2,10 @@
 #include "fvi_fit.h"
 
 #include <fvi/fvi.h>
-#include "fvi_data.h"
+#include "fvi_format.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "words/fvi_data.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define FVI_FIT_H
 
 #include "fvi_commands.h"
-#include "fvi_options.h"
+#include "words/fvi_options.h"
 
 /* fvi_is_fit -- is it `fvi fit ...`, or `fvi help fit`? */
 int fvi_is_fit(int argc, char **argv);

@@ -2,21 +2,11 @@
 #ifndef FVI_FORMAT_H
 #define FVI_FORMAT_H
 
-#include <stddef.h>
+#include "words/fvi_option_list.h"
+
 #include <stdio.h>
 
-/* tsv: lines "# name = value", a line "# " with the names, rows parted by tabs.
- * csv: the names, rows parted by commas, no head.
- * json: { "parameters": {...}, "columns": [...], "rows": [[...], ...] }. */
-typedef enum { FVI_FORMAT_TSV, FVI_FORMAT_CSV, FVI_FORMAT_JSON } fvi_format;
-
-extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
-
-/* fvi_shortest -- the shortest decimal number that is read back as v, finite. Of those
- * with as many digits the nearest to v. Returns its length. */
-int fvi_shortest(double v, char text[32]);
-
-/* fvi_print_number -- `before`, and then v in that way. */
+/* fvi_print_number -- `before`, and then v as the shortest number that comes back. */
 void fvi_print_number(FILE *out, const char *before, double v);
 
 /* In this order: the version, as the first parameter; parameters; the names of the columns,

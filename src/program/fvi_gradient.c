@@ -3,9 +3,10 @@
 
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
-#include "fvi_options.h"
+#include "fvi_format.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
+#include "words/fvi_options.h"
 #include "memory/lobatto_weights.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* src/program/fvi_grid.c -- The runs of a sweep. */
 #include "fvi_grid.h"
-#include "fvi_options.h"
+#include "words/fvi_options.h"
+#include "words/fvi_shortest.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef FVI_GRID_H
 #define FVI_GRID_H
 
-#include "fvi_option_list.h"
+#include "words/fvi_option_list.h"
 
 enum { FVI_MOST_AXES = 3 };
 

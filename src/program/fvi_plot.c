@@ -15,21 +15,6 @@
 
 enum { MOST_POINTS = 5000, MOST_LINES = 6 };
 
-static const char *extension(const char *name)
-{
-    const size_t length = strlen(name);
-    return length > 4 ? name + length - 4 : "";
-}
-
-int fvi_plot_name(const char *name)
-{
-    for (const char *at = name; *at; at++)
-        if ((unsigned char)*at < ' ')
-            return 0; /* a line of gnuplot's must not end here */
-    return strcasecmp(extension(name), ".svg") == 0
-           || strcasecmp(extension(name), ".png") == 0;
-}
-
 FILE *fvi_plot_begin(void)
 {
     FILE *rows = NULL;
@@ -163,7 +148,7 @@ static int draw(FILE *rows, const fvi_options *o)
     FILE *g = popen("gnuplot >/dev/null 2>&1", "w");
     if (g) {
         const size_t count = copy_rows(rows, g);
-        terminal(g, new, extension(o->plot), panels);
+        terminal(g, new, o->plot + strlen(o->plot) - 4, panels);
         script(g, o, 1 + count / MOST_POINTS, at, panels);
     }
     const int failed = !g || pclose(g) != 0 || access(new, R_OK) != 0

@@ -2,12 +2,9 @@
 #ifndef FVI_PLOT_H
 #define FVI_PLOT_H
 
-#include "fvi_option_list.h"
+#include "words/fvi_option_list.h"
 
 #include <stdio.h>
-
-/* fvi_plot_name -- is this a name for a picture: does it end with .svg or .png? */
-int fvi_plot_name(const char *name);
 
 /* fvi_plot_begin -- a place for the rows; NULL if there is none, or no gnuplot, after it
  * has said so. */

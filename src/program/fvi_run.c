@@ -1,11 +1,12 @@
 /* src/program/fvi_run.c -- The command `fvi run`, step by step. */
 #include <fvi/fvi.h>
 #include "fvi_checkpoint.h"
+#include "fvi_format.h"
 #include "fvi_run.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
-#include "fvi_values.h"
 #include "fvi_watch.h"
+#include "words/fvi_values.h"
 #include "memory/lobatto_memory.h"
 
 #include <math.h>

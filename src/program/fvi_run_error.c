@@ -3,8 +3,10 @@
 #include <fvi/step_search.h>
 
 #include "fvi_output.h"
+#include "fvi_format.h"
 #include "fvi_run.h"
-#include "fvi_values.h"
+#include "words/fvi_shortest.h"
+#include "words/fvi_values.h"
 
 #include <math.h>
 #include <stdio.h>

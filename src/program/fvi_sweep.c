@@ -2,12 +2,14 @@
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
+#include "fvi_format.h"
 #include "fvi_grid.h"
-#include "fvi_options.h"
 #include "fvi_output.h"
 #include "fvi_run.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"
+#include "words/fvi_options.h"
+#include "words/fvi_shortest.h"
 
 #include <math.h>
 #include <stdatomic.h>

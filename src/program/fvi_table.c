@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* _SC_PHYS_PAGES */
 #include "fvi_table.h"
 #include "fvi_commands.h"
+#include "fvi_format.h"
 #include "fvi_output.h"
 #include "fvi_plot.h"
 

@@ -3,7 +3,7 @@
 #define FVI_WATCH_H
 
 #include <fvi/trajectory.h>
-#include "fvi_option_list.h"
+#include "words/fvi_option_list.h"
 
 typedef struct {
     double stiffest; /* so far, see fvi_stability_along */

@@ -22,7 +22,7 @@ BUILD = pathlib.Path(sys.argv[1])
 STEMS = set(sys.argv[2:])
 CC = shlex.split(os.environ["CC"]) + shlex.split(os.environ["CFLAGS"])
 LIBS = shlex.split(os.environ["LIBS"])
-PROGRAM = sorted(path.stem for path in pathlib.Path("src/program").glob("*.c"))
+PROGRAM = {path.stem: path for room in ("program", "words") for path in sorted(pathlib.Path("src", room).glob("*.c"))}
 FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"))
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
 TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]
@@ -102,8 +102,8 @@ def main():
     if not todo:
         sys.exit("no mutant was tried")
     (BUILD / "mutants").mkdir(parents=True, exist_ok=True)
-    for name in PROGRAM:
-        compile_object(f"src/program/{name}.c", BUILD / "mutants" / f"{name}.o")
+    for name, path in PROGRAM.items():
+        compile_object(path, BUILD / "mutants" / f"{name}.o")
     for test in {TESTS[e["named"]] for e in todo if e["named"] in TESTS}:
         compile_object(test, BUILD / "mutants" / f"{test.stem}.o")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

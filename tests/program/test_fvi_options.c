@@ -1,8 +1,8 @@
 /* tests/program/test_fvi_options.c -- The parser of the command line, in the process.
  * Run alone: make test-fvi_options */
 #include "harness/ulp.h"
-#include "program/fvi_options.h"
-#include "program/fvi_words.h"
+#include "words/fvi_options.h"
+#include "words/fvi_words.h"
 
 #include <stdint.h>
 

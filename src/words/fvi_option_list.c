@@ -1,5 +1,7 @@
-/* src/program/fvi_option_list.c -- What the command line of build/fvi can say. */
+/* src/words/fvi_option_list.c -- What the command line of build/fvi can say. */
 #include "fvi_option_list.h"
+
+const char *const fvi_format_names[] = { "tsv", "csv", "json", NULL };
 
 enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_options.c -- What the command line of build/fvi says. */
+/* src/words/fvi_options.c -- What the command line of build/fvi says. */
 #define _GNU_SOURCE /* getopt_long */
 #include "fvi_options.h"
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_problem.h -- From the words of the command line to a system. */
+/* src/words/fvi_problem.h -- From the words of the command line to a system. */
 #ifndef FVI_PROBLEM_H
 #define FVI_PROBLEM_H
 

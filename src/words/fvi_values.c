@@ -1,7 +1,7 @@
-/* src/program/fvi_values.c -- From the words of the command line to values. */
+/* src/words/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
-#include "fvi_plot.h"
 #include "fvi_shared.h"
+#include "fvi_shortest.h"
 
 #include <fvi/fvi.h>
 
@@ -10,6 +10,8 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 /* The number of option i; see fvi_word_number. */
 static int number(const fvi_options *o, option_index i, double low, double high,
@@ -197,6 +199,18 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     return status ? status : check_solution(o, c);
 }
 
+/* Is this a name for a picture: does it end with .svg or .png? */
+static int is_picture(const char *name)
+{
+    for (const char *at = name; *at; at++)
+        if ((unsigned char)*at < ' ')
+            return 0; /* a line of gnuplot's must not end here */
+    const size_t length = strlen(name);
+    return length > 4
+           && (strcasecmp(name + length - 4, ".svg") == 0
+               || strcasecmp(name + length - 4, ".png") == 0);
+}
+
 static int interpret(fvi_options *o, fvi_complaint c)
 {
     size_t format;
@@ -204,7 +218,7 @@ static int interpret(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "-o: '' is not a file's name");
     o->output = o->text[OUTPUT];
     o->plot = o->text[PLOT];
-    if (o->plot && !fvi_plot_name(o->plot))
+    if (o->plot && !is_picture(o->plot))
         return fvi_refuse(c, "--plot: '%s' is not a name.svg or name.png",
                           o->plot);
     o->checkpoint = o->text[CHECKPOINT];

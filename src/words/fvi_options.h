@@ -1,4 +1,4 @@
-/* src/program/fvi_options.h -- What the command line of build/fvi says. */
+/* src/words/fvi_options.h -- What the command line of build/fvi says. */
 #ifndef FVI_OPTIONS_H
 #define FVI_OPTIONS_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_words.h -- From the words of a command line to values. Each function
+/* src/words/fvi_words.h -- From the words of a command line to values. Each function
  * returns 0, or 2 after it has written a complaint that names the option. */
 #ifndef FVI_WORDS_H
 #define FVI_WORDS_H

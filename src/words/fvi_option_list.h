@@ -1,10 +1,9 @@
-/* src/program/fvi_option_list.h -- What the command line of build/fvi can say. */
+/* src/words/fvi_option_list.h -- What the command line of build/fvi can say. */
 #ifndef FVI_OPTION_LIST_H
 #define FVI_OPTION_LIST_H
 
 #include <fvi/expression.h>
 #include <fvi/trajectory.h>
-#include "fvi_format.h"
 #include "fvi_forces.h"
 #include "fvi_laws.h"
 #include "fvi_lets.h"
@@ -19,6 +18,14 @@ typedef enum {
     FVI_COMMAND_VERSION,
     FVI_COMMAND_SWEEP
 } fvi_command;
+
+/* How a table is printed.
+ * tsv: lines "# name = value", a line "# " with the names, rows parted by tabs.
+ * csv: the names, rows parted by commas, no head.
+ * json: { "parameters": {...}, "columns": [...], "rows": [[...], ...] }. */
+typedef enum { FVI_FORMAT_TSV, FVI_FORMAT_CSV, FVI_FORMAT_JSON } fvi_format;
+
+extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
 
 /* The words of the command line, understood and in range. */
 typedef struct {

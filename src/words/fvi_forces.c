@@ -1,4 +1,4 @@
-/* src/program/fvi_forces.c -- Forces that are typed, or stand in a file. */
+/* src/words/fvi_forces.c -- Forces that are typed, or stand in a file. */
 #define _GNU_SOURCE /* strdup */
 #include "fvi_forces.h"
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_forces.h -- Forces that are typed, or stand in a file. */
+/* src/words/fvi_forces.h -- Forces that are typed, or stand in a file. */
 #ifndef FVI_FORCES_H
 #define FVI_FORCES_H
 

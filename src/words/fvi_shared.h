@@ -1,4 +1,4 @@
-/* src/program/fvi_shared.h -- A potential from a shared object. */
+/* src/words/fvi_shared.h -- A potential from a shared object. */
 #ifndef FVI_SHARED_H
 #define FVI_SHARED_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_data.c -- Numbers from files. */
+/* src/words/fvi_data.c -- Numbers from files. */
 #define _GNU_SOURCE /* getline */
 #include "fvi_data.h"
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_values.h -- From the words of the command line to values. */
+/* src/words/fvi_values.h -- From the words of the command line to values. */
 #ifndef FVI_VALUES_H
 #define FVI_VALUES_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_laws.h -- Laws of damping: --damping zener:1,0.3,2. */
+/* src/words/fvi_laws.h -- Laws of damping: --damping zener:1,0.3,2. */
 #ifndef FVI_LAWS_H
 #define FVI_LAWS_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_laws.c -- Laws of damping: --damping zener:1,0.3,2. */
+/* src/words/fvi_laws.c -- Laws of damping: --damping zener:1,0.3,2. */
 #include "fvi_laws.h"
 
 #include <stdio.h>

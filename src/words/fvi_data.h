@@ -1,4 +1,4 @@
-/* src/program/fvi_data.h -- Numbers from files. */
+/* src/words/fvi_data.h -- Numbers from files. */
 #ifndef FVI_DATA_H
 #define FVI_DATA_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_lets.h -- Parameters of expressions: --let k=3. */
+/* src/words/fvi_lets.h -- Parameters of expressions: --let k=3. */
 #ifndef FVI_LETS_H
 #define FVI_LETS_H
 

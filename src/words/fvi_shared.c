@@ -1,4 +1,4 @@
-/* src/program/fvi_shared.c -- A potential from a shared object. */
+/* src/words/fvi_shared.c -- A potential from a shared object. */
 #define _GNU_SOURCE
 #include "fvi_shared.h"
 

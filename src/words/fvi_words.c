@@ -1,4 +1,4 @@
-/* src/program/fvi_words.c -- From the words of a command line to values. */
+/* src/words/fvi_words.c -- From the words of a command line to values. */
 #include "fvi_words.h"
 #include "fvi_data.h"
 

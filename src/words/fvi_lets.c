@@ -1,4 +1,4 @@
-/* src/program/fvi_lets.c -- Parameters of expressions: --let k=3. */
+/* src/words/fvi_lets.c -- Parameters of expressions: --let k=3. */
 #include "fvi_lets.h"
 
 #include <fvi/error.h>

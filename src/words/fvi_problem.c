@@ -1,4 +1,4 @@
-/* src/program/fvi_problem.c -- From the words of the command line to a system. */
+/* src/words/fvi_problem.c -- From the words of the command line to a system. */
 #include "fvi_problem.h"
 #include "fvi_shared.h"
 
