@@ -16,7 +16,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* How the sum is done. N is the number of steps, Q about 40 to 100.
+/* How the sum is done. N is the number of steps, Q about 40 to 100 by default.
  *
  *   AUTO          what fvi_memory_choose says
  *   DIRECT        the sum as it stands: O(N^2) time, O(N d) memory
@@ -44,8 +44,9 @@ typedef struct fvi_memory fvi_memory;
  *   memory output; free it with fvi_memory_free
  *
  * beta = 0, 1, 2 have 1, 2, 3 weights that are not zero: nothing is stored then
- * but the last term, whatever the kind. Cost: EXPONENTIALS 10 microseconds,
- * DIRECT 10 ns a step, FFT also that of as many transforms as N/64 has bits.
+ * but the last term, whatever the kind. Cost, on the machine of memory_bench.tsv:
+ * EXPONENTIALS 10 microseconds, DIRECT some 20 ns a step, FFT also that of as many
+ * transforms as N/64 has bits.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if d == 0, if
  * kind is unknown, if steps and d are too large to be addressed, or beyond 10^9
@@ -57,7 +58,7 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
 
 /* fvi_memory_choose -- what AUTO stands for, by the crossover measured in
  * figures/memory/memory_bench.tsv: DIRECT up to 256 steps, and where no memory is
- * needed; else EXPONENTIALS. The FFT is never the fastest. */
+ * needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
 fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 
 /* fvi_memory_bytes -- what fvi_memory_alloc will take from the heap. Arguments

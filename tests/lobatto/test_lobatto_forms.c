@@ -277,11 +277,12 @@ END_TEST
 
 //> uniform
 /* Over all t the order is that of the first nodes for form D too, as (17.22) has it for
- * form M: 3 - 2 alpha in x and 2 - 2 alpha in p, one more for alpha > 1/2. */
+ * form M: 3 - 2 alpha in x and 2 - 2 alpha in p, one more for alpha > 1/2. With two
+ * stages it takes shorter steps to show; their x has order 2 anyhow, at later times. */
 START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
 {
     const double some[] = { 0.15, 0.3, 0.6, 0.7 };
-    for (size_t s = 3; s <= 6; s++)
+    for (size_t s = 2; s <= 6; s++)
         for (size_t i = 0; i < LEN(some); i++) {
             const double alpha = some[i], gain = alpha > 0.5 ? 1 : 0, one = 1,
                          rho = 0.5, c = 1, x0 = 1, p0 = 2;
@@ -296,7 +297,8 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
                                          .x0 = 1,
                                          .v0 = 2 };
             errors ex = { 0 }, ep = { 0 };
-            for (double h = 1. / 64; h > 1. / 500; h /= 2) {
+            const double longest = s > 2 ? 0x1p-6 : 0x1p-13;
+            for (double h = longest; h > longest / 8; h /= 2) {
                 fvi_run run = fvi_run_default(&system, &x0, &p0, h, 16);
                 run.alpha = alpha;
                 run.past = FVI_PAST_CAPUTO;
@@ -310,10 +312,13 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
                 ep.errors[ep.count++] = farthest(0, 17, p, want_p);
             }
             const double of_x = slope(&ex, 1e-13), of_p = slope(&ep, 1e-13);
-            seen(of_x - (3 - 2 * alpha + gain), "order of x, less expected");
+            if (s > 2) {
+                seen(of_x - (3 - 2 * alpha + gain),
+                     "order of x, less expected");
+                ck_assert_near(of_x, 3 - 2 * alpha + gain, 0.15,
+                               "x, s=%zu a=%g", s, alpha);
+            }
             seen(of_p - (2 - 2 * alpha + gain), "order of p, less expected");
-            ck_assert_near(of_x, 3 - 2 * alpha + gain, 0.15, "x, s=%zu a=%g", s,
-                           alpha);
             ck_assert_near(of_p, 2 - 2 * alpha + gain, 0.15, "p, s=%zu a=%g", s,
                            alpha);
         }
