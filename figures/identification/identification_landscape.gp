@@ -4,7 +4,7 @@
 width = 920; height = 440
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.075,0.985,0.13,0.9 spacing 0.17
-set title "χ^2 / n, ρ known"
+set title "χ² / n, ρ known"
 set xlabel "c"
 set ylabel "α"
 set xrange [log10(0.2):log10(5)]
@@ -18,8 +18,8 @@ set key bottom left opaque
 plot dat index 0 using (log10($2)):1:(log10($3)) with image notitle, \
      dat index 1 using (log10($2)):1 with points pt 7 ps 0.7 lc rgb "#D55E00" title "minima", \
      '+' using (0):(0.3) every ::0::0 with points pt 2 ps 1.6 lw 2 lc rgb "#000000" title "truth"
-set title "The least χ^2 / n for each c"
-set ylabel "χ^2 / n"
+set title "The least χ² / n for each c"
+set ylabel "χ² / n"
 set logscale y
 set yrange [1:3000]
 set format y "10^{%L}"

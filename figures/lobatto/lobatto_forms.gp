@@ -14,10 +14,10 @@ set xrange [1e-2:1.5]
 set yrange [1e-14:1e3]
 set ytics 1e2
 set key top left vertical maxrows 4 width -1
-plot for [i=1:4] dat index i-1 using 1:($2 > 2e-14 ? $2 : NaN) with linespoints ls i dt (3,3) pt 6 title sprintf("M, s = %d", i+2), \
-     for [i=1:4] '' index i-1 using 1:($4 > 2e-14 ? $4 : NaN) with linespoints ls i dt 1 pt 7 title sprintf("D, s = %d", i+2)
+plot for [i=1:4] dat index i-1 using 1:2 with linespoints ls i dt (3,3) pt 6 title sprintf("M, s = %d", i+2), \
+     for [i=1:4] '' index i-1 using 1:4 with linespoints ls i dt 1 pt 7 title sprintf("D, s = %d", i+2)
 
-set title "Energy without friction, x'' + x^3 = 0, s = 3, h = 1/2"
+set title "Energy without friction, x'' + x³ = 0, s = 3, h = 1/2"
 unset logscale
 set format x "%g"
 set format y "%g"

@@ -11,8 +11,9 @@ else
     --format) known=(tsv csv json) ;;
     --potential) known=(harmonic: duffing: pendulum: free chain:) ;;
     --force) known=(none step: cosine: file:) ;;
+    --damping) known=(power: zener: maxwell: distributed:) ;;
     --columns) known=(t,x t,x,p,energy) ;;
-    -o|--plot|--checkpoint) _files; return ;;
+    -o|--plot|--checkpoint|--curve|--forces) _files; return ;;
     *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u)"}) ;;
     esac
 fi
