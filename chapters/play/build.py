@@ -16,7 +16,7 @@ OUT = pathlib.Path(sys.argv[1])
 MODULES = """band error newton newton_stages system coefficients convolution_quadrature lobatto_memory
     lobatto_rules lobatto_weights memory past trajectory convolution_quadrature_stability stability
     stability_step convolution_quadrature_methods damping discrete_mechanics fvi loads lobatto
-    lobatto_damped lobatto_start pull methods exact_inverse exact_pole exact_solution""".split()
+    lobatto_damped lobatto_start pull exact_inverse exact_pole exact_solution""".split()
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the
 # last digits would differ.
 FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "

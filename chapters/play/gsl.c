@@ -2,11 +2,13 @@
  *
  * The modules of src/ are compiled for the page with GSL's own headers; what they
  * call is here. In one dimension an eigenvalue is the number itself, and linear
- * equations come from the stages of chapter 17 only: at most four. */
+ * equations come from the stages of chapter 17 only: at most four. And at the end
+ * stand-ins for what a run of the page never reaches, so that it need not be there. */
 #include "memory/memory_kinds.h"
 
-#include <gsl/gsl_eigen.h>
+#include <fvi/damping_laws.h>
 #include <fvi/error.h>
+#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -214,9 +216,9 @@ size_t fvi_blocks_bytes(size_t d, size_t steps)
     return SIZE_MAX;
 }
 
-fvi_blocks *fvi_blocks_alloc(double nu, size_t d, size_t steps)
+fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps)
 {
-    (void)nu, (void)d, (void)steps;
+    (void)nu, (void)rate, (void)d, (void)steps;
     return NULL; /* fvi_memory_alloc then returns FVI_ENOMEM */
 }
 
@@ -230,6 +232,12 @@ void fvi_blocks_ahead(const fvi_blocks *b, double *sum)
     (void)b, (void)sum;
 }
 
+int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v)
+{
+    (void)b, (void)v;
+    return FVI_EUNSUP;
+}
+
 void fvi_blocks_free(fvi_blocks *b)
 {
     (void)b;
@@ -241,16 +249,17 @@ double fvi_exponentials_delta(size_t steps, double tolerance)
     return 0;
 }
 
-size_t fvi_exponentials_bytes(double nu, size_t d, size_t steps, double delta)
+size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
+                              double delta)
 {
-    (void)nu, (void)d, (void)steps, (void)delta;
+    (void)nu, (void)rated, (void)d, (void)steps, (void)delta;
     return SIZE_MAX;
 }
 
-fvi_exponentials *fvi_exponentials_alloc(double nu, size_t d, size_t steps,
-                                         double delta)
+fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
+                                         size_t steps, double delta)
 {
-    (void)nu, (void)d, (void)steps, (void)delta;
+    (void)nu, (void)rated, (void)d, (void)steps, (void)delta;
     return NULL;
 }
 
@@ -262,6 +271,12 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
 {
     (void)e, (void)sum;
+}
+
+int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
+{
+    (void)e, (void)v;
+    return FVI_EUNSUP;
 }
 
 void fvi_exponentials_free(fvi_exponentials *e)
@@ -279,6 +294,29 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *e)
 {
     (void)e;
     return NULL;
+}
+
+/* ---- the laws of chapter 26: a run of the page has none ---- */
+
+int fvi_law_check(const fvi_law *law)
+{
+    (void)law;
+    return FVI_EUNSUP;
+}
+
+double fvi_law_symbol(const fvi_law *law, double s)
+{
+    (void)law, (void)s;
+    return NAN;
+}
+
+int fvi_law_memory(const fvi_law *law, fvi_quadrature kind, double h, size_t d,
+                   size_t steps, fvi_memory_kind how, double tolerance,
+                   double *first, fvi_memory **memory)
+{
+    (void)law, (void)kind, (void)h, (void)d, (void)steps, (void)how;
+    (void)tolerance, (void)first, (void)memory;
+    return FVI_EUNSUP;
 }
 
 gsl_error_handler_t *gsl_set_error_handler_off(void)

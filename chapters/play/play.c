@@ -49,10 +49,16 @@ double *EXPORT(play_array)(int which)
 
 static const double mass = 1;
 
-/* The order is that of `choices.method` in model.js, and of `fvi methods`. */
+/* Of all that `fvi methods` names, those that the page knows: the table of the library
+ * would bring the others with it. The order is that of `choices.method` in model.js. */
 static const fvi_method *the_method(void)
 {
-    return fvi_methods[(int)input.method];
+    static const fvi_method *const known[] = {
+        &fvi_fractional,     &fvi_lagrange_dalembert, &fvi_euler_explicit,
+        &fvi_euler_implicit, &fvi_shifted,            &fvi_bdf2,
+        &fvi_lobatto2,       &fvi_lobatto3,           &fvi_lobatto4
+    };
+    return known[(int)input.method];
 }
 
 /* 2, 3 or 4; 0 for a method without stages. */
