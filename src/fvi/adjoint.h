@@ -51,8 +51,8 @@ typedef struct {
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
  *              d momenta p_N of its last row. Or both NULL: the run is done here, and
- *              done again in pieces, so that about (N state)^(1/2) numbers are kept, not
- *              N d; the digits are the same
+ *              done again in pieces, so that about 2 (N d S)^(1/2) numbers are kept, not
+ *              N d, where a stepper has S < N d; the digits are the same
  *   objective  J
  *   gradients  outputs, the caller's
  *
@@ -68,16 +68,16 @@ typedef struct {
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
- * always one, s - 1 times as large), and no iteration. Measured, one coordinate, all derivatives: a third to a half of the time of
- * the run (figures/adjoint/adjoint_bench.tsv). Accuracy: no bound is proved for the
- * rounding. Seen: 5e-14 of a derivative, or of 1 where that is more, N = 2000; with eight
+ * always one, s - 1 times as large), and no iteration. Measured, fvi_fractional, one
+ * coordinate, all derivatives, the rows given: 0.24 to 0.43 of the time of the run
+ * (figures/adjoint/adjoint_bench.tsv). Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where that is more, N = 2000; with eight
  * stages and alpha near 0 an identity of all derivatives is off by 1e-11.
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL; FVI_EUNSUP if the method has no
- * adjoint, or not this one, or the run a law; FVI_ESING if the equation of a step backwards has no
- * unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
+ * adjoint, or not this one, or the run a law; FVI_ESING if the equation of a step backwards
+ * has no unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
  * On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,

@@ -231,6 +231,8 @@ START_TEST(bad_arguments_of_a_control_are_refused)
                                 .mass = &m,
                                 .damping = &rho,
                                 .potential = fvi_potential_harmonic(&m) };
+    const fvi_law_term dashpot = { .kind = FVI_LAW_MAXWELL, .rho = 1 };
+    const fvi_law law = { 1, &dashpot };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 0.1, 20);
     fvi_controlled found;
     const fvi_method *f = &fvi_fractional;
@@ -245,6 +247,11 @@ START_TEST(bad_arguments_of_a_control_are_refused)
     ck_assert_int_eq(
         fvi_control(&fvi_lagrange_dalembert, &run, &m, &m, u, &found),
         FVI_EUNSUP);
+    ck_assert_int_eq(fvi_control(&fvi_lobatto2, &run, &m, &m, u, &found),
+                     FVI_EUNSUP);
+    run.law = &law;
+    ck_assert_int_eq(fvi_control(f, &run, &m, &m, u, &found), FVI_EUNSUP);
+    run.law = NULL;
     run.steps = 1;
     ck_assert_int_eq(fvi_control(f, &run, &m, &m, u, &found), FVI_EINVAL);
     run.steps = 20;
