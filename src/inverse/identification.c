@@ -14,6 +14,7 @@
 #define MANY_STEPS 0x1p17
 #define HOPELESS 1e8 /* the residual where there is no motion */
 #define VAGUE 20     /* sd of a logit or a logarithm that says nothing */
+#define STEP 1e-7    /* of a difference: the memory is smooth to 1e-13 */
 
 /* Where a search ended: the parameters as u, and the sum of squares. */
 typedef struct {
@@ -63,7 +64,7 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
     for (size_t j = 0; j < u->size; j++) {
         gsl_vector_view f = gsl_matrix_column(J, j);
         const double size = fmax(fabs(gsl_vector_get(u, j)), o->size[j]),
-                     step = GSL_SQRT_DBL_EPSILON * size;
+                     step = STEP * size;
         gsl_vector_memcpy(&v.vector, u);
         there[j] += step;
         residuals(&v.vector, o, &f.vector);

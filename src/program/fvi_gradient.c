@@ -358,7 +358,7 @@ static const char usage_gradient[] =
     "many]\n"
     "  --forces FILE    t, and the derivative by the force at t\n"
     "and of run: --method (fvi, fvi-shifted, fvi-bdf2, and fvi-lobatto2 to 8\n"
-    "without the row of alpha) --alpha --rho --mass\n"
+    "below alpha = 1 without the row of alpha) --alpha --rho --mass\n"
     "--potential --let --dimension --force --derivative --kappa --x0 --p0 --h\n"
     "--steps --time --memory --tolerance -o\n"
     "\n"
