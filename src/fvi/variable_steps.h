@@ -37,14 +37,15 @@ extern "C" {
  *   run->kappa       not read
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
- * if v0 = 0 too, or 1. s = 8, or 6 if step_error is above 1e-6 of that size. Where nothing
- * is damped the step is form M instead, that of the variational methods of chapter 17,
- * which has no numerical damping; fvi_adaptive_look says which.
+ * if v0 = 0 too, or 1; what is below 1e-12 of the next counts as 0. s = 8, or 6 if
+ * step_error is above 1e-6 of that size. Where nothing is damped the step is form M
+ * instead, that of the variational methods of chapter 17, which has no numerical damping;
+ * fvi_adaptive_look says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
- * fifty, or is overlooked where it is small: x was off by 25 step_error at most in what the
- * tests tried. A pulse that is shorter than the steps may be passed over.
+ * fifty, or is overlooked where it is small: x was off by up to 25 step_error in what the
+ * tests try. A pulse that is shorter than the steps may be passed over.
  *
  * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
  * linear solution if U is quadratic); others by fixed-point iteration where it contracts

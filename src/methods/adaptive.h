@@ -15,7 +15,7 @@ typedef struct {
     double
         spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
     double drag;        /* rho h^{1 - beta} */
-    double reach;       /* how far x moves, at most, for a velocity 1 more */
+    double reach;       /* about how far x moves for a velocity 1 more */
     fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 */
     fvi_square inverse; /* of L + c h^2 A */
 } fvi_kind;

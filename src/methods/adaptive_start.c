@@ -139,7 +139,7 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
 
 /* ---- the start ---- */
 
-/* How far a velocity 1 more moves a body of mass m in the time T: t without forces; with a
+/* About how far a velocity 1 more moves a body of mass m in the time T: t without forces; with a
  * damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after
  * (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that for
  * one that is softer elsewhere. */
@@ -182,6 +182,12 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
     return n;
 }
 
+/* What is not zero, but for rounding, beside the next. */
+static double or_else(double size, double next)
+{
+    return size > 1e-12 * next ? size : next;
+}
+
 /* A size for a tolerance that is none: of x0; or of what the body does in the time of a
  * row; or 1. */
 static int first_scale(fvi_stepper *s, double *scale)
@@ -196,10 +202,8 @@ static int first_scale(fvi_stepper *s, double *scale)
         v = fmax(v, fabs(s->p[j]) / system->mass[j]);
         f = fmax(f, fabs(s->F[j] - s->g[j]) / system->mass[j]);
     }
-    *scale = x > 0   ? x
-             : v > 0 ? v * s->run.h
-             : f > 0 ? f * s->run.h * s->run.h
-                     : 1;
+    const double h = s->run.h, size = or_else(x, or_else(v * h, f * h * h));
+    *scale = size > 0 ? size : 1;
     return status;
 }
 

@@ -1,5 +1,5 @@
 /* tests/variable_steps/test_variable_steps_starts.c -- Chapter 22: starts that are not
- * smooth. Run alone: make test-variable_steps_starts */
+ * smooth, and such at rest. Run alone: make test-variable_steps_starts */
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
@@ -100,10 +100,45 @@ START_TEST(eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error)
 END_TEST
 //< starts
 
+/* What is x0 or p0 by rounding only is no size to measure a step by: the rows are those of
+ * rest, to what x0 and p0 add to them, which is nothing here. At rest the rows have a say:
+ * 1e-6 is above 1e-6 |v0| h or not. */
+START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
+{
+    const double one = 1, none = 0, almost = 1e-30, alphas[] = { 0.3, 0.5 },
+                 push[] = { 2, 0.7 };
+    double x[ROWS + 1], y[ROWS + 1], p[ROWS + 1], q[ROWS + 1];
+    fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
+                          fvi_force_cosine(push) };
+    for (size_t i = 0; i < 4; i++) {
+        fvi_run run = fvi_run_default(&system, &none, &none, 0.125, ROWS);
+        run.alpha = alphas[i / 2];
+        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+        *(i % 2 ? &run.p0 : &run.x0) = &almost;
+        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, y, q, NULL), 0);
+        for (size_t k = 0; k <= ROWS; k++) {
+            ck_assert_double_le(fabs(x[k] - y[k]), almost);
+            ck_assert_double_le(fabs(p[k] - q[k]), almost);
+        }
+    }
+    fvi_run run = fvi_run_default(&system, &none, &one, 0.5, ROWS);
+    run.step_error = 1e-6;
+    for (int s = 6; s <= 8; s += 2, run.h *= 4) {
+        fvi_stepper *stepper;
+        fvi_adaptive_counts counts;
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &stepper), 0);
+        ck_assert_int_eq(fvi_adaptive_look(stepper, &counts), 0);
+        ck_assert_int_eq(counts.stages, s);
+        fvi_stop(stepper);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("variable_steps: starts");
     ADD_CASE(suite, "starts",
-             eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error);
+             eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error,
+             a_start_that_is_almost_at_rest_is_one_at_rest);
     return run_suite(suite);
 }
