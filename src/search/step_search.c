@@ -4,6 +4,7 @@
 #include <fvi/fvi.h>
 #include "step_search_force.h"
 #include "system/fail.h"
+#include "system/stiffness.h"
 
 #include <gsl/gsl_math.h>
 #include <stdint.h>
@@ -131,21 +132,8 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
 
 /* ---- the estimate ---- */
 
-/* sum_j |H_ij|; of a band, row i holds the diagonal and what is right of it. */
-static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
-{
-    double sum = 0;
-    for (size_t j = 0; j < d && diagonals == 0; j++)
-        sum += fabs(H[i * d + j]);
-    for (size_t k = 0; k < diagonals; k++) {
-        sum += i + k < d ? fabs(H[i * diagonals + k]) : 0;
-        sum += k > 0 && k <= i ? fabs(H[(i - k) * diagonals + k]) : 0;
-    }
-    return sum;
-}
-
-/* max over the rows of sum_j |U_ij| / m_i, not below any |eigenvalue| of
- * M^{-1} Hess U (Gershgorin); NaN, too stiff, if there is no memory for it. */
+/* The bound of the eigenvalues of M^{-1} Hess U, the largest over the rows; NaN, too
+ * stiff, if there is no memory for it. */
 static int stiffness(search *o, double *most)
 {
     const fvi_system *system = o->run->system;
@@ -163,9 +151,7 @@ static int stiffness(search *o, double *most)
         int status = u->hessian(d, o->x + row * d, u->params, o->H);
         if (status)
             return status;
-        for (size_t i = 0; i < d; i++)
-            *most = fmax(*most,
-                         row_sum(o->H, d, u->diagonals, i) / system->mass[i]);
+        *most = fmax(*most, fvi_stiffness(system, o->H));
     }
     return FVI_SUCCESS;
 }

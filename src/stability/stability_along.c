@@ -2,26 +2,11 @@
 #include <fvi/stability.h>
 
 #include "system/fail.h"
+#include "system/stiffness.h"
 
-#include <gsl/gsl_math.h>
-#include <math.h>
 #include <stdlib.h>
 
-/* sum_j |H_ij|; of a band, row i holds the diagonal and what is right of it. */
-static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
-{
-    double sum = 0;
-    for (size_t j = 0; j < d && diagonals == 0; j++)
-        sum += fabs(H[i * d + j]);
-    for (size_t k = 0; k < diagonals; k++) {
-        sum += i + k < d ? fabs(H[i * diagonals + k]) : 0;
-        sum += k > 0 && k <= i ? fabs(H[(i - k) * diagonals + k]) : 0;
-    }
-    return sum;
-}
-
-/* max_i sum_j |U_ij(x)| / m_i: no |eigenvalue| of M^{-1} Hess U is above it
- * (Gershgorin). */
+/* The bound of the eigenvalues of M^{-1} Hess U(x). */
 static int stiffness_at(const fvi_system *system, const double *x,
                         double *stiffness)
 {
@@ -31,10 +16,8 @@ static int stiffness_at(const fvi_system *system, const double *x,
     if (!H)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
     int status = u->hessian(d, x, u->params, H);
-    *stiffness = 0;
-    for (size_t i = 0; i < d && !status; i++)
-        *stiffness =
-            fmax(*stiffness, row_sum(H, d, u->diagonals, i) / system->mass[i]);
+    if (!status)
+        *stiffness = fvi_stiffness(system, H);
     free(H);
     return status;
 }

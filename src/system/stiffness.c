@@ -1,0 +1,27 @@
+/* src/system/stiffness.c -- A bound of the eigenvalues of a Hessian.  [Chapter 18] */
+#include "stiffness.h"
+
+#include <math.h>
+
+/* sum_j |H_ij|; of a band, row i holds the diagonal and what is right of it. */
+static double row_sum(const double *H, size_t d, size_t diagonals, size_t i)
+{
+    double sum = 0;
+    for (size_t j = 0; j < d && diagonals == 0; j++)
+        sum += fabs(H[i * d + j]);
+    for (size_t k = 0; k < diagonals; k++) {
+        sum += i + k < d ? fabs(H[i * diagonals + k]) : 0;
+        sum += k > 0 && k <= i ? fabs(H[(i - k) * diagonals + k]) : 0;
+    }
+    return sum;
+}
+
+double fvi_stiffness(const fvi_system *system, const double *H)
+{
+    const size_t d = system->d;
+    double most = 0;
+    for (size_t i = 0; i < d; i++)
+        most = fmax(most, row_sum(H, d, system->potential.diagonals, i)
+                              / system->mass[i]);
+    return most;
+}
