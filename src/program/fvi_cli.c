@@ -5,9 +5,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
-#include "fvi_fit.h"
 #include "fvi_format.h"
-#include "fvi_gradient.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "fvi_usage.h"
@@ -152,10 +150,6 @@ int main(int argc, char **argv)
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
-    if (fvi_is_fit(argc, argv))
-        return fvi_command_fit(argc, argv);
-    if (fvi_is_gradient(argc, argv))
-        return fvi_command_gradient(argc, argv);
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
         fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",
@@ -165,6 +159,10 @@ int main(int argc, char **argv)
     switch (o.command) {
     case FVI_COMMAND_SWEEP:
         return fvi_command_sweep(argc, argv);
+    case FVI_COMMAND_FIT:
+        return fvi_command_fit(argc, argv);
+    case FVI_COMMAND_GRADIENT:
+        return fvi_command_gradient(argc, argv);
     case FVI_COMMAND_RUN:
         status =
             with_system(&o, o.error > 0 ? fvi_command_error : fvi_command_run);
@@ -182,9 +180,11 @@ int main(int argc, char **argv)
         status = print_text("fvi " FVI_VERSION "\n");
         break;
     default:
-        status = print_text(o.about == FVI_COMMAND_RUN     ? usage_run
-                            : o.about == FVI_COMMAND_EXACT ? usage_exact
-                            : o.about == FVI_COMMAND_SWEEP ? usage_sweep
+        status = print_text(o.about == FVI_COMMAND_RUN        ? usage_run
+                            : o.about == FVI_COMMAND_EXACT    ? usage_exact
+                            : o.about == FVI_COMMAND_SWEEP    ? usage_sweep
+                            : o.about == FVI_COMMAND_FIT      ? usage_fit
+                            : o.about == FVI_COMMAND_GRADIENT ? usage_gradient
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
                                 : usage);

@@ -18,6 +18,13 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system);
  * The words are those of main; 2 if they are refused. */
 int fvi_command_sweep(int argc, char **argv);
 
+/* fvi_command_fit -- `fvi fit`: parameters from a table. The words are those of main; 1 if
+ * the data have no answer that can be believed, 2 if the words are refused. */
+int fvi_command_fit(int argc, char **argv);
+
+/* fvi_command_gradient -- `fvi gradient`: derivatives of a last row. Likewise. */
+int fvi_command_gradient(int argc, char **argv);
+
 /* What went wrong, as a line on standard error; each returns 1. */
 int fvi_complain(const char *what);
 int fvi_cannot_write(

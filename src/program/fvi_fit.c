@@ -1,10 +1,10 @@
 /* src/program/fvi_fit.c -- The command `fvi fit`: parameters from a table. */
-#include "fvi_fit.h"
+#include "fvi_commands.h"
 
 #include <fvi/fvi.h>
 #include "fvi_format.h"
 #include "fvi_output.h"
-#include "fvi_table.h"
+#include "fvi_own_words.h"
 #include "words/fvi_data.h"
 
 #include <math.h>
@@ -14,20 +14,22 @@
 
 #define ALIKE 0.9 /* a correlation above this is worth a word */
 
-static const char *const own_words[] = { "fit", "sigma", "starts", "curve",
-                                         NULL };
-typedef enum { FIT, SIGMA, STARTS, CURVE, OWN } own_index;
-
 /* Of a run, and not of a fit, which takes its times from the data. */
 static const char *const not_for_fit[] = { "steps",    "time",    "error",
                                            "damping",  "columns", "every",
                                            "format",   "plot",    "checkpoint",
                                            "continue", NULL };
 
+enum { FIT, SIGMA, STARTS, CURVE };
+static const fvi_own_command fit = { "fit",
+                                     { "fit", "sigma", "starts", "curve" },
+                                     not_for_fit,
+                                     "--method=fvi-lobatto4",
+                                     1 };
+
 /* What the words say, and what is read. */
 typedef struct {
-    const char *own[OWN], *data; /* the words */
-    int has_step;
+    fvi_own_words words;
     fvi_options o;
     fvi_parameter which[FVI_FIT_MOST];
     const char *name[FVI_FIT_MOST];
@@ -36,63 +38,6 @@ typedef struct {
     double low[FVI_FIT_MOST], high[FVI_FIT_MOST];
     double *t, *x, *curve;
 } request;
-
-/* ---- words ---- */
-
-/* The number of this long option, "--name" or "--name=value", or -1. */
-static int index_of(const char *word, const char *const *names)
-{
-    const size_t length = strcspn(word, "=");
-    for (int i = 0; names[i]; i++)
-        if (strncmp(word, "--", 2) == 0 && length == strlen(names[i]) + 2
-            && strncmp(word + 2, names[i], length - 2) == 0)
-            return i;
-    return -1;
-}
-
-static int take_own(request *r, int which, const char *value, fvi_complaint c)
-{
-    if (!value)
-        return fvi_refuse(c, "--%s: a value is missing", own_words[which]);
-    if (r->own[which] && strcmp(r->own[which], value) != 0)
-        return fvi_refuse(c, "--%s: given twice, as '%s' and as '%s'",
-                          own_words[which], r->own[which], value);
-    r->own[which] = value;
-    return 0;
-}
-
-/* Words of `fit` into r; those that it shares with `run` into run, behind its name. */
-static int sort_words(request *r, int argc, char **argv, char **run, int *count,
-                      fvi_complaint c)
-{
-    static const char *const asked[] = { "method", "h", NULL };
-    int has[2] = { 0, 0 }, status = 0;
-    for (int i = 2; i < argc && !status; i++) {
-        char *word = argv[i], *value = strchr(word, '=');
-        const int own = index_of(word, own_words),
-                  of_run = index_of(word, asked);
-        if (own >= 0) {
-            value = value ? value + 1 : i + 1 < argc ? argv[++i] : NULL;
-            status = take_own(r, own, value, c);
-        } else if (index_of(word, not_for_fit) >= 0) {
-            status = fvi_refuse(c, "%s: not an option of this command", word);
-        } else if (*word == '-') {
-            if (of_run >= 0)
-                has[of_run] = 1;
-            run[(*count)++] = word;
-            if (!value && i + 1 < argc)
-                run[(*count)++] = argv[++i];
-        } else if (r->data) {
-            status = fvi_refuse(c, "'%s': not expected here", word);
-        } else {
-            r->data = word;
-        }
-    }
-    r->has_step = has[1];
-    if (!has[0])
-        run[(*count)++] = "--method=fvi-lobatto4";
-    return status;
-}
 
 /* ---- what is asked for ---- */
 
@@ -133,11 +78,11 @@ static int parameter_named(const request *r, const char *name,
 
 static int interpret_names(request *r, fvi_complaint c)
 {
-    const char *text = r->own[FIT] ? r->own[FIT] : "alpha,rho";
+    const char *text = r->words.own[FIT] ? r->words.own[FIT] : "alpha,rho";
     if (strlen(text) >= sizeof r->names)
         return fvi_refuse(c, "--fit: '%s' is too long", text);
     strcpy(r->names, text);
-    r->own[FIT] = text;
+    r->words.own[FIT] = text;
     for (char *at = r->names; at; r->fit.parameters++) {
         const size_t n = r->fit.parameters;
         char *comma = strchr(at, ',');
@@ -167,27 +112,29 @@ static int interpret(request *r, fvi_complaint c)
     r->fit = (fvi_fit){ .method = o->method,
                         .constants = o->expression ? o->lets.value : o->spring,
                         .which = r->which,
-                        .h = r->has_step ? o->h : 0 };
+                        .h = r->words.given[H] ? o->h : 0 };
+    if (!r->words.given[H])
+        o->text[H] = NULL; /* it is found: not in the head */
     int status = interpret_names(r, c);
     if (!status && o->d != 1)
         status = fvi_refuse(c,
                             "--potential: '%s' has more masses than the one "
                             "column of a fit",
                             o->text[POTENTIAL]);
-    if (!status && r->own[SIGMA])
-        status = fvi_word_number("sigma", r->own[SIGMA], 0, INFINITY, "()",
-                                 &r->fit.sigma, c);
-    if (!r->own[STARTS])
-        r->own[STARTS] = "20";
+    if (!status && r->words.own[SIGMA])
+        status = fvi_word_number("sigma", r->words.own[SIGMA], 0, INFINITY,
+                                 "()", &r->fit.sigma, c);
+    if (!r->words.own[STARTS])
+        r->words.own[STARTS] = "20";
     if (!status)
-        status = fvi_word_whole("starts", r->own[STARTS], 1000000,
+        status = fvi_word_whole("starts", r->words.own[STARTS], 1000000,
                                 &r->fit.starts, c);
     if (!status && r->fit.starts < 2)
         status = fvi_refuse(c,
                             "--starts: '%s' is less than 2: one start alone "
                             "proves nothing",
-                            r->own[STARTS]);
-    if (!status && r->own[CURVE] && !*r->own[CURVE])
+                            r->words.own[STARTS]);
+    if (!status && r->words.own[CURVE] && !*r->words.own[CURVE])
         status = fvi_refuse(c, "--curve: '' is not a file's name");
     return status;
 }
@@ -195,23 +142,23 @@ static int interpret(request *r, fvi_complaint c)
 static int read_data(request *r, fvi_complaint c)
 {
     static const char *const names[] = { "t", "x" };
-    if (!r->data)
+    if (!r->words.operand)
         return fvi_refuse(c,
                           "DATA: a file with the columns t and x is missing");
-    int status =
-        fvi_data_table("DATA", r->data, names, &r->fit.n, &r->t, &r->x, c);
+    int status = fvi_data_table("DATA", r->words.operand, names, &r->fit.n,
+                                &r->t, &r->x, c);
     if (status)
         return status;
     r->fit.t = r->t;
     r->fit.x = r->x;
     if (r->t[0] < 0)
-        return fvi_refuse(c, "--DATA: %s: t begins before 0, with %g", r->data,
-                          r->t[0]);
+        return fvi_refuse(c, "--DATA: %s: t begins before 0, with %g",
+                          r->words.operand, r->t[0]);
     if (r->fit.n <= r->fit.parameters)
         return fvi_refuse(c,
                           "--DATA: %s: %zu rows are not enough for %zu "
                           "parameters",
-                          r->data, r->fit.n, r->fit.parameters);
+                          r->words.operand, r->fit.n, r->fit.parameters);
     r->curve = malloc(r->fit.n * sizeof *r->curve);
     if (!r->curve)
         fvi_refuse(c, "not enough memory");
@@ -260,19 +207,9 @@ static void warnings(FILE *out, const request *r, const fvi_fitted *f)
 
 static void print_head(FILE *out, const request *r)
 {
-    const char *name, *value;
-    fprintf(out, "# fvi " FVI_VERSION "\n");
-    for (size_t i = 0; fvi_options_describe(&r->o, i, &name, &value); i++) {
-        int is_of_fit = strcmp(name, "h") != 0 || r->has_step;
-        for (size_t k = 0; not_for_fit[k]; k++)
-            is_of_fit &= strcmp(name, not_for_fit[k]) != 0;
-        if (is_of_fit)
-            fprintf(out, "# %s = %s\n", name, value);
-    }
-    for (int i = 0; i < CURVE; i++)
-        if (r->own[i])
-            fprintf(out, "# %s = %s\n", own_words[i], r->own[i]);
-    fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n", r->data);
+    fvi_own_words_head(out, &fit, &r->words, &r->o);
+    fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n",
+            r->words.operand);
 }
 
 static void print_answer(FILE *out, const request *r, const fvi_fitted *f)
@@ -306,17 +243,17 @@ static void print_answer(FILE *out, const request *r, const fvi_fitted *f)
 
 static int print_curve(const request *r)
 {
-    if (!r->own[CURVE])
+    if (!r->words.own[CURVE])
         return 0;
-    FILE *out = fvi_output_open(r->own[CURVE]);
+    FILE *out = fvi_output_open(r->words.own[CURVE]);
     if (!out)
-        return fvi_cannot_write(r->own[CURVE]);
+        return fvi_cannot_write(r->words.own[CURVE]);
     fprintf(out, "# t\tdata\tfit\tresidual\n");
     for (size_t i = 0; i < r->fit.n; i++)
         fvi_format_row(
             out, FVI_FORMAT_TSV, i, 4,
             (double[]){ r->t[i], r->x[i], r->curve[i], r->x[i] - r->curve[i] });
-    return fvi_output_close(out, 1) ? fvi_cannot_write(r->own[CURVE]) : 0;
+    return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 
 /* Why there is no answer that can be believed. Returns 1. */
@@ -336,7 +273,7 @@ static int complain_of_fit(int status, const request *r, const fvi_fitted *f)
                 f->chi2, freedom, f->probability);
     else if (status == FVI_ESING)
         fprintf(stderr, "fvi: these data do not determine %s together%s\n",
-                r->own[FIT],
+                r->words.own[FIT],
                 r->o.force == FVI_FORCING_NONE
                     ? "; without a force mass, rho, c, g and p0 are known but "
                       "for a common factor"
@@ -370,17 +307,12 @@ static int make_box(request *r)
 static int search_and_print(request *r)
 {
     const fvi_system system = fvi_options_system(&r->o);
-    fvi_run run = fvi_run_default(&system, r->o.x0, r->o.p0, 1, 1);
-    run.alpha = r->o.alpha;
-    run.kappa = r->o.kappa;
-    run.past = r->o.past;
-    run.memory = r->o.memory;
-    run.tolerance = r->o.tolerance;
+    const fvi_run run = fvi_options_run(&r->o, &system);
     r->fit.run = &run;
     fvi_fitted f = { .agree = 0 };
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
-        fprintf(stderr, "looking for %s ...", r->own[FIT]);
+        fprintf(stderr, "looking for %s ...", r->words.own[FIT]);
     int status = make_box(r);
     if (!status)
         status = fvi_fit_search(&r->fit, r->curve, &f);
@@ -403,74 +335,25 @@ static int search_and_print(request *r)
 
 /* ---- the command ---- */
 
-static const char usage_fit[] =
-    "usage: fvi fit [options] DATA\n"
-    "the parameters of the motion that is nearest to a measured one; DATA is "
-    "a\n"
-    "table with the columns t and x (so named, or the first two), t >= 0\n"
-    "  --fit LIST       of alpha,rho,mass,c,g,x0,p0, and the    [alpha,rho]\n"
-    "                   names of --let\n"
-    "  --sigma S        standard deviation of the noise         [estimated]\n"
-    "  --starts K       searches, from K places; 2 must agree   [20]\n"
-    "  --curve FILE     t, data, fit, residual\n"
-    "  --h H            a step that is not halved               [found]\n"
-    "and of run: --alpha --rho --mass --potential --x0 --p0 (what is not "
-    "fitted;\n"
-    "of what is, one of the starts) --let --force --derivative --kappa\n"
-    "--memory --tolerance --method [fvi-lobatto4] -o\n"
-    "\n"
-    "example:\n"
-    "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
-
-int fvi_is_fit(int argc, char **argv)
-{
-    return (argc > 1 && strcmp(argv[1], "fit") == 0)
-           || (argc == 3 && strcmp(argv[1], "help") == 0
-               && strcmp(argv[2], "fit") == 0);
-}
-
-static int is_help(int argc, char **argv)
-{
-    int help = strcmp(argv[1], "help") == 0;
-    for (int i = 2; i < argc; i++)
-        help |= strcmp(argv[i], "-h") == 0 || strcmp(argv[i], "--help") == 0;
-    return help;
-}
-
 int fvi_command_fit(int argc, char **argv)
 {
     char complaint[FVI_COMPLAINT] = "";
     const fvi_complaint c = { complaint, sizeof complaint };
-    request r = { .data = NULL };
-    int count = 2;
-    if (is_help(argc, argv)) {
-        fputs(usage_fit, stdout);
-        return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
-    }
-    char **run = malloc(((size_t)argc + 2) * sizeof *run);
-    if (!run)
-        return fvi_complain("not enough memory");
-    run[0] = argv[0];
-    run[1] = "run";
-    int status = sort_words(&r, argc, argv, run, &count, c);
-    run[count] = NULL;
-    if (!status)
-        status =
-            fvi_options_parse(count, run, &r.o, complaint, sizeof complaint);
+    request r = { .t = NULL };
+    int status = fvi_own_words_parse(&fit, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (!status)
         status = read_data(&r, c);
     if (status)
-        fprintf(stderr, "fvi: %s\nTry 'fvi fit --help'.\n",
-                complaint + 2 * (strncmp(complaint, "--DATA", 6) == 0));
+        fvi_own_words_refuse(
+            &fit, complaint + 2 * (strncmp(complaint, "--DATA", 6) == 0));
     else
         status = search_and_print(&r);
     if (parsed)
         fvi_options_free(&r.o);
     free(r.t);
     free(r.curve);
-    free(run);
     return status;
 }

@@ -1,20 +1,16 @@
 /* src/program/fvi_gradient.c -- The command `fvi gradient`: derivatives of a last row. */
-#include "fvi_gradient.h"
+#include "fvi_commands.h"
 
 #include <fvi/fvi.h>
-#include "fvi_commands.h"
 #include "fvi_format.h"
 #include "fvi_output.h"
+#include "fvi_own_words.h"
 #include "fvi_table.h"
-#include "words/fvi_options.h"
 #include "memory/lobatto_weights.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char *const own_words[] = { "of", "forces", NULL };
-typedef enum { OF, FORCES, OWN } own_index;
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
@@ -22,9 +18,14 @@ static const char *const not_for_gradient[] = {
     "plot",  "checkpoint", "continue", NULL
 };
 
+enum { OF, FORCES };
+static const fvi_own_command gradient = {
+    "gradient", { "of", "forces" }, not_for_gradient, NULL, 0
+};
+
 /* What the words say, and what comes out. */
 typedef struct {
-    const char *own[OWN];
+    fvi_own_words words;
     fvi_options o;
     size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
     fvi_system system;
@@ -37,51 +38,13 @@ typedef struct {
 
 /* ---- words ---- */
 
-/* The number of this long option, "--name" or "--name=value", or -1. */
-static int index_of(const char *word, const char *const *names)
-{
-    const size_t length = strcspn(word, "=");
-    for (int i = 0; names[i]; i++)
-        if (strncmp(word, "--", 2) == 0 && length == strlen(names[i]) + 2
-            && strncmp(word + 2, names[i], length - 2) == 0)
-            return i;
-    return -1;
-}
-
-/* Words of `gradient` into r; those that it shares with `run` into run. */
-static int sort_words(request *r, int argc, char **argv, char **run, int *count,
-                      fvi_complaint c)
-{
-    for (int i = 2; i < argc; i++) {
-        char *word = argv[i], *value = strchr(word, '=');
-        const int own = index_of(word, own_words);
-        if (index_of(word, not_for_gradient) >= 0)
-            return fvi_refuse(c, "%.*s: not an option of this command",
-                              (int)strcspn(word, "="), word);
-        if (own < 0) {
-            run[(*count)++] = word;
-            if (*word == '-' && !value && i + 1 < argc)
-                run[(*count)++] = argv[++i];
-            continue;
-        }
-        value = value ? value + 1 : i + 1 < argc ? argv[++i] : NULL;
-        if (!value)
-            return fvi_refuse(c, "--%s: a value is missing", own_words[own]);
-        if (r->own[own] && strcmp(r->own[own], value) != 0)
-            return fvi_refuse(c, "--%s: given twice, as '%s' and as '%s'",
-                              own_words[own], r->own[own], value);
-        r->own[own] = value;
-    }
-    return 0;
-}
-
 /* x, p, energy; x:2, p:2. */
 static int interpret_of(request *r, fvi_complaint c)
 {
     static const char *const known[] = { "x", "p", "energy", NULL };
-    if (!r->own[OF])
-        r->own[OF] = r->o.d > 1 ? "energy" : "x";
-    const char *text = r->own[OF], *colon = strchr(text, ':');
+    if (!r->words.own[OF])
+        r->words.own[OF] = r->o.d > 1 ? "energy" : "x";
+    const char *text = r->words.own[OF], *colon = strchr(text, ':');
     char word[8] = "";
     snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
     if (fvi_word_choice("of", word, known, &r->of, c))
@@ -108,7 +71,7 @@ static int interpret(request *r, fvi_complaint c)
         return fvi_refuse(c, "--alpha: '%s' has no gradient with %s",
                           r->o.text[ALPHA], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
-    if (r->own[FORCES] && !*r->own[FORCES])
+    if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
     return interpret_of(r, c);
 }
@@ -229,18 +192,14 @@ static int make_room(request *r)
 {
     const size_t d = r->o.d;
     r->system = fvi_options_system(&r->o);
-    r->run = fvi_run_default(&r->system, r->o.x0, r->o.p0, r->o.h, r->o.steps);
-    r->run.alpha = r->o.alpha;
-    r->run.kappa = r->o.kappa;
-    r->run.past = r->o.past;
-    r->run.memory = r->o.memory;
-    r->run.tolerance = r->o.tolerance;
+    r->run = fvi_options_run(&r->o, &r->system);
     r->to.sensitivity = fvi_sensitivity_of(&r->system.potential);
     if (r->o.expression)
         r->to.sensitivity = (fvi_sensitivity){ r->o.lets.count, by_let };
     const double rows =
         8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
-    const int wanted = r->own[FORCES] || (r->o.forces && r->o.lets.count > 0);
+    const int wanted =
+        r->words.own[FORCES] || (r->o.forces && r->o.lets.count > 0);
     r->numbers = calloc(4 * d + 3 + r->o.lets.count, sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
         r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
@@ -261,16 +220,8 @@ static int make_room(request *r)
 
 static void print_head(FILE *f, const request *r)
 {
-    const char *name, *value, *warning = fvi_table_warning(&r->o);
-    fprintf(f, "# fvi " FVI_VERSION "\n");
-    for (size_t i = 0; fvi_options_describe(&r->o, i, &name, &value); i++) {
-        int is_ours = 1;
-        for (size_t k = 0; not_for_gradient[k]; k++)
-            is_ours &= strcmp(name, not_for_gradient[k]) != 0;
-        if (is_ours)
-            fprintf(f, "# %s = %s\n", name, value);
-    }
-    fprintf(f, "# of = %s\n", r->own[OF]);
+    const char *warning = fvi_table_warning(&r->o);
+    fvi_own_words_head(f, &gradient, &r->words, &r->o);
     if (warning)
         fprintf(f, "# warning = %s\n", warning);
 }
@@ -328,11 +279,11 @@ static int print_answer(const request *r)
 static int print_forces(const request *r)
 {
     const size_t d = r->o.d;
-    if (!r->own[FORCES])
+    if (!r->words.own[FORCES])
         return 0;
-    FILE *f = fvi_output_open(r->own[FORCES]);
+    FILE *f = fvi_output_open(r->words.own[FORCES]);
     if (!f)
-        return fvi_cannot_write(r->own[FORCES]);
+        return fvi_cannot_write(r->words.own[FORCES]);
     print_head(f, r);
     fprintf(f, "# t");
     for (size_t i = 0; i < d; i++)
@@ -346,39 +297,10 @@ static int print_forces(const request *r)
             fvi_print_number(f, "\t", r->force[k * d + i]);
     }
     fputc('\n', f);
-    return fvi_output_close(f, 1) ? fvi_cannot_write(r->own[FORCES]) : 0;
+    return fvi_output_close(f, 1) ? fvi_cannot_write(r->words.own[FORCES]) : 0;
 }
 
 /* ---- the command ---- */
-
-static const char usage_gradient[] =
-    "usage: fvi gradient [options]\n"
-    "the derivatives of the last row of a run by all that determines it\n"
-    "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
-    "many]\n"
-    "  --forces FILE    t, and the derivative by the force at t\n"
-    "and of run: --method (fvi, fvi-shifted, fvi-bdf2, and fvi-lobatto2 to 8\n"
-    "below alpha = 1 without the row of alpha) --alpha --rho --mass\n"
-    "--potential --let --dimension --force --derivative --kappa --x0 --p0 --h\n"
-    "--steps --time --memory --tolerance -o\n"
-    "\n"
-    "example:\n"
-    "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";
-
-int fvi_is_gradient(int argc, char **argv)
-{
-    return (argc > 1 && strcmp(argv[1], "gradient") == 0)
-           || (argc == 3 && strcmp(argv[1], "help") == 0
-               && strcmp(argv[2], "gradient") == 0);
-}
-
-static int is_help(int argc, char **argv)
-{
-    int help = strcmp(argv[1], "help") == 0;
-    for (int i = 2; i < argc; i++)
-        help |= strcmp(argv[i], "-h") == 0 || strcmp(argv[i], "--help") == 0;
-    return help;
-}
 
 static int answer(request *r)
 {
@@ -401,30 +323,15 @@ int fvi_command_gradient(int argc, char **argv)
     char complaint[FVI_COMPLAINT] = "";
     const fvi_complaint c = { complaint, sizeof complaint };
     request r = { .i = 0 };
-    int count = 2;
-    if (is_help(argc, argv)) {
-        fputs(usage_gradient, stdout);
-        return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
-    }
-    char **run = malloc(((size_t)argc + 1) * sizeof *run);
-    if (!run)
-        return fvi_complain("not enough memory");
-    run[0] = argv[0];
-    run[1] = "run";
-    int status = sort_words(&r, argc, argv, run, &count, c);
-    run[count] = NULL;
-    if (!status)
-        status =
-            fvi_options_parse(count, run, &r.o, complaint, sizeof complaint);
+    int status = fvi_own_words_parse(&gradient, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (status)
-        fprintf(stderr, "fvi: %s\nTry 'fvi gradient --help'.\n", complaint);
+        fvi_own_words_refuse(&gradient, complaint);
     else
         status = answer(&r);
     if (parsed)
         fvi_options_free(&r.o);
-    free(run);
     return status;
 }

@@ -164,17 +164,10 @@ static int option(char **argv, int *i, const char *name, const char **value)
 static int check_unknown(const char *word, fvi_complaint c)
 {
     static const char *const names[] = { "vary", "jobs", "part", NULL };
-    const size_t length = strcspn(word, "=");
-    if (strncmp(word, "--", 2) != 0)
+    if (strncmp(word, "--", 2) != 0 || fvi_option_named(word) < OPTIONS
+        || !fvi_word_nearest(word + 2, strcspn(word + 2, "="), names))
         return 0;
-    for (int i = 0; i < OPTIONS; i++) /* up to = */
-        if (strlen(fvi_option_list[i].name) == length - 2
-            && strncmp(fvi_option_list[i].name, word + 2, length - 2) == 0)
-            return 0;
-    const char *near = fvi_word_nearest(word + 2, length - 2, names);
-    return near ? fvi_refuse(c, "%s: no such option; did you mean --%s?", word,
-                             near)
-                : 0;
+    return fvi_refuse_option(c, word, names);
 }
 
 /* Sort the words: those of a sweep are read, the others kept. */

@@ -7,7 +7,6 @@
 #include "fvi_output.h"
 #include "fvi_run.h"
 #include "fvi_table.h"
-#include "fvi_usage.h"
 #include "words/fvi_options.h"
 #include "words/fvi_shortest.h"
 

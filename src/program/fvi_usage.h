@@ -127,4 +127,37 @@ static const char usage_coefficients[] =
     "example:\n"
     "  fvi coefficients --alpha 0.3 --count 5\n";
 
+static const char usage_fit[] =
+    "usage: fvi fit [options] DATA\n"
+    "the parameters of the motion that is nearest to a measured one; DATA is "
+    "a\n"
+    "table with the columns t and x (so named, or the first two), t >= 0\n"
+    "  --fit LIST       of alpha,rho,mass,c,g,x0,p0, and the    [alpha,rho]\n"
+    "                   names of --let\n"
+    "  --sigma S        standard deviation of the noise         [estimated]\n"
+    "  --starts K       searches, from K places; 2 must agree   [20]\n"
+    "  --curve FILE     t, data, fit, residual\n"
+    "  --h H            a step that is not halved               [found]\n"
+    "and of run: --alpha --rho --mass --potential --x0 --p0 (what is not "
+    "fitted;\n"
+    "of what is, one of the starts) --let --force --derivative --kappa\n"
+    "--memory --tolerance --method [fvi-lobatto4] -o\n"
+    "\n"
+    "example:\n"
+    "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
+
+static const char usage_gradient[] =
+    "usage: fvi gradient [options]\n"
+    "the derivatives of the last row of a run by all that determines it\n"
+    "  --of WHAT        x, p, energy; x:2 of the second mass   [x; energy of "
+    "many]\n"
+    "  --forces FILE    t, and the derivative by the force at t\n"
+    "and of run: --method (fvi, fvi-shifted, fvi-bdf2, and fvi-lobatto2 to 8\n"
+    "below alpha = 1 without the row of alpha) --alpha --rho --mass\n"
+    "--potential --let --dimension --force --derivative --kappa --x0 --p0 --h\n"
+    "--steps --time --memory --tolerance -o\n"
+    "\n"
+    "example:\n"
+    "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";
+
 #endif

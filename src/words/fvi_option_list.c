@@ -1,6 +1,8 @@
 /* src/words/fvi_option_list.c -- What the command line of build/fvi can say. */
 #include "fvi_option_list.h"
 
+#include <string.h>
+
 const char *const fvi_format_names[] = { "tsv", "csv", "json", NULL };
 
 enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
@@ -48,6 +50,16 @@ int fvi_option_is_known(fvi_command command, option_index i)
     if (i == OPTIONS)
         return mask(command) != 0;
     return (fvi_option_list[i].commands & mask(command)) != 0;
+}
+
+option_index fvi_option_named(const char *word)
+{
+    const size_t length = strcspn(word, "=");
+    for (int i = 0; i < OUTPUT && strncmp(word, "--", 2) == 0; i++)
+        if (strlen(fvi_option_list[i].name) == length - 2
+            && strncmp(fvi_option_list[i].name, word + 2, length - 2) == 0)
+            return (option_index)i;
+    return OPTIONS;
 }
 
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,

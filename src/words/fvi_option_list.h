@@ -16,7 +16,9 @@ typedef enum {
     FVI_COMMAND_METHODS,
     FVI_COMMAND_HELP,
     FVI_COMMAND_VERSION,
-    FVI_COMMAND_SWEEP
+    FVI_COMMAND_SWEEP, /* from here on with words of its own */
+    FVI_COMMAND_FIT,
+    FVI_COMMAND_GRADIENT
 } fvi_command;
 
 /* How a table is printed.
@@ -103,6 +105,10 @@ extern const fvi_option fvi_option_list[OPTIONS];
 /* fvi_option_is_known -- is i an option of this command? With OPTIONS for i: has it
  * any? */
 int fvi_option_is_known(fvi_command command, option_index i);
+
+/* fvi_option_named -- that of a word "--name" or "--name=value", the name in full; OPTIONS
+ * if there is none. -o is not so named. */
+option_index fvi_option_named(const char *word);
 
 /* fvi_options_describe -- "name = value" of option number i of a command, in the
  * order of the manual. Returns 0 when there is no option i. */

@@ -18,8 +18,8 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
 {
     /* in the order of fvi_command, then other words for the help */
     static const char *const commands[] = {
-        "run",       "coefficients", "exact",  "methods", "help",
-        "--version", "sweep",        "--help", "-h",      NULL
+        "run",   "coefficients", "exact",    "methods", "help", "--version",
+        "sweep", "fit",          "gradient", "--help",  "-h",   NULL
     };
     for (size_t i = 0; commands[i]; i++)
         if (strcasecmp(name, commands[i]) == 0) {
@@ -39,17 +39,14 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
 /* A word that is none of the options of this command. */
 static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
 {
-    const char *names[OPTIONS + 2], *word = given + strspn(given, "-");
+    const char *names[OPTIONS + 2];
     size_t n = 0;
     for (int i = 0; i < OUTPUT; i++)
         if (fvi_option_is_known(o->command, (option_index)i))
             names[n++] = fvi_option_list[i].name;
     names[n++] = "help";
     names[n] = NULL;
-    const char *nearest = fvi_word_nearest(word, strcspn(word, "="), names);
-    return fvi_refuse(c, "%s: no such option%s%s%s", given,
-                      nearest ? "; did you mean --" : "",
-                      nearest ? nearest : "", nearest ? "?" : "");
+    return fvi_refuse_option(c, given, names);
 }
 
 /* One more option with its text. A long name must be written in full. */
@@ -157,10 +154,10 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
     if (about) /* fvi help run */
         status = command_of(argv[2], &o->about, c);
     if (!status
-        && o->command == FVI_COMMAND_SWEEP) { /* its words: fvi_grid.h */
+        && o->command >= FVI_COMMAND_SWEEP) { /* its words: src/program */
         for (int i = 2; i < argc; i++)
             if (is_help(argv[i])) {
-                o->about = FVI_COMMAND_SWEEP;
+                o->about = o->command;
                 o->command = FVI_COMMAND_HELP;
             }
         return 0;

@@ -118,15 +118,23 @@ const char *fvi_word_nearest(const char *text, size_t length,
     return nearest;
 }
 
-/* "; did you mean x?", in the place of a complaint; empty if there is none, or if it
- * is x that was given, and its numbers that are wrong. */
+int fvi_refuse_option(fvi_complaint c, const char *given,
+                      const char *const *names)
+{
+    const char *word = given + strspn(given, "-"),
+               *nearest = fvi_word_nearest(word, strcspn(word, "="), names);
+    return fvi_refuse(c, "%s: no such option%s%s%s", given,
+                      nearest ? "; did you mean --" : "",
+                      nearest ? nearest : "", nearest ? "?" : "");
+}
+
+/* "; did you mean x?", in the place of a complaint; empty if there is none. */
 static const char *hint(const char *text, size_t length,
                         const char *const *words, char place[64])
 {
     const char *nearest = fvi_word_nearest(text, length, words);
     place[0] = '\0';
-    if (nearest
-        && (strlen(nearest) != length || strncasecmp(text, nearest, length)))
+    if (nearest)
         snprintf(place, 64, "; did you mean %s?", nearest);
     return place;
 }

@@ -67,6 +67,11 @@ int fvi_word_whole(const char *name, const char *text, size_t most,
 const char *fvi_word_nearest(const char *text, size_t length,
                              const char *const *words);
 
+/* Refuse an option that is none of these, "--apha=1" of "alpha": with the nearest one, if
+ * one is near. */
+int fvi_refuse_option(fvi_complaint c, const char *given,
+                      const char *const *names);
+
 /* Which of the words, ended by NULL. */
 int fvi_word_choice(const char *name, const char *text,
                     const char *const *words, size_t *which, fvi_complaint c);

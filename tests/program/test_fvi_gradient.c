@@ -129,6 +129,10 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         { "--alpha 2", "--alpha: '2' is outside [0, 1]" },
         { "--forces ''", "--forces: '' is not a file's name" },
         { "word", "'word': not expected here" },
+        { "--off x", "--off: no such option; did you mean --of?" },
+        { "--foce none", "--foce: no such option; did you mean --force?" },
+        { "--vary alpha", "--vary: no such option\n" },
+        { "--count 3", "--count: not an option of this command" },
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         char line[200];
