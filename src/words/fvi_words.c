@@ -128,7 +128,8 @@ int fvi_refuse_option(fvi_complaint c, const char *given,
                       nearest ? nearest : "", nearest ? "?" : "");
 }
 
-/* "; did you mean x?", in the place of a complaint; empty if there is none. */
+/* "; did you mean x?", in the place of a complaint, for what is none of the words; empty
+ * if none is near. */
 static const char *hint(const char *text, size_t length,
                         const char *const *words, char place[64])
 {

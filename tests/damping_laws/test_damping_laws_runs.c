@@ -21,8 +21,7 @@ static double end_of(const fvi_method *method, const fvi_law *law, double g,
     const double cg[] = { 1, g }, A[] = { force, 1e9 };
     const fvi_system system = { 1, &one, &one, fvi_potential_duffing(cg),
                                 fvi_force_step(A) };
-    fvi_run run =
-        fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
+    fvi_run run = fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.law = law;
     run.alpha = 0.8; /* not read */
     double *x = malloc((steps + 1) * sizeof *x);
@@ -41,12 +40,11 @@ START_TEST(eq_26_9_motions)
         double error[2][2];
         for (int m = 0; m < 2; m++)
             for (int r = 0; r < 2; r++)
-                error[m][r] =
-                    end_of(m ? &fvi_bdf2 : &fvi_fractional, law, 0,
-                           ref_motions[i].x0, ref_motions[i].p0,
-                           ref_motions[i].force, ref_motions[i].t,
-                           (size_t)(512 * ref_motions[i].t) << r)
-                    - ref_motions[i].x;
+                error[m][r] = end_of(m ? &fvi_bdf2 : &fvi_fractional, law, 0,
+                                     ref_motions[i].x0, ref_motions[i].p0,
+                                     ref_motions[i].force, ref_motions[i].t,
+                                     (size_t)(512 * ref_motions[i].t) << r)
+                              - ref_motions[i].x;
         const double one_ = log2(error[0][0] / error[0][1]),
                      two = log2(error[1][0] / error[1][1]);
         seen(one_, "order of fvi");
@@ -117,7 +115,8 @@ START_TEST(a_law_of_nothing_is_no_damping)
                                   { FVI_LAW_MAXWELL, 0, 0, 1, 0 } };
     const fvi_law law = { 2, none };
     const double x0 = 1, p0 = 0.5, rho = 0;
-    const fvi_memory_kind how[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_EXPONENTIALS };
+    const fvi_memory_kind how[] = { FVI_MEMORY_DIRECT,
+                                    FVI_MEMORY_EXPONENTIALS };
     for (size_t m = 0; m < 2; m++)
         for (size_t i = 0; i < LEN(how); i++) {
             const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
@@ -191,12 +190,10 @@ START_TEST(eq_26_10_the_longest_step)
                 static double x[4001];
                 run.h = h * (above ? 1.03 : 0.97);
                 run.steps = 4000;
-                const int status =
-                    fvi_trajectory(method, &run, x, NULL, NULL);
+                const int status = fvi_trajectory(method, &run, x, NULL, NULL);
                 ck_assert(status == FVI_SUCCESS
                           || (above && status == FVI_EOVRFLW));
-                last[above] =
-                    status ? INFINITY : fabs(x[4000] - x[3999]);
+                last[above] = status ? INFINITY : fabs(x[4000] - x[3999]);
             }
             ck_assert_double_lt(last[0], h);
             ck_assert_double_gt(last[1], 1e6 * h);
@@ -213,8 +210,9 @@ static double most_energy(const fvi_method *method, const fvi_law *law)
     double x[STEPS + 1], first = 0, worst = 0, scale = 0;
     const double c = pow(10, random_in(-2, 2)), h = pow(10, random_in(-2, 0.5)),
                  p0 = fvi_law_growth(law) <= 1 ? random_in(-1, 1) : 0;
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&c),
-                                { 0 } };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&c), { 0 }
+    };
     fvi_run run = fvi_run_default(&system, &one, &p0, h, STEPS);
     run.law = law;
     run.memory = FVI_MEMORY_DIRECT;
@@ -279,6 +277,10 @@ START_TEST(who_does_not_know_laws_says_so)
     run.memory = FVI_MEMORY_AUTO;
     run.law = &(fvi_law){ 1, &bad };
     ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL), FVI_EDOM);
+    const double undamped = 0; /* the law is bad even where nobody uses it */
+    run.system = &(fvi_system){ 1, &one, &undamped, { 0 }, { 0 } };
+    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL), FVI_EDOM);
+    run.system = &system;
     ck_assert_double_eq(x[0], 7);
     double load = 7;
     run.law = &ref_laws[0];
@@ -293,9 +295,8 @@ int main(void)
     ADD_CASE(suite, "motions", eq_26_9_motions,
              eq_26_9_orders_of_a_nonlinear_motion,
              a_power_is_the_run_that_alpha_gives,
-             a_law_of_nothing_is_no_damping,
-             a_chain_with_a_law_and_its_copy, eq_26_10_the_longest_step,
-             eq_26_10_no_law_gains_energy);
+             a_law_of_nothing_is_no_damping, a_chain_with_a_law_and_its_copy,
+             eq_26_10_the_longest_step, eq_26_10_no_law_gains_energy);
     ADD_CASE(suite, "refusals", who_does_not_know_laws_says_so);
     return run_suite(suite);
 }

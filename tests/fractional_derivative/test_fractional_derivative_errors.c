@@ -63,6 +63,24 @@ START_TEST(a_hole_in_the_velocity_is_found)
 }
 END_TEST
 
+/* The velocity of the square root of t, infinite at 0: an integral, but not to a tolerance
+ * that is relative to the largest velocity. */
+static double root_rate(double t, const void *params)
+{
+    (void)params;
+    return 0.5 / sqrt(t);
+}
+
+START_TEST(an_infinite_velocity_is_refused)
+{
+    const fvi_curve curve = { sine, root_rate, &(const double){ 1 } };
+    double d = 7;
+    ck_assert_int_eq(fvi_caputo(FVI_RETARDED, 0.5, 0, &curve, 1, &d),
+                     FVI_EBADFUNC);
+    ck_assert(d == 7);
+}
+END_TEST
+
 /* A thousand intervals are not enough for a hundred million oscillations. */
 START_TEST(a_quadrature_that_fails_says_so)
 {
@@ -102,7 +120,8 @@ int main(void)
 {
     Suite *suite = suite_create("01 fractional_derivative: errors");
     ADD_CASE(suite, "errors", bad_arguments_are_refused_and_d_is_untouched,
-             a_hole_in_the_velocity_is_found, a_quadrature_that_fails_says_so,
+             a_hole_in_the_velocity_is_found, an_infinite_velocity_is_refused,
+             a_quadrature_that_fails_says_so,
              bad_powers_are_refused_and_d_is_untouched);
     return run_suite(suite);
 }

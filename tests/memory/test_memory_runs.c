@@ -2,6 +2,7 @@
  *                                      Run alone: make test-memory_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
+#include "memory/memory_kinds.h"
 
 #include <malloc.h>
 #include <stdlib.h>
@@ -171,11 +172,31 @@ START_TEST(bytes_are_what_is_taken)
 }
 END_TEST
 
+/* (12.9), as an equation for t_0, also where e^A is beyond all doubles: orders near -1 are
+ * those of laws near a spring. A is within some u A, and t_0 within some u A, the relative
+ * error of e^A, or, beyond A = 700, within some u (1 + |t_0|), as Newton's method ends at a
+ * fixed point; e^(-t_0) = A + t_0 makes A times as much of it. Some is 5. Seen: 0.16 of
+ * that. */
+START_TEST(eq_12_9_the_first_node_is_where_the_bound_says)
+{
+    const double delta = 1e-10;
+    for (int k = 1; k <= 40; k++) { /* A from 30 to 3e13 */
+        const double above = ldexp(1, -k), nu = above - 1;
+        const double t = fvi_exponentials_grid(nu, 1e6, delta, 1).left;
+        const double A = (log(4 / delta) - lgamma(1 + above)) / above + 0.04;
+        const double magnified = A < 700 ? A : fabs(t);
+        ck_assert_near(exp(-t) - t, A, 5 * (1 + magnified) * A * U,
+                       "nu = -1 + 2^-%d", k);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("12 memory: runs");
     ADD_CASE(suite, "runs", eq_12_14_compressed_runs_stay_within_the_tolerance,
-             eq_12_14_and_so_do_long_ones, eq_12_14_other_tolerances);
+             eq_12_14_and_so_do_long_ones, eq_12_14_other_tolerances,
+             eq_12_9_the_first_node_is_where_the_bound_says);
     ADD_CASE(suite, "resources",
              auto_is_direct_for_few_steps_and_compressed_for_many,
              bytes_are_what_is_taken);
