@@ -25,7 +25,8 @@ extern "C" {
  *                Algorithm 3
  *   fvi_stable   theta = kappa = 1/2 (run->kappa is not used), EULER, of the mean
  *                (1/2 + alpha) z_k + (1/2 - alpha) z_{k-1} in place of z_k: implicit, and
- *                for a quadratic U >= 0 stable for every step and alpha (13.17)
+ *                for a quadratic U >= 0 stable for every step and alpha (13.17), but
+ *                what alternates from step to step is hardly damped
  *
  * D_k is Caputo's: z = x - x0 or, if 2 alpha > 1, x - x0 - t v0. What another past
  * adds to it is a force that is known beforehand (19.3) and acts by its exact

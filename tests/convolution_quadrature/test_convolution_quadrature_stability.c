@@ -206,6 +206,26 @@ START_TEST(eq_13_17_the_stable_method_takes_every_step)
 END_TEST
 //< stable
 
+/* Nothing damps the alternating mode, (13.17) at -1: a held body that begins with a
+ * velocity is stopped by a damping of order > 1, and what that leaves of v rings on.
+ * fvi_shifted lets it die out. */
+START_TEST(eq_13_17_what_is_stiff_rings)
+{
+    setup a = scalar(0.6, 0.5, 0.25, 5e5, 2000);
+    a.past = FVI_PAST_HELD;
+    a.x0 = 1;
+    a.p0 = 0.25;
+    solve(&fvi_stable, &a, x, NULL);
+    const double stable = fabs(x[2000] - x[1999]);
+    solve(&fvi_shifted, &a, x, NULL);
+    const double shifted = fabs(x[2000] - x[1999]);
+    seen(stable, "fvi-stable");
+    seen(shifted, "fvi-shifted");
+    ck_assert_double_ge(stable, a.p0 / 10); /* a share of h v_0 */
+    ck_assert_double_le(shifted, stable / 1000);
+}
+END_TEST
+
 //> trapezoid
 /* Trapezoidal weights in the place of w: whatever the damping, there is a growing
  * mode, and (13.15) says how fast it grows. The other solutions are by then growth^-n
@@ -247,6 +267,7 @@ int main(void)
     ADD_CASE(suite, "runs", eq_13_14_runs_on_both_sides_of_the_edge,
              eq_13_14_the_shifted_integrator_is_stable_without_condition,
              eq_13_17_the_stable_method_takes_every_step,
+             eq_13_17_what_is_stiff_rings,
              eq_13_15_trapezoidal_weights_are_always_unstable);
     return run_suite(suite);
 }
