@@ -1,7 +1,6 @@
 /* src/memory/memory.c -- The history of a fractional derivative.       [Chapter 12] */
 #include <fvi/memory.h>
 
-#include <fvi/coefficients.h>
 #include "memory_kinds.h"
 #include "system/fail.h"
 
@@ -22,12 +21,9 @@ struct fvi_memory {
     size_t d, steps, k;   /* k terms have come in */
     size_t bytes;         /* what all this takes */
     double *last;         /* d numbers: the last term, if order is 0 or 1 */
-    int rated;            /* dH/d beta is wanted, too: */
-    double *rates;        /* direct: as weights */
-    fvi_blocks *rate_blocks;
-    double *weights; /* direct: w_n at [steps - n], so that both factors */
-    double *history; /* ascend; component i of term k at [i (steps+1)+k] */
-    fvi_blocks *blocks;
+    int rated;            /* dH/d beta is wanted, too */
+    fvi_direct *direct;   /* of these one, or last */
+    fvi_blocks *blocks, *rate_blocks;
     fvi_exponentials *exponentials;
 };
 
@@ -47,13 +43,6 @@ fvi_memory_kind fvi_memory_choose(double beta, size_t steps)
     return steps <= FEW_STEPS || is_local(order_of(beta))
                ? FVI_MEMORY_DIRECT
                : FVI_MEMORY_EXPONENTIALS;
-}
-
-static size_t direct_bytes(size_t d, size_t steps)
-{
-    if (steps >= SIZE_MAX / sizeof(double) / 3 / d - 1)
-        return SIZE_MAX;
-    return (d + 1) * (steps + 1) * sizeof(double);
 }
 
 /* H needs the last term alone. */
@@ -86,7 +75,7 @@ static int plan(double beta, int rated, size_t d, size_t steps,
     if (needs_no_past(m)) {
         m->bytes = d * sizeof(double);
     } else if (m->kind == FVI_MEMORY_DIRECT) {
-        m->bytes = direct_bytes(d, steps);
+        m->bytes = fvi_direct_bytes(d, steps);
     } else if (m->kind == FVI_MEMORY_FFT) {
         m->bytes = fvi_blocks_bytes(d, steps);
     } else {
@@ -112,33 +101,6 @@ size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
     return plan(beta, 0, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
 }
 
-/* w_n at [steps - n] */
-static void reverse(size_t steps, double *weights)
-{
-    for (size_t i = 0, j = steps; i < j; i++, j--) {
-        double swap = weights[i];
-        weights[i] = weights[j];
-        weights[j] = swap;
-    }
-}
-
-static int alloc_direct(fvi_memory *m)
-{
-    const size_t count = m->steps + 1;
-    m->weights = malloc(count * sizeof *m->weights);
-    m->rates = m->rated ? malloc(count * sizeof *m->rates) : NULL;
-    m->history = malloc(count * m->d * sizeof *m->history);
-    if (!m->weights || !m->history || (m->rated && !m->rates))
-        return 0;
-    fvi_coefficients(m->order, count, m->weights);
-    reverse(m->steps, m->weights);
-    if (m->rated) {
-        fvi_coefficients_rate(m->order, count, m->rates);
-        reverse(m->steps, m->rates);
-    }
-    return 1;
-}
-
 static int alloc_blocks(fvi_memory *m)
 {
     m->blocks = fvi_blocks_alloc(m->order, 0, m->d, m->steps);
@@ -154,7 +116,9 @@ static int alloc_kind(fvi_memory *m)
         return m->last != NULL;
     }
     if (m->kind == FVI_MEMORY_DIRECT)
-        return alloc_direct(m);
+        return (m->direct =
+                    fvi_direct_alloc(m->order, m->rated, m->d, m->steps))
+               != NULL;
     if (m->kind == FVI_MEMORY_FFT)
         return alloc_blocks(m);
     m->exponentials =
@@ -198,12 +162,11 @@ int fvi_memory_alloc_rate(double beta, size_t d, size_t steps,
 int fvi_memory_of(int increments, size_t d, size_t steps, double *weights,
                   fvi_exponentials *e, fvi_memory **memory)
 {
-    fvi_memory *m = calloc(1, sizeof *m);
-    double *history = weights ? malloc((steps + 1) * d * sizeof *history) : NULL;
-    if (!m || !history != !weights || !weights == !e) {
+    fvi_memory *m = malloc(sizeof *m);
+    fvi_direct *direct = weights ? fvi_direct_of(d, steps, weights) : NULL;
+    if (!m || !direct == !e) {
         free(m);
-        free(history);
-        free(weights);
+        fvi_direct_free(direct);
         fvi_exponentials_free(e);
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     }
@@ -211,62 +174,39 @@ int fvi_memory_of(int increments, size_t d, size_t steps, double *weights,
                        .on_increments = increments,
                        .d = d,
                        .steps = steps,
-                       .weights = weights,
-                       .history = history,
+                       .direct = direct,
                        .exponentials = e };
-    if (weights)
-        reverse(steps, weights);
     *memory = m;
     return FVI_SUCCESS;
-}
-
-/* n numbers again, or NULL; nothing of nothing. */
-static double *duplicate(const double *from, size_t n, int *all)
-{
-    double *to = from ? malloc(n * sizeof *to) : NULL;
-    if (to)
-        memcpy(to, from, n * sizeof *to);
-    *all &= !from == !to;
-    return to;
 }
 
 int fvi_memory_copy(const fvi_memory *from, fvi_memory **to)
 {
     if (!from || !to)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int all = 1;
-    const size_t count = from->steps + 1;
     fvi_memory *m = malloc(sizeof *m);
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     *m = *from;
-    m->last = duplicate(from->last, from->d, &all);
-    m->weights = duplicate(from->weights, count, &all);
-    m->rates = duplicate(from->rates, count, &all);
-    m->history = duplicate(from->history, count * from->d, &all);
+    m->last = from->last ? malloc(m->d * sizeof *m->last) : NULL;
+    if (m->last)
+        memcpy(m->last, from->last, m->d * sizeof *m->last);
+    m->direct = from->direct ? fvi_direct_copy(from->direct) : NULL;
     m->blocks = from->blocks ? fvi_blocks_copy(from->blocks) : NULL;
     m->rate_blocks =
         from->rate_blocks ? fvi_blocks_copy(from->rate_blocks) : NULL;
     m->exponentials =
         from->exponentials ? fvi_exponentials_copy(from->exponentials) : NULL;
-    all &= !from->blocks == !m->blocks && !from->rate_blocks == !m->rate_blocks
-           && !from->exponentials == !m->exponentials;
+    const int all = !from->last == !m->last && !from->direct == !m->direct
+                    && !from->blocks == !m->blocks
+                    && !from->rate_blocks == !m->rate_blocks
+                    && !from->exponentials == !m->exponentials;
     if (!all) {
         fvi_memory_free(m);
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     }
     *to = m;
     return FVI_SUCCESS;
-}
-
-/* The terms so far, coordinate by coordinate: the room behind them depends on N. */
-static int visit_direct(fvi_memory *m, fvi_visitor *v)
-{
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < m->d; i++)
-        status = v->visit(v, m->history + i * (m->steps + 1),
-                          m->k * sizeof *m->history, 0);
-    return status;
 }
 
 int fvi_memory_visit(fvi_memory *m, fvi_visitor *v)
@@ -284,8 +224,8 @@ int fvi_memory_visit(fvi_memory *m, fvi_visitor *v)
         FVI_FAIL("more terms than there is room for", FVI_EINVAL);
     if (m->last)
         status = v->visit(v, m->last, m->d * sizeof *m->last, 0);
-    if (!status && m->history)
-        status = visit_direct(m, v);
+    if (!status && m->direct)
+        status = fvi_direct_visit(m->direct, m->k, v);
     if (!status && m->blocks)
         status = fvi_blocks_visit(m->blocks, v);
     if (!status && m->rate_blocks)
@@ -300,32 +240,11 @@ void fvi_memory_free(fvi_memory *m)
     if (!m)
         return;
     free(m->last);
-    free(m->weights);
-    free(m->rates);
-    free(m->history);
+    fvi_direct_free(m->direct);
     fvi_blocks_free(m->blocks);
     fvi_blocks_free(m->rate_blocks);
     fvi_exponentials_free(m->exponentials);
     free(m);
-}
-
-/* sum_{j < n} a[j] b[j]: partial sum l takes every eighth product. */
-FVI_VECTORS static double dot(size_t n, const double *restrict a,
-                              const double *restrict b)
-{
-    double sum[8] = { 0 };
-    size_t j = 0;
-    //> dot
-    for (; j + 8 <= n; j += 8) {
-#pragma GCC unroll 8
-        for (size_t l = 0; l < 8; l++)
-            sum[l] += a[j + l] * b[j + l];
-    }
-    //< dot
-    for (; j < n; j++)
-        sum[0] += a[j] * b[j];
-    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
-           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
 static void push_local(fvi_memory *m, const double *term, double *H)
@@ -336,17 +255,6 @@ static void push_local(fvi_memory *m, const double *term, double *H)
         m->last[i] = new;
     }
 }
-
-//> direct
-static void push_direct(fvi_memory *m, const double *term, double *H)
-{
-    for (size_t i = 0; i < m->d; i++) {
-        double *history = m->history + i * (m->steps + 1);
-        history[m->k] = term[i];
-        H[i] = dot(m->k + 1, m->weights + (m->steps - m->k), history);
-    }
-}
-//< direct
 
 //> push
 int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
@@ -363,19 +271,11 @@ int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
     else if (m->blocks)
         fvi_blocks_push(m->blocks, term, H);
     else
-        push_direct(m, term, H);
+        fvi_direct_push(m->direct, term, H);
     m->k++;
     return FVI_SUCCESS;
 }
 //< push
-
-/* The same sums with other weights, of the terms that are in. */
-static void direct_rate(const fvi_memory *m, double *rate)
-{
-    for (size_t i = 0; i < m->d; i++)
-        rate[i] = dot(m->k, m->rates + (m->steps + 1 - m->k),
-                      m->history + i * (m->steps + 1));
-}
 
 int fvi_memory_push_rate(fvi_memory *m, const double *x, const double *dx,
                          double *H, double *rate)
@@ -387,17 +287,16 @@ int fvi_memory_push_rate(fvi_memory *m, const double *x, const double *dx,
     if (m->k > m->steps)
         FVI_FAIL("more terms than were announced", FVI_EINVAL);
     const double *term = m->on_increments ? dx : x; /* d beta = d(beta - 1) */
-    if (m->exponentials) {
-        m->k++;
+    if (m->exponentials)
         fvi_exponentials_push_rate(m->exponentials, term, H, rate);
-        return FVI_SUCCESS;
-    }
-    if (m->rate_blocks)
+    else if (m->direct)
+        fvi_direct_push_rate(m->direct, term, H, rate);
+    else {
         fvi_blocks_push(m->rate_blocks, term, rate);
-    int status = fvi_memory_push(m, x, dx, H);
-    if (!status && m->rates)
-        direct_rate(m, rate);
-    return status;
+        fvi_blocks_push(m->blocks, term, H);
+    }
+    m->k++;
+    return FVI_SUCCESS;
 }
 
 //> ahead
@@ -411,10 +310,9 @@ int fvi_memory_ahead(const fvi_memory *m, const double *x, double *ahead)
         ahead[i] = m->on_increments ? 0 : x[i]; /* w_0 x_{k+1}, no increment */
         if (m->last)
             ahead[i] -= m->order == 0 ? 0 : m->last[i];
-        else if (m->history)
-            ahead[i] += dot(m->k, m->weights + (m->steps - m->k),
-                            m->history + i * (m->steps + 1));
     }
+    if (m->direct)
+        fvi_direct_ahead(m->direct, ahead);
     if (m->blocks)
         fvi_blocks_ahead(m->blocks, ahead);
     if (m->exponentials)

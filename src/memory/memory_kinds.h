@@ -34,6 +34,25 @@
 #define FVI_VECTORS
 #endif
 
+/* ---- the sum as it stands (memory_direct.c) ---- */
+
+typedef struct fvi_direct fvi_direct;
+
+size_t fvi_direct_bytes(size_t d, size_t steps);
+/* `rated`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
+fvi_direct *fvi_direct_alloc(double nu, int rated, size_t d, size_t steps);
+/* Takes over weights 1, w_1, ..., w_steps of another's making, or NULL, of which it makes
+ * NULL; they are freed if it fails. */
+fvi_direct *fvi_direct_of(size_t d, size_t steps, double *weights);
+fvi_direct *fvi_direct_copy(const fvi_direct *from);
+void fvi_direct_push(fvi_direct *m, const double *term, double *H);
+void fvi_direct_push_rate(fvi_direct *m, const double *term, double *H,
+                          double *rate);
+void fvi_direct_ahead(const fvi_direct *m, double *sum);
+/* k: how many terms there are, or will be when v has written them. */
+int fvi_direct_visit(fvi_direct *m, size_t k, fvi_visitor *v);
+void fvi_direct_free(fvi_direct *m);
+
 /* ---- blocks of convolutions (memory_fft.c) ---- */
 
 typedef struct fvi_blocks fvi_blocks;
