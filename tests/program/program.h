@@ -50,6 +50,17 @@ static inline int exists(const char *name)
     return access(path, F_OK) == 0;
 }
 
+/* Write a file into the folder of the test. */
+static inline void write_file(const char *name, const char *text)
+{
+    char path[PATH_MAX + 100];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *f = fopen(path, "w");
+    ck_assert_ptr_nonnull(f);
+    fputs(text, f);
+    ck_assert_int_eq(fclose(f), 0);
+}
+
 static inline size_t count_lines(const char *text)
 {
     size_t n = 0;
@@ -113,5 +124,14 @@ static inline int run_suite_of_program(Suite *suite)
     int failed = run_suite(suite);
     return clean_up() != 0 || failed;
 }
+
+/* Exit code 2, nothing printed, and what is said first. */
+#define ck_assert_refused(line, said)                                          \
+    do {                                                                       \
+        ck_assert_msg(fvi(line) == 2, "%s", line);                             \
+        ck_assert_str_eq(out, "");                                             \
+        ck_assert_msg(strncmp(err, said "\n", strlen(said "\n")) == 0, "%s",   \
+                      err);                                                    \
+    } while (0)
 
 #endif

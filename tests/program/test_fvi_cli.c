@@ -272,124 +272,12 @@ START_TEST(coefficients_and_methods_and_help)
 }
 END_TEST
 
-/* Does the word stand in the text, by itself? */
-static int stands_in(const char *word, const char *text)
-{
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789-";
-    const size_t length = strlen(word);
-    for (const char *at = text; (at = strstr(at, word)); at++)
-        if ((at == text || !strchr(letters, at[-1]))
-            && (!at[length] || !strchr(letters, at[length])))
-            return 1;
-    return 0;
-}
-
-/* Each method of the table, and what it refuses, where a user looks for it. */
-START_TEST(help_and_manual_know_every_method)
-{
-    static char manual[1 << 16];
-    read_file("src/program/fvi.1", manual, sizeof manual);
-    ck_assert_int_eq(fvi("run --help"), 0);
-    for (size_t i = 0; fvi_methods[i]; i++) {
-        const char *name = fvi_methods[i]->name;
-        ck_assert_msg(stands_in(name, out), "%s is not in run --help", name);
-        ck_assert_msg(stands_in(name, manual), "%s is not in fvi.1", name);
-    }
-    ck_assert(!stands_in("fvi-lobatto1", out) && !stands_in("euler", manual));
-    ck_assert_int_eq(fvi("methods"), 0);
-    const char *at = out;
-    for (size_t i = 0; fvi_methods[i]; i++) {
-        const fvi_method *m = fvi_methods[i];
-        char line[100];
-        snprintf(line, sizeof line, "%s\t%s\t%s\n", m->name, m->order,
-                 m->memory);
-        ck_assert_msg(strncmp(at, line, strlen(line)) == 0, "%s", at);
-        at += strlen(line);
-    }
-    ck_assert(*at == '\0');
-}
-END_TEST
-
 START_TEST(a_repeated_option_is_fine_if_it_says_the_same)
 {
     ck_assert_int_eq(fvi("run --steps 1 --alpha 0.3 --alpha 0.3 --alpha=0.3"),
                      0);
     ck_assert_int_eq(fvi("run --steps 1e0"), 0);
     ck_assert_uint_eq(count_rows(), 2);
-}
-END_TEST
-
-/* The help of each command, by each of its names. */
-START_TEST(help_is_asked_for_in_many_ways)
-{
-    static const char *const ways[][3] = {
-        { "help", "--help", "-h" },
-        { "help run", "run --help", "run -h" },
-        { "help exact", "exact --help", "exact --alpha 0.3 -h" },
-        { "help sweep", "sweep --help", "sweep --vary alpha=0:1:2 -h" },
-        { "help fit", "fit --help", "fit -h" },
-        { "help gradient", "gradient --help", "gradient -h" },
-        { "help coefficients", "coefficients --help", "coefficients -h" },
-        { "help methods", "methods --help", "methods -h" }
-    };
-    for (size_t i = 0; i < LEN(ways); i++) {
-        char *want = NULL;
-        for (size_t j = 0; j < 3; j++) {
-            ck_assert_msg(fvi(ways[i][j]) == 0, "%s: %s", ways[i][j], err);
-            ck_assert_str_eq(err, "");
-            ck_assert(strncmp(out, "usage: fvi ", 11) == 0);
-            ck_assert_ptr_nonnull(strstr(out, "\nexample"));
-            if (j == 0)
-                want = strdup(out);
-            ck_assert_str_eq(out, want);
-        }
-        free(want);
-    }
-    ck_assert_int_eq(fvi("help run"), 0);
-    ck_assert_ptr_nonnull(strstr(out, "[held]"));
-    ck_assert_int_eq(fvi("help run x"), 2);
-    ck_assert_int_eq(fvi("run -h0.1"), 2); /* not the step, nor the help */
-}
-END_TEST
-
-/* What bash would offer behind these words. */
-static const char *offered(const char *words)
-{
-    char line[500];
-    snprintf(line, sizeof line,
-             "command -v bash > /dev/null || exit 9; mkdir -p bin; "
-             "ln -sf \"$FVI\" bin/fvi; PATH=$PWD/bin:$PATH bash -c '. "
-             "\"$SOURCES\"/program/fvi.bash; COMP_WORDS=(%s); "
-             "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _fvi; "
-             "echo \" ${COMPREPLY[*]} \"'",
-             words);
-    return shell(line) == 9 ? NULL : out;
-}
-
-START_TEST(completions_are_what_the_program_says)
-{
-    if (!offered("fvi r"))
-        return;
-    ck_assert_str_eq(out, " run \n");
-    ck_assert_ptr_nonnull(strstr(offered("fvi \"\""), " coefficients "));
-    ck_assert_ptr_nonnull(strstr(offered("fvi help \"\""), " exact "));
-    ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");
-    ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
-    ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");
-    offered("fvi run --method \"\"");
-    for (size_t i = 0; fvi_methods[i]; i++)
-        ck_assert_ptr_nonnull(strstr(out, fvi_methods[i]->name));
-    offered("fvi run --");
-    for (const char *at = out; (at = strstr(at, " --")); at++) {
-        char line[100];
-        snprintf(line, sizeof line, "run %.*s", (int)strcspn(at + 1, " \n"),
-                 at + 1);
-        ck_assert_msg(fvi(line) == 0 || !strstr(err, "no such"), "%s", err);
-        offered("fvi run --");
-    }
-    ck_assert_int_eq(shell("command -v zsh > /dev/null || exit 0; zsh -n "
-                           "\"$SOURCES\"/program/fvi.zsh"),
-                     0);
 }
 END_TEST
 
@@ -416,9 +304,6 @@ END_TEST
 
 int main(void)
 {
-    char *sources = realpath("src", NULL);
-    setenv("SOURCES", sources ? sources : "src", 1);
-    free(sources);
     Suite *suite = suite_create("the program fvi: what comes out");
     ADD_CASE(suite, "values", run_prints_head_and_rows,
              rows_are_the_numbers_of_the_library,
@@ -427,9 +312,7 @@ int main(void)
              every_keeps_each_kth_row_and_the_last,
              a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,
              exact_prints_the_exact_solution, coefficients_and_methods_and_help,
-             help_is_asked_for_in_many_ways, help_and_manual_know_every_method,
              a_repeated_option_is_fine_if_it_says_the_same,
-             completions_are_what_the_program_says,
              the_decimal_point_is_a_point_everywhere);
     return run_suite_of_program(suite);
 }

@@ -154,162 +154,6 @@ START_TEST(a_step_that_fails_is_reported_with_its_number)
 }
 END_TEST
 
-/* The best that was reached is said; there are no rows that are not good enough. */
-START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
-{
-    ck_assert_int_eq(
-        fvi("run --error 1e-16 --method fvi-lobatto8d --alpha 0.3"), 1);
-    ck_assert_str_eq(out, "");
-    double best = 0, step = 0;
-    ck_assert_int_eq(sscanf(err,
-                            "fvi: --error: 1e-16 is out of reach; the smallest "
-                            "estimate was %lg, with the step %lg\n",
-                            &best, &step),
-                     2);
-    ck_assert(best > 1e-13 && best < 1e-12 && step > 1e-4);
-    ck_assert_ptr_nonnull(strstr(err, "; try --method fvi-adaptive\n"));
-    ck_assert_int_eq(fvi("run --error 1e-9 --time 2 --steps 4 --method fvi"),
-                     1);
-    ck_assert_ptr_nonnull(strstr(err, "; try --method fvi-adaptive\n"));
-    ck_assert_int_eq(
-        fvi("run --error 1e-9 --time 2 --steps 4 --method fvi-lobatto4"), 0);
-    ck_assert_int_eq(
-        fvi("run --error 1 --alpha 1 --rho 1e300 -o none --method fvi"), 1);
-    ck_assert_str_eq(
-        err, "fvi: --error: no step gives a result that can be trusted\n");
-    ck_assert(!exists("none"));
-    ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
-    ck_assert_str_eq(err, "fvi: not enough memory\n");
-    ck_assert_int_eq(
-        fvi("run --error 0.1 --steps 20 --force step:1,1 --method fvi"), 0);
-    ck_assert_int_eq(
-        fvi("run --error 0.1 --steps 30 --force step:1,99 --method fvi"), 0);
-}
-END_TEST
-
-/* The bound of chapter 14: R = rho h / m = 2 at alpha = kappa = 1/2. */
-START_TEST(an_unstable_step_is_warned_of)
-{
-    ck_assert_int_eq(fvi("run --rho 1.99 --h 1 --steps 3"), 0);
-    ck_assert_str_eq(err, "");
-    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3"), 0);
-    ck_assert_str_eq(
-        err, "fvi: warning: this step is unstable (load 1.01, above 1); "
-             "stable below h = 0.9901\n");
-    ck_assert_uint_eq(count_rows(), 4);
-    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3 --method lda"), 0);
-    ck_assert_ptr_nonnull(strstr(err, "unstable"));
-    ck_assert_int_eq(fvi("run --alpha 1 --rho 1.5 --h 1e-3 --steps 3"), 0);
-    ck_assert_ptr_nonnull(strstr(err, "no step is stable"));
-    /* alpha = 1/2: R < 1 for BDF2 weights, no bound for the shifted ones */
-    ck_assert_int_eq(fvi("run --method fvi-bdf2 --rho 1.01 --h 1 --steps 3"),
-                     0);
-    ck_assert_ptr_nonnull(strstr(err, "stable below h = 0.9901"));
-    ck_assert_int_eq(fvi("run --method fvi-bdf2 --rho 0.99 --h 1 --steps 3"),
-                     0);
-    ck_assert_str_eq(err, "");
-    ck_assert_int_eq(fvi("run --method fvi-shifted --rho 9 --h 1 --steps 3"),
-                     0);
-    ck_assert_str_eq(err, "");
-    /* alpha > 1/2: the shifted damping takes from the load of the spring */
-    ck_assert_int_eq(fvi("run --method fvi-shifted --alpha 0.75 --rho 1 "
-                         "--kappa 0 --h 2.1 --steps 3"),
-                     0);
-    ck_assert_str_eq(err, "");
-    ck_assert_int_eq(fvi("run --method fvi-shifted --alpha 0.75 --rho 0 "
-                         "--kappa 0 --h 2.1 --steps 3"),
-                     0);
-    ck_assert_ptr_nonnull(strstr(err, "stable below h = 2\n"));
-    /* a long chain: the largest eigenvalue is 4 cos^2(pi/2002) */
-    ck_assert_int_eq(fvi("run --potential chain:1000,1,0 --rho 0 --kappa 0 "
-                         "--h 1.001 --steps 3"),
-                     0);
-    ck_assert_str_eq(
-        err, "fvi: warning: this step is unstable (load 1.002, above 1); "
-             "stable below h = 1\n");
-    ck_assert_int_eq(fvi("run --potential chain:1000,1,0 --rho 0 --kappa 0 "
-                         "--h 0.999 --steps 3"),
-                     0);
-    ck_assert_str_eq(err, "");
-}
-END_TEST
-
-/* (17.16): for two stages no step is stable once rho is large and alpha small. */
-START_TEST(an_unstable_step_with_stages_is_warned_of)
-{
-    ck_assert_int_eq(fvi("run --method fvi-lobatto2 --alpha 0.1 --rho 500 "
-                         "--steps 30"),
-                     0);
-    double load = 0;
-    ck_assert_int_eq(sscanf(err,
-                            "fvi: warning: this step is unstable (load %lg, "
-                            "above 1)\n",
-                            &load),
-                     1);
-    ck_assert(load > 1 && count_lines(err) == 1);
-    ck_assert(fabs(cell(30, 1)) > 1e9); /* and it is */
-    for (int s = 2; s <= 4; s++) { /* h w < 2, 2 sqrt(2), 3.1127: (17.15) */
-        const double bound[] = { 2, 2.8284, 3.1127 };
-        for (int above = 0; above < 2; above++) {
-            char line[200];
-            snprintf(line, sizeof line,
-                     "run --method fvi-lobatto%d --rho 0 --steps 3 --h %.4f", s,
-                     bound[s - 2] + (above ? 0.001 : -0.001));
-            ck_assert_int_eq(fvi(line), 0);
-            ck_assert_uint_eq(count_lines(err), (size_t)above);
-        }
-    }
-    ck_assert_int_eq(fvi("run --method fvi-lobatto4 --alpha 0.3"), 0);
-    ck_assert_str_eq(err, "");
-}
-END_TEST
-
-/* Duffing, h = 1/2: 1 + 3 x^2 passes 16, where two stages are no longer stable, on the way;
- * three are, and where nothing depends on the spring nothing is said. At the start it
- * is in the head, on the way only on standard error, and once. */
-START_TEST(a_run_that_gets_stiffer_is_warned_of)
-{
-    const struct {
-        const char *method;
-        int warned;
-    } runs[] = { { "fvi-lobatto2", 1 },
-                 { "fvi --kappa 0", 1 },
-                 { "fvi-shifted --kappa 1", 1 },
-                 { "fvi-lobatto3", 0 },
-                 { "fvi-lobatto2d", 0 },
-                 { "fvi-stable", 0 },
-                 { "fvi", 0 },
-                 { "fvi-adaptive", 0 } };
-    for (size_t i = 0; i < LEN(runs); i++) {
-        char line[200];
-        double at = 0, load = 0;
-        snprintf(line, sizeof line,
-                 "run --potential duffing:1,1 --x0 0.1 --p0 5 --h 0.5 "
-                 "--steps 15 --rho 0.1 --method %s",
-                 runs[i].method);
-        ck_assert_int_eq(fvi(line), 0);
-        ck_assert_int_eq(sscanf(err,
-                                "fvi: warning: this step is unstable where the "
-                                "run is at t = %lg (load %lg, above 1)\n",
-                                &at, &load),
-                         runs[i].warned ? 2 : -1);
-        ck_assert_uint_eq(count_lines(err), (size_t)runs[i].warned);
-        ck_assert(!runs[i].warned || (at == 0.5 && load > 1));
-        ck_assert(!strstr(out, "# warning"));
-    }
-    ck_assert_int_eq(fvi("run --rho 2.02 --h 1 --steps 3"), 0);
-    ck_assert_ptr_nonnull(
-        strstr(out, "\n# warning = this step is unstable (load 1.01, above 1); "
-                    "stable below h = 0.9901\n"));
-    /* known from the start: no more is said on the way */
-    ck_assert_int_eq(fvi("run --potential duffing:1,1 --x0 3 --p0 0 --h 0.5 "
-                         "--steps 3 --method fvi-lobatto2"),
-                     0);
-    ck_assert_uint_eq(count_lines(err), 1);
-    ck_assert_ptr_null(strstr(err, "where the run is"));
-}
-END_TEST
-
 /* sqrt(c/m) = 10^80: where the body is after so many swings depends on digits of m
  * that a double does not have. Where the swing has died away all is well. */
 START_TEST(a_lost_phase_is_an_error)
@@ -403,16 +247,12 @@ int main(void)
     free(sources);
 
     Suite *suite = suite_create("the program fvi: what it refuses");
-    ADD_CASE(suite, "errors", bad_use_is_refused,
-             overflow_is_reported_with_its_step,
-             no_row_has_a_number_that_is_not_finite,
-             a_step_that_fails_is_reported_with_its_number,
-             what_error_was_reached_is_said_if_not_the_one_asked_for,
-             a_lost_phase_is_an_error, an_unstable_step_is_warned_of,
-             an_unstable_step_with_stages_is_warned_of,
-             a_run_that_gets_stiffer_is_warned_of,
-             too_large_a_run_is_refused_before_it_starts,
-             other_roundings_are_not_compiled,
-             only_a_loader_that_can_is_asked_to_choose);
+    ADD_CASE(
+        suite, "errors", bad_use_is_refused, overflow_is_reported_with_its_step,
+        no_row_has_a_number_that_is_not_finite,
+        a_step_that_fails_is_reported_with_its_number, a_lost_phase_is_an_error,
+        too_large_a_run_is_refused_before_it_starts,
+        other_roundings_are_not_compiled,
+        only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);
 }

@@ -1,0 +1,120 @@
+/* tests/program/test_fvi_problem_errors.c -- The program build/fvi: what is wrong with one's
+ * own problem.   Run alone: make test-fvi_problem_errors */
+#define _GNU_SOURCE
+#include "program.h"
+
+/* The caret stands below what is wrong. */
+START_TEST(a_misprint_is_shown)
+{
+    ck_assert_refused(
+        "run --potential 'x^4/4 - x^^2'",
+        "fvi: --potential: 'x^4/4 - x^^2': a number, a name or ( is wanted "
+        "here\n                             ^");
+    ck_assert_uint_eq(count_lines(err), 3);
+    ck_assert_refused("run --potential 'k*x^2'",
+                      "fvi: --potential: 'k*x^2': no such name\n"
+                      "                   ^");
+    ck_assert_refused("run --force 'step:1,2 + sin(x)'",
+                      "fvi: --force: 'sin(x)': no such name\n"
+                      "                   ^");
+    ck_assert_refused("run --let k=2+ --potential 'k*x'",
+                      "fvi: --let: '2+': it ends too early\n"
+                      "               ^");
+    ck_assert_refused(
+        "run --potential '1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+"
+        "1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+x**y+1+1+1+1+1+1+1+1+1+1+1+1+1+1'",
+        "fvi: --potential: '...+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+x**y+1+"
+        "1+1+1+1+1+1+1+1+...': no such name\n"
+        "                                                              ^");
+    ck_assert_refused(
+        "run --potential harmonc",
+        "fvi: --potential: 'harmonc' is none of harmonic:C, duffing:C,G, "
+        "pendulum:G, free, chain:D,C,G, nor an expression; did you mean "
+        "harmonic?");
+    ck_assert_refused("run --potential duffing",
+                      "fvi: --potential: 'duffing' is not duffing:C,G");
+    ck_assert_refused(
+        "run --force cosin:1,2",
+        "fvi: --force: 'cosin:1,2' is none of none, step:A,T, cosine:A,W, "
+        "file:F.tsv; did you mean cosine?");
+    ck_assert_refused(
+        "run --columns t,q",
+        "fvi: --columns: 'q' in 't,q' is none of t, x, p, energy, y");
+}
+END_TEST
+
+START_TEST(wrong_parameters_and_lists_are_refused)
+{
+    ck_assert_refused("run --let k", "fvi: --let: 'k' is not NAME=VALUE");
+    ck_assert_refused("run --let x=1",
+                      "fvi: --let: 'x' is not a name for a parameter");
+    ck_assert_refused("run --let sin=1",
+                      "fvi: --let: 'sin' is not a name for a parameter");
+    ck_assert_refused("run --let k=1 --let k=2",
+                      "fvi: --let: 'k' is given twice");
+    ck_assert_refused("run --let k=1e200,c=k*k",
+                      "fvi: --let: 'k*k' is not finite");
+    ck_assert_refused("run --mass 1,2",
+                      "fvi: --mass: '1,2' has 2 numbers, not 1");
+    ck_assert_refused("run --dimension 2 --mass 1,-2",
+                      "fvi: --mass: '-2' is outside (0, inf)");
+    ck_assert_refused("run --rho @nowhere",
+                      "fvi: --rho: cannot read 'nowhere': No such "
+                      "file or directory");
+    ck_assert_refused("run --rho @.",
+                      "fvi: --rho: cannot read '.': Is a directory");
+    write_file("odd", "1\n2,x\n");
+    ck_assert_refused("run --dimension 2 --rho @odd",
+                      "fvi: --rho: odd:2: not a finite number");
+    write_file("empty", "# nothing\n");
+    ck_assert_refused("run --rho @empty",
+                      "fvi: --rho: '@empty' has 0 numbers, not 1");
+    ck_assert_refused("run --force file:empty",
+                      "fvi: --force: empty: has no rows");
+    write_file("back", "t F\n0 1\n2 1\n# a rest\n2 1\n");
+    ck_assert_refused("run --force file:back",
+                      "fvi: --force: back:5: t does not increase");
+    write_file("short", "0 1\n19.9 1\n");
+    ck_assert_refused("run --force file:short",
+                      "fvi: --force: short ends at t = 19.9, the run at 20");
+    write_file("late", "0.1 1\n21 1\n");
+    ck_assert_refused("run --force file:late",
+                      "fvi: --force: late begins at t = 0.1, the run at 0");
+    write_file("gap", "0 1\n1\n30 1\n");
+    ck_assert_refused("run --force file:gap",
+                      "fvi: --force: gap:2: a number is missing");
+    write_file("nan", "0 1\n1 nan\n");
+    ck_assert_refused("run --force file:nan",
+                      "fvi: --force: nan:2: not a finite number");
+    ck_assert_refused("exact --force t",
+                      "fvi: --force: 't' has no exact solution here; "
+                      "none, step:A,T and cosine:A,W have");
+    ck_assert_refused(
+        "exact --potential 'x^2'",
+        "fvi: --potential: 'x^2' has no exact solution here; harmonic:C "
+        "with C >= 0 and free have");
+    ck_assert_refused(
+        "run --error 0.1 --method fvi --force 'step:1,1 + step:1,1.05'",
+        "fvi: --error: the force 'step:1,1 + step:1,1.05' ends between two "
+        "rows; take other --steps");
+}
+END_TEST
+
+/* A potential that is not defined where the body goes. */
+START_TEST(a_run_ends_where_its_potential_does)
+{
+    ck_assert_int_eq(fvi("run --potential 'x*log(x)*30' --rho 0 --x0 0.01 "
+                         "--p0 -3 --columns x"),
+                     1);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: step "));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: errors of one's own problem");
+    ADD_CASE(suite, "errors", a_misprint_is_shown,
+             wrong_parameters_and_lists_are_refused,
+             a_run_ends_where_its_potential_does);
+    return run_suite_of_program(suite);
+}
