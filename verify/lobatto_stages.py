@@ -11,7 +11,7 @@ s (s - 1)/mu^2.
 Printed: nodes, weights and D; W_n from Cauchy's integral over a circle,
 Delta(z)^beta by its eigenvalues; and three steps of form D of a driven oscillator
 from those W_n, all equations in one linear system: never by roots, nodes of a
-quadrature or a step at a time as in the C code."""
+quadrature or a step at a time as in the C code; and loads (17.18), by eigenvectors."""
 from functools import cache
 
 import mpmath
@@ -197,6 +197,39 @@ def three_steps(s, alpha):
     return "{ " + ", ".join(rows) + " }"
 
 
+@cache
+def symbol(s, point, alpha):
+    """(17.18) at z = 1 / point: K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point,
+    without the constant; the power by eigenvectors of both sides."""
+    c, b, D = rule(s)
+    M, B, E = inverse_table(s)[0].copy(), mpmath.diag(b), mpmath.matrix(s, s - 1 - (point > 0))
+    M[0, s - 1] -= point / b[0]
+    values, left, right = mpmath.eig(M, left=True, right=True)
+    power = mpmath.zeros(s)
+    for j, value in enumerate(values):
+        if abs(value) > mpf(10)**-20:                   # 0^(2 alpha) = 0
+            row, column = left[j, :], right[:, j]
+            power += column * row * (value**(2 * alpha) / (row * column)[0])
+    for j in range(E.cols):
+        if point > 0:                                   # mean zero
+            E[j + 1, j], E[0, j], E[s - 1, j] = 1, -b[j + 1] / 2 / b[0], -b[j + 1] / 2 / b[0]
+        else:
+            E[j, j], E[s - 1, 0] = 1, -1
+    return [E.T * X * E for X in (D.T * B * D, B, B * power.apply(mpmath.re))]
+
+
+def load(s, alpha, w, r):
+    """The largest of the real eigenvalues, where an odd number exceeds 1, else below."""
+    best = mpf(0)
+    for point in (-1, 1):
+        K, W, R = symbol(s, point, alpha)
+        values = mpmath.eig(mpmath.inverse(K) * (W * w + R * r))[0]
+        real = [v.real for v in values if abs(v.imag) < mpf(10)**-20 * (1 + abs(v))]
+        above = [v for v in real if v > 1]
+        best = max([best] + (above if len(above) % 2 else [v for v in real if v <= 1]))
+    return best
+
+
 header("verify/lobatto_stages.py")
 rows = []
 for s in range(5, 9):
@@ -215,3 +248,7 @@ table("ref_many_stages", "size_t s; double beta; size_t n; double want[64];", ro
 table("ref_damped", "size_t s; double alpha; double want[6];",
       [[str(s), alpha.hex(), three_steps(s, alpha)]
        for s in range(2, 9) for alpha in (0.0, 0.3, 0.5, 0.75, 1.0)])
+table("ref_many_loads", "size_t s; double alpha, W, R, want;",
+      [[str(s), alpha.hex(), w.hex(), r.hex(), double(load(s, mpf(alpha), mpf(w), mpf(r)))]
+       for s in range(5, 9) for alpha in (0.3, 0.9)
+       for w, r in ((9.0, 0.5), (2.0, 15.0), (200.0, 0.1))])

@@ -188,6 +188,29 @@ START_TEST(eq_17_24_uncoupled_masses_go_their_own_ways)
 }
 END_TEST
 
+/* As eq_17_18_load_is_where_the_symbol_vanishes, with the tolerance of the header. Seen:
+ * 0.04 of it, for s = 8. */
+START_TEST(eq_17_18_loads_of_many_stages)
+{
+    const double one = 1, zero = 0;
+    for (size_t e = 0; e < LEN(ref_many_loads); e++) {
+        const double W = ref_many_loads[e].W, R = ref_many_loads[e].R,
+                     want = ref_many_loads[e].want;
+        const fvi_system system = {
+            1, &one, &R, fvi_potential_harmonic(&W), { 0 }
+        };
+        const fvi_run run = { .system = &system,
+                              .x0 = &zero,
+                              .h = 1,
+                              .alpha = ref_many_loads[e].alpha };
+        double load = -1;
+        ck_assert_int_eq(fvi_stability_lobatto(ref_many_loads[e].s, &run, &load),
+                         FVI_SUCCESS);
+        ck_assert_near(load, want, 1e-12 * fmax(1, want), "row %zu", e);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lobatto_stages");
@@ -197,5 +220,6 @@ int main(void)
     ADD_CASE(suite, "form_d", eq_17_24_form_d_is_the_solution_of_its_equations,
              eq_17_25_form_d_multiplies_the_energy_of_an_oscillator,
              eq_17_24_uncoupled_masses_go_their_own_ways);
+    ADD_CASE(suite, "load", eq_17_18_loads_of_many_stages);
     return run_suite(suite);
 }
