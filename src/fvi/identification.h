@@ -113,9 +113,9 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * values of the run and from fit->starts - 1 points of Sobol's sequence in the box.
  * A start agrees with the best if all its parameters come within sd / 10 of those, or
  * within 1e-6 of their size, which is |theta|, but of x0, p0 and constants at least a
- * sixteenth of the box of fvi_fit_box. Then the step, at first the longest that meets all
- * times and is no longer than 1/w, is halved until no estimate moves by more than sd / 100,
- * or 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the
+ * sixteenth of the box, or of that of fvi_fit_box if it is smaller. Then the step, at first
+ * the longest that meets all times and is no longer than 1/w, is halved until no estimate
+ * moves by more than sd / 100, or 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the
  * moves (bias is the last). Times that no step meets are read off by Hermite's cubic
  * through x and p / m, or as a method of variable steps has them.
  *

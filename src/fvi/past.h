@@ -67,8 +67,8 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
  *   k        the step, >= 0
  *   impulse  output, n numbers
  *
- * Accuracy: 16 u of their sum up to four nodes; with eight, 1000 u in step 0. Cost: one power, and from 3 (k > 2 10^5) to 36 (k = 1)
- * terms of a series. */
+ * Accuracy: 16 u of their sum up to four nodes; with eight, 1000 u in step 0. Cost: one
+ * power, and from 3 (k > 2 10^5) to 36 (k = 1) terms of a series. */
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse);
 
 /* fvi_past_impulses_rate -- their derivatives by the exponent e = pull->e.  [(23.12)]

@@ -282,6 +282,19 @@ static int whole(search *o, const double *low, const double *high,
     return status ? status : judge(o, fitted);
 }
 
+/* Of a start or a constant 1/16 of the box, the smaller one if there are two: the unit of a
+ * constant is the caller's, and his box may be wide. */
+static void set_sizes(search *o, const fvi_fit *fit, const double *low,
+                      const double *high)
+{
+    for (size_t j = 0; j < fit->parameters; j++) {
+        const double size = fit->which[j] <= FVI_PARAMETER_MASS
+                                ? 0.25 /* of a logit, a logarithm */
+                                : (high[j] - low[j]) / 16;
+        o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;
+    }
+}
+
 static int search_alloc(search *o, const fvi_fit *fit)
 {
     const gsl_multifit_nlinear_parameters how =
@@ -312,13 +325,11 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
         return status;
     if (!fitted)
         FVI_FAIL("no room for the answer", FVI_EFAULT);
-    for (size_t j = 0; j < fit->parameters; j++)
-        o.size[j] = fit->which[j] <= FVI_PARAMETER_MASS
-                        ? 0.25 /* a logit, a logarithm */
-                        : (high[j] - low[j]) / 16;
+    set_sizes(&o, fit, low, high);
     if (fit->low) {
         memcpy(low, fit->low, fit->parameters * sizeof *low);
         memcpy(high, fit->high, fit->parameters * sizeof *high);
+        set_sizes(&o, fit, low, high);
     }
     fvi_quiet();
     status = search_alloc(&o, fit);
