@@ -264,10 +264,13 @@ def real(a):
 
 def weights(method, order, count):
     """w_n of the order 2 alpha, the coefficients of (1 - z)^order; BDF2: times those of
-    ((3 - z)/2)^order."""
+    ((3 - z)/2)^order; stable: times (1 + order)/2 + z (1 - order)/2."""
     w = [1 << BITS]
     for n in range(1, count):
         w.append(times(w[-1], (n - 1 << BITS) - order) // n)
+    if method == "stable":  # (13.16)
+        return [times((1 << BITS) + order, v) + times((1 << BITS) - order, u) >> 1
+                for v, u in zip(w, [0] + w)]
     if method != "bdf2":
         return w
     g = [fixed(mpmath.mpf(1.5) ** real(order))]
@@ -307,7 +310,7 @@ def trajectory(q):
     order, one, half = 2 * q["alpha"], 1 << BITS, 1 << BITS - 1
     pull = pull_of(q, order, q["x0"], q["p0"], q["mass"])
     c = fixed(q["rho"] * q["h"] ** (1 - order))
-    theta = fixed(q["alpha"]) if q["method"] == "shifted" else 0
+    theta = fixed(dict(shifted=q["alpha"], stable=mpmath.mpf(1) / 2).get(q["method"], 0))
     h, kappa, x0, p, m, k1, g3 = (fixed(q[n]) for n in ("h", "kappa", "x0", "p0", "mass", "k", "g"))
     origin = 0 if printed and past == "rl" else x0
     drift = over(times(h, p), m) if q["side"] > 0 and (past == "caputo" or not printed) else 0
@@ -387,11 +390,12 @@ def row(method, past, alpha, kappa, N, h, x0, force):
 
 runs = [row("fvi", past, alpha, kappa, 2000, 1 / 128, 1.0, 777) for past, alpha, kappa in
         [("caputo", 0.3125, 0.5), ("caputo", 0.75, 0.25), ("rl", 0.75, 0.25), ("held", 0.75, 0.25)]]
-for method in ("fvi", "shifted", "bdf2"):
+for method in ("fvi", "shifted", "bdf2", "stable"):
     for past in ("held", "caputo", "rl"):
         for alpha, kappa in ((0.0, 0.5), (0.3, 0.25), (0.5, 0.5), (0.8, 0.3), (0.9 if method == "bdf2" else 1.0, 0.5)):
             if (method, past) != ("fvi", "caputo") or alpha > 0.5:
                 x0 = 0.0 if past == "rl" and alpha > 0.5 and method != "fvi" else 0.875
+                kappa = 0.5 if method == "stable" else kappa
                 runs.append(row(method, past, alpha, kappa, 60, 1 / 16, x0, 23))
 
 header("verify/adjoint.py")

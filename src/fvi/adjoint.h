@@ -46,7 +46,7 @@ typedef struct {
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.   [(23.4), (23.6)]
  *
- *   method     fvi_fractional, fvi_shifted, fvi_bdf2; or fvi_lobatto2 to 8 (form M), with
+ *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or fvi_lobatto2 to 8 (form M), with
  *              alpha < 1, no derivative by alpha, and x and p NULL
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
@@ -62,8 +62,8 @@ typedef struct {
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
- *          pasts with fvi_shifted and fvi_bdf2: likewise, if less. RIEMANN_LIOUVILLE
- *          with fvi_shifted and fvi_bdf2 and alpha > 1/2 runs from x0 = 0 alone, and
+ *          pasts with all but fvi_fractional: likewise, if less. RIEMANN_LIOUVILLE
+ *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *

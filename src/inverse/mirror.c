@@ -56,18 +56,38 @@ static int start_memories(fvi_mirror *m, int is_shifted)
     return status;
 }
 
-/* ((3 - z)/2)^beta, and the logarithm of its base, by powers of z. */
-static int start_filter(fvi_mirror *m)
+/* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
+static void factor_bdf2(fvi_mirror *m)
 {
-    double power = 1;
-    m->taps = fvi_bdf2_factor(2 * m->run->alpha, m->g);
-    m->l[0] = log(1.5);
+    double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
+    fvi_bdf2_factor(2 * m->run->alpha, m->g);
+    m->taps = FVI_BDF2_TAPS;
     for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
-        m->l[n] = -(power /= 3) / (double)n;
-    m->terms = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->terms);
-    if (!m->terms)
+        l[n] = -(power /= 3) / (double)n;
+    for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
+        for (size_t j = 0; j <= n; j++)
+            m->gdot[n] += l[j] * m->g[n - j];
+}
+
+/* (13.16), and its derivative by 2 alpha. */
+static void factor_stable(fvi_mirror *m)
+{
+    m->taps = 2;
+    m->g[0] = 0.5 + m->run->alpha;
+    m->g[1] = 0.5 - m->run->alpha;
+    m->gdot[0] = 0.5;
+    m->gdot[1] = -0.5;
+}
+
+static int start_factor(fvi_mirror *m, fvi_scheme scheme)
+{
+    if (scheme != FVI_SCHEME_BDF2 && scheme != FVI_SCHEME_STABLE)
+        return FVI_SUCCESS;
+    (scheme == FVI_SCHEME_BDF2 ? factor_bdf2 : factor_stable)(m);
+    m->sums = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->sums);
+    if (!m->sums)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    m->sums = m->terms + FVI_BDF2_TAPS * m->d;
+    m->rates = m->sums + FVI_BDF2_TAPS * m->d;
     return FVI_SUCCESS;
 }
 
@@ -87,7 +107,8 @@ static void start_terms(fvi_mirror *m)
     for (size_t i = 0; i < m->d; i++) {
         const double mass = run->system->mass[i];
         m->c[i] = run->system->damping[i] * unit;
-        m->inertia[i] = mass / run->h + m->theta * m->c[i];
+        m->inertia[i] =
+            mass / run->h + m->theta * m->c[i] * (m->taps ? m->g[0] : 1);
         m->origin[i] = whole ? 0 : run->x0[i];
         m->drift[i] = drifts(m) ? run->h * run->p0[i] / mass : 0;
     }
@@ -97,18 +118,22 @@ int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
                      const fvi_gradients *want, const double *Jp, fvi_mirror *m)
 {
     static const double ends[] = { 0, 1 };
-    const int printed = scheme == FVI_SCHEME_ALGORITHM_3;
+    const int printed = scheme == FVI_SCHEME_ALGORITHM_3,
+              stable = scheme == FVI_SCHEME_STABLE;
     *m = (fvi_mirror){ .run = run,
                        .want = want,
                        .d = run->system->d,
-                       .theta = scheme == FVI_SCHEME_SHIFTED ? run->alpha : 0,
+                       .theta = scheme == FVI_SCHEME_SHIFTED ? run->alpha
+                                : stable                     ? 0.5
+                                                             : 0,
+                       .kappa = stable ? 0.5 : run->kappa,
                        .end = printed ? 1 : 0.5,
                        .printed = printed };
     int status = allocate(m);
     if (!status)
         status = start_memories(m, scheme == FVI_SCHEME_SHIFTED);
-    if (!status && scheme == FVI_SCHEME_BDF2)
-        status = start_filter(m);
+    if (!status)
+        status = start_factor(m, scheme);
     if (status)
         return status;
     start_terms(m);
@@ -127,7 +152,7 @@ void fvi_mirror_stop(fvi_mirror *m)
     fvi_memory_free(m->slope);
     fvi_band_free(&m->J);
     free(m->block);
-    free(m->terms);
+    free(m->sums);
     free(m->G);
 }
 

@@ -14,9 +14,10 @@ typedef struct {
     const fvi_gradients *want;
     size_t d;
     double theta, end; /* the shift; what of H_N stands in p_N, (23.7) */
+    double kappa;      /* of the method, or of the run */
     int printed; /* Algorithm 3: no pull, Riemann-Liouville by its weights */
 
-    double *c, *inertia;    /* each: rho h^(1 - 2 alpha); m/h + theta c */
+    double *c, *inertia;    /* each: rho h^(1 - 2 alpha); m/h + theta c g_0 */
     double *origin, *drift; /* each: z_j = x_j - origin - j drift */
     double *lambda, *delta; /* each: lambda_j, lambda_{j-1} - lambda_j */
     double *q;              /* each: the momentum of the mirrored run */
@@ -32,10 +33,9 @@ typedef struct {
     double *block;          /* all these; owned */
 
     fvi_memory *memory, *slope; /* of nu; of d nu/d theta. NULL: not needed */
-    size_t taps;                /* BDF2: (13.11) */
-    double g[FVI_BDF2_TAPS], l[FVI_BDF2_TAPS];
-    double *terms,
-        *sums; /* its last terms and sums, FVI_BDF2_TAPS each; owned */
+    size_t taps;                /* of a factor of the weights; 0: none */
+    double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
+    double *sums, *rates; /* its last terms, FVI_BDF2_TAPS each; owned */
     int is_pulled;
     fvi_past_pull fading;
 
@@ -46,7 +46,7 @@ typedef struct {
 
 /* fvi_mirror_start -- at node N, where lambda_N = J_p.
  *
- *   scheme  FVI_SCHEME_ALGORITHM_3, SHIFTED or BDF2
+ *   scheme  FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE
  *   run, want  stay the caller's
  *   Jp      d numbers
  *   m       output; in any case to be given back by fvi_mirror_stop */

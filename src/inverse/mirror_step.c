@@ -13,33 +13,53 @@ static double term(const fvi_mirror *m, size_t j, double x, size_t i)
     return x - m->origin[i] - (double)j * m->drift[i];
 }
 
-/* out += sum_n f[n] of the last terms of a ring, `in` being the newest. */
-static void ring(const fvi_mirror *m, size_t taps, const double *f,
-                 double *past, const double *in, double *out)
+/* `now` enters a ring of last terms; returns sum_n f[n] of them. */
+static double ring(size_t taps, const double *f, double *past, double now)
 {
-    for (size_t i = 0; i < m->d; i++, past += FVI_BDF2_TAPS) {
-        memmove(past + 1, past, (FVI_BDF2_TAPS - 1) * sizeof *past);
-        past[0] = in[i];
-        for (size_t n = 0; n < taps; n++)
-            out[i] += f[n] * past[n];
+    double sum = 0;
+    memmove(past + 1, past, (taps - 1) * sizeof *past);
+    past[0] = now;
+    for (size_t n = 0; n < taps; n++)
+        sum += f[n] * past[n];
+    return sum;
+}
+
+/* Sums by the weights of (1 - z)^beta become those by the weights with the factor: N by
+ * g, and its derivative by g and gdot. */
+static void filter(fvi_mirror *m)
+{
+    for (size_t i = 0; i < m->d; i++) {
+        double *N = m->sums + i * m->taps;
+        m->N[i] = ring(m->taps, m->g, N, m->N[i]);
+        if (!m->want->alpha)
+            continue;
+        m->Ndot[i] =
+            ring(m->taps, m->g, m->rates + i * m->taps, m->Ndot[i]);
+        for (size_t n = 0; n < m->taps; n++)
+            m->Ndot[i] += m->gdot[n] * N[n];
     }
+}
+
+/* N of the next node if nu stays what it is; then it is times g_0 more for dnu. */
+static int look_ahead(fvi_mirror *m)
+{
+    int status = fvi_memory_ahead(m->memory, m->nu, m->N);
+    for (size_t i = 0; m->taps && i < m->d; i++) {
+        m->N[i] *= m->g[0];
+        for (size_t n = 1; n < m->taps; n++)
+            m->N[i] += m->g[n] * m->sums[i * m->taps + n - 1];
+    }
+    return status;
 }
 
 /* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
-    double *nu = m->nu, *dnu = m->dnu;
-    if (m->taps > 0) {
-        double **in = 2 * m->run->alpha < 1 ? &nu : &dnu;
-        memset(m->work, 0, m->d * sizeof *m->work);
-        ring(m, m->taps, m->g, m->terms, *in, m->work);
-        *in = m->work;
-    }
-    int status = m->want->alpha
-                     ? fvi_memory_push_rate(m->memory, nu, dnu, m->N, m->Ndot)
-                     : fvi_memory_push(m->memory, nu, dnu, m->N);
-    if (!status && m->taps > 0 && m->want->alpha)
-        ring(m, FVI_BDF2_TAPS, m->l, m->sums, m->N, m->Ndot);
+    int status = m->want->alpha ? fvi_memory_push_rate(m->memory, m->nu, m->dnu,
+                                                       m->N, m->Ndot)
+                                : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
+    if (m->taps > 0)
+        filter(m);
     for (size_t i = 0; i < m->d; i++) {
         const double z = term(m, j, x[i], i);
         m->sum[i] += z * m->N[i];
@@ -94,7 +114,7 @@ static void apply(const fvi_mirror *m, const double *v, double *out)
 static int factorise(fvi_mirror *m)
 {
     const fvi_run *run = m->run;
-    const double share = run->kappa * (1 - run->kappa) * run->h;
+    const double share = m->kappa * (1 - m->kappa) * run->h;
     const size_t d = m->d, w = run->system->potential.diagonals;
     fvi_band_clear(&m->J);
     for (size_t i = 0; i < d; i++)
@@ -116,7 +136,7 @@ static int look(fvi_mirror *m, const double *rows)
     const fvi_potential *u = &run->system->potential;
     const size_t d = m->d;
     for (size_t i = 0; i < d; i++)
-        m->S[i] = rows[i] + (1 - run->kappa) * (rows[d + i] - rows[i]);
+        m->S[i] = rows[i] + (1 - m->kappa) * (rows[d + i] - rows[i]);
     if (!m->G || m->is_ready)
         return FVI_SUCCESS;
     m->is_ready = u->quadratic && u->quadratic(u->params);
@@ -128,7 +148,7 @@ static int look(fvi_mirror *m, const double *rows)
 static int solve(fvi_mirror *m)
 {
     const fvi_run *run = m->run;
-    const double h = run->h, kappa = run->kappa;
+    const double h = run->h, kappa = m->kappa;
     apply(m, m->lambda, m->work);
     for (size_t i = 0; i < m->d; i++)
         m->delta[i] -= (1 - kappa) * h * m->work[i];
@@ -180,7 +200,7 @@ static int meet(fvi_mirror *m, const double *rows)
     const double h = m->run->h;
     const size_t d = m->d;
     for (size_t i = 0; i < d; i++) {
-        m->M[i] = m->lambda[i] + m->run->kappa * m->delta[i];
+        m->M[i] = m->lambda[i] + m->kappa * m->delta[i];
         m->kinetic[i] -= (rows[d + i] - rows[i]) * m->delta[i];
     }
     apply(m, m->M, m->work);
@@ -207,15 +227,16 @@ static int right_hand_side(fvi_mirror *m, size_t k, const double *x)
     if (!m->memory)
         return status;
     if (m->theta > 0)
-        status = fvi_memory_ahead(m->memory, m->nu, m->N);
+        status = look_ahead(m);
     for (size_t i = 0; i < m->d; i++) {
         m->dnu[i] = last * m->lambda[i] - m->nu[i];
         m->nu[i] += m->dnu[i];
     }
     if (!status && m->theta == 0)
         status = remember(m, k + 1, x);
+    const double now = m->theta > 0 ? m->taps ? m->g[0] : 1 : 0;
     for (size_t i = 0; i < m->d; i++)
-        m->delta[i] -= m->c[i] * (m->N[i] + (m->theta > 0 ? m->dnu[i] : 0));
+        m->delta[i] -= m->c[i] * (m->N[i] + now * m->dnu[i]);
     return status;
 }
 

@@ -65,7 +65,7 @@ static int interpret(request *r, fvi_complaint c)
     if (m->scheme == FVI_SCHEME_OTHER)
         return fvi_refuse(c,
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
-                          "fvi-bdf2 and fvi-lobatto2 to 8 have",
+                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8 have",
                           m->name);
     if (m->stages && r->o.alpha == 1)
         return fvi_refuse(c, "--alpha: '%s' has no gradient with %s",

@@ -31,7 +31,7 @@ typedef struct {
         pull[LENGTH][2];
 } complex_path;
 
-/* (1 - z)^order, times ((3 - z)/2)^order for BDF2. */
+/* (1 - z)^order, times ((3 - z)/2)^order for BDF2, or a factor of two terms. */
 static inline void complex_weights(const complex_run *r, double complex *w)
 {
     const double complex order = 2 * r->alpha;
@@ -42,6 +42,9 @@ static inline void complex_weights(const complex_run *r, double complex *w)
     }
     for (size_t n = 0; n <= r->N; n++) {
         w[n] = v[n];
+        if (r->scheme == FVI_SCHEME_STABLE)
+            w[n] = (0.5 + r->alpha) * v[n]
+                   + (n > 0 ? (0.5 - r->alpha) * v[n - 1] : 0);
         if (r->scheme != FVI_SCHEME_BDF2)
             continue;
         w[n] = 0;
@@ -148,7 +151,9 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
     const int printed = r->scheme == FVI_SCHEME_ALGORITHM_3,
               above = creal(r->alpha) > 0.5,
               rl = r->past == FVI_PAST_RIEMANN_LIOUVILLE;
-    const double complex theta = r->scheme == FVI_SCHEME_SHIFTED ? r->alpha : 0;
+    const double complex theta = r->scheme == FVI_SCHEME_SHIFTED ? r->alpha
+                                 : r->scheme == FVI_SCHEME_STABLE ? 0.5
+                                                                  : 0;
     const double complex unit = cexp((1 - 2 * r->alpha) * log(h));
     memset(o, 0, sizeof *o);
     complex_weights(r, o->w);

@@ -100,7 +100,7 @@ START_TEST(eq_23_6_every_derivative_by_every_method_past_and_alpha)
             ck_assert_row(i, FVI_MEMORY_FFT, 1e-12);
             count++;
         }
-    ck_assert_uint_eq(count, 42);
+    ck_assert_uint_eq(count, 57);
 }
 END_TEST
 

@@ -55,7 +55,7 @@ static chain *random_chain(gsl_rng *rng, const fvi_method *method,
                               fvi_potential_chain(c->cg),
                               { .value = table_value, .params = c } };
     c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 16, N);
-    c->run.kappa = uniform(rng, 0.2, 0.8);
+    c->run.kappa = method->takes_kappa ? uniform(rng, 0.2, 0.8) : 0.5;
     c->run.alpha = alpha;
     c->run.past = past;
     complex_run *z = &c->tilted;
@@ -122,7 +122,7 @@ static void ck_assert_chain(chain *c, const fvi_method *method)
 START_TEST(eq_23_6_every_derivative_of_a_chain_by_complex_steps)
 {
     static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                                 &fvi_bdf2 };
+                                                 &fvi_bdf2, &fvi_stable };
     static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
                                       FVI_PAST_RIEMANN_LIOUVILLE };
     static const double alphas[] = { 0.05, 0.35, 0.5, 0.7, 0.95 };

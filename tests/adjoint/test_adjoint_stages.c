@@ -87,11 +87,11 @@ static double by_forces(const fvi_method *method, const chain *c,
 static const fvi_method *method_of(size_t i)
 {
     static const fvi_method *const plain[] = { &fvi_fractional, &fvi_shifted,
-                                               &fvi_bdf2 };
+                                               &fvi_bdf2, &fvi_stable };
     return i < LEN(plain) ? plain[i] : staged[i - LEN(plain)];
 }
 
-enum { METHODS = 3 + LEN(staged) };
+enum { METHODS = 4 + LEN(staged) };
 
 /* For a linear system x_N and p_N are linear in x0, p0 and F: J is the sum of what they
  * do. Roundings of N sums, 1e-12 in all, as J is of order 1;
