@@ -7,10 +7,15 @@ Proved here, all parameters symbolic:
   (14.3)  polar form of 1 - z on the unit circle, 1/z - 2 + z there, P(-1);
           in R^d, v* P(z) v is the scalar symbol with v*Mv, v*Kv, v*rho v;
           alpha = 1, kappa = 1/2: the bound is rho < m for every step.
+  (14.7)  Euler's explicit step of x' = v, m v' = -c x - rho v: its matrix is 1 + h A, and
+          (14.8), |1 + h s| < 1 for both roots s, is b < a and 2 a - b < 4,
+          a = h rho / m, b = h^2 c / m, by Jury's conditions; at random rationals, too.
 Printed: growth factors 1/|z| from the root of Q in (-1, 0), at 50 digits."""
+import random
+
 import mpmath
-from sympy import (I, Rational, cos, exp, expand, expand_complex, pi, simplify, sin,
-                   symbols, trigsimp)
+from sympy import (I, Matrix, Rational, cos, diff, exp, expand, expand_complex, eye, pi,
+                   simplify, sin, sqrt, symbols, trigsimp)
 
 from refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -60,8 +65,40 @@ prove("(14.3) v*P(z)v is the scalar symbol of v*Mv, v*Kv, v*rho v",
       expand(quadratic(matrix) - ((quadratic(mass) + q * h**2 * quadratic(stiff)) * D2
                                   + h**2 * quadratic(stiff) + k4 * quadratic(damp) * D)))
 
+random.seed(14)
 bound = (W * (1 - 2 * kappa) ** 2 + 4**alpha * R - 4).subs({alpha: 1, kappa: Rational(1, 2)})
 prove("(14.3) alpha = 1, kappa = 1/2: R < 1, and R = rho/m has no h", bound - 4 * (R - 1))
+
+#> explicit
+# (14.8). The step takes (x, v) to 1 + h A times it, A the matrix of the motion.
+v0_, rho_, lam, s_ = symbols("v_0 rho_0 lambda s")
+x_next, v_next = x0 + h * v0_, v0_ + h * (-c * x0 - rho_ * v0_) / m
+step = Matrix(2, 2, lambda i, j: diff((x_next, v_next)[i], (x0, v0_)[j]))
+motion = Matrix([[0, 1], [-c / m, -rho_ / m]])
+prove("(14.7) the step is 1 + h A", *(step - eye(2) - h * motion))
+prove("(14.7) the exponents of the motion",
+      m * (s_ * eye(2) - motion).det() - (m * s_**2 + rho_ * s_ + c))
+a, b = symbols("a b", positive=True)
+of_step = expand((lam * eye(2) - step).det().subs({rho_: a * m / h, c: b * m / h**2}))
+prove("(14.8) the polynomial of a step", of_step - ((lam - 1) ** 2 + a * (lam - 1) + b))
+# Jury: both roots in |lambda| < 1 if and only if p(1) > 0, p(-1) > 0 and |p(0)| < 1.
+prove("(14.8) p(1) = b, p(-1) = 4 - 2 a + b, p(0) = 1 - a + b",
+      of_step.subs(lam, 1) - b, of_step.subs(lam, -1) - (4 - 2 * a + b),
+      of_step.subs(lam, 0) - (1 - a + b))
+# p(0) < 1 is b < a, and p(0) > -1 follows: 2 (1 + p(0)) = (4 - 2 a + b) + b.
+prove("(14.8) the other side of |p(0)| < 1", 2 * (2 - a + b) - ((4 - 2 * a + b) + b))
+# The load: a pair has |s|^2 = c / m, -2 Re s = rho / m, so that b / a <= 1; of two real roots
+# the one farther out, (a + root) / 2 in units of 1/h, asks for (a + root) / 4 <= 1.
+root = symbols("root", positive=True)  # sqrt(a^2 - 4 b) >= 0
+prove("(14.8) two real roots: 4 - a >= root >= 0 is 2 a - b <= 4 and a <= 4",
+      expand((4 - a) ** 2 - root**2).subs(root**2, a**2 - 4 * b) - 4 * (4 - 2 * a + b))
+#< explicit
+for _ in range(2000):
+    A, B = (Rational(random.randrange(1, 6000), 1000) for _ in "ab")
+    gap = A * A - 4 * B
+    load = B / A if gap < 0 else (A + sqrt(gap)) / 4
+    claim("(14.8) load <= 1 is b <= a and 2 a - b <= 4",
+          bool(load <= 1) == bool(B <= A and 2 * A - B <= 4))
 
 
 def growth(a, k, w, r, digits):

@@ -27,8 +27,15 @@ extern "C" {
  * if not. In one dimension: (W (1 - 2 kappa)^2 + share 4^alpha R) / 4,
  * W = h^2 c / m, R = rho h^(2 - 2 alpha) / m. The load of fvi-lobatto2 to 8 is
  * that of fvi_stability_lobatto, with its cost, accuracy and errors; that of
- * fvi-lobatto2d to 8d, fvi-stable and euler-implicit is 0 (17.28). Of Euler's
- * explicit method and fvi-adaptive none is known here.
+ * fvi-lobatto2d to 8d, fvi-stable and euler-implicit is 0 (17.28). That of
+ * euler-explicit is (14.8),
+ *
+ *     load = h max |s|^2 / (-2 Re s)     over the s with det(s^2 M + s rho + K) = 0 that
+ *                                        are not 0, and not real and positive;
+ *
+ * it is GSL_POSINF if such an s is imaginary: undamped motions grow at every step. In one
+ * dimension, a = rho h / m and b = h^2 c / m, load <= 1 is b <= a and 2 a - b <= 4. Of
+ * fvi-adaptive none is known here.
  *
  *   method  its load, alpha_least and alpha_most are read
  *   run     system, x0, h, kappa, alpha are read; the rest may be anything
@@ -36,20 +43,24 @@ extern "C" {
  *
  * Cost O(d) if the Hessian has one or two diagonals, by bisection, or if kappa = 1/2
  * or U = 0; else O(d^3) by GSL's symmetric eigenvalues.
- * Accuracy: 8 d u relative to the larger term, u = 2^-53.
+ * Accuracy: 8 d u relative to the larger term, u = 2^-53. euler-explicit: 8 u where the
+ * Hessian has one diagonal, or d = 1, and rho^2 and 4 m c are normal; else the eigenvalues
+ * of a matrix of 2 d rows, s that are off by some d u of the largest (no proof), so that
+ * -Re s below 1e-13 of that counts as 0, and |s| below 1e-7 of it as a body at rest.
  * Returns FVI_SUCCESS; what fvi_system_check returns; FVI_EFAULT if a pointer is
  * NULL; FVI_EDOM if h, kappa or alpha is out of range, or the method does not know
  * this alpha; FVI_EUNSUP if method->load is NULL, or the method
- * does not take run->law; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
+ * does not take run->law, or for euler-explicit and more than 64 masses with springs
+ * between them; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
 int fvi_stability_load(const fvi_method *method, const fvi_run *run,
                        double *load);
 
 /* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
  *
- *   method  as above, with load_grows: all but euler-explicit, fvi-adaptive, fvi-lobatto3 to 8
+ *   method  as above, with load_grows: all but fvi-adaptive, fvi-lobatto3 to 8
  *   run  as above; its h is not read
  *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
- *        (alpha = 1 and strong damping)
+ *        (alpha = 1 and strong damping; euler-explicit and a motion without any)
  *
  * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads and one Hessian; a
  * load's own rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it (fvi-lobatto2:

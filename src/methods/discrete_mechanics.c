@@ -228,6 +228,8 @@ const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
                                         .memory = "none",
                                         .alpha_least = 0.5,
                                         .alpha_most = 0.5,
+                                        .load = fvi_load_explicit,
+                                        .load_grows = 1,
                                         .step = step_euler_explicit };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .order = "1",

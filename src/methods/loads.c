@@ -34,6 +34,11 @@ int fvi_load_bdf2(const fvi_run *run, double *load)
     return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
 }
 
+int fvi_load_explicit(const fvi_run *run, double *load)
+{
+    return fvi_stability_explicit(run, load);
+}
+
 int fvi_load_none(const fvi_run *run, double *load)
 {
     fvi_run half = *run; /* of which kappa is not used */

@@ -19,6 +19,9 @@ int fvi_load_backward(const fvi_run *run, double *load);
 int fvi_load_shifted(const fvi_run *run, double *load);
 int fvi_load_bdf2(const fvi_run *run, double *load);
 
+/* (14.8), Euler's explicit method. */
+int fvi_load_explicit(const fvi_run *run, double *load);
+
 /* (17.18) */
 int fvi_load_lobatto2(const fvi_run *run, double *load);
 int fvi_load_lobatto3(const fvi_run *run, double *load);

@@ -151,6 +151,8 @@ static void warn(const fvi_options *o, const fvi_run *r, size_t size,
     char more[80] = "";
     if (h > 0)
         snprintf(more, sizeof more, "; stable below h = %.4g", h);
+    else if (h == 0 && o->alpha < 1)
+        snprintf(more, sizeof more, "; no step is stable");
     else if (h == 0)
         snprintf(more, sizeof more, "; no step is stable: rho / m is %.4g",
                  most(o));

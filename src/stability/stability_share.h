@@ -1,4 +1,4 @@
-/* src/stability/stability_share.h -- The load of a step, for a share of the damping.
+/* src/stability/stability_share.h -- Loads that src/methods/loads.c asks for.
  *                                                                [Chapter 14] */
 #ifndef FVI_STABILITY_SHARE_H
 #define FVI_STABILITY_SHARE_H
@@ -8,5 +8,9 @@
 /* fvi_stability_share -- (14.3) with share rho for rho. All else, and the
  * errors, as for the methods fvi and lda in fvi_stability_load. */
 int fvi_stability_share(double share, const fvi_run *run, double *load);
+
+/* fvi_stability_explicit -- (14.8), that of Euler's explicit method. Arguments and errors
+ * as above, and FVI_EUNSUP for more than 64 masses with springs between them. */
+int fvi_stability_explicit(const fvi_run *run, double *load);
 
 #endif

@@ -84,6 +84,28 @@ START_TEST(an_unstable_step_is_warned_of)
 }
 END_TEST
 
+/* (14.8): h < rho / c while the motion swings, and none where nothing damps it; a spring
+ * that hardens is met on the way. */
+START_TEST(an_unstable_step_of_explicit_euler_is_warned_of)
+{
+    ck_assert_int_eq(fvi("run --method euler-explicit --h 0.199"), 0);
+    ck_assert_str_eq(err, "");
+    ck_assert_int_eq(fvi("run --method euler-explicit --h 0.25"), 0);
+    ck_assert_str_eq(
+        err, "fvi: warning: this step is unstable (load 1.25, above 1); "
+             "stable below h = 0.2\n");
+    ck_assert_int_eq(fvi("run --method euler-explicit --rho 0"), 0);
+    ck_assert_str_eq(err,
+                     "fvi: warning: this step is unstable (load inf, above 1); "
+                     "no step is stable\n");
+    ck_assert_int_eq(fvi("run --method euler-explicit --potential duffing:1,1 "
+                         "--x0 0.1 --p0 1 --steps 20"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(err, "run is at t = 0.6 (load 1.102, above"));
+    ck_assert_uint_eq(count_lines(err), 1);
+}
+END_TEST
+
 /* (17.16): for two stages no step is stable once rho is large and alpha small. */
 START_TEST(an_unstable_step_with_stages_is_warned_of)
 {
@@ -167,6 +189,7 @@ int main(void)
              what_error_was_reached_is_said_if_not_the_one_asked_for,
              an_unstable_step_is_warned_of,
              an_unstable_step_with_stages_is_warned_of,
+             an_unstable_step_of_explicit_euler_is_warned_of,
              a_run_that_gets_stiffer_is_warned_of);
     return run_suite_of_program(suite);
 }

@@ -1,0 +1,18 @@
+# figures/stability/stability_explicit.gp -- Chapter 14: the steps of Euler's explicit method.
+# Input: figures/stability/stability_explicit.c. Output: figures/stability/stability_explicit.svg.
+width = 620; height = 420
+load 'figures/style.gp'
+set title "Euler's explicit method: a step must be damped enough, and not too much"
+set xlabel "hω"
+set ylabel "R = ρ h / m"
+set xrange [0:2.4]
+set yrange [0:4.4]
+set key bottom right
+set label 1 "decays" at 0.75,1.3 textcolor rgb "#555555"
+set label 2 "swings up" at 1.86,2.6 textcolor rgb "#555555"
+set label 3 "alternates" at 0.5,3.2 textcolor rgb "#555555"
+plot dat index 0 using 1:2 with lines ls 1 title "R = h^2ω^2", \
+     '' index 0 using 1:3 with lines ls 2 title "R = 2 + h^2ω^2/2", \
+     '' index 1 using 1:2 with points ls 1 ps 0.9 title "measured", \
+     '' index 1 using 1:3 with points ls 2 ps 0.9 title "measured", \
+     2 with lines ls 8 title "fvi, lda: R = 2, whatever hω is"
