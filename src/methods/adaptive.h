@@ -112,6 +112,10 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
  *   Q  may be NULL */
 void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q);
 
+/* fvi_adaptive_shapes -- R_n(theta_i), n < s, at s times at once, of FVI_LANES that are
+ * there; the rest of the matrix is of no use. */
+void fvi_adaptive_shapes(size_t s, const double *theta, fvi_square *R);
+
 /* fvi_adaptive_dense -- as fvi_method has it.                               (22.18) */
 int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p);
 

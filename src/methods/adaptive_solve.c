@@ -227,14 +227,17 @@ static void predict(fvi_adaptive_run *o)
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
     if (!(ratio < 2.1) || o->fresh)
         return;
-    double R[FVI_LANES];
-    for (size_t i = 0; i < n; i++) {
-        fvi_adaptive_shape(n, 1 + o->rule->c[i] * ratio, R, NULL);
-        R[0] -= 1;
-        for (size_t j = 0; j < o->d; j++)
-            for (size_t l = 0; l < n; l++)
-                o->delta[j * FVI_LANES + i] +=
-                    R[l] * o->bend0[j * FVI_LANES + l];
+    double theta[FVI_LANES] = { 0 };
+    fvi_square R;
+    for (size_t i = 0; i < n; i++)
+        theta[i] = 1 + o->rule->c[i] * ratio;
+    fvi_adaptive_shapes(n, theta, &R);
+    for (size_t j = 0; j < o->d; j++) {
+        double *delta = o->delta + j * FVI_LANES,
+               *bend = o->bend0 + j * FVI_LANES;
+        fvi_square_apply(n, &R, bend, delta);
+        for (size_t i = 0; i < FVI_LANES; i++)
+            delta[i] = i < n ? delta[i] - bend[0] : 0;
     }
 }
 //< predict

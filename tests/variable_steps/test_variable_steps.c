@@ -301,6 +301,24 @@ START_TEST(eq_22_18_dense_output_integrates_the_interpolant)
 }
 END_TEST
 
+/* All stages of a guess at once: the same operations, the same digits. */
+START_TEST(eq_22_18_many_times_at_once)
+{
+    for (size_t s = 6; s <= 8; s += 2) {
+        double theta[FVI_LANES] = { 0 }, R[FVI_LANES];
+        fvi_square all;
+        for (size_t i = 0; i < s; i++)
+            theta[i] = 0.3 + 0.4 * (double)i;
+        fvi_adaptive_shapes(s, theta, &all);
+        for (size_t i = 0; i < s; i++) {
+            fvi_adaptive_shape(s, theta[i], R, NULL);
+            for (size_t n = 0; n < s; n++)
+                ck_assert_double_eq(all.column[n][i], R[n]);
+        }
+    }
+}
+END_TEST
+
 /* I(a, S) by its two series, to 64 u. Seen: 0.21 of that. */
 START_TEST(eq_22_20_what_a_start_did_to_a_mode)
 {
@@ -324,6 +342,6 @@ int main(void)
              eq_22_11_ends, squares_are_inverted_with_exchanges);
     ADD_CASE(suite, "past", eq_22_10_history_is_the_power_of_the_matrix);
     ADD_CASE(suite, "step", eq_22_18_dense_output_integrates_the_interpolant,
-             eq_22_20_what_a_start_did_to_a_mode);
+             eq_22_18_many_times_at_once, eq_22_20_what_a_start_did_to_a_mode);
     return run_suite(suite);
 }
