@@ -48,9 +48,10 @@ extern "C" {
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
  * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
- * linear solution if U is quadratic); others by fixed-point iteration where it contracts
- * by .8 or better, and by Newton's method with all stages and coordinates where it does
- * not.
+ * linear solution if U is quadratic); those of few diagonals, s at most, by Newton's
+ * method with one Hessian for all stages, if something is damped; others by fixed-point
+ * iteration: both where they contract by .8 or better. Where they do not, by Newton's
+ * method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
  * each decade below; s gradients for each iteration, mostly 2 to 6 of them; O(d s^2), and

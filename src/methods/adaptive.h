@@ -7,6 +7,7 @@
 #define FVI_ADAPTIVE_H
 
 #include <fvi/variable_steps.h>
+#include "adaptive_band.h"
 #include "memory/variable_modes.h"
 
 /* Coordinates with the same mass, damping and spring share their matrices. */
@@ -33,7 +34,7 @@ typedef struct {
 } fvi_singular;
 
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
- * diagonal; coordinate by coordinate, as its Hessian is diagonal; by the iteration that
+ * diagonal; coordinate by coordinate, as its Hessian is diagonal; by an iteration that
  * couples them as long as it contracts; all together at once. */
 typedef enum {
     FVI_SOLVE_LINEAR,
@@ -70,6 +71,8 @@ typedef struct {
         *bend0; /* h times the Legendre coefficients of x''; of the last step */
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted */
+    size_t diagonals;     /* of the Hessian if they are few, and their factors; or 0 */
+    fvi_adaptive_band *band;
     /* control */
     double *events; /* where steps have to end: jumps, t1, T at last */
     size_t event, event_count;

@@ -3,9 +3,11 @@
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
  * By the inverse of L + c h^2 to_x where grad U = c x; by Newton's method with the
- * Jacobian L + h^2 diag(U'') to_x where coordinates do not know of each other; else by
- * delta <- L^{-1} (R - h grad U), which needs no matrix that couples them, as long as it
- * contracts, and by Newton's method for all stages and coordinates where it does not. */
+ * Jacobian L + h^2 diag(U'') to_x where coordinates do not know of each other; with one
+ * Hessian for all stages (adaptive_band.h) where it has few diagonals; else by
+ * delta <- L^{-1} (R - h grad U), which needs no matrix that couples them. The last two
+ * as long as they contract; where they do not, by Newton's method for all stages and
+ * coordinates. */
 #include "adaptive.h"
 
 #include "system/fail.h"
@@ -84,6 +86,16 @@ static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
+/* left -= L delta of coordinate j */
+static void subtract(const fvi_adaptive_run *o, size_t j, double *left)
+{
+    double L[FVI_LANES];
+    fvi_square_apply(o->rule->s, &o->of_kind[o->kind[j]].L,
+                     o->delta + j * FVI_LANES, L);
+    for (size_t i = 0; i < FVI_LANES; i++)
+        left[i] -= L[i];
+}
+
 /* The inverses of all Jacobians at o->point, to o->jacobian. */
 static int jacobians(fvi_stepper *s, fvi_adaptive_run *o)
 {
@@ -104,25 +116,69 @@ static int jacobians(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
+/* The factors of what is to be solved with the Hessian of the middle stage. */
+static int factors(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const size_t d = o->d, middle = o->rule->s / 2;
+    int status = u->hessian(d, o->point + middle * d, u->params, o->hessian);
+    for (size_t n = 0; n < o->kinds; n++)
+        fvi_adaptive_band_kind(o->band, n, o->of_kind[n].mass,
+                               o->of_kind[n].drag);
+    if (!status)
+        fvi_adaptive_band_factorise(o->band, o->kind, o->length.h * o->length.h,
+                                    o->hessian);
+    return status;
+}
+
+/* The larger one, and NaN if one is. */
+static double larger(double a, double b)
+{
+    return fabs(b) <= a ? a : fabs(b);
+}
+
 /* delta_j += M (left - L delta_j), M NULL for L^{-1}; returns the largest change. */
 static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
 {
     const size_t s = o->rule->s;
     const fvi_kind *kind = &o->of_kind[o->kind[j]];
-    double left[FVI_LANES], L[FVI_LANES], change[FVI_LANES], most = 0;
+    double left[FVI_LANES], change[FVI_LANES], most = 0;
     left_of(o, j, left);
-    if (M) {
-        fvi_square_apply(s, &kind->L, o->delta + j * FVI_LANES, L);
-        for (size_t i = 0; i < s; i++)
-            left[i] -= L[i];
-    }
+    if (M)
+        subtract(o, j, left);
     fvi_square_apply(s, M ? M : &kind->inverse, left, change);
     for (size_t i = 0; i < s; i++) {
         change[i] -= M ? 0 : o->delta[j * FVI_LANES + i];
         o->delta[j * FVI_LANES + i] += change[i];
-        if (!(fabs(change[i]) <= most)) /* NaN stays */
-            most = fabs(change[i]);
+        most = larger(most, change[i]);
     }
+    return most;
+}
+
+/* The same for all coordinates by the factors. eps stands where bend will, which is not
+ * yet there. */
+static double correct_band(fvi_adaptive_run *o)
+{
+    double *eps = o->bend, most = 0;
+    for (size_t j = 0; j < o->d; j++) {
+        left_of(o, j, eps + j * FVI_LANES);
+        subtract(o, j, eps + j * FVI_LANES);
+    }
+    fvi_adaptive_band_solve(o->band, eps);
+    for (size_t i = 0; i < o->d * FVI_LANES; i++) {
+        o->delta[i] += eps[i];
+        most = larger(most, eps[i]);
+    }
+    return most;
+}
+
+static double correct_all(fvi_adaptive_run *o, int newton)
+{
+    double most = 0;
+    if (o->band)
+        return correct_band(o);
+    for (size_t j = 0; j < o->d; j++)
+        most = larger(most, correct(o, j, newton ? &o->jacobian[j] : NULL));
     return most;
 }
 
@@ -132,23 +188,18 @@ static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
 static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
                    double worst, int most)
 {
+    const double badly = o->band ? 0.3 : 0.05;
     double moved_before = 0;
     o->contraction = 0.5; /* until it is known */
     for (int i = 0; i < most; i++) {
         int status = look(s, o);
-        if (!status && newton && (i == 0 || o->contraction > 0.05))
-            status = jacobians(s, o);
+        if (!status && newton && (i == 0 || (i > 1 && o->contraction > badly)))
+            status = o->band ? factors(s, o) : jacobians(s, o);
         if (status)
             return status;
-        double moved = 0;
-        for (size_t j = 0; j < o->d; j++) {
-            const double change =
-                correct(o, j, newton ? &o->jacobian[j] : NULL);
-            if (!isfinite(change))
-                return FVI_EMAXITER;
-            moved = fmax(moved, change);
-        }
-        moved *= o->length.h;
+        const double moved = o->length.h * correct_all(o, newton);
+        if (!isfinite(moved))
+            return FVI_EMAXITER;
         const int go_on = verdict(o, i, moved, moved_before, worst);
         if (go_on <= 0)
             return go_on < 0 ? FVI_EMAXITER : FVI_SUCCESS;
@@ -251,7 +302,7 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
         return iterate(s, o, 1, 0.9, 12);
     if (o->solve == FVI_SOLVE_TOGETHER)
         return solve_coupled(s, o);
-    int status = iterate(s, o, 0, 0.8, 60);
+    int status = iterate(s, o, o->band != NULL, 0.8, 60);
     if (status != FVI_EMAXITER)
         return status;
     if (++o->stuck == 20) /* it is not worth trying */

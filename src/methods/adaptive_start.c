@@ -28,6 +28,7 @@ void fvi_adaptive_stop(fvi_stepper *s)
     free(o->kind);
     free(o->of_kind);
     free(o->jacobian);
+    fvi_adaptive_band_free(o->band);
     free(o->y);
     free(o);
 }
@@ -48,7 +49,10 @@ static int allocate(fvi_adaptive_run *o)
     o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
     o->jacobian =
         o->solve == FVI_SOLVE_DIAGONAL ? calloc(d, sizeof *o->jacobian) : NULL;
-    if (!o->y || !o->kind || !o->of_kind
+    if (o->diagonals)
+        o->band = fvi_adaptive_band_alloc(o->rule, o->beta, d, o->kinds,
+                                          o->diagonals);
+    if (!o->y || !o->kind || !o->of_kind || (o->diagonals && !o->band)
         || (o->solve == FVI_SOLVE_DIAGONAL && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->index = o->kind + d;
@@ -82,6 +86,7 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     o->kind = NULL;
     o->of_kind = NULL;
     o->jacobian = NULL;
+    o->band = NULL;
     o->y = NULL;
     int status = allocate(o);
     if (status)
@@ -221,6 +226,9 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->to_x = damped ? &o->rule->A : &o->rule->form_m;
     o->counts.stages = (int)o->rule->s;
     o->counts.form = damped ? 'D' : 'M';
+    o->diagonals = run->system->potential.diagonals;
+    if (o->solve != FVI_SOLVE_COUPLED || !damped || o->diagonals > o->rule->s)
+        o->diagonals = 0; /* no room for them in hessian; no functions of A */
     o->scale = scale;
     o->T = T;
     o->least = 1e-14 * T;

@@ -1,0 +1,188 @@
+/* src/methods/adaptive_band.c -- Newton's correction of all coordinates, where their
+ * Hessian has few diagonals.                                          [Chapter 22] */
+#include "adaptive_band.h"
+
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+enum {
+    PAIRS = 4
+}; /* eigenvalues side by side; of 6 stages the last one is idle */
+
+/* Four complex numbers. */
+typedef struct {
+    fvi_four re, im;
+} quad;
+
+struct fvi_adaptive_band {
+    size_t s, d, diagonals;
+    quad lambda, power, inverse; /* lambda, lambda^beta, 1 / lambda */
+    quad in[FVI_LANES];          /* w: from the stages to the pairs */
+    double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: and back */
+    quad *kind;   /* m lambda + drag lambda^beta */
+    quad *factor; /* of column j: 1 / D_j, then what stands below */
+    quad *e;
+};
+
+static inline quad times(quad a, quad b)
+{
+    return (quad){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
+}
+
+/* ---- one matrix for each pair ---- */
+
+/* L D L^T, complex and symmetric. */
+//> factorise
+FVI_VECTORS static void factorise(fvi_adaptive_band *o, const size_t *kind,
+                                  double hh, const double *H)
+{
+    const size_t n = o->diagonals;
+    const quad scale = { hh * o->inverse.re, hh * o->inverse.im };
+    for (size_t j = 0; j < o->d; j++) {
+        quad *column = &o->factor[j * n];
+        for (size_t k = 0; k < n && j + k < o->d; k++) {
+            column[k].re = scale.re * H[j * n + k];
+            column[k].im = scale.im * H[j * n + k];
+        }
+        column[0].re += o->kind[kind[j]].re;
+        column[0].im += o->kind[kind[j]].im;
+    }
+    for (size_t j = 0; j < o->d; j++) {
+        quad *column = &o->factor[j * n], D = column[0];
+        const fvi_four size = D.re * D.re + D.im * D.im;
+        D = column[0] = (quad){ D.re / size, -D.im / size };
+        for (size_t k = 1; k < n && j + k < o->d; k++) {
+            const quad below = times(column[k], D);
+            for (size_t l = k; l < n && j + l < o->d; l++) {
+                const quad fill = times(below, column[l]);
+                quad *a = &o->factor[(j + k) * n + l - k];
+                a->re -= fill.re;
+                a->im -= fill.im;
+            }
+            column[k] = below;
+        }
+    }
+}
+//< factorise
+
+FVI_VECTORS static void substitute(fvi_adaptive_band *o)
+{
+    const size_t n = o->diagonals;
+    quad *e = o->e;
+    for (size_t j = 0; j < o->d; j++)
+        for (size_t k = 1; k < n && j + k < o->d; k++) {
+            const quad more = times(o->factor[j * n + k], e[j]);
+            e[j + k].re -= more.re;
+            e[j + k].im -= more.im;
+        }
+    for (size_t j = o->d; j-- > 0;) {
+        quad sum = times(o->factor[j * n], e[j]);
+        for (size_t k = 1; k < n && j + k < o->d; k++) {
+            const quad more = times(o->factor[j * n + k], e[j + k]);
+            sum.re -= more.re;
+            sum.im -= more.im;
+        }
+        e[j] = sum;
+    }
+}
+
+/* ---- from the stages to the pairs, and back ---- */
+
+FVI_VECTORS static void split(fvi_adaptive_band *o, const double *r)
+{
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        quad e = { { 0 }, { 0 } };
+        for (size_t i = 0; i < o->s; i++) {
+            e.re += o->in[i].re * r[i];
+            e.im += o->in[i].im * r[i];
+        }
+        o->e[j] = e;
+    }
+}
+
+FVI_VECTORS static void join(const fvi_adaptive_band *o, double *eps)
+{
+    for (size_t j = 0; j < o->d; j++, eps += FVI_LANES) {
+        fvi_four low = { 0 }, high = { 0 };
+        for (size_t n = 0; n < PAIRS; n++) {
+            const fvi_four *re = (const fvi_four *)o->re[n],
+                           *im = (const fvi_four *)o->im[n];
+            low += re[0] * o->e[j].re[n] - im[0] * o->e[j].im[n];
+            high += re[1] * o->e[j].re[n] - im[1] * o->e[j].im[n];
+        }
+        ((fvi_four *)eps)[0] = low;
+        ((fvi_four *)eps)[1] = high;
+    }
+}
+
+void fvi_adaptive_band_kind(fvi_adaptive_band *o, size_t kind, double m,
+                            double drag)
+{
+    o->kind[kind] = (quad){ m * o->lambda.re + drag * o->power.re,
+                            m * o->lambda.im + drag * o->power.im };
+}
+
+void fvi_adaptive_band_factorise(fvi_adaptive_band *o, const size_t *kind,
+                                 double hh, const double *H)
+{
+    factorise(o, kind, hh, H);
+}
+
+void fvi_adaptive_band_solve(fvi_adaptive_band *o, double *r)
+{
+    split(o, r);
+    substitute(o);
+    join(o, r);
+}
+
+/* ---- room ---- */
+
+fvi_adaptive_band *fvi_adaptive_band_alloc(const fvi_variable_rule *rule,
+                                           double beta, size_t d, size_t kinds,
+                                           size_t diagonals)
+{
+    if (d > SIZE_MAX / sizeof(quad) / (diagonals + 2))
+        return NULL;
+    fvi_adaptive_band *o = calloc(1, sizeof *o);
+    quad *block = calloc(kinds + d * (diagonals + 1), sizeof *block);
+    if (!o || !block) {
+        free(o);
+        free(block);
+        return NULL;
+    }
+    o->s = rule->s;
+    o->d = d;
+    o->diagonals = diagonals;
+    o->e = block;
+    o->factor = o->e + d;
+    o->kind = o->factor + d * diagonals;
+    for (size_t n = 0; n < PAIRS; n++) {
+        const int idle = n >= rule->s / 2;
+        const double log_modulus = idle ? 0 : rule->log_modulus[n],
+                     angle = idle ? 0 : rule->angle[n];
+        o->lambda.re[n] = exp(log_modulus) * cos(angle);
+        o->lambda.im[n] = exp(log_modulus) * sin(angle);
+        o->power.re[n] = exp(beta * log_modulus) * cos(beta * angle);
+        o->power.im[n] = exp(beta * log_modulus) * sin(beta * angle);
+        o->inverse.re[n] = idle ? 0 : exp(-log_modulus) * cos(angle);
+        o->inverse.im[n] = idle ? 0 : -exp(-log_modulus) * sin(angle);
+        for (size_t i = 0; i < rule->s && !idle; i++) {
+            o->in[i].re[n] = rule->b[i] * rule->re[n][rule->s - 1 - i];
+            o->in[i].im[n] = rule->b[i] * rule->im[n][rule->s - 1 - i];
+            o->re[n][i] = 2 * rule->re[n][i];
+            o->im[n][i] = 2 * rule->im[n][i];
+        }
+    }
+    return o;
+}
+
+void fvi_adaptive_band_free(fvi_adaptive_band *o)
+{
+    if (!o)
+        return;
+    free(o->e);
+    free(o);
+}
