@@ -1,0 +1,64 @@
+/* figures/discrete_principle/discrete_principle_surface.c -- Chapter 6: the action of two curves.
+ *
+ * A solution x of (6.6a) and its mirror y, of a spring with m = c = 1, rho = 1/2,
+ * alpha = 0.3, 40 steps of 0.1; x moves by epsilon delta, y by eta delta, with one bump
+ * delta. Block 0: epsilon, eta, S_d - S_d(0, 0) on a grid. Block 1: epsilon, and S_d - S_d(0, 0)
+ * along eta = epsilon, along eta = 0. */
+#include <fvi/fvi.h>
+#include <fvi/paper/discrete_principle.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { N = 40, HALF = 30 };
+
+static const double h = 0.1, alpha = 0.3, one = 1, rho = 0.5;
+
+/* S_d of x + epsilon delta, y + eta delta, delta = sin^2 with its top early; 0 on error. */
+static double action(const double *x, const double *y, double epsilon,
+                     double eta)
+{
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&one) };
+    double X[N + 1], Y[N + 1], S = 0;
+    for (int k = 0; k <= N; k++) {
+        const double t = (double)k / N,
+                     delta = pow(sin(3.14159265358979 * t), 2) * (1 - t) * 2;
+        X[k] = x[k] + epsilon * delta;
+        Y[k] = y[k] + eta * delta;
+    }
+    fvi_discrete_action(&system, alpha, 0.5, h, N, 0, N, X, Y, &S);
+    return S;
+}
+
+int main(void)
+{
+    const double x0 = 1, p0 = 0;
+    double x[N + 1], y[N + 1];
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&one) };
+    fvi_run run = fvi_run_default(&system, &x0, &p0, h, N);
+    run.alpha = alpha;
+    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL))
+        return EXIT_FAILURE;
+    for (int k = 0; k <= N; k++)
+        y[k] = x[N - k];
+    const double S = action(x, y, 0, 0);
+    printf("# epsilon, eta, S - S(0, 0)\n");
+    for (int i = -HALF; i <= HALF; i++, printf("\n"))
+        for (int j = -HALF; j <= HALF; j++)
+            printf("%g %g %.9g\n", 0.5 * i / HALF, 0.5 * j / HALF,
+                   action(x, y, 0.5 * i / HALF, 0.5 * j / HALF) - S);
+    printf("\n\n# epsilon, both, x alone\n");
+    for (int i = -HALF; i <= HALF; i++)
+        printf("%g %.9g %.9g\n", 0.5 * i / HALF,
+               action(x, y, 0.5 * i / HALF, 0.5 * i / HALF) - S,
+               action(x, y, 0.5 * i / HALF, 0) - S);
+    return EXIT_SUCCESS;
+}
