@@ -70,10 +70,11 @@ help: ## print this list
 	echo 'make TARGET, where TARGET is'
 	sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
 	echo '  ch04         one chapter: its test, its proof, its figures ($(NUMBERS))'
+	echo '  workshop-04  its code by your hand, tested and drawn ($(HELD))'
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
 	echo '  $(sort $(TESTS))' | fold -s -w 76 | sed '2,$$s/^/  /'
 
-check: test test-install test-python test-play verify text layers ## everything: tests, proofs, chapters equal to the code
+check: test test-install test-python test-play test-workshop verify text layers ## everything: tests, proofs, chapters equal to the code
 	sh src/make/count.sh $B
 
 test: $(TESTS:%=test-%) test-example test-fuzz ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
@@ -148,7 +149,7 @@ stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
-mutants: $B/libfvi.a $B/peers.a | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
+mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
 	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  $(PYTHON) tests/mutants/mutants.py $B $(STEM)
 
@@ -164,7 +165,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-fuzz fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -236,9 +237,12 @@ $B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a
 
 # A test is compiled for one run: -O0 takes a quarter of the time. The library is as
 # CFLAGS say, and no digit depends on it.
-$B/tests/test_%: test_%.c $B/libfvi.a | needs
+$B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
-	$(COMPILE) -O0 $(CHECK_CFLAGS) -Itests $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
+	$(COMPILE) -O0 $(CHECK_CFLAGS) -Itests -c $< -o $@
+
+$B/tests/test_%: $B/tests/test_%.o $B/libfvi.a
+	$(CC) $(CFLAGS) $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
 
 # One test takes another road, by libcerf's complex error functions.
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
@@ -311,6 +315,33 @@ $B/fuzz: tests/fuzz/fuzz.c $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$
 $B/stress: $(wildcard tests/stress/*.[ch]) tests/variable_steps/adaptive_problems.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
+## -- the workshop ----------------------------------------------------------
+
+# What students write is built with sanitizers, and so is the library that they call:
+# else it would overrun their arrays unseen. workshop/ is theirs: no rule writes there
+# what exists, and none removes it.
+SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+WORKSHOP  = FLAGS='$(DIALECT) $(STUDENT) $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' $(PYTHON) src/make/workshop.py
+HELD     := $(sort $(shell sed -nE 's/^shows +([0-9]+)\..*/0\1/; s/^0*([0-9]{2})$$/\1/p' tests/workshop/holes.txt))
+workshop $(HELD:%=workshop-%) test-workshop-accidents: STUDENT := $(SANITIZE)
+
+workshop: $B/figures/experiments/experiments_alphas.dat | needs ## your own integrator, from an empty file (chapters/workshop)
+	$(WORKSHOP) $B start
+
+workshop-figure: $B/figures/experiments/experiments_alphas.dat | needs
+	$(WORKSHOP) $B figure
+
+$(HELD:%=workshop-%): workshop-%: | needs
+	$(MAKE) -s B=$B/san CFLAGS='$(SANITIZE)' $B/san/libfvi.a $$($(WORKSHOP) $B tests $* | sed 's|[^ ]*|$B/san/tests/&.o|g')
+	$(WORKSHOP) $B/san chapter $*
+
+test-workshop: $B/libfvi.a $B/figures/experiments/experiments_alphas.dat | needs
+	$(MAKE) -s B=$B $$($(WORKSHOP) $B tests | sed 's|[^ ]*|$B/tests/&.o|g')
+	$(WORKSHOP) $B check
+
+test-workshop-accidents: | needs
+	$(WORKSHOP) $B/accidents accidents
+
 ## -- proofs and exact values -----------------------------------------------
 
 $B/verify/%_ref.h: verify/%.py verify/refgen.py | needs
@@ -365,10 +396,10 @@ figures/step_search/step_search.svg: $(TABLE_precision)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% san valgrind valgrind-% portability mutants seen,check cerf) \
-  $(call goal,figures figures-% figures/% ch%,gnuplot) \
+  $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
+  $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text excerpts check layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text excerpts check workshop workshop-% test-workshop layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

@@ -38,6 +38,7 @@ static void bdf2(double beta, size_t count, double *w)
     }
 }
 
+//> trapezoid
 /* (1 - z^2) f' = -2 beta f for f = ((1 - z)/(1 + z))^beta, term by term. */
 static void trapezoid(double beta, size_t count, double *w)
 {
@@ -47,6 +48,7 @@ static void trapezoid(double beta, size_t count, double *w)
     for (size_t n = 2; n < count; n++)
         w[n] = (-2 * beta * w[n - 1] + ((double)n - 2) * w[n - 2]) / (double)n;
 }
+//< trapezoid
 
 /* (13.5): the slopes of a piecewise linear path under the integral. */
 static void l1(double beta, size_t count, double *w)

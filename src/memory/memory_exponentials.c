@@ -56,11 +56,13 @@ size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
 {
     const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
     const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * g.step;
+    //> rule
     for (size_t q = 0; s && q < g.Q; q++) { /* (12.7) */
         double t = g.left + (double)q * g.step;
         s[q] = exp(t - exp(-t)) / N;
         c[q] = factor * s[q] * (1 + exp(-t)) * pow(expm1(s[q]), nu);
     }
+    //< rule
     return g.Q;
 }
 //< nodes

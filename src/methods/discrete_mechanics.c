@@ -61,6 +61,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
     const size_t d = system->d;
     double *g = S + d;
     status = fvi_gradient(system, S, g);
+    //> slopes
     for (size_t i = 0; !status && i < d; i++) {
         double momentum = system->mass[i] * (y[i] - x[i]) / h;
         if (D1)
@@ -68,6 +69,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
         if (D2)
             D2[i] = momentum - (1 - kappa) * h * g[i];
     }
+    //< slopes
     free(S);
     return status;
 }

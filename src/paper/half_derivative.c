@@ -61,7 +61,9 @@ int fvi_backward_difference(double h, size_t N, size_t d, const double *z,
         FVI_FAIL("d must be at least 1 and (N + 1) d addressable", FVI_EINVAL);
     if (!(gsl_finite(h) && h > 0))
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
+    //> difference
     for (size_t j = 0; j < (N + 1) * d; j++)
         out[j] = (z[j] - (j < d ? 0 : z[j - d])) / h; /* (7.3) */
+    //< difference
     return FVI_SUCCESS;
 }

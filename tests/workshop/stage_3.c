@@ -1,0 +1,86 @@
+/* stage_3.c -- Chapter 5: half a derivative, twice. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+double m = 1, c = 1, cubic = 0, rho = 0.2, x0 = 1, p0 = 0.5, kappa = 0.5;
+
+/* U = c x^2/2 + cubic x^4/4. */
+double grad(double x)
+{
+    return c * x + cubic * x * x * x;
+}
+
+double hess(double x)
+{
+    return c + 3 * cubic * x * x;
+}
+
+/* (2.10): the d with A d + kappa h U'(x + (1 - kappa) d) = r, by Newton's method. */
+double solve(double A, double h, double x, double r)
+{
+    double d = r / A;
+    for (int i = 0; i < 50; i++) {
+        double S = x + (1 - kappa) * d;
+        double J = A + kappa * (1 - kappa) * h * hess(S);
+        double change = (r - A * d - kappa * h * grad(S)) / J;
+        d += change;
+        if (fabs(change) <= 1e-15 * fabs(d))
+            break;
+    }
+    return d;
+}
+
+/* (4.2) */
+void weights(double order, int count, double *w)
+{
+    w[0] = 1;
+    for (int n = 1; n < count; n++)
+        w[n] = w[n - 1] * (n - 1 - order) / n;
+}
+
+/* (5.1): Delta_-^order of z_0, ..., z_N. */
+void delta(double order, double h, int N, const double *z, double *out)
+{
+    double *w = malloc((size_t)(N + 1) * sizeof *w);
+    weights(order, N + 1, w);
+    for (int k = 0; k <= N; k++) {
+        out[k] = 0;
+        for (int n = 0; n <= k; n++)
+            out[k] += w[n] * z[k - n];
+        out[k] *= pow(h, -order);
+    }
+    free(w);
+}
+
+/* (2.9) with f+ = -rho (x_{k+1} - x_k). */
+void integrate(double h, int N, double *x, double *p)
+{
+    x[0] = x0;
+    p[0] = p0;
+    for (int k = 0; k < N; k++) {
+        double d = solve(m / h, h, x[k], p[k]);
+        x[k + 1] = x[k] + d;
+        p[k + 1] = p[k] - h * grad(x[k] + (1 - kappa) * d) - rho * d;
+    }
+}
+
+/* m x'' + rho x' + c x = 0 from x0, p0, for rho^2 < 4 m c. */
+double exact(double t)
+{
+    double s = sqrt(4 * m * c - rho * rho) / (2 * m), rate = rho / (2 * m);
+    return exp(-rate * t)
+           * (x0 * cos(s * t) + (p0 / m + rate * x0) * sin(s * t) / s);
+}
+
+int main(void)
+{
+    enum { N = 30 };
+    double x[N + 1], p[N + 1], once[N + 1], twice[N + 1], h = 0.5;
+    integrate(h, N, x, p);
+    delta(0.5, h, N, x, once);
+    delta(0.5, h, N, once, twice);
+    for (int k = 1; k <= N; k++)
+        printf("%4.1f %10.6f %10.6f\n", k * h, twice[k], (x[k] - x[k - 1]) / h);
+    return 0;
+}
