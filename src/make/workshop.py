@@ -144,7 +144,7 @@ def archive(folder, sources):
 
 def module(source, file, folder, show_warning=0):
     """A student's version of a module, compiled as the library is."""
-    return runner.compile_student(file, folder / (pathlib.Path(source).stem + ".o"), *runner.FLAGS, "-Isrc",
+    return runner.compile_student(file, folder / (pathlib.Path(source).stem + ".o"), *runner.FLAGS, "-Isrc", "-include", "math.h",
                                   f"-I{pathlib.Path(source).parent}", show_warning=show_warning)
 
 

@@ -64,8 +64,10 @@ def declarations():
 
 def split(lines, name):
     """Before, within and after a region."""
-    first, last = (next(i for i, line in enumerate(lines) if line.strip() == f"//{sign} {name}")
-                   for sign in "><")
+    first, last = ([i for i, line in enumerate(lines) if line.strip() == f"//{sign} {name}"] for sign in "><")
+    if not len(first) == len(last) == 1:
+        raise SystemExit(f"{TABLE}: there is no region {name}, or not one, in the source that it names")
+    first, last = first[0], last[0]
     return lines[:first], [l for l in lines[first + 1:last] if not MARK.fullmatch(l)], lines[last + 1:]
 
 
