@@ -10,7 +10,7 @@ left symbolic:
   (17.8)  is the restricted variation of the action of two steps (s = 2, 3), its
           path, its potential and its weights left open;
   (17.7)  A D d = d where d_1 = 0: for alpha = 0 the memory is x - x_0;
-  (17.10) the resolvent of Delta(z) is N + z a a~^T / (1 - z R);
+  (17.10) the resolvent of Delta(z) is N + z a a~^T / (1 - z r);
   (17.11) the Hermitian part of B Delta(z);
   (17.14) c_{s,beta}; (17.15) the first gap of the scheme without damping, both ends;
   (17.16) the alternating mode for s = 2, alpha symbolic;
@@ -92,14 +92,14 @@ for s in STAGES:
     Delta = D[s] + e1 * e1.T / b[0] - z / b[0] * e1 * es.T
     a = ((eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate() * e1 / b[0])
     det = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).det()
-    R = a[s - 1]                                            # over det
+    r = a[s - 1]                                            # over det
     back = Matrix([b[i] * a[s - 1 - i] for i in range(s)])  # over det
     N = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate()  # over det
     #> resolvent
-    # (mu + Delta)(N + z a a~^T / (1 - z R)) = 1, times det (det - z R) det
-    zero("(17.10) resolvent", (eye(s) * mu + Delta) * (N * (det - z * R) + z * a * back.T)
-         - det * (det - z * R) * eye(s))
-    prove("(17.12) 1 - R(-mu) = mu b.a", simplify(expand(det - R - mu * (b.T * a)[0])))
+    # (mu + Delta)(N + z a a~^T / (1 - z r)) = 1, times det (det - z r) det
+    zero("(17.10) resolvent", (eye(s) * mu + Delta) * (N * (det - z * r) + z * a * back.T)
+         - det * (det - z * r) * eye(s))
+    prove("(17.12) 1 - r(-mu) = mu b.a", simplify(expand(det - r - mu * (b.T * a)[0])))
     #< resolvent
 
 

@@ -164,7 +164,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
                          double *q, double *p, double *a, size_t stride)
 {
     const double *b = fvi_lobatto(s)->b, L = -log(tolerance),
-                 decay = (double)(s * (s - 1)); /* R(-mu) ~ decay/mu^2 */
+                 decay = (double)(s * (s - 1)); /* r(-mu) ~ decay/mu^2 */
     const double first = -L / (3 + beta) - log(N),
                  last = fmax((L + FVI_LAGS * log(decay)
                               + 2 * log((double)s / b[0]))
@@ -189,7 +189,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
         p[j] = 0;
         for (size_t i = 0; i < s; i++) {
             a[i * stride + j] = vector[i];
-            p[j] += mu * b[i] * vector[i]; /* 1 - R(-mu), to all digits */
+            p[j] += mu * b[i] * vector[i]; /* 1 - r(-mu), to all digits */
         }
     }
     return Q;
@@ -200,7 +200,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
 
 #define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
 
-/* W_n = sum_j q_j R_j^(n-1) a_j a~_j^T for q that holds the powers too. */
+/* W_n = sum_j q_j r_j^(n-1) a_j a~_j^T for q that holds the powers too. */
 static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
                       double *W)
 {
@@ -238,7 +238,7 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
     const series first = near(s, beta);
     for (size_t k = 0; k < n; k++, W += s * s) {
         for (size_t j = 0; k >= 2 && j < Q; j++)
-            q[j] -= p[j] * q[j]; /* q_j R_j^(k-1) */
+            q[j] -= p[j] * q[j]; /* q_j r_j^(k-1) */
         for (size_t i = 0; k < TERMS && i < s; i++)
             memcpy(W + i * s, first.w[k][i], s * sizeof *W);
         if (k >= TERMS)

@@ -39,7 +39,7 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 
 /* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
  *
- *     W_n = sum_j q_j R_j^(n-1) a_j a~_j^T,   R_j = 1 - p_j,
+ *     W_n = sum_j q_j r_j^(n-1) a_j a~_j^T,   r_j = 1 - p_j,
  *     a~_j: the entries of a_j backwards, entry i times b_i
  *
  *   N          the longest lag, N >= 1
