@@ -74,7 +74,7 @@ help: ## print this list
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
 	echo '  $(sort $(TESTS))' | fold -s -w 76 | sed '2,$$s/^/  /'
 
-check: test test-install test-python test-play test-workshop verify text layers ## everything: tests, proofs, chapters equal to the code
+check: test test-install test-python test-play test-workshop verify text errata layers ## everything: tests, proofs, chapters equal to the code
 	sh src/make/count.sh $B
 
 test: $(TESTS:%=test-%) test-example test-fuzz ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
@@ -96,6 +96,13 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 excerpts: | needs ## rewrite code and numbers quoted in the chapters from their sources
 	$(PYTHON) chapters/tools/excerpts.py
 	$(PYTHON) chapters/tools/quoted.py
+
+errata: $B/fvi | needs ## each row of chapter 16 with its counterexample; `make erratum-17` for one
+	$(PYTHON) chapters/tools/errata.py $B/fvi > $B/errata.log || { tail -1 $B/errata.log; exit 1; }
+	echo "errata: $$(grep -c '^  printed' $B/errata.log) rows of chapter 16 are as they say"
+
+erratum-%: $B/fvi | needs
+	$(PYTHON) chapters/tools/errata.py $B/fvi $*
 
 book: text | needs ## the chapters as one HTML page, build/book/index.html (pandoc, KaTeX)
 	$(PYTHON) chapters/book/build.py $B/book
@@ -165,7 +172,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check errata test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -376,7 +383,7 @@ $B/figures/%.dat: $B/figures/%.ran ;
 define draw
 mkdir -p $(@D:%=$B/%)
 LC_ALL=C.UTF-8 $(GNUPLOT) -e "dat='$B/figures/$*.dat'; out='$B/figures/$*.svg'; stem='$(notdir $*)'" $<
-mv $B/figures/$*.svg $@
+sed 's/font-family="DejaVu Sans"/font-family="DejaVu Sans, Verdana, Helvetica, Arial, sans-serif"/g' $B/figures/$*.svg > $@
 echo 'drew $@'
 endef
 
@@ -399,7 +406,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text excerpts check workshop workshop-% test-workshop layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

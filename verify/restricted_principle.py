@@ -9,7 +9,7 @@ the chapter; these are instances, each with alpha symbolic):
   (3.9)  the series solves the equation, term against term, all symbolic;
   (3.10) pairs that are stationary and solve nothing, exactly;
   (3.11) the change of variables, d = 2, symbolic; a constant under Riemann-Liouville;
-  (3.12) D_+ R = R D_-, a change of variables in the integral, generic x;
+  (3.12) D_+ J = J D_-, a change of variables in the integral, generic x;
   (3.22) the derivative of x - zeta, on powers; (3.23) its boundary terms, cubic
          curves; (3.24) the bracket at the start if a constant is left in x - zeta;
   (3.14) to (3.17) Legendre, Hamiltonian, Hamilton's equations, the mirror of the
@@ -248,7 +248,7 @@ prove("Riemann-Liouville: D D 1 = s^(-2 alpha)/Gamma(1 - 2 alpha), so a shift of
 
 # ---- (3.12): the mirror -------------------------------------------------------------------
 #> mirror
-# D_+^a y(t) = -1/Gamma(1-a) d/dt int_t^b (tau-t)^(-a) y(tau) dtau with y = R x.
+# D_+^a y(t) = -1/Gamma(1-a) d/dt int_t^b (tau-t)^(-a) y(tau) dtau with y = J x.
 # tau = l - sigma (l = a + b): the kernel at (t, tau) becomes that of D_- at (l - t, sigma).
 l, tau, sigma = symbols("l tau sigma")
 xf = Function("x")

@@ -13,12 +13,12 @@ set label 2 "λ foresees" at 14.4,-1.12 right tc rgb "#D55E00" font ",12"
 set multiplot layout 1,2 margins 0.05,0.985,0.12,0.91 spacing 0.05
 set title "a spring: the mirror is the adjoint"
 plot dat index 0 using 1:2 with lines ls 1 title "x", \
-     dat index 0 using 1:4 with lines lc rgb "#aaaaaa" lw 5 dt 1 title "mirror y", \
+     dat index 0 using 1:4 with lines lc rgb "#8c8c8c" lw 5 dt 1 title "mirror y", \
      dat index 0 using 1:3 with lines ls 2 title "λ", \
      dat index 1 using 1:2 with points ls 7 pt 6 ps 0.8 title "pushed at t"
 set title "a Duffing spring: it is not"
 plot dat index 2 using 1:2 with lines ls 1 title "x", \
-     dat index 2 using 1:4 with lines lc rgb "#aaaaaa" lw 5 dt 1 title "mirror y", \
+     dat index 2 using 1:4 with lines lc rgb "#8c8c8c" lw 5 dt 1 title "mirror y", \
      dat index 2 using 1:3 with lines ls 2 title "λ", \
      dat index 3 using 1:2 with points ls 7 pt 6 ps 0.8 title "pushed at t"
 unset multiplot

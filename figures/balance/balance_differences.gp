@@ -13,19 +13,19 @@ set key at graph 0.5, graph -0.2 center top
 # One key for both, half of it below each.
 set title "The largest error of x for t ≤ 10"
 set yrange [3e-10:1]
-plot dat index 0 using 1:2 with linespoints ls 1 title "differences, U′ at the node", \
-     '' index 0 using 1:3 with linespoints ls 2 title "differences, U′ averaged", \
-     '' index 0 using 1:4 with linespoints ls 3 title "differences, all at k + 1", \
-     '' index 0 using 1:5 with linespoints ls 7 dt 3 notitle, \
-     '' index 0 using 1:6 with linespoints ls 4 notitle, \
-     '' index 0 using 1:7 with linespoints ls 5 notitle
+plot dat index 0 using 1:2 with linespoints ls 8 pt 1 title "differences, U′ at the node", \
+     '' index 0 using 1:3 with linespoints ls 4 pt 2 title "differences, U′ averaged", \
+     '' index 0 using 1:4 with linespoints ls 2 pt 3 title "differences, all at k + 1", \
+     '' index 0 using 1:5 with linespoints ls FVI notitle, \
+     '' index 0 using 1:6 with linespoints ls SHIFTED notitle, \
+     '' index 0 using 1:7 with linespoints ls LOBATTO4 notitle
 
 set title "The gradient from the same scheme run backwards: its error"
 set yrange [1e-16:1e-1]
-plot dat index 1 using 1:2 with linespoints ls 1 notitle, \
-     '' index 1 using 1:3 with linespoints ls 2 notitle, \
-     '' index 1 using 1:4 with linespoints ls 3 notitle, \
-     '' index 1 using 1:5 with linespoints ls 7 dt 3 title "fvi", \
-     keyentry with linespoints ls 4 title "fvi-shifted", \
-     keyentry with linespoints ls 5 title "fvi-lobatto4"
+plot dat index 1 using 1:2 with linespoints ls 8 pt 1 notitle, \
+     '' index 1 using 1:3 with linespoints ls 4 pt 2 notitle, \
+     '' index 1 using 1:4 with linespoints ls 2 pt 3 notitle, \
+     '' index 1 using 1:5 with linespoints ls FVI title "fvi", \
+     keyentry with linespoints ls SHIFTED title "fvi-shifted", \
+     keyentry with linespoints ls LOBATTO4 title "fvi-lobatto4"
 unset multiplot

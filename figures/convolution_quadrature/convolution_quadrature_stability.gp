@@ -4,6 +4,7 @@
 width = 920; height = 470
 load 'figures/style.gp'
 array name[4] = ["fvi", "fvi-shifted", "fvi-bdf2", "trapezoidal weights"]
+look(i) = i < 4 ? 10 + i : 8
 set multiplot layout 1,2 margins 0.08,0.985,0.125,0.92 spacing 0.10
 
 set title "The largest stable damping, κ = 1/2"
@@ -15,8 +16,8 @@ set yrange [0.2:200]
 set key top right
 set label 1 "fvi-shifted: every R\nfrom α = 1/2 on" at 0.56,18 textcolor rgb "#555555"
 set label 2 "stable for all three" at 0.08,0.5 textcolor rgb "#555555"
-plot for [i=1:3] dat index 0 using 1:(column(2*i + 1)) with lines ls i title name[i], \
-     for [i=1:3] '' index 0 using 1:(column(2*i)) with points ls i ps 0.9 notitle, \
+plot for [i=1:3] dat index 0 using 1:(column(2*i + 1)) with lines ls look(i) title name[i], \
+     for [i=1:3] '' index 0 using 1:(column(2*i)) with points ls look(i) ps 0.9 notitle, \
      NaN with points ls 7 pt 6 title "marks: measured"
 unset label 1
 unset label 2
@@ -30,6 +31,6 @@ set format y "10^{%L}"
 set xrange [1e-2:1e2]
 set yrange [1e-4:1e2]
 set key top left
-plot for [i=1:4] dat index i using 1:2 with lines ls i title name[i], \
-     for [i=1:4] '' index i using 1:3 with points ls i ps 0.9 notitle
+plot for [i=1:4] dat index i using 1:2 with lines ls look(i) title name[i], \
+     for [i=1:4] '' index i using 1:3 with points ls look(i) ps 0.9 notitle
 unset multiplot

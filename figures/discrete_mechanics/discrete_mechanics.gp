@@ -1,37 +1,40 @@
-# figures/discrete_mechanics/discrete_mechanics.gp -- Chapter 2: energy over 10^5 steps.
+# figures/discrete_mechanics/discrete_mechanics.gp -- Chapter 2: energy over 10^5 steps, a pendulum.
 # Input: figures/discrete_mechanics/discrete_mechanics.c. Output: figures/discrete_mechanics/discrete_mechanics.svg.
-width = 900; height = 500
+width = 900; height = 440
 load 'figures/style.gp'
-array rise[4]; array level[4]; array kappa[4]; array h[4]
-do for [i=1:4] { # a line through the intervals: its rise over the whole run
-    stats dat index i using 1:2 name "B" nooutput
-    stats dat index i using 3:4 name "A" nooutput
-    rise[i] = B_slope * B_max_x; level[i] = B_mean_y
-    kappa[i] = A_min_x; h[i] = A_min_y
-}
+unset key
+set multiplot layout 1,2 margins 0.085,0.985,0.14,0.91 spacing 0.09
+
+set title "a spring: the energy over 100 000 steps"
+set xlabel "step k"
+set ylabel "E / E_0"
 set logscale y
 set xrange [0:1e5]
 set xtics ("0" 0, "25 000" 25000, "50 000" 50000, "75 000" 75000, "10^5" 1e5)
-set xlabel "step k"
-set multiplot layout 1,2 margins 0.09,0.975,0.31,0.92 spacing 0.105
-set key at graph 0.5, graph -0.19 center top vertical maxrows 4 samplen 4 Left reverse
-
-set title "Harmonic oscillator: Euler's methods leave, exponentially"
-set ylabel "E / E_0"
 set format y "10^{%L}"
 set yrange [1e-20:1e20]
 set ytics 1e5; unset mytics
-plot dat index 0 using 1:5 with lines ls 7 title "(1 + h^2c/m)^{±k}", \
-     '' index 0 using 1:6 with lines ls 7 notitle, \
-     '' index 0 using 1:2 with points ls 2 ps 0.8 title "explicit Euler", \
-     '' index 0 using 1:3 with points ls 4 ps 0.9 title "implicit Euler", \
-     '' index 0 using 1:4 with linespoints ls 1 title "variational, κ = 1/2"
-
-set title "Pendulum: the energy stays in a band"
-set ylabel "largest |E / E_0 − 1| in 400 steps" offset 1,0
-set yrange [1e-4:1]
-set ytics 10; set mytics 10
-plot for [i=1:4] dat index i using 1:2 with lines ls i \
-     title sprintf("κ = %g, h = %g: %.2g, drifts by %.0e of it", kappa[i], h[i], level[i], \
-                   abs(rise[i]) / level[i])
+set label 1 "explicit Euler" at 40000,1e12 right tc rgb RED
+set label 2 "implicit Euler" at 40000,1e-12 right tc rgb PINK
+set label 3 "variational, κ = 1/2" at 97000,60 right tc rgb BLUE
+set label 4 "lines: (1 + h^2c/m)^{±k}" at 62000,1e-17 right tc rgb "#222222"
+plot dat index 0 using 1:5 with lines ls 7, '' index 0 using 1:6 with lines ls 7, \
+     '' index 0 using 1:2 with points ls EXPLICIT ps 0.8, \
+     '' index 0 using 1:3 with points ls IMPLICIT ps 0.9, \
+     '' index 0 using 1:4 with linespoints ls FVI
+unset label
+unset logscale
+set format
+set title "a pendulum, h = 0.2: where the runs go"
+set xlabel "x"
+set ylabel "p" offset 1
+set xrange [-3.6:4]
+set yrange [-3.2:3.2]
+set xtics auto; set ytics auto
+set label 1 "explicit Euler swings over the top" at 3.9,2.9 right tc rgb RED
+set label 2 "implicit Euler comes to rest" at 3.9,-2.9 right tc rgb PINK
+set label 3 "variational, 2000 steps" at 0,-2.35 center tc rgb BLUE
+plot dat index 4 using 1:2 with points pt 7 ps 0.2 lc rgb BLUE, \
+     dat index 1 using 1:2 with linespoints ls EXPLICIT ps 0.4 lw 1, \
+     dat index 2 using 1:2 with linespoints ls IMPLICIT ps 0.4 lw 1
 unset multiplot

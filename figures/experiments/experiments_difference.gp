@@ -9,5 +9,5 @@ set xrange [0:30]
 set yrange [-18:18]
 set xzeroaxis lc rgb "#444444"
 set key top right
-plot dat using 1:3 with linespoints ls 2 title "Algorithm 3 as printed, two sums", \
-     '' using 1:2 with linespoints ls 1 title "momentum form"
+plot dat using 1:3 with linespoints ls PRINTED title "Algorithm 3 as printed, two sums", \
+     '' using 1:2 with linespoints ls FVI title "momentum form"

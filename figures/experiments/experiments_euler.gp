@@ -10,19 +10,19 @@ set title "h = 0.2: implicit Euler loses"
 set ylabel "x"
 set yrange [-1.05:1.9]
 plot dat index 0 using 1:2 with lines ls 7 lw 1.6 title "exact", \
-     '' index 1 using 1:2 every 2 with points ls 1 title "FVI", \
-     '' index 2 using 1:2 with lines ls 2 title "implicit Euler"
+     '' index 1 using 1:2 every 2 with points ls FVI title "FVI", \
+     '' index 2 using 1:2 with lines ls IMPLICIT title "implicit Euler"
 set title "h = 0.1: explicit Euler gains"
 plot dat index 0 using 1:2 with lines ls 7 lw 1.6 title "exact", \
-     '' index 3 using 1:2 every 4 with points ls 1 title "FVI", \
-     '' index 4 using 1:2 with lines ls 4 title "explicit Euler"
+     '' index 3 using 1:2 every 4 with points ls FVI title "FVI", \
+     '' index 4 using 1:2 with lines ls EXPLICIT title "explicit Euler"
 unset title
 set ylabel "E"
 set yrange [0:0.8]
 plot dat index 0 using 1:3 with lines ls 7 lw 1.6 title "exact", \
-     '' index 1 using 1:3 every 2 with points ls 1 title "FVI", \
-     '' index 2 using 1:3 with lines ls 2 title "implicit Euler"
+     '' index 1 using 1:3 every 2 with points ls FVI title "FVI", \
+     '' index 2 using 1:3 with lines ls IMPLICIT title "implicit Euler"
 plot dat index 0 using 1:3 with lines ls 7 lw 1.6 title "exact", \
-     '' index 3 using 1:3 every 4 with points ls 1 title "FVI", \
-     '' index 4 using 1:3 with lines ls 4 title "explicit Euler"
+     '' index 3 using 1:3 every 4 with points ls FVI title "FVI", \
+     '' index 4 using 1:3 with lines ls EXPLICIT title "explicit Euler"
 unset multiplot

@@ -1,6 +1,6 @@
 # figures/legendre/legendre.gp -- Chapter 8: the errors of three momenta and their energies.
 # Input: figures/legendre/legendre.c. Output: figures/legendre/legendre.svg.
-width = 1000; height = 500
+width = 1000; height = 430
 load 'figures/style.gp'
 array slope[9]; array last[9] # p, E of block 0, p of block 1, three of each
 do for [j=1:9] {
@@ -14,27 +14,35 @@ set format y "10^{%L}"
 set xrange [0.005:0.125]
 set xtics ("0.00625" 0.00625, "0.0125" 0.0125, "0.025" 0.025, "0.05" 0.05, "0.1" 0.1)
 set xlabel "h"
-set multiplot layout 1,3 margins 0.08,0.985,0.33,0.92 spacing 0.06
-set key at graph 0.5, graph -0.21 center top vertical maxrows 4 samplen 3 Left reverse
-array name[3] = ["matched: slope %.3f", "only D_2L_d: slope %.3f", "m(x_k−x_{k−1})/h: slope %.3f"]
+unset key
+set multiplot layout 1,3 margins 0.075,0.985,0.14,0.9 spacing 0.055
+array ink[3] = [BLUE, RED, GREEN]
+mark(j) = j == 2 ? 4 : 9 - 2 * (j == 1)
+size(j) = j == 2 ? 1.5 : 0.9
+fit(j) = sprintf("%.2f", slope[j])
+set yrange [1e-4:1]
 
-set title "ρ = 0.2, t ≤ 15: momentum"
+set title "damped, momentum: all have order 1"
 set ylabel "largest error" offset 1,0
-set yrange [3e-4:1e-1]
-plot for [j=1:3] exp(last[j]) * x with lines ls 8 title (j == 1 ? "lines of slope 1" : ""), \
-     for [j=1:3] dat index 0 using 1:(column(1 + j)) with points ls j pt (j == 2 ? 4 : 9 - 2 * (j == 1)) ps (j == 2 ? 1.5 : 0.9) lw 1.5 \
-         title sprintf(name[j], slope[j])
+set label 1 "m (x_k − x_{k−1}) / h: ".fit(3) at 0.006,0.03 tc rgb GREEN
+set label 2 "matched: ".fit(1) at 0.016,0.0013 tc rgb BLUE
+set label 3 "D_2 L_d alone: ".fit(2) at 0.016,0.0006 tc rgb RED
+plot for [j=1:3] exp(last[j]) * x with lines ls 8, \
+     for [j=1:3] dat index 0 using 1:(column(1 + j)) with points ls j pt mark(j) ps size(j) lw 1.5
 
-set title "ρ = 0.2, t ≤ 15: energy"
+set title "damped, energy: matched is the best"
 unset ylabel
-plot for [j=1:3] exp(last[3 + j]) * x with lines ls 8 title (j == 1 ? "lines of slope 1" : ""), \
-     for [j=1:3] dat index 0 using 1:(column(4 + j)) with points ls j pt (j == 2 ? 4 : 9 - 2 * (j == 1)) ps (j == 2 ? 1.5 : 0.9) lw 1.5 \
-         title sprintf(name[j], slope[3 + j])
+set label 1 "m (x_k − x_{k−1}) / h: ".fit(6) at 0.006,0.03
+set label 2 "matched: ".fit(4) at 0.035,0.0009
+set label 3 "squares: D_2 L_d alone: ".fit(5)
+set label 3 at 0.02,0.0004
+plot for [j=1:3] exp(last[3 + j]) * x with lines ls 8, \
+     for [j=1:3] dat index 0 using 1:(column(4 + j)) with points ls j pt mark(j) ps size(j) lw 1.5
+unset label 3
 
-set title "ρ = 0, Duffing, t ≤ 5: momentum"
-set yrange [3e-5:1]
-plot for [j=1:3:2] exp(last[6 + j]) * x**(j == 1 ? 2 : 1) with lines ls 8 \
-         title (j == 1 ? "lines of slope 2 and 1" : ""), \
-     for [j=1:3:2] dat index 1 using 1:(column(1 + j)) with points ls j pt (j == 2 ? 4 : 9 - 2 * (j == 1)) ps (j == 2 ? 1.5 : 0.9) lw 1.5 \
-         title sprintf(name[j], slope[6 + j])
+set title "no damping, Duffing, t ≤ 5: an order lost"
+set label 1 "m (x_k − x_{k−1}) / h: ".fit(9) at 0.006,0.2
+set label 2 "matched: ".fit(7) at 0.03,0.0015
+plot for [j=1:3:2] exp(last[6 + j]) * x**(j == 1 ? 2 : 1) with lines ls 8, \
+     for [j=1:3:2] dat index 1 using 1:(column(1 + j)) with points ls j pt mark(j) ps size(j) lw 1.5
 unset multiplot

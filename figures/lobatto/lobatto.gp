@@ -26,15 +26,15 @@ set title "Positions"
 set ylabel "largest error for 2 ≤ t ≤ 20"
 set yrange [1e-14:1e1]
 set ytics 1e2
-plot for [i=1:3] line(x, x_order(i+1), q[i], q0[i], hx[i]) with lines ls i notitle, \
-     for [i=1:3] dat index i-1 using 1:2 with points ls i ps 0.9 \
+plot for [i=1:3] line(x, x_order(i+1), q[i], q0[i], hx[i]) with lines ls 13 + i notitle, \
+     for [i=1:3] dat index i-1 using 1:2 with points ls 13 + i ps 0.9 \
          title sprintf("s = %d: slope %.2f, line %.1f", i+1, q[i], x_order(i+1))
 
 set title "Momenta; open circles: corrected"
 unset ylabel
 set yrange [1e-12:1e1]
-plot for [i=1:3] line(x, p_order(i+1), p[i], p0[i], hm[i]) with lines ls i notitle, \
-     for [i=1:3] dat index i-1 using 1:3 with points ls i ps 0.9 \
+plot for [i=1:3] line(x, p_order(i+1), p[i], p0[i], hm[i]) with lines ls 13 + i notitle, \
+     for [i=1:3] dat index i-1 using 1:3 with points ls 13 + i ps 0.9 \
          title sprintf("s = %d: slope %.2f, line %.1f", i+1, p[i], p_order(i+1)), \
-     for [i=1:3] dat index i-1 using 1:4 with points ls i pt 6 ps 0.7 notitle
+     for [i=1:3] dat index i-1 using 1:4 with points ls 13 + i pt 6 ps 0.5 notitle
 unset multiplot

@@ -13,11 +13,11 @@ set key at graph 0.5, graph -0.23 center top horizontal samplen 3
 
 set title "Order of x, and min(2s − 2, s + 2 − 2α)"
 set ylabel "fitted order"
-plot for [s=2:4] least(2*s - 2, s + 2 - 2*x) with lines ls s-1 notitle, \
-     for [s=2:4] dat index s-2 using 1:2 with points ls s-1 ps 1 title sprintf("s = %d", s)
+plot for [s=2:4] least(2*s - 2, s + 2 - 2*x) with lines ls s + 12 notitle, \
+     for [s=2:4] dat index s-2 using 1:2 with points ls s + 12 ps 1 title sprintf("s = %d", s)
 
 set title "Order of p, and min(2s − 2, s + 1 − 2α)"
 unset ylabel
-plot for [s=2:4] least(2*s - 2, s + 1 - 2*x) with lines ls s-1 notitle, \
-     for [s=2:4] dat index s-2 using 1:3 with points ls s-1 ps 1 title sprintf("s = %d", s)
+plot for [s=2:4] least(2*s - 2, s + 1 - 2*x) with lines ls s + 12 notitle, \
+     for [s=2:4] dat index s-2 using 1:3 with points ls s + 12 ps 1 title sprintf("s = %d", s)
 unset multiplot

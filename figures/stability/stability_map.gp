@@ -3,6 +3,7 @@
 width = 940; height = 500
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.08,0.985,0.115,0.92 spacing 0.09
+looks = "11 12 13 14 15 16 22 23"
 names = "fvi fvi-shifted fvi-bdf2 fvi-lobatto2 fvi-lobatto3 fvi-lobatto4 fvi-lobatto6 fvi-lobatto8"
 set logscale y
 set format y "10^{%T}"
@@ -15,7 +16,7 @@ set yrange [0.2:3000]
 set key top right
 set label 1 "no bound: fvi-stable," at 0.53,9 textcolor rgb "#555555"
 set label 2 "fvi-lobatto2d to 8d" at 0.53,5.2 textcolor rgb "#555555"
-plot for [i=1:8] dat index 0 using 1:i+1 with lines ls i title word(names, i)
+plot for [i=1:8] dat index 0 using 1:i+1 with lines ls word(looks, i) + 0 title word(names, i)
 unset label 1
 unset label 2
 
@@ -25,5 +26,5 @@ unset ylabel
 set xrange [0:8]
 set yrange [0.2:3000]
 unset key
-plot for [i=1:8] dat index 1 using 1:i+1 with lines ls i title word(names, i)
+plot for [i=1:8] dat index 1 using 1:i+1 with lines ls word(looks, i) + 0 title word(names, i)
 unset multiplot
