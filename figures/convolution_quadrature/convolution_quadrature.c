@@ -56,10 +56,11 @@ static void row(const fvi_system *system, double alpha, double T, size_t N)
 int main(void)
 {
     const double one = 1, spring[] = { 1, 1 }, step[] = { 8, 1 };
-    const fvi_system torvik = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(step) };
+    const fvi_system torvik = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(step), NULL
+    };
     const fvi_system duffing = {
-        1, &one, &one, fvi_potential_duffing(spring), { .value = drive }
+        1, &one, &one, fvi_potential_duffing(spring), { .value = drive }, NULL
     };
     const fvi_linear problem = { .m = 1,
                                  .c = 1,

@@ -38,9 +38,9 @@ static void advance(fvi_stepper *s)
 
 static void harmonic(void)
 {
-    const fvi_system system = {
-        1, &one, &none, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one,
+                                &none, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &none,
@@ -76,9 +76,9 @@ static void harmonic(void)
 /* x and p of `steps` steps from rest at 2, but while |x| <= 4. */
 static void pendulum(const fvi_method *method, double kappa, size_t steps)
 {
-    const fvi_system system = {
-        1, &one, &none, fvi_potential_pendulum(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one,
+                                &none, fvi_potential_pendulum(&one),
+                                { 0 }, NULL };
     const double x0 = 2;
     const fvi_run run = { .system = &system,
                           .x0 = &x0,

@@ -41,8 +41,9 @@ int main(void)
     static double x[MOST + 1], printed[MOST + 1];
     static long double want[MOST + 1];
     const double aT[] = { 8, 1 }, one = 1, zero = 0;
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(aT) };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+    };
     printf("# N, error as printed, error of the momentum form; Bagley-Torvik, "
            "t <= 20, alpha = 3/4\n");
     for (size_t N = 80; N <= MOST; N *= 2) {

@@ -25,8 +25,9 @@ static double farthest(size_t N, const double *v, const double *w)
 static void row(const fvi_method *method, size_t N)
 {
     const double one = 1, zero = 0, aT[] = { 8, 1 };
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(aT) };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+    };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,
                           .p0 = &zero,

@@ -18,8 +18,9 @@ static double x[MOST + 1], p[MOST + 1], t[MOST + 1], exact_x[MOST + 1],
 static void errors(const fvi_method *method, size_t N)
 {
     const double one = 1, zero = 0, aT[] = { 8, 1 };
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(aT) };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+    };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 20 / (double)N, N);
     const fvi_linear problem = { .m = 1,
                                  .c = 1,
@@ -60,7 +61,7 @@ int main(void)
     }
     const double one = 1, zero = 0, cg[] = { 0, 1 };
     const fvi_system free = {
-        1, &one, &zero, fvi_potential_duffing(cg), { .value = NULL }
+        1, &one, &zero, fvi_potential_duffing(cg), { .value = NULL }, NULL
     };
     const fvi_run run = fvi_run_default(&free, &one, &zero, 0.5, 400);
     for (size_t i = 0; i < 2; i++)

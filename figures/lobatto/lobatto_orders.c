@@ -28,9 +28,8 @@ static void errors(const fvi_method *method, double alpha, size_t N, double *ex,
                    double *ep)
 {
     const double one = 1;
-    const fvi_system system = {
-        1, &one, &RHO, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &RHO, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &X0,
                           .p0 = &P0,

@@ -25,6 +25,7 @@
 #include "sensitivity.h"
 #include "stability.h"
 #include "step_search.h"
+#include "structures.h"
 #include "system.h"
 #include "trajectory.h"
 #include "variable_steps.h"

@@ -79,13 +79,51 @@ typedef struct {
     size_t jump_count;
 } fvi_force;
 
+/* fvi_matrices -- M, C and K of a linear system                          [Chapter 27]
+ *
+ *     M x'' + C D^{2 alpha} x + K x = F(t),                               (27.1)
+ *
+ * all symmetric, M positive definite, C not negative, as functions: for systems whose
+ * masses and dampings are more than the numbers of a diagonal. structures.h makes them
+ * of sparse matrices.
+ *
+ *   remembered  r >= 0 of the damping: C = S B^T, and z = B^T x are the r numbers that a run
+ *              remembers. 0: no damping, the next two functions are not called
+ *   remember   writes B^T x to z
+ *   damp       takes a S z away from the d numbers p
+ *   stiffness  writes K x to y
+ *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
+ *              FVI_ESING if that is not positive definite
+ *   solve      r becomes (m M + c C + k K)^-1 r. The factors belong to one run
+ *   forget     gives the factors back
+ *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: energies are not known
+ *   params     handed to the functions, owned by the caller
+ *
+ * The functions return 0, or a code as those of a potential do. */
+typedef struct {
+    size_t remembered;
+    int (*remember)(size_t d, const double *x, const void *params, double *z);
+    int (*damp)(size_t d, double a, const double *z, const void *params,
+                double *p);
+    int (*stiffness)(size_t d, const double *x, const void *params, double *y);
+    int (*factorise)(size_t d, double m, double c, double k, const void *params,
+                     void **factors);
+    int (*solve)(size_t d, void *factors, double *r);
+    void (*forget)(void *factors);
+    int (*energy)(size_t d, const double *x, const double *p,
+                  const void *params, double *E);
+    const void *params;
+} fvi_matrices;
+
 /* fvi_system -- one mechanical system. The arrays belong to the caller and
  * must outlive every run that uses the system.
  *
  *   d        dimension, d >= 1
  *   mass     d masses, finite, > 0
  *   damping  d coefficients rho, finite, >= 0
- *   potential, force  as above */
+ *   potential, force  as above
+ *   matrices  NULL; or M, C and K, for methods that say so (takes_matrices, trajectory.h):
+ *            mass and damping are then the diagonals of M and C, the potential is none */
 //> system
 typedef struct {
     size_t d;
@@ -93,27 +131,32 @@ typedef struct {
     const double *damping;
     fvi_potential potential;
     fvi_force force;
+    const fvi_matrices *matrices;
 } fvi_system;
 //< system
 
-/* fvi_system_check -- is the system one that can be simulated?
+/* fvi_system_check -- is the system one that everything in the library can take?
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL;
  * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
  * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
- * if a mass is not finite and > 0, or a damping not finite and >= 0.  Cost O(d). */
+ * if a mass is not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if it has
+ * matrices, which only fvi_start takes.  Cost O(d). */
 int fvi_system_check(const fvi_system *system);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
  *
  *   x, p  d numbers each     E  output, one number
  *
- * Nothing is checked: this is called once a row. Cost O(d) and one value of U.
- * Returns FVI_SUCCESS, or what the potential returned; E is then untouched. */
+ * With matrices it is theirs. Nothing is checked: this is called once a row. Cost O(d) and
+ * one value of U.
+ * Returns FVI_SUCCESS; FVI_EUNSUP if the matrices have no energy; or what the potential or
+ * they returned. E is then untouched. */
 int fvi_energy(const fvi_system *system, const double *x, const double *p,
                double *E);
 
-/* fvi_potential_value, fvi_gradient -- U and grad U at x; 0 if there is no U.
+/* fvi_potential_value, fvi_gradient -- U and grad U at x; 0 if there is no U. The gradient
+ * with matrices is K x.
  *
  *   x     d numbers
  *   value  output, one number

@@ -115,6 +115,8 @@ typedef struct {
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
  *          method with the Hessian of U
  *   takes_laws  nonzero if run->law need not be NULL; fvi_start refuses it else (FVI_EUNSUP)
+ *   takes_matrices  nonzero if the system may have matrices; fvi_start refuses it else
+ *          (FVI_EUNSUP)
  *   past_as_printed  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
  *          its exact impulses (19.5), and is refused where there is no solution (19.2,
  *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2 alpha
@@ -141,7 +143,7 @@ struct fvi_method {
     unsigned memories;
     fvi_quadrature quadrature;
     fvi_scheme scheme;
-    int takes_kappa, takes_laws, implicit, past_as_printed;
+    int takes_kappa, takes_laws, takes_matrices, implicit, past_as_printed;
     int (*load)(const fvi_run *run, double *load);
     int load_grows;
     int (*start)(fvi_stepper *s);
@@ -164,8 +166,8 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
- * FVI_EUNSUP if the method has no such memory, does not know laws, or the past of a law
- * is not FVI_PAST_HELD; what fvi_law_memory returns; FVI_ENOMEM; FVI_ESING if a constant
+ * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
+ * of a law is not FVI_PAST_HELD; what fvi_law_memory returns; FVI_ENOMEM; FVI_ESING if a constant
  * matrix is singular; what the potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
@@ -218,7 +220,8 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
  *          error stop the stepper
  *
  * The digits are then those of the run that was saved. The system is not among the pieces,
- * but for d, masses and dampings, which are constant; potential and force must be the same.
+ * but for d, masses and dampings, which are constant; potential, matrices and force must be
+ * the same.
  * `steps` may be another one where the memory is none or FVI_MEMORY_DIRECT, and at least k; in the
  * other memories what depends on it is constant. All pieces are as this machine has them.
  * O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.

@@ -20,7 +20,7 @@ FLOORS = [
     {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
     {"stability": "the longest step"},
     {"run": "a start, a step, a whole trajectory"},
-    {"memory": "weights, and sums over the past"},
+    {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},
 ]
 FLOOR = {room: -number for number, rooms in enumerate(FLOORS) for room in rooms}

@@ -51,10 +51,10 @@ static void filter(second_order *o, size_t count, double *term)
 {
     if (o->taps == 0)
         return;
-    o->place = (o->place + FVI_BDF2_TAPS - 1) % FVI_BDF2_TAPS;
+    o->place = (o->place + o->taps - 1) % o->taps;
     for (size_t j = 0; j < count; j++) {
-        double *past = o->past + j * 2 * FVI_BDF2_TAPS + o->place, sum = 0;
-        past[0] = past[FVI_BDF2_TAPS] = term[j];
+        double *past = o->past + j * 2 * o->taps + o->place, sum = 0;
+        past[0] = past[o->taps] = term[j];
         for (size_t n = 0; n < o->taps; n++)
             sum += o->g[n] * past[n];
         term[j] = sum;
@@ -66,10 +66,9 @@ static void filter(second_order *o, size_t count, double *term)
 static int remember(fvi_stepper *s, second_order *o)
 {
     fvi_damping *d = o->damping;
-    for (size_t j = 0; j < d->count; j++) {
-        d->z[j] = s->x[d->index[j]] - d->origin[j];
-        d->dz[j] = s->dx[d->index[j]] - d->drift[j];
-    }
+    int status = fvi_damping_terms(d, s);
+    if (status)
+        return status;
     filter(o, d->count, 2 * s->run.alpha < 1 ? d->z : d->dz);
     return fvi_memory_push(d->memory, d->z, d->dz, o->H);
 }
@@ -104,22 +103,21 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
         return status;
     for (size_t i = 0; i < dim; i++)
         s->p[i] += half * s->F[i];
-    for (size_t j = 0; j < count; j++)
-        s->p[d->index[j]] -= (0.5 - theta) * d->factor[j] * o->H[j];
+    if (count > 0 && theta != 0.5)
+        status = fvi_damping_pull(d, 0.5 - theta, o->H, s->p);
     pull(s, o, 0);
     memcpy(o->r, s->p, dim * sizeof *o->r);
-    if (count == 0 || theta == 0)
-        return FVI_SUCCESS;
-    for (size_t j = 0; j < count; j++)
-        d->z[j] = s->x[d->index[j]] - d->origin[j];
-    status = fvi_memory_ahead(d->memory, d->z, o->ahead);
+    if (status || count == 0 || theta == 0)
+        return status;
+    status = fvi_damping_gather(d, s->x, d->origin, d->z);
+    if (!status)
+        status = fvi_memory_ahead(d->memory, d->z, o->ahead);
     for (size_t j = 0; j < count; j++) {
-        double ahead = o->ahead[j] - first(o) * d->drift[j];
+        o->ahead[j] -= first(o) * d->drift[j];
         if (o->taps && 2 * s->run.alpha > 1) /* g_1 times the last increment */
-            ahead += o->g[1] * o->past[j * 2 * FVI_BDF2_TAPS + o->place];
-        o->r[d->index[j]] -= theta * d->factor[j] * ahead;
+            o->ahead[j] += o->g[1] * o->past[j * 2 * o->taps + o->place];
     }
-    return status;
+    return status ? status : fvi_damping_pull(d, theta, o->ahead, o->r);
 }
 //< right-hand-side
 
@@ -143,8 +141,8 @@ static int step_second_order(fvi_stepper *s)
     if (!d)
         return FVI_SUCCESS;
     status = remember(s, o);
-    for (size_t j = 0; j < d->count; j++)
-        s->p[d->index[j]] -= (0.5 + o->theta) * d->factor[j] * o->H[j];
+    if (!status)
+        status = fvi_damping_pull(d, 0.5 + o->theta, o->H, s->p);
     pull(s, o, 1);
     return status;
 }
@@ -167,7 +165,7 @@ static void stop_second_order(fvi_stepper *s)
 /* Of so many damped coordinates: H and ahead, and past if there is a factor. */
 static size_t rows(const second_order *o, size_t count)
 {
-    return (size_t)(2 + (o->taps ? 2 * FVI_BDF2_TAPS : 0)) * count;
+    return (2 + 2 * o->taps) * count;
 }
 
 static int make_rows(second_order *o, size_t count)
@@ -211,8 +209,8 @@ static int visit_second_order(fvi_stepper *s, fvi_visitor *v)
         return FVI_SUCCESS;
     int status = v->visit(v, &o->place, sizeof o->place, 0);
     if (!status)
-        status = v->visit(v, o->H,
-                          rows(o, o->damping->count) * sizeof *o->H, 0);
+        status =
+            v->visit(v, o->H, rows(o, o->damping->count) * sizeof *o->H, 0);
     return status ? status : fvi_damping_visit(o->damping, v);
 }
 
@@ -222,6 +220,11 @@ static int solver(fvi_stepper *s, const second_order *o)
 {
     const fvi_run *run = &s->run;
     const fvi_damping *damping = o->damping;
+    if (run->system->matrices)
+        return fvi_newton_matrices_alloc(
+            run->system, 1 / run->h,
+            damping ? o->theta * first(o) * damping->factor[0] : 0,
+            o->kappa * run->h, 1 - o->kappa, &s->newton);
     for (size_t i = 0; i < run->system->d; i++)
         o->r[i] = run->system->mass[i] / run->h;
     for (size_t j = 0; damping && j < damping->count; j++)
@@ -296,6 +299,7 @@ const fvi_method fvi_shifted = { .name = "fvi-shifted",
                                  .memories = FVI_ALL_MEMORIES,
                                  .scheme = FVI_SCHEME_SHIFTED,
                                  .takes_kappa = 1,
+                                 .takes_matrices = 1,
                                  .implicit = 1,
                                  .load = fvi_load_shifted,
                                  .load_grows = 1,
@@ -315,6 +319,7 @@ const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
                               .scheme = FVI_SCHEME_BDF2,
                               .takes_kappa = 1,
                               .takes_laws = 1,
+                              .takes_matrices = 1,
                               .implicit = 1,
                               .load = fvi_load_bdf2,
                               .load_grows = 1,
@@ -331,6 +336,7 @@ const fvi_method fvi_stable = { .name = "fvi-stable",
                                 .alpha_most = 1,
                                 .memories = FVI_ALL_MEMORIES,
                                 .scheme = FVI_SCHEME_STABLE,
+                                .takes_matrices = 1,
                                 .implicit = 1,
                                 .load = fvi_load_none,
                                 .load_grows = 1,

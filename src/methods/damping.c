@@ -19,12 +19,15 @@ void fvi_damping_free(fvi_damping *d)
 }
 
 /* Zeros for the numbers of `count` coordinates. */
-static int damping_alloc(size_t count, fvi_damping **damping)
+static int damping_alloc(const fvi_system *system, size_t count,
+                         fvi_damping **damping)
 {
     fvi_damping *d = *damping = calloc(1, sizeof *d);
     if (!d)
         FVI_FAIL("no memory for the damping", FVI_ENOMEM);
-    d->index = malloc(count * sizeof *d->index);
+    d->system = system;
+    d->count = count;
+    d->index = malloc((system->matrices ? 1 : count) * sizeof *d->index);
     d->factor = calloc(5 * count, sizeof *d->factor);
     if (!d->index || !d->factor)
         FVI_FAIL("no memory for the damping", FVI_ENOMEM);
@@ -48,22 +51,54 @@ static int law_of(const fvi_stepper *s, fvi_damping *d)
     return status;
 }
 
-int fvi_damping_start(const fvi_stepper *s, fvi_past past,
-                      fvi_damping **damping)
+/* ---- between the d coordinates and those that are damped ---- */
+
+int fvi_damping_gather(const fvi_damping *d, const double *x,
+                       const double *from, double *z)
+{
+    const fvi_matrices *m = d->system->matrices;
+    int status = m ? m->remember(d->system->d, x, m->params, z) : FVI_SUCCESS;
+    for (size_t j = 0; j < d->count; j++)
+        z[j] = (m ? z[j] : x[d->index[j]]) - from[j];
+    return status;
+}
+
+int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
+{
+    int status = fvi_damping_gather(d, s->x, d->origin, d->z);
+    return status ? status : fvi_damping_gather(d, s->dx, d->drift, d->dz);
+}
+
+int fvi_damping_pull(const fvi_damping *d, double share, const double *H,
+                     double *p)
+{
+    const fvi_matrices *m = d->system->matrices;
+    if (m)
+        return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
+    for (size_t j = 0; j < d->count; j++)
+        p[d->index[j]] -= share * d->factor[j] * H[j];
+    return FVI_SUCCESS;
+}
+
+/* ---- the start ---- */
+
+/* How many are remembered. */
+static size_t damped(const fvi_system *system)
+{
+    size_t count = 0;
+    if (system->matrices)
+        return system->matrices->remembered;
+    for (size_t i = 0; i < system->d; i++)
+        count += system->damping[i] > 0;
+    return count;
+}
+
+static void begin(const fvi_stepper *s, fvi_past past, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
     const double order = 2 * run->alpha;
-    size_t count = 0;
-    *damping = NULL;
-    for (size_t i = 0; i < system->d; i++)
-        count += system->damping[i] > 0;
-    if (count == 0) /* nothing damped: no memory at all */
-        return FVI_SUCCESS;
-    int status = damping_alloc(count, damping);
-    if (status)
-        return status;
-    fvi_damping *d = *damping;
+    d->count = 0;
     //> start
     for (size_t i = 0; i < system->d; i++) {
         if (system->damping[i] == 0)
@@ -79,9 +114,30 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
     //< start
-    status = run->law ? law_of(s, d)
-                      : fvi_memory_alloc(order, count, run->steps, run->memory,
-                                         run->tolerance, &d->memory);
+}
+
+int fvi_damping_start(const fvi_stepper *s, fvi_past past,
+                      fvi_damping **damping)
+{
+    const fvi_run *run = &s->run;
+    const size_t count = damped(run->system);
+    *damping = NULL;
+    if (count == 0) /* nothing damped: no memory at all */
+        return FVI_SUCCESS;
+    int status = damping_alloc(run->system, count, damping);
+    if (status)
+        return status;
+    fvi_damping *d = *damping;
+    if (run->system->matrices)
+        status = fvi_damping_begin_matrices(s, past, d);
+    else
+        begin(s, past, d);
+    if (status)
+        return status;
+    status = run->law
+                 ? law_of(s, d)
+                 : fvi_memory_alloc(2 * run->alpha, count, run->steps,
+                                    run->memory, run->tolerance, &d->memory);
     if (!status)
         status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
     return status;
@@ -92,11 +148,11 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     *to = NULL;
     if (!from)
         return FVI_SUCCESS;
-    int status = damping_alloc(from->count, to);
+    int status = damping_alloc(from->system, from->count, to);
     if (status)
         return status;
-    (*to)->count = from->count;
-    memcpy((*to)->index, from->index, from->count * sizeof *from->index);
+    if (!from->system->matrices)
+        memcpy((*to)->index, from->index, from->count * sizeof *from->index);
     memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);
     return fvi_memory_copy(from->memory, &(*to)->memory);
 }

@@ -8,13 +8,37 @@
 
 typedef struct {
     size_t count;   /* how many coordinates have rho > 0 */
-    size_t *index;  /* which */
-    double *factor; /* rho h^(1 - 2 alpha) of each */
+    size_t *index;  /* which; not used with matrices */
+    double *factor; /* rho h^(1 - 2 alpha) of each; with matrices rho is 1 */
     double *origin; /* x_0 of each, 0 for Riemann-Liouville */
     double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
     double *z, *dz; /* x - origin and its increment, gathered */
     fvi_memory *memory;
+    const fvi_system *system;
 } fvi_damping;
+
+/* fvi_velocity -- v = M^-1 p, d numbers each, of a system with matrices or without.
+ * Returns FVI_SUCCESS, or what factorise or solve returned. */
+int fvi_velocity(const fvi_system *system, const double *p, double *v);
+
+/* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of a system with
+ * matrices. Returns FVI_SUCCESS, or what their functions returned. */
+int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
+                               fvi_damping *damping);
+
+/* fvi_damping_gather -- what is remembered of x, less `from`, to z: x_i - from_i of the damped
+ * coordinates, or B^T x - from.  Returns FVI_SUCCESS, or what remember returned. */
+int fvi_damping_gather(const fvi_damping *damping, const double *x,
+                       const double *from, double *z);
+
+/* fvi_damping_terms -- z and dz of the position s->x and of its increment s->dx. Returns as
+ * fvi_damping_gather. */
+int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
+
+/* fvi_damping_pull -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
+ * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what damp returned. */
+int fvi_damping_pull(const fvi_damping *damping, double share, const double *H,
+                     double *p);
 
 /* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
  *

@@ -80,13 +80,17 @@ int fvi_variational_solver(fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
     const size_t d = run->system->d;
+    const double pull = run->kappa * run->h;
+    if (run->system->matrices)
+        return fvi_newton_matrices_alloc(run->system, 1 / run->h, 0, pull,
+                                         1 - run->kappa, &s->newton);
     double *A = malloc(d * sizeof *A);
     if (!A)
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
     for (size_t i = 0; i < d; i++)
         A[i] = run->system->mass[i] / run->h;
-    int status = fvi_newton_alloc(run->system, A, run->kappa * run->h,
-                                  1 - run->kappa, &s->newton);
+    int status =
+        fvi_newton_alloc(run->system, A, pull, 1 - run->kappa, &s->newton);
     free(A);
     return status;
 }

@@ -39,14 +39,10 @@ static int visit_fractional(fvi_stepper *s, fvi_visitor *v)
 /* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
 static int damp(fvi_stepper *s, fvi_damping *d)
 {
-    for (size_t j = 0; j < d->count; j++) {
-        d->z[j] = s->x[d->index[j]] - d->origin[j];
-        d->dz[j] = s->dx[d->index[j]] - d->drift[j];
-    }
-    int status = fvi_memory_push(d->memory, d->z, d->dz, d->z);
-    for (size_t j = 0; j < d->count; j++)
-        s->p[d->index[j]] -= d->factor[j] * d->z[j];
-    return status;
+    int status = fvi_damping_terms(d, s);
+    if (!status)
+        status = fvi_memory_push(d->memory, d->z, d->dz, d->z);
+    return status ? status : fvi_damping_pull(d, 1, d->z, s->p);
 }
 //< damp
 
@@ -77,6 +73,7 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .scheme = FVI_SCHEME_ALGORITHM_3,
                                     .takes_kappa = 1,
                                     .takes_laws = 1,
+                                    .takes_matrices = 1,
                                     .implicit = 1,
                                     .past_as_printed = 1,
                                     .load = fvi_load_backward,

@@ -13,6 +13,8 @@ int fvi_pull_start(const fvi_stepper *s, size_t n, const double *c,
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
     pull->size = NULL;
+    if (system->matrices)
+        return fvi_pull_of_matrices(s, n, c, pull);
     for (size_t i = 0; i < system->d; i++) {
         const double A = fvi_past_amplitude(run->past, run->alpha, s->x[i],
                                             s->p[i] / system->mass[i]);

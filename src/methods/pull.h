@@ -18,9 +18,14 @@ typedef struct {
  *   n, c  the nodes, as fvi_past_prepare has them
  *   pull  output; give pull->size back with free
  *
- * Returns FVI_SUCCESS or FVI_ENOMEM; on error pull->size is NULL. */
+ * Returns FVI_SUCCESS or FVI_ENOMEM, or what a function of matrices returned; on error
+ * pull->size is NULL. */
 int fvi_pull_start(const fvi_stepper *s, size_t n, const double *c,
                    fvi_pull *pull);
+
+/* fvi_pull_of_matrices -- the same with matrices: size is C A h^(1 + e). */
+int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
+                         fvi_pull *pull);
 
 /* fvi_pull_copy -- the same again, of d coordinates. Errors as above. */
 int fvi_pull_copy(const fvi_pull *from, size_t d, fvi_pull *to);

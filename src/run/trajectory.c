@@ -62,7 +62,8 @@ static int check(const fvi_method *method, const fvi_run *run)
 {
     if (!method || !run || !run->x0 || !run->p0)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system);
+    int status = method->takes_matrices ? fvi_system_check_any(run->system)
+                                        : fvi_system_check(run->system);
     if (status)
         return status;
     if (run->steps == 0)

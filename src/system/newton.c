@@ -218,6 +218,8 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
     if (!n || !x || !r || !d || !g)
         FVI_FAIL("null pointer", FVI_EFAULT);
     n->theirs = 0;
+    if (n->system->matrices)
+        return fvi_newton_by_matrices(n, x, r, d, g);
     return n->linear ? solve_linear(n, x, r, d, g)
                      : solve_nonlinear(n, x, r, d, g);
 }

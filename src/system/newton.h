@@ -48,6 +48,23 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
 int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
                             fvi_newton **newton);
 
+/* fvi_newton_matrices_alloc -- prepare (2.10) with matrices:              [(27.3)]
+ *
+ *     (m M + c C) d + s K (x + theta d) = r
+ *
+ *   system    with matrices
+ *   m, c      finite, m > 0, c >= 0
+ *   s, theta  finite
+ *
+ * m M + c C + s theta K is factorised here, once. Returns FVI_SUCCESS; FVI_EDOM if a number is
+ * out of range; FVI_ENOMEM; what factorise returned. */
+int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
+                              double s, double theta, fvi_newton **newton);
+
+/* fvi_system_check_any -- as fvi_system_check, but matrices are welcome: FVI_EFAULT if one of
+ * their functions is missing, FVI_EINVAL if there is a potential, too. */
+int fvi_system_check_any(const fvi_system *system);
+
 /* fvi_newton_solve -- one solution of (2.10), or of the equations of q stages.
  *
  *   x     d numbers

@@ -219,8 +219,66 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
     return finish(n, newton);
 }
 
+/* ---- with matrices ---- */
+
+int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
+                              double s, double theta, fvi_newton **newton)
+{
+    if (!(m > 0 && c >= 0 && gsl_finite(m + c)) || !gsl_finite(s * theta))
+        FVI_FAIL("m, c, s and theta must be finite", FVI_EDOM);
+    fvi_newton *n = calloc(1, sizeof *n);
+    double *block = malloc((1 + system->d) * sizeof *block);
+    if (!n || !block) {
+        free(n);
+        free(block);
+        FVI_FAIL("no memory for the solver", FVI_ENOMEM);
+    }
+    *n = (fvi_newton){ .system = system,
+                       .q = 1,
+                       .theta = theta,
+                       .m = m,
+                       .c = c,
+                       .A = block,
+                       .s = block,
+                       .point = block + 1 };
+    *n->s = s;
+    const fvi_matrices *matrices = system->matrices;
+    int status = matrices->factorise(system->d, m, c, s * theta,
+                                     matrices->params, &n->factors);
+    if (status)
+        fvi_newton_free(n);
+    else
+        *newton = n;
+    return status;
+}
+
+//> matrices
+/* s K x is known, and what is left is one solution with the constant factors. */
+int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
+                           double *d, double *g)
+{
+    const fvi_matrices *matrices = n->system->matrices;
+    const size_t dim = n->system->d;
+    const double s = *n->s;
+    int status = s != 0 ? fvi_gradient(n->system, x, g) : FVI_SUCCESS;
+    if (status)
+        return status;
+    for (size_t i = 0; i < dim; i++)
+        d[i] = s != 0 ? r[i] - s * g[i] : r[i];
+    status = matrices->solve(dim, n->factors, d); /* (27.3) */
+    if (status || n->theta == 0)
+        return status;
+    for (size_t i = 0; i < dim; i++)
+        n->point[i] = x[i] + n->theta * d[i];
+    return fvi_gradient(n->system, n->point, g);
+}
+//< matrices
+
 int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
 {
+    if (from->system->matrices)
+        return fvi_newton_matrices_alloc(from->system, from->m, from->c,
+                                         *from->s, from->theta, to);
     fvi_newton *n = malloc(sizeof *n);
     if (!n)
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
@@ -241,6 +299,8 @@ void fvi_newton_free(fvi_newton *n)
 {
     if (!n)
         return;
+    if (n->factors)
+        n->system->matrices->forget(n->factors);
     fvi_band_free(&n->J);
     free(n->A);
     free(n);

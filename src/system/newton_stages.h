@@ -26,7 +26,13 @@ struct fvi_newton {
     double size, last, largest; /* of step_i, of the last, of d_i; absolute */
     fvi_band J;                 /* (2.11), or its LU factors */
     int theirs;                 /* what a callback returned, if not 0 */
+    double m, c;                /* with matrices: of (27.3), s being *s, */
+    void *factors;              /* and what they made of them */
 };
+
+/* fvi_newton_by_matrices -- the solution of (27.3); arguments and codes as fvi_newton_solve. */
+int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
+                           double *d, double *g);
 
 /* fvi_newton_gradients -- g = grad U(x + theta d), all stages.
  * Returns 0, or what the potential returned, which is then in n->theirs too. */

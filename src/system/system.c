@@ -2,6 +2,7 @@
 #include <fvi/system.h>
 
 #include "system/fail.h"
+#include "system/newton.h"
 
 #include <gsl/gsl_math.h>
 #include <stdint.h>
@@ -9,23 +10,41 @@
 
 int fvi_system_check(const fvi_system *s)
 {
+    if (s && s->matrices)
+        FVI_FAIL("this is not for systems with matrices", FVI_EUNSUP);
+    return fvi_system_check_any(s);
+}
+
+static int check_matrices(const fvi_system *s)
+{
+    const fvi_matrices *m = s->matrices;
+    if (!m->stiffness || !m->factorise || !m->solve || !m->forget
+        || (m->remembered > 0 && (!m->remember || !m->damp)))
+        FVI_FAIL("a function of the matrices is missing", FVI_EFAULT);
+    if (s->potential.value)
+        FVI_FAIL("matrices and a potential do not go together", FVI_EINVAL);
+    return FVI_SUCCESS;
+}
+
+int fvi_system_check_any(const fvi_system *s)
+{
     if (!s || !s->mass || !s->damping)
         FVI_FAIL("a system needs masses and dampings", FVI_EFAULT);
     const fvi_potential *u = &s->potential;
-    const size_t row = u->diagonals ? u->diagonals : s->d;
+    const size_t row = s->matrices ? 1 : u->diagonals ? u->diagonals : s->d;
     if (s->d == 0 || s->d > SIZE_MAX / sizeof(double) / 8 / row)
         FVI_FAIL("the dimension must be at least 1 and a Hessian addressable",
-                  FVI_EINVAL);
+                 FVI_EINVAL);
     if (!u->value != !u->gradient || !u->value != !u->hessian)
         FVI_FAIL("a potential needs value, gradient and hessian, or none",
-                  FVI_EINVAL);
+                 FVI_EINVAL);
     for (size_t i = 0; i < s->d; i++) {
         if (!(gsl_finite(s->mass[i]) && s->mass[i] > 0))
             FVI_FAIL("a mass must be finite and positive", FVI_EDOM);
         if (!(gsl_finite(s->damping[i]) && s->damping[i] >= 0))
             FVI_FAIL("a damping must be finite and not negative", FVI_EDOM);
     }
-    return FVI_SUCCESS;
+    return s->matrices ? check_matrices(s) : FVI_SUCCESS;
 }
 
 int fvi_potential_value(const fvi_system *s, const double *x, double *U)
@@ -40,6 +59,8 @@ int fvi_potential_value(const fvi_system *s, const double *x, double *U)
 int fvi_gradient(const fvi_system *s, const double *x, double *grad)
 {
     const fvi_potential *u = &s->potential;
+    if (s->matrices)
+        return s->matrices->stiffness(s->d, x, s->matrices->params, grad);
     if (u->gradient)
         return u->gradient(s->d, x, u->params, grad);
     memset(grad, 0, s->d * sizeof *grad);
@@ -49,6 +70,10 @@ int fvi_gradient(const fvi_system *s, const double *x, double *grad)
 int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
 {
     double kinetic = 0, potential;
+    if (s->matrices)
+        return s->matrices->energy
+                   ? s->matrices->energy(s->d, x, p, s->matrices->params, E)
+                   : FVI_EUNSUP;
     for (size_t i = 0; i < s->d; i++)
         kinetic += p[i] / s->mass[i] * p[i];
     int status = fvi_potential_value(s, x, &potential);

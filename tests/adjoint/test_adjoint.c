@@ -24,9 +24,12 @@ static oscillator *oscillator_of(size_t i, fvi_memory_kind memory)
                        .aw = { 0.25, 1 },
                        .p0 = 0.5,
                        .x0 = ref_slopes[i].x0 };
-    o->system =
-        (fvi_system){ 1, &o->mass, &o->rho, fvi_potential_duffing(o->cg),
-                      fvi_force_cosine(o->aw) };
+    o->system = (fvi_system){ 1,
+                              &o->mass,
+                              &o->rho,
+                              fvi_potential_duffing(o->cg),
+                              fvi_force_cosine(o->aw),
+                              NULL };
     o->run = fvi_run_default(&o->system, &o->x0, &o->p0, ref_slopes[i].h,
                              ref_slopes[i].N);
     o->run.alpha = ref_slopes[i].alpha;

@@ -150,8 +150,9 @@ START_TEST(eq_13_10_only_damped_coordinates_remember)
     const double mass[] = { 2, 1, 3 }, rho[] = { 0, 0.5, 0.2 },
                  x0[] = { -0.5, 1, 0.25 }, p0[] = { 0.7, 0.2, 0 }, c = 1,
                  step[] = { 1, 2 }, alphas[] = { 0.3, 0.5, 0.8 };
-    const fvi_system system = { 3, mass, rho, fvi_potential_harmonic(&c),
-                                fvi_force_step(step) };
+    const fvi_system system = {
+        3, mass, rho, fvi_potential_harmonic(&c), fvi_force_step(step), NULL
+    };
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
         const fvi_method *method = methods[i / LEN(alphas)];
         double both[153], alone[51];
@@ -181,7 +182,8 @@ START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
     const double mass[D] = { 1.5, 1.5, 1.5, 1.5, 1.5 }, c[] = { 2, 0 },
                  rho[D] = { 0.4, 0.4, 0.4, 0.4, 0.4 },
                  alphas[] = { 0.1, 0.5, 0.8 };
-    const fvi_system system = { D, mass, rho, fvi_potential_chain(c), { 0 } };
+    const fvi_system system = { D,     mass, rho, fvi_potential_chain(c),
+                                { 0 }, NULL };
     for (size_t i = 0; i < LEN(alphas) * D * LEN(methods); i++) {
         const fvi_method *method = methods[i / LEN(alphas) / D];
         const double j = (double)(i % D) + 1, s = sin(M_PI / 2 * j / (D + 1));
@@ -259,14 +261,18 @@ static void motion(const fvi_method *method, int which, double alpha, size_t N,
     /* within the stable steps of both, (13.14) */
     const double R = method == &fvi_bdf2 && alpha > 0.75 ? 0.2 : 1,
                  rho[] = { R, 0, 0.3 * R, 0.7 * R };
-    fvi_system system = { 1, one, rho, fvi_potential_harmonic(one),
-                          fvi_force_step(pushes) };
+    fvi_system system = {
+        1, one, rho, fvi_potential_harmonic(one), fvi_force_step(pushes), NULL
+    };
     if (which == 1)
-        system = (fvi_system){ 4, one, rho, fvi_potential_chain(cg),
-                               fvi_force_cosine(wave) };
+        system = (fvi_system){
+            4, one, rho, fvi_potential_chain(cg), fvi_force_cosine(wave), NULL
+        };
     if (which == 2)
-        system = (fvi_system){ 1, one, rho, fvi_potential_pendulum(one),
-                               fvi_force_cosine(wave) };
+        system = (fvi_system){
+            1,   one, rho, fvi_potential_pendulum(one), fvi_force_cosine(wave),
+            NULL
+        };
     const fvi_run run = { .system = &system,
                           .x0 = which ? up : zero,
                           .p0 = zero,
@@ -310,7 +316,9 @@ END_TEST
 START_TEST(runs_that_cannot_be_done_are_refused)
 {
     const double one = 1, c = 1, minus = -1;
-    fvi_system good = { 1, &one, &one, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system good = {
+        1, &one, &one, fvi_potential_harmonic(&c), { 0 }, NULL
+    };
     fvi_system light = good;
     light.mass = &minus;
     const struct {

@@ -70,7 +70,8 @@ static const fvi_system coupled = { 2,
                                     { .value = coupled_value,
                                       .gradient = coupled_gradient,
                                       .hessian = coupled_hessian },
-                                    { 0 } };
+                                    { 0 },
+                                    NULL };
 
 /* Mass 2, damping 3/2, and the potential of the reference values. */
 static fvi_system cubic(const double c[3])
@@ -83,7 +84,8 @@ static fvi_system cubic(const double c[3])
                            .gradient = cubic_gradient,
                            .hessian = cubic_hessian,
                            .params = (void *)c },
-                         { 0 } };
+                         { 0 },
+                         NULL };
 }
 
 enum { MOST = 130 }; /* room for N + 1 <= 65 vectors of R^2 */

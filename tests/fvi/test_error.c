@@ -108,7 +108,8 @@ static fvi_run wide_run(fvi_system *system)
                             { .value = full_value,
                               .gradient = full_gradient,
                               .hessian = full_hessian },
-                            { 0 } };
+                            { 0 },
+                            NULL };
     fvi_run run = fvi_run_default(system, wide[1], wide[0], 0x1p-6, 300);
     run.kappa = 0.25;
     return run;

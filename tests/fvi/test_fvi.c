@@ -25,13 +25,14 @@ START_TEST(eq_9_2_trajectories_are_the_exact_ones)
 {
     for (size_t r = 0; r < LEN(ref_runs); r++) {
         const size_t d = ref_runs[r].d, rows = (ref_runs[r].steps + 1) * d;
-        const fvi_system system = { d,
-                                    ref_runs[r].mass,
-                                    ref_runs[r].rho,
-                                    potential(ref_runs[r].potential,
-                                              ref_runs[r].cg),
-                                    { .value = ramp,
-                                      .params = (void *)ref_runs[r].ramp } };
+        const fvi_system system = {
+            d,
+            ref_runs[r].mass,
+            ref_runs[r].rho,
+            potential(ref_runs[r].potential, ref_runs[r].cg),
+            { .value = ramp, .params = (void *)ref_runs[r].ramp },
+            NULL
+        };
         const setup a = { .alpha = ref_runs[r].alpha,
                           .kappa = ref_runs[r].kappa,
                           .h = ref_runs[r].h,
@@ -181,9 +182,12 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
     const double mass[] = { 1, 2 }, rho[] = { 0.5, 0 }, x0[] = { 1, -0.5 },
                  p0[] = { 0.2, 0.7 }, slope[] = { 0.1, 0.3 }, c = 1;
     const double alphas[] = { 0.3, 0.8 }, kappas[] = { 0, 0.5, 1 };
-    const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { .value = ramp, .params = (void *)slope }
-    };
+    const fvi_system system = { 2,
+                                mass,
+                                rho,
+                                fvi_potential_harmonic(&c),
+                                { .value = ramp, .params = (void *)slope },
+                                NULL };
     double undamped[51] = { 0 };
     for (size_t i = 0; i < LEN(alphas) * LEN(kappas); i++) {
         double both[102], alone[51];
@@ -219,7 +223,8 @@ START_TEST(eq_9_3_the_modes_of_a_chain_decouple)
     const double mass[D] = { 1.5, 1.5, 1.5, 1.5, 1.5 }, c[] = { 2, 0 },
                  rho[D] = { 0.4, 0.4, 0.4, 0.4, 0.4 },
                  alphas[] = { 0.1, 0.5, 0.8 };
-    const fvi_system system = { D, mass, rho, fvi_potential_chain(c), { 0 } };
+    const fvi_system system = { D,     mass, rho, fvi_potential_chain(c),
+                                { 0 }, NULL };
     for (size_t i = 0; i < LEN(alphas) * D; i++) {
         const double j = (double)(i % D) + 1, s = sin(M_PI / 2 * j / (D + 1));
         double x0[D], p0[D], x[(N + 1) * D], mode[N + 1], p[N + 1];

@@ -42,7 +42,8 @@ START_TEST(rows_are_the_same_streamed_and_stored)
     enum { N = 40 };
     const double cg[] = { 1, 0.5 };
     const double rho[] = { 0.5, 0.25 };
-    const fvi_system system = { 2, one, rho, fvi_potential_chain(cg), { 0 } };
+    const fvi_system system = { 2,     one, rho, fvi_potential_chain(cg),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = half,
@@ -78,7 +79,8 @@ START_TEST(what_needs_no_memory_takes_none)
     const double c = 1, alphas[] = { 0.3, 0, 0.5, 1 };
     for (size_t i = 0; i < LEN(alphas); i++) {
         const fvi_system system = {
-            1, one, i == 0 ? none : half, fvi_potential_harmonic(&c), { 0 }
+            1,     one, i == 0 ? none : half, fvi_potential_harmonic(&c),
+            { 0 }, NULL
         };
         const fvi_run run = { .system = &system,
                               .x0 = one,
@@ -102,7 +104,7 @@ END_TEST
 START_TEST(start_refuses)
 {
     const double minus[] = { -1 }, singular = -4, c = 1;
-    fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 } };
+    fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 }, NULL };
     fvi_system no_mass = good, bad_mass = good, no_room = good, partial = good,
                nothing = good, caves_in = good, pushed = good;
     no_mass.mass = NULL;
@@ -203,9 +205,8 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
 {
     fvi_error_handler *before = fvi_set_error_handler(unheard);
     const double c = -1e100;
-    const fvi_system system = {
-        1, one, one, fvi_potential_harmonic(&c), { 0 }
-    };
+    const fvi_system system = { 1,     one, one, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = none,
@@ -241,7 +242,9 @@ static int explodes(double t, size_t d, void *params, double *F)
 /* An infinite force reaches the momentum one step before the position. */
 START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
 {
-    const fvi_system system = { 1, one, none, { 0 }, { .value = explodes } };
+    const fvi_system system = {
+        1, one, none, { 0 }, { .value = explodes }, NULL
+    };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = none,
@@ -269,12 +272,14 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
         { -4, -0.5, FVI_ESING },   /* J = 1 - 4/4 */
     };
     for (size_t i = 0; i < LEN(bad); i++) {
-        const fvi_system system = { 1,
-                                    one,
-                                    one,
-                                    { no_value, sign, claimed,
-                                      (void *)&bad[i].hessian, 0, 0, 0 },
-                                    { 0 } };
+        const fvi_system system = {
+            1,
+            one,
+            one,
+            { no_value, sign, claimed, (void *)&bad[i].hessian, 0, 0, 0 },
+            { 0 },
+            NULL
+        };
         const fvi_run run = { .system = &system,
                               .x0 = &bad[i].x0,
                               .p0 = one,
@@ -308,12 +313,11 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
         const fvi_method *method = methods[i / 2];
         const double full = method == &fvi_euler_implicit ? -1 : -4;
         const double x0 = -0.5, hessian = i % 2 ? full : 0;
-        const fvi_system system = { 1,
-                                    one,
-                                    none,
-                                    { no_value, sign, claimed, (void *)&hessian,
-                                      0, 0, 0 },
-                                    { 0 } };
+        const fvi_system system = {
+            1,     one,
+            none,  { no_value, sign, claimed, (void *)&hessian, 0, 0, 0 },
+            { 0 }, NULL
+        };
         const fvi_run run = { .system = &system,
                               .x0 = &x0,
                               .p0 = one,
@@ -333,7 +337,8 @@ END_TEST
 START_TEST(algorithm_3_refuses)
 {
     const double minus = -1, c = 1;
-    const fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 } };
+    const fvi_system good = { 1,     one, one, fvi_potential_harmonic(&c),
+                              { 0 }, NULL };
     fvi_system two = good, light = good, undamped = good;
     two.d = 2;
     light.mass = &minus;

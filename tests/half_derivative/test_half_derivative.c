@@ -310,8 +310,9 @@ START_TEST(eq_7_9_forced_runs_solve_the_printed_equation)
     double x[(N + 1) * D], DD[(N + 1) * D], D1[D], D2[D], F[D];
     fvi_system system;
     fvi_run run = oscillator(&system, h, N);
-    system = (fvi_system){ D, mass, damping, fvi_potential_chain(cg),
-                           fvi_force_cosine(aw) };
+    system = (fvi_system){
+        D, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(aw), NULL
+    };
     run.x0 = x0;
     run.p0 = p0;
     run.kappa = kappa;

@@ -83,15 +83,17 @@ static inline void run(const fvi_method *method, const setup *a,
 static inline void solve(const fvi_method *method, const setup *a, double *x,
                          double *p)
 {
-    const fvi_system system = { 1, &a->mass, &a->rho,
-                                potential(a->potential, a->cg), a->force };
+    const fvi_system system = { 1,        &a->mass,
+                                &a->rho,  potential(a->potential, a->cg),
+                                a->force, NULL };
     run(method, a, &system, &a->x0, &a->p0, x, p);
 }
 
 static inline void solve_as_printed(const setup *a, double *x)
 {
-    const fvi_system system = { 1, &a->mass, &a->rho,
-                                potential(a->potential, a->cg), a->force };
+    const fvi_system system = { 1,        &a->mass,
+                                &a->rho,  potential(a->potential, a->cg),
+                                a->force, NULL };
     ck_assert_int_eq(fvi_algorithm_3(&system, a->alpha, a->kappa, a->h,
                                      a->steps, a->x0, a->p0, x),
                      FVI_SUCCESS);

@@ -24,12 +24,10 @@ START_TEST(eq_8_1_and_8_2_the_momenta)
     const double x[] = { 0.5, -0.25 }, y[] = { 0.75, 0.125 };
     const double D[] = { 1.25, -0.5 }, F[] = { -0.375, 2 };
     for (size_t r = 0; r < LEN(ref_momenta); r++) {
-        const fvi_system s = { 2,
-                               mass,
-                               rho,
-                               potential(ref_momenta[r].kind,
-                                         ref_momenta[r].cg),
-                               { 0 } };
+        const fvi_system s = {
+            2,     mass, rho, potential(ref_momenta[r].kind, ref_momenta[r].cg),
+            { 0 }, NULL
+        };
         const double K = ref_momenta[r].kappa;
         double p[5][2];
         ck_assert_int_eq(fvi_legendre_minus(&s, K, h, x, y, p[0]), 0);
@@ -72,13 +70,12 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
     enum { N = 60 };
     const double rho[] = { 0.5, 0, 0.25 }, push[] = { 0.25, 0, -0.5 };
     const double alphas[] = { 0, 0.3, 0.5, 0.75, 1 };
-    const fvi_system system = {
-        3,
-        mass3,
-        rho,
-        fvi_potential_chain(quartic),
-        { .value = ramp, .params = (void *)push }
-    };
+    const fvi_system system = { 3,
+                                mass3,
+                                rho,
+                                fvi_potential_chain(quartic),
+                                { .value = ramp, .params = (void *)push },
+                                NULL };
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const setup a = { .alpha = alphas[r / 5],
@@ -125,9 +122,9 @@ START_TEST(eq_8_4_there_and_back)
     const double h = 0.125, cg[] = { 1, 2 }, y[] = { 0.625, -0.5, 0.75 };
     const int kinds[] = { HARMONIC, DUFFING, CHAIN, PENDULUM };
     for (size_t r = 0; r < LEN(kinds) * 5; r++) {
-        const fvi_system s = {
-            3, mass3, none, potential(kinds[r % LEN(kinds)], cg), { 0 }
-        };
+        const fvi_system s = { 3,     mass3,
+                               none,  potential(kinds[r % LEN(kinds)], cg),
+                               { 0 }, NULL };
         const double kappa = 0.25 * (double)(r / LEN(kinds));
         double p[3], next[3];
         const double bound = 64 * U * (2 / h + h * 64);
@@ -244,9 +241,8 @@ START_TEST(bad_steps_are_refused_and_outputs_untouched)
     const double one = 1, x = 1, y = 2, nan = GSL_NAN, inf = GSL_POSINF,
                  huge = 1e308;
     const double soft = -4, cubic[] = { 0, 1 }, zero = 0;
-    const fvi_system good = {
-        1, &one, &one, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system good = { 1,     &one, &one, fvi_potential_harmonic(&one),
+                              { 0 }, NULL };
     fvi_system bad = good, singular = good, hopeless = good, freely = good;
     freely.potential = (fvi_potential){ 0 };
     bad.mass = NULL;

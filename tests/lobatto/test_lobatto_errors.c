@@ -48,7 +48,7 @@ START_TEST(what_needs_no_stages_of_the_past_keeps_none)
     for (size_t s = 2; s <= 4; s++)
         for (size_t i = 0; i < LEN(at); i++) {
             const double one = 1, rho = i == 0 ? 0 : 0.5;
-            const fvi_system system = { 1, &one, &rho, { 0 }, { 0 } };
+            const fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL };
             const fvi_run run = { .system = &system,
                                   .x0 = &one,
                                   .p0 = &one,
@@ -92,9 +92,8 @@ static int claimed(size_t d, const double *q, void *params, double *H)
 START_TEST(lobatto_start_refuses)
 {
     const double one = 1, c = 1;
-    const fvi_system good = {
-        1, &one, &one, fvi_potential_harmonic(&c), { 0 }
-    };
+    const fvi_system good = { 1,     &one, &one, fvi_potential_harmonic(&c),
+                              { 0 }, NULL };
     const fvi_run run = { .system = &good,
                           .x0 = &one,
                           .p0 = &one,
@@ -157,11 +156,9 @@ START_TEST(a_singular_equation_is_refused)
     const fvi_potential promised = fvi_potential_harmonic(&one);
     for (int i = 0; i < 40; i++, stiffness = nextafter(stiffness, 0)) {
         fvi_system system = {
-            1,
-            &one,
-            &none,
-            { no_value, sign, claimed, &stiffness, 0, 0, 0 },
-            { 0 }
+            1,     &one,
+            &none, { no_value, sign, claimed, &stiffness, 0, 0, 0 },
+            { 0 }, NULL
         };
         for (int constant = 0; constant <= 1; constant++) {
             if (constant)
@@ -203,7 +200,7 @@ END_TEST
 START_TEST(a_mass_that_vanishes_against_the_step_is_refused)
 {
     const double light = 1e-200, none = 0, one = 1;
-    const fvi_system system = { 1, &light, &none, { 0 }, { 0 } };
+    const fvi_system system = { 1, &light, &none, { 0 }, { 0 }, NULL };
     const fvi_run run = {
         .system = &system, .x0 = &one, .p0 = &one, .h = 1e200, .steps = 3
     };
@@ -223,7 +220,7 @@ START_TEST(stages_that_find_no_room_are_refused)
     for (size_t i = 0; i < D; i++)
         ones[i] = 1;
     const fvi_system system = {
-        D, ones, ones, { no_value, sign, claimed, ones, 0, 0, 0 }, { 0 }
+        D, ones, ones, { no_value, sign, claimed, ones, 0, 0, 0 }, { 0 }, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = ones,
@@ -243,11 +240,8 @@ START_TEST(lobatto_steps_fail_with_their_code)
 {
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
     fvi_system system = {
-        1,
-        &one,
-        &none,
-        { no_value, sign, claimed, (void *)&flat, 0, 0, 0 },
-        { 0 }
+        1,     &one, &none, { no_value, sign, claimed, (void *)&flat, 0, 0, 0 },
+        { 0 }, NULL
     };
     ck_assert_int_eq(last_step(&system, &start, 3), FVI_EMAXITER);
     ck_assert_int_eq(last_step(&system, &start, 4), FVI_EMAXITER);

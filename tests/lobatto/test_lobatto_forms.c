@@ -61,7 +61,8 @@ static void run_driven(const fvi_method *method, const driving *a, errors *ex,
                                 &one,
                                 &a->rho,
                                 fvi_potential_duffing(cg),
-                                { .value = drive, .params = (void *)a } };
+                                { .value = drive, .params = (void *)a },
+                                NULL };
     ex->count = ep->count = 0;
     for (size_t N = 4; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &zero, &zero, 1 / (double)N, N);
@@ -123,11 +124,14 @@ static void run_linear(const fvi_method *method, const fvi_linear *problem,
                        double T, size_t part, errors *ex, errors *ep)
 {
     const double aT[] = { problem->A, problem->T };
-    const fvi_system system = { 1, &problem->m, &problem->rho,
+    const fvi_system system = { 1,
+                                &problem->m,
+                                &problem->rho,
                                 fvi_potential_harmonic(&problem->c),
                                 problem->forcing == FVI_FORCING_STEP
                                     ? fvi_force_step(aT)
-                                    : (fvi_force){ 0 } };
+                                    : (fvi_force){ 0 },
+                                NULL };
     ex->count = ep->count = 0;
     for (size_t N = part; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &problem->x0, &problem->v0,
@@ -286,9 +290,9 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
         for (size_t i = 0; i < LEN(some); i++) {
             const double alpha = some[i], gain = alpha > 0.5 ? 1 : 0, one = 1,
                          rho = 0.5, c = 1, x0 = 1, p0 = 2;
-            const fvi_system system = {
-                1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
-            };
+            const fvi_system system = { 1,     &one,
+                                        &rho,  fvi_potential_harmonic(&c),
+                                        { 0 }, NULL };
             const fvi_linear problem = { .m = 1,
                                          .c = 1,
                                          .rho = 0.5,
@@ -341,9 +345,9 @@ START_TEST(eq_17_26_form_d_never_gains_energy)
                      rho = pow(10, 12 * gsl_rng_uniform(random) - 4), x0 = 1,
                      alpha = gsl_rng_uniform(random),
                      p0 = alpha > 0.5 ? 0 : 0.5;
-        const fvi_system system = {
-            1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
-        };
+        const fvi_system system = { 1,     &one,
+                                    &rho,  fvi_potential_harmonic(&c),
+                                    { 0 }, NULL };
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, N);
         double E[N + 1];
         run.alpha = alpha;
@@ -369,7 +373,9 @@ START_TEST(eq_17_28_form_d_is_stable_for_every_step)
     const double m[D] = { 1, 2, 3, 1, 0.5 }, rho[D] = { 1e8, 0, 1, 3, 1e-3 },
                  x0[D] = { 1, 0, 0, 0, -1 }, p0[D] = { 0 }, cg[] = { 1e4, 0 };
     static double rows[(MOST + 1) * D];
-    const fvi_system system = { D, m, rho, fvi_potential_chain(cg), { 0 } };
+    const fvi_system system = {
+        D, m, rho, fvi_potential_chain(cg), { 0 }, NULL
+    };
     for (size_t s = 2; s <= 8; s++)
         for (int a = 1; a <= 9; a += 2) {
             fvi_run run = fvi_run_default(&system, x0, p0, 10, 300);
@@ -392,9 +398,8 @@ START_TEST(eq_17_26_form_d_loses_where_form_m_keeps)
     enum { N = 2000 };
     static double E[N + 1];
     const double one = 1, zero = 0, cg[] = { 0, 1 }, x0 = 1, p0 = 0;
-    const fvi_system system = {
-        1, &one, &zero, fvi_potential_duffing(cg), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &zero, fvi_potential_duffing(cg),
+                                { 0 }, NULL };
     for (size_t s = 2; s <= 5; s++) {
         const fvi_run run = fvi_run_default(&system, &x0, &p0, 0.25, N);
         double band = 0;

@@ -62,13 +62,12 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
                        errors *fixed)
 {
     const double one = 1, zero = 0, cg[] = { 1, 1 };
-    const fvi_system system = {
-        1,
-        &one,
-        &a->rho,
-        fvi_potential_duffing(cg),
-        { .value = drive, .params = (void *)a }
-    };
+    const fvi_system system = { 1,
+                                &one,
+                                &a->rho,
+                                fvi_potential_duffing(cg),
+                                { .value = drive, .params = (void *)a },
+                                NULL };
     ex->count = ep->count = fixed->count = 0;
     for (size_t N = 20; N <= 1280; N *= 2) {
         const fvi_run run = { .system = &system,

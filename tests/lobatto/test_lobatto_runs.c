@@ -173,9 +173,9 @@ START_TEST(eq_17_8_without_damping_the_energy_stays)
     const double band[] = { 0, 0, 5e-3, 4e-6, 2e-9 }, one = 1, none = 0,
                  cg[] = { 1, 1 }, start = 1;
     for (size_t s = 2; s <= 4; s++) {
-        const fvi_system system = {
-            1, &one, &none, fvi_potential_duffing(cg), { 0 }
-        };
+        const fvi_system system = { 1,     &one,
+                                    &none, fvi_potential_duffing(cg),
+                                    { 0 }, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = &start,
                               .p0 = &none,
@@ -267,7 +267,8 @@ START_TEST(eq_17_8_a_chain_is_its_modes)
 {
     const double cg[] = { 1, 0 }, one[] = { 1, 1, 1 },
                  rho[] = { 0.3, 0.3, 0.3 };
-    const fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 } };
+    const fvi_system system = { 3,     one, rho, fvi_potential_chain(cg),
+                                { 0 }, NULL };
     for (size_t s = 2; s <= 4; s++)
         for (size_t i = 0; i < LEN(alphas); i++) {
             double start[3], push[3];
@@ -312,8 +313,9 @@ START_TEST(eq_17_8_only_damped_coordinates_remember)
     const double cg[] = { 1, 1 }, mass[] = { 1, 2, 0.5 }, rho[] = { 0.3, 0, 1 },
                  start[] = { 1, -0.5, 0.3 }, push[] = { 0.2, 0, -0.4 },
                  aw[] = { 1, 2 };
-    const fvi_system system = { 3, mass, rho, fvi_potential_duffing(cg),
-                                fvi_force_cosine(aw) };
+    const fvi_system system = {
+        3, mass, rho, fvi_potential_duffing(cg), fvi_force_cosine(aw), NULL
+    };
     for (size_t s = 2; s <= 4; s++)
         for (size_t i = 0; i < LEN(alphas); i++) {
             solve3(&system, s, alphas[i], FVI_MEMORY_DIRECT, start, push);
@@ -345,7 +347,7 @@ START_TEST(eq_17_8_newton_finds_what_one_factorisation_finds)
 {
     const double cg[] = { 1, 0 }, one[] = { 1, 2, 1 }, rho[] = { 0.3, 0, 0.6 },
                  start[] = { 1, -0.5, 0.3 }, push[] = { 0.2, 0, -0.4 };
-    fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 } };
+    fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 }, NULL };
     for (size_t s = 2; s <= 4; s++) {
         system.potential = fvi_potential_chain(cg);
         solve3(&system, s, 0.3, FVI_MEMORY_AUTO, start, push);

@@ -93,9 +93,8 @@ END_TEST
 static double load_at(size_t s, double alpha, double W, double R)
 {
     const double one = 1, zero = 0;
-    const fvi_system system = {
-        1, &one, &R, fvi_potential_harmonic(&W), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
+                                { 0 }, NULL };
     const fvi_run run = {
         .system = &system, .x0 = &zero, .h = 1, .alpha = alpha
     };
@@ -308,7 +307,8 @@ START_TEST(eq_17_18_a_chain_of_masses)
                                    s < 5 ? equal : unequal,
                                    s < 5 ? all : some,
                                    fvi_potential_chain(spring),
-                                   { 0 } };
+                                   { 0 },
+                                   NULL };
         const size_t stages = s < 5 ? s : 2;
         fvi_run run = { .system = &chain,
                         .x0 = start,
@@ -361,7 +361,8 @@ START_TEST(eq_17_18_more_diagonals_than_masses)
                                       .hessian = wide_hessian,
                                       .params = &m,
                                       .diagonals = m },
-                                    { 0 } };
+                                    { 0 },
+                                    NULL };
         const fvi_run run = fvi_run_default(&system, start, start, 0.5, 1);
         ck_assert_int_eq(fvi_stability_lobatto(3, &run, load + i), 0);
         ck_assert_int_eq(fvi_stability_step(&fvi_lobatto2, &run, step + i), 0);
@@ -374,10 +375,10 @@ END_TEST
 START_TEST(bad_questions_about_stages_are_refused)
 {
     const double one = 1, big = 1e300;
-    const fvi_system free_particle = { 1, &one, &one, { 0 }, { 0 } },
-                     harmonic = {
-                         1, &one, &one, fvi_potential_harmonic(&big), { 0 }
-                     };
+    const fvi_system free_particle = { 1, &one, &one, { 0 }, { 0 }, NULL },
+                     harmonic = { 1,     &one,
+                                  &one,  fvi_potential_harmonic(&big),
+                                  { 0 }, NULL };
     const fvi_run run = {
         .system = &free_particle, .x0 = &one, .h = 1, .alpha = 0.25
     };

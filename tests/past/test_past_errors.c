@@ -70,7 +70,7 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
     static double x[(N + 1) * D], p[(N + 1) * D], alone_x[N + 1],
         alone_p[N + 1];
     const fvi_potential potential = fvi_potential_harmonic(&one);
-    const fvi_system all = { D, mass, damping, potential, { 0 } };
+    const fvi_system all = { D, mass, damping, potential, { 0 }, NULL };
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * METHODS; i++) {
         const fvi_method *method = methods[i % METHODS];
         const fvi_past past = pasts[i / METHODS % LEN(pasts)];
@@ -88,9 +88,8 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
         }
         ck_assert_int_eq(status, FVI_SUCCESS);
         for (size_t j = 0; j < D; j++) {
-            const fvi_system single = {
-                1, mass + j, damping + j, potential, { 0 }
-            };
+            const fvi_system single = { 1,         mass + j, damping + j,
+                                        potential, { 0 },    NULL };
             fvi_run own = run_of(&single, x0 + j, p0 + j, alpha, past);
             own.memory = FVI_MEMORY_DIRECT;
             ck_assert_int_eq(
@@ -109,9 +108,8 @@ END_TEST
 /* A run that says nothing of the past is one of a body at rest. */
 START_TEST(the_default_run_is_held)
 {
-    const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 7);
     ck_assert(run.system == &system && run.x0 == &one && run.p0 == &one);
     ck_assert(run.h == 0.25 && run.steps == 7);

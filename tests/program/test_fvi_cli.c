@@ -26,8 +26,9 @@ START_TEST(rows_are_the_numbers_of_the_library)
 {
     double m = 1.5, rho = 0.3, x0 = 0.7, p0 = -0.2, cg[2] = { 1, 0.5 },
            aw[2] = { 0.3, 2 };
-    const fvi_system system = { 1, &m, &rho, fvi_potential_duffing(cg),
-                                fvi_force_cosine(aw) };
+    const fvi_system system = {
+        1, &m, &rho, fvi_potential_duffing(cg), fvi_force_cosine(aw), NULL
+    };
     const fvi_run run = { .system = &system,
                           .x0 = &x0,
                           .p0 = &p0,
@@ -61,9 +62,8 @@ END_TEST
 START_TEST(every_method_is_at_hand_by_its_name)
 {
     const double m = 1, rho = 0.2, c = 1, x0 = 1, p0 = 0.5;
-    const fvi_system system = {
-        1, &m, &rho, fvi_potential_harmonic(&c), { 0 }
-    };
+    const fvi_system system = { 1,     &m,  &rho, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 100);
     for (size_t i = 0; fvi_methods[i]; i++) {
         double x[101];
@@ -183,7 +183,8 @@ START_TEST(a_chain_moves_as_the_library_says)
     const double ones[] = { 1, 1, 1 }, none[] = { 0, 0, 0 },
                  x0[] = { 1, 2, -1 };
     const double p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1.25, 0.5 };
-    const fvi_system chain = { 3, ones, none, fvi_potential_chain(cg), { 0 } };
+    const fvi_system chain = { 3,     ones, none, fvi_potential_chain(cg),
+                               { 0 }, NULL };
     const fvi_run run = { .system = &chain,
                           .x0 = x0,
                           .p0 = p0,

@@ -73,8 +73,9 @@ static const double mass[D] = { 1, 2, 1 }, rho[D] = { 0.3, 0, 0.2 },
 
 static fvi_system duffing(void)
 {
-    return (fvi_system){ D, mass, rho, fvi_potential_chain(cg),
-                         fvi_force_cosine(aw) };
+    return (fvi_system){
+        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(aw), NULL
+    };
 }
 
 /* Every method, memory, past and kind of alpha: the run that goes on from what was saved

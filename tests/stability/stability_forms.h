@@ -60,8 +60,9 @@ static void forms_second_difference(size_t N, double h, double *x)
 static void forms_momentum(size_t N, double h, double *x)
 {
     const double one = 1, zero = 0, aT[2] = { 8, 1 };
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(aT) };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+    };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,
                           .p0 = &zero,

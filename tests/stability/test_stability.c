@@ -38,9 +38,9 @@ END_TEST
 START_TEST(eq_14_3_load_of_a_nonlinear_spring_is_that_at_the_start)
 {
     const double one = 1, damping = 0.5, start = 2, cg[2] = { 1, 1 };
-    const fvi_system system = {
-        1, &one, &damping, fvi_potential_duffing(cg), { 0 }
-    };
+    const fvi_system system = { 1,        &one,
+                                &damping, fvi_potential_duffing(cg),
+                                { 0 },    NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &start,
                           .p0 = &one,
@@ -102,9 +102,9 @@ START_TEST(eq_14_3_long_chains)
     const double spring[] = { 3, 0 }, h = 0.5;
     for (size_t i = 0; i < LEN(sizes); i++) {
         const size_t d = sizes[i];
-        const fvi_system chain = {
-            d, one, zero, fvi_potential_chain(spring), { 0 }
-        };
+        const fvi_system chain = { d,     one,
+                                   zero,  fvi_potential_chain(spring),
+                                   { 0 }, NULL };
         const fvi_run run = {
             .system = &chain, .x0 = zero, .h = h, .alpha = 0.5
         };
@@ -181,7 +181,8 @@ START_TEST(a_hessian_that_finds_no_room_is_reported)
     ck_assert_ptr_nonnull(ones);
     for (size_t i = 0; i < D; i++)
         ones[i] = 1;
-    fvi_system system = { D, ones, ones, fvi_potential_harmonic(ones), { 0 } };
+    fvi_system system = { D,     ones, ones, fvi_potential_harmonic(ones),
+                          { 0 }, NULL };
     system.potential.diagonals = 0; /* it is never asked for */
     fvi_run run = { .system = &system, .x0 = ones, .h = 1, .alpha = 0.5 };
     ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &kept),

@@ -176,15 +176,14 @@ START_TEST(eq_14_8_several_masses)
     const double mass[] = { 1, 2, 0.5, 1, 3 }, damping[] = { 3, 0, 1, 0, 8 },
                  spring[] = { 1, 0 }, start[] = { 0, 0, 0, 0, 0 },
                  kick[] = { 1, -1, 0.5, 0.2, 1 };
-    fvi_system system = {
-        5, mass, damping, fvi_potential_chain(spring), { 0 }
-    };
+    fvi_system system = { 5,     mass, damping, fvi_potential_chain(spring),
+                          { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, start, kick, 1, 40000);
     ck_assert_edge(&run);
     double loose[] = { 1, -1, -1, -1, 1, 1, -1, 1, 1 };
     const double third[] = { 0, 0, 1.1 }, push[] = { 0, 0, 1 };
     const double weights[] = { 1.3, 2.1, 0.7 };
-    system = (fvi_system){ 3, weights, third, of_matrix(loose), { 0 } };
+    system = (fvi_system){ 3, weights, third, of_matrix(loose), { 0 }, NULL };
     run = fvi_run_default(&system, start, push, 1, 40000);
     ck_assert_edge(&run);
 }
@@ -197,9 +196,8 @@ START_TEST(eq_14_8_masses_apart_by_both_roads)
     const double mass[] = { 1, 2, 0.5 }, damping[] = { 3, 0.5, 1 }, stiff = 0.3,
                  start[] = { 0, 0, 0 };
     double K[] = { stiff, 0, 0, 0, stiff, 0, 0, 0, stiff };
-    fvi_system system = {
-        3, mass, damping, fvi_potential_harmonic(&stiff), { 0 }
-    };
+    fvi_system system = { 3,     mass, damping, fvi_potential_harmonic(&stiff),
+                          { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, start, start, 0.25, 10);
     const double apart = load_of(&run), want = (3 + sqrt(9 - 4 * stiff)) / 16;
     ck_assert_near(apart, want, 8 * U * want, "by masses");
@@ -227,7 +225,9 @@ START_TEST(too_many_coupled_masses_and_numbers_too_large_are_refused)
     for (size_t i = 0; i < D; i++)
         one[i] = 1;
     const double spring[] = { 1, 0 };
-    fvi_system system = { D, one, one, fvi_potential_chain(spring), { 0 } };
+    fvi_system system = {
+        D, one, one, fvi_potential_chain(spring), { 0 }, NULL
+    };
     fvi_run run = fvi_run_default(&system, one, one, 1, 1);
     ck_assert_int_eq(fvi_stability_load(&fvi_euler_explicit, &run, &kept),
                      FVI_EUNSUP);
@@ -239,8 +239,8 @@ START_TEST(too_many_coupled_masses_and_numbers_too_large_are_refused)
     ck_assert(kept > 0 && kept < 7);
     kept = 7;
     const double huge = 1e200, large = 1e300;
-    system =
-        (fvi_system){ 1, one, &huge, fvi_potential_harmonic(&large), { 0 } };
+    system = (fvi_system){ 1,     one, &huge, fvi_potential_harmonic(&large),
+                           { 0 }, NULL };
     const double heavy = 1e200;
     system.mass = &heavy;
     ck_assert_int_eq(fvi_stability_load(&fvi_euler_explicit, &run, &kept),

@@ -129,9 +129,9 @@ START_TEST(eq_14_3_a_chain_of_masses)
                  damping[] = { 0.3, 0, 1, 0.2, 2 };
     const double spring[] = { 1, 0 }, start[] = { 0, 0, 0, 0, 0 };
     const double kick[] = { 1, -1, 0.5, 0.2, 1 };
-    const fvi_system chain = {
-        5, mass, damping, fvi_potential_chain(spring), { 0 }
-    };
+    const fvi_system chain = { 5,       mass,
+                               damping, fvi_potential_chain(spring),
+                               { 0 },   NULL };
     fvi_run run = { .system = &chain,
                     .x0 = start,
                     .p0 = kick,

@@ -61,8 +61,9 @@ static inline int search_with(decider *decide, const fvi_method *method,
     const fvi_force force = q->forcing == FVI_FORCING_COSINE
                                 ? fvi_force_cosine(aw)
                                 : (fvi_force){ 0 };
-    const fvi_system system = { 1, &q->m, &q->rho,
-                                fvi_potential_harmonic(&q->c), force };
+    const fvi_system system = { 1,       &q->m,
+                                &q->rho, fvi_potential_harmonic(&q->c),
+                                force,   NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &q->x0,
                           .p0 = &p0,

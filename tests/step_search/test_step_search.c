@@ -67,9 +67,8 @@ START_TEST(eq_18_2_a_kick_at_the_start_is_not_overlooked)
         ratios(&fvi_fractional, &q, 10, 0.1, ROWS, &estimated, &asked);
         ck_assert_msg(asked < 1, "alpha=%g: %g", alphas[i], asked);
     }
-    const fvi_system system = {
-        1, &one, &rho, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &rho, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &p0,
@@ -112,9 +111,8 @@ static void search_from_rest(const fvi_method *method, double rho, double c,
                              double *x, fvi_step_found *found)
 {
     const double one = 1, none = 0;
-    const fvi_system system = {
-        1, &one, &rho, fvi_potential_harmonic(&c), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &rho, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &none, h, steps);
     run.kappa = kappa;
     ck_assert_int_eq(

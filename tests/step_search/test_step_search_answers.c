@@ -9,8 +9,9 @@ static const double mass[] = { 1, 2 }, damping[] = { 0.5, 0 }, cg[] = { 1, 1 },
 
 static fvi_system pair(void)
 {
-    return (fvi_system){ 2, mass, damping, fvi_potential_chain(cg),
-                         fvi_force_cosine(drive) };
+    return (fvi_system){
+        2, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(drive), NULL
+    };
 }
 
 static fvi_run pair_run(const fvi_system *system)

@@ -8,9 +8,8 @@
 START_TEST(eq_18_6_differences_of_what_stands_still_grow)
 {
     const double one = 1, none = 0, c = 1e16;
-    const fvi_system system = {
-        1, &one, &none, fvi_potential_harmonic(&c), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &none, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &none,
@@ -108,7 +107,7 @@ START_TEST(eq_18_6_all_of_a_row_of_the_hessian_counts)
             NULL,       always,        i < 2 ? 0 : 2,
             NULL
         };
-        const fvi_system system = { 2, masses[i % 2], none, u, { 0 } };
+        const fvi_system system = { 2, masses[i % 2], none, u, { 0 }, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = none,
                               .p0 = none,
@@ -141,7 +140,7 @@ START_TEST(eq_18_7_a_small_fast_part_of_a_force_is_seen)
     const double mass[] = { 1, 1 }, rho[] = { 0.2, 0.2 }, c = 1,
                  none[] = { 0, 0 };
     const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { .value = two_tones }
+        2, mass, rho, fvi_potential_harmonic(&c), { .value = two_tones }, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = none,
@@ -187,8 +186,9 @@ START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)
     const fvi_force forces[] = { { .value = from_right },
                                  { .value = from_left } };
     for (size_t i = 0; i < 2; i++) {
-        const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                    forces[i] };
+        const fvi_system system = { 1,         &one,
+                                    &one,      fvi_potential_harmonic(&one),
+                                    forces[i], NULL };
         const fvi_run run = { .system = &system,
                               .x0 = &none,
                               .p0 = &none,

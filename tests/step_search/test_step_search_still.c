@@ -21,9 +21,9 @@ START_TEST(eq_18_6_a_stiff_spring_turns_by_almost_half_a_turn)
         const fvi_method *method = methods[i % LEN(methods)];
         const size_t row = i / LEN(methods), N = ref_turns[row].k;
         double c = ref_turns[row].c, x[641];
-        const fvi_system system = {
-            1, &one, &none, fvi_potential_harmonic(&c), { 0 }
-        };
+        const fvi_system system = { 1,     &one,
+                                    &none, fvi_potential_harmonic(&c),
+                                    { 0 }, NULL };
         const fvi_run run =
             fvi_run_default(&system, &one, &none, ref_turns[row].h, N);
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);

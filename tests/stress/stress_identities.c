@@ -39,9 +39,12 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
         c->x0[i] = stress_uniform(random, -1, 1);
         c->p0[i] = stress_uniform(random, -1, 1);
     }
-    c->system =
-        (fvi_system){ d, c->mass, c->damping, fvi_potential_chain(c->spring),
-                      fvi_force_cosine(c->force) };
+    c->system = (fvi_system){ d,
+                              c->mass,
+                              c->damping,
+                              fvi_potential_chain(c->spring),
+                              fvi_force_cosine(c->force),
+                              NULL };
     c->run = (fvi_run){ .system = &c->system,
                         .x0 = c->x0,
                         .p0 = c->p0,
@@ -114,7 +117,8 @@ static void random_oscillator(gsl_rng *random, oscillator *o, size_t steps)
     o->x0 = stress_uniform(random, -1, 1);
     o->p0 = 0;
     o->system =
-        (fvi_system){ 1, &o->m, &o->rho, fvi_potential_duffing(o->cg), { 0 } };
+        (fvi_system){ 1,     &o->m, &o->rho, fvi_potential_duffing(o->cg),
+                      { 0 }, NULL };
     o->run = (fvi_run){ .system = &o->system,
                         .x0 = &o->x0,
                         .p0 = &o->p0,

@@ -27,7 +27,7 @@ static double error_of_run(const fvi_linear *problem, double kappa, double T,
 {
     const double c = problem->c, p0 = problem->m * problem->v0;
     const fvi_system system = {
-        1, &problem->m, &problem->rho, fvi_potential_harmonic(&c), { 0 }
+        1, &problem->m, &problem->rho, fvi_potential_harmonic(&c), { 0 }, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = &problem->x0,
@@ -131,7 +131,8 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
         cg[1] = m * stress_uniform(random, 0, 2);
     double x0 = stress_uniform(random, -1, 1),
            p0 = m * stress_uniform(random, -1, 1);
-    const fvi_system system = { 1, &m, &rho, fvi_potential_duffing(cg), { 0 } };
+    const fvi_system system = { 1,     &m,  &rho, fvi_potential_duffing(cg),
+                                { 0 }, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &x0,
                           .p0 = &p0,
@@ -186,8 +187,9 @@ double stress_rounding(gsl_rng *random, char *describe, size_t size)
     enum { N = 100000 };
     (void)random;
     const double one = 1, zero = 0, aT[2] = { 8, 1 }, h = 20.0 / N;
-    const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                fvi_force_step(aT) };
+    const fvi_system system = {
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+    };
     quad *truth = malloc((N + 1) * sizeof *truth);
     double *x = malloc(2 * (N + 1) * sizeof *x), *rounded = x + N + 1, off[2];
     run_plate(N, h, truth);

@@ -16,8 +16,12 @@ static double T[N + 1], X[N + 1], V[N + 1], x[N + 1], p[N + 1];
 static const double one = 1;
 static fvi_system spring(const double *aT)
 {
-    return (fvi_system){ 1, &one, &one, fvi_potential_harmonic(&one),
-                         aT ? fvi_force_step(aT) : (fvi_force){ 0 } };
+    return (fvi_system){ 1,
+                         &one,
+                         &one,
+                         fvi_potential_harmonic(&one),
+                         aT ? fvi_force_step(aT) : (fvi_force){ 0 },
+                         NULL };
 }
 
 static fvi_run run_of(const fvi_system *system, double alpha, const double *x0,

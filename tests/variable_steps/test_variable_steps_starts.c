@@ -108,8 +108,10 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
     const double one = 1, none = 0, almost = 1e-30, alphas[] = { 0.3, 0.5 },
                  push[] = { 2, 0.7 };
     double x[ROWS + 1], y[ROWS + 1], p[ROWS + 1], q[ROWS + 1];
-    fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                          fvi_force_cosine(push) };
+    fvi_system system = {
+        1,   &one, &one, fvi_potential_harmonic(&one), fvi_force_cosine(push),
+        NULL
+    };
     for (size_t i = 0; i < 4; i++) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.125, ROWS);
         run.alpha = alphas[i / 2];

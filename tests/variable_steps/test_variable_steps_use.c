@@ -57,8 +57,9 @@ static int full_hessian(size_t d, const double *at, void *params, double *H)
  * from a run with steps twice as long. Seen: 6e-5 of the first. */
 START_TEST(many_masses_by_four_ways_and_by_lobatto)
 {
-    fvi_system system = { D, mass, rho, fvi_potential_chain(cg),
-                          fvi_force_cosine(cg) };
+    fvi_system system = {
+        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL
+    };
     fvi_run run = run_of(&system, 1e-11);
     ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
     fvi_stepper *s;
@@ -109,8 +110,9 @@ static int counted(size_t d, const double *at, void *params, double *H)
 }
 START_TEST(a_chain_takes_one_hessian_a_step)
 {
-    fvi_system system = { D, mass, rho, fvi_potential_chain(cg),
-                          fvi_force_cosine(cg) };
+    fvi_system system = {
+        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL
+    };
     system.potential.hessian = counted;
     for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= 100) {
         fvi_run run = run_of(&system, tolerance);
@@ -136,9 +138,8 @@ END_TEST
 START_TEST(stiff_chains_keep_their_energy)
 {
     const double stiff[2] = { 1e4, 1e4 }, none[D] = { 0 };
-    const fvi_system system = {
-        D, mass, none, fvi_potential_chain(stiff), { 0 }
-    };
+    const fvi_system system = { D,     mass, none, fvi_potential_chain(stiff),
+                                { 0 }, NULL };
     fvi_run run = run_of(&system, 1e-10);
     double E[N + 1];
     run.h = 0.02;
@@ -162,13 +163,12 @@ START_TEST(masses_alone_and_together)
     const fvi_potential potentials[] = { fvi_potential_pendulum(cg),
                                          fvi_potential_harmonic(cg) };
     for (size_t u = 0; u < 2; u++) {
-        const fvi_system all = { D, mass, rho, potentials[u], { 0 } };
+        const fvi_system all = { D, mass, rho, potentials[u], { 0 }, NULL };
         const fvi_run run = run_of(&all, 1e-11);
         ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
         for (size_t j = 0; j < D; j++) {
-            const fvi_system alone = {
-                1, mass + j, rho + j, potentials[u], { 0 }
-            };
+            const fvi_system alone = { 1,     mass + j, rho + j, potentials[u],
+                                       { 0 }, NULL };
             fvi_run of_one = run;
             of_one.system = &alone;
             of_one.x0 = start + j;
@@ -201,7 +201,7 @@ START_TEST(a_jump_that_is_not_declared_is_found)
 {
     const double none = 0, aT[] = { 8, jump_at };
     fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { .value = jumping }
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = jumping }, NULL
     };
     for (int e = 6; e <= 12; e += 3) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.25, N);
@@ -236,11 +236,14 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
 {
     const double jumps[] = { 3.3, 1.1, 99 };
     for (size_t way = 0; way < 4; way++) {
-        fvi_system system = { D, mass, rho,
+        fvi_system system = { D,
+                              mass,
+                              rho,
                               way % 3 == 0 ? fvi_potential_chain(cg)
                               : way == 1   ? fvi_potential_duffing(cg)
                                            : fvi_potential_harmonic(cg),
-                              fvi_force_cosine(cg) };
+                              fvi_force_cosine(cg),
+                              NULL };
         system.force.jumps = jumps;
         system.force.jump_count = LEN(jumps);
         fvi_run run = run_of(&system, 1e-9);
@@ -294,9 +297,8 @@ END_TEST
 /* fvi_run_to knows the rows of methods that step by h, and no other times. */
 START_TEST(uniform_methods_have_rows_only)
 {
-    const fvi_system system = {
-        D, mass, rho, fvi_potential_harmonic(cg), { 0 }
-    };
+    const fvi_system system = { D,     mass, rho, fvi_potential_harmonic(cg),
+                                { 0 }, NULL };
     const fvi_run run = run_of(&system, 0);
     fvi_stepper *s;
     ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
@@ -325,7 +327,7 @@ static int moody(double t, size_t d, void *params, double *F)
 START_TEST(what_callbacks_say_comes_back)
 {
     fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }, NULL
     };
     const fvi_run run = fvi_run_default(&system, &one, &one, 1, 100);
     for (mood = 0; mood < 2; mood++) {
@@ -378,9 +380,8 @@ END_TEST
 /* The arguments, the rows, and how far a search goes. */
 START_TEST(a_search_checks_and_ends)
 {
-    const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { 0 }
-    };
+    const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 8);
     fvi_adaptive_found found = { .estimate = 7 };
     ck_assert_int_eq(fvi_adaptive_search(NULL, 1, 99, x, p, &found),

@@ -1,0 +1,133 @@
+/* src/fvi/structures.h -- Sparse matrices, and systems of them.          [Chapter 27]
+ *
+ *     M x'' + C D^{2 alpha} x + K x = F(t),     x in R^d                  (27.1)
+ *
+ * with symmetric matrices M, K and C. Element matrices are summed to them by
+ * fvi_sparse_sum, files are read by fvi_sparse_read; fvi_structure_system is then a system
+ * for the methods that take matrices: fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable. */
+#ifndef FVI_STRUCTURES_H
+#define FVI_STRUCTURES_H
+
+#include "system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_sparse -- a symmetric n by n matrix in compressed columns, both triangles.
+ *
+ *   start  n + 1 numbers: column j is at start[j], ..., start[j + 1] - 1 of
+ *   row    the rows, which increase in a column, and of
+ *   entry  the entries
+ *
+ * Whoever fills it in without the functions below frees it himself. */
+//> sparse
+typedef struct {
+    size_t n;
+    int *start, *row;
+    double *entry;
+} fvi_sparse;
+//< sparse
+
+/* fvi_triplet -- what is to be added to entry (row, column), both from 0. */
+typedef struct {
+    int row, column;
+    double entry;
+} fvi_triplet;
+
+/* fvi_sparse_sum -- the matrix that a list of triplets sums up to.
+ *
+ *   n      rows and columns, 1 <= n < 2^31
+ *   count  how many triplets, < 2^31; in any order, an entry may be met many times, and
+ *          both triangles are given. What sums up to zero stays in the pattern
+ *   A      output; free it with fvi_sparse_free
+ *
+ * Entries are summed in the order of the list: of element matrices that are symmetric to
+ * the last bit the sum is, too. Cost O(n + count), and for long columns a sort of each.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of
+ * range; FVI_EDOM if a row or a column is not in 0 ... n - 1, or an entry not finite;
+ * FVI_ENOMEM. On error *A is untouched. */
+int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
+                   fvi_sparse *A);
+
+/* fvi_misread -- what is wrong in a file: in which line, from 1, or 0 if the file cannot be
+ * read at all or ends too early; and why, a static text. */
+typedef struct {
+    size_t line;
+    const char *reason;
+} fvi_misread;
+
+/* fvi_sparse_read -- a symmetric matrix from a file in Matrix Market's format.
+ *
+ *   file   its name. The first line is "%%MatrixMarket matrix coordinate real symmetric",
+ *          or with `integer` for `real`, or with `general` for `symmetric`; of a symmetric
+ *          one either triangle may be given, but no entry twice in both; of a general one,
+ *          entry (i, j) must be entry (j, i) to the last bit
+ *   A      output; free it with fvi_sparse_free
+ *   wrong  output after FVI_EDOM; may be NULL
+ *
+ * Refused with the line: what is not a number, or not finite, a pattern without numbers, a
+ * dense array, an entry that stands twice, a row or column beyond the size, too few entries
+ * or too many, a matrix that is not square or not symmetric. Decimal points are points in
+ * any locale that strtod is told of: none is set here.
+ * Returns FVI_SUCCESS; FVI_EFAULT if file or A is NULL; FVI_EDOM if the file is refused;
+ * FVI_ENOMEM. On error *A is untouched; the error handler is not called for FVI_EDOM. */
+int fvi_sparse_read(const char *file, fvi_sparse *A, fvi_misread *wrong);
+
+/* fvi_sparse_product -- y = A x, n numbers each, y not x. Nothing is checked. */
+void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y);
+
+/* fvi_sparse_free -- give the arrays back; a zeroed matrix is allowed. */
+void fvi_sparse_free(fvi_sparse *A);
+
+/* fvi_structure -- three matrices, and what a run wants to know of them. */
+typedef struct fvi_structure fvi_structure;
+
+/* fvi_structure_alloc -- prepare a system with these matrices.
+ *
+ *   M      positive definite
+ *   K      symmetric
+ *   C      not negative; NULL: no damping
+ *   structure  output; free it with fvi_structure_free. It points to the matrices, which
+ *          must outlive it
+ *   fault  output, NULL or 'M', 'K' or 'C': which matrix an error speaks of, or 0
+ *
+ * Of C only what it touches is remembered. If that are few unknowns (up to 512) and C is of
+ * half their number in rank, or less, C = B B^T and B^T x is remembered; else the
+ * unknowns that C touches. (27.4)
+ * Cost: that of one factorisation of M, and of one of C if it touches more than 512
+ * unknowns; where no factors can be had (see fvi_structure_solver) this definiteness is not
+ * looked at beyond the diagonal.
+ * Returns FVI_SUCCESS; FVI_EFAULT if M, K or structure is NULL; FVI_EINVAL if sizes differ;
+ * FVI_EDOM if a matrix is not symmetric to the last bit or has an entry that is not finite,
+ * a diagonal entry of M that is not positive, or C is negative; FVI_ESING if M is not
+ * positive definite; FVI_ENOMEM. On error *structure is untouched. */
+int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
+                        const fvi_sparse *C, fvi_structure **structure,
+                        char *fault);
+
+/* fvi_structure_system -- the system, without a force. It points to the structure. Runs in
+ * several threads may share it, but for its energies, which are those of one at a time. */
+fvi_system fvi_structure_system(const fvi_structure *structure);
+
+/* fvi_structure_solver -- how m M + c C + k K is solved with: "diagonal", "band",
+ * "CHOLMOD" or "conjugate gradients". Half bandwidths up to 8 are eliminated as they stand;
+ * wider matrices by CHOLMOD, with an ordering that keeps them sparse, where the library was
+ * built beside its header and finds it when it runs; else as a band, if that takes up to
+ * 2^32 products and half a gigabyte; else by conjugate gradients with the diagonal as
+ * preconditioner, to rounding.
+ *
+ *   m, c, k  zero or not is all that counts */
+const char *fvi_structure_solver(const fvi_structure *structure, double m,
+                                 double c, double k);
+
+/* fvi_structure_free -- give everything back but the matrices. NULL is allowed. */
+void fvi_structure_free(fvi_structure *structure);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

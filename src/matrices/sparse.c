@@ -1,0 +1,198 @@
+/* src/matrices/sparse.c -- Symmetric matrices in compressed columns.   [Chapter 27] */
+#include "sparse.h"
+
+#include "system/fail.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_sparse_room(size_t n, size_t count, fvi_sparse *A)
+{
+    *A = (fvi_sparse){ .n = n,
+                       .start = calloc(n + 1, sizeof *A->start),
+                       .row = malloc((count + 1) * sizeof *A->row),
+                       .entry = malloc((count + 1) * sizeof *A->entry) };
+    if (A->start && A->row && A->entry)
+        return FVI_SUCCESS;
+    fvi_sparse_free(A);
+    return FVI_ENOMEM;
+}
+
+void fvi_sparse_free(fvi_sparse *A)
+{
+    free(A->start);
+    free(A->row);
+    free(A->entry);
+    *A = (fvi_sparse){ 0 };
+}
+
+void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y)
+{
+    for (size_t j = 0; j < A->n; j++) { /* column j is row j */
+        double sum = 0;
+        for (int e = A->start[j]; e < A->start[j + 1]; e++)
+            sum += A->entry[e] * x[A->row[e]];
+        y[j] = sum;
+    }
+}
+
+double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j)
+{
+    for (int e = A->start[j]; e < A->start[j + 1]; e++)
+        if ((size_t)A->row[e] == i)
+            return A->entry[e];
+    return 0;
+}
+
+/* The list by columns, those of a column in the order of the list: start[j] is where column
+ * j begins in A, which has not been summed yet. */
+static void by_columns(size_t count, const fvi_triplet *t, fvi_sparse *A)
+{
+    for (size_t l = 0; l < count; l++)
+        A->start[t[l].column + 1]++;
+    for (size_t j = 0; j < A->n; j++)
+        A->start[j + 1] += A->start[j];
+    for (size_t l = 0; l < count; l++) {
+        const int at = A->start[t[l].column]++;
+        A->row[at] = t[l].row;
+        A->entry[at] = t[l].entry;
+    }
+    for (size_t j = A->n; j > 0; j--) /* they have moved up by a column */
+        A->start[j] = A->start[j - 1];
+    A->start[0] = 0;
+}
+
+/* Rows in order, equal rows summed in the order in which they stand. Columns are short: each
+ * entry goes down to its place. Returns how many rows are left. */
+static int order_column(int count, int *row, double *entry)
+{
+    int kept = 0;
+    for (int e = 0; e < count; e++) {
+        const int r = row[e];
+        const double value = entry[e];
+        int at = kept;
+        while (at > 0 && row[at - 1] > r)
+            at--;
+        if (at > 0 && row[at - 1] == r) {
+            entry[at - 1] += value;
+            continue;
+        }
+        const size_t above = (size_t)(kept++ - at);
+        memmove(row + at + 1, row + at, above * sizeof *row);
+        memmove(entry + at + 1, entry + at, above * sizeof *entry);
+        row[at] = r;
+        entry[at] = value;
+    }
+    return kept;
+}
+
+//> sum
+int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
+                   fvi_sparse *A)
+{
+    fvi_sparse new;
+    if (!A || (!triplets && count > 0))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (n < 1 || n >= INT_MAX || count >= INT_MAX)
+        FVI_FAIL("a matrix has 1 to 2^31 rows and entries", FVI_EINVAL);
+    for (size_t l = 0; l < count; l++)
+        if (triplets[l].row < 0 || (size_t)triplets[l].row >= n
+            || triplets[l].column < 0 || (size_t)triplets[l].column >= n
+            || !isfinite(triplets[l].entry))
+            FVI_FAIL("a triplet is outside of the matrix, or not finite",
+                     FVI_EDOM);
+    if (fvi_sparse_room(n, count, &new))
+        FVI_FAIL("no memory for the matrix", FVI_ENOMEM);
+    by_columns(count, triplets, &new);
+    int to = 0;
+    for (size_t j = 0; j < n; j++) {
+        const int from = new.start[j];
+        const int kept = order_column(new.start[j + 1] - from, new.row + from,
+                                      new.entry + from);
+        memmove(new.row + to, new.row + from, (size_t)kept * sizeof *new.row);
+        memmove(new.entry + to, new.entry + from,
+                (size_t)kept * sizeof *new.entry);
+        new.start[j] = to;
+        to += kept;
+    }
+    new.start[n] = to;
+    *A = new;
+    return FVI_SUCCESS;
+}
+//< sum
+
+/* Rows and columns are met in order, so the place of (j, i) in column i is where the last
+ * visit left off. */
+int fvi_sparse_is_symmetric(const fvi_sparse *A, int *line)
+{
+    int *next = malloc(A->n * sizeof *next), status = FVI_SUCCESS;
+    if (!next)
+        return FVI_ENOMEM;
+    memcpy(next, A->start, A->n * sizeof *next);
+    for (size_t j = 0; !status && j < A->n; j++)
+        for (int e = A->start[j]; !status && e < A->start[j + 1]; e++) {
+            const int i = A->row[e], at = next[i]++;
+            if (at >= A->start[i + 1] || A->row[at] != (int)j
+                || A->entry[at] != A->entry[e] || !isfinite(A->entry[e])) {
+                status = FVI_EDOM;
+                *line = e;
+            }
+        }
+    free(next);
+    return status;
+}
+
+/* Columns j of the three, merged: `to` is where column j of the sum begins. */
+static int add_column(size_t j, const fvi_sparse *const A[3], const double a[3],
+                      fvi_sparse *sum, int to)
+{
+    int at[3];
+    for (int l = 0; l < 3; l++)
+        at[l] = A[l] ? A[l]->start[j] : 0;
+    for (;;) {
+        int row = INT_MAX;
+        for (int l = 0; l < 3; l++)
+            if (A[l] && at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] < row)
+                row = A[l]->row[at[l]];
+        if (row == INT_MAX)
+            return to;
+        double entry = 0;
+        for (int l = 0; l < 3; l++)
+            if (A[l] && at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)
+                entry += a[l] * A[l]->entry[at[l]++];
+        if (entry == 0 && row != (int)j) /* an explicit zero widens no band */
+            continue;
+        sum->row[to] = row;
+        sum->entry[to++] = entry;
+    }
+}
+
+int fvi_sparse_add(const fvi_sparse *const A[3], const double a[3],
+                   fvi_sparse *sum)
+{
+    size_t count = 0, n = 0;
+    const fvi_sparse *terms[3];
+    for (int l = 0; l < 3; l++) {
+        terms[l] = a[l] != 0 ? A[l] : NULL;
+        n = A[l] ? A[l]->n : n;
+        count += terms[l] ? (size_t)terms[l]->start[n] : 0;
+    }
+    int status = count >= INT_MAX ? FVI_ENOMEM : fvi_sparse_room(n, count, sum);
+    for (size_t j = 0; !status && j < n; j++)
+        sum->start[j + 1] = add_column(j, terms, a, sum, sum->start[j]);
+    return status;
+}
+
+size_t fvi_sparse_half_band(const fvi_sparse *A)
+{
+    size_t width = 0;
+    for (size_t j = 0; j < A->n; j++)
+        if (A->start[j + 1] > A->start[j]) {
+            const size_t last = (size_t)A->row[A->start[j + 1] - 1];
+            if (last > j && last - j > width)
+                width = last - j;
+        }
+    return width;
+}

@@ -1,0 +1,83 @@
+/* src/methods/damping_matrices.c -- What a run with matrices begins with.  [Chapter 27] */
+#include "damping.h"
+#include "pull.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_velocity(const fvi_system *system, const double *p, double *v)
+{
+    const fvi_matrices *m = system->matrices;
+    for (size_t i = 0; i < system->d; i++)
+        v[i] = m ? p[i] : p[i] / system->mass[i];
+    if (!m)
+        return FVI_SUCCESS;
+    void *factors;
+    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
+    if (status)
+        return status;
+    status = m->solve(system->d, factors, v);
+    m->forget(factors);
+    return status;
+}
+
+int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
+                               fvi_damping *d)
+{
+    const fvi_run *run = &s->run;
+    const double order = 2 * run->alpha;
+    d->factor[0] = run->law ? run->h : pow(run->h, 1 - order);
+    int status = FVI_SUCCESS;
+    if (past == FVI_PAST_CAPUTO && order > 1) {
+        double *v = s->dx; /* nothing stands there yet */
+        status = fvi_velocity(run->system, s->p, v);
+        for (size_t i = 0; i < run->system->d; i++)
+            v[i] *= run->h;
+        if (!status) /* from z, which is still zero */
+            status = fvi_damping_gather(d, v, d->z, d->drift);
+        memset(v, 0, run->system->d * sizeof *v);
+    }
+    if (!status && past != FVI_PAST_RIEMANN_LIOUVILLE)
+        status = fvi_damping_gather(d, s->x, d->z, d->origin);
+    if (!status)
+        status = fvi_damping_gather(d, s->x, d->origin, d->dz);
+    memcpy(d->z, d->dz, d->count * sizeof *d->z);
+    return status;
+}
+
+/* C A h^(1 + e), A the amplitudes of all coordinates. (19.3) */
+int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
+                         fvi_pull *pull)
+{
+    const fvi_run *run = &s->run;
+    const fvi_matrices *m = run->system->matrices;
+    const size_t d = run->system->d;
+    int any = 0, status = FVI_SUCCESS;
+    double *A = calloc(d + m->remembered, sizeof *A), *z = A + d;
+    pull->size = calloc(d, sizeof *pull->size);
+    if (!A || !pull->size)
+        status = FVI_ENOMEM;
+    else if (run->alpha > 0.5) /* else no velocity is asked for */
+        status = fvi_velocity(run->system, s->p, A);
+    for (size_t i = 0; !status && i < d; i++) {
+        A[i] = fvi_past_amplitude(run->past, run->alpha, s->x[i], A[i]);
+        any |= A[i] != 0;
+    }
+    if (any) {
+        fvi_past_prepare(run->alpha, n, c, &pull->fading);
+        status = m->remember(d, A, m->params, z);
+    }
+    if (any && !status)
+        status = m->damp(d, -pow(run->h, 1 + pull->fading.e), z, m->params,
+                         pull->size);
+    free(A);
+    if (!any || status) {
+        free(pull->size);
+        pull->size = NULL;
+    }
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the past", FVI_ENOMEM);
+    return status;
+}

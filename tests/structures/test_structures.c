@@ -1,0 +1,263 @@
+/* tests/structures/test_structures.c -- Runs with matrices.
+ * Run alone: make test-structures */
+#include "structures_runs.h"
+
+/* ---- against the same system without matrices ---- */
+
+enum { D = 6, N = 60 };
+
+static const double mass[D] = { 1, 2, 0.5, 1.5, 1, 3 };
+
+/* Of the dampings, all, or those of unknowns 1 and 4. */
+static const double dampings[2][D] = { { 0.03, 0.02, 0.07, 0.01, 0.04, 0.05 },
+                                       { 0, 0.03, 0, 0, 0.02, 0 } };
+
+static void diagonal(const double *a, fvi_sparse *A)
+{
+    fvi_triplet list[D];
+    size_t count = 0;
+    for (int i = 0; i < D; i++)
+        if (a[i] != 0)
+            list[count++] = (fvi_triplet){ i, i, a[i] };
+    OK(fvi_sparse_sum(D, count, list, A));
+}
+
+static void pull(double t, size_t d, double *F)
+{
+    for (size_t i = 0; i < d; i++)
+        F[i] = cos(t + (double)i);
+}
+
+static int value(double t, size_t d, void *params, double *F)
+{
+    (void)params;
+    pull(t, d, F);
+    return 0;
+}
+
+/* Both runs do the same operations but for sums over rows: u = 2^-53 for each term of a
+ * step, N steps, each error growing at most like t; |x|, |p| < 4. Seen: 3e-15 of 1e-12. */
+static void compare(const fvi_method *method, const fvi_run *given,
+                    const fvi_system *other)
+{
+    double x[(N + 1) * D], p[(N + 1) * D], E[N + 1], X[(N + 1) * D],
+        P[(N + 1) * D], F[N + 1];
+    fvi_run run = *given;
+    OK(fvi_trajectory(method, &run, x, p, E));
+    run.system = other;
+    OK(fvi_trajectory(method, &run, X, P, F));
+    double worst = 0;
+    for (size_t i = 0; i < (N + 1) * D; i++)
+        worst = fmax(worst, fmax(fabs(x[i] - X[i]), fabs(p[i] - P[i])));
+    for (size_t k = 0; k <= N; k++)
+        worst = fmax(worst, fabs(E[k] - F[k]) / 10);
+    ck_assert_msg(worst <= 1e-12, "%s, alpha %g, kappa %g: %g", method->name,
+                  run.alpha, run.kappa, worst);
+    seen_worst(worst, "deviation");
+}
+
+START_TEST(eq_27_1_diagonal_matrices_are_masses_and_dampings)
+{
+    static const double alphas[] = { 0, 0.25, 0.5, 0.7, 1 };
+    static const double kappas[] = { 0, 0.5, 1 };
+    const double spring[] = { 2, 0 }, x0[D] = { 1, 0, -0.5, 0.2, 0, 0.3 },
+                 p0[D] = { 0, 0.3, 0.1, 0, -1, 0.2 }, rest[D] = { 0 };
+    for (size_t which = 0; which < 2; which++) {
+        matrices m;
+        diagonal(mass, &m.M);
+        diagonal(dampings[which], &m.C);
+        tridiagonal(D, 4, -2, &m.K);
+        make(&m);
+        ck_assert_uint_eq(m.system.matrices->remembered, which ? 2 : D);
+        m.system.force = (fvi_force){ .value = value };
+        const fvi_system plain = { .d = D,
+                                   .mass = mass,
+                                   .damping = dampings[which],
+                                   .potential = fvi_potential_chain(spring),
+                                   .force = m.system.force };
+        for (size_t i = 0; i < LEN(takers) * LEN(alphas) * LEN(kappas) * 3;
+             i++) {
+            const fvi_method *method = takers[i % LEN(takers)];
+            const double alpha = alphas[i / LEN(takers) % LEN(alphas)];
+            const fvi_past past =
+                (fvi_past)(i / LEN(takers) / LEN(alphas) / LEN(kappas));
+            const int zero = past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5;
+            fvi_run run = run_of(&plain, alpha, 0.1, N, zero ? rest : x0, p0);
+            run.kappa = kappas[i / LEN(takers) / LEN(alphas) % LEN(kappas)];
+            run.past = past;
+            compare(method, &run, &m.system);
+        }
+        drop(&m);
+    }
+}
+END_TEST
+
+START_TEST(eq_27_1_laws_of_damping_take_matrices)
+{
+    const double spring[] = { 2, 0 }, x0[D] = { 1, 0, -0.5, 0.2, 0, 0.3 },
+                 p0[D] = { 0, 0.3, 0.1, 0, -1, 0.2 };
+    const fvi_law_term terms[] = {
+        { .kind = FVI_LAW_POWER, .rho = 0.5, .alpha = 0.3 },
+        { .kind = FVI_LAW_MAXWELL, .rho = 0.2, .time = 2 }
+    };
+    const fvi_law law = { .count = 2, .term = terms };
+    matrices m;
+    diagonal(mass, &m.M);
+    diagonal(dampings[0], &m.C);
+    tridiagonal(D, 4, -2, &m.K);
+    make(&m);
+    const fvi_system plain = { .d = D,
+                               .mass = mass,
+                               .damping = dampings[0],
+                               .potential = fvi_potential_chain(spring) };
+    fvi_run run = run_of(&plain, 0.5, 0.1, N, x0, p0);
+    run.law = &law;
+    compare(&fvi_fractional, &run, &m.system);
+    compare(&fvi_bdf2, &run, &m.system);
+    drop(&m);
+}
+END_TEST
+
+/* ---- modes ---- */
+
+/* Each mode of C = rho K + sigma M moves like one oscillator. The bar's modes are sines, on
+ * which tridiagonal matrices a, b are the numbers a + 2 b cos(theta). Rounding: as above, with
+ * |K||x| up to h^2 lambda_max/4 times what is left of it. Seen: 2e-14 of 1e-12. */
+START_TEST(eq_27_5_a_mode_of_the_bar_is_one_oscillator)
+{
+    enum { n = 24, STEPS = 200 };
+    static const double alphas[] = { 0.25, 0.5, 0.8 };
+    const double dx = 1.0 / (n + 1), sigma = 0.1;
+    for (size_t i = 0; i < LEN(takers) * LEN(alphas) * 2; i++) {
+        const int mode = i / LEN(takers) / LEN(alphas) ? 5 : 1;
+        const fvi_method *method = takers[i % LEN(takers)];
+        const double theta = 3.14159265358979324 * mode * dx,
+                     mu = dx * (4 + 2 * cos(theta)) / 6,
+                     k = (2 - 2 * cos(theta)) / dx,
+                     rho = method == &fvi_stable ? 0.05 : 0.0005,
+                     c = rho * k + sigma * mu,
+                     h = method == &fvi_stable ? 0.05 : 0.002;
+        matrices m;
+        tridiagonal(n, dx * 4 / 6, dx / 6, &m.M);
+        tridiagonal(n, 2 / dx, -1 / dx, &m.K);
+        tridiagonal(n, rho * 2 / dx + sigma * dx * 4 / 6,
+                    sigma * dx / 6 - rho / dx, &m.C);
+        make(&m);
+        double v[n], x0[n], p0[n], x[(STEPS + 1) * n], y[STEPS + 1],
+            q0 = 0.3 * mu, one = 1, worst = 0;
+        for (int j = 0; j < n; j++) {
+            x0[j] = v[j] = sin(theta * (j + 1));
+            p0[j] = q0 * v[j];
+        }
+        const fvi_system single = { .d = 1,
+                                    .mass = &mu,
+                                    .damping = &c,
+                                    .potential = fvi_potential_harmonic(&k) };
+        const fvi_run scalar =
+            run_of(&single, alphas[i / LEN(takers) % LEN(alphas)], h, STEPS,
+                   &one, &q0);
+        fvi_run whole = scalar;
+        whole.system = &m.system;
+        whole.x0 = x0;
+        whole.p0 = p0;
+        OK(fvi_trajectory(method, &scalar, y, NULL, NULL));
+        OK(fvi_trajectory(method, &whole, x, NULL, NULL));
+        for (size_t l = 0; l < (STEPS + 1) * n; l++)
+            worst = fmax(worst, fabs(x[l] - y[l / n] * v[l % n]));
+        ck_assert_msg(worst <= 1e-12, "%s, alpha %g: %g", method->name,
+                      scalar.alpha, worst);
+        seen_worst(worst, "bar");
+        drop(&m);
+    }
+}
+END_TEST
+
+/* ---- the cantilever ---- */
+
+/* v^T K v, as a sum of squares over elements: exact to some units of roundoff. */
+static double bending_energy(int n, const double *v)
+{
+    const double l = 1 / (double)n;
+    double w = 0, s = 0, sum = 0;
+    for (int e = 0; e < n; e++) {
+        const double *right = v + 2 * e, bend = s - right[1],
+                     shear = w - right[0] + (s + right[1]) / 2;
+        sum += (12 * shear * shear + bend * bend) / (l * l * l);
+        w = right[0];
+        s = right[1];
+    }
+    return sum;
+}
+
+/* Inverse iteration: v, 1 at the tip, and its eigenvalue. */
+static double lowest_mode(const matrices *m, double *v)
+{
+    const size_t d = m->M.n;
+    const fvi_matrices *f = m->system.matrices;
+    void *factors;
+    double *y = malloc(d * sizeof *y), norm = 0;
+    OK(f->factorise(d, 0, 0, 1, f->params, &factors));
+    for (size_t i = 0; i < d; i++)
+        v[i] = 1;
+    for (int k = 0; k < 30; k++) {
+        fvi_sparse_product(&m->M, v, y);
+        OK(f->solve(d, factors, y));
+        for (size_t i = 0; i < d; i++)
+            v[i] = y[i] / y[d - 2];
+    }
+    fvi_sparse_product(&m->M, v, y);
+    for (size_t i = 0; i < d; i++)
+        norm += v[i] * y[i];
+    f->forget(factors);
+    free(y);
+    return bending_energy((int)d / 2, v) / norm;
+}
+
+START_TEST(eq_27_5_the_cantilevers_first_mode_is_one_oscillator)
+{
+    enum { n = 16, d = 2 * n, STEPS = 400 };
+    const double tau = 0.05, alpha = 0.25;
+    matrices m;
+    OK(cantilever(n, tau, &m.M, &m.K, &m.C));
+    make(&m);
+    ck_assert_str_eq(fvi_structure_solver(m.structure, 1, 1, 1), "band");
+    double v[d], p0[d] = { 0 }, x[(STEPS + 1) * d], y[STEPS + 1];
+    const double lambda = lowest_mode(&m, v), c = tau * lambda, one = 1,
+                 none = 0;
+    const beam b = { n, tau, m.system.matrices };
+    const fvi_matrices by_elements = beam_matrices(&b);
+    fvi_system free_ = m.system;
+    free_.matrices = &by_elements;
+    const fvi_system single = { .d = 1,
+                                .mass = &one,
+                                .damping = &c,
+                                .potential = fvi_potential_harmonic(&lambda) };
+    const fvi_run scalar = run_of(&single, alpha, 0.02, STEPS, &one, &none);
+    OK(fvi_trajectory(&fvi_stable, &scalar, y, NULL, NULL));
+    for (int k = 0; k < 2; k++) {
+        fvi_run whole = scalar;
+        double worst = 0;
+        whole.system = k ? &m.system : &free_;
+        whole.x0 = v;
+        whole.p0 = p0;
+        OK(fvi_trajectory(&fvi_stable, &whole, x, NULL, NULL));
+        for (size_t l = 0; l < (STEPS + 1) * d; l++)
+            worst = fmax(worst, fabs(x[l] - y[l / d] * v[l % d]));
+        seen(worst, "%s", k ? "assembled" : "by elements");
+        printf("lambda %.17g worst %g\n", lambda, worst);
+        ck_assert(worst <= (k ? 1e-10 : 1e-13));
+    }
+    drop(&m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("structures");
+    ADD_CASE(suite, "no matrices",
+             eq_27_1_diagonal_matrices_are_masses_and_dampings,
+             eq_27_1_laws_of_damping_take_matrices);
+    ADD_CASE(suite, "modes", eq_27_5_a_mode_of_the_bar_is_one_oscillator,
+             eq_27_5_the_cantilevers_first_mode_is_one_oscillator);
+    return run_suite(suite);
+}
