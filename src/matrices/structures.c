@@ -161,6 +161,14 @@ static int pick(const fvi_sparse *C, columns *B)
     return FVI_SUCCESS;
 }
 
+static int is_zero(size_t n, const double *D, double noise)
+{
+    for (size_t i = 0; i < n; i++)
+        if (fabs(D[i]) > noise)
+            return 0;
+    return 1;
+}
+
 //> rank
 /* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
  * until nothing is: D is C between the unknowns that it touches, and B's columns come into
@@ -182,7 +190,7 @@ static int take_apart(size_t r, double *D, double *out)
         }
         const double top = D[pivot * r + pivot];
         if (!(top > noise) || rank == r)
-            return (int)rank;
+            return is_zero(r * r, D, noise) ? (int)rank : -1;
         for (size_t i = 0; i < r; i++)
             out[i] = D[i * r + pivot] / sqrt(top);
         for (size_t i = 0; i < r; i++)

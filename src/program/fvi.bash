@@ -15,7 +15,7 @@ _fvi()
         --force) known='none step: cosine: file:' ;;
         --damping) known='power: zener: maxwell: distributed:' ;;
         --columns) known='t,x t,x,p,energy' ;;
-        -o | --plot | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
+        -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
         *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u) ;;
         esac
     fi

@@ -18,7 +18,8 @@
 static const char *const not_for_fit[] = { "steps",    "time",    "error",
                                            "damping",  "columns", "every",
                                            "format",   "plot",    "checkpoint",
-                                           "continue", NULL };
+                                           "continue", "system",  "unknowns",
+                                           "snapshot", NULL };
 
 enum { FIT, SIGMA, STARTS, CURVE };
 static const fvi_own_command fit = { "fit",

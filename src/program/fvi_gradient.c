@@ -14,8 +14,8 @@
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
-    "error", "damping",    "columns",  "every", "format",
-    "plot",  "checkpoint", "continue", NULL
+    "error",      "damping",  "columns", "every",    "format",   "plot",
+    "checkpoint", "continue", "system",  "unknowns", "snapshot", NULL
 };
 
 enum { OF, FORCES };

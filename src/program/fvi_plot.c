@@ -40,10 +40,10 @@ void fvi_plot_row(FILE *rows, double t, size_t width, const double *row)
 static void lines(FILE *g, const fvi_options *o, size_t every, size_t over,
                   size_t at)
 {
-    for (size_t i = 0; i < o->d && i < MOST_LINES; i++) {
+    for (size_t i = 0; i < o->shown_count && i < MOST_LINES; i++) {
         fprintf(g, "%s $rows every %zu using %zu:%zu with lines lw 1.5 title ",
                 i ? "," : "plot", every, over > 1 ? over + i : 1, at + i);
-        fprintf(g, o->d > 1 ? "'%zu'" : "''", i + 1);
+        fprintf(g, o->d > 1 ? "'%zu'" : "''", o->shown[i] + 1);
     }
     fputc('\n', g);
 }
@@ -61,8 +61,9 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
     for (size_t n = 0; n < o->columns.count; n++) {
         const fvi_column column = o->columns.at[n];
         at[column] = next;
-        next +=
-            column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY ? 1 : o->d;
+        next += column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
+                    ? 1
+                    : o->shown_count;
         panels += column != FVI_COLUMN_T; /* p is the phase, or its own */
     }
     return panels;

@@ -42,8 +42,11 @@ static int is_damped(const fvi_options *o)
 /* What a run surely takes: its state, Newton's band matrix, its history. */
 static double run_bytes(const fvi_options *o)
 {
-    const size_t s = (size_t)o->method->stages, d = o->d;
-    const double bytes = 100 * (double)d;
+    const size_t s = (size_t)o->method->stages,
+                 d = o->directory ? fvi_directory_system(o->directory)
+                                        .matrices->remembered
+                                  : o->d;
+    const double bytes = 100 * (double)o->d;
     if (!o->method->memories || !is_damped(o) || (s > 0 && o->alpha == 1))
         return bytes;
     if (s > 0)
@@ -173,6 +176,15 @@ void fvi_adaptive_head(FILE *out, const fvi_options *o,
     fvi_format_parameter(out, o->format, "steps taken", text);
 }
 
+/* How the equation of a step with matrices is solved: in which of them is it implicit? */
+static const char *solver(const fvi_options *o)
+{
+    const int stable = o->method == &fvi_stable,
+              damped = stable || o->method == &fvi_shifted,
+              pulled = stable || (o->kappa > 0 && o->kappa < 1);
+    return fvi_directory_solver(o->directory, 1, damped, pulled);
+}
+
 /* The table of a run that has been started, or goes on. */
 static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
 {
@@ -186,6 +198,8 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
     fvi_table_head(t->out, o);
     if (*unstable)
         fvi_format_parameter(t->out, o->format, "warning", unstable);
+    if (o->directory)
+        fvi_format_parameter(t->out, o->format, "solver", solver(o));
     fvi_watch watch = fvi_watch_begin(o, t->system, *unstable != '\0');
     fvi_adaptive_counts counts;
     if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
@@ -194,7 +208,10 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
     int failed = steps_and_rows(t, s, &watch);
     if (!failed && o->checkpoint && !ferror(t->out))
         failed = fvi_checkpoint_write(o, s);
-    failed = fvi_table_close(t, failed || fvi_checkpoint_stopped());
+    const int whole = !failed && !fvi_checkpoint_stopped();
+    failed = fvi_table_close(t, !whole);
+    if (whole && !failed)
+        failed = fvi_snapshot(o, s);
     fvi_checkpoint_end();
     return failed;
 }

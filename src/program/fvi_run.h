@@ -18,6 +18,10 @@ int fvi_complain_of_start(int status);
  * fvi_table_take and fvi_run_to return, or FVI_ENOMEM. */
 int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k);
 
+/* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
+ * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */
+int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
+
 /* fvi_adaptive_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */
 void fvi_adaptive_head(FILE *out, const fvi_options *o,

@@ -224,6 +224,7 @@ static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
         status = fvi_grid_check(g, &o, (fvi_complaint){ complaint, size });
         const char *other = o.checkpoint ? "checkpoint"
                             : o.plot     ? "plot"
+                            : o.snapshot ? "snapshot"
                                          : NULL;
         fvi_options_free(&o);
         if (status)

@@ -33,7 +33,9 @@ void fvi_table_head(FILE *out, const fvi_options *o)
 
 static size_t column_width(const fvi_options *o, fvi_column column)
 {
-    return column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY ? 1 : o->d;
+    return column == FVI_COLUMN_T || column == FVI_COLUMN_ENERGY
+               ? 1
+               : o->shown_count;
 }
 
 void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first)
@@ -45,7 +47,7 @@ void fvi_table_column_names(FILE *out, const fvi_options *o, size_t first)
                              && column != FVI_COLUMN_ENERGY;
         for (size_t i = 1; i <= width; i++)
             fvi_format_name(out, o->format, first++, fvi_column_names[column],
-                            numbered ? i : 0);
+                            numbered ? o->shown[i - 1] + 1 : 0);
     }
     fvi_format_names_end(out, o->format);
 }
@@ -101,6 +103,13 @@ size_t fvi_table_next(const fvi_table *t, size_t k)
     return step < N - k ? k + step : N;
 }
 
+/* Of d numbers those that are columns. */
+static void pick(const fvi_options *o, const double *from, double *row)
+{
+    for (size_t i = 0; i < o->shown_count; i++)
+        row[i] = from[o->shown[i]];
+}
+
 /* The columns of row k; or, mirrored, only y. */
 static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
                 int mirror, double *row)
@@ -115,8 +124,7 @@ static int fill(const fvi_table *t, size_t k, const double *x, const double *p,
             else if (column == FVI_COLUMN_ENERGY)
                 status = fvi_energy(t->system, x, p, row);
             else
-                memcpy(row, column == FVI_COLUMN_P ? p : x,
-                       width * sizeof *row);
+                pick(t->o, column == FVI_COLUMN_P ? p : x, row);
         }
         row += width;
     }

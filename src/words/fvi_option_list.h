@@ -4,6 +4,7 @@
 
 #include <fvi/expression.h>
 #include <fvi/trajectory.h>
+#include "fvi_directory.h"
 #include "fvi_forces.h"
 #include "fvi_laws.h"
 #include "fvi_lets.h"
@@ -46,6 +47,8 @@ typedef struct {
     fvi_forcing force;
     double forcing[2];  /* its parameters */
     fvi_forces *forces; /* any other force, or NULL */
+    fvi_directory *directory;   /* of matrices instead of the lists, or NULL */
+    size_t *shown, shown_count; /* which of x, p, y are columns, from 0 */
     fvi_laws laws;      /* instead of alpha, and then count > 0 */
     fvi_past past;
     int no_solution; /* 1: only the method that does what is printed runs it */
@@ -55,6 +58,7 @@ typedef struct {
     fvi_format format;
     double *x0, *p0, *mass, *rho; /* d numbers each, one block */
     const char *plot;             /* as output; NULL: none */
+    const char *snapshot;         /* as output; NULL: none */
     const char *checkpoint;       /* as output; NULL: none */
     int resume;                   /* go on from there */
     const char *output;   /* points into argv, or NULL for standard output */
@@ -71,6 +75,7 @@ typedef enum {
     POTENTIAL,
     LET,
     DIMENSION,
+    SYSTEM,
     FORCE,
     DERIVATIVE,
     KAPPA,
@@ -81,12 +86,14 @@ typedef enum {
     TIME,
     ERROR,
     COLUMNS,
+    UNKNOWNS,
     EVERY,
     MEMORY,
     TOLERANCE,
     COUNT,
     FORMAT, /* from here on what does not change a number: not in the head */
     PLOT,
+    SNAPSHOT,
     CHECKPOINT,
     CONTINUE, /* has no value */
     OUTPUT,   /* the last, as it is -o */

@@ -120,6 +120,28 @@ static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
                : 0;
 }
 
+/* Of --system: what its files stand for is not an option too, and has no preset. */
+static const option_index replaced[] = { MASS, RHO, POTENTIAL, DIMENSION };
+
+static int is_replaced(const fvi_options *o, option_index i)
+{
+    for (size_t n = 0; n < sizeof replaced / sizeof *replaced; n++)
+        if (o->text[SYSTEM] && replaced[n] == i)
+            return 1;
+    return 0;
+}
+
+static int check_system(const fvi_options *o, fvi_complaint c)
+{
+    for (int i = 0; i < OPTIONS; i++)
+        if (o->text[i]
+            && (is_replaced(o, (option_index)i)
+                || (o->text[SYSTEM] && i == ERROR)))
+            return fvi_refuse(c, "--system: not together with --%s",
+                              fvi_option_list[i].name);
+    return 0;
+}
+
 /* The presets; the step comes from --h, or from --time, or is looked for. */
 static int fill_in(fvi_options *o, fvi_complaint c)
 {
@@ -135,11 +157,13 @@ static int fill_in(fvi_options *o, fvi_complaint c)
                           o->text[ALPHA] ? "alpha" : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = law ? fvi_bdf2.name : fvi_adaptive.name;
+    const int status = check_system(o, c);
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])
+            && !is_replaced(o, (option_index)i)
             && !(law && (i == ALPHA || i == RHO)))
             o->text[i] = fvi_option_list[i].preset;
-    return 0;
+    return status;
 }
 
 int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,

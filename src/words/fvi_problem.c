@@ -5,6 +5,7 @@
 #include <fvi/error.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What each mass has: x0, p0, mass, rho, one value for all, or a list. */
 int fvi_problem_lists(fvi_options *o, fvi_complaint c)
@@ -26,7 +27,13 @@ int fvi_problem_lists(fvi_options *o, fvi_complaint c)
                   { X0, o->x0, -INFINITY, "()" },
                   { P0, o->p0, -INFINITY, "()" } };
     int status = 0;
-    for (size_t i = 0; !status && i < sizeof lists / sizeof *lists; i++) {
+    const size_t own = o->directory ? 2 : 0; /* its masses and dampings */
+    if (o->directory) {
+        const fvi_system s = fvi_directory_system(o->directory);
+        memcpy(o->mass, s.mass, o->d * sizeof *o->mass);
+        memcpy(o->rho, s.damping, o->d * sizeof *o->rho);
+    }
+    for (size_t i = own; !status && i < sizeof lists / sizeof *lists; i++) {
         const char *text = o->text[lists[i].option];
         status = fvi_word_list(fvi_option_list[lists[i].option].name,
                                text ? text : "1", /* rho of a law */
@@ -62,10 +69,25 @@ static int interpret_expression(fvi_options *o, fvi_complaint c)
     return status ? fvi_refuse_at(c, "potential", text, wrong) : 0;
 }
 
+static int read_system(fvi_options *o, fvi_complaint c)
+{
+    int status = fvi_directory_open(o->text[SYSTEM], &o->directory, c);
+    if (!status && o->text[LET])
+        status = fvi_lets_interpret(&o->lets, c);
+    if (status)
+        return status;
+    o->d = fvi_directory_system(o->directory).d;
+    o->potential = FVI_POTENTIAL_FREE;
+    o->numbered = 1;
+    return 0;
+}
+
 /* How many masses there are, and what is between them. */
 int fvi_problem_potential(fvi_options *o, fvi_complaint c)
 {
     o->d = 1;
+    if (o->text[SYSTEM])
+        return read_system(o, c);
     int status =
         o->text[DIMENSION]
             ? fvi_word_whole("dimension", o->text[DIMENSION], 1000000, &o->d, c)
@@ -91,9 +113,18 @@ int fvi_problem_potential(fvi_options *o, fvi_complaint c)
 
 int fvi_problem_force(fvi_options *o, fvi_complaint c)
 {
+    int found = 0;
+    const double last = (double)o->steps * o->h;
+    if (o->directory) {
+        int status = fvi_directory_force(o->directory, last, &found, c);
+        if (status)
+            return status;
+    }
+    if (found && strcmp(o->text[FORCE], "none") != 0)
+        return fvi_refuse(c, "--force: '%s': there is %s/f.tsv, too",
+                          o->text[FORCE], o->text[SYSTEM]);
     if (!fvi_word_force(o->text[FORCE], &o->force, o->forcing))
-        return fvi_forces_parse(o->text[FORCE], &o->lets,
-                                (double)o->steps * o->h, &o->forces, c);
+        return fvi_forces_parse(o->text[FORCE], &o->lets, last, &o->forces, c);
     if (o->force == FVI_FORCING_STEP && o->forcing[1] < 0)
         return fvi_refuse(c, "--force: '%s' ends before it begins",
                           o->text[FORCE]);
@@ -103,6 +134,8 @@ int fvi_problem_force(fvi_options *o, fvi_complaint c)
 fvi_system fvi_options_system(const fvi_options *o)
 {
     fvi_system s = { .d = o->d, .mass = o->mass, .damping = o->rho };
+    if (o->directory)
+        s = fvi_directory_system(o->directory);
     switch (o->potential) {
     case FVI_POTENTIAL_HARMONIC:
         s.potential = fvi_potential_harmonic(o->spring);

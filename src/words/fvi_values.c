@@ -5,6 +5,7 @@
 
 #include <fvi/fvi.h>
 
+#include <ctype.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -75,6 +76,8 @@ static int check_method(const fvi_options *o, fvi_complaint c)
                           o->text[DERIVATIVE]);
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not for --damping");
+    if (o->directory && !m->takes_matrices)
+        return fvi_refuse(c, "--method: '%s' is not for --system", m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);
@@ -166,6 +169,36 @@ static int check_solution(fvi_options *o, fvi_complaint c)
     return 0;
 }
 
+/* "3,17" of x1, ..., xd; all of them where nothing is said. */
+static int interpret_unknowns(fvi_options *o, fvi_complaint c)
+{
+    const char *text = o->text[UNKNOWNS];
+    o->shown = malloc(o->d * sizeof *o->shown);
+    if (!o->shown) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    for (; !text && o->shown_count < o->d; o->shown_count++)
+        o->shown[o->shown_count] = o->shown_count;
+    while (text) {
+        char *stop;
+        const size_t i =
+            isdigit((unsigned char)*text) ? strtoul(text, &stop, 10) : 0;
+        if (i < 1 || i > o->d || (*stop && *stop != ','))
+            return fvi_refuse(c,
+                              "--unknowns: '%s' is not a list of numbers from "
+                              "1 to %zu",
+                              o->text[UNKNOWNS], o->d);
+        for (size_t k = 0; k < o->shown_count; k++)
+            if (o->shown[k] == i - 1)
+                return fvi_refuse(c, "--unknowns: %zu stands twice in '%s'", i,
+                                  o->text[UNKNOWNS]);
+        o->shown[o->shown_count++] = i - 1;
+        text = *stop ? stop + 1 : NULL;
+    }
+    return 0;
+}
+
 /* What run and exact share: the system, its start, the grid, the columns. */
 static int interpret_trajectory(fvi_options *o, fvi_complaint c)
 {
@@ -186,6 +219,8 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
         status = whole(o, EVERY, &o->every, c);
     if (!status)
         status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
+    if (!status)
+        status = interpret_unknowns(o, c);
     for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
             status = fvi_refuse(c, "--continue: column y needs every row");
@@ -221,6 +256,14 @@ static int interpret(fvi_options *o, fvi_complaint c)
     if (o->plot && !is_picture(o->plot))
         return fvi_refuse(c, "--plot: '%s' is not a name.svg or name.png",
                           o->plot);
+    o->snapshot = o->text[SNAPSHOT];
+    if (o->snapshot && !*o->snapshot)
+        return fvi_refuse(c, "--snapshot: '' is not a file's name");
+    if (o->snapshot && o->output && strcmp(o->snapshot, o->output) == 0)
+        return fvi_refuse(c, "--snapshot: '%s' is the table's file, too",
+                          o->snapshot);
+    if (o->snapshot && o->text[ERROR])
+        return fvi_refuse(c, "--snapshot: not together with --error");
     o->checkpoint = o->text[CHECKPOINT];
     o->resume = o->text[CONTINUE] != NULL;
     if (o->checkpoint && !*o->checkpoint)
@@ -257,9 +300,13 @@ void fvi_options_free(fvi_options *o)
     free(o->x0);
     fvi_expression_free(o->expression);
     fvi_forces_free(o->forces);
+    fvi_directory_close(o->directory);
+    free(o->shown);
     o->x0 = o->p0 = o->mass = o->rho = NULL;
     o->expression = NULL;
     fvi_shared_close(o->library);
     o->library = NULL;
     o->forces = NULL;
+    o->directory = NULL;
+    o->shown = NULL;
 }

@@ -1,0 +1,287 @@
+/* src/words/fvi_directory.c -- A system from the files of a folder. */
+#define _GNU_SOURCE /* getline */
+#include "fvi_directory.h"
+
+#include <fvi/error.h>
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Forces on some unknowns, in rows of t and `width` numbers. */
+typedef struct {
+    size_t rows, width;
+    size_t *unknown; /* of each column, from 0 */
+    double *t;       /* each row in one piece */
+} loads;
+
+struct fvi_directory {
+    char name[PATH_MAX];
+    fvi_sparse M, K, C;
+    fvi_structure *structure;
+    loads loads;
+};
+
+static int no_memory(fvi_complaint c)
+{
+    fvi_refuse(c, "not enough memory");
+    return 1;
+}
+
+/* DIR/file */
+static const char *path(const fvi_directory *d, const char *file,
+                        char place[PATH_MAX + 8])
+{
+    snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
+    return place;
+}
+
+/* ---- matrices ---- */
+
+static int read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
+                       fvi_complaint c)
+{
+    char place[PATH_MAX + 8];
+    fvi_misread wrong = { 0, "" };
+    int status = fvi_sparse_read(path(d, file, place), A, &wrong);
+    if (status == FVI_ENOMEM)
+        return no_memory(c);
+    if (status && wrong.line == 0)
+        return fvi_refuse(c, "--system: %s: %s", place, wrong.reason);
+    return status ? fvi_refuse(c, "--system: %s:%zu: %s", place, wrong.line,
+                               wrong.reason)
+                  : 0;
+}
+
+/* Three matrices that were read, but do not make a system. */
+static int refuse_matrices(const fvi_directory *d, int status, char fault,
+                           fvi_complaint c)
+{
+    const char *reason =
+        status == FVI_EINVAL ? "not of the size of M.mtx"
+        : fault == 'M'       ? "not positive definite"
+        : fault == 'C' ? "not positive semidefinite: it would feed the motion"
+                       : "not a matrix of a system";
+    if (status == FVI_ENOMEM)
+        return no_memory(c);
+    return fvi_refuse(c, "--system: %s/%c.mtx: %s", d->name, fault, reason);
+}
+
+static int read_all(fvi_directory *d, fvi_complaint c)
+{
+    char place[PATH_MAX + 8], fault;
+    int status = read_matrix(d, "M.mtx", &d->M, c);
+    if (!status)
+        status = read_matrix(d, "K.mtx", &d->K, c);
+    const int damped = access(path(d, "C.mtx", place), F_OK) == 0;
+    if (!status && damped)
+        status = read_matrix(d, "C.mtx", &d->C, c);
+    if (status)
+        return status;
+    status = fvi_structure_alloc(&d->M, &d->K, damped ? &d->C : NULL,
+                                 &d->structure, &fault);
+    return status ? refuse_matrices(d, status, fault, c) : 0;
+}
+
+int fvi_directory_open(const char *name, fvi_directory **directory,
+                       fvi_complaint c)
+{
+    fvi_directory *d = calloc(1, sizeof *d);
+    if (!d)
+        return no_memory(c);
+    int status = 0;
+    if (strlen(name) >= sizeof d->name)
+        status = fvi_refuse(c, "--system: '%s' is too long", name);
+    else
+        strcpy(d->name, name);
+    if (!status)
+        status = read_all(d, c);
+    if (status)
+        fvi_directory_close(d);
+    else
+        *directory = d;
+    return status;
+}
+
+/* ---- forces ---- */
+
+static const char between[] = " \t\r\n,;";
+
+/* A table that is read line by line. */
+typedef struct {
+    const char *name;
+    FILE *file;
+    char *line;
+    size_t room, number, allocated;
+    fvi_complaint c;
+} reader;
+
+static int refuse(const reader *r, const char *reason)
+{
+    return fvi_refuse(r->c, "--system: %s:%zu: %s", r->name, r->number, reason);
+}
+
+/* Columns 1 to d. */
+static int all_columns(loads *l, size_t d)
+{
+    l->unknown = malloc(d * sizeof *l->unknown);
+    for (l->width = 0; l->unknown && l->width < d; l->width++)
+        l->unknown[l->width] = l->width;
+    return l->unknown ? 0 : 1;
+}
+
+/* "t f3 f7", perhaps behind #. */
+static int named_columns(const reader *r, loads *l, size_t d)
+{
+    char *at = r->line + strspn(r->line, "# \t"), *stop;
+    if (*at != 't' || !at[1] || !strchr(between, at[1]))
+        return refuse(r, "names are t, then f1, f2, ...");
+    l->unknown = malloc(d * sizeof *l->unknown);
+    if (!l->unknown)
+        return 1;
+    for (at++; *(at += strspn(at, between)); at = stop) {
+        const double i = *at == 'f' ? strtod(at + 1, &stop) : 0;
+        if (*at != 'f' || stop == at + 1 || !strchr(between, *stop)
+            || i != floor(i) || !(i >= 1 && i <= (double)d))
+            return refuse(r, "a name that is none of the unknowns'");
+        for (size_t k = 0; k < l->width; k++)
+            if (l->unknown[k] == (size_t)i - 1)
+                return refuse(r, "an unknown that is named twice");
+        l->unknown[l->width++] = (size_t)i - 1;
+    }
+    return 0;
+}
+
+/* One row of numbers; t increases. */
+static int read_row(reader *r, loads *l)
+{
+    const size_t width = l->width + 1, n = l->rows;
+    if (n == r->allocated) {
+        r->allocated = 2 * r->allocated + 64;
+        double *more = realloc(l->t, r->allocated * width * sizeof *more);
+        if (!more)
+            return 1;
+        l->t = more;
+    }
+    char *at = r->line, *stop;
+    for (size_t i = 0; i < width; i++, at = stop) {
+        at += strspn(at, between);
+        if (!*at)
+            return refuse(r, "a number is missing");
+        const double value = strtod(at, &stop);
+        if (stop == at || !isfinite(value) || !strchr(between, *stop))
+            return refuse(r, "not a finite number");
+        l->t[n * width + i] = value;
+    }
+    if (at[strspn(at, between)])
+        return refuse(r, "more numbers than columns");
+    if (n > 0 && !(l->t[n * width] > l->t[(n - 1) * width]))
+        return refuse(r, "t does not increase");
+    l->rows++;
+    return 0;
+}
+
+static int read_rows(reader *r, loads *l, size_t d)
+{
+    int status = 0;
+    while (!status && getline(&r->line, &r->room, r->file) >= 0) {
+        r->number++;
+        const char *at = r->line + strspn(r->line, between);
+        const int is_name =
+            *at == 't' || (*at == '#' && !l->unknown && strchr(at, 't'));
+        if (*at == '\0' || (*at == '#' && !is_name))
+            continue;
+        if (is_name && !l->unknown)
+            status = named_columns(r, l, d);
+        else if (!l->unknown && all_columns(l, d))
+            status = 1;
+        if (!status && !is_name)
+            status = read_row(r, l);
+    }
+    return status;
+}
+
+int fvi_directory_force(fvi_directory *d, double last, int *found,
+                        fvi_complaint c)
+{
+    char place[PATH_MAX + 8];
+    loads *l = &d->loads;
+    reader r = { .name = path(d, "f.tsv", place), .c = c };
+    *found = access(place, F_OK) == 0;
+    if (!*found)
+        return 0;
+    r.file = fopen(place, "r");
+    if (!r.file)
+        return fvi_refuse(c, "--system: %s: %s", place, strerror(errno));
+    int status = read_rows(&r, l, d->M.n);
+    free(r.line);
+    fclose(r.file);
+    if (status)
+        return status == 1 ? no_memory(c) : status;
+    if (l->rows == 0)
+        return fvi_refuse(c, "--system: %s: has no rows", place);
+    const double end = l->t[(l->rows - 1) * (l->width + 1)];
+    if (l->t[0] > 0 || end < last * (1 - 1e-12))
+        return fvi_refuse(
+            c, "--system: %s: from t = %g to %g, the run from 0 to %g", place,
+            l->t[0], end, last);
+    return 0;
+}
+
+/* Linear between two rows; outside, which is a rounding away, the nearest. */
+static int value(double t, size_t d, void *params, double *F)
+{
+    const loads *l = &((const fvi_directory *)params)->loads;
+    const size_t width = l->width + 1;
+    size_t low = 0,
+           high = l->rows - 1; /* the first row of a later t, or the last */
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (l->t[middle * width] <= t)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const double *after = l->t + high * width,
+                 *before = high > 0 ? after - width : after;
+    const double part = after > before ? (t - *before) / (*after - *before) : 0;
+    memset(F, 0, d * sizeof *F);
+    for (size_t i = 0; i < l->width; i++)
+        F[l->unknown[i]] =
+            before[1 + i]
+            + fmin(fmax(part, 0), 1) * (after[1 + i] - before[1 + i]);
+    return 0;
+}
+
+/* ---- the system ---- */
+
+fvi_system fvi_directory_system(const fvi_directory *d)
+{
+    fvi_system s = fvi_structure_system(d->structure);
+    if (d->loads.rows > 0)
+        s.force = (fvi_force){ .value = value, .params = (void *)d };
+    return s;
+}
+
+const char *fvi_directory_solver(const fvi_directory *d, double m, double c,
+                                 double k)
+{
+    return fvi_structure_solver(d->structure, m, c, k);
+}
+
+void fvi_directory_close(fvi_directory *d)
+{
+    if (!d)
+        return;
+    fvi_structure_free(d->structure);
+    fvi_sparse_free(&d->M);
+    fvi_sparse_free(&d->K);
+    fvi_sparse_free(&d->C);
+    free(d->loads.unknown);
+    free(d->loads.t);
+    free(d);
+}

@@ -1,0 +1,38 @@
+/* src/words/fvi_directory.h -- A system from the files of a folder. */
+#ifndef FVI_DIRECTORY_H
+#define FVI_DIRECTORY_H
+
+#include <fvi/structures.h>
+#include "fvi_words.h"
+
+typedef struct fvi_directory fvi_directory;
+
+/* fvi_directory_open -- M.mtx, K.mtx and, if it is there, C.mtx of a folder.
+ *
+ *   directory  output; close it with fvi_directory_close
+ *
+ * Returns 0; 2 after a complaint that names the file and the line; 1 if there is no memory. */
+int fvi_directory_open(const char *name, fvi_directory **directory,
+                       fvi_complaint c);
+
+/* fvi_directory_force -- f.tsv of the folder, if it is there: rows t, f_1, ..., f_d, or of the
+ * unknowns that a first line names, "t f3 f7"; linear in between. All others are free.
+ *
+ *   last   the time up to which it must reach
+ *   found  output: nonzero if there is such a file
+ *
+ * Returns as fvi_directory_open. */
+int fvi_directory_force(fvi_directory *directory, double last, int *found,
+                        fvi_complaint c);
+
+/* fvi_directory_system -- the system, with that force. It points into the directory. */
+fvi_system fvi_directory_system(const fvi_directory *directory);
+
+/* fvi_directory_solver -- how a step of that method is solved, for the head of a table. */
+const char *fvi_directory_solver(const fvi_directory *directory, double m,
+                                 double c, double k);
+
+/* fvi_directory_close -- give everything back. NULL is allowed. */
+void fvi_directory_close(fvi_directory *directory);
+
+#endif

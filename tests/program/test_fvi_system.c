@@ -1,0 +1,240 @@
+/* tests/program/test_fvi_system.c -- The program build/fvi: systems of matrices.
+ * Run alone: make test-fvi_system */
+#define _GNU_SOURCE
+#include "program.h"
+
+#include <string.h>
+
+#define HEAD "%%MatrixMarket matrix coordinate real symmetric\n"
+
+/* Three masses between two walls. */
+static void write_chain(void)
+{
+    ck_assert_int_eq(shell("mkdir -p chain"), 0);
+    write_file("chain/M.mtx", HEAD "% masses\n3 3 3\n1 1 1\n2 2 2\n3 3 0.5\n");
+    write_file("chain/K.mtx",
+               HEAD "3 3 5\n1 1 4\n2 1 -2\n2 2 4\n3 2 -2\n3 3 4\n");
+    write_file("chain/C.mtx", HEAD "3 3 2\n1 1 0.3\n3 3 0.1\n");
+}
+
+/* The rows without the head, into `rows`. */
+static void table(const char *words, char *rows, size_t size)
+{
+    ck_assert_msg(fvi(words) == 0, "%s: %s", words, err);
+    const char *at = strrchr(out, '#');
+    snprintf(rows, size, "%s", strchr(at, '\n') + 1);
+}
+
+/* All numbers of two tables are equal to `bound`. */
+static size_t compare(const char *a, const char *b, double bound)
+{
+    size_t count = 0;
+    for (char *stop;; a = stop, count++) {
+        const double x = strtod(a, &stop);
+        if (stop == a)
+            break;
+        const double y = strtod(b, (char **)&b);
+        ck_assert_near(x, y, bound, "number %zu", count);
+    }
+    return count;
+}
+
+/* The same operations but for the order of sums: as in test_structures.c. A power among the
+ * laws of damping is summed another way. */
+START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
+{
+    static char one[1 << 16], other[1 << 16];
+    static const struct {
+        const char *system, *plain;
+    } words[] = {
+        { "--method fvi --alpha 0.3", "--method fvi --alpha 0.3" },
+        { "--method fvi-shifted --alpha 0.7",
+          "--method fvi-shifted --alpha 0.7" },
+        { "--method fvi-bdf2 --damping power:1,0.3",
+          "--method fvi-bdf2 --alpha 0.3" },
+        { "--method fvi-stable --derivative rl --alpha 0.3",
+          "--method fvi-stable --derivative rl --alpha 0.3" }
+    };
+    write_chain();
+    for (size_t i = 0; i < LEN(words); i++) {
+        const char *same = "--x0 1,0,-1 --p0 0 --force cosine:1,2 --time 3 "
+                           "--steps 60";
+        char line[600];
+        snprintf(line, sizeof line, "run --system chain %s %s", same,
+                 words[i].system);
+        table(line, one, sizeof one);
+        snprintf(line, sizeof line,
+                 "run --potential chain:3,2,0 --mass 1,2,0.5 --rho 0.3,0,0.1 "
+                 "%s %s",
+                 same, words[i].plain);
+        table(line, other, sizeof other);
+        ck_assert_uint_eq(compare(one, other, 1e-12), 61 * 8);
+    }
+}
+END_TEST
+
+START_TEST(forces_come_from_a_table_of_unknowns)
+{
+    static char one[1 << 16], other[1 << 16];
+    write_chain();
+    table("run --system chain --method fvi-stable --force 'step:1,9' --steps "
+          "20",
+          other, sizeof other);
+    write_file("chain/f.tsv", "# all alike\nt\tf1\tf3\tf2\n0\t1\t1\t1\n"
+                              "3\t1\t1\t1\n");
+    table("run --system chain --method fvi-stable --steps 20", one, sizeof one);
+    ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
+    write_file("chain/f.tsv", "0 1 1 1\n1.5 1 1 1\n3 1 1 1\n");
+    table("run --system chain --method fvi-stable --steps 20", one, sizeof one);
+    ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
+    /* 2 t on the second alone: linear in between, so two rows are enough */
+    write_file("chain/f.tsv", "t f2\n0 0\n2 4\n");
+    table("run --system chain --steps 20 --x0 0 --p0 0 --columns p --unknowns "
+          "2 --h 0.01",
+          one, sizeof one);
+    double p = 0; /* (9.4) from rest: the first rows are those of h F alone */
+    const char *at = one;
+    for (int k = 0; k <= 3; k++) {
+        p += k > 0 ? 0.01 * 2 * 0.01 * k : 0;
+        ck_assert_near(strtod(at, (char **)&at), p, 2e-6, "p_%d", k);
+    }
+    ck_assert_refused("run --system chain --force step:1,2 --steps 9",
+                      "fvi: --force: 'step:1,2': there is chain/f.tsv, too");
+    ck_assert_refused("run --system chain", "fvi: --system: chain/f.tsv: from t = 0 "
+                                            "to 2, the run from 0 to 20");
+    ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
+}
+END_TEST
+
+START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
+{
+    static char one[1 << 16], file[1 << 12];
+    write_chain();
+    table("run --system chain --steps 4 --columns t,p,x --unknowns 3,1 "
+          "--snapshot end.tsv",
+          one, sizeof one);
+    ck_assert_ptr_nonnull(strstr(out, "# t\tp3\tp1\tx3\tx1\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# solver = band\n"));
+    char path[PATH_MAX + 20];
+    snprintf(path, sizeof path, "%s/end.tsv", folder);
+    read_file(path, file, sizeof file);
+    double last[5], at_end[3][3];
+    const char *row = one, *line = file;
+    for (int k = 0; k <= 4; k++)
+        for (int i = 0; i < 5; i++)
+            last[i] = strtod(row, (char **)&row);
+    ck_assert_int_eq(strncmp(line, "# t = 0.4", 9), 0);
+    line = strchr(strchr(line, '\n') + 1, '\n');
+    for (int i = 0; i < 9; i++)
+        at_end[i / 3][i % 3] = strtod(line, (char **)&line);
+    ck_assert(at_end[0][0] == 1 && at_end[2][0] == 3);
+    ck_assert(at_end[2][2] == last[1] && at_end[0][2] == last[2]);
+    ck_assert(at_end[2][1] == last[3] && at_end[0][1] == last[4]);
+    table("run --potential chain:3,1,0 --columns x --unknowns 2 --steps 1",
+          one, sizeof one);
+    ck_assert_ptr_nonnull(strstr(out, "# x2\n1\n"));
+    ck_assert_refused("run --unknowns 2", "fvi: --unknowns: '2' is not a list of "
+                                          "numbers from 1 to 1");
+    ck_assert_refused("run --system chain --unknowns 1,4",
+                      "fvi: --unknowns: '1,4' is not a list of numbers from 1 to 3");
+    ck_assert_refused("run --system chain --unknowns 2,2",
+                      "fvi: --unknowns: 2 stands twice in '2,2'");
+    ck_assert_refused("run --system chain --unknowns 1,",
+                      "fvi: --unknowns: '1,' is not a list of numbers from 1 to 3");
+    ck_assert_refused("run --snapshot a -o a",
+                      "fvi: --snapshot: 'a' is the table's file, too");
+}
+END_TEST
+
+START_TEST(bad_folders_are_refused_with_file_and_line)
+{
+    static const struct {
+        const char *file, *text, *complaint;
+    } bad[] = {
+        { "M.mtx", "", "M.mtx: cannot be read, or is empty" },
+        { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 nan\n3 3 1\n",
+          "M.mtx:4: not a finite number" },
+        { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 -1\n3 3 1\n",
+          "M.mtx: not positive definite" },
+        { "M.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n3 3 1\n",
+          "M.mtx: not positive definite" },
+        { "K.mtx", HEAD "2 2 2\n1 1 1\n2 2 1\n",
+          "K.mtx: not of the size of M.mtx" },
+        { "K.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n1 2 2\n",
+          "K.mtx:6: an entry that stands twice; of a symmetric matrix only one "
+          "triangle is given" },
+        { "K.mtx", "%%MatrixMarket matrix coordinate real general\n3 3 2\n1 2 "
+                   "1\n2 1 2\n",
+          "K.mtx:4: the matrix is not symmetric: entry (j, i) is another one" },
+        { "K.mtx", "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 "
+                   "1\n1 1\n",
+          "K.mtx:1: a pattern without numbers" },
+        { "C.mtx", HEAD "3 3 1\n2 1 0.5\n",
+          "C.mtx: not positive semidefinite: it would feed the motion" },
+        { "f.tsv", "t f4\n0 1\n", "f.tsv:1: a name that is none of the "
+                                  "unknowns'" },
+        { "f.tsv", "t f1 f1\n0 1 1\n", "f.tsv:1: an unknown that is named "
+                                       "twice" },
+        { "f.tsv", "0 1 2 3\n1 1 2\n", "f.tsv:2: a number is missing" },
+        { "f.tsv", "0 1 2 3\n1 1 2 3 4\n", "f.tsv:2: more numbers than "
+                                           "columns" },
+        { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2: t does not increase" },
+        { "f.tsv", "0 1 2 inf\n", "f.tsv:1: not a finite number" },
+        { "f.tsv", "# t\n", "f.tsv: has no rows" },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        char name[40], complaint[200];
+        write_chain();
+        snprintf(name, sizeof name, "chain/%s", bad[i].file);
+        write_file(name, bad[i].text);
+        snprintf(complaint, sizeof complaint, "--system: chain/%s",
+                 bad[i].complaint);
+        ck_assert_msg(fvi("run --system chain -o nothing") == 2, "%s",
+                      bad[i].complaint);
+        ck_assert_msg(strncmp(err + 5, complaint, strlen(complaint)) == 0,
+                      "%s: %s", complaint, err);
+        ck_assert(!exists("nothing"));
+        ck_assert_int_eq(shell("rm -r chain"), 0);
+    }
+    ck_assert_refused("run --system nowhere",
+                      "fvi: --system: nowhere/M.mtx: cannot be read");
+}
+END_TEST
+
+START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
+{
+    write_chain();
+    ck_assert_refused("run --system chain --mass 1",
+                      "fvi: --system: not together with --mass");
+    ck_assert_refused("run --system chain --rho 1",
+                      "fvi: --system: not together with --rho");
+    ck_assert_refused("run --system chain --potential free",
+                      "fvi: --system: not together with --potential");
+    ck_assert_refused("run --system chain --dimension 3",
+                      "fvi: --system: not together with --dimension");
+    ck_assert_refused("run --system chain --error 1e-3",
+                      "fvi: --system: not together with --error");
+    ck_assert_refused("run --system chain --method fvi-lobatto4",
+                      "fvi: --method: 'fvi-lobatto4' is not for --system");
+    ck_assert_refused("gradient --system chain",
+                      "fvi: --system: not an option of this command");
+    ck_assert_int_eq(fvi("sweep --system chain --vary alpha=0.1:0.9:3 --method "
+                         "fvi-stable --columns x"),
+                     0);
+    write_file("chain/C.mtx", HEAD "3 3 0\n");
+    ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
+    ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
+    ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the program fvi: systems of matrices");
+    ADD_CASE(suite, "system", a_folder_of_matrices_is_the_system_that_it_says,
+             forces_come_from_a_table_of_unknowns,
+             unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
+             bad_folders_are_refused_with_file_and_line,
+             what_a_system_replaces_or_no_method_takes_is_refused);
+    return run_suite_of_program(suite);
+}
