@@ -310,6 +310,7 @@ TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv
 TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
 TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
+TABLE_blocks    := figures/blocks/blocks_bench.tsv
 
 $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
@@ -395,6 +396,7 @@ $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | need
 
 figures/memory/memory_bench.svg: $(TABLE_memory)
 figures/step_search/step_search.svg: $(TABLE_precision)
+figures/blocks/blocks_bench.svg: $(TABLE_blocks)
 
 ## -- what has to be installed ----------------------------------------------
 

@@ -1,5 +1,6 @@
 /* src/memory/memory_exponentials.c -- A window and decaying modes.     [Chapter 12] */
 #include <fvi/coefficients.h>
+#include "blocks.h"
 #include "memory_kinds.h"
 
 #include <gsl/gsl_math.h>
@@ -105,7 +106,15 @@ struct fvi_exponentials {
     double *rates;   /* NULL, or dc/d nu: Q numbers, */
     double *slopes;  /* those of the lags 32, 31, ..., 1, */
     double *further; /* and d such sums with them */
+    fvi_tiles
+        *tiles; /* NULL, or what stands for z, past and far (chapter 28) */
 };
+
+/* The rates are read from modes that stand as after each step. */
+static int tiled(int rated, size_t d)
+{
+    return !rated && d >= FVI_TILES_FROM;
+}
 
 static size_t padded(size_t Q)
 {
@@ -120,6 +129,8 @@ static size_t count(double nu, size_t steps, double delta, double *s, double *c)
 
 static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
 {
+    if (tiled(rated, d))
+        d = 0;
     return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(d)
            + (rated ? Q + FVI_WINDOW + padded(d) : 0);
 }
@@ -130,7 +141,9 @@ size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
     const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
-    return sizeof(fvi_exponentials) + numbers(Q, rated, d) * sizeof(double);
+    const size_t bytes =
+        sizeof(fvi_exponentials) + numbers(Q, rated, d) * sizeof(double);
+    return tiled(rated, d) ? bytes + fvi_tiles_bytes(d, Q) : bytes;
 }
 
 /* Zeros, or NULL. */
@@ -147,6 +160,8 @@ static fvi_exponentials *make(size_t Q, int rated, size_t d)
     memset(block, 0, n * sizeof *block);
     *e = (fvi_exponentials){ .d = d, .Q = Q, .p = block, .c = block + Q };
     e->weights = e->c + Q;
+    if (tiled(rated, d))
+        return e;
     e->z = e->weights + FVI_WINDOW;
     e->past = e->z + d * Q;
     e->far = e->past + d * 2 * FVI_WINDOW;
@@ -175,6 +190,19 @@ static void decays(fvi_exponentials *e)
     }
 }
 
+/* e, or NULL if there is no memory for many coordinates. */
+static fvi_exponentials *finish(fvi_exponentials *e)
+{
+    decays(e);
+    if (!tiled(e->rates != NULL, e->d))
+        return e;
+    e->tiles = fvi_tiles_alloc(e->d, e->Q, e->p, e->c, e->weights, e->w1);
+    if (e->tiles)
+        return e;
+    fvi_exponentials_free(e);
+    return NULL;
+}
+
 fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
                                          size_t steps, double delta)
 {
@@ -194,8 +222,7 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
         for (size_t q = 0; q < Q; q++)
             e->rates[q] *= exp(-FVI_TAIL * e->p[q]);
     }
-    decays(e);
-    return e;
+    return finish(e);
 }
 
 fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
@@ -208,8 +235,7 @@ fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
     open_window(e, w);
     memcpy(e->p, s, Q * sizeof *s);
     memcpy(e->c, c, Q * sizeof *c);
-    decays(e);
-    return e;
+    return finish(e);
 }
 
 fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
@@ -220,7 +246,11 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
     memcpy(e->p, from->p, numbers(e->Q, e->rates != NULL, e->d) * sizeof *e->p);
     e->w1 = from->w1;
     e->k = from->k;
-    return e;
+    e->tiles = from->tiles ? fvi_tiles_copy(from->tiles) : NULL;
+    if (!e->tiles == !from->tiles)
+        return e;
+    fvi_exponentials_free(e);
+    return NULL;
 }
 
 /* The nodes depend on N, and must be the same. */
@@ -230,6 +260,8 @@ int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
     int status = v->visit(v, &e->Q, sizeof e->Q, 1);
     if (!status)
         status = v->visit(v, e->p, 2 * e->Q * number, 1);
+    if (!status && e->tiles)
+        return fvi_tiles_visit(e->tiles, v);
     if (!status)
         status = v->visit(v, &e->k, sizeof e->k, 0);
     if (!status)
@@ -245,6 +277,7 @@ void fvi_exponentials_free(fvi_exponentials *e)
 {
     if (!e)
         return;
+    fvi_tiles_free(e->tiles);
     free(e->p);
     free(e);
 }
@@ -278,7 +311,7 @@ FVI_VECTORS static double advance(size_t Q, const double *restrict p,
 }
 
 //> push
-void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
+static void push_each(fvi_exponentials *e, const double *term, double *H)
 {
     const size_t place = e->k++ % FVI_WINDOW;
     for (size_t i = 0; i < e->d; i++) {
@@ -290,6 +323,14 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
     }
 }
 //< push
+
+void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
+{
+    if (e->tiles)
+        fvi_tiles_push(e->tiles, term, H);
+    else
+        push_each(e, term, H);
+}
 
 /* The modes as they stand, read with other coefficients. */
 FVI_VECTORS static double read_out(size_t Q, const double *restrict c,
@@ -327,6 +368,10 @@ void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
 
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
 {
+    if (e->tiles) {
+        fvi_tiles_ahead(e->tiles, sum);
+        return;
+    }
     for (size_t i = 0; i < e->d; i++)
         sum[i] += e->far[i];
 }

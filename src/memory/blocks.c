@@ -1,0 +1,285 @@
+/* src/memory/blocks.c -- Thirty-two steps of many memories at once.      [Chapter 28] */
+#include "blocks.h"
+#include "memory_kinds.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- eight rows of a product, by vectors of 2, 4 or 8 doubles ---- */
+
+typedef void product(size_t columns, size_t n, const double *table,
+                     const double *in, const double *lose, double *out);
+
+#define LANES 2
+#define PRODUCT product_2
+#define TARGET
+#include "blocks_product.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LANES 4
+#define PRODUCT product_4
+#define TARGET __attribute__((target("avx2")))
+#include "blocks_product.h"
+
+#define LANES 8
+#define PRODUCT product_8
+#define TARGET __attribute__((target("avx512f")))
+#include "blocks_product.h"
+
+/* NULL if this machine has no vectors so wide. */
+static product *product_of(size_t lanes)
+{
+    switch (lanes) {
+    case 8:
+        return __builtin_cpu_supports("avx512f") ? product_8 : NULL;
+    case 4:
+        return __builtin_cpu_supports("avx2") ? product_4 : NULL;
+    default:
+        return lanes == 2 ? product_2 : NULL;
+    }
+}
+#else
+static product *product_of(size_t lanes)
+{
+    return lanes == 2 ? product_2 : NULL;
+}
+#endif
+
+/* ---- the memory ---- */
+
+enum {
+    AREA = FVI_EIGHT * FVI_TILE,   /* numbers of eight rows of a tile */
+    SQUARE = FVI_EIGHT * FVI_EIGHT /* of a table between two eights */
+};
+
+struct fvi_tiles {
+    size_t d, Q, k, tiles;
+    product *times;
+    double *w;     /* w_1 to w_63 at their lags */
+    double *lags;  /* lags[8 D + r - j] between eights D apart: (28.3) */
+    double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, by eights: (28.1) */
+    double *decay; /* e^{-s_q (31 - j)} by eights of modes: (28.2) */
+    double *lose;  /* 1 - e^{-32 s_q} */
+    double *z;     /* Q modes of each coordinate, tile by tile */
+    double
+        *slab[FVI_SLABS]; /* rows: terms that are in, sums of those to come */
+};
+
+/* Numbers of the tables, and of the state. */
+static size_t tables(size_t Q)
+{
+    return 2 * FVI_WINDOW + 7 * SQUARE + 2 * FVI_WINDOW * Q + Q;
+}
+
+static size_t state(size_t d, size_t Q)
+{
+    return (d + FVI_TILE - 1) / FVI_TILE * FVI_TILE * (Q + FVI_WINDOW);
+}
+
+size_t fvi_tiles_bytes(size_t d, size_t Q)
+{
+    if (d > SIZE_MAX / sizeof(double) / 4 / (Q + FVI_WINDOW))
+        return SIZE_MAX;
+    return sizeof(fvi_tiles) + (tables(Q) + state(d, Q)) * sizeof(double);
+}
+
+/* Zeros, or NULL. */
+static fvi_tiles *make(size_t d, size_t Q)
+{
+    fvi_tiles *t = malloc(sizeof *t);
+    const size_t n = tables(Q) + state(d, Q);
+    double *block = aligned_alloc(64, n * sizeof *block);
+    if (!t || !block) {
+        free(t);
+        free(block);
+        return NULL;
+    }
+    memset(block, 0, n * sizeof *block);
+    *t = (fvi_tiles){ .d = d, .Q = Q, .w = block };
+    for (size_t lanes = 8; !fvi_tiles_width(t, lanes); lanes /= 2)
+        ;
+    t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
+    t->lags = t->w + 2 * FVI_WINDOW;
+    t->far = t->lags + 7 * SQUARE;
+    t->decay = t->far + FVI_WINDOW * Q;
+    t->lose = t->decay + FVI_WINDOW * Q;
+    t->z = t->lose + Q;
+    for (size_t s = 0; s < FVI_SLABS; s++)
+        t->slab[s] = t->z + t->tiles * (FVI_TILE * Q + s * AREA);
+    return t;
+}
+
+/* (1 - p)^n; where p is 1, that is 1 for n = 0. */
+static double power(double p, size_t n)
+{
+    return n == 0 ? 1 : exp((double)n * log1p(-p));
+}
+
+//> tables
+/* The weights from lag 33 on are what the modes say, so that both ways have the same. */
+static void fill(fvi_tiles *t, const double *p, const double *c)
+{
+    for (size_t q = 0; q < t->Q; q++) {
+        double *decay = t->decay + (q / FVI_EIGHT * FVI_WINDOW) * FVI_EIGHT;
+        for (size_t r = 0; r < FVI_WINDOW; r++) {
+            const double left = power(p[q], r);
+            double *far = t->far + (r / FVI_EIGHT * t->Q + q) * FVI_EIGHT;
+            far[r % FVI_EIGHT] = c[q] * left;
+            decay[(FVI_WINDOW - 1 - r) * FVI_EIGHT + q % FVI_EIGHT] = left;
+            if (FVI_TAIL + r < 2 * FVI_WINDOW)
+                t->w[FVI_TAIL + r] += c[q] * left;
+        }
+        t->lose[q] = p[q] < 1 ? -expm1(FVI_WINDOW * log1p(-p[q])) : 1;
+    }
+    for (size_t D = 1; D <= 7; D++)
+        for (size_t j = 0; j < FVI_EIGHT; j++)
+            for (size_t r = 0; r < FVI_EIGHT; r++)
+                t->lags[((D - 1) * FVI_EIGHT + j) * FVI_EIGHT + r] =
+                    t->w[D * FVI_EIGHT + r - j];
+}
+//< tables
+
+fvi_tiles *fvi_tiles_alloc(size_t d, size_t Q, const double *p, const double *c,
+                           const double *weights, double w1)
+{
+    fvi_tiles *t = make(d, Q);
+    if (!t)
+        return NULL;
+    t->w[1] = w1;
+    for (size_t n = 2; n <= FVI_WINDOW; n++)
+        t->w[n] = weights[FVI_WINDOW + 1 - n];
+    fill(t, p, c);
+    return t;
+}
+
+int fvi_tiles_width(fvi_tiles *t, size_t lanes)
+{
+    product *times = product_of(lanes);
+    if (times)
+        t->times = times;
+    return times != NULL;
+}
+
+fvi_tiles *fvi_tiles_copy(const fvi_tiles *from)
+{
+    fvi_tiles *t = make(from->d, from->Q);
+    if (!t)
+        return NULL;
+    memcpy(t->w, from->w, (tables(t->Q) + state(t->d, t->Q)) * sizeof *t->w);
+    t->k = from->k;
+    t->times = from->times;
+    return t;
+}
+
+int fvi_tiles_visit(fvi_tiles *t, fvi_visitor *v)
+{
+    int status = v->visit(v, &t->k, sizeof t->k, 0);
+    return status ? status
+                  : v->visit(v, t->z, state(t->d, t->Q) * sizeof *t->z, 0);
+}
+
+void fvi_tiles_free(fvi_tiles *t)
+{
+    if (!t)
+        return;
+    free(t->w);
+    free(t);
+}
+
+/* ---- the sums ---- */
+
+static size_t columns(const fvi_tiles *t, size_t tile)
+{
+    const size_t rest = t->d - tile * FVI_TILE;
+    return rest < FVI_TILE ? rest : FVI_TILE;
+}
+
+/* The sums of the eight rows of `to`, with the terms of an eight D of them before. */
+static void between(const fvi_tiles *t, size_t count, size_t D,
+                    const double *terms, double *to)
+{
+    static const double none[FVI_EIGHT] = { 0 };
+    t->times(count, FVI_EIGHT, t->lags + (D - 1) * SQUARE, terms, none, to);
+}
+
+//> block
+/* Thirty-two terms are in: what they and all before them say to the next 32 sums, and
+ * then to the modes. The sums take the places of the terms. */
+static void open_block(fvi_tiles *t, size_t tile)
+{
+    static const double none[FVI_EIGHT] = { 0 };
+    const size_t count = columns(t, tile);
+    double terms[FVI_SLABS * AREA], *z = t->z + tile * FVI_TILE * t->Q;
+    for (size_t s = 0; s < FVI_SLABS; s++) {
+        double *slab = t->slab[s] + tile * AREA;
+        memcpy(terms + s * AREA, slab, AREA * sizeof *slab);
+        memset(slab, 0, AREA * sizeof *slab);
+    }
+    for (size_t g = 0; g < FVI_SLABS; g++) { /* (28.1) */
+        double *to = t->slab[g] + tile * AREA;
+        t->times(count, t->Q, t->far + g * FVI_EIGHT * t->Q, z, none, to);
+        for (size_t s = 0; s < FVI_SLABS; s++)
+            between(t, count, FVI_SLABS + g - s, terms + s * AREA, to);
+    }
+    for (size_t q = 0; q < t->Q; q += FVI_EIGHT) /* (28.2) */
+        t->times(count, FVI_WINDOW, t->decay + q * FVI_WINDOW, terms,
+                 t->lose + q, z + q * FVI_TILE);
+}
+//< block
+
+/* After every eighth term: to the next eight sums, what the block has so far. */
+static void open_eight(fvi_tiles *t, size_t tile, size_t g)
+{
+    for (size_t s = 0; s < g; s++)
+        between(t, columns(t, tile), g - s, t->slab[s] + tile * AREA,
+                t->slab[g] + tile * AREA);
+}
+
+/* Row r of eight, and the terms before it in the same eight. */
+FVI_VECTORS static void next_row(size_t r, const double *restrict w,
+                                 const double *restrict rows,
+                                 double *restrict sum)
+{
+#pragma GCC unroll 16
+    for (size_t i = 0; i < FVI_TILE; i++)
+        sum[i] = rows[r * FVI_TILE + i];
+    for (size_t j = 1; j <= r; j++) {
+#pragma GCC unroll 16
+        for (size_t i = 0; i < FVI_TILE; i++)
+            sum[i] += w[j] * rows[(r - j) * FVI_TILE + i];
+    }
+}
+
+//> push
+void fvi_tiles_push(fvi_tiles *t, const double *term, double *H)
+{
+    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
+    const size_t next = ++t->k / FVI_EIGHT % FVI_SLABS;
+    for (size_t tile = 0; tile < t->tiles; tile++) {
+        double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
+        next_row(r, t->w, rows, sum);
+        for (size_t i = 0; i < columns(t, tile); i++) {
+            const double new = term[tile * FVI_TILE + i];
+            H[tile * FVI_TILE + i] = new + sum[i];
+            rows[r * FVI_TILE + i] = new;
+        }
+        if (r + 1 == FVI_EIGHT && next == 0)
+            open_block(t, tile);
+        else if (r + 1 == FVI_EIGHT)
+            open_eight(t, tile, next);
+    }
+}
+//< push
+
+void fvi_tiles_ahead(const fvi_tiles *t, double *sum)
+{
+    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
+    for (size_t tile = 0; tile < t->tiles; tile++) {
+        double row[FVI_TILE];
+        next_row(r, t->w, t->slab[g] + tile * AREA, row);
+        for (size_t i = 0; i < columns(t, tile); i++)
+            sum[tile * FVI_TILE + i] += row[i];
+    }
+}

@@ -1,0 +1,41 @@
+/* src/memory/blocks_product.h -- Eight rows of a product, for vectors of one width.
+ *                                                                       [Chapter 28]
+ * blocks.c includes this once for each width, with
+ *
+ *   LANES    the doubles of a vector
+ *   PRODUCT  the name of the function
+ *   TARGET   the attribute that lets the compiler use such vectors, or nothing
+ *
+ *     out_r += sum_{j < n} table_{jr} in_j - lose_r out_r,    r = 0, ..., 7      (28.4)
+ *
+ * for the first `columns` numbers of the rows out_r and in_j, of which each has
+ * FVI_TILE. A column never meets another, and its sum goes up in j, so all widths give
+ * the same digits. Eight sums of vectors, one number of the table and the vector of a
+ * row are ten registers of the sixteen that there are at least. */
+
+//> product
+TARGET static void PRODUCT(size_t columns, size_t n, const double *table,
+                           const double *in, const double *lose, double *out)
+{
+    typedef double vector
+        __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
+    for (size_t i = 0; i < columns; i += LANES) {
+        vector sum[FVI_EIGHT] = { { 0 } };
+        for (size_t j = 0; j < n; j++) {
+            const vector x = *(const vector *)(in + j * FVI_TILE + i);
+#pragma GCC unroll 8
+            for (size_t r = 0; r < FVI_EIGHT; r++)
+                sum[r] += table[j * FVI_EIGHT + r] * x;
+        }
+#pragma GCC unroll 8
+        for (size_t r = 0; r < FVI_EIGHT; r++) {
+            vector *to = (vector *)(out + r * FVI_TILE + i);
+            *to += sum[r] - lose[r] * *to;
+        }
+    }
+}
+//< product
+
+#undef LANES
+#undef PRODUCT
+#undef TARGET

@@ -1,0 +1,355 @@
+/* tests/bench/bench_blocks.c -- Chapter 28: one push of many coordinates, by blocks and
+ * without; what the machine could do at best; a wave of a million unknowns.
+ *
+ * Prints a table in blocks (gnuplot: index 0, 1, ...). Two minutes, 2.5 gigabytes. The
+ * modes are those of half a derivative and 10^6 steps at the default tolerance; a time is
+ * the least of several. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
+#include <fvi/coefficients.h>
+#include <fvi/fvi.h>
+#include "bench.h"
+#include "memory/blocks.h"
+#include "memory/memory_kinds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+
+enum { STEPS = 1000000, MODES = 128, MOST = 1000000 };
+
+static void *room(size_t n)
+{
+    void *p = calloc(n, sizeof(double));
+    if (!p)
+        exit(EXIT_FAILURE);
+    return p;
+}
+
+static size_t modes(void)
+{
+    const double delta = fvi_exponentials_delta(STEPS, 0);
+    const size_t Q = fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL);
+    return (Q + 7) / 8 * 8;
+}
+
+/* Rated memories push the plain way, whatever d. */
+static fvi_exponentials *plain_of(size_t d)
+{
+    fvi_exponentials *e = fvi_exponentials_alloc(
+        0.5, 1, d, STEPS, fvi_exponentials_delta(STEPS, 0));
+    if (!e)
+        exit(EXIT_FAILURE);
+    return e;
+}
+
+static fvi_tiles *tiles_of(size_t d, size_t lanes)
+{
+    double p[MODES] = { 0 }, c[MODES] = { 0 }, w[FVI_WINDOW + 1];
+    double weights[FVI_WINDOW] = { 0 };
+    const size_t Q = modes();
+    fvi_exponentials_nodes(0.5, STEPS, fvi_exponentials_delta(STEPS, 0), p, c);
+    for (size_t q = 0; q < Q; q++) {
+        c[q] *= exp(-FVI_TAIL * p[q]);
+        p[q] = -expm1(-p[q]);
+    }
+    fvi_coefficients(0.5, FVI_WINDOW + 1, w);
+    for (size_t n = 2; n <= FVI_WINDOW; n++)
+        weights[FVI_WINDOW + 1 - n] = w[n];
+    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, weights, w[1]);
+    if (!t || (lanes && !fvi_tiles_width(t, lanes))) {
+        fvi_tiles_free(t);
+        return NULL;
+    }
+    return t;
+}
+
+/* ns a coordinate and push: the least of four times as many pushes as make 2 10^6
+ * coordinates, whole blocks, but one block at least. */
+static double push_time(fvi_exponentials *e, fvi_tiles *t, size_t d)
+{
+    const size_t count = 32 + 2000000 / d / 32 * 32;
+    double *x = room(2 * d), best = 1e30;
+    for (size_t i = 0; i < d; i++)
+        x[i] = cos((double)i);
+    for (int i = 0; i < 4; i++) {
+        const double start = now();
+        for (size_t k = 0; k < count; k++) {
+            if (t)
+                fvi_tiles_push(t, x, x + d);
+            else
+                fvi_exponentials_push(e, x, x + d);
+        }
+        best = fmin(best, now() - start);
+    }
+    free(x);
+    return 1e9 * best / (double)count / (double)d;
+}
+
+static double plain_time(size_t d)
+{
+    fvi_exponentials *e = plain_of(d);
+    const double ns = push_time(e, NULL, d);
+    fvi_exponentials_free(e);
+    return ns;
+}
+
+static double tiles_time(size_t d, size_t lanes)
+{
+    fvi_tiles *t = tiles_of(d, lanes);
+    const double ns = t ? push_time(NULL, t, d) : NAN;
+    fvi_tiles_free(t);
+    return ns;
+}
+
+/* ns[0], ns[1]: those of the last row, a million coordinates, the plain way and by blocks. */
+static void against_coordinates(double *ns)
+{
+    printf("# ns a coordinate and push, %zu modes\n#> push\n"
+           "# d\tplain\tblocks\ttimes as fast\n",
+           modes());
+    for (size_t d = 16; d <= MOST; d = d < 100 ? 100 : 10 * d) {
+        ns[0] = plain_time(d);
+        ns[1] = tiles_time(d, 0);
+        printf("%zu\t%.1f\t%.1f\t%.1f\n", d, ns[0], ns[1], ns[0] / ns[1]);
+        fflush(stdout);
+    }
+    printf("#< push\n\n\n");
+}
+
+/* Vectors that this machine has not are left out. */
+static void against_widths(void)
+{
+    printf("# ns a coordinate and push, d = 1000, by the width of the vectors\n"
+           "#> widths\n# doubles\tns\n");
+    for (size_t lanes = 2; lanes <= 8; lanes *= 2) {
+        const double ns = tiles_time(1000, lanes);
+        if (ns > 0)
+            printf("%zu\t%.1f\n", lanes, ns);
+    }
+    printf("#< widths\n\n\n");
+}
+
+/* Runs of an oscillator, each x_{k+1} made from H_k, as the coordinates of one memory. */
+static double batch_time(size_t d)
+{
+    const size_t count = 32 * (1 + 30000 / d);
+    double *x = room(3 * d), *v = x + d, *H = v + d, best = 1e30;
+    fvi_memory *m;
+    for (int i = 0; i < 5; i++) {
+        if (fvi_memory_alloc(0.5, d, STEPS, FVI_MEMORY_EXPONENTIALS, 0, &m))
+            exit(EXIT_FAILURE);
+        for (size_t j = 0; j < d; j++)
+            x[j] = cos((double)j);
+        const double start = now();
+        for (size_t k = 0; k < count; k++) {
+            fvi_memory_push(m, x, x, H);
+            for (size_t j = 0; j < d; j++) {
+                v[j] -= 1e-3 * (x[j] + H[j]);
+                x[j] += 1e-3 * v[j];
+            }
+        }
+        best = fmin(best, now() - start);
+        fvi_memory_free(m);
+    }
+    free(x);
+    return 1e9 * best / (double)count / (double)d;
+}
+
+static void against_batch(void)
+{
+    const double alone = batch_time(1);
+    printf("# a batch of oscillators in one memory\n#> batch\n"
+           "# runs\tns a run and step\ttimes as fast as one by one\n");
+    for (size_t d = 1; d <= 1024; d *= d < 16 ? 2 : 4) {
+        const double ns = d == 1 ? alone : batch_time(d);
+        printf("%zu\t%.1f\t%.2f\n", d, ns, alone / ns);
+    }
+    printf("#< batch\n\n\n");
+}
+
+/* ---- the two roofs ---- */
+
+/* Twelve vectors, each s <- s a + b, so that none waits for another: two operations a
+ * number and round. */
+#define PEAK(name, lanes, target)                                              \
+    target static double name(size_t rounds)                                   \
+    {                                                                          \
+        typedef double vector __attribute__((vector_size(8 * (lanes))));       \
+        vector s[12] = { { 0 } }, a = { 0 }, b = { 0 }, sum = { 0 };           \
+        a += 0.999;                                                            \
+        b += 0.001;                                                            \
+        const double start = now();                                            \
+        for (size_t i = 0; i < rounds; i++)                                    \
+            _Pragma("GCC unroll 12") for (size_t j = 0; j < 12; j++) s[j] =    \
+                s[j] * a + b;                                                  \
+        const double seconds = now() - start;                                  \
+        for (size_t j = 0; j < 12; j++)                                        \
+            sum += s[j];                                                       \
+        return sum[0] > 0 ? 24e-9 * (lanes) * (double)rounds / seconds : 0;    \
+    }
+
+PEAK(peak_2, 2, )
+#if defined(__x86_64__)
+PEAK(peak_4, 4, __attribute__((target("avx2"))))
+PEAK(peak_8, 8, __attribute__((target("avx512f"))))
+#endif
+
+/* GFLOP/s without fused operations, by the widest vectors. */
+static double peak(void)
+{
+    double best = 0;
+    for (int i = 0; i < 10; i++) {
+#if defined(__x86_64__)
+        if (__builtin_cpu_supports("avx512f"))
+            best = fmax(best, peak_8(2000000));
+        else if (__builtin_cpu_supports("avx2"))
+            best = fmax(best, peak_4(2000000));
+        else
+#endif
+            best = fmax(best, peak_2(2000000));
+    }
+    return best;
+}
+
+/* GB/s of x <- x + 1 over 400 megabytes, read and written. */
+static double bandwidth(void)
+{
+    enum { N = 50000000 };
+    double *x = room(N), best = 1e30;
+    for (int i = 0; i < 6; i++) {
+        const double start = now();
+        for (size_t j = 0; j < N; j++)
+            x[j] += 1;
+        best = fmin(best, now() - start);
+    }
+    free(x);
+    return 16e-9 * N / best;
+}
+
+/* (28.5): what is counted, what is measured, and the least time that a roof allows. */
+static void roofs(const double *ns)
+{
+    const double Q = (double)modes(), top = peak(), wide = bandwidth();
+    const double flops[] = { 5 * Q + 64, 4 * Q + 96 };
+    const double bytes[] = { 16 * Q + 296, Q / 2 + 108 };
+    static const char *const names[] = { "plain", "blocks" };
+    printf("# the roofs\n#> roofs\n# of what\tis\nGFLOP/s, not fused\t%.1f\n"
+           "GB/s, read and written\t%.1f\n#< roofs\n\n\n",
+           top, wide);
+    printf("# a coordinate and push, d = 10^6\n#> counted\n"
+           "# way\tflops\tbytes\tflops a byte\tns\tGFLOP/s\tns at the roof"
+           "\tns one after the other\n");
+    for (int i = 0; i < 2; i++)
+        printf("%s\t%.0f\t%.0f\t%.2f\t%.1f\t%.1f\t%.1f\t%.1f\n", names[i],
+               flops[i], bytes[i], flops[i] / bytes[i], ns[i], flops[i] / ns[i],
+               fmax(flops[i] / top, bytes[i] / wide),
+               flops[i] / top + bytes[i] / wide);
+    printf("#< counted\n\n\n");
+}
+
+/* ---- a wave ---- */
+
+/* u'' + rho D^{1/2} u = second difference of u, u = 0 at both ends. */
+typedef struct {
+    double *u, *p, *u0, *H;
+    fvi_memory *memory;
+    size_t n;
+} wave;
+
+static const double step = 0.5, rho = 0.05;
+
+/* Algorithm 3 at kappa = 1, explicit: the damping of the step before, the kick, the
+ * drift in one pass, then the memory. */
+//> wave
+static void wave_step(wave *w)
+{
+    const double damp = rho * sqrt(step);
+    double left = 0;
+    for (size_t i = 0; i < w->n; i++) {
+        const double u = w->u[i], right = i + 1 < w->n ? w->u[i + 1] : 0;
+        w->p[i] -= damp * w->H[i] + step * ((u - left) - (right - u));
+        w->u[i] = u + step * w->p[i];
+        w->H[i] = w->u[i] - w->u0[i];
+        left = u;
+    }
+    fvi_memory_push(w->memory, w->H, w->H, w->H);
+}
+//< wave
+
+/* The same scheme for one oscillator, by the library. */
+static double oscillator(double c, size_t steps)
+{
+    static const double one = 1, zero = 0;
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&c) };
+    const fvi_run run = { .system = &system,
+                          .x0 = &one,
+                          .p0 = &zero,
+                          .h = step,
+                          .steps = steps,
+                          .kappa = 1,
+                          .alpha = 0.25,
+                          .past = FVI_PAST_CAPUTO };
+    fvi_stepper *s;
+    if (fvi_start(&fvi_fractional, &run, &s))
+        exit(EXIT_FAILURE);
+    while (s->k < steps)
+        if (fvi_step(s))
+            exit(EXIT_FAILURE);
+    const double x = s->x[0];
+    fvi_stop(s);
+    return x;
+}
+
+/* An eigenvector, 80 cells long, of n unknowns; how far it is from the oscillator. */
+static void one_wave(size_t n, size_t steps)
+{
+    const double pi = acos(-1);
+    const size_t waves = (n + 1) / 40, period = 2 * (n + 1);
+    const double half = sin(pi * (double)waves / (double)period);
+    wave w = { .n = n, .u = room(4 * n) };
+    w.p = w.u + n;
+    w.u0 = w.p + n;
+    w.H = w.u0 + n;
+    if (fvi_memory_alloc(0.5, n, steps, FVI_MEMORY_AUTO, 0, &w.memory))
+        exit(EXIT_FAILURE);
+    double *zero = w.H; /* x_0 comes into the memory, too: z_0 = 0 */
+    fvi_memory_push(w.memory, zero, zero, zero);
+    for (size_t i = 0; i < n; i++) /* an exact multiple of pi / (n + 1) */
+        w.u[i] = w.u0[i] =
+            sin(pi * (double)(waves * (i + 1) % period) / (double)(n + 1));
+    const double start = now();
+    for (size_t k = 0; k < steps; k++)
+        wave_step(&w);
+    const double seconds = now() - start;
+    const double x = oscillator(4 * half * half, steps);
+    double apart = 0;
+    for (size_t i = 0; i < n; i++)
+        apart = fmax(apart, fabs(w.u[i] - x * w.u0[i]));
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    printf("# a wave of %zu unknowns, %zu steps\n#> wave\n# of what\tis\n"
+           "seconds\t%.1f\nns an unknown and step\t%.1f\nGB\t%.2f\n"
+           "of its start\t%.2f\napart from the oscillator\t%.0e\n"
+           "#< wave\n\n\n",
+           n, steps, seconds, 1e9 * seconds / (double)(n * steps),
+           (double)usage.ru_maxrss / 1e6, x, apart); /* kB on Linux */
+    fvi_memory_free(w.memory);
+    free(w.u);
+}
+
+int main(void)
+{
+    describe();
+    one_wave(MOST, 1000); /* the first, for its memory is the most so far */
+    fflush(stdout);
+    double ns[2];
+    against_coordinates(ns);
+    roofs(ns);
+    fflush(stdout);
+    against_widths();
+    against_batch();
+    return EXIT_SUCCESS;
+}
