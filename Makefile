@@ -104,13 +104,17 @@ errata: $B/fvi | needs ## each row of chapter 16 with its counterexample; `make 
 erratum-%: $B/fvi | needs
 	$(PYTHON) chapters/tools/errata.py $B/fvi $*
 
-book: text | needs ## the chapters as one HTML page, build/book/index.html (pandoc, KaTeX)
+book: text | needs ## the course as a folder of pages, build/book/index.html (pandoc, KaTeX)
 	$(PYTHON) chapters/book/build.py $B/book
 
-pdf: book ## the same on paper, build/book/fvi.pdf (Chromium)
-	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
-	  --print-to-pdf=$B/book/fvi.pdf "file://$$(cd $B/book && pwd)/print.html" 2>$B/book/chromium.log
-	test -s $B/book/fvi.pdf
+pdf: book ## the chapters on paper, build/book/fvi.pdf (Chromium, poppler, qpdf; a minute or two)
+	node chapters/book/print.mjs $B/book
+
+# axe-core knows WCAG's rules; where npm does not reach it, the rest is tested.
+AXE := $B/npm/node_modules/axe-core/axe.min.js
+test-book: book | needs ## the pages in a browser: widths, themes, search, WCAG (Chromium, npm; PAGE=04)
+	test -e $(AXE) || npm install --silent --no-audit --no-fund --prefix $B/npm axe-core@4.14.1 2>/dev/null || true
+	node chapters/book/test_book.mjs $B/book $(AXE) $(PAGE)
 
 # Each number that the prose quotes from a test: the least and the largest seen.
 seen: $(patsubst %,$B/seen/%.tsv,$(or $(STEM),$(TESTS))) ## what the tests see, into tests/harness/seen.tsv (STEM=fvi for one)
@@ -172,7 +176,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check errata test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check errata test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -408,7 +412,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf portability mutants seen,python) $(call goal,book pdf,pandoc katex) $(call goal,pdf,chromium) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

@@ -1,133 +1,230 @@
-"""The chapters as one HTML page.      build.py OUT     (make book)
+"""The book as a folder of pages.      build.py OUT     (make book)
 
-GitHub's markdown is turned into pandoc's, pandoc makes HTML, katex.js renders
-every formula, and equation numbers in the text become links. Everything that the
-page needs lies beside it, so it opens from a disk, without JavaScript. A formula
+A page for each chapter, for README.md and the map of the course, and for each source that
+a reader may ask for. OUT opens from a disk, without a network, and without JavaScript but
+for search and the figures that move; it may be moved, or served, from anywhere. A formula
 that KaTeX refuses, a missing figure or a link that leads nowhere stops the build."""
 import html
+import json
 import pathlib
+import posixpath
 import re
 import shutil
-import subprocess
 import sys
+
+import figures
+import pages
+import paper
+import sources
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
-CHAPTERS = sorted(pathlib.Path("chapters").glob("[0-9][0-9]-*.md"))
+FRAME = (HERE / "frame.html").read_text()
+NAMES = {"index": "Start", "course": "The map of the course"}  # in the contents
 
 
-def pandoc_math(text):
-    """GitHub's ```math blocks and $`...`$ -> pandoc's dollars. Code is not touched."""
-    out, prose, fence = [], [], None
+def captions():
+    """What stands below a figure: from captions.txt; else the begin of its description."""
+    known = dict(line.split(": ", 1) for line in (HERE / "captions.txt").read_text().splitlines() if ": " in line)
 
-    def flush():
-        out.append(re.sub(r"\$`(.+?)`\$", r"$\1$", "\n".join(prose), flags=re.S))
-        prose.clear()
-
-    for line in text.split("\n"):
-        if line.startswith("```") and fence is None:
-            flush()
-            fence = line
-            out.append("$$" if line == "```math" else line)
-        elif line.startswith("```"):
-            if fence == "```math":
-                out[-1] += " $$"
-            else:
-                out.append(line)
-            fence = None
-        elif fence == "```math":
-            out[-1] += " " + line  # one line: `-` at the left margin begins no list
-        else:
-            (out if fence else prose).append(line)
-    flush()
-    return "\n".join(out)
+    def caption(source, alt):
+        first = re.split(r"(?<=[^\d])[.;:] ", alt)[0].rstrip(".;:")
+        return html.escape(known[pathlib.Path(source).stem], quote=False) if pathlib.Path(source).stem in known else f"{first}."
+    return caption
 
 
-def chapter(path):
-    """One chapter, its links turned to places in the page or to the sources."""
-    name = path.stem
-    text = pandoc_math(re.sub(r"[ \t]*<!-- from\n.*?-->\n", "", path.read_text(), flags=re.S))
-    text = re.sub(r"<!-- excerpt: (\S+?)(?:#([\w-]+))? -->",
-                  r'<p class="from"><a href="../../\1">\1</a></p>\n', text)
-    # a page of the course -> its heading; a figure -> beside the page; else the source
-    text = re.sub(r"\]\((\d\d-\w+)\.md(?:#([^)]*))?\)",
-                  lambda m: f"](#{m[1]}{'--' + m[2] if m[2] else ''})", text)
-    text = re.sub(r"\]\(#(?!\d\d-)([^)]*)\)", rf"](#{name}--\1)", text)
-    text = re.sub(r"\]\(\.\./figures/\w+/(\w+\.svg)\)", r"](figures/\1)", text)
-    text = re.sub(r"\]\(\.\./([^)]*)\)", r"](../../\1)", text)
-    text = re.sub(r"\]\((README\.md|play/[^)]*)\)", r"](../../chapters/\1)", text)
-    return name, text
+# ---- the frame of a page ----
+
+def named(page):
+    return NAMES.get(page.name, page.title)
 
 
-def to_html(name, text):
-    page = subprocess.run(["pandoc", "-f", "gfm+tex_math_dollars", "-t", "html5", "--mathjax",
-                           "--wrap=preserve"], input=text, capture_output=True, text=True, check=True).stdout
-    # on a narrow screen a figure is small: touch it to see it alone
-    page = re.sub(r'<img src="(figures/[^"]+)"[^>]*/>', r'<a href="\1">\g<0></a>', page)
-    page = re.sub(r'(<h[1-6][^>]*? id=")([^"]*)"', rf'\g<1>{name}--\g<2>"', page)
-    return re.sub(r'<h1 id="[^"]*"', f'<h1 id="{name}"', page, count=1)
-
-
-def contents(page):
+def contents(all_pages, here, root):
+    """Every page, and the sections of this one."""
     rows = []
-    for level, ident, title in re.findall(r'<h([12])[^>]*? id="([^"]*)"[^>]*>(.*?)</h[12]>', page, re.S):
-        rows.append(f'<li class="level{level}"><a href="#{ident}">{title}</a></li>')
-    return "<nav><h2>Contents</h2><ol>" + "\n".join(rows) + "</ol></nav>"
+    for page in all_pages:
+        mark = ' aria-current="page"' if page is here else ""
+        inner = ""
+        if page is here:
+            inner = "".join(f'<li><a href="#{ident}">{title}</a></li>' for level, ident, title in page.headings if level == 2)
+            inner = f"<ol>{inner}</ol>" if inner else ""
+        rows.append(f'<li><a href="{root}{page.name}.html"{mark}>{unlinked(named(page))}</a>{inner}</li>')
+    rows.insert(1, f'<li><a href="{root}play/index.html">The live page</a></li>')
+    rows.append(f'<li><a href="{root}source/index.html">The sources</a></li>')
+    return f"<ol>{''.join(rows)}</ol>"
 
 
-def link_equations(page):
-    """(4.3) in the text -> a link to the equation that carries that tag."""
-    tags = set(re.findall(r'id="eq-([\d.]+)"', page))
-    out, inside = [], []
-    for piece in re.split(r"(<[^>]+>)", page):
-        if piece.startswith("<"):
-            tag = re.match(r"</?(\w+)", piece)
-            word = tag[1] if tag else ""
-            if word in ("a", "code", "pre", "math", "annotation", "svg", "h1", "h2"):
-                inside.pop() if piece.startswith("</") else inside.append(word)
-            out.append(piece)
-        elif inside:
-            out.append(piece)
-        else:
-            out.append(re.sub(r"\((\d+\.\d+)\)",
-                              lambda m: f'<a href="#eq-{m[1]}">({m[1]})</a>' if m[1] in tags else m[0],
-                              piece))
-    return "".join(out)
+def unlinked(title):
+    return re.sub(r"</?a\b[^>]*>", "", title)
 
 
-def check_links(page):
-    places = set(re.findall(r' id="([^"]+)"', page))
-    dead = sorted({t for t in re.findall(r'href="#([^"]+)"', page) if html.unescape(t) not in places})
-    missing = sorted({f for f in re.findall(r'src="(figures/[^"]+)"', page) if not (OUT / f).exists()})
-    if dead or missing:
-        sys.exit("\n".join([f"the book: no such place: #{d}" for d in dead]
-                           + [f"the book: no such figure: {m}" for m in missing]))
+def plain(title):
+    """Of a title, its words: without markup, a formula by its source."""
+    title = re.sub(r'<span class="katex">.*?<annotation[^>]*>(.*?)</annotation>.*?aria-hidden="true">.*?</span></span></span>', r"\1", title)
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", title)).strip()
+
+
+def turn(before, after):
+    back = f'<a rel="prev" href="{before.name}.html">← {unlinked(named(before))}</a>' if before else ""
+    on = f'<a rel="next" href="{after.name}.html">{unlinked(named(after))} →</a>' if after else ""
+    return f'<nav class="turn" aria-label="Neighbours">{back}{on}</nav>'
+
+
+def framed(body, title, table, root="", kind="text", neighbours=""):
+    page = FRAME
+    for name, value in (("root", root), ("title", title), ("kind", kind), ("contents", table), ("turn", neighbours), ("page", body)):
+        page = page.replace(f"{{{name}}}", value)
+    return page
+
+
+# ---- the parts of the site ----
+
+def write_pages(all_pages):
+    for i, page in enumerate(all_pages):
+        before, after = (all_pages[j] if 0 <= j < len(all_pages) else None for j in (i - 1, i + 1))
+        text = framed(f'<article id="top">{page.body}</article>', plain(page.title), contents(all_pages, page, ""), neighbours=turn(before, after))
+        (OUT / f"{page.name}.html").write_text(text)
+
+
+def write_sources(all_pages):
+    files = sources.all_sources()
+    folder, table = OUT / "source", contents(all_pages, None, "../")
+    folder.mkdir()
+    for page in all_pages:
+        page.sources = set(re.findall(r'"source/([^"#]*)', page.body))
+    for path in files:
+        name = sources.source_page(path)
+        users = [page for page in all_pages if name in page.sources]
+        used = "".join(f'<a href="../{page.name}.html">{page.number or unlinked(page.title)}</a> ' for page in users)
+        body = sources.source_html(path).replace("{used}", f"<p>Read about it in: {used}</p>" if used else "", 1)
+        (folder / name).write_text(framed(body, str(path), table, "../", "source"))
+    rows = []
+    for parent in sorted({path.parent for path in files}):
+        links = " ".join(f'<li><a href="{sources.source_page(p)}">{p.name}</a></li>' for p in files if p.parent == parent)
+        rows.append(f'<h2 id="{"-".join(parent.parts) or "root"}">{parent}/</h2><ul class="names">{links}</ul>')
+    (folder / "index.html").write_text(framed(f'<h1 id="top">The sources</h1>{"".join(rows)}', "The sources", table, "../", "source"))
+    return files
+
+
+def words_of(body):
+    """The text of a section for the search: no display, no code block; a short formula as words."""
+    body = re.sub(r'<pre.*?</pre>|<span class="math display">.*?</span>|<p class="from">.*?</p>|<a class="anchor".*?</a>', " ", body, flags=re.S)
+    body = re.sub(r'<span class="math inline">\\\((.*?)\\\)</span>', lambda m: simple(m[1]), body, flags=re.S)
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", body))).strip()
+
+
+def simple(formula):
+    greek = {"alpha": "α", "beta": "β", "rho": "ρ", "kappa": "κ", "omega": "ω", "lambda": "λ", "gamma": "γ", "Delta": "Δ",
+             "Gamma": "Γ", "le": "≤", "ge": "≥", "to": "→", "infty": "∞", "cdot": "·", "tfrac12": "1/2", "mu": "μ", "tau": "τ"}
+    text = re.sub(r"\\(tfrac12|[A-Za-z]+) ?", lambda m: greek.get(m[1], "\\"), formula).replace("\\,", " ")
+    return "…" if re.search(r"[\\{}&]", text) else text
+
+
+def write_search(all_pages, files, found):
+    rows = []
+    for page in all_pages:
+        for part in re.split(r"(?=<h[1-3] )", page.plain):
+            heading = re.match(r'<h[1-3] id="([^"]*)">(.*?)</h[1-3]>', part, re.S)
+            if heading:
+                rows.append({"u": f"{page.name}.html#{heading[1]}", "p": words_of(page.plain_title),
+                             "t": words_of(heading[2]), "x": words_of(part[heading.end():])})
+    rows += [{"u": f"source/{sources.source_page(path)}", "p": "source", "t": str(path), "x": ""} for path in files]
+    places = {number: f"{page.name}.html#eq-{number}" for number, (page, _) in found.items()}
+    (OUT / "assets/texts.js").write_text(f"const FVI_TEXTS = {script(rows)};\nconst FVI_PLACES = {script(places)};\n")
+    return len(rows)
+
+
+def script(value):
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/")
+
+
+def write_equations(found):
+    """The formulas of each page for the previews of the others, without their MathML."""
+    by_page = {}
+    for number, (page, formula) in found.items():
+        shown = re.sub(r'<span class="katex-mathml">.*?</math></span>', "", formula, flags=re.S)
+        by_page.setdefault(page.name, {})[number] = shown
+    for name, formulas in by_page.items():
+        (OUT / f"assets/equations-{name}.js").write_text(
+            f"globalThis.FVI_EQUATIONS = Object.assign(globalThis.FVI_EQUATIONS ?? {{}}, {script(formulas)});\n")
+
+
+def write_assets():
+    (OUT / "assets/fonts").mkdir(parents=True)
+    for font in (KATEX / "fonts").glob("*.woff2"):
+        shutil.copy(font, OUT / "assets/fonts")
+    css = (KATEX / "katex.min.css").read_text()
+    (OUT / "assets/katex.min.css").write_text(re.sub(r',url\([^)]*\.(?:woff|ttf)\) format\("[a-z]*"\)', "", css))
+    for name in ("style.css", "print.css", "head.js", "book.js", "search.js"):
+        shutil.copy(HERE / name, OUT / "assets")
+
+
+def write_live_page():
+    """The live page, whose links to the chapters are those of the repository."""
+    (OUT / "play").mkdir()
+    page = (HERE.parent / "play/index.html").read_text()
+    (OUT / "play/index.html").write_text(re.sub(r'href="\.\./(\d\d-\w+)\.md', r'href="../\1.html', page))
+
+
+# ---- every link leads somewhere ----
+
+def check_links():
+    """Returns how many; a dead one, or an id that stands twice on a page, ends the build."""
+    texts = {file.relative_to(OUT).as_posix(): re.sub(r"<script>.*?</script>", "", file.read_text(), flags=re.S)
+             for file in OUT.rglob("*.html")}
+    others = {file.relative_to(OUT).as_posix() for file in OUT.rglob("*.*")}
+    ids, faults, count = {}, [], 0
+    for name, text in texts.items():
+        found = re.findall(r'\bid="([^"]+)"', text)
+        ids[name] = set(found)
+        if len(found) != len(ids[name]):
+            faults.append(f"{name}: an id stands twice: {sorted(i for i in ids[name] if found.count(i) > 1)}")
+    for name, text in texts.items():
+        for target in set(re.findall(r'\b(?:href|src)="([^"]*)"', text)):
+            path, _, anchor = html.unescape(target).partition("#")
+            if re.match(r"(https?|mailto|data):", path):
+                continue
+            count += 1
+            there = posixpath.normpath(posixpath.join(posixpath.dirname(name), path)) if path else name
+            if there not in others:
+                faults.append(f"{name}: leads nowhere: {target}")
+            elif anchor and not there.startswith("play/") and anchor not in ids[there]:
+                faults.append(f"{name}: no such place: {target}")
+    if faults:
+        sys.exit("\n".join(faults))
+    return count
 
 
 def main():
     shutil.rmtree(OUT, ignore_errors=True)
-    (OUT / "figures").mkdir(parents=True)
-    for figure in pathlib.Path("figures").glob("*/*.svg"):
-        shutil.copy(figure, OUT / "figures")
-    shutil.copytree(KATEX / "fonts", OUT / "fonts")
-    shutil.copy(KATEX / "katex.min.css", OUT)
-    shutil.copy(HERE / "style.css", OUT)
-    page = "\n".join(f"<article>{to_html(*chapter(path))}</article>" for path in CHAPTERS)
-    rendered = subprocess.run(["node", str(HERE / "katex.js")], input=page, capture_output=True,
-                              text=True)
-    if rendered.returncode:
-        sys.exit(rendered.stderr)
-    loose = re.search(r"\$\$.{0,60}|\\tag\{[^}]*\}(?![^<]*</annotation>)", rendered.stdout)
-    if loose:
-        sys.exit(f"the book: a formula was not recognised: {loose[0]}")
-    page = link_equations(rendered.stdout)
-    page = (HERE / "frame.html").read_text().replace("{contents}", contents(page)).replace("{page}", page)
-    check_links(page)
-    (OUT / "index.html").write_text(page)
-    # on paper a link to a file of the repository leads nowhere: only its words
-    (OUT / "print.html").write_text(re.sub(r'<a href="\.\./\.\./[^"]*">(.*?)</a>', r"\1", page, flags=re.S))
-    print(f"{OUT}/index.html: {len(CHAPTERS)} chapters, {page.count('katex-mathml')} formulas")
+    write_assets()
+    figures.copy_all(OUT / "figures")
+    all_pages = pages.all_pages()
+    pages.to_html(all_pages)
+    for page in all_pages:
+        pages.to_places(page)
+        pages.number_headings(page)
+        pages.row_of_files(page)
+        pages.number_figures(page, captions())
+        page.plain, page.plain_title = page.body, page.title
+        pages.colour_code(page)
+        pages.scrolling_tables(page)
+    found = pages.render(all_pages)
+    for page in all_pages:
+        pages.link_equations(page, found)
+    order = {"index": 0, "course": 1}  # then the chapters, then the rest
+    all_pages.sort(key=lambda page: order.get(page.name, 2 if page.number else 3))
+    write_pages(all_pages)
+    files = write_sources(all_pages)
+    sections = write_search(all_pages, files, found)
+    write_equations(found)
+    write_live_page()
+    version = re.search(r'FVI_VERSION "([^"]*)"', pathlib.Path("src/fvi/version.h").read_text())[1]
+    paper.write(OUT, [page for page in all_pages if page.number], plain, version)
+    links = check_links()
+    print(f"{OUT}/index.html: {len(all_pages)} pages, {len(files)} sources, {len(found)} numbered equations, "
+          f"{sections} places to search, {links} links")
 
 
 main()

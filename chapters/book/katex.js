@@ -1,27 +1,44 @@
-// Render every formula of a page: HTML on standard input, HTML on standard output.
-// A formula that KaTeX refuses is named and ends the build.
+// Render every formula: on standard input a JSON array of pages, each an array of pieces
+// of HTML; on standard output { pages: the same, equations: { number: [page, HTML] } }. A formula
+// that KaTeX refuses, or a second equation of a number, is named and ends the build.
 const katex = require('/usr/share/javascript/katex/katex.min.js');
-const page = require('fs').readFileSync(0, 'utf8');
+const pages = JSON.parse(require('fs').readFileSync(0, 'utf8'));
 
 function plain(text) {
   return text.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'")
     .replace(/&amp;/g, '&');
 }
 
+const equations = {};
 let bad = 0;
-const out = page.replace(/<span class="math (inline|display)">\\[(\[]([\s\S]*?)\\[)\]]<\/span>([.,;:!?)]*)/g,
-  (whole, kind, escaped, stop) => {
-    const formula = plain(escaped).trim(), display = kind === 'display';
-    try {
-      const tag = /\\tag\{([\d.]+)\}/.exec(formula);
-      const rendered = katex.renderToString(formula, { displayMode: display, throwOnError: true, strict: false });
-      if (!display) return stop && formula.length < 25 ? `<span class="keep">${rendered}${stop}</span>` : rendered + stop;
-      return `<span class="formula"${tag ? ` id="eq-${tag[1]}"` : ''} tabindex="0">${rendered}</span>${stop}`;
-    } catch (error) {
-      console.error(`the book: bad formula: ${formula}\n  ${error.message}`);
-      bad++;
-      return whole;
-    }
-  });
+const known = new Map(); // most formulas stand in several places
+function rendered(formula, displayMode) {
+  const key = displayMode + formula;
+  if (!known.has(key))
+    known.set(key, katex.renderToString(formula, { displayMode, throwOnError: true, strict: false }));
+  return known.get(key);
+}
+
+function render(html, page) {
+  return html.replace(/<span class="math (inline|display)">\\[(\[]([\s\S]*?)\\[)\]]<\/span>([.,;:!?)]*)/g,
+    (whole, kind, escaped, stop) => {
+      const formula = plain(escaped).trim(), display = kind === 'display';
+      try {
+        const tag = /\\tag\{([\d.]+)\}/.exec(formula), done = rendered(formula, display);
+        if (!display) return stop && formula.length < 25 ? `<span class="keep">${done}${stop}</span>` : done + stop;
+        if (!tag) return `<span class="formula">${done}</span>${stop}`;
+        if (equations[tag[1]]) throw new Error(`there is another equation (${tag[1]})`);
+        equations[tag[1]] = [page, done];
+        return `<span class="formula" id="eq-${tag[1]}" role="group" aria-label="Equation (${tag[1]})">${done}</span>`
+          + `<a class="anchor" href="#eq-${tag[1]}" aria-label="Link to equation (${tag[1]})">#</a>${stop}`;
+      } catch (error) {
+        console.error(`the book: bad formula: ${formula}\n  ${error.message}`);
+        bad++;
+        return whole;
+      }
+    });
+}
+
+const out = JSON.stringify({ pages: pages.map((pieces, i) => pieces.map(html => render(html, i))), equations });
 if (bad === 0) process.stdout.write(out);
 process.exitCode = bad ? 1 : 0;

@@ -45,6 +45,7 @@ export async function open() {
   const targetId = targetInfos.find(target => target.type === "page").targetId;
   session = (await call("Target.attachToTarget", { targetId, flatten: true })).sessionId;
   for (const domain of ["Page", "Runtime", "Log", "Network"]) await call(`${domain}.enable`);
+  await call("Emulation.setFocusEmulationEnabled", { enabled: true }); // as if its window were in front
 
   return {
     call, complaints,
@@ -66,7 +67,7 @@ export async function open() {
       await call("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons, clickCount: 1 });
     },
     async key(key) {
-      const windowsVirtualKeyCode = { Tab: 9, End: 35, Home: 36, ArrowRight: 39 }[key];
+      const windowsVirtualKeyCode = { Tab: 9, Escape: 27, End: 35, Home: 36, ArrowRight: 39, ArrowDown: 40 }[key];
       for (const type of ["keyDown", "keyUp"])
         await call("Input.dispatchKeyEvent", { type, key, code: key, windowsVirtualKeyCode });
     },

@@ -84,4 +84,5 @@ def main():
         sys.exit("\n".join(drift) + "\nchapters differ from the source: run `make excerpts`")
 
 
-main()
+if __name__ == "__main__":
+    main()

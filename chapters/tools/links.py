@@ -14,10 +14,13 @@ def anchors(page):
     """The names that GitHub gives to the headings of a page, and explicit ones."""
     text = FENCE.sub("", page.read_text())
     names = set(re.findall(r'<a (?:id|name)="([^"]+)"', text))
-    for heading in re.findall(r"^#+ (.*)$", text, re.M):
-        plain = re.sub(r"[`*$\\]|\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
-        names.add(re.sub(r"[^\w\- ]", "", plain).strip().replace(" ", "-"))
+    names.update(map(heading_id, re.findall(r"^#+ (.*)$", text, re.M)))
     return names
+
+
+def heading_id(heading):
+    plain = re.sub(r"[`*$\\]|\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+    return re.sub(r"[^\w\- ]", "", plain).strip().replace(" ", "-")
 
 
 def faults_of_links(page):
@@ -49,4 +52,5 @@ def main():
     sys.exit("\n".join(faults) or 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -33,6 +33,7 @@ packages() {
     sympy | numpy | cffi | wheel | pytest) echo "python3-$1" ;;
     wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 ;;
     node) echo nodejs ;;
+    pdfinfo) echo poppler-utils ;;
     *) echo "$1" ;;
     esac
 }

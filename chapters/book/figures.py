@@ -1,0 +1,57 @@
+"""Copies of the figures that follow the theme of the page.
+
+An SVG in <img> takes prefers-color-scheme from the color-scheme of its place. gnuplot
+writes colours as attributes, which selectors in one <style> overrule. The figures that
+are committed stay as gnuplot wrote them."""
+import colorsys
+import pathlib
+import re
+
+# What gnuplot draws with, and the same on a dark ground: 3:1 at least for lines, 4.5:1 for words.
+DARK = {"255,255,255": "#17181a", "#ffffff": "#17181a", "221,221,221": "#34383d", "lightgrey": "#34383d",
+        "68,68,68": "#9a9da2", "34,34,34": "#dcdcd6", "0,0,0": "#f0f0ea", "black": "#f0f0ea", "gray": "#9a9da2",
+        "85,85,85": "#a9a9a1", "102,102,102": "#a9a9a1", "136,136,136": "#9a9da2",
+        "0,114,178": "#56b4e9", "213,94,0": "#f2803c", "0,158,115": "#1fc296", "204,121,167": "#e2a3c7",
+        "230,159,0": "#e69f00", "86,180,233": "#a5d8f5", "148,0,211": "#c58af9", "212,0,0": "#ff7b72"}
+# Two of Okabe and Ito's colours are too light for a line on white.
+LIGHT = {"230,159,0": "#b87a00", "86,180,233": "#2b8cc4"}
+KEPT = {"identification_landscape"}  # a map whose valley is dark, as its text says
+COLOUR = re.compile(r"""\b(stroke|fill|color|flood-color) ?= ?['"]([^'"]*)['"]""")
+
+
+def key(value):
+    numbers = re.fullmatch(r"rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\s*\)", value)
+    return ",".join(numbers.groups()) if numbers else value.lower()
+
+
+def dark(name):
+    """The colour on a dark ground: from the table, or with its lightness turned over."""
+    if name in DARK:
+        return DARK[name]
+    if name.startswith("#"):
+        name = ",".join(str(int(name[i:i + 2], 16)) for i in (1, 3, 5))
+    hue, light, strength = colorsys.rgb_to_hls(*(int(n) / 255 for n in name.split(",")))
+    red, green, blue = colorsys.hls_to_rgb(hue, 0.1 + 0.85 * (1 - light), 0.8 * strength)
+    return "#" + "".join(f"{round(255 * part):02x}" for part in (red, green, blue))
+
+
+def themed(path):
+    """The text of an SVG with its colours of the night."""
+    svg = path.read_text()
+    light, night = [], []
+    for name, value in sorted(set(COLOUR.findall(svg))):
+        if value in ("none", "currentColor"):
+            continue
+        rule = f'[{name}="{value}"]{{{name}:%s}}'
+        if key(value) in LIGHT:
+            light.append(rule % LIGHT[key(value)])
+        if key(value) in DARK or path.stem not in KEPT:
+            night.append(rule % dark(key(value)))
+    style = f"<style>{''.join(light)}@media (prefers-color-scheme:dark){{{''.join(night)}}}</style>"
+    return svg.replace('<g id="gnuplot_canvas">', style + '\n<g id="gnuplot_canvas">', 1)
+
+
+def copy_all(out):
+    out.mkdir(parents=True)
+    for path in pathlib.Path("figures").glob("*/*.svg"):
+        (out / path.name).write_text(themed(path))

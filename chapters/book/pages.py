@@ -1,0 +1,250 @@
+"""From a page of the course, written for GitHub, to the HTML of its text.
+
+pandoc makes the HTML, of all pages in one call; katex.js renders the formulas; the rest
+is here: ids of headings, equations and figures, links to places of the site, the row of
+files below a title, quoted code with its colours, and a link on each number of an equation."""
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+from sources import colour, source_page
+
+HERE = pathlib.Path(__file__).parent
+ROOT = pathlib.Path(".")
+sys.path.append(str(HERE.parent / "tools"))
+from excerpts import MARK, POINTER  # noqa: E402
+from links import heading_id  # noqa: E402
+
+# The pages that are no chapter, and what they are called in the site.
+OTHERS = {"README.md": "index", "chapters/README.md": "course",
+          "chapters/what_the_principle_buys.md": "what_the_principle_buys"}
+CUT = "page-ends-here"
+
+
+class Page:
+    """name: of the file, without .html; path: of the Markdown; number: "04" or "";
+    title, body: HTML; headings: [(level, id, title as HTML)]; sections: see search.py."""
+
+    def __init__(self, path):
+        self.path = path
+        self.name = OTHERS.get(str(path), path.stem)
+        self.number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
+        self.headings = []
+
+    @property
+    def short(self):
+        """The title without its number."""
+        return re.sub(r"^\d\d\. ", "", self.title)
+
+
+def all_pages():
+    chapters = sorted((ROOT / "chapters").glob("[0-9][0-9]-*.md"))
+    return [Page(path) for path in [*chapters, *map(ROOT.joinpath, OTHERS)]]
+
+
+def pandoc_math(text):
+    """GitHub's ```math blocks and $`...`$ -> pandoc's dollars. Code is not touched."""
+    out, prose, fence = [], [], None
+
+    def flush():
+        out.append(re.sub(r"\$`(.+?)`\$", r"$\1$", "\n".join(prose), flags=re.S))
+        prose.clear()
+
+    for line in text.split("\n"):
+        if line.startswith("```") and fence is None:
+            flush()
+            fence = line
+            out.append("$$" if line == "```math" else line)
+        elif line.startswith("```"):
+            if fence == "```math":
+                out[-1] += " $$"
+            else:
+                out.append(line)
+            fence = None
+        elif fence == "```math":
+            out[-1] += " " + line  # one line: `-` at the left margin begins no list
+        else:
+            (out if fence else prose).append(line)
+    flush()
+    return "\n".join(out)
+
+
+def where_from(match):
+    """A pointer above quoted code -> a link to its first line."""
+    file, region = match[1], match[2]
+    lines = pathlib.Path(file).read_text().splitlines()
+    first = 1
+    for i, line in enumerate(lines, 1):
+        mark = MARK.fullmatch(line)
+        if mark and mark[1] == ">" and mark[2] == region:
+            first = i + 1
+    # the link is one from the root: to_places() takes it from there
+    return f'<p class="from"><a href="/{file}#L{first}">{file}</a></p>\n'
+
+
+def markdown(page):
+    text = re.sub(r"[ \t]*<!-- from\n.*?-->\n", "", page.path.read_text(), flags=re.S)
+    return POINTER.sub(where_from, pandoc_math(text))
+
+
+def to_html(pages):
+    """One call of pandoc for all: its start takes longer than a chapter."""
+    text = f"\n\n<!-- {CUT} -->\n\n".join(map(markdown, pages))
+    run = subprocess.run(["pandoc", "-f", "gfm+tex_math_dollars-gfm_auto_identifiers", "-t", "html5",
+                          "--mathjax", "--wrap=preserve", "--no-highlight"],
+                         input=text, capture_output=True, text=True, check=True)
+    bodies = run.stdout.split(f"<!-- {CUT} -->")
+    assert len(bodies) == len(pages)
+    for page, body in zip(pages, bodies):
+        page.body = body.strip()
+
+
+# ---- places ----
+
+def to_places(page):
+    """Links, as they are in the repository -> as they are in the site."""
+    places = {str(p): name for p, name in OTHERS.items()}
+
+    def place(match):
+        attribute, target = match[1], html.unescape(match[2])
+        if re.match(r"[a-z]+:|#", target):
+            return match[0]
+        path, _, anchor = target.partition("#")
+        file = pathlib.Path(path[1:]) if path.startswith("/") else page.path.parent / path
+        file = pathlib.Path(*resolve(file.parts))
+        anchor = f"#{anchor}" if anchor else ""
+        if str(file) in places:
+            new = f"{places[str(file)]}.html"
+        elif file.parent == pathlib.Path("chapters") and file.suffix == ".md":
+            new = f"{file.stem}.html"
+        elif file == pathlib.Path("chapters/play/index.html"):
+            new = "play/index.html"
+        elif file.suffix == ".svg":
+            new = f"figures/{file.name}"
+        else:
+            new = f"source/{source_page(file)}"
+        return f'{attribute}="{html.escape(new + anchor)}"'
+
+    page.body = re.sub(r'\b(href|src)="([^"]*)"', place, page.body)
+
+
+def resolve(parts):
+    """a/b/../c -> a/c"""
+    out = []
+    for part in parts:
+        out = out[:-1] if part == ".." else [*out, part]
+    return out
+
+
+def number_headings(page):
+    seen = {}
+
+    def heading(match):
+        level, title = int(match[1]), match[2]
+        ident = heading_id(html.unescape(re.sub(r"\\[()]|<[^>]*>", "", title)))
+        count = seen[ident] = seen.get(ident, -1) + 1
+        ident += f"-{count}" if count else ""
+        page.headings.append((level, ident, title))
+        if level == 1:
+            page.title = title
+            return f'<h1 id="{ident}">{title}</h1>'
+        return (f'<h{level} id="{ident}">{title} <a class="anchor" href="#{ident}" '
+                f'aria-label="Link to this section">#</a></h{level}>')
+
+    page.body = re.sub(r"<h([1-6])>(.*?)</h\1>", heading, page.body, flags=re.S)
+
+
+def row_of_files(page):
+    """The table below a title -> a list, which a narrow screen can break."""
+    def row(match):
+        names, cells = (re.findall(rf"<{tag}[^>]*>(.*?)</{tag}>", match[2], re.S) for tag in ("th", "td"))
+        rows = "".join(f"<div><dt>{n}</dt><dd>{c}</dd></div>" for n, c in zip(names, cells) if c.strip())
+        return f'{match[1]}<dl class="files">{rows}</dl>'
+
+    page.body = re.sub(r"(</h1>\s*)<table[^>]*>(\s*<thead>.*?)</table>", row, page.body, count=1, flags=re.S)
+
+
+def number_figures(page, captions):
+    """A paragraph that is an image -> a figure with its number and a caption."""
+    count = 0
+
+    def figure(match):
+        nonlocal count
+        count += 1
+        source, alt = match["src"], match["alt"]
+        number = f"{int(page.number)}.{count}" if page.number else str(count)
+        wide, high = size_of(page, source)
+        return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}"></a>\n'
+                f'<figcaption><a href="#fig-{number}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
+
+    page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)
+
+
+def live(source):
+    """A figure that a script of chapters/live moves says which: by its own name."""
+    name = pathlib.Path(source).stem
+    return f' data-live="{name}"' if (HERE.parent / "live" / f"{name}.js").exists() else ""
+
+
+def size_of(page, source):
+    name = pathlib.Path(source).name
+    svg = next(ROOT.glob(f"figures/*/{name}"), None)
+    if svg is None:
+        sys.exit(f"{page.path}: no such figure: {source}")
+    return re.search(r'viewBox="0 0 (\d+) (\d+)"', svg.read_text()).groups()
+
+
+def colour_code(page):
+    def block(match):
+        language, code = match[1] or "", html.unescape(match[2])
+        return f'<pre class="code"><code>{colour(code, language)}</code></pre>'
+
+    page.body = re.sub(r'<pre(?: class="([^"]*)")?><code>(.*?)</code></pre>', block, page.body, flags=re.S)
+
+
+def scrolling_tables(page):
+    page.body = re.sub(r"<table.*?</table>", r'<div class="scroll" role="region" aria-label="Table">\g<0></div>',
+                       page.body, flags=re.S)
+
+
+# ---- formulas ----
+
+def render(pages):
+    """Every formula by KaTeX, in one process. Returns number -> (page, HTML of the equation)."""
+    texts = json.dumps([[page.title, page.body, *(title for _, _, title in page.headings)] for page in pages])
+    run = subprocess.run(["node", str(HERE / "katex.js")], input=texts, capture_output=True, text=True)
+    if run.returncode:
+        sys.exit(run.stderr)
+    done = json.loads(run.stdout)
+    for page, (title, body, *titles) in zip(pages, done["pages"]):
+        page.title, page.body = title, body
+        page.headings = [(level, ident, new) for (level, ident, _), new in zip(page.headings, titles)]
+        loose = re.search(r"\$\$.{0,60}|\\tag\{[^}]*\}(?![^<]*</annotation>)", page.body)
+        if loose:
+            sys.exit(f"{page.path}: a formula was not recognised: {loose[0]}")
+    return {number: (pages[i], formula) for number, (i, formula) in done["equations"].items()}
+
+
+def link_equations(page, found):
+    """(4.3) in the text -> a link to the equation that carries that number."""
+    def link(match):
+        if match[1] not in found:
+            return match[0]
+        there = found[match[1]][0]
+        file = "" if there is page else f"{there.name}.html"
+        return f'<a class="eq" href="{file}#eq-{match[1]}">({match[1]})</a>'
+
+    out, inside = [], []
+    for piece in re.split(r"(<[^>]+>)", page.body):
+        if piece.startswith("<"):
+            tag = re.match(r"</?(\w+)", piece)
+            word = tag[1] if tag else ""
+            if word in ("a", "code", "pre", "math", "annotation", "svg", "h1", "h2", "h3", "h4"):
+                inside.pop() if piece.startswith("</") else inside.append(word)
+            out.append(piece)
+        else:
+            out.append(piece if inside else re.sub(r"\((\d+\.\d+)\)", link, piece))
+    page.body = "".join(out)
