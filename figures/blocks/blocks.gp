@@ -13,8 +13,11 @@ id = 1
 # A square of the plane of pairs, its colour, how full.
 box(x, y, w, h, c, f) = sprintf("set object %d rectangle from %g,%g to %g,%g fc rgb '%s' fs solid %g border lc rgb 'white'; id = id + 1", id, x, y, x + w, y + h, c, f)
 
+# The triangle below the diagonal of eight.
+half(x, y) = sprintf("set object %d polygon from %g,%g to %g,%g to %g,%g to %g,%g fc rgb '%s' fs solid 0.85 border lc rgb 'white'; id = id + 1", id, x, y, x, y + 8, x + 8, y + 8, x, y, grey)
+
 # the eights of the block that begins at k0
-begin(k0) = sprintf("do for [g=0:3] { do for [s=0:3] { eval box(%g-32+8*s, %g+8*g, 8, 8, orange, 0.75) }; do for [s=0:g-1] { eval box(%g+8*s, %g+8*g, 8, 8, green, 0.75) }; do for [r=0:7] { eval box(%g+8*g, %g+8*g+r, r+1, 1, grey, 0.85) } }", k0, k0, k0, k0, k0, k0)
+begin(k0) = sprintf("do for [g=0:3] { do for [s=0:3] { eval box(%g-32+8*s, %g+8*g, 8, 8, orange, 0.75) }; do for [s=0:g-1] { eval box(%g+8*s, %g+8*g, 8, 8, green, 0.75) }; eval half(%g+8*g, %g+8*g) }", k0, k0, k0, k0, k0, k0)
 
 set title "Every term meets every later sum once"
 set xrange [0:128]
@@ -26,7 +29,7 @@ eval begin(64)
 eval begin(96)
 eval box(0, 64, 32, 32, blue, 0.75)
 eval box(0, 96, 64, 32, blue, 0.75)
-do for [g=0:3] { do for [s=0:g-1] { eval box(8*s, 8*g, 8, 8, green, 0.75) }; do for [r=0:7] { eval box(8*g, 8*g+r, r+1, 1, grey, 0.85) } }
+do for [g=0:3] { do for [s=0:g-1] { eval box(8*s, 8*g, 8, 8, green, 0.75) }; eval half(8*g, 8*g) }
 set label 1 "by modes" at 20,104 center textcolor rgb "white"
 set label 2 "block\nbefore" at 48,76 center textcolor rgb "white"
 set label 3 "own block: green\nown eight: grey" at 126,22 right

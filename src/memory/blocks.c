@@ -50,7 +50,8 @@ static product *product_of(size_t lanes)
 /* ---- the memory ---- */
 
 enum {
-    AREA = FVI_EIGHT * FVI_TILE,   /* numbers of eight rows of a tile */
+    THREADS_FROM = 10000,        /* coordinates, where compiled with -fopenmp */
+    AREA = FVI_EIGHT * FVI_TILE, /* numbers of eight rows of a tile */
     SQUARE = FVI_EIGHT * FVI_EIGHT /* of a table between two eights */
 };
 
@@ -257,6 +258,7 @@ void fvi_tiles_push(fvi_tiles *t, const double *term, double *H)
 {
     const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
     const size_t next = ++t->k / FVI_EIGHT % FVI_SLABS;
+#pragma omp parallel for schedule(static) if (t->d >= THREADS_FROM)
     for (size_t tile = 0; tile < t->tiles; tile++) {
         double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
         next_row(r, t->w, rows, sum);

@@ -41,7 +41,7 @@ fvi_tiles *fvi_tiles_copy(const fvi_tiles *from);
 int fvi_tiles_width(fvi_tiles *t, size_t lanes);
 
 /* fvi_tiles_push, fvi_tiles_ahead, fvi_tiles_visit, fvi_tiles_free -- as the kinds of
- * memory_kinds.h. H may be term. Every 32nd push costs as much as some twenty others. */
+ * memory_kinds.h. H may be term. Every 32nd push does nine tenths of the work. */
 void fvi_tiles_push(fvi_tiles *t, const double *term, double *H);
 void fvi_tiles_ahead(const fvi_tiles *t, double *sum);
 int fvi_tiles_visit(fvi_tiles *t, fvi_visitor *v);

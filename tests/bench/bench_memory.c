@@ -7,6 +7,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
+#include "memory/blocks.h"
 #include "memory/memory_kinds.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static void progress(const char *what, size_t n)
 static double run_once(size_t d, size_t N, double kappa, fvi_memory_kind kind,
                        double tolerance)
 {
-    enum { MOST = 32 };
+    enum { MOST = FVI_TILES_FROM };
     static double one[MOST], zero[MOST];
     static const double c = 1, force[2] = { 8, 1 };
     for (size_t i = 0; i < MOST; i++)
@@ -167,7 +168,7 @@ static void against_batch(void)
     printf("# a batch: d systems in one memory, N = %zu, explicit\n#> batch\n"
            "# d\tns per step and system\ttimes as fast as one by one\n",
            N);
-    for (size_t d = 1; d <= 32; d *= 2) {
+    for (size_t d = 1; d < FVI_TILES_FROM; d *= 2) {
         progress("batch", d);
         double t = seconds(d, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x) / (double)d;
         printf("%zu\t%.1f\t%.2f\n", d, 1e9 * t / (double)N, alone / t);
