@@ -71,6 +71,7 @@ help: ## print this list
 	sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
 	echo '  ch04         one chapter: its test, its proof, its figures ($(NUMBERS))'
 	echo '  workshop-04  its code by your hand, tested and drawn ($(HELD))'
+	echo '  exercise-04-7  an exercise; with ANSWER=527, is that right? (exercises: the table of all)'
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
 	echo '  $(sort $(TESTS))' | fold -s -w 76 | sed '2,$$s/^/  /'
 
@@ -176,7 +177,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check errata test test-example test-fuzz test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -347,7 +348,16 @@ $(HELD:%=workshop-%): workshop-%: | needs
 	$(MAKE) -s B=$B/san CFLAGS='$(SANITIZE)' $B/san/libfvi.a $$($(WORKSHOP) $B tests $* | sed 's|[^ ]*|$B/san/tests/&.o|g')
 	$(WORKSHOP) $B/san chapter $*
 
-test-workshop: $B/libfvi.a $B/figures/experiments/experiments_alphas.dat | needs
+# What the exercises by experiment are judged by: the program, and the data of figures.
+MEASURED := $B/fvi $B/libfvi.a $(patsubst %,$B/figures/%.dat,springpot/springpot_creep damping_laws/damping_laws_motion)
+
+exercise-%: $(MEASURED) | needs
+	$(WORKSHOP) $B exercise $* '$(ANSWER)'
+
+exercises: | needs
+	$(WORKSHOP) $B exercises
+
+test-workshop: $(MEASURED) $B/figures/experiments/experiments_alphas.dat | needs
 	$(MAKE) -s B=$B $$($(WORKSHOP) $B tests | sed 's|[^ ]*|$B/tests/&.o|g')
 	$(WORKSHOP) $B check
 

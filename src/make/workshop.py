@@ -5,6 +5,8 @@
     workshop.py BUILD figure         the first figure, out of my.c (make workshop-figure)
     workshop.py BUILD check          skeletons, holes, stages     (part of make check)
     workshop.py BUILD accidents      the sentences of tests/workshop/accidents.txt (the same)
+    workshop.py BUILD exercise 13-2 [ANSWER]           (make exercise-13-2 ANSWER=...)
+    workshop.py BUILD exercises      the table of all of them         (make exercises)
     workshop.py BUILD tests [04]     the programs of the tests that name the holes
 
 workshop/ is the student's: what is there is never written over. BUILD holds libfvi.a,
@@ -16,6 +18,7 @@ import shutil
 import subprocess
 import sys
 
+import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
 
@@ -228,9 +231,11 @@ def hole_fails(hole):
     return None
 
 
-def skeletons_fail(source, cuts):
+def skeletons_fail(where, cuts):
     """None if the file that a student gets, with all its holes, compiles."""
-    folder = HERE / "skeletons"
+    chapter, source = where
+    folder = HERE / "skeletons" / chapter
+    folder.mkdir(parents=True, exist_ok=True)
     file = folder / pathlib.Path(source).name
     file.write_text(holes.skeleton(source, cuts))
     try:
@@ -245,7 +250,10 @@ def stage_fails(number, objects):
     source, folder = f"tests/workshop/stage_{number}.c", HERE / f"stage_{number}"
     try:
         binary = thread(source, folder, objects)
-        results = {n: all(passed for _, passed, _ in runner.run(binary, ["my.c"], 0.2, str(n))) for n in CASES}
+        stage = {name: int(case) for name, (_, case) in holes.tests("workshop/checks.c").items()}
+        results = dict.fromkeys(CASES, True)
+        for name, passed, _ in runner.run(binary, ["my.c"], 0.2):
+            results[stage[name]] &= passed
     except runner.NotBuilt as error:
         return f"{source}: {error}"
     if number >= 7 and (fails := figure_fails(source, folder)):
@@ -256,17 +264,18 @@ def stage_fails(number, objects):
 
 
 def check():
-    (HERE / "skeletons").mkdir(parents=True, exist_ok=True)
     objects, cuts = harness(), holes.holes()
-    files = {hole.source: [h for h in cuts if h.source == hole.source] for hole in cuts}
+    files = {(hole.chapter, hole.source): [h for h in cuts if (h.chapter, h.source) == (hole.chapter, hole.source)]
+             for hole in cuts}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = [pool.submit(hole_fails, hole) for hole in cuts]
         jobs += [pool.submit(skeletons_fail, *item) for item in files.items() if len(item[1]) > 1]
         jobs += [pool.submit(stage_fails, number, objects) for number in STAGES]
         failed = [job.result() for job in jobs if job.result()]
+    failed += exercises.faults()
     if failed:
         sys.exit("\n".join(failed))
-    print(f"workshop: {len(files)} skeletons compile, {len(cuts)} holes are noticed and filled, "
+    print(f"workshop: {len(exercises.exercises())} exercises, {len(files)} skeletons compile, {len(cuts)} holes are noticed and filled, "
           f"{len(STAGES)} stages pass their checks")
 
 
@@ -308,4 +317,5 @@ def tests(number=None):
 
 
 HERE.mkdir(parents=True, exist_ok=True)
-{"start": start, "tests": tests, "chapter": chapter, "figure": figure, "check": check, "accidents": accidents}[sys.argv[2]](*sys.argv[3:])
+{"start": start, "tests": tests, "chapter": chapter, "figure": figure, "check": check, "accidents": accidents, "exercise": exercises.main,
+ "exercises": lambda: exercises.TABLE.write_text(exercises.table())}[sys.argv[2]](*sys.argv[3:])

@@ -30,9 +30,9 @@ def holes(chapter=None):
 
 
 @functools.cache
-def tests():
+def tests(files="*/test_*.c"):
     """Of each test its program and its case: {"eq_4_1_...": ("test_coefficients", "values")}."""
-    return {name: (path.stem, case) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"))
+    return {name: (path.stem, case) for path in sorted(pathlib.Path("tests").glob(files))
             for case, names in re.findall(r'ADD_CASE\(\w+,\s*"([^"]*)",([^;]*)\);', path.read_text())
             for name in re.findall(r"\w+", names)}
 

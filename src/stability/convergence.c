@@ -39,6 +39,7 @@ static double defect_of_memory(const fvi_motion *q)
     return q->damping * fabs(gamma - 1) * missed;
 }
 
+//> miss
 /* C, by which the motion misses the scheme. */
 static double defect(const fvi_motion *q)
 {
@@ -46,6 +47,7 @@ static double defect(const fvi_motion *q)
            + q->lipschitz * q->speed * q->T / 2 + q->acceleration / 2
            + q->kappa * q->gradient; /* (20.5) */
 }
+//< miss
 
 /* lambda, at which errors feed on errors: ell / lambda^2 + r / lambda^gamma <= 1/2. */
 static double rate(const fvi_motion *q)
