@@ -34,7 +34,7 @@ EXPLICIT = 17; IMPLICIT = 18; MATRIX = 19; PRINTED = 20; LOBATTO5 = 21; LOBATTO6
 set style line FVI      lc rgb BLUE  dt 1          lw 1.8 pt 7  ps 0.6
 set style line SHIFTED  lc rgb GREEN dt (12,3,2,3) lw 1.8 pt 9  ps 0.75
 set style line BDF2     lc rgb BROWN dt (14,4)     lw 1.8 pt 11 ps 0.75
-set style line LOBATTO2 lc rgb SKY   dt (2,2)      lw 1.8 pt 6  ps 0.65
+set style line LOBATTO2 lc rgb SKY   dt (2,2)      lw 1.8 pt 15 ps 0.65
 set style line LOBATTO3 lc rgb GREY  dt (8,3,2,3,2,3) lw 1.8 pt 8 ps 0.75
 set style line LOBATTO4 lc rgb BLACK dt (6,2)      lw 1.8 pt 4  ps 0.6
 set style line EXPLICIT lc rgb RED   dt (8,4)      lw 1.8 pt 5  ps 0.6
