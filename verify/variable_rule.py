@@ -9,7 +9,8 @@ from mpmath import mp, mpf, matrix, eye, diag, legendre, polyroots, taylor, log,
 from refgen import claim, header
 
 SPACING = mpf(26) / 100  # of the lattice: steps and modes are powers of exp(SPACING)
-ENDS, APART = 6, 3       # corrections at each end of the modes, so many nodes apart
+ENDS = 6                 # corrections at each end of the modes,
+APART = {1: 3, 2: 2}     # so many nodes apart, if every one, or every second one, is a mode
 
 
 def rule(s):
@@ -87,10 +88,10 @@ def constants(s):
             "re": [[mp.re(t) for t in v] for v in vectors], "im": [[mp.im(t) for t in v] for v in vectors]}
 
 
-def ends():
-    """The inverse of the matrix r^{3 l n}: c_l = sum_n inverse_ln / (r^{nu + n} - 1)."""
-    r = exp(SPACING)
-    V = matrix([[r ** (APART * l * n) for l in range(ENDS)] for n in range(ENDS)])
+def ends(every):
+    """The inverse of the matrix r^{APART l n}: c_l = sum_n inverse_ln / (r^{nu + n} - 1)."""
+    r = exp(every * SPACING)
+    V = matrix([[r ** (APART[every] * l * n) for l in range(ENDS)] for n in range(ENDS)])
     inverse = V ** -1
     return [[inverse[l, n] for n in range(ENDS)] for l in range(ENDS)]
 
@@ -123,5 +124,6 @@ for s in (6, 8):
         print("\n".join(wrap(f"    .{name} = {value},", 96, subsequent_indent=" " * 8)))
     print("},")
 print("};\n")
-print("\n".join(wrap("static const double ends[][%d] = " % ENDS + literals([at(digits, ends) for digits in (80, 120)]) + ";",
+both = [at(digits, lambda: [ends(every) for every in APART]) for digits in (80, 120)]
+print("\n".join(wrap("static const double ends[][%d][%d] = " % (ENDS, ENDS) + literals(both) + ";",
                      96, subsequent_indent=" " * 4)))

@@ -165,13 +165,13 @@ def stage_values(s, at, digits):
 
 
 @precisely
-def end_correction(L, nu, digits):
-    """(22.11): sum_l c_l r^(3 l n) = 1/(r^(nu + n) - 1), n = 0, ..., 5, r = e^L."""
+def end_correction(L, nu, digits, apart=3):
+    """(22.11): sum_l c_l r^(apart l n) = 1/(r^(nu + n) - 1), n = 0, ..., 5, r = e^L."""
     M, right = mpmath.matrix(6, 6), mpmath.matrix(6, 1)
     for n in range(6):
         right[n] = 1 / mpmath.expm1(L * (nu + n))
         for l in range(6):
-            M[n, l] = mpmath.exp(3 * L * l * n)
+            M[n, l] = mpmath.exp(apart * L * l * n)
     return mpmath.lu_solve(M, right)
 
 
@@ -347,11 +347,11 @@ if __name__ == "__main__":
             1 - stage_values(s, mpf(at), dg)[s - 1]])), f"mu = {at}"]
         for s in (6, 8) for at in (0.0, 1e-12, 1e-3, 0.3, 1.0, 7.0, 50.0, 2e4, 1e9)])
 
-    print("\n/* (22.11): the end corrections c_l for nodes three apart on the lattice e^(L q). */")
-    table("ref_ends", "double L, nu; double want[6];", [
-        [hexd(L), hexd(nu), braces(doubles(lambda dg: list(end_correction(mpf(L), mpf(nu), dg)))),
+    print("\n/* (22.11): the end corrections c_l for nodes so many apart on the lattice e^(L q). */")
+    table("ref_ends", "size_t apart; double L, nu; double want[6];", [
+        [apart, hexd(L), hexd(nu), braces(doubles(lambda dg: list(end_correction(mpf(L), mpf(nu), dg, apart)))),
          f"L = {L}, nu = {nu}"]
-        for L in (0.26, 0.18) for nu in (0.02, 0.5, 0.7, 1.0, 1.4, 1.98)])
+        for apart, L in ((3, 0.26), (2, 0.52)) for nu in (0.02, 0.5, 0.7, 1.0, 1.4, 1.98)])
 
     print("\n/* (22.18): the integrals of ell_i from 0 to theta, then those of (theta - u) ell_i. */")
     table("ref_dense", "size_t s; double theta; double want[16];", [

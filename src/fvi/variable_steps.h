@@ -33,7 +33,7 @@ extern "C" {
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
  *                    the size so far, max |x_i|. p is off by more
  *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
- *   run->tolerance   not read: the modes are right to 2e-14
+ *   run->tolerance   not read: the modes are right to 2e-14, or, if s = 6, to 1e-7
  *   run->kappa       not read
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
@@ -54,7 +54,7 @@ extern "C" {
  * method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
- * each decade below; s gradients for each iteration, mostly 2 to 6 of them; O(d s^2), and
+ * each decade below, or, if s = 6, 30 and 4; s gradients for each iteration, mostly 2 to 6 of them; O(d s^2), and
  * O(s^3) for each mass, damping and spring where h changes. Newton's method for one
  * coordinate is O(s^3) more; for all together O(d s^3 b^2), b the diagonals of the Hessian,
  * or O(d^3 s^3). Memory O(d (Q + s^2)), Q 190, or up to 2300 where a start is singular;

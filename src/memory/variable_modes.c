@@ -10,10 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The range of modes: sigma T from exp(-6.5) on, to mu = h sigma >= 2e4, where the six
- * corrections of either end leave 1e-14. (22.12) */
-#define LOWEST 6.5
-#define HIGHEST 2e4
+/* The modes: every so many points of the lattice, sigma T from exp(-lowest) on, to
+ * mu = h sigma >= highest, where the six corrections of either end leave 1e-14, or less
+ * than the distances. (22.12) */
+typedef struct {
+    size_t every;
+    double lowest, highest;
+} range;
+static const range ranges[] = {
+    [FVI_MODES_FINE] = { 1, 6.5, 2e4 }, [FVI_MODES_COARSE] = { 2, 4.5, 2e3 }
+};
 
 /* What is kept of the last step for modes that sleep: see wake. */
 typedef struct {
@@ -23,9 +29,11 @@ typedef struct {
 struct fvi_modes {
     const fvi_variable_rule *rule;
     const fvi_mode_row *table;
+    range range;
+    size_t apart; /* nodes of an end */
     double beta;
     size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
-    int first;            /* sigma_q = exp(L (first + q)) */
+    int first;            /* sigma_q = exp(L (first + every q)) */
     size_t count, awake;  /* modes that this step reads; that are up to date */
     double top[FVI_ENDS]; /* what the upper end adds to its weights, times */
     double at_top[FVI_ENDS]; /* weight_top of this step */
@@ -102,11 +110,12 @@ FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
 static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
                            size_t to)
 {
-    const long place = (long)m->first + length.k - FVI_FIRST + (long)from;
+    const long every = (long)m->range.every, part = FVI_POINTS / every,
+               j = (long)m->first + length.k - FVI_FIRST + every * (long)from;
     const size_t n = to - from;
-    if (length.k != FVI_OFF_LATTICE && place >= 0
-        && place + (long)n <= FVI_POINTS) {
+    if (length.k != FVI_OFF_LATTICE && j >= 0 && j / every + (long)n <= part) {
         const fvi_mode_row *t = m->table;
+        const long place = j % every * part + j / every;
         return (fvi_mode_row){ t->mu + place, t->p + place, t->a + place,
                                t->stride };
     }
@@ -140,12 +149,13 @@ void fvi_modes_wake_all(fvi_modes *m)
 
 void fvi_modes_begin(fvi_modes *m, fvi_length length)
 {
-    size_t q = FVI_APART * FVI_ENDS;
+    size_t q = m->apart * FVI_ENDS;
     if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake
         && length.k != FVI_OFF_LATTICE)
         return;
-    const double L = fvi_variable_spacing();
-    const double top = ceil(log(HIGHEST / length.h) / L) - m->first;
+    const double L = fvi_variable_spacing(),
+                 top = ceil((log(m->range.highest / length.h) / L - m->first)
+                            / (double)m->range.every);
     q = (size_t)fmin(fmax(top, (double)q) + 1, (double)m->Q);
     m->count = (q + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
     m->now = length;
@@ -164,7 +174,7 @@ void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
         gather(m->rule->s - i, m->count, m->weight, y, row->a + i * row->stride,
                row->stride, H + i);
     for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
-        const size_t q = m->count - 1 - FVI_APART * l;
+        const size_t q = m->count - 1 - m->apart * l;
         for (size_t i = 0; i < m->rule->s; i++)
             H[i] += row->a[i * row->stride + q] * (m->at_top[l] * y[q]);
     }
@@ -218,7 +228,8 @@ static fvi_modes *make(fvi_modes sizes)
 static void weigh(fvi_modes *m)
 {
     enum { BLOCK = 16 };
-    const double L = fvi_variable_spacing(), beta = m->beta;
+    const double L = fvi_variable_spacing() * (double)m->range.every,
+                 first = fvi_variable_spacing() * m->first, beta = m->beta;
     const double size = sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
     double fine[BLOCK], finer[BLOCK], c[FVI_ENDS];
     for (size_t l = 0; l < BLOCK; l++) {
@@ -226,33 +237,38 @@ static void weigh(fvi_modes *m)
         finer[l] = exp(L * beta * (double)l);
     }
     for (size_t q = 0; q < m->Q; q += BLOCK) {
-        const double j = (double)m->first + (double)q, sigma = exp(L * j),
-                     weight = size * exp(L * beta * j);
+        const double ln = first + L * (double)q, sigma = exp(ln),
+                     weight = size * exp(beta * ln);
         for (size_t l = 0; l < BLOCK && q + l < m->Q; l++) {
             m->sigma[q + l] = sigma * fine[l];
             m->weight[q + l] = weight * finer[l];
         }
     }
-    const double w0 = m->weight[0], apart = -L * FVI_APART;
-    fvi_variable_ends(beta > 0 ? beta : 1 + beta, c);
+    const double w0 = m->weight[0], apart = -L * (double)m->apart;
+    fvi_variable_ends(m->range.every, beta > 0 ? beta : 1 + beta, c);
     for (size_t l = 0; l < FVI_ENDS; l++)
-        m->weight[FVI_APART * l] +=
+        m->weight[m->apart * l] +=
             w0 * c[l] * (beta > 0 ? 1 : exp(apart * (double)l));
     const double M = beta > 0 ? 2 : 1;
-    fvi_variable_ends(M - beta, c);
+    fvi_variable_ends(m->range.every, M - beta, c);
     for (size_t l = 0; l < FVI_ENDS; l++) /* weight_top r^{-3 l M} c_l */
         m->top[l] = c[l] * exp(apart * (double)l * M);
 }
 
-int fvi_modes_alloc(const fvi_variable_rule *rule, double beta, size_t d,
-                    double T, double least, fvi_modes **modes)
+int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
+                    double beta, size_t d, double T, double least,
+                    fvi_modes **modes)
 {
+    const range of = ranges[kind];
     const double L = fvi_variable_spacing();
-    const int first = (int)floor((-LOWEST - log(T)) / L),
-              last = (int)ceil(log(HIGHEST / least) / L);
-    const size_t Q = (size_t)(last - first) / FVI_LANES * FVI_LANES + FVI_LANES;
+    const int first = (int)floor((-of.lowest - log(T)) / L),
+              last = (int)ceil(log(of.highest / least) / L);
+    const size_t most = (size_t)(last - first) / of.every + 1,
+                 Q = most / FVI_LANES * FVI_LANES + FVI_LANES;
     fvi_modes *m = make((fvi_modes){ .rule = rule,
-                                     .table = fvi_mode_table(rule),
+                                     .table = fvi_mode_table(rule, of.every),
+                                     .range = of,
+                                     .apart = fvi_variable_apart(of.every),
                                      .beta = beta,
                                      .d = d,
                                      .Q = Q,

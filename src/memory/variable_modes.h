@@ -32,6 +32,9 @@ typedef struct {
 
 typedef struct fvi_modes fvi_modes;
 
+/* How many modes: every point of the lattice, or every second one and a narrower range. */
+typedef enum { FVI_MODES_FINE, FVI_MODES_COARSE } fvi_modes_kind;
+
 /* fvi_modes_alloc -- the modes of d coordinates, at rest.
  *
  *   rule   of 6 or 8 stages
@@ -41,11 +44,13 @@ typedef struct fvi_modes fvi_modes;
  *   least  no step is shorter, 1e-250 T at least
  *   modes  output; free it with fvi_modes_free
  *
- * Accuracy of H: 2e-14 of its size without the modes' signs (no proof; tested against the
- * matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T / least).
+ * Accuracy of H: 2e-14 of its size without the modes' signs, 1e-7 where they are coarse
+ * (no proof; tested against the matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T / least),
+ * or 24 + 1.9 ln(T / least).
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_modes_alloc(const fvi_variable_rule *rule, double beta, size_t d,
-                    double T, double least, fvi_modes **modes);
+int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
+                    double beta, size_t d, double T, double least,
+                    fvi_modes **modes);
 
 /* fvi_modes_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);

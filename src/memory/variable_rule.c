@@ -43,12 +43,21 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
 }
 //< present
 
-void fvi_variable_ends(double nu, double *c)
+size_t fvi_variable_apart(size_t every)
 {
+    return every == 1 ? 3 : 2;
+}
+
+void fvi_variable_ends(size_t every, double nu, double *c)
+{
+    const double L = FVI_SPACING * (double)every;
+    double sum[FVI_ENDS]; /* sum_m r^{-m (nu + n)} */
+    for (size_t n = 0; n < FVI_ENDS; n++)
+        sum[n] = 1 / expm1(L * (nu + (double)n));
     for (size_t l = 0; l < FVI_ENDS; l++) {
         c[l] = 0;
-        for (size_t n = 0; n < FVI_ENDS; n++) /* sum_m r^{-m (nu + n)} */
-            c[l] += ends[l][n] / expm1(FVI_SPACING * (nu + (double)n));
+        for (size_t n = 0; n < FVI_ENDS; n++)
+            c[l] += ends[every - 1][l][n] * sum[n];
     }
 }
 

@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 /* Stages are padded by zeros to LANES, the doubles of the widest vector. */
-enum { FVI_LANES = 8, FVI_ENDS = 6, FVI_APART = 3 };
+enum { FVI_LANES = 8, FVI_ENDS = 6 };
 
 /* Four doubles side by side, at any address: a + b adds them one by one on every machine,
  * with one instruction where there is one. */
@@ -58,12 +58,13 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
 
 /* fvi_variable_ends -- how a sum over all integers is had from one over those >= 0.
  *                                                                            (22.11)
- *     sum_{m>=1} f(-m) = sum_l c_l f(3 l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),
+ *     sum_{m>=1} f(-m) = sum_l c_l f(n l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),
  *
- * exactly, l = 0, ..., 5, r = exp(FVI_SPACING).
+ * exactly, l = 0, ..., 5, r = exp(FVI_SPACING every), n = fvi_variable_apart(every).
  *
- *   nu  > 0     c  output, FVI_ENDS numbers */
-void fvi_variable_ends(double nu, double *c);
+ *   every  1 or 2     nu  > 0     c  output, FVI_ENDS numbers */
+void fvi_variable_ends(size_t every, double nu, double *c);
+size_t fvi_variable_apart(size_t every);
 
 /* fvi_square_apply -- out = M in, both of FVI_LANES numbers, of which s are read; the rest
  * of out is zero where M has zeros there. */

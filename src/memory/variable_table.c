@@ -46,7 +46,7 @@ void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
 }
 
 /* A table, its numbers behind it in the same block; NULL: no memory. */
-static fvi_mode_row *make(const fvi_variable_rule *rule)
+static fvi_mode_row *make(const fvi_variable_rule *rule, size_t every)
 {
     const size_t n = FVI_POINTS;
     fvi_mode_row *row =
@@ -54,21 +54,24 @@ static fvi_mode_row *make(const fvi_variable_rule *rule)
     if (!row)
         return NULL;
     double *mu = (double *)(row + 1), *p = mu + n, *a = p + n;
-    for (size_t j = 0; j < n; j++)
-        mu[j] = exp(fvi_variable_spacing() * ((double)j + FVI_FIRST));
+    for (size_t i = 0; i < n; i++) {
+        const size_t part = n / every, j = i % part * every + i / part;
+        mu[i] = exp(fvi_variable_spacing() * ((double)j + FVI_FIRST));
+    }
     fvi_mode_row_make(rule, n, mu, p, a);
     *row = (fvi_mode_row){ .mu = mu, .p = p, .a = a, .stride = n };
     return row;
 }
 
-const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule)
+const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule, size_t every)
 {
-    static _Atomic(fvi_mode_row *) tables[FVI_LANES + 1];
-    fvi_mode_row *table = atomic_load(&tables[rule->s]);
+    static _Atomic(fvi_mode_row *) tables[2][FVI_LANES + 1];
+    _Atomic(fvi_mode_row *) *place = &tables[every - 1][rule->s];
+    fvi_mode_row *table = atomic_load(place);
     if (table)
         return table;
-    fvi_mode_row *mine = make(rule);
-    if (!mine || atomic_compare_exchange_strong(&tables[rule->s], &table, mine))
+    fvi_mode_row *mine = make(rule, every);
+    if (!mine || atomic_compare_exchange_strong(place, &table, mine))
         return mine;
     free(mine); /* another thread was faster: table is its now */
     return table;

@@ -27,7 +27,9 @@ void fvi_mode_row_make(const fvi_variable_rule *rule, size_t n,
 /* fvi_mode_table -- the row of all lattice points for a rule; NULL: no memory. It is made
  * when it is first asked for, 36 kB, and kept until the process ends. Threads that ask at
  * the same time make it each, and all but one give theirs back: no lock, and what has
- * been read never changes. */
-const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule);
+ * been read never changes.
+ *
+ *   every  1: point FVI_FIRST + j at j; 2: those with even j first, then those with odd j */
+const fvi_mode_row *fvi_mode_table(const fvi_variable_rule *rule, size_t every);
 
 #endif

@@ -273,7 +273,9 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     if (o->least < 1e-250 * o->T)
         FVI_FAIL("no step is short enough for the start of such a damping",
                  FVI_EUNSUP);
-    return fvi_modes_alloc(o->rule, o->beta, o->damped, o->T, o->least,
+    const fvi_modes_kind kind =
+        o->rule->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE;
+    return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
 

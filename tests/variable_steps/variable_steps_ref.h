@@ -69,21 +69,21 @@ static const struct { size_t s; double mu; double want[9]; } ref_stage_values[] 
     { 8, 0x1.dcd65p+29, { 0x1.e1094c82467b4p-25, 0x1.9e7cc921895dp-52, -0x1.9952395cc19adp-54, 0x1.80701dddcd725p-55, -0x1.f6bad5c57e4a4p-56, 0x1.a3fe3a8104fffp-56, -0x1.c670a21ab1e71p-56, 0x1.02411f9ce4565p-54, 0x1.fffffffffffffp-1 } }, /* mu = 1000000000.0 */
 };
 
-/* (22.11): the end corrections c_l for nodes three apart on the lattice e^(L q). */
+/* (22.11): the end corrections c_l for nodes so many apart on the lattice e^(L q). */
 
-static const struct { double L, nu; double want[6]; } ref_ends[] = {
-    { 0x1.0a3d70a3d70a4p-2, 0x1.47ae147ae147bp-6, { 0x1.0588f7634787p+9, -0x1.ae4e233fba979p+8, 0x1.b4aed2ad1c118p+6, -0x1.5034094b69f9cp+3, 0x1.8869855302b1bp-2, -0x1.18f6a67edebf7p-8 } }, /* L = 0.26, nu = 0.02 */
-    { 0x1.0a3d70a3d70a4p-2, 0x1p-1, { 0x1.f6322d9ee65adp+3, -0x1.5c3df821e0264p+3, 0x1.50d949d06aa0cp+1, -0x1.fcce1c64c56dcp-3, 0x1.26770a343ea4dp-7, -0x1.a417e50c380bap-14 } }, /* L = 0.26, nu = 0.5 */
-    { 0x1.0a3d70a3d70a4p-2, 0x1.6666666666666p-1, { 0x1.482952001118cp+3, -0x1.ac653d5ad4314p+2, 0x1.97a22ddcfe9a3p+0, -0x1.31dc710a3b949p-3, 0x1.610744755951ap-8, -0x1.f70179379ad58p-15 } }, /* L = 0.26, nu = 0.7 */
-    { 0x1.0a3d70a3d70a4p-2, 0x1p+0, { 0x1.9a0e9c765c33ep+2, -0x1.eda86c0568afep+1, 0x1.cbb84b1fe04a9p-1, -0x1.56054f4d36df9p-4, 0x1.8950c02c4e1e1p-9, -0x1.17be75751f85ep-15 } }, /* L = 0.26, nu = 1.0 */
-    { 0x1.0a3d70a3d70a4p-2, 0x1.6666666666666p+0, { 0x1.0205483823fe8p+2, -0x1.1b2784236efecp+1, 0x1.016ad9bba5059p-1, -0x1.7b6e80c6c99eap-5, 0x1.b291c6055d285p-10, -0x1.3486c180dbabp-16 } }, /* L = 0.26, nu = 1.4 */
-    { 0x1.0a3d70a3d70a4p-2, 0x1.fae147ae147aep+0, { 0x1.3900b579e93fep+1, -0x1.33dd555060eep+0, 0x1.103b786347c34p-2, -0x1.8cfc045626b86p-6, 0x1.c495e0c2b6aaep-11, -0x1.40a8c79be2f7ep-17 } }, /* L = 0.26, nu = 1.98 */
-    { 0x1.70a3d70a3d70ap-3, 0x1.47ae147ae147bp-6, { 0x1.74d6d0dafeefp+10, -0x1.e3157cdedcfd6p+10, 0x1.b698f933dd0dfp+9, -0x1.5ad19f1684205p+7, 0x1.dd70c5e73c1p+3, -0x1.cb238522b5512p-2 } }, /* L = 0.18, nu = 0.02 */
-    { 0x1.70a3d70a3d70ap-3, 0x1p-1, { 0x1.419feb56a3c81p+5, -0x1.6fe57450b8711p+5, 0x1.3efc8950ae87bp+4, -0x1.ed01e4151f012p+1, 0x1.4f26c2606f83ep-2, -0x1.40117b6bfeb29p-7 } }, /* L = 0.18, nu = 0.5 */
-    { 0x1.70a3d70a3d70ap-3, 0x1.6666666666666p-1, { 0x1.96e34acface71p+4, -0x1.bb992b4620c73p+4, 0x1.7a415322778fbp+3, -0x1.21eb0e366b5aap+1, 0x1.8872b80dbe54cp-3, -0x1.75de2537d6f1bp-8 } }, /* L = 0.18, nu = 0.7 */
-    { 0x1.70a3d70a3d70ap-3, 0x1p+0, { 0x1.e908a0ef5bb71p+3, -0x1.f2506c9a1d569p+3, 0x1.9f5ea1141873bp+2, -0x1.3adf24881d5dp+0, 0x1.a7b8f1e4cfe8bp-4, -0x1.92571e8c9569dp-9 } }, /* L = 0.18, nu = 1.0 */
-    { 0x1.70a3d70a3d70ap-3, 0x1.6666666666666p+0, { 0x1.285c67de128bp+3, -0x1.16348bfed855dp+3, 0x1.c3a985a8b9ed3p+1, -0x1.520f70dfa66e9p-1, 0x1.c3dee6fc8455ap-5, -0x1.ab779f33afc92p-10 } }, /* L = 0.18, nu = 1.4 */
-    { 0x1.70a3d70a3d70ap-3, 0x1.fae147ae147aep+0, { 0x1.5b8a74b4dc0b8p+2, -0x1.260d76e296d1fp+2, 0x1.ce4607fd4c7a7p+0, -0x1.54cb47d315db1p-2, 0x1.c3e7449f2861p-6, -0x1.a99e6a5bac69ap-11 } }, /* L = 0.18, nu = 1.98 */
+static const struct { size_t apart; double L, nu; double want[6]; } ref_ends[] = {
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1.47ae147ae147bp-6, { 0x1.0588f7634787p+9, -0x1.ae4e233fba979p+8, 0x1.b4aed2ad1c118p+6, -0x1.5034094b69f9cp+3, 0x1.8869855302b1bp-2, -0x1.18f6a67edebf7p-8 } }, /* L = 0.26, nu = 0.02 */
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1p-1, { 0x1.f6322d9ee65adp+3, -0x1.5c3df821e0264p+3, 0x1.50d949d06aa0cp+1, -0x1.fcce1c64c56dcp-3, 0x1.26770a343ea4dp-7, -0x1.a417e50c380bap-14 } }, /* L = 0.26, nu = 0.5 */
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1.6666666666666p-1, { 0x1.482952001118cp+3, -0x1.ac653d5ad4314p+2, 0x1.97a22ddcfe9a3p+0, -0x1.31dc710a3b949p-3, 0x1.610744755951ap-8, -0x1.f70179379ad58p-15 } }, /* L = 0.26, nu = 0.7 */
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1p+0, { 0x1.9a0e9c765c33ep+2, -0x1.eda86c0568afep+1, 0x1.cbb84b1fe04a9p-1, -0x1.56054f4d36df9p-4, 0x1.8950c02c4e1e1p-9, -0x1.17be75751f85ep-15 } }, /* L = 0.26, nu = 1.0 */
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1.6666666666666p+0, { 0x1.0205483823fe8p+2, -0x1.1b2784236efecp+1, 0x1.016ad9bba5059p-1, -0x1.7b6e80c6c99eap-5, 0x1.b291c6055d285p-10, -0x1.3486c180dbabp-16 } }, /* L = 0.26, nu = 1.4 */
+    { 3, 0x1.0a3d70a3d70a4p-2, 0x1.fae147ae147aep+0, { 0x1.3900b579e93fep+1, -0x1.33dd555060eep+0, 0x1.103b786347c34p-2, -0x1.8cfc045626b86p-6, 0x1.c495e0c2b6aaep-11, -0x1.40a8c79be2f7ep-17 } }, /* L = 0.26, nu = 1.98 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1.47ae147ae147bp-6, { 0x1.669404a2a677p+7, -0x1.825cec4a05e84p+6, 0x1.b17781ad8a143p+3, -0x1.320aee7c18a09p-1, 0x1.0fb01e6287018p-7, -0x1.f2db20b655779p-16 } }, /* L = 0.52, nu = 0.02 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1p-1, { 0x1.62e1f5267feb4p+2, -0x1.3fd97d29b0e4p+1, 0x1.58124228f2f74p-2, -0x1.df5c10d5d8b88p-7, 0x1.a797fa20a1f6cp-13, -0x1.8443124d9a6a6p-21 } }, /* L = 0.52, nu = 0.5 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1.6666666666666p-1, { 0x1.cfff7c310e056p+1, -0x1.8b21692fc727bp+0, 0x1.a35d99c54b7c4p-3, -0x1.22df7a0fd4991p-7, 0x1.00a7c652ae2f1p-13, -0x1.d640cd82a0a53p-22 } }, /* L = 0.52, nu = 0.7 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1p+0, { 0x1.1f701c648cc4ap+1, -0x1.c80031b16be95p-1, 0x1.dbd96c18b4a58p-4, -0x1.4844dc2319557p-8, 0x1.211dc92d13d8p-14, -0x1.08b179e223f0cp-22 } }, /* L = 0.52, nu = 1.0 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1.6666666666666p+0, { 0x1.6115f41c57a2dp+0, -0x1.03fdc08416b59p-1, 0x1.0a863eccd4c17p-4, -0x1.6da549ebd7b4ep-9, 0x1.4168ff37e4019p-15, -0x1.260f3196ab335p-23 } }, /* L = 0.52, nu = 1.4 */
+    { 2, 0x1.0a3d70a3d70a4p-1, 0x1.fae147ae147aep+0, { 0x1.95f9cba4ccc5p-1, -0x1.1455707fde48p-2, 0x1.15fdc472f4662p-5, -0x1.7b1871c2914d7p-10, 0x1.4c8ce6e22bca5p-16, -0x1.3008a75389ddfp-24 } }, /* L = 0.52, nu = 1.98 */
 };
 
 /* (22.18): the integrals of ell_i from 0 to theta, then those of (theta - u) ell_i. */
