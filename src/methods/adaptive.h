@@ -69,6 +69,8 @@ typedef struct {
     double *base, *R, *delta;
     double *bend,
         *bend0; /* h times the Legendre coefficients of x''; of the last step */
+    double *powers; /* and as powers, if a time within the last step was asked for */
+    int powers_known;
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted */
     size_t diagonals;     /* of the Hessian if they are few, and their factors; or 0 */
@@ -110,13 +112,14 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
  * shorter step may. What a callback returned comes back. */
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
 
-/* fvi_adaptive_shape -- at theta, in units of a step: R_n the integral of P_n(2 u - 1)
- * from 0 to theta, and Q_n that of R_n, n < s.
- *   Q  may be NULL */
-void fvi_adaptive_shape(size_t s, double theta, double *R, double *Q);
+/* fvi_adaptive_powers -- f(theta) = sum_n bend_n P_n(2 theta - 1) = sum_k g_k theta^k, n
+ * and k < s; and its integral from 0 to theta, in units of a step, once and twice. */
+void fvi_adaptive_powers(size_t s, const double *bend, double *g);
+double fvi_adaptive_once(size_t s, const double *g, double theta);
+double fvi_adaptive_twice(size_t s, const double *g, double theta);
 
-/* fvi_adaptive_shapes -- R_n(theta_i), n < s, at s times at once, of FVI_LANES that are
- * there; the rest of the matrix is of no use. */
+/* fvi_adaptive_shapes -- the integrals of P_n(2 u - 1) from 0 to theta_i, n < s, entry
+ * (i, n), at s times of which FVI_LANES are there; the rest of the matrix is of no use. */
 void fvi_adaptive_shapes(size_t s, const double *theta, fvi_square *R);
 
 /* fvi_adaptive_dense -- as fvi_method has it.                               (22.18) */

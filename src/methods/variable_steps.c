@@ -228,6 +228,7 @@ static void take(fvi_adaptive_run *o, double event)
         add(&o->v[j], &o->v_less[j], delta[s - 1]);
     }
     memcpy(o->bend0, o->bend, o->d * FVI_LANES * sizeof *o->bend);
+    o->powers_known = 0;
     o->t0 = o->t;
     add(&o->t, &o->t_less, h);
     if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
