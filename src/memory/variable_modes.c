@@ -145,13 +145,13 @@ static void wake(fvi_modes *m, size_t to)
 void fvi_modes_wake_all(fvi_modes *m)
 {
     wake(m, m->Q);
+    m->now = (fvi_length){ 0 }; /* its row may have been written over */
 }
 
 void fvi_modes_begin(fvi_modes *m, fvi_length length)
 {
     size_t q = m->apart * FVI_ENDS;
-    if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake
-        && length.k != FVI_OFF_LATTICE)
+    if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake)
         return;
     const double L = fvi_variable_spacing(),
                  top = ceil((log(m->range.highest / length.h) / L - m->first)

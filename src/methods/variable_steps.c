@@ -136,13 +136,18 @@ static double next_event(fvi_adaptive_run *o)
 }
 
 //> length
-/* h = exp(L k), but the last two steps before an event are equal. */
-static fvi_length choose(const fvi_adaptive_run *o, double rest)
+/* h = exp(L k), but the last two steps before an event are equal, to the last bit: what is
+ * made for one off the ladder does for both. */
+static fvi_length choose(const fvi_adaptive_run *o, double event)
 {
+    const double rest = event - o->t;
     const fvi_length length = { exp(fvi_variable_spacing() * o->next),
                                 o->next };
     if (length.h < rest / 2)
         return length;
+    if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
+        && fabs(o->length.h - rest) <= 4 * GSL_DBL_EPSILON * event)
+        return o->length;
     return (fvi_length){ length.h >= rest ? rest : rest / 2, FVI_OFF_LATTICE };
 }
 //< length
@@ -244,10 +249,10 @@ static void take(fvi_adaptive_run *o, double event)
 static int step(fvi_stepper *s)
 {
     fvi_adaptive_run *o = s->own;
-    const double event = next_event(o), rest = event - o->t;
+    const double event = next_event(o);
     double found = 0, error = 0, found_before = 0, h_before = 0;
     for (;;) {
-        const fvi_length length = choose(o, rest);
+        const fvi_length length = choose(o, event);
         int status = trial(s, o, length, &found);
         const int failed = status == FVI_EMAXITER || status == FVI_ESING;
         if (status && !failed)
