@@ -47,18 +47,18 @@ extern "C" {
  * fifty, or is overlooked where it is small: x was off by up to 25 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
- * Equation of a step: diagonal Hessians by Newton's method coordinate by coordinate (one
- * linear solution if U is quadratic); those of few diagonals, s at most, by Newton's
- * method with one Hessian for all stages, if something is damped; others by fixed-point
- * iteration: both where they contract by .8 or better. Where they do not, by Newton's
- * method with all stages and coordinates.
+ * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
+ * if something is damped, Hessians of few diagonals, s at most, by Newton's method with one
+ * Hessian for all stages; if nothing is, diagonal ones by Newton's method coordinate by
+ * coordinate; others by fixed-point iteration. What does not contract by .8 makes the step
+ * shorter; but others then take Newton's method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
- * each decade below, or, if s = 6, 30 and 4; s gradients for each iteration, mostly 2 to 6 of them; O(d s^2), and
- * O(s^3) for each mass, damping and spring where h changes. Newton's method for one
- * coordinate is O(s^3) more; for all together O(d s^3 b^2), b the diagonals of the Hessian,
- * or O(d^3 s^3). Memory O(d (Q + s^2)), Q 190, or up to 2300 where a start is singular;
- * with all together O(d s^2 b) or O(d^2 s^2) more.
+ * each decade below, or, if s = 6, 30 and 4; s gradients for each iteration, mostly 2 to 6
+ * of them; O(d s^2), and O(s^3) for each mass, damping and spring where h changes. Newton's
+ * method is O(d s b^2) more for a Hessian of b diagonals, O(d s^3) coordinate by coordinate,
+ * and for all together O(d s^3 b^2) or O(d^3 s^3). Memory O(d (Q + s^2)) + d s b), Q 190, or up to 2300 where a start is
+ * singular; with all together O(d s^2 b) or O(d^2 s^2) more.
  * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from
  * fvi_start if it is clear beforehand: alpha < 1 near 1, a damping far above the mass, and
  * a past that the body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */

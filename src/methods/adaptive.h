@@ -17,8 +17,8 @@ typedef struct {
         spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
     double drag;        /* rho h^{1 - beta} */
     double reach;       /* about how far x moves for a velocity 1 more */
-    fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 */
-    fvi_square inverse; /* of L + c h^2 A */
+    fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0, if one asks for it */
+    fvi_square inverse; /* of L + c h^2 A, likewise */
 } fvi_kind;
 
 /* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
@@ -34,8 +34,9 @@ typedef struct {
 } fvi_singular;
 
 /* How the equation of a step is solved: at once, as U is quadratic and its Hessian
- * diagonal; coordinate by coordinate, as its Hessian is diagonal; by an iteration that
- * couples them as long as it contracts; all together at once. */
+ * diagonal; as its Hessian is diagonal; as it is not, by iterations; all together at
+ * once, as an iteration has not contracted too often. With a band the second and third
+ * are one. */
 typedef enum {
     FVI_SOLVE_LINEAR,
     FVI_SOLVE_DIAGONAL,
@@ -72,7 +73,7 @@ typedef struct {
     double *powers; /* and as powers, if a time within the last step was asked for */
     int powers_known;
     double *point, *gradient, *hessian;
-    fvi_square *jacobian; /* of each coordinate, inverted */
+    fvi_square *jacobian; /* of each coordinate, inverted; or NULL */
     size_t diagonals;     /* of the Hessian if they are few, and their factors; or 0 */
     fvi_adaptive_band *band;
     /* control */

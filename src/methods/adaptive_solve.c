@@ -2,12 +2,12 @@
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
- * By the inverse of L + c h^2 to_x where grad U = c x; by Newton's method with the
- * Jacobian L + h^2 diag(U'') to_x where coordinates do not know of each other; with one
- * Hessian for all stages (adaptive_band.h) where it has few diagonals; else by
- * delta <- L^{-1} (R - h grad U), which needs no matrix that couples them. The last two
- * as long as they contract; where they do not, by Newton's method for all stages and
- * coordinates. */
+ * By the inverse of L + c h^2 to_x, or its eigenvectors, where grad U = c x; by Newton's
+ * method with one Hessian for all stages (adaptive_band.h) where it has few diagonals and
+ * form D's to_x has those eigenvectors; in form M with the Jacobian L + h^2 diag(U'') to_x
+ * where coordinates do not know of each other; else by delta <- L^{-1} (R - h grad U), which
+ * needs no matrix that couples them, as long as it contracts, and by Newton's method for
+ * all stages and coordinates where it does not. */
 #include "adaptive.h"
 
 #include "system/fail.h"
@@ -70,6 +70,20 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
 }
 //< enough
 
+/* Of the equations that are not linear: one Jacobian for each stage and coordinate, one
+ * Hessian for all stages, none. */
+typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
+
+/* The factors for the diagonals in o->hessian. */
+static void factorise(fvi_adaptive_run *o)
+{
+    const double h = o->length.h;
+    for (size_t n = 0; n < o->kinds; n++)
+        fvi_adaptive_band_kind(o->band, n, o->of_kind[n].mass,
+                               o->of_kind[n].drag);
+    fvi_adaptive_band_factorise(o->band, o->kind, h * h, o->hessian);
+}
+
 /* ---- coordinate by coordinate ---- */
 
 static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
@@ -77,13 +91,24 @@ static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
     memset(o->gradient, 0, o->d * FVI_LANES * sizeof *o->gradient);
     int status = s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
-    for (size_t j = 0; !status && j < o->d; j++) {
+    if (status)
+        return status;
+    for (size_t j = 0; o->band && j < o->d; j++) {
+        left_of(o, j, o->delta + j * FVI_LANES);
+        o->hessian[j] = o->of_kind[o->kind[j]].spring;
+    }
+    if (o->band) {
+        factorise(o);
+        fvi_adaptive_band_solve(o->band, o->delta);
+        return FVI_SUCCESS;
+    }
+    for (size_t j = 0; j < o->d; j++) {
         double left[FVI_LANES];
         left_of(o, j, left);
         fvi_square_apply(o->rule->s, &o->of_kind[o->kind[j]].inverse, left,
                          o->delta + j * FVI_LANES);
     }
-    return status;
+    return FVI_SUCCESS;
 }
 
 /* left -= L delta of coordinate j */
@@ -122,12 +147,8 @@ static int factors(fvi_stepper *s, fvi_adaptive_run *o)
     const fvi_potential *u = &s->run.system->potential;
     const size_t d = o->d, middle = o->rule->s / 2;
     int status = u->hessian(d, o->point + middle * d, u->params, o->hessian);
-    for (size_t n = 0; n < o->kinds; n++)
-        fvi_adaptive_band_kind(o->band, n, o->of_kind[n].mass,
-                               o->of_kind[n].drag);
     if (!status)
-        fvi_adaptive_band_factorise(o->band, o->kind, o->length.h * o->length.h,
-                                    o->hessian);
+        factorise(o);
     return status;
 }
 
@@ -172,32 +193,34 @@ static double correct_band(fvi_adaptive_run *o)
     return most;
 }
 
-static double correct_all(fvi_adaptive_run *o, int newton)
+static double correct_all(fvi_adaptive_run *o, way by)
 {
     double most = 0;
-    if (o->band)
+    if (by == ONE_HESSIAN)
         return correct_band(o);
     for (size_t j = 0; j < o->d; j++)
-        most = larger(most, correct(o, j, newton ? &o->jacobian[j] : NULL));
+        most =
+            larger(most, correct(o, j, by == NEWTON ? &o->jacobian[j] : NULL));
     return most;
 }
 
 //> newton
 /* Newton's method with a Jacobian that is made anew while it contracts badly; or, with L
  * in its place, the fixed-point iteration. */
-static int iterate(fvi_stepper *s, fvi_adaptive_run *o, int newton,
-                   double worst, int most)
+static int iterate(fvi_stepper *s, fvi_adaptive_run *o, way by, double worst,
+                   int most)
 {
-    const double badly = o->band ? 0.3 : 0.05;
+    const double badly = by == NEWTON ? 0.05 : 0.3;
     double moved_before = 0;
     o->contraction = 0.5; /* until it is known */
     for (int i = 0; i < most; i++) {
         int status = look(s, o);
-        if (!status && newton && (i == 0 || (i > 1 && o->contraction > badly)))
-            status = o->band ? factors(s, o) : jacobians(s, o);
+        const int anew = i == 0 || (i > 1 && o->contraction > badly);
+        if (!status && anew && by != FIXED_POINT)
+            status = by == NEWTON ? jacobians(s, o) : factors(s, o);
         if (status)
             return status;
-        const double moved = o->length.h * correct_all(o, newton);
+        const double moved = o->length.h * correct_all(o, by);
         if (!isfinite(moved))
             return FVI_EMAXITER;
         const int go_on = verdict(o, i, moved, moved_before, worst);
@@ -298,11 +321,13 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
     if (o->solve == FVI_SOLVE_LINEAR)
         return solve_linear(s, o);
     predict(o);
-    if (o->solve == FVI_SOLVE_DIAGONAL)
-        return iterate(s, o, 1, 0.9, 12);
     if (o->solve == FVI_SOLVE_TOGETHER)
         return solve_coupled(s, o);
-    int status = iterate(s, o, o->band != NULL, 0.8, 60);
+    if (o->band)
+        return iterate(s, o, ONE_HESSIAN, 0.8, 30);
+    if (o->solve == FVI_SOLVE_DIAGONAL)
+        return iterate(s, o, NEWTON, 0.9, 12);
+    int status = iterate(s, o, FIXED_POINT, 0.8, 60);
     if (status != FVI_EMAXITER)
         return status;
     if (++o->stuck == 20) /* it is not worth trying */

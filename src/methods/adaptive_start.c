@@ -47,13 +47,13 @@ static int allocate(fvi_adaptive_run *o)
     o->y = calloc(numbers(o), sizeof *o->y);
     o->kind = calloc(2 * d, sizeof *o->kind);
     o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
-    o->jacobian =
-        o->solve == FVI_SOLVE_DIAGONAL ? calloc(d, sizeof *o->jacobian) : NULL;
+    const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
+    o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
     if (o->diagonals)
         o->band = fvi_adaptive_band_alloc(o->rule, o->beta, d, o->kinds,
                                           o->diagonals);
     if (!o->y || !o->kind || !o->of_kind || (o->diagonals && !o->band)
-        || (o->solve == FVI_SOLVE_DIAGONAL && !o->jacobian))
+        || (each && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->index = o->kind + d;
     o->y_less = o->y + d;
@@ -121,20 +121,26 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
     if (h == o->length.h)
         return FVI_SUCCESS;
     const double power = pow(h, 1 - o->beta);
+    /* who asks for L, who for the inverse */
+    const int L = o->solve != FVI_SOLVE_LINEAR || !o->band,
+              inverse = o->solve == FVI_SOLVE_TOGETHER
+                        || (L && !o->band && o->solve != FVI_SOLVE_DIAGONAL);
     o->length.h = 0; /* until all of them are there */
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_kind *kind = &o->of_kind[n];
         kind->drag = o->beta == 1 ? 0 : kind->damping * power;
-        for (size_t l = 0; l < s; l++)
-            for (size_t i = 0; i < FVI_LANES; i++) {
+        for (size_t l = 0; l < s && L; l++)
+            for (size_t i = 0; i < FVI_LANES; i++)
                 kind->L.column[l][i] =
                     kind->mass * o->rule->inverse.column[l][i]
                     + kind->drag * o->W0.column[l][i];
+        for (size_t l = 0; l < s && inverse; l++)
+            for (size_t i = 0; i < FVI_LANES; i++)
                 kind->inverse.column[l][i] =
                     kind->L.column[l][i]
                     + kind->spring * hh * o->to_x->column[l][i];
-            }
-        int status = fvi_square_invert(s, &kind->inverse);
+        int status =
+            inverse ? fvi_square_invert(s, &kind->inverse) : FVI_SUCCESS;
         if (status)
             return status;
     }
@@ -227,9 +233,10 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->to_x = damped ? &o->rule->A : &o->rule->form_m;
     o->counts.stages = (int)o->rule->s;
     o->counts.form = damped ? 'D' : 'M';
-    o->diagonals = run->system->potential.diagonals;
-    if (o->solve != FVI_SOLVE_COUPLED || !damped || o->diagonals > o->rule->s)
-        o->diagonals = 0; /* no room for them in hessian; no functions of A */
+    o->diagonals =
+        o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
+    if (!damped || o->diagonals > o->rule->s)
+        o->diagonals = 0; /* no functions of A; no room for them in hessian */
     o->scale = scale;
     o->T = T;
     o->least = 1e-14 * T;
@@ -320,6 +327,8 @@ int fvi_adaptive_start(fvi_stepper *s)
     if (!status) {
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);
+        if (o->solve == FVI_SOLVE_LINEAR && (o->rule->s > 6 || o->kinds < d))
+            o->diagonals = 0; /* the inverse is more exact; and many share it */
         status = allocate(o);
     }
     if (!status) {
