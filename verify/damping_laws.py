@@ -6,7 +6,8 @@
   (26.6)  C over the cut, and the weights as integrals along it;
   (26.7)  the weights of a Maxwell element are geometric sequences;
   (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
-  (26.9)  motions of an oscillator, by inversion of its Laplace transform.
+  (26.9)  motions of an oscillator, by inversion of its Laplace transform;
+  (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
 
 Inputs are the doubles they are."""
 import functools
@@ -162,6 +163,57 @@ def motion(law, t, x0, v0, A):
 #< motion
 
 
+# ---- exact solutions: fractions with poles of their own, and what forces do ----
+HARD = [
+    [(ZENER, 2, "0.75", "0.5", 0)],
+    [(ZENER, 2, "0.75", "0.5", 0), (ZENER, 1, "0.875", "0.0625", 0)],
+    [(ZENER, "0.5", "0.9375", 1, 0), (POWER, "0.25", "0.25", 0, 0)],
+    [(DISTRIBUTED, 8, "0.125", 0, "0.875"), (MAXWELL, 64, 0, 2, 0)],
+    [(POWER, 32, "0.4375", 0, 0), (POWER, "0.125", "0.9375", 0, 0)],
+]
+HARD = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in HARD]
+
+
+def forced(law, m, c, x0, v0, forcing, A, T, t):
+    """x(t) and x'(t); the end of a step is a second step, backwards."""
+    def transform(s, start, F):
+        C = symbol(law, s)
+        return (start * (m * s * x0 + m * v0 + C * x0 / s) + F(s)) / (m * s * s + c + C)
+
+    def at(start, F, t):
+        def back(n):
+            X = lambda s: transform(s, start, F)
+            V = lambda s: s * transform(s, start, F) - (x0 if start else 0)
+            return [mpmath.invertlaplace(Y, t, method="talbot", degree=n) for Y in (X, V)]
+        first, second = (back(180), back(220)) if t > 2 else (back(64), back(80))
+        claim("both inversions agree", all(abs(a - b) < mpf(10)**-22 for a, b in zip(first, second)))
+        return second
+    if forcing == 2:
+        return at(1, lambda s: A * s / (s * s + T * T), t)
+    both = at(1, lambda s: forcing * A / s, t)
+    if forcing == 1 and t > T:
+        both = [a - b for a, b in zip(both, at(0, lambda s: A / s, t - T))]
+    return both
+
+
+#> zeros
+def zeros(law, m, c):
+    """(26.11): how often Q winds around 0 while s runs along the boundary of the upper half
+    plane without the cut, and how often the poles of C did."""
+    poles = sum(kind == ZENER and alpha > mpf(1) / 2 for kind, _, alpha, _, _ in law)
+    low, high = mpf(10)**-12, mpf(10)**12
+    ray = [low * (high / low)**(mpf(i) / 4000) for i in range(4001)]
+    arc = [mpmath.pi * i / 200 for i in range(201)]
+    path = ([mpc(r) for r in ray] + [high * mpmath.expj(v) for v in arc]
+            + [r * mpmath.expj(mpmath.pi) for r in map(mpf, reversed(ray))]
+            + [low * mpmath.expj(v) for v in reversed(arc)])
+    path = [s if s.imag > 0 or s.real > 0 else mpc(s.real, mpf(10)**-60) for s in path]
+    values = [m * s * s + c + symbol(law, s) for s in path]
+    turned = sum(mpmath.arg(b / a) for a, b in zip(values, values[1:]))
+    return int(mpmath.nint(turned / (2 * mpmath.pi))) + poles
+#< zeros
+
+
 def nearest(x):
     """The nearest double of a number that is known to some 20 digits."""
     return "0" if x == 0 else float(mpmath.nstr(x, 20)).hex()
@@ -201,4 +253,26 @@ for i, law in enumerate(LAWS):
         for t in (1, 4):
             x = motion(law, mpf(t), mpf(x0), mpf(v0), mpf(A))
             print(f"    {{ {i}, {nearest(mpf(x0))}, {nearest(mpf(v0))}, {nearest(mpf(A))}, {t}, {nearest(x)} }},")
+print("};")
+
+print("\n/* Laws of which Q has more zeros than one, or strong damping: their number, by the argument")
+print(" * principle, and m = 2, c = 3; forcing, A and T or w as in fvi_linear. */")
+for i, law in enumerate(HARD):
+    rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
+    print(f"static const fvi_law_term hard_terms_{i}[] = {{ {rows} }};")
+print("\nstatic const struct { fvi_law law; int zeros; } ref_hard[] = {")
+mp.dps = 20
+for i, law in enumerate(HARD):
+    print(f"    {{ {{ {len(law)}, hard_terms_{i} }}, {zeros(law, mpf(2), mpf(3))} }},")
+print("};")
+for law in LAWS[:5]:  # orders up to 1, and not Maxwell's alone: exactly one
+    if law[0][0] != MAXWELL:
+        claim("(26.11) orders up to 1", zeros(law, mpf(2), mpf(3)) == 1 == zeros(law, mpf(2), mpf(0)))
+mp.dps = 40
+print("\nstatic const struct { size_t law; int forcing; double A, T, t, x, v; } ref_exact[] = {")
+for i, law in enumerate(HARD):
+    for forcing, A, T in ((0, 0, 0), (1, 2, "0.75"), (2, 2, "1.5")):
+        for t in (mpf(1) / 64, mpf(1), mpf(8)):
+            x, v = forced(law, mpf(2), mpf(3), mpf(1), mpf(-1) / 2, forcing, mpf(A), mpf(T), t)
+            print(f"    {{ {i}, {forcing}, {A}, {T}, {nearest(t)}, {nearest(x)}, {nearest(v)} }},")
 print("};")

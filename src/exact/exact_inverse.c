@@ -1,6 +1,10 @@
 /* src/exact/exact_inverse.c -- Inverting the Laplace transform.        [Chapter 11] */
 #include "exact_inverse.h"
 
+#include "exact_law.h"
+#include "memory/law_terms.h"
+#include <fvi/error.h>
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -35,57 +39,95 @@ static void prepare_contour(double beta, size_t place, size_t places,
 
 /* ---- what is done once ---- */
 
-static void prepare_root(fvi_inverse *S)
+static void prepare_root(fvi_inverse *S, const fvi_pole *root)
 {
     const fvi_linear *p = &S->p;
-    const double complex s = S->root.s, i_w = I * p->w;
-    const double complex slope = fvi_pole_derivative(&S->root);
-    const double complex memory = p->rho * cexp((S->beta - 1) * clog(s));
+    const double complex s = root->s, i_w = I * p->w;
+    const double complex slope = fvi_pole_derivative(root);
+    double complex unused;
+    const double complex memory = p->rho
+                                  * (p->law ? fvi_law_at(p->law, s, &unused) / s
+                                            : cexp((S->beta - 1) * clog(s)));
     fvi_residue *a = &S->pole[S->poles++];
     a->s = s;
-    a->low = S->root.low;
+    a->low = root->low;
     a->start = ((p->m * s + S->keeps_x0 * memory) * p->x0
                 + (p->m + S->keeps_v0 * memory / s) * p->v0)
                / slope; /* (11.7) */
     if (p->forcing == FVI_FORCING_STEP)
         a->force = p->A / (s * slope);
     if (p->forcing == FVI_FORCING_COSINE)
-        a->force =
-            -p->A * s / (fvi_pole_from(&S->root, i_w) * (s + i_w) * slope);
+        a->force = -p->A * s / (fvi_pole_from(root, i_w) * (s + i_w) * slope);
 }
 
 /* Q(iw); close to a zero s the factor iw - s is taken out. */
 static double complex at_frequency(const fvi_inverse *S)
 {
     const fvi_linear *p = &S->p;
-    const double complex i_w = I * p->w, from = fvi_pole_from(&S->root, i_w);
-    if (S->root.s != 0 && cabs(from) < p->w / 2)
-        return from * fvi_pole_quotient(&S->root, i_w);
-    return p->c - p->m * p->w * p->w + p->rho * cexp(S->beta * clog(i_w));
+    const double complex i_w = I * p->w;
+    double complex unused;
+    for (size_t i = 0; i < S->roots; i++) {
+        const double complex from = fvi_pole_from(&S->root[i], i_w);
+        if (cabs(from) < p->w / 2)
+            return from * fvi_pole_quotient(&S->root[i], i_w);
+    }
+    return p->c - p->m * p->w * p->w
+           + p->rho
+                 * (p->law ? fvi_law_at(p->law, i_w, &unused)
+                           : cexp(S->beta * clog(i_w)));
 }
 
-void fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
+/* The zeros of Q. A law that is one power, or none, is the problem without a law. */
+static int find_roots(fvi_inverse *S)
+{
+    fvi_linear *p = &S->p;
+    size_t active = 0;
+    const fvi_law_term *last = NULL;
+    for (size_t i = 0; p->law && i < p->law->count; i++)
+        if (p->law->term[i].rho > 0) {
+            last = &p->law->term[i];
+            active++;
+        }
+    if (p->law && p->rho > 0 && active > 0
+        && !(active == 1 && last->kind == FVI_LAW_POWER))
+        return fvi_law_poles(p->m, p->c, p->rho, p->law, FVI_ZEROS, S->root,
+                             &S->roots);
+    if (p->law) {
+        p->rho *= last ? last->rho : 0;
+        p->alpha = last ? last->alpha : 0;
+        p->law = NULL;
+    }
+    S->beta = 2 * p->alpha;
+    S->roots = (size_t)fvi_pole_find(p->m, p->c, p->rho, S->beta, S->root);
+    return FVI_SUCCESS;
+}
+
+int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
 {
     const fvi_linear *p = &S->p;
-    *S = (fvi_inverse){ .p = *problem, .beta = 2 * problem->alpha };
+    *S = (fvi_inverse){ .p = *problem };
     S->p.w = fabs(p->w);
+    int status = find_roots(S);
+    if (status)
+        return status;
     S->keeps_x0 = p->past != FVI_PAST_RIEMANN_LIOUVILLE || p->alpha == 0.5;
     S->keeps_v0 = p->past == FVI_PAST_CAPUTO && p->alpha > 0.5;
-    int found = fvi_pole_find(p->m, p->c, p->rho, S->beta, &S->root);
-    if (found)
-        prepare_root(S);
+    for (size_t i = 0; i < S->roots; i++)
+        prepare_root(S, &S->root[i]);
     if (p->forcing == FVI_FORCING_COSINE && p->w > 0)
         S->pole[S->poles++] =
             (fvi_residue){ .s = I * p->w,
                            .force = p->A / (2 * at_frequency(S)) };
-    int whole = p->rho == 0 || S->beta == 1 || S->beta == 2
-                || (S->beta == 0 && !S->keeps_x0);
-    S->closed = found && whole
+    int whole = !p->law
+                && (p->rho == 0 || S->beta == 1 || S->beta == 2
+                    || (S->beta == 0 && !S->keeps_x0));
+    S->closed = S->roots == 1 && whole
                 && (p->forcing == FVI_FORCING_NONE
                     || (p->forcing == FVI_FORCING_COSINE && p->w > 0));
     for (size_t i = 0; i <= S->poles; i++)
         prepare_contour(S->beta, i, S->poles + 1,
                         p->forcing == FVI_FORCING_STEP ? 2 : 1, &S->contour[i]);
+    return FVI_SUCCESS;
 }
 
 /* ---- what is done at a time ---- */
@@ -142,18 +184,19 @@ static void add_residue(const fvi_residue *a, const fvi_event *at,
 /* (11.12): the two residues of a cosine close to resonance are of order
  * 1 / |iw - s| each and nearly cancel. Their sum is a mean over a circle that
  * has both poles inside. Returns 0 if they are far enough from each other. */
-static int add_resonance(const fvi_inverse *S, double t, double *x, double *v)
+static int add_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
+                         double *x, double *v)
 {
-    const fvi_residue *forced = &S->pole[1];
+    const fvi_residue *forced = &S->pole[S->roots];
     const double w = S->p.w, radius = fmin(0.5 / t, w / 4);
-    const double complex gap = -fvi_pole_from(&S->root, forced->s);
+    const double complex gap = -fvi_pole_from(root, forced->s);
     if (3 * cabs(gap) > radius)
         return 0;
     const double complex e = S->p.A / CIRCLE * fvi_pole_exp(forced->s, 0, t, 0);
     for (int k = 0; k < CIRCLE; k++) {
         double complex d = radius * cexp(I * (2 * M_PI * k / CIRCLE));
         double complex s = forced->s + d;
-        double complex q = (d - gap) * fvi_pole_quotient(&S->root, s);
+        double complex q = (d - gap) * fvi_pole_quotient(root, s);
         double complex r = e * cexp(d * t) * s / ((s + forced->s) * q);
         *x += 2 * creal(r);
         *v += 2 * creal(s * r);
@@ -181,12 +224,15 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
 {
     const fvi_linear *p = &S->p;
     const double t = at->t, C = p->c / p->m * t * t;
-    const double R = p->rho / p->m * pow(t, 2 - S->beta);
+    const double R = p->rho / p->m * (p->law ? t * t : pow(t, 2 - S->beta));
+    double complex unused;
     const double x0 = at->start * p->x0, v0 = at->start * p->v0 * t;
     const double F = p->forcing ? at->sign * p->A / p->m * t * t : 0;
     double sum_x = 0, sum_v = 0;
     for (size_t i = k->count; i-- > 0;) {
-        double complex z = k->z[i], damping = R * k->power[i];
+        double complex z = k->z[i];
+        double complex damping =
+            R * (p->law ? fvi_law_at(p->law, z / t, &unused) : k->power[i]);
         double complex keeps = S->keeps_v0 * damping / z;
         double complex f = F != 0 ? F * force_at(S, at, z) : 0;
         double complex w = k->weight[i] / (z * z + C + damping);
@@ -205,15 +251,19 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
 void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,
                      double *v)
 {
-    int passed[FVI_POLES], all = 1, done = 0;
+    int passed[FVI_POLES], all = 1;
     const fvi_contour *k = choose(S, at->t, passed);
+    size_t near = S->poles; /* the zero that a cosine is in resonance with */
     for (size_t i = 0; i < S->poles; i++)
         all = all && passed[i];
-    if (all && S->root.s != 0 && S->poles == 2)
-        done = add_resonance(S, at->t, x, v);
+    for (size_t i = 0; near == S->poles && i < S->roots; i++)
+        if (S->poles > S->roots && passed[i] && passed[S->roots]
+            && add_resonance(S, &S->root[i], at->t, x, v))
+            near = i;
     for (size_t i = 0; i < S->poles; i++)
         if (passed[i])
-            add_residue(&S->pole[i], at, !done, x, v);
+            add_residue(&S->pole[i], at,
+                        near == S->poles || (i != near && i != S->roots), x, v);
     if (!(S->closed && all)) /* else the integral is zero */
         add_integral(S, k, at, x, v);
 }
@@ -221,5 +271,6 @@ void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,
 void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_event *at,
                              double *x, double *v)
 {
-    add_residue(&S->pole[0], at, 1, x, v);
+    for (size_t i = 0; i < S->roots; i++)
+        add_residue(&S->pole[i], at, 1, x, v);
 }

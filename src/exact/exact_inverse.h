@@ -8,7 +8,7 @@
 #include <fvi/exact_solution.h>
 #include "exact_pole.h"
 
-enum { FVI_POLES = 2, FVI_NODES = 160 };
+enum { FVI_ZEROS = 3, FVI_POLES = FVI_ZEROS + 1, FVI_NODES = 288 };
 
 //> contour
 /* The hyperbola z(u) of (11.10) at u = (k + 1/2) h, and what the integrand has on
@@ -28,10 +28,11 @@ typedef struct {
 /* All that does not depend on t. */
 typedef struct {
     fvi_linear p;
-    double beta;                 /* 2 alpha */
-    int keeps_x0, keeps_v0;      /* 1 or 0: kappa_0 and kappa_1 of (11.2) */
-    fvi_pole root;               /* the zero of Q; root.s == 0: none */
-    fvi_residue pole[FVI_POLES]; /* that of Q first, then that of a cosine */
+    double beta;              /* 2 alpha */
+    int keeps_x0, keeps_v0;   /* 1 or 0: kappa_0 and kappa_1 of (11.2) */
+    fvi_pole root[FVI_ZEROS]; /* the zeros of Q: one or none without a law */
+    size_t roots;
+    fvi_residue pole[FVI_POLES]; /* those of Q first, then that of a cosine */
     size_t poles;
     int closed; /* the transform has these poles and no other singularity */
     fvi_contour contour[FVI_POLES + 1];
@@ -43,8 +44,9 @@ typedef struct {
     double t, start, sign, lasts;
 } fvi_event;
 
-/* fvi_inverse_prepare -- poles, residues, contours. The problem is a valid one. */
-void fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S);
+/* fvi_inverse_prepare -- poles, residues, contours. The problem is a valid one.
+ * Returns FVI_SUCCESS; for a law what fvi_law_poles returns. */
+int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S);
 
 /* fvi_inverse_add -- add to x and v what an event does; t > 0, and t >= 2 lasts. */
 void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,

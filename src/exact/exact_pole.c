@@ -2,6 +2,7 @@
 #include "exact_pole.h"
 
 #include "memory/double_double.h"
+#include "memory/law_terms.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -66,8 +67,10 @@ static double complex by_bisection(double m, double c, double rho, double beta)
 static double complex residual(const fvi_pole *p, double complex s)
 {
     dd M = { p->m, 0 }, K = { p->c, 0 };
-    double complex rest;
-    if (p->beta < 0.5) {
+    double complex rest, slope;
+    if (p->law) {
+        rest = p->rho * fvi_law_at(p->law, s, &slope);
+    } else if (p->beta < 0.5) {
         K = two_sum(p->c, p->rho);
         rest = p->rho * fvi_complex_expm1(p->beta * clog(s));
     } else if (p->beta <= 1.5) {
@@ -88,13 +91,17 @@ static double complex residual(const fvi_pole *p, double complex s)
 
 double complex fvi_pole_derivative(const fvi_pole *p)
 {
-    double complex s = p->s;
+    double complex s = p->s, slope = 0;
+    if (p->law) {
+        (void)fvi_law_at(p->law, s, &slope);
+        return 2 * p->m * s + p->rho * slope / s;
+    }
     return 2 * p->m * s + p->beta * p->rho * cexp((p->beta - 1) * clog(s));
 }
 
 /* The first guess is good to some digits, so a large step means two zeros that
  * meet; there the angle is all that is wanted, and the guess has it. */
-static void polish(fvi_pole *p)
+void fvi_pole_polish(fvi_pole *p)
 {
     for (int i = 0; i < 8; i++) {
         double complex step = -residual(p, p->s) / fvi_pole_derivative(p);
@@ -110,7 +117,7 @@ static void polish(fvi_pole *p)
 
 int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
 {
-    *pole = (fvi_pole){ m, c, rho, beta, 0, 0 };
+    *pole = (fvi_pole){ .m = m, .c = c, .rho = rho, .beta = beta };
     if (rho == 0 || beta < 1e-100) { /* the angle may be below all doubles */
         pole->s = I * (sqrt(c + rho) / sqrt(m));
     } else if (beta == 2) {
@@ -126,7 +133,7 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
     }
     if (pole->s == 0)
         return 0;
-    polish(pole);
+    fvi_pole_polish(pole);
     if (rho == 0 || beta == 2) /* nothing decays: a rounded rate would count */
         pole->low = I * cimag(pole->low);
     return 1;
@@ -145,8 +152,30 @@ double fvi_pole_phase_error(const fvi_pole *p, double t)
     return u * u * cabs(p->s) * t * exp(creal(p->s) * t);
 }
 
+/* For a law: the mean of Q' between s and z, by Gauss and Legendre; far from s Q itself. */
+static double complex quotient_of_law(const fvi_pole *p, double complex z)
+{
+    static const double node[] = { 0.1834346424956498, 0.525532409916329,
+                                   0.7966664774136267, 0.9602898564975363 },
+                        weight[] = { 0.362683783378362, 0.3137066458778873,
+                                     0.2223810344533745, 0.1012285362903763 };
+    const double complex dz = fvi_pole_from(p, z);
+    double complex sum = 0, slope;
+    if (cabs(dz) > 0.05 * cabs(p->s))
+        return (p->m * z * z + p->c + p->rho * fvi_law_at(p->law, z, &slope))
+               / dz;
+    for (int i = 0; i < 8; i++) {
+        fvi_pole at = *p;
+        at.s += (1 + (i % 2 ? node[i / 2] : -node[i / 2])) / 2 * dz;
+        sum += weight[i / 2] / 2 * fvi_pole_derivative(&at);
+    }
+    return sum;
+}
+
 double complex fvi_pole_quotient(const fvi_pole *p, double complex z)
 {
+    if (p->law)
+        return quotient_of_law(p, z);
     double complex dz = fvi_pole_from(p, z), s = p->s;
     double complex chord = p->beta / s; /* ((z/s)^beta - 1) / (z - s) */
     if (dz != 0)

@@ -1,10 +1,14 @@
 /* src/exact/exact_pole.h -- The complex pole of 1 / Q.                 [Chapter 11]
  *
- *     Q(s) = m s^2 + c + rho s^beta,    s^beta by the principal logarithm.
+ *     Q(s) = m s^2 + c + rho s^beta,    s^beta by the principal logarithm,
+ *
+ * or rho C(s) of a law in place of its last term, exact_law.h.
  *
  * What exact_solution.c needs to know about it. */
 #ifndef FVI_EXACT_POLE_H
 #define FVI_EXACT_POLE_H
+
+#include <fvi/damping_laws.h>
 
 #include <complex.h>
 
@@ -12,6 +16,7 @@
  * rounding s to double left over. A phase Im(s) t needs it when t is large. */
 typedef struct {
     double m, c, rho, beta;
+    const fvi_law *law; /* NULL: s^beta */
     double complex s, low;
 } fvi_pole;
 
@@ -27,6 +32,9 @@ typedef struct {
  * Returns 1, or 0 if there is none (beta = 1 and rho >= 2 sqrt(m c); c = 0 and
  * beta >= 1; c = rho = 0); *pole then has m, c, rho, beta only. */
 int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole);
+
+/* fvi_pole_polish -- Newton's method from s, which has some digits, to s + low. */
+void fvi_pole_polish(fvi_pole *pole);
 
 /* fvi_pole_derivative -- Q'(s) at the pole. */
 double complex fvi_pole_derivative(const fvi_pole *pole);

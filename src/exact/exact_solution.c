@@ -32,10 +32,14 @@ static int check(const fvi_linear *p)
     if (p->past != FVI_PAST_HELD && p->past != FVI_PAST_CAPUTO
         && p->past != FVI_PAST_RIEMANN_LIOUVILLE)
         FVI_FAIL("unknown past", FVI_EINVAL);
+    if (p->law && p->past != FVI_PAST_HELD)
+        FVI_FAIL("a law of damping is for a body that was held", FVI_EUNSUP);
+    if (p->law)
+        return fvi_law_check(p->law);
     if (!fvi_past_has_solution(p->past, p->alpha, p->rho, p->x0))
         FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
-                  "alpha > 1/2",
-                  FVI_EDOM);
+                 "alpha > 1/2",
+                 FVI_EDOM);
     return FVI_SUCCESS;
 }
 
@@ -60,13 +64,16 @@ static int prepare(const fvi_linear *problem, size_t n, const double *t,
     if (!status)
         status = check_times(n, t, x, v);
     if (!status)
-        fvi_inverse_prepare(problem, S);
+        status = fvi_inverse_prepare(problem, S);
     return status;
 }
 
 static int phase_is_lost(const fvi_inverse *S, double t)
 {
-    return S->root.s != 0 && t > 0 && fvi_pole_phase_error(&S->root, t) > LOST;
+    int lost = 0;
+    for (size_t i = 0; i < S->roots && t > 0; i++)
+        lost = lost || fvi_pole_phase_error(&S->root[i], t) > LOST;
+    return lost;
 }
 
 static int put(size_t i, double xi, double vi, double *x, double *v)
@@ -126,7 +133,7 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
     int status = prepare(problem, n, t, x, v, &S);
     if (status)
         return status;
-    if (S.root.s == 0)
+    if (S.roots == 0)
         FVI_FAIL("there are no complex poles", FVI_EDOM);
     for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
@@ -145,16 +152,21 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
 
 int fvi_exact_pole(const fvi_linear *problem, double *re, double *im)
 {
-    fvi_pole root;
+    fvi_inverse S;
     if (!re || !im)
         FVI_FAIL("nowhere to put the pole", FVI_EFAULT);
     int status = check(problem);
+    if (!status)
+        status = fvi_inverse_prepare(problem, &S);
     if (status)
         return status;
-    if (!fvi_pole_find(problem->m, problem->c, problem->rho, 2 * problem->alpha,
-                       &root))
+    if (S.roots == 0)
         FVI_FAIL("there is no complex pole", FVI_EDOM);
-    *re = creal(root.s) + creal(root.low);
-    *im = cimag(root.s) + cimag(root.low);
+    const fvi_pole *slowest = S.root;
+    for (size_t i = 1; i < S.roots; i++)
+        if (creal(S.root[i].s) > creal(slowest->s))
+            slowest = &S.root[i];
+    *re = creal(slowest->s) + creal(slowest->low);
+    *im = cimag(slowest->s) + cimag(slowest->low);
     return FVI_SUCCESS;
 }

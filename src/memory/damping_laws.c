@@ -72,35 +72,60 @@ static double complex power_at(double a, double modulus, double angle)
     return size * cos(2 * a * angle) + I * size * sin(2 * a * angle);
 }
 
+/* The integral of e^{2 a L}, L = ln s, over a range of orders, and its derivative by L. */
+static double complex range_at(const fvi_law_term *t, double modulus,
+                               double angle, double complex *slope)
+{
+    const double middle = (t->alpha + t->end) / 2, width = t->end - t->alpha;
+    const double complex L = log(modulus) + I * angle,
+                         q = power_at(middle, modulus, angle);
+    if (L == 0) {
+        *slope = 2 * middle * width;
+        return width;
+    }
+    const double complex ratio = csinh(width * L) / L;
+    *slope = q * (2 * middle * ratio + (width * ccosh(width * L) - ratio) / L);
+    return q * ratio;
+}
+
 //> symbol
 static double complex symbol_at(const fvi_law_term *t, double modulus,
-                                double angle)
+                                double angle, double complex *slope)
 {
-    const double complex ln_s = log(modulus) + I * angle;
-    if (t->kind == FVI_LAW_POWER)
-        return power_at(t->alpha, modulus, angle);
-    if (t->kind == FVI_LAW_DISTRIBUTED) /* the integral of e^{2 a ln s} */
-        return ln_s == 0 ? t->end - t->alpha
-                         : (power_at(t->end, modulus, angle)
-                            - power_at(t->alpha, modulus, angle))
-                               / (2 * ln_s);
-    const double complex q = power_at(
-        t->kind == FVI_LAW_MAXWELL ? 0.5 : t->alpha, modulus, angle);
-    return q / (1 + t->time * q);
+    if (t->kind == FVI_LAW_DISTRIBUTED)
+        return range_at(t, modulus, angle, slope);
+    const double a = t->kind == FVI_LAW_MAXWELL ? 0.5 : t->alpha,
+                 time = t->kind == FVI_LAW_POWER ? 0 : t->time;
+    const double complex q = power_at(a, modulus, angle), part = 1 + time * q;
+    *slope = 2 * a * q / (part * part); /* s C'(s) */
+    return q / part;
 }
 //< symbol
 
-static double complex sum_at(const fvi_law *law, double modulus, double angle)
+static double complex sum_at(const fvi_law *law, double modulus, double angle,
+                             double complex *slope)
 {
     double complex C = 0;
-    for (size_t i = 0; i < law->count; i++)
-        C += law->term[i].rho * symbol_at(&law->term[i], modulus, angle);
+    *slope = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        double complex one;
+        C += law->term[i].rho
+             * symbol_at(&law->term[i], modulus, angle, &one);
+        *slope += law->term[i].rho * one;
+    }
     return C;
+}
+
+double complex fvi_law_at(const fvi_law *law, double complex s,
+                          double complex *slope)
+{
+    return sum_at(law, cabs(s), carg(s), slope);
 }
 
 double fvi_law_symbol(const fvi_law *law, double s)
 {
-    return creal(sum_at(law, s, 0));
+    double complex slope;
+    return creal(sum_at(law, s, 0, &slope));
 }
 
 int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
@@ -113,7 +138,8 @@ int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(isfinite(omega) && omega > 0))
         FVI_FAIL("omega must be finite and positive", FVI_EDOM);
-    const double complex C = sum_at(law, omega, M_PI_2);
+    double complex slope;
+    const double complex C = sum_at(law, omega, M_PI_2, &slope);
     *storage = creal(C);
     *loss = cimag(C);
     return FVI_SUCCESS;

@@ -1,15 +1,22 @@
-/* src/memory/law_terms.h -- What damping_laws.c and law_memory.c share. [Chapter 26]
+/* src/memory/law_terms.h -- What damping_laws.c shares with other files. [Chapter 26]
  *
- * Internal; but for the first nothing is checked. */
+ * Internal; nothing is checked, but by fvi_law_check_weights. */
 #ifndef FVI_LAW_TERMS_H
 #define FVI_LAW_TERMS_H
 
 #include <fvi/damping_laws.h>
 
+#include <complex.h>
+
 /* rho s^{2 alpha} / (1 + time s^{2 alpha}): every term is one of these, or many. */
 typedef struct {
     double rho, alpha, time;
 } fvi_law_simple;
+
+/* fvi_law_at -- C(s) by the principal logarithm, s != 0, and in *slope s C'(s): of a range
+ * of orders to a relative u / |ln s|. */
+double complex fvi_law_at(const fvi_law *law, double complex s,
+                          double complex *slope);
 
 /* fvi_law_check_weights -- fvi_law_check, and are these weights that a law has?
  * Returns what it returns; FVI_EINVAL for kind, FVI_EDOM for h. */

@@ -74,7 +74,8 @@ static fvi_linear linear_problem(const fvi_options *o)
                          .forcing = o->force,
                          .A = o->forcing[0],
                          .T = o->forcing[1],
-                         .w = o->forcing[1] };
+                         .w = o->forcing[1],
+                         .law = o->text[DAMPING] ? &o->laws.law : NULL };
 }
 
 /* The same table from the exact solution; p = m v. */
@@ -82,6 +83,14 @@ static int exact(const fvi_options *o, const fvi_system *system)
 {
     const fvi_linear problem = linear_problem(o);
     fvi_table t;
+    double re, im;
+    const int status = problem.law ? fvi_exact_pole(&problem, &re, &im) : 0;
+    if (status && status != FVI_EDOM) /* EDOM: it does not swing */
+        return fvi_complain(
+            status == FVI_EUNSUP
+                ? "--damping: a motion with more than three oscillations has "
+                  "no exact solution here"
+                : fvi_reason(status));
     fvi_table_shape(&t, o, system);
     if (!(t.rows = fvi_table_room(&t, 0)))
         return fvi_complain("not enough memory");

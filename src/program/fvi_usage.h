@@ -92,13 +92,13 @@ static const char usage_exact[] =
     "usage: fvi exact [options]\n"
     "the linear problem m x'' + C x + rho D^{2A} x = F, solved exactly; "
     "options as\n"
-    "of run: --alpha --rho --mass --force --derivative --x0 --p0 --h --steps\n"
-    "--time --columns --every --format -o, and --potential harmonic:C (C >= "
-    "0)\n"
-    "or free\n"
+    "of run: --alpha --rho --damping --mass --force --derivative --x0 --p0 --h\n"
+    "--steps --time --columns --every --plot --format -o, and --potential\n"
+    "harmonic:C (C >= 0) or free\n"
     "\n"
-    "example:\n"
-    "  fvi exact --alpha 0.3 --time 20 --steps 4\n";
+    "examples:\n"
+    "  fvi exact --alpha 0.3 --time 20 --steps 4\n"
+    "  fvi exact --damping zener:1,0.3,2 --damping maxwell:1,5 --steps 4\n";
 
 static const char usage_sweep[] =
     "usage: fvi sweep [options] --vary NAME=A:B:N[:log] ...\n"

@@ -71,9 +71,6 @@ static int check_method(const fvi_options *o, fvi_complaint c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "--damping: '%s' is not known to %s",
                           o->text[DAMPING], m->name);
-    if (o->text[DAMPING] && o->past != FVI_PAST_HELD)
-        return fvi_refuse(c, "--derivative: '%s' is not for --damping",
-                          o->text[DERIVATIVE]);
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not for --damping");
     if (o->directory && !m->takes_matrices)
@@ -215,6 +212,9 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = choice(o, DERIVATIVE, pasts, &which, c);
     o->past = (fvi_past)which;
+    if (!status && o->text[DAMPING] && o->past != FVI_PAST_HELD)
+        status = fvi_refuse(c, "--derivative: '%s' is not for --damping",
+                            o->text[DERIVATIVE]);
     if (!status)
         status = whole(o, EVERY, &o->every, c);
     if (!status)

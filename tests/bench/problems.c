@@ -11,14 +11,15 @@ static const double one = 1, plate[] = { 8, 1 }, off_grid[] = { 8, 0.7310585 },
                     cubic[] = { 0, 1 }, hard[] = { 1, 1 }, drive[] = { 1, 1 },
                     slow[] = { 1, 0.5 };
 
-/* m, c, rho, alpha, past, x0, v0, forcing, A, T, w */
+/* m, c, rho, alpha, past, x0, v0, forcing, A, T, w, law */
 static const fvi_linear exactly[] = {
-    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 1, 0 },
-    { 1, 1, 0.2, 0.5, FVI_PAST_CAPUTO, 1, 0.5, FVI_FORCING_NONE, 0, 0, 0 },
-    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 0.7310585, 0 },
+    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 1, 0, NULL },
+    { 1, 1, 0.2, 0.5, FVI_PAST_CAPUTO, 1, 0.5, FVI_FORCING_NONE, 0, 0, 0, NULL },
+    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 0.7310585, 0, NULL },
     { 1, 1, 1, 0.2, FVI_PAST_RIEMANN_LIOUVILLE, 1, 0.5, FVI_FORCING_NONE, 0, 0,
-      0 },
-    { 1, 1, 0.1, 0.3, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_COSINE, 1, 0, 0.5 },
+      0, NULL },
+    { 1, 1, 0.1, 0.3, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_COSINE, 1, 0, 0.5,
+      NULL },
 };
 
 static problem all[PROBLEMS];

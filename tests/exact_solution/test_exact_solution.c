@@ -20,7 +20,7 @@ START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
                          (fvi_forcing)ref_solutions[i].forcing,
                          ref_solutions[i].A,
                          ref_solutions[i].T,
-                         ref_solutions[i].w };
+                         ref_solutions[i].w, NULL };
         double t = ref_solutions[i].t, x, v, X = ref_solutions[i].size_x;
         solve(&p, t, &x, &v);
         ck_assert_near(x, ref_solutions[i].x, TOL * X, "x, row %zu", i);

@@ -32,7 +32,8 @@ START_TEST(a_power_is_alpha_and_rho)
 END_TEST
 
 /* Each kind means its symbol: x(4) of (26.9), m = c = 1, held at 1, p0 = 0, from
- * verify/damping_laws.py. Order 2: some 0.3 h^2. Seen: 5e-8. */
+ * verify/damping_laws.py. Order 2: some 0.3 h^2. Seen: 5e-8;
+ * and the exact solution, as its header promises. Seen: 2e-16. */
 START_TEST(each_kind_is_its_symbol)
 {
     const struct {
@@ -51,6 +52,11 @@ START_TEST(each_kind_is_its_symbol)
         snprintf(line, sizeof line, "--p0 0 --method fvi-bdf2 --steps 8000 %s",
                  laws[i].words);
         ck_assert_near(last_x(line), laws[i].x, 1e-7, "%s", laws[i].words);
+        snprintf(line, sizeof line,
+                 "exact --p0 0 --time 4 --steps 3 --columns x %s",
+                 laws[i].words);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_near(cell(3, 0), laws[i].x, 2e-13, "%s", laws[i].words);
         ran++;
     }
     ck_assert_uint_eq(ran, 4);
@@ -114,7 +120,15 @@ START_TEST(what_is_no_law_is_bad_use)
         ck_assert_msg(strstr(err, bad[i].said), "%s: %s", line, err);
         ck_assert_str_eq(out, "");
     }
-    ck_assert_int_eq(fvi("exact --damping power:1,0.3"), 2);
+    ck_assert_int_eq(fvi("exact --damping power:1,0.3 --derivative rl"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "--derivative: 'rl'"));
+    ck_assert_int_eq(fvi("exact --damping power:1,0.3 --alpha 0.3"), 2);
+    ck_assert_int_eq(fvi("exact --damping zener:1,0.75,1 --damping "
+                         "zener:1,0.8,1e-2 --damping zener:1,0.75,1e-4"),
+                     1);
+    ck_assert_str_eq(err, "fvi: --damping: a motion with more than three "
+                          "oscillations has no exact solution here\n");
+    ck_assert_str_eq(out, "");
     ck_assert_int_eq(fvi("fit --damping power:1,0.3 data"), 2);
     ck_assert_int_eq(fvi("gradient --damping power:1,0.3"), 2);
     ck_assert_int_eq(fvi("run --damping zener:1,0.48,2 --memory exponentials"),
