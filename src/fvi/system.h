@@ -89,7 +89,7 @@ typedef struct {
  *
  *   remembered  r >= 0 of the damping: C = S B^T, and z = B^T x are the r numbers that a run
  *              remembers. 0: no damping, the next two functions are not called
- *   remember   writes B^T x to z
+ *   remember   writes B^T x - from to z, r numbers each; none is another
  *   damp       takes a S z away from the d numbers p
  *   stiffness  writes K x to y
  *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
@@ -102,7 +102,8 @@ typedef struct {
  * The functions return 0, or a code as those of a potential do. */
 typedef struct {
     size_t remembered;
-    int (*remember)(size_t d, const double *x, const void *params, double *z);
+    int (*remember)(size_t d, const double *x, const double *from,
+                    const void *params, double *z);
     int (*damp)(size_t d, double a, const double *z, const void *params,
                 double *p);
     int (*stiffness)(size_t d, const double *x, const void *params, double *y);

@@ -45,17 +45,20 @@ static int stiffness(size_t d, const double *x, const void *params, double *y)
 }
 
 //> remember
-/* z = B^T x, and below p -= a S z: S is B, or the columns of C that are not zero. (27.4) */
-static int remember(size_t d, const double *x, const void *params, double *z)
+/* z = B^T x - from, and below p -= a S z: S is B, or the columns of C that are not zero.
+ * (27.4) */
+static int remember(size_t d, const double *x, const double *from,
+                    const void *params, double *z)
 {
     const fvi_structure *s = params;
     const columns *B = &s->B;
-    if (s->kind == ALL)
-        memcpy(z, x, d * sizeof *z);
+    for (size_t i = 0; s->kind == ALL && i < d; i++)
+        z[i] = x[i] - from[i];
     for (size_t l = 0; l < B->r; l++) {
-        z[l] = 0;
+        double sum = 0;
         for (int e = B->start[l]; e < B->start[l + 1]; e++)
-            z[l] += (s->kind == FEW ? B->entry[e] : 1) * x[B->row[e]];
+            sum += (s->kind == FEW ? B->entry[e] : 1) * x[B->row[e]];
+        z[l] = sum - from[l];
     }
     return FVI_SUCCESS;
 }

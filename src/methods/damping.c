@@ -57,16 +57,19 @@ int fvi_damping_gather(const fvi_damping *d, const double *x,
                        const double *from, double *z)
 {
     const fvi_matrices *m = d->system->matrices;
-    int status = m ? m->remember(d->system->d, x, m->params, z) : FVI_SUCCESS;
+    if (m)
+        return m->remember(d->system->d, x, from, m->params, z);
     for (size_t j = 0; j < d->count; j++)
-        z[j] = (m ? z[j] : x[d->index[j]]) - from[j];
-    return status;
+        z[j] = x[d->index[j]] - from[j];
+    return FVI_SUCCESS;
 }
 
 int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
 {
     int status = fvi_damping_gather(d, s->x, d->origin, d->z);
-    return status ? status : fvi_damping_gather(d, s->dx, d->drift, d->dz);
+    if (status || (!s->run.law && 2 * s->run.alpha < 1)) /* dz is not summed */
+        return status;
+    return fvi_damping_gather(d, s->dx, d->drift, d->dz);
 }
 
 int fvi_damping_pull(const fvi_damping *d, double share, const double *H,

@@ -31,8 +31,8 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
 int fvi_damping_gather(const fvi_damping *damping, const double *x,
                        const double *from, double *z);
 
-/* fvi_damping_terms -- z and dz of the position s->x and of its increment s->dx. Returns as
- * fvi_damping_gather. */
+/* fvi_damping_terms -- z and dz of the position s->x and of its increment s->dx; where the
+ * memory sums positions, dz is left as it is. Returns as fvi_damping_gather. */
 int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
 
 /* fvi_damping_pull -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with

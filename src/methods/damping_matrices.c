@@ -55,7 +55,8 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     const fvi_matrices *m = run->system->matrices;
     const size_t d = run->system->d;
     int any = 0, status = FVI_SUCCESS;
-    double *A = calloc(d + m->remembered, sizeof *A), *z = A + d;
+    double *A = calloc(d + 2 * m->remembered, sizeof *A), *z = A + d,
+           *none = z + m->remembered;
     pull->size = calloc(d, sizeof *pull->size);
     if (!A || !pull->size)
         status = FVI_ENOMEM;
@@ -67,7 +68,7 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     }
     if (any) {
         fvi_past_prepare(run->alpha, n, c, &pull->fading);
-        status = m->remember(d, A, m->params, z);
+        status = m->remember(d, A, none, m->params, z);
     }
     if (any && !status)
         status = m->damp(d, -pow(run->h, 1 + pull->fading.e), z, m->params,
