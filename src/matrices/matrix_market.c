@@ -38,7 +38,7 @@ static int next_line(reader *r)
     while (getline(&r->line, &r->room, r->file) >= 0) {
         r->number++;
         const char *at = r->line + strspn(r->line, " \t\r\n");
-        if (*at != '\0' && (r->number == 1 || *at != '%'))
+        if (r->number == 1 || (*at != '\0' && *at != '%'))
             return 1;
     }
     return 0;

@@ -1,38 +1,19 @@
 /* src/matrices/structures.c -- Systems of sparse matrices.             [Chapter 27] */
 #include "factors.h"
+#include "remembered.h"
 
 #include "system/fail.h"
 
-#include <float.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* r columns of d rows each, from start[l] to start[l + 1] - 1, as in fvi_sparse. */
-typedef struct {
-    size_t r;
-    int *start, *row;
-    double *entry; /* NULL: ones */
-} columns;
-
-/* What the damping remembers. (27.4) */
-typedef enum {
-    NOTHING, /* there is no damping */
-    ALL,     /* x itself */
-    SOME,    /* the x_i that C touches: B picks them out */
-    FEW      /* B^T x, C = B B^T */
-} remembering;
 
 struct fvi_structure {
     const fvi_sparse *M, *K, *C;
     double *mass, *damping; /* the diagonals, one block */
-    remembering kind;
-    columns B;
+    fvi_remembered B;
     fvi_factors *by_mass; /* for energies */
     fvi_matrices matrices;
 };
-
-enum { SMALL = 512 /* unknowns whose C may be taken apart densely */ };
 
 /* ---- what a run asks for ---- */
 
@@ -44,48 +25,21 @@ static int stiffness(size_t d, const double *x, const void *params, double *y)
     return FVI_SUCCESS;
 }
 
-//> remember
-/* z = B^T x - from, and below p -= a S z: S is B, or the columns of C that are not zero.
- * (27.4) */
 static int remember(size_t d, const double *x, const double *from,
                     const void *params, double *z)
 {
-    const fvi_structure *s = params;
-    const columns *B = &s->B;
-    for (size_t i = 0; s->kind == ALL && i < d; i++)
-        z[i] = x[i] - from[i];
-    for (size_t l = 0; l < B->r; l++) {
-        double sum = 0;
-        for (int e = B->start[l]; e < B->start[l + 1]; e++)
-            sum += (s->kind == FEW ? B->entry[e] : 1) * x[B->row[e]];
-        z[l] = sum - from[l];
-    }
+    (void)d;
+    fvi_remembered_gather(&((const fvi_structure *)params)->B, x, from, z);
     return FVI_SUCCESS;
 }
 
 static int damp(size_t d, double a, const double *z, const void *params,
                 double *p)
 {
-    const fvi_structure *s = params;
-    const columns *B = &s->B;
-    const fvi_sparse *C = s->C;
-    for (size_t j = 0; s->kind == ALL && j < d; j++) { /* rows are columns */
-        double sum = 0;
-        for (int e = C->start[j]; e < C->start[j + 1]; e++)
-            sum += C->entry[e] * z[C->row[e]];
-        p[j] -= a * sum;
-    }
-    for (size_t l = 0; l < B->r; l++) {
-        const int j = s->kind == SOME ? B->row[B->start[l]] : (int)l;
-        const int *start = s->kind == SOME ? C->start : B->start;
-        const int *row = s->kind == SOME ? C->row : B->row;
-        const double *entry = s->kind == SOME ? C->entry : B->entry;
-        for (int e = start[j]; e < start[j + 1]; e++)
-            p[row[e]] -= a * entry[e] * z[l];
-    }
+    (void)d;
+    fvi_remembered_damp(&((const fvi_structure *)params)->B, a, z, p);
     return FVI_SUCCESS;
 }
-//< remember
 
 static int factorise(size_t d, double m, double c, double k, const void *params,
                      void **factors)
@@ -137,174 +91,6 @@ static int energy(size_t d, const double *x, const double *p,
     return status;
 }
 
-/* ---- which numbers the damping remembers ---- */
-
-static int room(size_t r, size_t count, columns *B)
-{
-    *B = (columns){ .r = r,
-                    .start = calloc(r + 1, sizeof *B->start),
-                    .row = malloc((count + 1) * sizeof *B->row),
-                    .entry = malloc((count + 1) * sizeof *B->entry) };
-    return B->start && B->row && B->entry ? FVI_SUCCESS : FVI_ENOMEM;
-}
-
-/* The unknowns that C touches, one for each column of B. */
-static int pick(const fvi_sparse *C, columns *B)
-{
-    size_t r = 0;
-    for (size_t j = 0; j < C->n; j++)
-        r += C->start[j + 1] > C->start[j];
-    if (room(r, r, B))
-        return FVI_ENOMEM;
-    for (size_t j = 0, l = 0; j < C->n; j++)
-        if (C->start[j + 1] > C->start[j])
-            B->row[l++] = (int)j;
-    for (size_t l = 0; l <= r; l++)
-        B->start[l] = (int)l;
-    return FVI_SUCCESS;
-}
-
-static int is_zero(size_t n, const double *D, double noise)
-{
-    for (size_t i = 0; i < n; i++)
-        if (fabs(D[i]) > noise)
-            return 0;
-    return 1;
-}
-
-//> rank
-/* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
- * until nothing is: D is C between the unknowns that it touches, and B's columns come into
- * `out`, of r rows each. A diagonal entry that has become negative beyond rounding is
- * that of a C which is negative somewhere. Returns the rank, or -1. */
-static int take_apart(size_t r, double *D, double *out)
-{
-    double largest = 0;
-    for (size_t i = 0; i < r; i++)
-        largest = fmax(largest, D[i * r + i]);
-    const double noise = (double)r * 8 * DBL_EPSILON * largest;
-    for (size_t rank = 0;; rank++, out += r) {
-        size_t pivot = 0;
-        for (size_t i = 0; i < r; i++) {
-            if (D[i * r + i] < -noise)
-                return -1;
-            if (D[i * r + i] > D[pivot * r + pivot])
-                pivot = i;
-        }
-        const double top = D[pivot * r + pivot];
-        if (!(top > noise) || rank == r)
-            return is_zero(r * r, D, noise) ? (int)rank : -1;
-        for (size_t i = 0; i < r; i++)
-            out[i] = D[i * r + pivot] / sqrt(top);
-        for (size_t i = 0; i < r; i++)
-            for (size_t j = 0; j < r && out[i] != 0; j++)
-                D[i * r + j] -= out[i] * out[j];
-    }
-}
-//< rank
-
-/* B's dense columns of r rows, of the unknowns in `from`, without their zeros. */
-static int keep_columns(size_t rank, const columns *from, const double *dense,
-                        columns *B)
-{
-    const size_t r = from->r;
-    if (room(rank, rank * r, B))
-        return FVI_ENOMEM;
-    for (size_t l = 0; l < rank; l++) {
-        int e = B->start[l];
-        for (size_t i = 0; i < r; i++)
-            if (dense[l * r + i] != 0) {
-                B->row[e] = from->row[i];
-                B->entry[e++] = dense[l * r + i];
-            }
-        B->start[l + 1] = e;
-    }
-    return FVI_SUCCESS;
-}
-
-static void drop(columns *B)
-{
-    free(B->start);
-    free(B->row);
-    free(B->entry);
-    *B = (columns){ 0 };
-}
-
-/* A small C: is it negative, and is its rank low enough that B^T x pays? */
-static int look_for_few(fvi_structure *s)
-{
-    const size_t r = s->B.r;
-    double *D = calloc(2 * r * r, sizeof *D);
-    if (!D)
-        return FVI_ENOMEM;
-    for (size_t l = 0; l < r; l++)
-        for (size_t i = 0; i < r; i++)
-            D[l * r + i] = fvi_sparse_entry(s->C, (size_t)s->B.row[i],
-                                            (size_t)s->B.row[l]);
-    const int rank = take_apart(r, D, D + r * r);
-    int status = rank < 0 ? FVI_EDOM : FVI_SUCCESS;
-    if (rank >= 0 && 2 * (size_t)rank <= r) {
-        columns B;
-        status = keep_columns((size_t)rank, &s->B, D + r * r, &B);
-        if (status)
-            drop(&B);
-        else {
-            drop(&s->B);
-            s->B = B;
-            s->kind = FEW;
-        }
-    }
-    free(D);
-    return status;
-}
-
-/* A large C is not negative if C and a thousandth of a millionth of its diagonal are
- * positive definite. */
-static int look_at_all(const fvi_structure *s)
-{
-    double largest = 0, least = 0;
-    for (size_t i = 0; i < s->C->n; i++) {
-        largest = fmax(largest, s->damping[i] / s->mass[i]);
-        least = fmin(least, s->damping[i]);
-    }
-    if (least < 0)
-        return FVI_EDOM;
-    const fvi_sparse *const terms[3] = { s->M, s->C, NULL };
-    const double a[3] = { 1e-9 * largest, 1, 0 };
-    fvi_sparse A;
-    fvi_factors *f;
-    int status = fvi_sparse_add(terms, a, &A);
-    if (status)
-        return status;
-    const fvi_way way = fvi_way_of(&A);
-    if (way == FVI_BY_GRADIENTS) { /* which tell nothing before they are used */
-        fvi_sparse_free(&A);
-        return FVI_SUCCESS;
-    }
-    status = fvi_factors_alloc(way, &A, &f);
-    if (!status)
-        fvi_factors_free(f);
-    return status == FVI_ESING ? FVI_EDOM : status;
-}
-
-static int look_at_damping(fvi_structure *s)
-{
-    const int any = s->C && s->C->start[s->C->n] > 0;
-    if (!any)
-        return FVI_SUCCESS;
-    int status = pick(s->C, &s->B);
-    if (status)
-        return status;
-    s->kind = SOME;
-    status = s->B.r <= SMALL ? look_for_few(s) : look_at_all(s);
-    if (s->kind == SOME && s->B.r == s->C->n) {
-        drop(&s->B);
-        s->kind = ALL;
-    }
-    s->matrices.remembered = s->kind == ALL ? s->C->n : s->B.r;
-    return status;
-}
-
 /* ---- a structure ---- */
 
 static int look_at_mass(fvi_structure *s)
@@ -344,7 +130,8 @@ static int look(fvi_structure *s, char *fault)
     }
     if (!status) {
         *fault = 'C';
-        status = look_at_damping(s);
+        status = fvi_remembered_find(s->M, s->C, &s->B);
+        s->matrices.remembered = s->B.r;
     }
     if (!status)
         *fault = 0;
@@ -420,7 +207,7 @@ void fvi_structure_free(fvi_structure *s)
     if (!s)
         return;
     fvi_factors_free(s->by_mass);
-    drop(&s->B);
+    fvi_remembered_free(&s->B);
     free(s->mass);
     free(s);
 }

@@ -1,0 +1,394 @@
+/* tests/structures/test_structures_matrices.c -- Matrices: sums, files, factors, ranks.
+ * Run alone: make test-structures_matrices */
+#define _GNU_SOURCE /* mkstemp */
+#include "structures_runs.h"
+
+#include "matrices/factors.h"
+
+#include <unistd.h>
+
+/* ---- sums of triplets ---- */
+
+START_TEST(triplets_sum_in_any_order)
+{
+    const fvi_triplet list[] = { { 2, 0, 5 }, { 0, 0, 1 },  { 0, 2, 5 },
+                                 { 1, 1, 3 }, { 0, 0, 10 }, { 2, 2, 7 },
+                                 { 1, 1, -3 } };
+    fvi_sparse A;
+    OK(fvi_sparse_sum(3, LEN(list), list, &A));
+    ck_assert_int_eq(A.start[3], 5); /* (1, 1) has stayed, as zero */
+    ck_assert(A.row[0] == 0 && A.row[1] == 2 && A.entry[0] == 11);
+    const double x[3] = { 1, 2, 3 }, want[3] = { 26, 0, 26 };
+    double y[3];
+    fvi_sparse_product(&A, x, y);
+    for (int i = 0; i < 3; i++)
+        ck_assert(y[i] == want[i]);
+    fvi_sparse_free(&A);
+}
+END_TEST
+
+START_TEST(bad_triplets_are_refused)
+{
+    const fvi_triplet good[] = { { 0, 0, 1 } };
+    const fvi_triplet bad[][1] = { { { 2, 0, 1 } },
+                                   { { 0, 2, 1 } },
+                                   { { -1, 0, 1 } },
+                                   { { 0, -1, 1 } },
+                                   { { 0, 0, NAN } } };
+    fvi_sparse A = { .n = 77 };
+    for (size_t i = 0; i < LEN(bad); i++)
+        ck_assert_int_eq(fvi_sparse_sum(2, 1, bad[i], &A), FVI_EDOM);
+    ck_assert_int_eq(fvi_sparse_sum(0, 1, good, &A), FVI_EINVAL);
+    ck_assert_int_eq(fvi_sparse_sum((size_t)1 << 31, 1, good, &A), FVI_EINVAL);
+    ck_assert_int_eq(fvi_sparse_sum(2, 1, NULL, &A), FVI_EFAULT);
+    ck_assert_int_eq(fvi_sparse_sum(2, 1, good, NULL), FVI_EFAULT);
+    ck_assert_uint_eq(A.n, 77);
+}
+END_TEST
+
+/* ---- files ---- */
+
+static const char *write_file(const char *text)
+{
+    static char name[] = "/tmp/fvi-structures-XXXXXX";
+    strcpy(name + strlen(name) - 6, "XXXXXX");
+    const int file = mkstemp(name);
+    ck_assert(file >= 0);
+    ck_assert(write(file, text, strlen(text)) == (ssize_t)strlen(text));
+    close(file);
+    return name;
+}
+
+#define HEAD "%%MatrixMarket matrix coordinate real symmetric\n"
+#define GENERAL "%%MatrixMarket matrix coordinate real general\n"
+
+START_TEST(a_file_is_the_matrix_that_it_says)
+{
+    static const char *const files[] = {
+        HEAD "% comment\n\n2 2 3\n1 1 2\n2 1 -1e0\n% more\n2 2 0.5\n",
+        HEAD "2 2 3\n2 2 0x1p-1\n1 2 -1\n1 1 2", /* the upper triangle */
+        GENERAL "2 2 4\n1 2 -1\n2 2 .5\n1 1 2\n\t2  1\t-1 \r\n",
+        "%%matrixmarket MATRIX Coordinate Integer Symmetric\n2 2 3\n"
+        "1 1 2\n2 1 -1\n2 2 0.5\n"
+    };
+    for (size_t i = 0; i < LEN(files); i++) {
+        fvi_sparse A;
+        fvi_misread wrong = { 0, "" };
+        const char *name = write_file(files[i]);
+        const int status = fvi_sparse_read(name, &A, &wrong);
+        remove(name);
+        if (i == 3) { /* the first word is written so, and no other way */
+            ck_assert_int_eq(status, FVI_EDOM);
+            continue;
+        }
+        ck_assert_msg(status == FVI_SUCCESS, "file %zu: %zu: %s", i, wrong.line,
+                      wrong.reason);
+        ck_assert(A.n == 2 && A.start[1] == 2 && A.start[2] == 4);
+        ck_assert(A.entry[0] == 2 && A.entry[1] == -1 && A.entry[2] == -1
+                  && A.entry[3] == 0.5);
+        fvi_sparse_free(&A);
+    }
+}
+END_TEST
+
+/* Of each file the line, and a word of the reason. */
+START_TEST(bad_files_are_refused_with_their_line)
+{
+    static const struct {
+        const char *text, *reason;
+        size_t line;
+    } bad[] = {
+        { "", "empty", 0 },
+        { "hello\n", "head", 1 },
+        { "\n" HEAD "1 1 1\n1 1 1\n", "head", 1 },
+        { "%%MatrixMarket matrix coordinate real symmetric too\n", "head", 1 },
+        { "%%MatrixMarket vector coordinate real general\n", "not a matrix",
+          1 },
+        { "%%MatrixMarket matrix array real symmetric\n1 1\n1\n", "dense", 1 },
+        { "%%MatrixMarket matrix coordinate pattern symmetric\n1 1 1\n1 1\n",
+          "pattern", 1 },
+        { "%%MatrixMarket matrix coordinate complex symmetric\n", "real", 1 },
+        { "%%MatrixMarket matrix coordinate real skew-symmetric\n", "symmetric",
+          1 },
+        { HEAD, "size", 0 },
+        { HEAD "1 1\n", "size", 2 },
+        { HEAD "1 1 1 1\n", "size", 2 },
+        { HEAD "2 3 0\n", "square", 2 },
+        { HEAD "0 0 0\n", "1 to 2^31", 2 },
+        { HEAD "1 1 -1\n", "1 to 2^31", 2 },
+        { HEAD "2 2 2\n1 1 1\n", "fewer", 0 },
+        { HEAD "2 2 1\n1 1 1\n2 2 1\n", "more", 4 },
+        { HEAD "2 2 1\n1 1\n", "a number", 3 },
+        { HEAD "2 2 1\n1 1 one\n", "a number", 3 },
+        { HEAD "2 2 1\n1 1 1 1\n", "a number", 3 },
+        { HEAD "2 2 1\n1,1,1\n", "a number", 3 },
+        { HEAD "2 2 1\n3 1 1\n", "not there", 3 },
+        { HEAD "2 2 1\n1 0 1\n", "not there", 3 },
+        { HEAD "2 2 1\n1 1.5 1\n", "not there", 3 },
+        { HEAD "2 2 1\n1 1 nan\n", "finite", 3 },
+        { HEAD "2 2 1\n1 1 1e999\n", "finite", 3 },
+        { HEAD "2 2 3\n1 1 1\n2 1 3\n1 2 3\n", "one triangle", 5 },
+        { HEAD "2 2 3\n1 1 1\n2 2 3\n1 1 3\n", "twice", 5 },
+        { GENERAL "2 2 3\n1 1 1\n2 1 3\n2 1 3\n", "twice", 5 },
+        { GENERAL "2 2 2\n1 1 1\n2 1 3\n", "not symmetric", 4 },
+        { GENERAL "2 2 3\n1 1 1\n1 2 3\n2 1 4\n", "not symmetric", 5 },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        fvi_sparse A = { .n = 77 };
+        fvi_misread wrong = { 99, "" };
+        const char *name = write_file(bad[i].text);
+        const int status = fvi_sparse_read(name, &A, &wrong);
+        remove(name);
+        ck_assert_msg(status == FVI_EDOM && wrong.line == bad[i].line
+                          && strstr(wrong.reason, bad[i].reason),
+                      "%s: %d, line %zu: %s", bad[i].text, status, wrong.line,
+                      wrong.reason);
+        ck_assert_uint_eq(A.n, 77);
+    }
+    fvi_sparse A;
+    ck_assert_int_eq(fvi_sparse_read("/nowhere", &A, NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_sparse_read("/tmp", &A, NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_sparse_read(NULL, &A, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_sparse_read("/nowhere", NULL, NULL), FVI_EFAULT);
+}
+END_TEST
+
+/* ---- factors ---- */
+
+/* The grid's Laplacian and a little more, on m^2 points: half bandwidth m, condition 500. */
+static void grid(int m, double diagonal, fvi_sparse *A)
+{
+    fvi_triplet *list = malloc(5 * (size_t)(m * m) * sizeof *list);
+    size_t count = 0;
+    for (int i = 0; i < m * m; i++) {
+        list[count++] = (fvi_triplet){ i, i, diagonal };
+        if (i % m > 0)
+            list[count++] = (fvi_triplet){ i, i - 1, -1 };
+        if (i % m < m - 1)
+            list[count++] = (fvi_triplet){ i, i + 1, -1 };
+        if (i >= m)
+            list[count++] = (fvi_triplet){ i, i - m, -1 };
+        if (i < m * m - m)
+            list[count++] = (fvi_triplet){ i, i + m, -1 };
+    }
+    OK(fvi_sparse_sum((size_t)(m * m), count, list, A));
+    free(list);
+}
+
+/* Whatever the way: x comes back from A x to a few u times the condition, 500.
+ * Seen: 0.04 of the bound. */
+START_TEST(eq_27_3_every_way_solves_the_same_equations)
+{
+    enum { m = 12, n = m * m };
+    static const fvi_way ways[] = { FVI_BY_BAND, FVI_BY_CHOLMOD,
+                                    FVI_BY_GRADIENTS };
+    for (size_t i = 0; i < LEN(ways); i++) {
+        fvi_sparse A;
+        fvi_factors *f;
+        double x[n], r[n];
+        if (ways[i] == FVI_BY_CHOLMOD && !fvi_cholmod_is_there())
+            continue;
+        grid(m, 4.02, &A);
+        for (int l = 0; l < n; l++)
+            x[l] = cos(7.0 * l);
+        fvi_sparse_product(&A, x, r);
+        OK(fvi_factors_alloc(ways[i], &A, &f));
+        ck_assert_ptr_null(A.start); /* taken over */
+        for (int twice = 0; twice < 2; twice++) {
+            double y[n];
+            memcpy(y, r, sizeof y);
+            OK(fvi_factors_solve(f, y));
+            for (int l = 0; l < n; l++)
+                ck_assert_near(y[l], x[l], 500 * 8 * U, "way %zu", i);
+        }
+        fvi_factors_free(f);
+    }
+}
+END_TEST
+
+START_TEST(an_indefinite_matrix_has_no_factors)
+{
+    fvi_sparse A;
+    fvi_factors *f;
+    double r[36];
+    for (int i = 0; i < 36; i++)
+        r[i] = 1 + i % 5;
+    grid(6, 3, &A); /* its least eigenvalue is -0.6 */
+    ck_assert_int_eq(fvi_factors_alloc(FVI_BY_BAND, &A, &f), FVI_ESING);
+    grid(6, 3, &A);
+    if (fvi_cholmod_is_there())
+        ck_assert_int_eq(fvi_factors_alloc(FVI_BY_CHOLMOD, &A, &f), FVI_ESING);
+    else
+        fvi_sparse_free(&A);
+    grid(6, 3, &A);
+    OK(fvi_factors_alloc(FVI_BY_GRADIENTS, &A, &f));
+    ck_assert_int_eq(fvi_factors_solve(f, r), FVI_ESING);
+    fvi_factors_free(f);
+    tridiagonal(5, 0, 1, &A);
+    ck_assert_int_eq(fvi_factors_alloc(FVI_BY_GRADIENTS, &A, &f), FVI_ESING);
+}
+END_TEST
+
+START_TEST(the_way_is_chosen_by_the_band)
+{
+    fvi_sparse A;
+    tridiagonal(5, 2, 0, &A); /* zeros that stand there are no band of a sum */
+    const fvi_sparse *const terms[3] = { &A, NULL, NULL };
+    const double a[3] = { 1, 0, 0 };
+    fvi_sparse sum;
+    OK(fvi_sparse_add(terms, a, &sum));
+    ck_assert_int_eq(fvi_way_of(&sum), FVI_BY_DIAGONAL);
+    fvi_sparse_free(&sum);
+    fvi_sparse_free(&A);
+    grid(8, 4, &A);
+    ck_assert_int_eq(fvi_way_of(&A), FVI_BY_BAND);
+    fvi_sparse_free(&A);
+    grid(9, 4, &A);
+    ck_assert_int_eq(fvi_way_of(&A),
+                     fvi_cholmod_is_there() ? FVI_BY_CHOLMOD : FVI_BY_BAND);
+    fvi_sparse_free(&A);
+}
+END_TEST
+
+/* ---- what the damping remembers ---- */
+
+/* A matrix from its lower triangle, row by row. */
+static void dense(int n, const double *lower, fvi_sparse *A)
+{
+    fvi_triplet list[100];
+    size_t count = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j <= i; j++, lower++) {
+            if (*lower == 0)
+                continue;
+            list[count++] = (fvi_triplet){ i, j, *lower };
+            if (i != j)
+                list[count++] = (fvi_triplet){ j, i, *lower };
+        }
+    OK(fvi_sparse_sum((size_t)n, count, list, A));
+}
+
+/* S B^T x by the callbacks, against C x. */
+static void compare_damping(const matrices *m, size_t remembered)
+{
+    const fvi_matrices *f = m->system.matrices;
+    const size_t d = m->C.n;
+    double x[9], zero[9] = { 0 }, z[9], p[9] = { 0 }, y[9];
+    ck_assert_uint_eq(f->remembered, remembered);
+    for (size_t i = 0; i < d; i++)
+        x[i] = cos(3.0 * (double)i);
+    fvi_sparse_product(&m->C, x, y);
+    if (remembered > 0) {
+        OK(f->remember(d, x, zero, f->params, z));
+        OK(f->damp(d, 2, z, f->params, p));
+    }
+    for (size_t i = 0; i < d; i++)
+        ck_assert_near(p[i], -2 * y[i], 100 * U, "%zu of %zu", i, remembered);
+}
+
+START_TEST(eq_27_4_only_what_the_damping_touches_is_remembered)
+{
+    static const struct {
+        double C[15];
+        size_t remembered;
+    } cases[] = {
+        { { 0 }, 0 },
+        /* two unknowns, rank 2 */
+        { { 0, 0, 2, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0, 0, 0 }, 2 },
+        /* a damper between unknowns 2 and 4, one number */
+        { { 0, 0, 2, 0, 0, 0, 0, -2, 0, 2, 0, 0, 0, 0, 0 }, 1 },
+        /* b b^T with b = (1, 2, 0, -1, 3): one */
+        { { 1, 2, 4, 0, 0, 0, -1, -2, 0, 1, 3, 6, 0, -3, 9 }, 1 },
+        /* a chain of dampers to the ground at one end: rank 5, all */
+        { { 2, -1, 2, 0, -1, 2, 0, 0, -1, 2, 0, 0, 0, -1, 1 }, 5 },
+    };
+    for (size_t i = 0; i < LEN(cases); i++) {
+        matrices m;
+        tridiagonal(5, 2, 0.5, &m.M);
+        tridiagonal(5, 2, -1, &m.K);
+        dense(5, cases[i].C, &m.C);
+        make(&m);
+        compare_damping(&m, cases[i].remembered);
+        drop(&m);
+    }
+}
+END_TEST
+
+START_TEST(bad_matrices_are_refused_by_name)
+{
+    static const double lopsided[] = { 1, 0, 1 };
+    fvi_sparse good, two, skew, less, holes, C;
+    fvi_structure *s = NULL;
+    char fault;
+    tridiagonal(3, 2, -1, &good);
+    tridiagonal(2, 2, -1, &two);
+    tridiagonal(3, 1, -1, &less); /* 1 - sqrt 2 < 0 */
+    tridiagonal(3, 0, 0, &holes);
+    tridiagonal(3, 2, -1, &skew);
+    skew.entry[1] = 1;
+    dense(2, lopsided, &C);
+#define REFUSED(M, K, C, code, name)                                           \
+    ck_assert_int_eq(fvi_structure_alloc(M, K, C, &s, &fault), code);          \
+    ck_assert_int_eq(fault, name)
+    REFUSED(&less, &good, &good, FVI_ESING, 'M');
+    REFUSED(&holes, &good, &good, FVI_EDOM, 'M');
+    REFUSED(&skew, &good, &good, FVI_EDOM, 'M');
+    REFUSED(&good, &skew, &good, FVI_EDOM, 'K');
+    REFUSED(&good, &good, &skew, FVI_EDOM, 'C');
+    REFUSED(&good, &good, &less, FVI_EDOM, 'C');
+    REFUSED(&good, &two, &good, FVI_EINVAL, 'K');
+    REFUSED(&good, &good, &two, FVI_EINVAL, 'C');
+    REFUSED(NULL, &good, &good, FVI_EFAULT, 0);
+    REFUSED(&good, NULL, &good, FVI_EFAULT, 0);
+    ck_assert_ptr_null(s);
+    OK(fvi_structure_alloc(&good, &less, NULL, &s,
+                           NULL)); /* K may be anything */
+    fvi_structure_free(s);
+    fvi_sparse_free(&good);
+    fvi_sparse_free(&two);
+    fvi_sparse_free(&skew);
+    fvi_sparse_free(&less);
+    fvi_sparse_free(&holes);
+    fvi_sparse_free(&C);
+}
+END_TEST
+
+/* More unknowns than are taken apart densely: 600. */
+START_TEST(a_large_damping_is_looked_at_too)
+{
+    enum { n = 600 };
+    static const double sides[] = { -1, -1.02 };
+    for (size_t i = 0; i < LEN(sides); i++) {
+        fvi_sparse M, K, C;
+        fvi_structure *s;
+        char fault;
+        tridiagonal(n, 2, 0.5, &M);
+        tridiagonal(n, 2, -1, &K);
+        tridiagonal(n, 2, sides[i], &C);
+        const int status = fvi_structure_alloc(&M, &K, &C, &s, &fault);
+        ck_assert_int_eq(status, i ? FVI_EDOM : FVI_SUCCESS);
+        ck_assert_int_eq(fault, i ? 'C' : 0);
+        if (!status)
+            fvi_structure_free(s);
+        fvi_sparse_free(&M);
+        fvi_sparse_free(&K);
+        fvi_sparse_free(&C);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("structures: matrices");
+    ADD_CASE(suite, "sums", triplets_sum_in_any_order,
+             bad_triplets_are_refused);
+    ADD_CASE(suite, "files", a_file_is_the_matrix_that_it_says,
+             bad_files_are_refused_with_their_line);
+    ADD_CASE(suite, "factors", eq_27_3_every_way_solves_the_same_equations,
+             an_indefinite_matrix_has_no_factors,
+             the_way_is_chosen_by_the_band);
+    ADD_CASE(
+        suite, "damping", eq_27_4_only_what_the_damping_touches_is_remembered,
+        bad_matrices_are_refused_by_name, a_large_damping_is_looked_at_too);
+    return run_suite(suite);
+}
