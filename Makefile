@@ -63,6 +63,7 @@ endif
 
 all: $B/fvi ## build the program build/fvi (bare `make` does this)
 	echo 'built $B/fvi; "make help" lists the targets'
+	test -e /usr/include/suitesparse/cholmod.h || echo 'without CHOLMOD (libsuitesparse-dev): wide sparse matrices are solved more slowly'
 
 ## -- targets for people ----------------------------------------------------
 
@@ -316,6 +317,7 @@ TABLE_precision := figures/step_search/step_search.tsv
 TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
 TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 TABLE_blocks    := figures/blocks/blocks_bench.tsv
+TABLE_structures := figures/structures/structures_bench.tsv
 
 $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
@@ -411,6 +413,7 @@ $(DIAGRAMS:%=figures/%.svg): figures/%.svg: figures/%.gp figures/style.gp | need
 figures/memory/memory_bench.svg: $(TABLE_memory)
 figures/step_search/step_search.svg: $(TABLE_precision)
 figures/blocks/blocks_bench.svg: $(TABLE_blocks)
+figures/structures/structures_bench.svg: $(TABLE_structures)
 
 ## -- what has to be installed ----------------------------------------------
 

@@ -183,25 +183,25 @@ static int find_double(reader *r, const fvi_sparse *A)
 /* The matrix of the triplets, if it is one. */
 static int finish(reader *r, fvi_sparse *A)
 {
-    fvi_sparse new;
-    int place = 0, status = fvi_sparse_sum(r->n, r->kept, r->triplets, &new);
+    fvi_sparse whole;
+    int place = 0, status = fvi_sparse_sum(r->n, r->kept, r->triplets, &whole);
     if (status)
         return status;
-    if ((size_t) new.start[r->n] < r->kept)
-        status = find_double(r, &new);
+    if ((size_t)whole.start[r->n] < r->kept)
+        status = find_double(r, &whole);
     if (!status)
-        status = fvi_sparse_is_symmetric(&new, &place);
+        status = fvi_sparse_is_symmetric(&whole, &place);
     if (status == FVI_EDOM && !r->wrong.reason) {
         int column = 0;
-        while (new.start[column + 1] <= place)
+        while (whole.start[column + 1] <= place)
             column++;
-        refuse(r, line_of(r, new.row[place], column, r->kept),
+        refuse(r, line_of(r, whole.row[place], column, r->kept),
                "the matrix is not symmetric: entry (j, i) is another one");
     }
     if (status)
-        fvi_sparse_free(&new);
+        fvi_sparse_free(&whole);
     else
-        *A = new;
+        *A = whole;
     return status;
 }
 

@@ -102,8 +102,8 @@ static int is_zero(size_t n, const double *D, double noise)
 //> rank
 /* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
  * until nothing is: D is C between the unknowns that it touches, and B's columns come into
- * `out`, of r rows each. A diagonal entry that has become negative beyond rounding is
- * that of a C which is negative somewhere. Returns the rank, or -1. */
+ * `out`, of r rows each. Of a C that is negative somewhere more than rounding is left
+ * when no positive entry of the diagonal is. Returns the rank, or -1. */
 static int take_apart(size_t r, double *D, double *out)
 {
     double largest = 0;
@@ -112,12 +112,9 @@ static int take_apart(size_t r, double *D, double *out)
     const double noise = (double)r * 8 * DBL_EPSILON * largest;
     for (size_t rank = 0;; rank++, out += r) {
         size_t pivot = 0;
-        for (size_t i = 0; i < r; i++) {
-            if (D[i * r + i] < -noise)
-                return -1;
+        for (size_t i = 0; i < r; i++)
             if (D[i * r + i] > D[pivot * r + pivot])
                 pivot = i;
-        }
         const double top = D[pivot * r + pivot];
         if (!(top > noise) || rank == r)
             return is_zero(r * r, D, noise) ? (int)rank : -1;

@@ -92,7 +92,7 @@ static int order_column(int count, int *row, double *entry)
 int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A)
 {
-    fvi_sparse new;
+    fvi_sparse whole;
     if (!A || (!triplets && count > 0))
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (n < 1 || n >= INT_MAX || count >= INT_MAX)
@@ -103,22 +103,23 @@ int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
             || !isfinite(triplets[l].entry))
             FVI_FAIL("a triplet is outside of the matrix, or not finite",
                      FVI_EDOM);
-    if (fvi_sparse_room(n, count, &new))
+    if (fvi_sparse_room(n, count, &whole))
         FVI_FAIL("no memory for the matrix", FVI_ENOMEM);
-    by_columns(count, triplets, &new);
+    by_columns(count, triplets, &whole);
     int to = 0;
     for (size_t j = 0; j < n; j++) {
-        const int from = new.start[j];
-        const int kept = order_column(new.start[j + 1] - from, new.row + from,
-                                      new.entry + from);
-        memmove(new.row + to, new.row + from, (size_t)kept * sizeof *new.row);
-        memmove(new.entry + to, new.entry + from,
-                (size_t)kept * sizeof *new.entry);
-        new.start[j] = to;
+        const int from = whole.start[j];
+        const int kept = order_column(whole.start[j + 1] - from,
+                                      whole.row + from, whole.entry + from);
+        memmove(whole.row + to, whole.row + from,
+                (size_t)kept * sizeof *whole.row);
+        memmove(whole.entry + to, whole.entry + from,
+                (size_t)kept * sizeof *whole.entry);
+        whole.start[j] = to;
         to += kept;
     }
-    new.start[n] = to;
-    *A = new;
+    whole.start[n] = to;
+    *A = whole;
     return FVI_SUCCESS;
 }
 //< sum

@@ -1,9 +1,10 @@
 /* tests/bench/bench_structures.c -- Chapter 27: what a long wave costs.
  *
  * u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, Algorithm 3
- * with kappa = 1: 1000 steps with the whole past. Against the same mode as one oscillator.
- * Two minutes, and 1.3 gigabytes at d = 10^6; a number of points as the argument runs that
- * one alone. */
+ * with kappa = 1: 1000 steps with the whole past, against the same mode as one oscillator;
+ * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable. Some
+ * two minutes, and a gigabyte at d = 10^6; a number of points as the argument runs that
+ * wave alone. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "../../figures/structures/wave.h"
@@ -14,14 +15,14 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-enum { STEPS = 1000 };
+enum { STEPS = 1000, MOST = 100000, FEW = 64 };
 
 static const double alpha = 0.25, rho = 1;
 
 static fvi_run run_of(const fvi_system *system, double *x0, double *p0,
-                      double h)
+                      double h, size_t steps)
 {
-    fvi_run run = fvi_run_default(system, x0, p0, h, STEPS);
+    fvi_run run = fvi_run_default(system, x0, p0, h, steps);
     run.alpha = alpha;
     run.kappa = 1;
     run.past = FVI_PAST_CAPUTO;
@@ -29,21 +30,23 @@ static fvi_run run_of(const fvi_system *system, double *x0, double *p0,
     return run;
 }
 
-/* The amplitude after STEPS steps of the mode with eigenvalue k. */
-static double one_oscillator(double k, double h)
+/* The amplitude in the end of the mode with eigenvalue k. */
+static double one_oscillator(double k, double h, size_t steps)
 {
-    double one = 1, none = 0, x[STEPS + 1];
+    static double x[MOST + 1];
+    double one = 1, none = 0;
     const fvi_system system = { .d = 1,
                                 .mass = &one,
                                 .damping = &rho,
                                 .potential = fvi_potential_harmonic(&k) };
-    const fvi_run run = run_of(&system, &one, &none, h);
+    const fvi_run run = run_of(&system, &one, &none, h, steps);
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL))
         exit(EXIT_FAILURE);
-    return x[STEPS];
+    return x[steps];
 }
 
-static void wave(size_t d)
+/* A row: d, steps, and what they cost. */
+static void wave(size_t d, size_t steps)
 {
     const double pi = 3.14159265358979324, dx = 1 / ((double)d + 1);
     double *ones = malloc(3 * d * sizeof *ones), *x0 = ones + d, *p0 = x0 + d;
@@ -58,36 +61,107 @@ static void wave(size_t d)
     const fvi_system system = {
         .d = d, .mass = ones, .damping = ones, .matrices = &matrices
     };
-    const fvi_run run = run_of(&system, x0, p0, dx / 2);
+    const fvi_run run = run_of(&system, x0, p0, dx / 2, steps);
     const double begin = now(), centre = x0[d / 2], s = sin(pi * dx / 2) / dx;
     fvi_stepper *stepper;
     if (fvi_start(&fvi_fractional, &run, &stepper))
         exit(EXIT_FAILURE);
-    while (stepper->k < STEPS)
+    while (stepper->k < steps)
         if (fvi_step(stepper))
             exit(EXIT_FAILURE);
     const double seconds = now() - begin,
-                 want = one_oscillator(4 * s * s, dx / 2) * centre,
+                 want = one_oscillator(4 * s * s, dx / 2, steps) * centre,
                  far = fabs(stepper->x[d / 2] - want);
     fvi_stop(stepper);
     free(ones);
     struct rusage used;
     getrusage(RUSAGE_SELF, &used);
-    printf("%zu\t%.3g\t%.3g\t%.3g\t%.2g\n", d, seconds,
-           1e9 * seconds / STEPS / (double)d,
+    printf("%zu\t%zu\t%.3g\t%.3g\t%.3g\t%.2g\n", d, steps, seconds,
+           1e9 * seconds / (double)steps / (double)d,
            (double)used.ru_maxrss * 1024 / (double)d, far);
     fflush(stdout);
 }
 
+/* Five points, by m + 1 to the square, times `factor`. */
+static void laplace(int m, double factor, fvi_sparse *A)
+{
+    const double k = factor * (m + 1) * (m + 1);
+    fvi_triplet *list = malloc(5 * (size_t)(m * m) * sizeof *list);
+    size_t count = 0;
+    for (int i = 0; list && i < m * m; i++) {
+        const int beside[] = { i % m > 0 ? i - 1 : -1,
+                               i % m < m - 1 ? i + 1 : -1, i - m, i + m };
+        list[count++] = (fvi_triplet){ i, i, 4 * k };
+        for (int l = 0; l < 4; l++)
+            if (beside[l] >= 0 && beside[l] < m * m)
+                list[count++] = (fvi_triplet){ i, beside[l], -k };
+    }
+    if (!list || fvi_sparse_sum((size_t)(m * m), count, list, A))
+        exit(EXIT_FAILURE);
+    free(list);
+}
+
+/* A row: d, ms for the factors and the start, ns per unknown and step. */
+static void membrane(int m)
+{
+    const size_t d = (size_t)(m * m);
+    fvi_triplet *ones = malloc(d * sizeof *ones);
+    double *x0 = calloc(2 * d, sizeof *x0);
+    fvi_sparse M, K, C;
+    fvi_structure *structure;
+    fvi_stepper *s;
+    if (!ones || !x0)
+        exit(EXIT_FAILURE);
+    for (size_t i = 0; i < d; i++) {
+        ones[i] = (fvi_triplet){ (int)i, (int)i, 1 };
+        x0[i] = sin((double)i);
+    }
+    laplace(m, 1, &K);
+    laplace(m, 0.01, &C);
+    if (fvi_sparse_sum(d, d, ones, &M)
+        || fvi_structure_alloc(&M, &K, &C, &structure, NULL))
+        exit(EXIT_FAILURE);
+    const fvi_system system = fvi_structure_system(structure);
+    fvi_run run = run_of(&system, x0, x0 + d, 1 / ((double)m + 1), STEPS);
+    const double begin = now();
+    if (fvi_start(&fvi_stable, &run, &s))
+        exit(EXIT_FAILURE);
+    const double started = now();
+    while (s->k < FEW)
+        if (fvi_step(s))
+            exit(EXIT_FAILURE);
+    printf("%zu\t%.3g\t%.3g\t%s\n", d, 1e3 * (started - begin),
+           1e9 * (now() - started) / FEW / (double)d,
+           fvi_structure_solver(structure, 1, 1, 1));
+    fflush(stdout);
+    fvi_stop(s);
+    fvi_structure_free(structure);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+    fvi_sparse_free(&C);
+    free(ones);
+    free(x0);
+}
+
 int main(int argc, char **argv)
 {
+    const char *names = "# d\tsteps\tseconds\tns per unknown and step\tbytes "
+                        "per unknown\tdeviation at the centre\n";
+    static const int sides[] = { 10, 31, 100, 316 };
     describe();
-    printf("# u_tt + D^{1/2} u = u_xx, %d steps\n#> wave\n# d\tseconds\tns per "
-           "unknown and step\tbytes per unknown\tdeviation at the centre\n",
-           STEPS);
-    if (argc > 1)
-        wave((size_t)atol(argv[1]));
-    for (size_t d = 1000; argc == 1 && d <= 1000000; d *= 10)
-        wave(d);
+    printf("# u_tt + D^{1/2} u = u_xx\n#> wave\n%s", names);
+    if (argc > 1) {
+        wave((size_t)atol(argv[1]), STEPS);
+        return 0;
+    }
+    for (size_t d = 1000; d <= 1000000; d *= 10)
+        wave(d, STEPS);
+    printf("\n\n#> long\n%s", names);
+    for (size_t steps = 100; steps <= MOST; steps *= 10)
+        wave(1000, steps);
+    printf("\n\n# a membrane, fvi-stable\n#> membrane\n# d\tms to the start\t"
+           "ns per unknown and step\tsolver\n");
+    for (int l = 0; l < 4; l++)
+        membrane(sides[l]);
     return 0;
 }

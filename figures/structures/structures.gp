@@ -1,0 +1,21 @@
+# figures/structures/structures.gp -- Chapter 27: a clamped beam, bent and let go.
+# Input: figures/structures/structures.c. Output: figures/structures/structures.svg.
+width = 900; height = 420
+load 'figures/style.gp'
+set multiplot layout 1,2
+set title "the beam, six times within half a swing"
+set xlabel "along the beam"
+set ylabel "deflection"
+set xrange [0:1]
+set yrange [-1.05:1.05]
+unset key
+plot for [i=0:5] dat index 3 every :::i::i using 1:2 with lines ls 1 lw (3.2 - 0.45 * i)
+set title "its tip"
+set xlabel "t"
+set xrange [0:8]
+set yrange [-1.6:1.05]
+set key bottom right
+plot dat index 0 using 1:2 with lines ls 1 title "α = 0.05", \
+     dat index 1 using 1:2 with lines ls 2 title "α = 0.25", \
+     dat index 2 using 1:2 with lines ls 3 title "α = 0.5"
+unset multiplot
