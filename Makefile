@@ -35,7 +35,7 @@ CERF_LIBS    := $(shell pkg-config --libs libcerf 2>/dev/null || echo -lcerf)
 COMPILE       = $(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP
 
 PROGRAM  := $(wildcard src/program/*.c src/words/*.c)
-LIBRARY  := $(filter-out $(PROGRAM),$(wildcard src/*/*.c))
+LIBRARY  := $(filter-out $(PROGRAM) src/petsc/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))
 BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c))
@@ -162,6 +162,9 @@ stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
+petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1 and 2 ranks against build/fvi (PETSc, MPI)
+	GSL_LIBS='$(GSL_LIBS)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' sh src/make/petsc.sh $B
+
 mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
 	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
 	  $(PYTHON) tests/mutants/mutants.py $B $(STEM)
@@ -178,7 +181,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench mutants clean needs \
+.PHONY: all help check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -425,7 +428,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

@@ -1,0 +1,21 @@
+#!/bin/sh
+# petsc.sh BUILD   Compile src/petsc/ and let its ranks agree with one machine (make petsc).
+#
+# PETSc is never brought: where it or MPI is missing, that is said, and all is well.
+set -eu
+build=$1
+for tool in mpicc mpirun; do
+    command -v $tool >/dev/null || missing="${missing-} $tool"
+done
+pkg-config --exists petsc 2>/dev/null || missing="${missing-} petsc"
+if test -n "${missing-}"; then
+    echo "petsc: left out, program and test, for want of:$missing (Debian: apt-get install petsc-dev)"
+    exit 0
+fi
+# -pedantic and -Wconversion speak of PETSc's own macros.
+FLAGS=$(echo "$FLAGS" | sed 's/-pedantic//; s/-Wconversion//')
+mpicc $FLAGS -Isrc $(pkg-config --cflags petsc) src/petsc/fvi_petsc.c "$build/libfvi.a" \
+    $GSL_LIBS $(pkg-config --libs petsc) -lm -o "$build/fvi_petsc"
+# Root is let in, more ranks than cores too; else ranks and the threads of BLAS fight.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OPENBLAS_NUM_THREADS=1
+$PYTHON tests/petsc/test_petsc.py "$build"
