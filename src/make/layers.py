@@ -13,7 +13,7 @@ import sys
 SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
-    {"program": "build/fvi: commands, tables, files"},
+    {"program": "build/fvi: commands, tables, files", "petsc": "build/fvi_petsc: a run on many machines"},
     {"words": "from the command line to values"},
     {"inverse": "gradients, fits and control"},
     {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},

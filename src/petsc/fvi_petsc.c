@@ -7,18 +7,18 @@
  * rows, and the library's stepper and memory for them: a memory never asks for another
  * unknown. Ranks exchange numbers in the products with M, K and C and in the conjugate
  * gradients, which are PETSc's and take its options (-pc_type icc, -ksp_monitor, ...).
- * FILE gets x and p at the end, as two vectors in PETSc's binary format. The program is no
- * part of the library, which knows nothing of it: make petsc. */
-#include <fvi/fvi.h>
+ * FILE gets x and p at the end, as two vectors in PETSc's binary format (make petsc). */
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/error.h>
+#include <fvi/structures.h>
+#include <fvi/trajectory.h>
 
 #include <petscksp.h>
 #include <petsctime.h>
 
-#ifdef PETSC_USE_COMPLEX
-#error "this needs PETSc with real numbers"
-#endif
+_Static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc of real doubles");
 
-/* Within a function of the library, where a code is wanted; PETSc has said what is wrong. */
+/* Where the library wants a code; PETSc has said what is wrong. */
 #define TRY(call)                                                              \
     do {                                                                       \
         if (call)                                                              \
