@@ -118,6 +118,9 @@ test-book: book | needs ## the pages in a browser: widths, themes, search, WCAG 
 	test -e $(AXE) || npm install --silent --no-audit --no-fund --prefix $B/npm axe-core@4.14.1 2>/dev/null || true
 	node chapters/book/test_book.mjs $B/book $(AXE) $(PAGE)
 
+slides: | needs ## slides of every chapter, its pictures and equations, build/slides (pandoc, KaTeX, node)
+	$(PYTHON) src/make/slides.py $B/slides
+
 # Each number that the prose quotes from a test: the least and the largest seen.
 seen: $(patsubst %,$B/seen/%.tsv,$(or $(STEM),$(TESTS))) ## what the tests see, into tests/harness/seen.tsv (STEM=fvi for one)
 	$(PYTHON) chapters/tools/quoted.py --gather $^
@@ -181,7 +184,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
+.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -428,7 +431,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
+  $(call goal,text slides errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book slides,pandoc petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

@@ -16,6 +16,7 @@ import workshop_experiments as experiments
 KINDS = ("by hand", "code", "break it", "experiment")
 HEAD = re.compile(r"^(\d+)\. (?:\*\((" + "|".join(KINDS) + r"), (\d+) min; after ([\d.]+)\)\* )?(.*)", re.M)
 TABLE = pathlib.Path("chapters/workshop/exercises.md")
+PLAN = pathlib.Path("chapters/workshop/lectures.md")
 
 
 class Exercise:
@@ -97,6 +98,9 @@ def faults():
         kinds = {"code" if e.kind == "break it" else e.kind for e in own if e.kind}
         for kind in {"by hand", "code", "experiment"} - kinds:
             yield f"{page}: no exercise of the kind {kind}"
+    for name in re.findall(r"\b\d\d-\d+\b", PLAN.read_text()):
+        if name not in {e.name for e in every}:
+            yield f"{PLAN}: there is no exercise {name}"
     if TABLE.read_text() != table():
         yield f"{TABLE} is not made of the chapters' exercises: run `make exercises`"
 

@@ -1,0 +1,131 @@
+"""Slides of every chapter, from its own words: OUT/09-fvi.html.      slides.py OUT [09]
+
+The question, the first picture, and for each section of the main text its statements,
+numbered equations and figures; what stands in boxes that fold is left out. Each file
+stands alone: pictures, style and fonts are in it. The formulas go the way of the book,
+by pandoc and KaTeX. Keys: right and left, Home and End; on paper a slide is a page."""
+import base64
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.append("chapters/book")
+from pages import pandoc_math  # noqa: E402
+
+OUT = pathlib.Path(sys.argv[1])
+KATEX = pathlib.Path("/usr/share/javascript/katex")
+FIGURE = re.compile(r"^!\[([^\]]*)\]\(\.\./(figures/[^)]*\.svg)\)$", re.M)
+EQUATION = re.compile(r"^```math\n.*?\\tag\{.*?^```$", re.M | re.S)
+STATEMENT = re.compile(r"^\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b.*?(?=\n\n)", re.M | re.S)
+ASIDE = re.compile(r"<details>.*?</details>|<!--.*?-->", re.S)
+STYLE = """
+body { margin: 0; font: 1.6rem/1.4 Georgia, "DejaVu Serif", serif; color: #222; background: #fff; }
+section { box-sizing: border-box; width: 100vw; min-height: 100vh; padding: 4vh 6vw; page-break-after: always; }
+.live section { display: none; } .live section.now { display: block; }
+h1, h2, footer { font-family: "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
+h1 { font-size: 3rem; margin-top: 22vh; } h2 { font-size: 1.9rem; margin: 0 0 3vh; }
+figure { margin: 0; text-align: center; } img { max-width: 100%; max-height: 68vh; }
+figcaption { font-size: 1.2rem; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
+code { font-size: .85em; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
+@media print { footer { display: none; } }
+"""
+SCRIPT = """
+const all = [...document.querySelectorAll('section')], foot = document.querySelector('footer');
+function show(n) {
+  n = Math.max(0, Math.min(all.length - 1, n));
+  all.forEach((s, i) => s.classList.toggle('now', i === n));
+  foot.textContent = `${n + 1} / ${all.length}`;
+  history.replaceState(null, '', `#${n + 1}`);
+}
+const here = () => all.findIndex(s => s.classList.contains('now'));
+const steps = { ArrowRight: 1, ' ': 1, PageDown: 1, ArrowLeft: -1, PageUp: -1, Home: -1e9, End: 1e9 };
+addEventListener('keydown', e => { if (e.key in steps) { e.preventDefault(); show(here() + steps[e.key]); } });
+addEventListener('click', e => { if (!e.target.closest('a')) show(here() + 1); });
+document.body.classList.add('live');
+show((parseInt(location.hash.slice(1)) || 1) - 1);
+"""
+
+
+def captions():
+    lines = pathlib.Path("chapters/book/captions.txt").read_text().splitlines()
+    return dict(line.split(": ", 1) for line in lines if ": " in line)
+
+
+def picture(match, known):
+    file = pathlib.Path(match[2])
+    words = known.get(file.stem) if file.stem in known else re.split(r"(?<=[^\d])[.;:] ", match[1])[0].rstrip(".;:") + "."
+    data = base64.b64encode(file.read_bytes()).decode()
+    return (f'<figure><img src="data:image/svg+xml;base64,{data}" alt="{html.escape(match[1])}">'
+            f"<figcaption>{html.escape(words, quote=False)}</figcaption></figure>")
+
+
+def slides(page, known):
+    """The Markdown of each slide."""
+    text = ASIDE.sub("", page.read_text())
+    front, *sections = re.split(r"^## ", text, flags=re.M)
+    title = re.search(r"^# (.*)", front)[1]
+    asked = [p for p in front.partition("\n![")[0].split("\n\n") if "?" in p and not p.startswith("|")]
+    yield f"# {title}\n\n{asked[-1] if asked else ''}"
+    for match in FIGURE.finditer(front):  # what is to be seen in it stands below
+        words = front[match.end():].strip().partition("\n\n")[0]
+        yield f"## {title}\n\n{picture(match, {pathlib.Path(match[2]).stem: ''})}\n\n{words}"
+    for section in sections:
+        heading, _, body = section.partition("\n")
+        if heading.startswith(("Exercises", "Sources", "Appendix")):
+            break
+        found = sorted([m for kind in (STATEMENT, EQUATION, FIGURE) for m in kind.finditer(body)], key=lambda m: m.start())
+        waiting = []
+        for match in found:
+            if match.re is FIGURE:
+                yield f"## {heading}\n\n" + picture(match, known)
+                continue
+            waiting.append(match[0])
+            if len(waiting) == 2:
+                yield f"## {heading}\n\n" + "\n\n".join(waiting)
+                waiting = []
+        if waiting:
+            yield f"## {heading}\n\n" + "\n\n".join(waiting)
+    yield f"## Exercises\n\n`chapters/{page.name}`, at its end; all of them: `chapters/workshop/exercises.md`"
+
+
+def to_html(markdown):
+    cut = "<!-- slide -->"
+    run = subprocess.run(["pandoc", "-f", "gfm+tex_math_dollars-gfm_auto_identifiers", "-t", "html5", "--mathjax",
+                          "--wrap=preserve", "--no-highlight"], input=f"\n\n{cut}\n\n".join(map(pandoc_math, markdown)),
+                         capture_output=True, text=True, check=True)
+    pieces = run.stdout.split(cut)
+    run = subprocess.run(["node", "chapters/book/katex.js"], input=json.dumps([pieces]), capture_output=True, text=True)
+    if run.returncode:
+        sys.exit(run.stderr)
+    return [re.sub(r'<a class="anchor".*?</a>', "", piece) for piece in json.loads(run.stdout)["pages"][0]]
+
+
+def style():
+    """KaTeX's, with its fonts in it."""
+    def font(match):
+        data = base64.b64encode((KATEX / "fonts" / match[1]).read_bytes()).decode()
+        return f"url(data:font/woff2;base64,{data})"
+    css = re.sub(r',url\([^)]*\.(?:woff|ttf)\) format\("[a-z]*"\)', "", (KATEX / "katex.min.css").read_text())
+    return re.sub(r"url\(fonts/([\w-]+\.woff2)\)", font, css) + STYLE
+
+
+def main():
+    known, css = captions(), style()
+    OUT.mkdir(parents=True, exist_ok=True)
+    pages = sorted(pathlib.Path("chapters").glob(f"{(sys.argv[2:] or ['[0-9][0-9]'])[0]}-*.md"))
+    total = 0
+    for page in pages:
+        body = to_html(list(slides(page, known)))
+        total += len(body)
+        sections = "\n".join(f"<section>{piece}</section>" for piece in body)
+        (OUT / f"{page.stem}.html").write_text(
+            f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>{page.stem}</title><style>{css}</style>'
+            f"<body>{sections}<footer></footer><script>{SCRIPT}</script></body></html>\n")
+    print(f"{total} slides of {len(pages)} chapters: {OUT}/*.html")
+
+
+main()
