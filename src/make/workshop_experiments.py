@@ -153,6 +153,16 @@ def tolerance_kept():
     return [span(worst)]
 
 
+def many_at_once():
+    worst = []
+    for alpha in (0.25, 0.75):
+        grid = dict(columns="x", alpha=alpha, potential="chain:32,1,0", h=0.05, steps=1000)
+        true = fvi("run", memory="direct", **grid)
+        near = fvi("run", memory="exponentials", tolerance=1e-6, **grid)
+        worst.append(max(abs(a - b) for row, other in zip(true, near) for a, b in zip(row, other)))
+    return [span(worst)]
+
+
 def orders_of_two():
     return [span(orders([end(method=method, alpha=0.4, time=2, steps=N) for N in (80, 160, 320, 640)]))
             for method in ("fvi", "fvi-shifted")]
@@ -296,5 +306,5 @@ EXPERIMENTS = {
     "09": order_and_past, "10": constant_of_the_error, "11": tail, "12": tolerance_kept,
     "13": orders_of_two, "14": longest_step, "15": velocity_that_is_left, "16": energy_of_euler,
     "17": order_of_lobatto, "18": honest, "19": two_pasts, "20": error_by_step, "21": pushed,
-    "22": steps_by_decade, "23": least_answer, "24": deviations,
+    "22": steps_by_decade, "23": least_answer, "24": deviations, "28": many_at_once,
 }

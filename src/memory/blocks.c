@@ -230,6 +230,7 @@ static void open_block(fvi_tiles *t, size_t tile)
 }
 //< block
 
+//> eight
 /* After every eighth term: to the next eight sums, what the block has so far. */
 static void open_eight(fvi_tiles *t, size_t tile, size_t g)
 {
@@ -237,6 +238,7 @@ static void open_eight(fvi_tiles *t, size_t tile, size_t g)
         between(t, columns(t, tile), g - s, t->slab[s] + tile * AREA,
                 t->slab[g] + tile * AREA);
 }
+//< eight
 
 /* Row r of eight, and the terms before it in the same eight. */
 FVI_VECTORS static void next_row(size_t r, const double *restrict w,
