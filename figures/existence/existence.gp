@@ -12,11 +12,20 @@ set title "Velocity of the pendulum: iterates n = 0, ..., 6"
 set xlabel "t"
 set xrange [0:T_max]
 set yrange [-5:2.6]
-set key at graph 0.02, graph 0.01 left bottom Left reverse maxrows 8 samplen 2 width -1 spacing 1.15
+unset key
+set label 1 "n = 0" at 3.9,1.2 right tc rgb BLUE
+set label 2 "1" at 3.9,-2.3 right tc rgb RED
+set label 3 "2" at 1.16,2.3 right tc rgb GREEN
+set label 4 "3" at 1.9,-3.2 right tc rgb PINK
+set label 5 "4" at 1.55,2.3 right tc rgb BROWN
+set label 6 "5" at 2.4,-3.6 left tc rgb SKY
+set label 7 "6" at 2.5,2.2 left tc rgb "#606060"
+set label 8 "the solution" at 3.9,-0.15 right tc rgb BLACK
 plot for [n=0:6] dat index 0 using 1:(column(2+n)) with lines ls (n == 6 ? 8 : n + 1) \
-         lw (n == 6 ? 1.2 : 1.5) title sprintf("n = %d", n), \
-     '' index 0 using 1:9 with lines ls 7 lw 3 title "the solution"
+         lw (n == 6 ? 1.2 : 1.5), \
+     '' index 0 using 1:9 with lines ls 7 lw 3
 
+unset label
 set title "Largest distance from the solution"
 set xlabel "n"
 unset xrange
@@ -25,7 +34,7 @@ set logscale y
 set format y "10^{%L}"
 set yrange [1e-17:1e9]
 set ytics 1e-16,1e4
-set key at graph 0.98, graph 0.98 right top Left reverse maxrows 5 samplen 2 width -1 spacing 1.25
+set key on at graph 0.98, graph 0.98 right top Left reverse maxrows 5 samplen 2 width -1 spacing 1.25
 plot dat index 1 using 1:($2 > 4e-16 ? $2 : NaN) with points ls 2 \
          title sprintf("[0, %g], q = %.1f", T_max, LONG_max), \
      '' index 1 using 1:4 with lines ls 2 title "bound (15.8)", \

@@ -17,20 +17,21 @@ do for [i=1:6] { # one number of block 2 at a time
     stats dat index 2 every ::row::row using col + 1 nooutput
     S[i] = STATS_max
 }
-
+least = 9; most = 0
+do for [i=1:6] { least = S[i] < least ? S[i] : least; most = S[i] > most ? S[i] : most }
 set multiplot layout 1,2 margins 0.065,0.985,0.13,0.91 spacing 0.1
 
-set title "D^{α} sin t, begun at t = 0"
+set title "D^{α} sin t, begun at t = 0: α = 0, 1/4, 1/2, 3/4, 1"
 set xlabel "t"
 set xrange [0:4*pi]
-set yrange [-1.15:1.75]
+set yrange [-1.15:1.3]
 set xtics ("0" 0, "π" pi, "2π" 2*pi, "3π" 3*pi, "4π" 4*pi)
 set ytics -1,0.5,1
-set key at graph 1.0, graph 1.0 right top Left reverse maxrows 2 samplen 1.8 width -4
-name(i) = word("0 1/4 1/2 3/4 1", i)
-plot for [i=1:5] dat index 0 using 1:(column(1+i)) with lines ls i \
-         title "α = ".name(i), \
-     '' index 0 using 1:7 with lines ls 8 dt (1,3) title "sin(t + π/4)"
+unset key
+set label 1 "α = 1, the cosine" at 2*pi - 0.1,1.14 right tc rgb BROWN
+set label 2 "α = 0, the sine" at 2.5*pi + 0.1,1.14 left tc rgb BLUE
+plot for [i=1:5] dat index 0 using 1:(column(1+i)) with lines ls i, \
+     '' index 0 using 1:7 with lines ls 8 dt (1,3)
 
 set title "Error of Δ^{α} f(t) at t = 1: slope 1"
 set xlabel "h"
@@ -41,10 +42,13 @@ set format y "10^{%L}"
 set xtics autofreq
 set ytics autofreq
 set xrange [0.0008:0.4]
-set yrange [3e-9:0.3]
-set key at graph 0.985, graph 0.02 right bottom Left reverse maxrows 7 samplen 1 width 0
-what(i) = sprintf("%s, α = %.1f: fitted slope %.3f", i <= 3 ? "sin" : "cos", A[i], S[i])
-plot for [i=1:6] C[i] * x with lines ls 8 title (i == 1 ? "predicted, (1.13)" : ""), \
-     for [i=1:3] dat index 1 using 1:(column(1+i)) with points ls i title what(i), \
-     for [i=4:6] dat index 1 using 1:(column(1+i)) with points ls i-3 pt open[i-3] ps 1 lw 1.2 title what(i)
+set yrange [3e-6:0.3]
+unset label
+set label 1 "sin, α = 0.3" at 0.0011,1.2e-5 tc rgb BLUE
+set label 2 "open marks: the cosine\nlines: predicted, (1.13)" at 0.014,4e-5 tc rgb "#222222"
+set label 3 "α = 0.9" at 0.012,2.2e-2 right tc rgb GREEN
+set label 4 sprintf("fitted slopes: %.2f to %.2f", least, most) at 0.012,8e-6 tc rgb "#222222"
+plot for [i=1:6] C[i] * x with lines ls 8, \
+     for [i=1:3] dat index 1 using 1:(column(1+i)) with points ls i, \
+     for [i=4:6] dat index 1 using 1:(column(1+i)) with points ls i-3 pt open[i-3] ps 1 lw 1.2
 unset multiplot

@@ -8,16 +8,19 @@ set multiplot layout 1,2 margins 0.075,0.985,0.135,0.91 spacing 0.1
 set title "Half a derivative of a bump, back and ahead"
 set xlabel "t"
 set xrange [0:1]
-set yrange [-3:5.6]
+set yrange [-2.6:3.6]
 set ytics 1
-set arrow 1 from 0.5, graph 0 to 0.5, graph 0.78 nohead ls 8
+set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead ls 8
 set label 1 "mirror" at 0.5, graph 0.07 offset 0.8,0 tc rgb "#666666"
-set key at graph 0.98, 0.985 right top maxrows 3
-plot dat index 0 using 1:2 with lines ls 7 title "the bump", \
-     '' index 0 using 1:3 with lines ls 1 lw 2.4 title "Δ_−^{1/2}, looks back: its tail lies after the bump", \
-     '' index 0 using 1:4 with lines ls 2 lw 2.4 title "Δ_+^{1/2}, looks ahead: its tail lies before"
+unset key
+set label 2 "the bump" at 0.5,1.2 center tc rgb "#222222"
+set label 3 "looks back:\ntail after" at 0.98,-1.5 right tc rgb BLUE
+set label 4 "looks ahead:\ntail before" at 0.02,-1.5 left tc rgb RED
+plot dat index 0 using 1:2 with lines ls 7, \
+     '' index 0 using 1:3 with lines ls 1 lw 2.4, \
+     '' index 0 using 1:4 with lines ls 2 lw 2.4
 unset arrow 1
-unset label 1
+unset label
 set title "What is left over when the ends do not vanish"
 set xlabel "h"
 set ylabel "|h Σ G Δ_−F − h Σ F Δ_+G|" offset 1.2,0
@@ -25,12 +28,14 @@ set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
 set xrange [0.0032:0.32]
-set yrange [0.01:20]
+set yrange [0.01:3]
 set ytics autofreq
-set key at graph 0.98, graph 0.985 right top maxrows 3
+set label 1 "α = 1" at 0.02,1.3 center tc rgb PINK
+set label 2 "3/4" at 0.02,0.5 center tc rgb GREEN
+set label 3 "1/2" at 0.02,0.185 center tc rgb RED
+set label 4 "1/4" at 0.02,0.036 center tc rgb BLUE
+set label 5 "lines: h^{1−α} |F_0G_0 − F_NG_N|" at 0.004,2.1 tc rgb "#222222"
 stats dat index 1 using 6 nooutput name "END"
-plot for [i=1:4] dat index 1 using 1:(column(1+i)) with points ls i \
-         title sprintf("α = %s", word("1/4 1/2 3/4 1", i)), \
-     for [i=1:4] END_max * x**(1 - i/4.) with lines ls 8 \
-         title (i == 1 ? "h^{1−α} |F_0G_0 − F_NG_N|" : "")
+plot for [i=1:4] dat index 1 using 1:(column(1+i)) with points ls i, \
+     for [i=1:4] END_max * x**(1 - i/4.) with lines ls 8
 unset multiplot

@@ -13,26 +13,31 @@ set xrange [1:1e8]
 set yrange [1e-13:1e2]
 set xtics 100
 set ytics 1e2
-set key at graph 1.0, graph 0.86 right top reverse Left
+unset key
+set label 3 "their sum and |w_n|" at 2e4,1e-4 tc rgb BLUE
+set label 4 "each mode" at 60,1e-11 tc rgb SKY
 set arrow 1 from 33, graph 0 to 33, 1e2 nohead ls 8
 set arrow 2 from 1e6, graph 0 to 1e6, graph 0.5 nohead ls 8
 set label 1 "window" at 1.5, 1e1
 set label 2 "33 ≤ n ≤ N" at 60, 1e1
-plot dat index 2 using 1:2 with lines ls 6 dt 1 lw 0.8 title "each mode", \
-     '' index 0 using 1:3 with lines ls 2 title "their sum", \
-     '' index 0 using 1:2 with lines ls 1 title "|w_n|"
+plot dat index 2 using 1:2 with lines ls 6 dt 1 lw 0.8, \
+     '' index 0 using 1:3 with lines ls 2, \
+     '' index 0 using 1:2 with lines ls 1
 
 set title "Relative error of the sum, and what was promised"
 set xrange [1:1e6]
-set yrange [1e-15:1e2]
-set key at graph 0.98, graph 0.995
+set yrange [1e-15:3]
 unset label
+set label 1 "δ = 10^{−4}, promised" at 200,4e-4 tc rgb "#222222"
+set label 2 "δ = 10^{−8}" at 200,4e-8 tc rgb "#222222"
+set label 3 "δ = 10^{−12}" at 200,4e-12 tc rgb "#222222"
+set label 4 "window" at 1.5,1e-9
 unset arrow 2
 set ytics 1e3
-plot dat index 1 using 1:2 with lines ls 1 title "δ = 10^{−4}", \
-     '' index 1 using 1:3 with lines ls 3 title "δ = 10^{−8}", \
-     '' index 1 using 1:4 with lines ls 2 title "δ = 10^{−12}", \
-     x >= 33 ? 1e-4 : NaN with lines ls 8 title "δ itself", \
-     x >= 33 ? 1e-8 : NaN with lines ls 8 notitle, \
-     x >= 33 ? 1e-12 : NaN with lines ls 8 notitle
+plot dat index 1 using 1:2 with lines ls 1, \
+     '' index 1 using 1:3 with lines ls 3, \
+     '' index 1 using 1:4 with lines ls 2, \
+     x >= 33 ? 1e-4 : NaN with lines ls 8, \
+     x >= 33 ? 1e-8 : NaN with lines ls 8, \
+     x >= 33 ? 1e-12 : NaN with lines ls 8
 unset multiplot
