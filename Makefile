@@ -94,6 +94,7 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
 	$(PYTHON) chapters/tools/words.py --check
+	$(PYTHON) chapters/tools/colours.py
 
 excerpts: | needs ## rewrite code and numbers quoted in the chapters from their sources
 	$(PYTHON) chapters/tools/excerpts.py

@@ -7,7 +7,7 @@ unset key
 set size ratio -1
 set xlabel "term j"
 set ylabel "sum k" offset 1,0
-blue = "#0072B2"; orange = "#D55E00"; green = "#009E73"; grey = "#999999"
+blue = "#0072B2"; orange = "#D55E00"; green = "#009E73"; grey = "#8c8c8c"
 id = 1
 
 # A square of the plane of pairs, its colour, how full.
