@@ -10,22 +10,30 @@ set format x "10^{%L}"
 set title "largest error of x, 0 ≤ t ≤ 3"
 set xlabel "h"
 set xrange [1e-3:0.3]
-set yrange [1e-5:1e6]
-set key top left
-plot dat index 0 using 1:4 with lines ls 1 lw 1 title "(20.8), α = 1/4", \
-     dat index 1 using 1:4 with lines ls 2 lw 1 title "(20.8), α = 3/4", \
-     dat index 0 using 1:2 with points ls 1 title "α = 1/4", \
-     dat index 1 using 1:2 with points ls 2 title "α = 3/4", \
-     0.1*x with lines ls 8 title "slope 1"
+set yrange [1e-5:1e4]
+unset key
+set label 1 "the bound (20.8)" at 1.3e-3,60 tc rgb "#222222"
+set label 2 "α = 3/4" at 0.02,9e-3 right tc rgb RED
+set label 3 "α = 1/4" at 0.03,4e-4 left tc rgb BLUE
+set label 4 "slope 1" at 0.29,8e-3 right tc rgb "#606060"
+plot dat index 0 using 1:4 with lines ls 1 lw 1, \
+     dat index 1 using 1:4 with lines ls 2 lw 1, \
+     dat index 0 using 1:2 with points ls 1, \
+     dat index 1 using 1:2 with points ls 2, \
+     0.1*x with lines ls 8
 unset logscale x
 set format x "%g"
+unset label
+set label 1 "(20.8)" at 2.2,300 right tc rgb RED
+set label 2 "(20.7), run" at 2.9,9 right tc rgb GREEN
+set label 3 "errors for h = 3/64, 3/256, 3/1024" at 2.9,0.09 right tc rgb BLUE
 set title "α = 3/4: error of x over h"
 set xlabel "t"
 set xrange [0:3]
 set yrange [1e-3:1e4]
-plot dat index 5 using 1:3 with lines ls 2 title "(20.8)", \
-     dat index 5 using 1:2 with lines ls 3 title "(20.7), run", \
-     dat index 2 using 1:2 with lines ls 6 title "h = 3/64", \
-     dat index 3 using 1:2 with lines ls 5 title "h = 3/256", \
-     dat index 4 using 1:2 with lines ls 1 title "h = 3/1024"
+plot dat index 5 using 1:3 with lines ls 2, \
+     dat index 5 using 1:2 with lines ls 3, \
+     dat index 2 using 1:2 with lines ls 6, \
+     dat index 3 using 1:2 with lines ls 5, \
+     dat index 4 using 1:2 with lines ls 1
 unset multiplot

@@ -13,7 +13,7 @@ set ytics 1
 set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead ls 8
 set label 1 "mirror" at 0.5, graph 0.07 offset 0.8,0 tc rgb "#666666"
 unset key
-set label 2 "the bump" at 0.5,1.2 center tc rgb "#222222"
+set label 2 "the bump" at 0.66,0.5 left tc rgb "#222222"
 set label 3 "looks back:\ntail after" at 0.98,-1.5 right tc rgb BLUE
 set label 4 "looks ahead:\ntail before" at 0.02,-1.5 left tc rgb RED
 plot dat index 0 using 1:2 with lines ls 7, \

@@ -16,10 +16,13 @@ ma = -36; c = 0.5
 fit m(x) dat using (log($1)):(log($3)) via ma, c
 g(x) = exp(ma) * x**c
 set xrange [100:20000]
-set yrange [1e-17:1e-8]
-set key top left
-plot dat using 1:2 with linespoints ls 2 title "second difference, memory on positions", \
-     f(x) with lines ls 8 title sprintf("fit, N^{%.1f}", b), \
-     dat using 1:3 with linespoints ls 1 title "momentum form, memory on increments (ours)", \
-     g(x) with lines ls 8 title sprintf("fit, N^{%.1f}", c), \
-     dat using 1:4 with linespoints ls 3 title "the same, compensated sums"
+set yrange [2e-17:2e-10]
+unset key
+set label 1 sprintf("second difference: N^{%.1f}", b) at 900,3e-12 right tc rgb RED
+set label 2 sprintf("momentum form, memory on increments (ours): N^{%.1f}", c) at 18000,5e-15 right tc rgb BLUE
+set label 3 "the same, compensated sums" at 18000,5e-17 right tc rgb GREEN
+plot dat using 1:2 with linespoints ls 2, \
+     f(x) with lines ls 8, \
+     dat using 1:3 with linespoints ls 1, \
+     g(x) with lines ls 8, \
+     dat using 1:4 with linespoints ls 3
