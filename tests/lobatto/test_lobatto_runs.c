@@ -29,6 +29,35 @@ static void ck_assert_same(const setup *a, const char *what)
 static const double alphas[] = { 0,   1e-9, 0.1, 0.25, 0.49,
                                  0.6, 0.75, 0.9, 0.99, 1 - 1e-9 };
 
+/* Two stages by hand, with p_0 = m v_0 + h/2 (U' + rho Y^1): v_0 = 0.4073, p_1 = -0.5201
+ * for alpha = 1/4. Some 32 roundings. Seen: 0.47 of that. */
+START_TEST(eq_17_8_one_step_of_two_stages_by_hand)
+{
+    for (double alpha = 0.05; alpha < 0.5; alpha += 0.1) {
+        const double turn = (2 * alpha - 1) * atan(1), size = exp2(alpha - 0.5),
+                     Y1 = size * (cos(turn) + sin(turn)),
+                     Y2 = size * (cos(turn) - sin(turn)),
+                     v = 0.5 / (1 + Y1 / 2);
+        const setup a = { .s = 2,
+                          .alpha = alpha,
+                          .rho = 1,
+                          .x0 = 1,
+                          .p0 = 1,
+                          .h = 1,
+                          .steps = 1,
+                          .cg = { 1, 0 } };
+        solve(&a, x, p);
+        ck_assert_near(x[1], 1 + v, 32 * U, "x, alpha = %g", alpha);
+        ck_assert_near(p[1], 1 - (2 + v + (Y1 + Y2) * v) / 2, 32 * U,
+                       "p, alpha = %g", alpha);
+        if (fabs(alpha - 0.25) < 0.01) {
+            seen(v, "v_0");
+            seen(p[1], "p_1");
+        }
+    }
+}
+END_TEST
+
 /* ---- identities ---- */
 
 //> memories
@@ -363,7 +392,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("lobatto_runs");
-    ADD_CASE(suite, "identities", eq_17_12_compressed_runs_equal_direct_ones,
+    ADD_CASE(suite, "identities", eq_17_8_one_step_of_two_stages_by_hand,
+             eq_17_12_compressed_runs_equal_direct_ones,
              eq_17_21_the_tolerance_is_kept_as_alpha_goes_to_1,
              eq_17_17_the_ends_are_a_spring_and_a_mass,
              eq_17_8_without_damping_time_runs_both_ways,
