@@ -115,7 +115,8 @@ pdf: book ## the chapters on paper, build/book/fvi.pdf (Chromium, poppler, qpdf;
 
 # axe-core knows WCAG's rules; where npm does not reach it, the rest is tested.
 AXE := $B/npm/node_modules/axe-core/axe.min.js
-test-book: book | needs ## the pages in a browser: widths, themes, search, WCAG (Chromium, npm; PAGE=04)
+test-book: book $B/fvi | needs ## the pages in a browser: widths, themes, search, figures that move, WCAG (Chromium, npm; PAGE=04)
+	node chapters/live/test_live.mjs $B/book $B/fvi
 	test -e $(AXE) || npm install --silent --no-audit --no-fund --prefix $B/npm axe-core@4.14.1 2>/dev/null || true
 	node chapters/book/test_book.mjs $B/book $(AXE) $(PAGE)
 
@@ -432,7 +433,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text slides errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book slides,pandoc petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
+  $(call goal,text slides errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book slides,pandoc petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node wasm) node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 

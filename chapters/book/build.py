@@ -12,12 +12,14 @@ import re
 import shutil
 import sys
 
-import figures
-import pages
-import paper
-import sources
-
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent / "live"))
+import figures  # noqa: E402
+import kernel  # noqa: E402
+import pages  # noqa: E402
+import paper  # noqa: E402
+import sources  # noqa: E402
+
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FRAME = (HERE / "frame.html").read_text()
@@ -220,6 +222,7 @@ def main():
     sections = write_search(all_pages, files, found)
     write_equations(found)
     write_live_page()
+    kernel.write(OUT / "live")
     version = re.search(r'FVI_VERSION "([^"]*)"', pathlib.Path("src/fvi/version.h").read_text())[1]
     paper.write(OUT, [page for page in all_pages if page.number], plain, version)
     links = check_links()

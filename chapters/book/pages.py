@@ -242,7 +242,7 @@ def link_equations(page, found):
         if piece.startswith("<"):
             tag = re.match(r"</?(\w+)", piece)
             word = tag[1] if tag else ""
-            if word in ("a", "code", "pre", "math", "annotation", "svg", "h1", "h2", "h3", "h4"):
+            if word in ("a", "code", "pre", "math", "annotation", "svg", "summary", "h1", "h2", "h3", "h4"):
                 inside.pop() if piece.startswith("</") else inside.append(word)
             out.append(piece)
         else:

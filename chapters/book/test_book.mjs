@@ -17,7 +17,7 @@ const [, , out, axeName, word = ""] = process.argv;
 const names = readdirSync(out).filter(name => name.endsWith(".html") && name !== "print.html" && name.includes(word));
 const url = name => pathToFileURL(resolve(out, name)).href;
 const read = name => readFileSync(`${out}/${name}`, "utf8");
-let tests = 0;
+let tests = 0, moving = 0;
 async function test(name, body) {
   try {
     await body();
@@ -137,6 +137,30 @@ try {
     assert.match(await evaluate("window.taken"), /^S = weight_symbolic\(a - 1\)  # the claim/);
   });
 
+  await test("a figure that moves says in the browser what it says in node, and is then as test_live.mjs has it", async () => {
+    const scripts = readdirSync(`${out}/live`).sort((a, b) => (b === "kernel.js") - (a === "kernel.js") || (b === "live.js") - (a === "live.js"));
+    scripts.forEach(name => vm.runInThisContext(read(`live/${name}`), name));
+    const { scenes, open: library, start } = vm.runInThisContext("FVI_LIVE"), kernel = await library(vm.runInThisContext("FVI_WASM"));
+    const begun = name => `document.querySelector("[data-live=${name}]").live`;
+    for (const page of names)
+      for (const [, name] of read(page).matchAll(/data-live="([^"]*)"/g)) {
+        await browser.go(url(page));
+        await evaluate(`document.querySelector("[data-live=${name}]").scrollIntoView()`);
+        await until(begun(name));
+        assert.equal(await evaluate(`document.querySelector("[data-live=${name}] img").offsetParent`), null, `${name}: the image is hidden`);
+        const scene = scenes.get(name), values = start(scene);
+        for (const control of Object.keys(scene.controls)) {
+          await evaluate(`(slider => { slider.value = Math.round(0.7 * slider.max); slider.dispatchEvent(new Event("input")); })
+            (document.querySelector("[data-live=${name}] input[data-of=${control}]"))`);
+          values[control] = await evaluate(`${begun(name)}.values.${control}`);
+          assert.notEqual(values[control], start(scene)[control], control);
+        }
+        const data = scene.compute(values, kernel, scene);
+        await until(`document.querySelector("[data-live=${name}] .says").textContent === ${JSON.stringify(scene.says(data, values))}`);
+        moving++;
+      }
+  });
+
   await test("without scripts a page has its contents, its figures and no dead button", async () => {
     await call("Emulation.setScriptExecutionDisabled", { value: true });
     await size(320);
@@ -156,6 +180,7 @@ try {
   if (axeName && existsSync(axeName)) await test("axe finds no fault, by day and by night", async () => {
     const axe = readFileSync(axeName, "utf8"), pages = [...names, "source/index.html", "source/src-memory-past.c.html"];
     const options = { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"], resultTypes: ["violations"] };
+    const faults = [];
     await size(1280);
     for (const name of pages)
       for (const theme of ["light", "dark"]) {
@@ -164,11 +189,12 @@ try {
         await evaluate(axe);
         const found = await evaluate(`axe.run(document, ${JSON.stringify(options)}).then(({ violations }) =>
           violations.map(({ id, nodes }) => id + ": " + nodes.slice(0, 3).map(node => node.html.slice(0, 120)).join(" | ")))`);
-        assert.deepEqual(found, [], `${name}, ${theme}`);
+        faults.push(...found.map(fault => `${name}, ${theme}: ${fault}`));
       }
+    assert.deepEqual(faults, []);
   });
   else console.log("axe-core is not here: WCAG's rules were not checked");
 } finally {
   await browser.close();
 }
-console.log(`the book: ${tests} tests, ${names.length} pages`);
+console.log(`the book: ${tests} tests, ${names.length} pages, ${moving} figures that move`);

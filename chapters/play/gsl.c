@@ -2,12 +2,9 @@
  *
  * The modules of src/ are compiled for the page with GSL's own headers; what they
  * call is here. In one dimension an eigenvalue is the number itself, and linear
- * equations come from the stages of chapter 17 only: at most four. And at the end
- * stand-ins for what a run of the page never reaches, so that it need not be there. */
-#include "memory/memory_kinds.h"
-
-#include <fvi/damping_laws.h>
+ * equations come from the stages of chapter 17 only: at most four. */
 #include <fvi/error.h>
+#include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -208,116 +205,65 @@ int gsl_linalg_LU_invert(const gsl_matrix *LU, const gsl_permutation *p,
     return FVI_SUCCESS;
 }
 
-/* ---- the memory: the page sums directly, the fast ways stay outside ---- */
+/* ---- exponents of coupled masses (stability_explicit.c): there are none ---- */
 
-size_t fvi_blocks_bytes(size_t d, size_t steps)
+gsl_matrix *gsl_matrix_alloc(const size_t rows, const size_t columns)
 {
-    (void)d, (void)steps;
-    return SIZE_MAX;
+    (void)rows, (void)columns;
+    return NULL; /* fvi_stability_load then returns FVI_ENOMEM */
 }
 
-fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps)
+void gsl_matrix_free(gsl_matrix *A)
 {
-    (void)nu, (void)rate, (void)d, (void)steps;
-    return NULL; /* fvi_memory_alloc then returns FVI_ENOMEM */
+    (void)A;
 }
 
-void fvi_blocks_push(fvi_blocks *b, const double *term, double *H)
+void gsl_matrix_set_zero(gsl_matrix *A)
 {
-    (void)b, (void)term, (void)H;
+    (void)A;
 }
 
-void fvi_blocks_ahead(const fvi_blocks *b, double *sum)
+gsl_vector_complex *gsl_vector_complex_alloc(const size_t n)
 {
-    (void)b, (void)sum;
-}
-
-int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v)
-{
-    (void)b, (void)v;
-    return FVI_EUNSUP;
-}
-
-void fvi_blocks_free(fvi_blocks *b)
-{
-    (void)b;
-}
-
-double fvi_exponentials_delta(size_t steps, double tolerance)
-{
-    (void)steps, (void)tolerance;
-    return 0;
-}
-
-size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
-                              double delta)
-{
-    (void)nu, (void)rated, (void)d, (void)steps, (void)delta;
-    return SIZE_MAX;
-}
-
-fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
-                                         size_t steps, double delta)
-{
-    (void)nu, (void)rated, (void)d, (void)steps, (void)delta;
+    (void)n;
     return NULL;
 }
 
-void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
+void gsl_vector_complex_free(gsl_vector_complex *v)
 {
-    (void)e, (void)term, (void)H;
+    (void)v;
 }
 
-void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
+gsl_eigen_nonsymm_workspace *gsl_eigen_nonsymm_alloc(const size_t n)
 {
-    (void)e, (void)sum;
-}
-
-int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
-{
-    (void)e, (void)v;
-    return FVI_EUNSUP;
-}
-
-void fvi_exponentials_free(fvi_exponentials *e)
-{
-    (void)e;
-}
-
-fvi_blocks *fvi_blocks_copy(const fvi_blocks *b)
-{
-    (void)b;
+    (void)n;
     return NULL;
 }
 
-fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *e)
+void gsl_eigen_nonsymm_params(const int schur, const int balance,
+                              gsl_eigen_nonsymm_workspace *work)
 {
-    (void)e;
-    return NULL;
+    (void)schur, (void)balance, (void)work;
 }
 
-/* ---- the laws of chapter 26: a run of the page has none ---- */
-
-int fvi_law_check(const fvi_law *law)
+int gsl_eigen_nonsymm(gsl_matrix *A, gsl_vector_complex *values,
+                      gsl_eigen_nonsymm_workspace *work)
 {
-    (void)law;
+    (void)A, (void)values, (void)work;
     return FVI_EUNSUP;
 }
 
-double fvi_law_symbol(const fvi_law *law, double s)
+void gsl_eigen_nonsymm_free(gsl_eigen_nonsymm_workspace *work)
 {
-    (void)law, (void)s;
-    return NAN;
+    (void)work;
 }
 
-int fvi_law_memory(const fvi_law *law, fvi_quadrature kind, double h, size_t d,
-                   size_t steps, fvi_memory_kind how, double tolerance,
-                   double *first, fvi_memory **memory)
+double gsl_complex_abs(gsl_complex z)
 {
-    (void)law, (void)kind, (void)h, (void)d, (void)steps, (void)how;
-    (void)tolerance, (void)first, (void)memory;
-    return FVI_EUNSUP;
+    return hypot(GSL_REAL(z), GSL_IMAG(z));
 }
+
+/* ---- nobody is told of an error ---- */
 
 gsl_error_handler_t *gsl_set_error_handler_off(void)
 {

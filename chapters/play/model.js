@@ -242,6 +242,7 @@ async function kernel(text) {
   const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(text), {});
   const array = (which, length) => new Float64Array(c.memory.buffer, c.play_array(which), length);
   return {
+    c,
     // Everything that the page shows of a state. The arrays are views: read them
     // before the next call.
     run(state, points = 400) {

@@ -120,7 +120,7 @@ function drawWeights() {
     if (size > least) marks.push([n, size, weights[n] < 0]);
   }
   const sizes = marks.map(mark => mark[1]), low = Math.min(0.1, ...sizes), high = Math.max(1, ...sizes);
-  const at = picture(element("weights"), { x: [0.9, 1.2 * last], y: [low / 2, 2 * high], log: true,
+  const at = picture(element("weights"), { x: [0.9, 1.2 * last], y: [low / 2, 2 * high], log: "xy",
     names: ["n steps ago", "weight"] });
   if (marks.length > 3) { // the predicted decay, through the last mark
     const [n, size] = marks.at(-1);

@@ -43,7 +43,7 @@ function label(value) {
   return String(rounded);
 }
 
-// One picture. axes: { x: [low, high], y: [low, high], log, names: [x, y] }.
+// One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y] }.
 // Returns what draws into it, in the units of the axes.
 function picture(canvas, axes) {
   const width = canvas.clientWidth, height = canvas.clientHeight, dots = window.devicePixelRatio;
@@ -51,13 +51,13 @@ function picture(canvas, axes) {
     canvas.width = Math.round(width * dots);
     canvas.height = Math.round(height * dots);
   }
-  const pen = canvas.getContext("2d"), scale = axes.log ? Math.log10 : value => value;
+  const pen = canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
   const left = 52, right = width - 10, top = 16, bottom = height - 34;
-  const place = ([low, high], from, to) => {
-    const a = scale(low), by = (to - from) / (scale(high) - a);
+  const place = ([low, high], from, to, log) => {
+    const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
     return value => from + (scale(value) - a) * by;
   };
-  const X = place(axes.x, left, right), Y = place(axes.y, bottom, top);
+  const X = place(axes.x, left, right, logs[0]), Y = place(axes.y, bottom, top, logs[1]);
 
   pen.setTransform(dots, 0, 0, dots, 0, 0);
   pen.clearRect(0, 0, width, height);
@@ -70,8 +70,8 @@ function picture(canvas, axes) {
     pen.lineTo(x1, y1);
     pen.stroke();
   };
-  for (const [of, at, along] of [[axes.x, X, true], [axes.y, Y, false]])
-    for (const value of ticks(...of, axes.log, along ? Math.max(3, width / 90) : 5)) {
+  for (const [of, at, along, log] of [[axes.x, X, true, logs[0]], [axes.y, Y, false, logs[1]]])
+    for (const value of ticks(...of, log, along ? Math.max(3, width / 90) : 5)) {
       pen.strokeStyle = colours[value === 0 ? "axis" : "grid"];
       pen.fillStyle = colours.ink;
       pen.textAlign = along ? "center" : "right";
@@ -106,6 +106,8 @@ function picture(canvas, axes) {
     note,
     // Where a pixel is on the axis x: 0 at its left end, 1 at its right.
     fraction: pixel => (pixel - left) / (right - left),
+    // The same up the axis y: 0 at its lower end, 1 at its upper.
+    height: pixel => (bottom - pixel) / (bottom - top),
     curve: inside((x, y, name, dash = [], thickness = 1.8) => {
       pen.strokeStyle = colours[name];
       pen.lineWidth = thickness;

@@ -1,0 +1,29 @@
+"""The scripts of the figures that move, into a folder.      Used by book/build.py
+
+kernel.js has the C, live.js what they share; then there is one script a figure, by its
+picture's name. All are classic scripts: a page from a disk may load no others."""
+import pathlib
+import shutil
+import sys
+
+HERE = pathlib.Path(__file__).parent
+PLAY = HERE.parent / "play"
+sys.path.append(str(PLAY))
+import wasm  # noqa: E402
+
+SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "without.c", HERE / "live.c"]
+MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative"]
+SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
+WORDS = "scene, scenes, begin, open, start, axes, error, span, short, readColours, stopsOf, orders"
+
+
+def write(out):
+    out.mkdir(parents=True)
+    code = wasm.compile_to(out / "live.wasm", SOURCES, MODULES)
+    (out / "live.wasm").unlink()
+    (out / "kernel.js").write_text(f'const FVI_WASM = "{wasm.packed(code)}";\n')
+    shared = "\n".join(path.read_text() for path in SHARED)
+    (out / "live.js").write_text(f"const FVI_LIVE = (() => {{\n{shared}\nreturn {{ {WORDS} }};\n}})();\n")
+    for path in HERE.glob("*.js"):
+        if path not in SHARED:
+            shutil.copy(path, out)

@@ -1,0 +1,98 @@
+/* chapters/live/live.c -- What the figures of the book that move ask of the library,
+ * beyond what the live page asks (play.c).
+ *
+ * Four arrays for numbers in and out; nothing is imported, nothing is printed. */
+#include "memory/memory_kinds.h"
+
+#include <fvi/coefficients.h>
+#include <fvi/error.h>
+#include <fvi/exact_solution.h>
+#include <fvi/paper/half_derivative.h>
+#include <fvi/paper/integration_by_parts.h>
+#include <gsl/gsl_sf_gamma.h>
+#include <gsl/gsl_sf_lambert.h>
+#include <math.h>
+
+#define EXPORT(name) __attribute__((export_name(#name))) name
+
+enum { ROOM = 8192, ARRAYS = 4 };
+
+static double arrays[ARRAYS][ROOM];
+
+double *EXPORT(live_array)(int which)
+{
+    return arrays[which];
+}
+
+/* Array 0: the weights w_n of that order, n < count <= ROOM. */
+int EXPORT(live_weights)(double order, int count)
+{
+    return fvi_coefficients(order, (size_t)count, arrays[0]);
+}
+
+/* The body of unit mass and spring, held at 1 and let go: array 0 gets n times from 0 to
+ * T, array 1 the motion, array 2 the part of it that swings; if there is none, 0. */
+int EXPORT(live_release)(double alpha, double rho, double T, int n)
+{
+    const fvi_linear problem = {
+        .m = 1, .c = 1, .rho = rho, .alpha = alpha, .past = FVI_PAST_HELD, .x0 = 1
+    };
+    for (int i = 0; i < n; i++) {
+        arrays[0][i] = T * i / (n - 1);
+        arrays[2][i] = 0;
+    }
+    fvi_exact_oscillation(&problem, (size_t)n, arrays[0], arrays[2], NULL);
+    return fvi_exact(&problem, (size_t)n, arrays[0], arrays[1], NULL);
+}
+
+/* Its pole, to array 3: re, im. Not 0 if there is none. */
+int EXPORT(live_pole)(double alpha, double rho)
+{
+    const fvi_linear problem = { .m = 1, .c = 1, .rho = rho, .alpha = alpha };
+    return fvi_exact_pole(&problem, arrays[3], arrays[3] + 1);
+}
+
+/* The nodes of (12.6): array 0 gets s, array 1 c; returns how many. */
+int EXPORT(live_nodes)(double order, double N, double tolerance)
+{
+    return (int)fvi_exponentials_nodes(order, N, tolerance, arrays[0],
+                                       arrays[1]);
+}
+
+/* Of N + 1 values in array 0, the retarded derivative to array 1, the advanced one to 2,
+ * the retarded one twice to 3. */
+int EXPORT(live_operators)(double alpha, double h, int N)
+{
+    const size_t last = (size_t)N;
+    return fvi_delta_minus(alpha, h, last, 1, arrays[0], arrays[1])
+           || fvi_delta_plus(alpha, h, last, 1, arrays[0], arrays[2])
+           || fvi_delta_twice(alpha, h, last, 1, arrays[0], arrays[3]);
+}
+
+/* Array 1: the kernel t^-order / Gamma(1 - order) of Caputo's derivative, 0 <= order < 1, and
+ * array 2: t^order / Gamma(1 + order), 0 <= order <= 2, what a springpot of that
+ * order and of rho = 1 gives way under a force 1, at the times of array 0. */
+void EXPORT(live_powers)(double order, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const double t = arrays[0][i];
+        arrays[1][i] = order < 1 ? pow(t, -order) / tgamma(1 - order) : 0;
+        arrays[2][i] = pow(t, order) / tgamma(1 + order);
+    }
+}
+
+/* ---- two functions of GSL, for the nodes ---- */
+
+double gsl_sf_lngamma(const double x)
+{
+    return lgamma(x);
+}
+
+/* The x with x e^x = A, A > 0, by Newton's method for x + ln x = ln A. */
+double gsl_sf_lambert_W0(double A)
+{
+    double x = A < 1 ? A / (1 + A) : fmax(log(A), 0.5);
+    for (int i = 0; i < 20; i++)
+        x *= (1 + log(A) - log(x)) / (1 + x);
+    return x;
+}
