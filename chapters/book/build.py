@@ -23,7 +23,7 @@ import sources  # noqa: E402
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FRAME = (HERE / "frame.html").read_text()
-NAMES = {"index": "Start", "course": "The map of the course"}  # in the contents
+NAMES = {"index": "Start", "course": "The map of the course", "workshop": "The workshop"}  # in the contents
 
 
 def captions():

@@ -20,6 +20,7 @@ from links import heading_id  # noqa: E402
 
 # The pages that are no chapter, and what they are called in the site.
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
+          "chapters/workshop/README.md": "workshop",
           "chapters/what_the_principle_buys.md": "what_the_principle_buys"}
 CUT = "page-ends-here"
 

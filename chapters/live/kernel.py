@@ -11,7 +11,7 @@ PLAY = HERE.parent / "play"
 sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
-SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "without.c", HERE / "live.c"]
+SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "live.c"]
 MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative"]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
 WORDS = "scene, scenes, begin, open, start, axes, error, span, short, readColours, stopsOf, orders"
