@@ -44,7 +44,7 @@ extern "C" {
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
- * fifty, or is overlooked where it is small: x was off by up to 25 step_error in what the
+ * forty, or is overlooked where it is small: x was off by up to 26 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,

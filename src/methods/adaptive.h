@@ -88,6 +88,8 @@ typedef struct {
     int fresh; /* nonzero in the first step after a jump */
     int most, fewest; /* those of the longest and the shortest step */
     int growth;       /* so much may k grow from step to step */
+    int contracts;    /* k to be tried at most, as the equation of a longer step */
+    int calm;         /* has not been solved, so many steps ago */
     double rough;     /* up to this time a force may jump that did not say so */
     int stuck;        /* so often has the iteration not contracted */
     fvi_adaptive_counts counts;

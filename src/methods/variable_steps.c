@@ -189,6 +189,39 @@ static double judge(fvi_adaptive_run *o, double error, double error_before,
 
 /* ---- a step ---- */
 
+/* After so many steps a longer one is tried again that could not be solved. */
+enum { CALM = 16 };
+
+/* The exponent of the next step, after one that is taken. A step that was made shorter
+ * before is not followed by a longer one. */
+static void lengthen(fvi_adaptive_run *o, double error, int again)
+{
+    const int more = change(o, error),
+              k = exponent(o->length) + (again && more > 0 ? 0 : more);
+    o->next = o->length.k == FVI_OFF_LATTICE && !o->fresh
+                  ? (int)fmax(o->next, k) /* it was cut by an event */
+                  : k;
+    if (++o->calm % CALM == 0)
+        o->contracts++;
+    o->next = (int)fmin(o->next, fmin(o->most, o->contracts));
+    if (o->fresh) /* the next restart begins where this one got to */
+        o->first = o->next;
+}
+
+/* The same after one that is not, as its error is too large, or NaN; or as its equation
+ * was not solved. */
+static void shorten(fvi_adaptive_run *o, fvi_length length, double error,
+                    int failed)
+{
+    const int now = exponent(length);
+    if (failed) {
+        o->contracts = now - 1;
+        o->calm = 0;
+    }
+    o->next = (int)fmax(now + (failed ? -2 : change(o, error)), o->fewest);
+    o->counts.rejected++;
+}
+
 /* sum += more, what rounding takes from it kept in less (Kahan). */
 static void add(double *sum, double *less, double more)
 {
@@ -260,22 +293,14 @@ static int step(fvi_stepper *s)
         if (!failed)
             error = judge(o, found, found_before, h_before);
         if (!failed && error <= o->allowed) {
-            const int k = exponent(length) + change(o, error);
-            o->next = length.k == FVI_OFF_LATTICE && !o->fresh
-                          ? (int)fmax(o->next, k) /* it was cut by an event */
-                          : k;
-            o->next = (int)fmin(o->next, o->most);
-            if (o->fresh) /* the next restart begins where this one got to */
-                o->first = o->next;
+            lengthen(o, error, h_before > 0);
             break;
         }
         if (length.h <= o->least)
             return status              ? status
                    : gsl_finite(error) ? FVI_EMAXITER
                                        : FVI_EOVRFLW;
-        o->counts.rejected++;
-        o->next = exponent(length) + (failed ? -4 : change(o, error));
-        o->next = (int)fmax(o->next, o->fewest);
+        shorten(o, length, error, failed);
         found_before = failed ? 0 : found;
         h_before = length.h;
     }
