@@ -295,6 +295,27 @@ int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
     return FVI_SUCCESS;
 }
 
+int fvi_modes_visit(fvi_modes *m, fvi_visitor *v)
+{
+    const struct {
+        void *data;
+        size_t bytes;
+        int constant;
+    } pieces[] = { { &m->Q, sizeof m->Q, 1 },
+                   { m->sigma, 2 * m->Q * sizeof *m->sigma, 1 },
+                   { m->y, m->d * m->Q * sizeof *m->y, 0 },
+                   { m->last, m->d * sizeof *m->last, 0 },
+                   { &m->awake, sizeof m->awake, 0 },
+                   { &m->before.h, sizeof m->before.h, 0 },
+                   { &m->before.k, sizeof m->before.k, 0 } };
+    int status = 0;
+    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
+        status =
+            v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    m->now = (fvi_length){ 0 };
+    return status;
+}
+
 void fvi_modes_free(fvi_modes *m)
 {
     if (!m)

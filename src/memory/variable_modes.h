@@ -22,6 +22,7 @@
 #define FVI_VARIABLE_MODES_H
 
 #include "variable_rule.h"
+#include <fvi/visit.h>
 
 /* The length of a step: h = exp(L k), or any h with k = FVI_OFF_LATTICE. */
 enum { FVI_OFF_LATTICE = -100000 };
@@ -54,6 +55,10 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
 
 /* fvi_modes_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
+
+/* fvi_modes_visit -- between steps: what steps have changed; and where the modes are, which
+ * they do not. Returns what the visitor does. */
+int fvi_modes_visit(fvi_modes *modes, fvi_visitor *visitor);
 
 /* fvi_modes_free -- give everything back. NULL is allowed. */
 void fvi_modes_free(fvi_modes *modes);

@@ -1,6 +1,6 @@
 /* src/methods/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
  *
- * Internal: adaptive_start.c makes it, variable_steps.c steps with it, adaptive_solve.c
+ * Internal: adaptive_start.c makes it, adaptive_state.c holds it, variable_steps.c steps with it, adaptive_solve.c
  * solves the equation of a step, adaptive_dense.c has what is between its ends,
  * adaptive_singular.c the start that is not smooth. */
 #ifndef FVI_ADAPTIVE_H
@@ -70,11 +70,13 @@ typedef struct {
     double *base, *R, *delta;
     double *bend,
         *bend0; /* h times the Legendre coefficients of x''; of the last step */
-    double *powers; /* and as powers, if a time within the last step was asked for */
+    double *
+        powers; /* and as powers, if a time within the last step was asked for */
     int powers_known;
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted; or NULL */
-    size_t diagonals;     /* of the Hessian if they are few, and their factors; or 0 */
+    size_t
+        diagonals; /* of the Hessian if they are few, and their factors; or 0 */
     fvi_adaptive_band *band;
     /* control */
     double *events; /* where steps have to end: jumps, t1, T at last */
@@ -88,10 +90,10 @@ typedef struct {
     int fresh; /* nonzero in the first step after a jump */
     int most, fewest; /* those of the longest and the shortest step */
     int growth;       /* so much may k grow from step to step */
-    int contracts;    /* k to be tried at most, as the equation of a longer step */
-    int calm;         /* has not been solved, so many steps ago */
-    double rough;     /* up to this time a force may jump that did not say so */
-    int stuck;        /* so often has the iteration not contracted */
+    int contracts; /* k to be tried at most, as the equation of a longer step */
+    int calm;      /* has not been solved, so many steps ago */
+    double rough;  /* up to this time a force may jump that did not say so */
+    int stuck;     /* so often has the iteration not contracted */
     fvi_adaptive_counts counts;
 } fvi_adaptive_run;
 
@@ -99,10 +101,15 @@ typedef struct {
  * the last by more than `growth` factors exp(FVI_SPACING). */
 void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth);
 
-/* fvi_adaptive_start, _stop, _copy -- as fvi_method has them. */
+/* fvi_adaptive_start, _stop, _copy, _visit -- as fvi_method has them. */
 int fvi_adaptive_start(fvi_stepper *s);
 void fvi_adaptive_stop(fvi_stepper *s);
 int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to);
+int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v);
+
+/* fvi_adaptive_allocate -- the arrays of o, whose sizes are known; what is missing stays
+ * NULL. FVI_ENOMEM. */
+int fvi_adaptive_allocate(fvi_adaptive_run *o);
 
 /* fvi_adaptive_matrices -- those of steps of such length. FVI_ESING if one is singular. */
 int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);

@@ -11,106 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    STATE = 7,
-    LANED = 6,
-    STAGED = 3
-}; /* arrays: of d, of LANES d, of s d */
-
-void fvi_adaptive_stop(fvi_stepper *s)
-{
-    fvi_adaptive_run *o = s->own;
-    if (!o)
-        return;
-    fvi_modes_free(o->modes);
-    free(o->singular.c);
-    free(o->events);
-    free(o->kind);
-    free(o->of_kind);
-    free(o->jacobian);
-    fvi_adaptive_band_free(o->band);
-    free(o->y);
-    free(o);
-}
-
-/* ---- room ---- */
-
-static size_t numbers(const fvi_adaptive_run *o)
-{
-    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED);
-}
-
-/* The arrays of o, whose sizes are known; what is missing stays NULL. */
-static int allocate(fvi_adaptive_run *o)
-{
-    const size_t d = o->d;
-    o->y = calloc(numbers(o), sizeof *o->y);
-    o->kind = calloc(2 * d, sizeof *o->kind);
-    o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
-    const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
-    o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
-    if (o->diagonals)
-        o->band = fvi_adaptive_band_alloc(o->rule, o->beta, d, o->kinds,
-                                          o->diagonals);
-    if (!o->y || !o->kind || !o->of_kind || (o->diagonals && !o->band)
-        || (each && !o->jacobian))
-        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->index = o->kind + d;
-    o->y_less = o->y + d;
-    o->v = o->y + 2 * d;
-    o->v_less = o->y + 3 * d;
-    o->y0 = o->y + 4 * d;
-    o->v0 = o->y + 5 * d;
-    o->centre = o->y + 6 * d;
-    o->base = o->y + STATE * d;
-    o->R = o->base + FVI_LANES * d;
-    o->delta = o->R + FVI_LANES * d;
-    o->bend = o->delta + FVI_LANES * d;
-    o->bend0 = o->bend + FVI_LANES * d;
-    o->powers = o->bend0 + FVI_LANES * d;
-    o->point = o->powers + FVI_LANES * d;
-    o->gradient = o->point + o->rule->s * d;
-    o->hessian = o->gradient + o->rule->s * d;
-    return FVI_SUCCESS;
-}
-
-int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
-{
-    const fvi_adaptive_run *old = from->own;
-    fvi_adaptive_run *o = to->own = malloc(sizeof *o);
-    if (!o)
-        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    *o = *old;
-    o->modes = NULL;
-    o->singular.c = NULL;
-    o->events = NULL;
-    o->kind = NULL;
-    o->of_kind = NULL;
-    o->jacobian = NULL;
-    o->band = NULL;
-    o->y = NULL;
-    int status = allocate(o);
-    if (status)
-        return status;
-    memcpy(o->y, old->y, numbers(o) * sizeof *o->y);
-    memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
-    memcpy(o->of_kind, old->of_kind, o->kinds * sizeof *o->of_kind);
-    if (old->singular.c) {
-        const size_t n = o->d * (old->singular.J + 3);
-        o->singular.c = malloc(n * sizeof *o->singular.c);
-        if (!o->singular.c)
-            FVI_FAIL("no memory for the start", FVI_ENOMEM);
-        memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
-        o->singular.ratio = o->singular.c + o->d * (old->singular.J + 1);
-        o->singular.pull = o->singular.ratio + o->d;
-    }
-    o->events = malloc(o->event_count * sizeof *o->events);
-    if (!o->events)
-        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
-    memcpy(o->events, old->events, o->event_count * sizeof *o->events);
-    return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
-}
-
 /* ---- matrices ---- */
 
 //> matrices
@@ -329,7 +229,7 @@ int fvi_adaptive_start(fvi_stepper *s)
         o->kinds = sort_out(s, springs, o);
         if (o->solve == FVI_SOLVE_LINEAR && (o->rule->s > 6 || o->kinds < d))
             o->diagonals = 0; /* the inverse is more exact; and many share it */
-        status = allocate(o);
+        status = fvi_adaptive_allocate(o);
     }
     if (!status) {
         sort_out(s, springs, o);

@@ -349,5 +349,6 @@ const fvi_method fvi_adaptive = {
     .step = step,
     .dense = fvi_adaptive_dense,
     .copy = fvi_adaptive_copy,
+    .visit = fvi_adaptive_visit,
     .stop = fvi_adaptive_stop,
 };

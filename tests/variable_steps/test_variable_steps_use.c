@@ -259,8 +259,34 @@ END_TEST
 
 /* ---- the life of a stepper ---- */
 
-/* A copy and a run begun anew go on with the same digits; rows may be had at any time that
- * is not before the last step. */
+/* A visitor that keeps the pieces, or gives them back. */
+typedef struct {
+    fvi_visitor visitor;
+    size_t at;
+} shelf;
+static unsigned char pieces[1 << 16];
+static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    (void)constant;
+    ck_assert(bytes <= sizeof pieces - s->at);
+    memcpy(pieces + s->at, data, bytes);
+    s->at += bytes;
+    return 0;
+}
+static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    if (constant && memcmp(pieces + s->at, data, bytes) != 0)
+        return -7;
+    if (!constant)
+        memcpy(data, pieces + s->at, bytes);
+    s->at += bytes;
+    return 0;
+}
+
+/* A copy, a run that was saved, and one begun anew go on with the same digits; rows may be
+ * had at any time that is not before the last step. */
 START_TEST(a_copy_goes_on_with_the_same_digits)
 {
     const double jumps[] = { 3.3, 1.1, 99 };
@@ -277,7 +303,7 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         system.force.jump_count = LEN(jumps);
         fvi_run run = run_of(&system, 1e-9);
         run.alpha = way == 2 ? 0.75 : 0.3;
-        fvi_stepper *s, *copy;
+        fvi_stepper *s, *copy, *again;
         ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
         double last = -1;
         int met = 0;
@@ -292,10 +318,20 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
             o->length.h = 0; /* other matrices */
         }
         ck_assert_int_eq(fvi_step(s), 0);
+        while (s->t < 0.3 * (double)way)
+            ck_assert_int_eq(fvi_step(s), 0);
         ck_assert_int_eq(fvi_copy(s, &copy), 0);
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &again), 0);
+        shelf saved = { .visitor = { save } }, read = { .visitor = { load } };
+        ck_assert_int_eq(fvi_visit(s, &saved.visitor), 0);
+        ck_assert_int_eq(fvi_visit(again, &read.visitor), 0);
+        ck_assert(read.at == saved.at && again->t == s->t);
         while (s->k < N) {
             ck_assert_int_eq(fvi_step(s), 0);
             ck_assert_int_eq(fvi_step(copy), 0);
+            ck_assert_int_eq(fvi_step(again), 0);
+            ck_assert(s->t == again->t
+                      && memcmp(s->x, again->x, 2 * D * sizeof *x) == 0);
             ck_assert(s->t == copy->t && s->k == copy->k);
             ck_assert(s->k == N || (double)(s->k + 1) * run.h > s->t);
             ck_assert((double)s->k * run.h <= s->t);
@@ -316,6 +352,7 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         ck_assert_int_eq(fvi_run_to(s, s->t * 1.001, y, NULL), FVI_EDOM);
         ck_assert_int_eq(fvi_run_to(NULL, 1, y, NULL), FVI_EFAULT);
         fvi_stop(copy);
+        fvi_stop(again);
         if (way > 0) {
             ck_assert_int_eq(fvi_reset(s), 0);
             ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
