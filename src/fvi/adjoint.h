@@ -44,10 +44,12 @@ typedef struct {
     fvi_sensitivity sensitivity;
 } fvi_gradients;
 
-/* fvi_adjoint -- the derivatives of J by all that determines a run.   [(23.4), (23.6)]
+/* fvi_adjoint -- the derivatives of J by all that determines a run.
+ *                                              [(23.4), (23.6), (23.13), (23.15)]
  *
- *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or fvi_lobatto2 to 8 (form M), with
- *              alpha < 1, no derivative by alpha, and x and p NULL
+ *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or fvi_lobatto2 to 8d
+ *              with x and p NULL, of which form M has no derivative by alpha at alpha = 1,
+ *              where its p jumps, (17.17)
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
  *              d momenta p_N of its last row. Or both NULL: the run is done here, and
@@ -58,7 +60,7 @@ typedef struct {
  *
  * These are the derivatives of what the program computes, not of the motion it stands
  * for: no step size is small. With a compressed memory they belong to the weights as
- * they are compressed; the derivative by alpha is that of the true weights to (23.11).
+ * they are compressed; the derivative by alpha is that of the true weights to (23.11), (23.14).
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -68,7 +70,7 @@ typedef struct {
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
- * always one, s - 1 times as large), and no iteration. Measured, fvi_fractional, one
+ * always one, s - 1 times as large, in form D s times), and no iteration. Measured, fvi_fractional, one
  * coordinate, all derivatives, the rows given: 0.24 to 0.43 of the time of the run
  * (figures/adjoint/adjoint_bench.tsv). Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where that is more, N = 2000; with eight
  * stages and alpha near 0 an identity of all derivatives is off by 1e-11.

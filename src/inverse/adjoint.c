@@ -19,11 +19,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->law)
         FVI_FAIL("a law of damping has no adjoint here", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_STAGES
-        && (want->alpha || run->alpha == 1 || x))
-        FVI_FAIL("stages have no derivative by alpha, none at alpha = 1, and "
-                 "need their own run",
-                 FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_STAGES && x)
+        FVI_FAIL("stages need their own run", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia
+        && want->alpha && run->alpha == 1)
+        FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
         && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
@@ -37,7 +37,14 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 /* Of a step: its end, and the stages before. */
 static size_t rows_of(const fvi_method *method)
 {
-    return method->scheme == FVI_SCHEME_STAGES ? (size_t)method->stages - 1 : 1;
+    const size_t first = method->damped_inertia != 0;
+    return method->stages ? (size_t)method->stages - 1 + first : 1;
+}
+
+/* Times of a step at which a force acts, but for its beginning. */
+static size_t forces_of(const fvi_method *method)
+{
+    return method->stages ? (size_t)method->stages - 1 : 1;
 }
 
 /* What is added to, from zero on. */
@@ -72,13 +79,12 @@ typedef struct {
 } mirror;
 
 static int begin(const fvi_method *method, const fvi_run *run,
-                 const fvi_gradients *want, const double *Jp, mirror *m)
+                 const fvi_gradients *want, const double *p, const double *Jp,
+                 mirror *m)
 {
-    *m = (mirror){ .stages = method->scheme == FVI_SCHEME_STAGES
-                                 ? (size_t)method->stages
-                                 : 0 };
+    m->stages = (size_t)method->stages;
     return m->stages
-               ? fvi_mirror_stages_start(m->stages, run, want, Jp, &m->staged)
+               ? fvi_mirror_stages_start(method, run, want, p, Jp, &m->staged)
                : fvi_mirror_start(method->scheme, run, want, Jp, &m->plain);
 }
 
@@ -115,7 +121,8 @@ static int walk(const fvi_method *method, fvi_backward *path,
         status = slopes(objective, N, d, rows + per * d,
                         fvi_backward_momentum(path), J, J + d);
     if (!status)
-        status = begin(method, run, want, J + d, &m);
+        status = begin(method, run, want, fvi_backward_momentum(path), J + d,
+                       &m);
     for (size_t k = N; !status && k-- > 0;) {
         if (k + 1 < N)
             status = fvi_backward_step(path, k, &rows);
@@ -141,7 +148,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
         status = fvi_backward_alloc(method, run, x, p, &path);
     if (status)
         return status;
-    clear(run, want, rows_of(method));
+    clear(run, want, forces_of(method));
     double *J = calloc(2 * run->system->d, sizeof *J);
     if (!J) {
         fvi_backward_free(path);

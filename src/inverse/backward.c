@@ -13,7 +13,8 @@ struct fvi_backward {
     size_t d, length; /* steps of a piece; all if the rows are the caller's */
     size_t piece;     /* the one whose rows are there */
     size_t steps;     /* of the run */
-    size_t per;       /* rows of a step: its end, and its inner stages */
+    size_t per;       /* rows of a step: its end, and other stages before it */
+    size_t first;     /* 1 if the first stage is one of them, as it is not x_k */
     const double *x;  /* its rows */
     double *rows, *p; /* owned; NULL, or those rows; p_N */
     size_t copies;    /* one at the beginning of each piece but the last, */
@@ -54,7 +55,7 @@ static void keep(const fvi_backward *b, const fvi_stepper *s, double *row)
     const fvi_lobatto_stages *o = b->per > 1 ? s->own : NULL;
     for (size_t i = 1; i < b->per; i++)
         for (size_t j = 0; j < d; j++)
-            row[i * d + j] = row[j] + o->dX[i * d + j];
+            row[i * d + j] = row[j] + o->dX[(i - b->first) * d + j];
     memcpy(row + b->per * d, s->x, d * sizeof *row);
 }
 
@@ -127,8 +128,10 @@ int fvi_backward_alloc(const fvi_method *method, const fvi_run *run,
     }
     b->d = d;
     b->steps = b->length = run->steps;
-    b->per =
-        method->scheme == FVI_SCHEME_STAGES ? (size_t)method->stages - 1 : 1;
+    b->first = method->damped_inertia != 0;
+    b->per = method->scheme == FVI_SCHEME_STAGES
+                 ? (size_t)method->stages - 1 + b->first
+                 : 1;
     b->x = x;
     if (x)
         memcpy(b->p, p, d * sizeof *p);

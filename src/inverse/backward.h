@@ -26,8 +26,8 @@ const double *fvi_backward_momentum(const fvi_backward *backward);
 /* fvi_backward_step -- where the trajectory was in step k, from t_k to t_{k+1}.
  *
  *   k     below the k of the call before
- *   rows  output: x_k and x_{k+1}, d numbers each; the positions of all stages, where the
- *         method has stages. Good until the next call
+ *   rows  output: x_k and x_{k+1}, d numbers each; between them the other stages, where
+ *         the method has stages, in form D all but the last. Good until the next call
  *
  * Returns FVI_SUCCESS; what fvi_step returns. */
 int fvi_backward_step(fvi_backward *backward, size_t k, const double **rows);

@@ -11,82 +11,87 @@
 
 /* ---- the start ---- */
 
+enum { LONG = 5, SHORT = 11 }; /* arrays of s d and of d numbers */
+
 static int allocate(fvi_mirror_stages *m)
 {
     const size_t s = m->s, d = m->d;
     const fvi_system *system = m->run->system;
     const size_t hessian =
         system->potential.hessian ? fvi_hessian_room(system) : 0;
-    m->block = calloc(3 * s * d + s * hessian + (6 + s) * d, sizeof *m->block);
+    double **longs[LONG] = { &m->Lambda, &m->T, &m->past, &m->pastdot, &m->r };
+    double **shorts[SHORT] = { &m->column, &m->Q,      &m->mass, &m->after,
+                               &m->last,   &m->kinetic, &m->sum,  &m->sumdot,
+                               &m->plain,  &m->pull,    &m->pulldot };
+    m->block = calloc((LONG * s + SHORT) * d + s * hessian, sizeof *m->block);
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    m->Lambda = m->block;
-    m->T = m->Lambda + s * d;
-    m->past = m->T + s * d;
-    m->column = m->past + s * d;
-    m->Q = m->column + d;
-    m->kinetic = m->Q + d;
-    m->sum = m->kinetic + d;
-    m->plain = m->sum + d;
-    m->pull = m->plain + d;
-    m->r = m->pull + d;
-    m->G = hessian ? m->r + s * d : NULL;
+    double *next = m->block;
+    for (size_t i = 0; i < LONG; i++, next += s * d)
+        *longs[i] = next;
+    for (size_t i = 0; i < SHORT; i++, next += d)
+        *shorts[i] = next;
+    m->G = hessian ? next : NULL;
     const size_t w =
         system->potential.diagonals ? system->potential.diagonals : d;
-    if (fvi_band_alloc((s - 1) * d, (s - 1) * w, &m->J))
+    const size_t n = m->damped_inertia ? s : s - 1; /* unknown stages */
+    if (fvi_band_alloc(n * d, n * w, &m->J))
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     return FVI_SUCCESS;
-}
-
-static void start_matrices(fvi_mirror_stages *m)
-{
-    const fvi_lobatto_rule *r = m->rule;
-    for (size_t i = 0; i < m->s; i++)
-        for (size_t j = 0; j < m->s; j++) {
-            for (size_t l = 0; l < m->s; l++)
-                m->K[i][j] += r->D[l][i] * r->b[l] * r->D[l][j];
-            m->E[i][j] = r->D[m->s - 1 - j][i] * r->b[m->s - 1 - j];
-        }
 }
 
 static int start_memory(fvi_mirror_stages *m)
 {
     const fvi_run *run = m->run;
+    const size_t s = m->s;
     const double beta = 2 * run->alpha - 1;
-    m->is_damped = m->want->damping != NULL;
+    m->is_damped = m->want->damping != NULL || m->want->alpha != NULL;
     for (size_t i = 0; i < m->d; i++)
         m->is_damped |= run->system->damping[i] > 0;
     m->unit = pow(run->h, -beta);
-    for (size_t i = 0; i < m->s; i++)
-        m->W[i][i] = 1; /* beta = 0 */
-    if (!m->is_damped || beta == 0)
+    for (size_t i = 0; i < s; i++)
+        m->W[i][i] = !m->heavy; /* beta = 0; nothing */
+    if (!m->is_damped || m->heavy || (beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
-    int status =
-        fvi_lobatto_memory_alloc(m->s, beta, m->d, run->steps, run->memory,
-                                 fvi_lobatto_finer(run), &m->memory);
-    for (size_t i = 0; !status && i < m->s; i++)
-        memcpy(m->W[i], fvi_lobatto_memory_now(m->memory) + i * m->s,
-               m->s * sizeof(double));
+    int status = (m->want->alpha ? fvi_lobatto_memory_alloc_rate
+                                 : fvi_lobatto_memory_alloc)(
+        s, beta, m->d, run->steps, run->memory, fvi_lobatto_finer(run),
+        &m->memory);
+    for (size_t i = 0; !status && i < s; i++) {
+        memcpy(m->W[i], fvi_lobatto_memory_now(m->memory) + i * s,
+               s * sizeof(double));
+        if (m->want->alpha)
+            memcpy(m->rate[i], fvi_lobatto_memory_now_rate(m->memory) + i * s,
+                   s * sizeof(double));
+    }
     return status;
 }
 
-int fvi_mirror_stages_start(size_t stages, const fvi_run *run,
-                            const fvi_gradients *want, const double *Jp,
-                            fvi_mirror_stages *m)
+int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
+                            const fvi_gradients *want, const double *p,
+                            const double *Jp, fvi_mirror_stages *m)
 {
+    const size_t s = (size_t)method->stages;
     *m = (fvi_mirror_stages){ .run = run,
                               .want = want,
-                              .rule = fvi_lobatto(stages),
-                              .s = stages,
-                              .d = run->system->d };
+                              .rule = fvi_lobatto(s),
+                              .s = s,
+                              .d = run->system->d,
+                              .damped_inertia = method->damped_inertia,
+                              .heavy =
+                                  run->alpha == 1 && !method->damped_inertia };
     int status = allocate(m);
     if (!status)
         status = start_memory(m);
     if (status)
         return status;
-    start_matrices(m);
-    for (size_t j = 0; j < m->d; j++)
-        m->Lambda[j * m->s] = Jp[j]; /* lambda_N, as the first of a step N */
+    fvi_mirror_stages_matrices(m);
+    for (size_t j = 0; j < m->d; j++) { /* lambda_N, as the first of a step N */
+        const double mass = run->system->mass[j];
+        m->mass[j] = mass + (m->heavy ? run->system->damping[j] : 0);
+        m->Lambda[j * s] = Jp[j] * mass / m->mass[j];
+        m->last[j] = Jp[j] * p[j];
+    }
     m->is_pulled = m->is_damped && run->alpha != 0.5
                    && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
                        || (run->past == FVI_PAST_HELD && run->alpha > 0.5));
@@ -102,179 +107,131 @@ void fvi_mirror_stages_stop(fvi_mirror_stages *m)
     free(m->block);
 }
 
-/* ---- the equation of a step ---- */
-
-/* Entry (i, j) of the Hessian at a stage. */
-static double hessian(const fvi_mirror_stages *m, size_t stage, size_t i,
-                      size_t j)
-{
-    const size_t w = m->run->system->potential.diagonals;
-    const double *G = m->G + stage * fvi_hessian_room(m->run->system);
-    if (!w)
-        return G[i * m->d + j];
-    const size_t low = i < j ? i : j, high = i < j ? j : i;
-    return high - low < w ? G[low * w + high - low] : 0;
-}
-
-/* Of coordinate j what multiplies Lambda_l in row i of (23.13), but for U. */
-static double linear(const fvi_mirror_stages *m, size_t j, size_t i, size_t l)
-{
-    const fvi_system *system = m->run->system;
-    double memory = 0; /* D^T B P W_0 P */
-    for (size_t c = 0; c < m->s; c++)
-        memory += m->E[i][c] * m->W[c][m->s - 1 - l];
-    return system->mass[j] / m->run->h * m->K[i][l]
-           - system->damping[j] * m->unit * memory;
-}
-
-/* The neighbours in the Hessian of coordinate j: from low to below high. */
-static void reach(const fvi_mirror_stages *m, size_t j, size_t *low,
-                  size_t *high)
-{
-    const size_t w = m->run->system->potential.diagonals;
-    *low = w && j + 1 > w ? j + 1 - w : 0;
-    *high = w && j + w < m->d ? j + w : m->d;
-}
-
-/* h b_i (G Lambda_i) of coordinate j */
-static double bent(const fvi_mirror_stages *m, size_t j, size_t i)
-{
-    size_t low, high;
-    double sum = 0;
-    if (!m->G)
-        return 0;
-    reach(m, j, &low, &high);
-    for (size_t l = low; l < high; l++)
-        sum += hessian(m, i, j, l) * m->Lambda[l * m->s + i];
-    return m->run->h * m->rule->b[i] * sum;
-}
-
-/* Rows 2, ..., s of (23.13) for Lambda_1, ..., Lambda_{s-1}. */
-static int factorise(fvi_mirror_stages *m)
-{
-    const size_t n = m->s - 1;
-    fvi_band_clear(&m->J);
-    for (size_t j = 0; j < m->d; j++)
-        for (size_t i = 1; i <= n; i++) {
-            double *row = fvi_band_row(&m->J, j * n + i - 1);
-            for (size_t l = 0; l < n; l++)
-                row[j * n + l] = linear(m, j, i, l);
-            size_t low = 0, high = 0;
-            if (m->G && i < n)
-                reach(m, j, &low, &high);
-            for (size_t l = low; l < high; l++)
-                row[l * n + i] -=
-                    m->run->h * m->rule->b[i] * hessian(m, i, j, l);
-        }
-    return fvi_band_factorise(&m->J);
-}
-
-/* What is known of row i: the history, and Lambda_s. */
-static double known(const fvi_mirror_stages *m, size_t j, size_t i)
-{
-    double sum = 0;
-    for (size_t c = 0; c < m->s; c++)
-        sum += m->E[i][c] * m->past[j * m->s + c];
-    return -m->run->system->damping[j] * m->unit * sum
-           + linear(m, j, i, m->s - 1) * m->Lambda[j * m->s + m->s - 1];
-}
-
-//> stages
-static int solve(fvi_mirror_stages *m)
-{
-    const size_t s = m->s, n = s - 1;
-    int status = factorise(m);
-    if (status)
-        return status;
-    for (size_t j = 0; j < m->d; j++) {
-        for (size_t i = 1; i < n; i++)
-            m->r[j * n + i - 1] = -known(m, j, i);
-        m->r[j * n + n - 1] = -m->Q[j] - known(m, j, n) + bent(m, j, n);
-    }
-    fvi_band_solve(&m->J, m->r);
-    for (size_t j = 0; j < m->d; j++)
-        memcpy(m->Lambda + j * s, m->r + j * n, n * sizeof *m->r);
-    for (size_t j = 0; j < m->d; j++) { /* row 1 of (23.13) */
-        m->Q[j] = known(m, j, 0) - bent(m, j, 0);
-        for (size_t l = 0; l < n; l++)
-            m->Q[j] += linear(m, j, 0, l) * m->Lambda[j * s + l];
-    }
-    return FVI_SUCCESS;
-}
-//< stages
-
 /* ---- a step ---- */
+
+/* Where the stages are: behind x_k in form D, from x_k on in form M. */
+static const double *positions(const fvi_mirror_stages *m, const double *rows)
+{
+    return rows + (m->damped_inertia ? m->d : 0);
+}
 
 static int look(fvi_mirror_stages *m, const double *rows)
 {
     const fvi_potential *u = &m->run->system->potential;
     const size_t room = fvi_hessian_room(m->run->system);
+    const double *X = positions(m, rows);
     int status = FVI_SUCCESS;
     for (size_t i = 0; m->G && !status && i < m->s; i++)
-        status = u->hessian(m->d, rows + i * m->d, u->params, m->G + i * room);
+        status = u->hessian(m->d, X + i * m->d, u->params, m->G + i * room);
     return status;
+}
+
+/* The velocities of all stages of coordinate j: D X / h, of form D with the penalty of
+ * (17.3), as x_k is not X_1 there. */
+static void velocities(const fvi_mirror_stages *m, size_t j, const double *rows,
+                       double *v)
+{
+    const double *X = positions(m, rows) + j;
+    for (size_t i = 0; i < m->s; i++) {
+        v[i] = 0;
+        for (size_t l = 0; l < m->s; l++)
+            v[i] += m->rule->D[i][l] * (X[l * m->d] - rows[j]) / m->run->h;
+    }
+    if (m->damped_inertia)
+        v[0] += (X[0] - rows[j]) / m->rule->b[0] / m->run->h;
+}
+
+/* dJ/dm but for v_0, times h: Lambda . K X in form M; in form D what m multiplies. */
+static double inertia(const fvi_mirror_stages *m, size_t j, const double *rows,
+                      const double *v)
+{
+    const double *Lambda = m->Lambda + j * m->s;
+    double sum = 0;
+    for (size_t i = 0; i < m->s; i++)
+        for (size_t l = 0; l < m->s; l++)
+            sum += m->damped_inertia
+                       ? -m->run->h * Lambda[i] * m->rule->b[i]
+                             * m->rule->D[i][l] * v[l]
+                       : Lambda[i] * m->K[i][l]
+                             * (rows[l * m->d + j] - rows[j]);
+    if (m->damped_inertia) /* v_{k+1} is v[s-1] */
+        sum += m->run->h * (m->after[j] * v[m->s - 1] - Lambda[0] * v[0]);
+    return sum;
 }
 
 /* T = W_0 P Lambda + what was known, and what it and Lambda meet. */
 static void meet(fvi_mirror_stages *m, const double *rows)
 {
-    const size_t s = m->s, d = m->d;
-    const double h = m->run->h;
-    for (size_t j = 0; j < d; j++) {
+    const size_t s = m->s;
+    for (size_t j = 0; j < m->d; j++) {
         const double *Lambda = m->Lambda + j * s;
         const double v0 =
             m->run->alpha > 0.5 ? m->run->p0[j] / m->run->system->mass[j] : 0;
+        double v[FVI_STAGES] = { 0 };
+        velocities(m, j, rows, v);
+        m->kinetic[j] += inertia(m, j, rows, v);
         for (size_t i = 0; i < s; i++) {
-            double T = m->past[j * s + i], v = 0, KX = 0;
+            double T = m->past[j * s + i], Tdot = m->pastdot[j * s + i];
             for (size_t l = 0; l < s; l++) {
                 T += m->W[i][l] * Lambda[s - 1 - l];
-                v += m->rule->D[s - 1 - i][l] * rows[l * d + j] / h;
-                KX += m->K[i][l] * (rows[l * d + j] - rows[j]);
+                Tdot += m->rate[i][l] * Lambda[s - 1 - l];
             }
-            m->sum[j] += m->rule->b[i] * (v - v0) * T;
+            m->sum[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * T;
+            m->sumdot[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * Tdot;
             m->plain[j] += m->rule->b[i] * T;
-            m->kinetic[j] += Lambda[i] * KX;
         }
     }
 }
 
-static int drive(fvi_mirror_stages *m, size_t k, const double *rows)
+/* What the force and the past give to the stages. */
+static void drive(fvi_mirror_stages *m, size_t k)
 {
-    const fvi_sensitivity *by = &m->want->sensitivity;
     const size_t s = m->s, d = m->d;
-    double at[FVI_STAGES] = { 0 };
-    int status = FVI_SUCCESS;
+    double at[FVI_STAGES] = { 0 }, slope[FVI_STAGES] = { 0 };
+    double *force = m->want->force;
     if (m->is_pulled)
         fvi_past_impulses(&m->fading, k, at);
-    for (size_t i = 0; i < s; i++) {
-        const double unit = m->run->h * m->rule->b[i];
+    if (m->is_pulled && m->want->alpha)
+        fvi_past_impulses_rate(&m->fading, m->rule->c, k, slope);
+    for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < d; j++) {
-            if (m->want->force)
-                m->want->force[(k * (s - 1) + i) * d + j] +=
-                    unit * m->Lambda[j * s + i];
-            m->pull[j] += at[i] * m->Lambda[j * s + i];
+            const double Lambda = m->Lambda[j * s + i];
+            if (force)
+                force[(k * (s - 1) + i) * d + j] +=
+                    m->run->h * m->rule->b[i] * Lambda;
+            m->pull[j] += at[i] * Lambda;
+            m->pulldot[j] += slope[i] * Lambda;
         }
-        for (size_t p = 0; m->want->parameters && !status && p < by->count;
-             p++) {
-            status = by->column(p, d, rows + i * d,
+}
+
+static int meet_parameters(fvi_mirror_stages *m, const double *rows)
+{
+    const fvi_sensitivity *by = &m->want->sensitivity;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; m->want->parameters && i < m->s; i++)
+        for (size_t p = 0; !status && p < by->count; p++) {
+            status = by->column(p, d, positions(m, rows) + i * d,
                                 m->run->system->potential.params, m->column);
             for (size_t j = 0; j < d; j++)
-                m->want->parameters[p] -=
-                    unit * m->column[j] * m->Lambda[j * s + i];
+                m->want->parameters[p] -= m->run->h * m->rule->b[i]
+                                          * m->column[j]
+                                          * m->Lambda[j * m->s + i];
         }
-    }
     return status;
 }
 
 /* P Lambda goes into the memory, and out comes what is known of the next T. */
 static int remember(fvi_mirror_stages *m)
 {
+    const size_t s = m->s;
     if (!m->memory)
         return FVI_SUCCESS;
     for (size_t j = 0; j < m->d; j++)
-        for (size_t i = 0; i < m->s; i++)
-            m->T[j * m->s + i] = m->Lambda[j * m->s + m->s - 1 - i];
-    return fvi_lobatto_memory_push(m->memory, m->T, m->past);
+        for (size_t i = 0; i < s; i++)
+            m->T[j * s + i] = m->Lambda[j * s + s - 1 - i];
+    return fvi_lobatto_memory_push_rate(m->memory, m->T, m->past,
+                                        m->want->alpha ? m->pastdot : NULL);
 }
 
 int fvi_mirror_stages_step(fvi_mirror_stages *m, size_t k, const double *rows,
@@ -282,15 +239,16 @@ int fvi_mirror_stages_step(fvi_mirror_stages *m, size_t k, const double *rows,
 {
     for (size_t j = 0; j < m->d; j++) {
         m->Q[j] += Jx[j];
-        m->Lambda[j * m->s + m->s - 1] = m->Lambda[j * m->s]; /* lambda_{k+1} */
+        m->after[j] = m->Lambda[j * m->s]; /* lambda_{k+1} */
     }
     int status = look(m, rows);
     if (!status)
-        status = solve(m);
+        status = fvi_mirror_stages_solve(m);
     if (!status)
-        status = drive(m, k, rows);
+        status = meet_parameters(m, rows);
     if (status)
         return status;
+    drive(m, k);
     if (m->is_damped || m->want->mass)
         meet(m, rows);
     return remember(m);
@@ -298,20 +256,47 @@ int fvi_mirror_stages_step(fvi_mirror_stages *m, size_t k, const double *rows,
 
 /* ---- the end ---- */
 
+/* What depends on rho, on alpha and on v0 through the damping of coordinate j. */
+static void end_damping(const fvi_mirror_stages *m, size_t j, double pulled,
+                        double v0)
+{
+    const fvi_run *run = m->run;
+    const fvi_gradients *want = m->want;
+    const double rho = run->system->damping[j], mass = run->system->mass[j];
+    const double A = fvi_past_amplitude(run->past, run->alpha, run->x0[j], v0),
+                 log_h = log(run->h);
+    if (want->damping) {
+        want->damping[j] = -A * pulled * m->pull[j];
+        want->damping[j] +=
+            m->heavy ? m->kinetic[j] / run->h + m->Lambda[j * m->s] * v0
+                           - m->last[j] / m->mass[j]
+                     : -run->h * m->unit * m->sum[j];
+    }
+    if (want->alpha) /* e falls by 2 dalpha, beta grows by it */
+        *want->alpha +=
+            2 * rho
+            * (A * pulled * (log_h * m->pull[j] + m->pulldot[j])
+               - run->h * m->unit * (m->sumdot[j] - log_h * m->sum[j]));
+    if (m->heavy && want->mass)
+        want->mass[j] += rho / mass
+                         * (m->last[j] / m->mass[j] - m->Lambda[j * m->s] * v0);
+    if (m->heavy && want->p0)
+        want->p0[j] += m->Lambda[j * m->s] * rho / mass;
+}
+
 int fvi_mirror_stages_end(fvi_mirror_stages *m, const double *Jx)
 {
     const fvi_run *run = m->run;
     const fvi_gradients *want = m->want;
+    const int above = run->alpha > 0.5;
+    const double pulled = m->is_pulled ? pow(run->h, 1 + m->fading.e) : 0;
     for (size_t j = 0; j < m->d; j++) {
         const double rho = run->system->damping[j], mass = run->system->mass[j],
                      v0 = run->p0[j] / mass;
-        const double pulled = m->is_pulled ? pow(run->h, 1 + m->fading.e) : 0;
         const double by_A = -rho * pulled * m->pull[j];
-        const int above = run->alpha > 0.5;
         const double by_v0 =
-            above ? by_A + run->h * rho * m->unit * m->plain[j] : 0;
-        const double A =
-            fvi_past_amplitude(run->past, run->alpha, run->x0[j], v0);
+            above ? by_A + (m->heavy ? 0 : run->h * rho * m->unit * m->plain[j])
+                  : 0;
         m->Q[j] += Jx[j];
         if (want->x0)
             want->x0[j] = m->Q[j] + (above ? 0 : by_A);
@@ -322,9 +307,7 @@ int fvi_mirror_stages_end(fvi_mirror_stages *m, const double *Jx)
             want->p0[j] = m->Lambda[j * m->s] + by_v0 / mass;
         if (want->mass)
             want->mass[j] = m->kinetic[j] / run->h - by_v0 * v0 / mass;
-        if (want->damping)
-            want->damping[j] =
-                -run->h * m->unit * m->sum[j] - A * pulled * m->pull[j];
+        end_damping(m, j, pulled, v0);
     }
     return fvi_all_finite(m->d, m->Q) ? FVI_SUCCESS : FVI_EOVRFLW;
 }

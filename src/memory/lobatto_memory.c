@@ -19,6 +19,8 @@ struct fvi_lobatto_memory {
     double *z;         /* Q modes for each coordinate */
     double *W;         /* W_0, ..., W_lags */
     double *past;      /* the last `lags` v, a ring */
+    int rated;         /* there are derivatives by beta, too: */
+    double *r, *R;     /* of q and W */
 };
 
 static size_t padded(size_t n)
@@ -27,20 +29,23 @@ static size_t padded(size_t n)
 }
 
 /* Whether all W_n are summed as they are, and whether modes stand for most of them;
- * beta = 0 and beta = -1 are neither, as they need no history. */
-static int is_direct(double beta, size_t steps, fvi_memory_kind kind)
+ * beta = 0 and beta = -1 are neither, as they need no history, but for its rates. */
+static int is_direct(double beta, size_t steps, fvi_memory_kind kind, int rated)
 {
     const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
-    return (few || kind == FVI_MEMORY_DIRECT) && beta != 0 && beta != -1;
+    return (few || kind == FVI_MEMORY_DIRECT)
+           && (rated || (beta != 0 && beta != -1));
 }
 
-static int is_compressed(double beta, size_t steps, fvi_memory_kind kind)
+static int is_compressed(double beta, size_t steps, fvi_memory_kind kind,
+                         int rated)
 {
-    return !is_direct(beta, steps, kind) && beta != 0 && beta != -1;
+    return !is_direct(beta, steps, kind, rated)
+           && (rated || (beta != 0 && beta != -1));
 }
 
 static int check(size_t s, double beta, size_t d, size_t steps,
-                 fvi_memory_kind kind, double tolerance)
+                 fvi_memory_kind kind, int rated, double tolerance)
 {
     if (!fvi_lobatto(s))
         FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
@@ -52,24 +57,27 @@ static int check(size_t s, double beta, size_t d, size_t steps,
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
     if (!(tolerance >= 0 && tolerance < 1))
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
-    const int direct = is_direct(beta, steps, kind);
+    const int direct = is_direct(beta, steps, kind, rated);
     const size_t most = SIZE_MAX / sizeof(double) / 1024;
     if (d > most || (direct && steps > most / d))
         FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
-    if (is_compressed(beta, steps, kind) && tolerance > 0 && tolerance < 1e-14)
+    if (is_compressed(beta, steps, kind, rated) && tolerance > 0 && tolerance < 1e-14)
         FVI_FAIL("no tolerance below 1e-14", FVI_ETOL);
     return FVI_SUCCESS;
 }
 
 /* How many modes and how many W_n there will be, for arguments that are checked. */
 static void plan(size_t s, double beta, size_t steps, fvi_memory_kind kind,
-                 double keep, size_t *Q, size_t *lags)
+                 int rated, double keep, size_t *Q, size_t *lags)
 {
-    const int direct = is_direct(beta, steps, kind);
+    const int direct = is_direct(beta, steps, kind, rated);
+    const double N = (double)steps + 1;
     *lags = direct ? steps : FVI_LAGS;
-    *Q = direct ? 0
-                : padded(fvi_lobatto_nodes(s, beta, (double)steps + 1, keep,
-                                           NULL, NULL, NULL, 0));
+    *Q = direct  ? 0
+         : rated ? fvi_lobatto_nodes_rate(s, beta, N, keep, NULL, NULL, NULL,
+                                          NULL, 0)
+                 : fvi_lobatto_nodes(s, beta, N, keep, NULL, NULL, NULL, 0);
+    *Q = padded(*Q);
 }
 
 /* The default stands for a tolerance of 0. */
@@ -82,9 +90,9 @@ double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_memory_kind kind, double tolerance)
 {
     size_t Q, lags;
-    if (check(s, beta, d, steps, kind, tolerance))
+    if (check(s, beta, d, steps, kind, 0, tolerance))
         return 0;
-    plan(s, beta, steps, kind, kept(tolerance), &Q, &lags);
+    plan(s, beta, steps, kind, 0, kept(tolerance), &Q, &lags);
     const double ring = (double)lags * (double)(s * (s + d)),
                  rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
     return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_memory);
@@ -92,7 +100,9 @@ double fvi_lobatto_memory_bytes(size_t s, double beta, size_t d, size_t steps,
 
 static size_t numbers(const fvi_lobatto_memory *m)
 {
-    return (2 + m->s + m->d) * m->Q + (m->lags + 1) * m->s * m->s
+    const size_t rates = m->rated ? 1 : 0;
+    return (2 + m->s + m->d + rates) * m->Q
+           + (1 + rates) * (m->lags + 1) * m->s * m->s
            + m->lags * m->s * m->d;
 }
 
@@ -113,37 +123,59 @@ static fvi_lobatto_memory *make(fvi_lobatto_memory sizes)
     m->z = m->a + m->s * m->Q;
     m->W = m->z + m->d * m->Q;
     m->past = m->W + (m->lags + 1) * m->s * m->s;
+    m->r = m->past + m->lags * m->s * m->d;
+    m->R = m->r + m->Q;
     return m;
+}
+
+static int allocate(size_t s, double beta, size_t d, size_t steps,
+                    fvi_memory_kind kind, int rated, double tolerance,
+                    fvi_lobatto_memory **memory)
+{
+    if (!memory)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = check(s, beta, d, steps, kind, rated, tolerance);
+    if (status)
+        return status;
+    const double keep = kept(tolerance), N = (double)steps + 1;
+    size_t Q, lags;
+    plan(s, beta, steps, kind, rated, keep, &Q, &lags);
+    fvi_lobatto_memory *m = make((fvi_lobatto_memory){
+        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .rated = rated });
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    status = fvi_lobatto_weights_rate(s, beta, lags + 1, m->W,
+                                      rated ? m->R : NULL);
+    if (status) {
+        fvi_lobatto_memory_free(m);
+        return status;
+    }
+    if (Q > 0 && rated)
+        fvi_lobatto_nodes_rate(s, beta, N, keep, m->q, m->r, m->p, m->a, Q);
+    else if (Q > 0)
+        fvi_lobatto_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
+    for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
+        for (size_t l = 0; l < FVI_LAGS; l++) {
+            m->q[j] -= m->p[j] * m->q[j];
+            if (rated)
+                m->r[j] -= m->p[j] * m->r[j];
+        }
+    *memory = m;
+    return FVI_SUCCESS;
 }
 
 int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_memory_kind kind, double tolerance,
                              fvi_lobatto_memory **memory)
 {
-    if (!memory)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = check(s, beta, d, steps, kind, tolerance);
-    if (status)
-        return status;
-    const double keep = kept(tolerance), N = (double)steps + 1;
-    size_t Q, lags;
-    plan(s, beta, steps, kind, keep, &Q, &lags);
-    fvi_lobatto_memory *m = make((fvi_lobatto_memory){
-        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q });
-    if (!m)
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    status = fvi_lobatto_weights(s, beta, lags + 1, m->W);
-    if (status) {
-        fvi_lobatto_memory_free(m);
-        return status;
-    }
-    if (Q > 0)
-        fvi_lobatto_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
-    for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
-        for (size_t l = 0; l < FVI_LAGS; l++)
-            m->q[j] -= m->p[j] * m->q[j];
-    *memory = m;
-    return FVI_SUCCESS;
+    return allocate(s, beta, d, steps, kind, 0, tolerance, memory);
+}
+
+int fvi_lobatto_memory_alloc_rate(size_t s, double beta, size_t d, size_t steps,
+                                  fvi_memory_kind kind, double tolerance,
+                                  fvi_lobatto_memory **memory)
+{
+    return allocate(s, beta, d, steps, kind, 1, tolerance, memory);
 }
 
 int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
@@ -185,6 +217,11 @@ void fvi_lobatto_memory_free(fvi_lobatto_memory *m)
 const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *m)
 {
     return m->W;
+}
+
+const double *fvi_lobatto_memory_now_rate(const fvi_lobatto_memory *m)
+{
+    return m->R;
 }
 
 enum { FEW = 4 }; /* stages, for which there is a loop of their own */
@@ -258,17 +295,46 @@ FVI_VECTORS static void advance_many(size_t s, size_t Q,
             H[i] += sum[i][l];
 }
 
-//> push
+/* sum += sum_n W_n v_{k-n} over the near lags, and over the modes as they are. */
+static void sum_rates(const fvi_lobatto_memory *m, size_t k, const double *past,
+                      const double *z, double *sum)
+{
+    const size_t s = m->s;
+    for (size_t n = 1; n <= m->lags && n <= k; n++)
+        for (size_t l = 0; l < s; l++)
+            for (size_t j = 0; j < s; j++)
+                sum[l] += m->R[(n * s + l) * s + j]
+                          * past[(k - n) % m->lags * s + j];
+    for (size_t l = 0; l < s; l++) {
+        double part[LANES] = { 0 };
+        const double *a = m->a + l * m->Q;
+        for (size_t j = 0; j < m->Q; j += LANES)
+            for (size_t i = 0; i < LANES; i++)
+                part[i] += a[j + i] * (m->r[j + i] * z[j + i]);
+        for (size_t i = 0; i < LANES; i++)
+            sum[l] += part[i];
+    }
+}
+
 int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
+{
+    return fvi_lobatto_memory_push_rate(m, v, H, NULL);
+}
+
+//> push
+int fvi_lobatto_memory_push_rate(fvi_lobatto_memory *m, const double *v,
+                                 double *H, double *Hdot)
 {
     if (!m || !v || !H)
         FVI_FAIL("null pointer", FVI_EFAULT);
+    if (Hdot && !m->rated)
+        FVI_FAIL("this memory has no rates", FVI_EUNSUP);
     if (m->k >= m->steps)
         FVI_FAIL("the memory is full", FVI_EINVAL);
     const size_t s = m->s, k = ++m->k, lags = m->lags;
     const double *b = fvi_lobatto(s)->b;
     for (size_t i = 0; i < m->d; i++, v += s, H += s) {
-        double *past = m->past + i * lags * s,
+        double *past = m->past + i * lags * s, *z = m->z + i * m->Q,
                *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
                sum[FVI_STAGES] = { 0 };
         /* v_{k-1-lags} leaves the ring, as u = P B v, and goes to the modes. */
@@ -285,8 +351,13 @@ int fvi_lobatto_memory_push(fvi_lobatto_memory *m, const double *v, double *H)
         }
         if (m->Q > 0)
             (s > FEW ? advance_many : advance_few)(s, m->Q, m->q, m->p, m->a, u,
-                                                   m->z + i * m->Q, sum);
+                                                   z, sum);
         memcpy(H, sum, s * sizeof *H);
+        if (!Hdot)
+            continue;
+        memset(sum, 0, sizeof sum);
+        sum_rates(m, k, past, z, sum);
+        memcpy(Hdot + i * s, sum, s * sizeof *H);
     }
     return FVI_SUCCESS;
 }

@@ -34,6 +34,13 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_memory_kind kind, double tolerance,
                              fvi_lobatto_memory **memory);
 
+/* fvi_lobatto_memory_alloc_rate -- one that gives the derivatives of its sums by beta,
+ * too: fvi_lobatto_memory_push_rate. The same arguments and errors; beta = 0 and -1 do need
+ * their history here. */
+int fvi_lobatto_memory_alloc_rate(size_t s, double beta, size_t d, size_t steps,
+                                  fvi_memory_kind kind, double tolerance,
+                                  fvi_lobatto_memory **memory);
+
 /* fvi_lobatto_memory_bytes -- what fvi_lobatto_memory_alloc will take from the heap
  * and keep. Arguments as there. A double, because it may be more than can be
  * addressed. Returns 0 where that would refuse. */
@@ -49,6 +56,9 @@ int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
  * memory. */
 const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *memory);
 
+/* fvi_lobatto_memory_now_rate -- its derivative by beta; of a memory with rates. */
+const double *fvi_lobatto_memory_now_rate(const fvi_lobatto_memory *memory);
+
 /* fvi_lobatto_memory_push -- take in v_k, give out H_{k+1}.           [(17.12)]
  * H_0 is zero. The step size is NOT included: multiply by h^(-beta).
  *
@@ -60,6 +70,11 @@ const double *fvi_lobatto_memory_now(const fvi_lobatto_memory *memory);
  * terms. On error H is untouched. */
 int fvi_lobatto_memory_push(fvi_lobatto_memory *memory, const double *v,
                             double *H);
+
+/* fvi_lobatto_memory_push_rate -- and give out dH_{k+1} / d beta, v held.   [(23.14)]
+ * Hdot: output, as H; errors as above, and FVI_EUNSUP if the memory has no rates. */
+int fvi_lobatto_memory_push_rate(fvi_lobatto_memory *memory, const double *v,
+                                 double *H, double *Hdot);
 
 /* fvi_lobatto_memory_visit -- as fvi_memory_visit. */
 int fvi_lobatto_memory_visit(fvi_lobatto_memory *memory, fvi_visitor *visitor);

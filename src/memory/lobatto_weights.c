@@ -111,12 +111,13 @@ static series root(size_t s, series *x)
 
 //> near
 /* Delta(z)^beta: roots until Delta^(1/2^k) = 1 + E with a small E, the binomial
- * series of (1 + E)^beta, and k squares. */
-static series near(size_t s, double beta)
+ * series of (1 + E)^beta, and k squares. Its derivative, if wanted: times ln Delta, which
+ * is 2^k ln(1 + E). */
+static series near(size_t s, double beta, series *rate)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const series one = identity(s);
-    series x = { 0 }, E, term = one, sum = one;
+    series x = { 0 }, E, term = one, sum = one, logarithm = { 0 };
     for (size_t i = 0; i < s; i++)
         memcpy(x.w[0][i], rule->D[i], s * sizeof(double));
     x.w[0][0][0] += 1 / rule->b[0];     /* (17.3) */
@@ -129,8 +130,16 @@ static series near(size_t s, double beta)
         combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
         combine(s, 1, &sum, 1, &term, &sum);
     }
+    term = E;
+    for (int j = 1; rate && j <= 40; j++) {
+        combine(s, 1, &logarithm, ldexp(j % 2 ? 1. : -1., k) / j, &term,
+                &logarithm);
+        term = multiply(s, &term, &E);
+    }
     while (k-- > 0)
         sum = multiply(s, &sum, &sum);
+    if (rate)
+        *rate = multiply(s, &logarithm, &sum);
     return sum;
 }
 //< near
@@ -159,9 +168,44 @@ static void node(size_t s, double mu, double *a)
     gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
 }
 
+//> tail
+/* (x coth x - 1) / x^2 for y = x^2, and (1 - x cot x) / x^2 for y = -x^2: Lambert's
+ * continued fraction. */
+static double lambert(double y)
+{
+    double f = 43;
+    for (int n = 41; n >= 3; n -= 2)
+        f = n + y / f;
+    return 1 / f;
+}
+
+/* All nodes below mu, the next, stand at `low`, where q[0] has their sum and their first
+ * moment. Those of the rates are others: R[0] and R[1], by shares of both nodes. factor is
+ * step sin(pi e) / pi, and slope its derivative; at e = 0 factor / expm1 is 0/0. */
+static void tail_rates(double e, double step, double mu, double low,
+                       double factor, double slope, const double *q,
+                       double *rate)
+{
+    const double y = M_PI * M_PI, w = step * step / 4;
+    double R[2];
+    for (int i = 0; i < 2; i++)
+        R[i] = pow(mu, e + i) / expm1((e + i) * step)
+               * (slope
+                  + factor * (log(mu) - step / -expm1(-(e + i) * step)));
+    if (e < 0.25)
+        R[0] = q[0]
+               * (log(mu) - step / 2
+                  - e * (y * lambert(-y * e * e) + w * lambert(w * e * e)));
+    const double share = (R[1] - low * R[0]) / (mu - low);
+    rate[0] = R[0] - share;
+    rate[1] += share;
+}
+//< tail
+
 //> nodes
-size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
-                         double *q, double *p, double *a, size_t stride)
+static size_t make_nodes(size_t s, double beta, double N, double tolerance,
+                         int rated, double *q, double *rate, double *p,
+                         double *a, size_t stride)
 {
     const double *b = fvi_lobatto(s)->b, L = -log(tolerance),
                  decay = (double)(s * (s - 1)); /* r(-mu) ~ decay/mu^2 */
@@ -174,16 +218,21 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
     const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
     const double factor = beta < 0 ? -sine * step : sine * step;
     size_t Q = 1 + (size_t)ceil((last - first) / step);
-    Q = beta == 0 ? 0 : beta == -1 ? 1 : Q + 1; /* and the tail */
+    Q = rated || (beta != 0 && beta != -1) ? Q + 1 /* and the tail */
+                                           : beta == -1;
+    const double slope = step * cos(M_PI * e0);
+    double low = 0;
     for (size_t j = 0; q && j < Q; j++) {
         double mu = exp(first + ((double)j - 1) * step), vector[FVI_STAGES];
         q[j] = factor * pow(mu, e0);
+        if (rated)
+            rate[j] = pow(mu, e0) * (slope + factor * log(mu));
         if (j == 0) { /* all nodes below the first, by two moments: (17.12) */
             mu *= exp(step);
             double S0 = pow(mu, e0) / expm1(e0 * step),
                    S1 = pow(mu, e0 + 1) / expm1((e0 + 1) * step);
             q[j] = beta == -1 ? 1 : factor * S0;
-            mu = beta == -1 ? 0 : S1 / S0;
+            low = mu = beta == -1 ? 0 : S1 / S0;
         }
         node(s, mu, vector);
         p[j] = 0;
@@ -192,9 +241,24 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
             p[j] += mu * b[i] * vector[i]; /* 1 - r(-mu), to all digits */
         }
     }
+    if (q && rated)
+        tail_rates(e0, step, exp(first), low, factor, slope, q, rate);
     return Q;
 }
 //< nodes
+
+size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
+                         double *q, double *p, double *a, size_t stride)
+{
+    return make_nodes(s, beta, N, tolerance, 0, q, NULL, p, a, stride);
+}
+
+size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
+                              double *q, double *rate, double *p, double *a,
+                              size_t stride)
+{
+    return make_nodes(s, beta, N, tolerance, 1, q, rate, p, a, stride);
+}
 
 /* ---- the weights ---- */
 
@@ -215,7 +279,23 @@ static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
         }
 }
 
+/* Matrix k, from the series if it is there. */
+static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
+                        const double *q, const double *a, double *W)
+{
+    for (size_t i = 0; k < TERMS && i < s; i++)
+        memcpy(W + i * s, first->w[k][i], s * sizeof *W);
+    if (k >= TERMS)
+        sum_nodes(s, Q, q, a, W);
+}
+
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
+{
+    return fvi_lobatto_weights_rate(s, beta, n, W, NULL);
+}
+
+int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
+                             double *rate)
 {
     if (!W)
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -225,24 +305,27 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
         FVI_FAIL("n must be at least 1 and addressable", FVI_EINVAL);
     if (!(beta >= -1 && beta <= 1))
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
+    const int rated = rate != NULL;
     size_t Q = 0;
     if (n > TERMS) /* else the series has them all */
-        Q = fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, NULL, NULL, NULL,
-                              0);
-    double *q = calloc((2 + s) * Q + 1, sizeof *q);
+        Q = make_nodes(s, beta, (double)n, TOLERANCE, rated, NULL, NULL, NULL,
+                       NULL, 0);
+    double *q = calloc((3 + s) * Q + 1, sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
-    double *p = q + Q, *a = q + 2 * Q;
+    double *p = q + Q, *r = p + Q, *a = r + Q;
     if (Q > 0)
-        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, q, p, a, Q);
-    const series first = near(s, beta);
-    for (size_t k = 0; k < n; k++, W += s * s) {
-        for (size_t j = 0; k >= 2 && j < Q; j++)
+        make_nodes(s, beta, (double)n, TOLERANCE, rated, q, r, p, a, Q);
+    series slope;
+    const series first = near(s, beta, rated ? &slope : NULL);
+    for (size_t k = 0; k < n; k++) {
+        for (size_t j = 0; k >= 2 && j < Q; j++) {
             q[j] -= p[j] * q[j]; /* q_j r_j^(k-1) */
-        for (size_t i = 0; k < TERMS && i < s; i++)
-            memcpy(W + i * s, first.w[k][i], s * sizeof *W);
-        if (k >= TERMS)
-            sum_nodes(s, Q, q, a, W);
+            r[j] -= p[j] * r[j];
+        }
+        copy_or_sum(s, k, &first, Q, q, a, W + k * s * s);
+        if (rated)
+            copy_or_sum(s, k, &slope, Q, r, a, rate + k * s * s);
     }
     free(q);
     return FVI_SUCCESS;

@@ -35,6 +35,16 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
  * FVI_ENOMEM. On error W is untouched. */
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 
+/* fvi_lobatto_weights_rate -- W_0, ..., W_{n-1}, and their derivatives by beta.  [(23.14)]
+ *
+ *   s, beta, n, W  as above
+ *   rate           output, as W; NULL: not wanted
+ *
+ * Cost and errors as above. Accuracy of the rates, in units of 2^-53 of the largest: the
+ * first four 2000 (no proof; seen 240), the others 1000 (seen 52). */
+int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
+                             double *rate);
+
 /* ---- for lobatto_memory.c: nothing is checked ---- */
 
 /* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
@@ -52,5 +62,14 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
  * / 10; none for beta = 0, one for beta = -1. Cost 0.5 us a node. */
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
                          double *q, double *p, double *a, size_t stride);
+
+/* fvi_lobatto_nodes_rate -- and the derivative of W_n by beta, on the same nodes: with
+ * rate_j for q_j.                                                        [(23.14)]
+ *
+ *   rate     output, Q numbers; NULL if q is
+ *   others   as above; none are saved for beta = 0 or -1 */
+size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
+                              double *q, double *rate, double *p, double *a,
+                              size_t stride);
 
 #endif

@@ -28,8 +28,8 @@ static double lagrange(const fvi_lobatto_rule *r, size_t s, size_t j, double t)
 /* A of Lobatto IIIC: the integrals of l_j from 0 to c_i, by the rule itself, and in
  * the first column b_1. What that changes is paid back by w, which is orthogonal to all
  * polynomials of degree s - 2, so that A integrates those as before. (17.3) */
-static void make_A(const fvi_lobatto_rule *r, size_t s,
-                   double A[FVI_STAGES][FVI_STAGES])
+void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
+                       double A[FVI_STAGES][FVI_STAGES])
 {
     for (size_t i = 0; i < s; i++) {
         for (size_t j = 0; j < s; j++) {
@@ -166,6 +166,8 @@ int fvi_lobatto_damped_step(fvi_stepper *s)
         for (size_t i = 0; l < o->damped && o->index[l] == j && i < n; i++)
             o->v[l * n + i] = v + delta[i] - o->v0[l];
         l += l < o->damped && o->index[l] == j;
+        for (size_t i = 0; is_free && i < n; i++)
+            o->dX[i * d + j] = moved(s, o, i, j, delta);
         s->x[j] += moved(s, o, n - 1, j, delta);
         s->p[j] += m * delta[n - 1];
     }
@@ -199,7 +201,7 @@ int fvi_lobatto_damped_prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     const fvi_system *system = s->run.system;
     const size_t n = o->s;
     int status = FVI_SUCCESS;
-    make_A(o->rule, n, o->A);
+    fvi_lobatto_table(o->rule, n, o->A);
     for (size_t j = 0; !status && j < o->d; j++)
         status = make_G(o, system->mass[j], s->run.h * system->damping[j],
                         o->M + j * n * n); /* alpha = 1: W is 0 */

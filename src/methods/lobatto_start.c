@@ -193,7 +193,7 @@ static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
         .highest = 2 * s - 2,                                                  \
         .stages = s,                                                           \
         .damped_inertia = damped,                                              \
-        .scheme = damped ? FVI_SCHEME_OTHER : FVI_SCHEME_STAGES,               \
+        .scheme = FVI_SCHEME_STAGES,                                           \
         .alpha_most = 1,                                                       \
         .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
         .implicit = is_implicit,                                               \

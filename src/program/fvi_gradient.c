@@ -65,11 +65,8 @@ static int interpret(request *r, fvi_complaint c)
     if (m->scheme == FVI_SCHEME_OTHER)
         return fvi_refuse(c,
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8 have",
+                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d have",
                           m->name);
-    if (m->stages && r->o.alpha == 1)
-        return fvi_refuse(c, "--alpha: '%s' has no gradient with %s",
-                          r->o.text[ALPHA], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
@@ -188,6 +185,13 @@ static int differentiate(request *r)
                   : 0;
 }
 
+/* In form M p is another number at alpha = 1 than below, (17.17). */
+static int has_alpha(const request *r)
+{
+    const fvi_method *m = r->o.method;
+    return !m->stages || m->damped_inertia || r->o.alpha < 1;
+}
+
 static int make_room(request *r)
 {
     const size_t d = r->o.d;
@@ -209,7 +213,7 @@ static int make_room(request *r)
     r->to.p0 = r->to.x0 + d;
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
-    r->to.alpha = r->o.method->stages ? NULL : r->to.damping + d;
+    r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
     r->lets = r->to.damping + d + 3; /* behind c and g */
     r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
     r->to.force = r->force;
@@ -267,7 +271,8 @@ static int print_answer(const request *r)
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
     else
-        fprintf(f, "# warning = no derivative by alpha with stages yet\n");
+        fprintf(f, "# warning = no derivative by alpha: p of %s jumps at 1\n",
+                r->o.method->name);
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);

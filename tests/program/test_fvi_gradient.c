@@ -33,6 +33,8 @@ static const char *const runs[] = {
     "--force 'cos(k*t)' --derivative caputo",
     "--alpha 0.7 --method fvi-lobatto3 --potential 'k*x^4/4+x^2/2' --let k=0.5 "
     "--force 'cos(k*t)'",
+    "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto3d",
+    "--alpha 1 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto4",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -50,6 +52,9 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 1, "mass", "--mass", 1 },  { 1, "g", "--potential pendulum:", 1 },
         { 2, "k", "--let k=", 0.5 }, { 2, "mass", "--mass", 1 },
         { 3, "k", "--let k=", 0.5 }, { 3, "rho", "--rho", 0.2 },
+        { 3, "alpha", "--alpha", 0.7 }, { 4, "alpha", "--alpha", 0.3 },
+        { 4, "mass", "--mass", 1 },  { 5, "mass", "--mass", 1 },
+        { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -59,7 +64,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         snprintf(options, sizeof options, "%s", runs[rows[j].run]);
         char *given = strstr(options, rows[j].name[0] == 'g'   ? "--potential"
                                       : rows[j].name[0] == 'k' ? "--let k"
-                                                               : "--nothing");
+                                                               : rows[j].option);
         if (given) {
             char *end = strchr(strchr(given, ' ') + 1, ' ');
             memset(given, ' ', end ? (size_t)(end - given) : strlen(given));
@@ -116,7 +121,7 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
-        { "--method fvi-lobatto2 --alpha 1", "--alpha: '1' has no gradient" },
+        { "--method fvi-adaptive", "--method: 'fvi-adaptive' has no gradient" },
         { "--of y", "--of: 'y' is none of x, p, energy" },
         { "--of x:2", "--of: '2' is outside [1, 1]" },
         { "--of energy:1", "--of: 'energy:1': there is one energy" },

@@ -1,0 +1,167 @@
+/* tests/adjoint/test_adjoint_stage_values.c -- Chapter 23: methods with stages, against
+ * derivatives of 40 digits.       Run alone: make test-adjoint_stage_values */
+#include "adjoint_runs.h"
+#include "memory/lobatto_memory.h"
+
+#include "adjoint_stages_ref.h"
+
+/* ---- the rates of the weights ---- */
+
+static double largest(const double *v, size_t n)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(v[i]));
+    return most;
+}
+
+/* (23.14), of the largest of W_0, ..., W_4 and their rates. No proof. Seen: 2.7e-14 of the
+ * matrices from the series (n < 4); 5.8e-15 of those from the nodes. */
+START_TEST(eq_23_14_the_rates_of_the_matrices)
+{
+    enum { LAGS = 41, MOST_OF = LAGS * FVI_STAGES * FVI_STAGES };
+    static double W[MOST_OF], rate[MOST_OF];
+    for (size_t i = 0; i < LEN(ref_stage_rates); i++) {
+        const size_t s = ref_stage_rates[i].s, n = ref_stage_rates[i].n;
+        ck_assert_int_eq(fvi_lobatto_weights_rate(s, ref_stage_rates[i].beta,
+                                                  LAGS, W, rate),
+                         FVI_SUCCESS);
+        const double unit = largest(rate, 5 * s * s);
+        for (size_t j = 0; j < s * s; j++) {
+            const double got = rate[n * s * s + j];
+            const double want = ref_stage_rates[i].want[j];
+            seen_worst(fabs(got - want) / unit, n < 4 ? "series" : "nodes");
+            ck_assert_near(got, want, (n < 4 ? 2e-13 : 1e-13) * unit,
+                           "s=%zu beta=%g n=%zu entry %zu", s,
+                           ref_stage_rates[i].beta, n, j);
+        }
+    }
+}
+END_TEST
+
+/* Modes, read a second time, against all matrices: of max|v| max(1, k^-beta) (1 + ln k),
+ * as the rate of k^-beta is. The tolerance is that of the memory. Seen: 0.14 of it. */
+START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
+{
+    enum { S = 3, STEPS = 2000 };
+    static const double betas[] = { -1, -1 + 1e-9, -0.95, -0.5, -0.01, 0,
+                                    0.3, 0.8, 1 };
+    static const double tolerances[] = { 1e-13, 1e-8 };
+    for (size_t i = 0; i < LEN(betas) * LEN(tolerances); i++) {
+        const double beta = betas[i % LEN(betas)],
+                     tolerance = tolerances[i / LEN(betas)];
+        fvi_lobatto_memory *modes, *all;
+        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(
+                             S, beta, 1, STEPS, FVI_MEMORY_EXPONENTIALS,
+                             tolerance, &modes),
+                         FVI_SUCCESS);
+        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(
+                             S, beta, 1, STEPS, FVI_MEMORY_DIRECT, 0, &all),
+                         FVI_SUCCESS);
+        for (size_t k = 1; k <= STEPS; k++) {
+            double v[S], H[2][S], rate[2][S];
+            for (size_t l = 0; l < S; l++)
+                v[l] = cos(0.01 * (double)(k * S + l));
+            ck_assert_int_eq(
+                fvi_lobatto_memory_push_rate(modes, v, H[0], rate[0]),
+                FVI_SUCCESS);
+            ck_assert_int_eq(fvi_lobatto_memory_push_rate(all, v, H[1], rate[1]),
+                             FVI_SUCCESS);
+            const double time = (double)k,
+                         unit = fmax(1, pow(time, -beta)) * (1 + log(time));
+            for (size_t l = 0; l < S; l++) {
+                const double off = fabs(rate[0][l] - rate[1][l]) / unit;
+                seen_worst(off / tolerance, "of the tolerance");
+                ck_assert_near(rate[0][l], rate[1][l], 2 * tolerance * unit,
+                               "beta=%g k=%zu", beta, k);
+                ck_assert_near(H[0][l], H[1][l], 6 * tolerance * unit,
+                               "beta=%g k=%zu", beta, k);
+            }
+        }
+        fvi_lobatto_memory_free(modes);
+        fvi_lobatto_memory_free(all);
+    }
+}
+END_TEST
+
+START_TEST(a_memory_without_rates_has_none_to_give)
+{
+    fvi_lobatto_memory *m;
+    double v[2] = { 1, 2 }, H[2], rate[2];
+    ck_assert_int_eq(fvi_lobatto_memory_alloc(2, 0.3, 1, 9, FVI_MEMORY_AUTO, 0,
+                                              &m),
+                     FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_memory_push_rate(m, v, H, rate), FVI_EUNSUP);
+    fvi_lobatto_memory_free(m);
+}
+END_TEST
+
+/* ---- chains ---- */
+
+enum { D = 5, N = 6, SLOPES = 26 };
+
+/* Row i: its derivatives, in the order of the row. Rows of the force: N (s - 1) + 1. */
+static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
+{
+    double aw[] = { 0.2, 1.25 };
+    const fvi_method *method = ref_chains[i].method;
+    const fvi_system system = { D, ref_chains[i].mass, ref_chains[i].rho,
+                                fvi_potential_chain((void *)ref_chains[i].cg),
+                                fvi_force_cosine(aw) };
+    fvi_run run = fvi_run_default(&system, ref_chains[i].x0, ref_chains[i].p0,
+                                  1. / 16, N);
+    run.alpha = ref_chains[i].alpha;
+    run.past = ref_chains[i].past;
+    run.memory = memory;
+    slopes *s = slopes_of(&run, N * ((size_t)method->stages - 1) + 1);
+    const fvi_objective J = { to_sine, &run };
+    const int no_alpha = isnan(ref_chains[i].want[22]);
+    if (no_alpha)
+        s->to.alpha = NULL;
+    ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &s->to),
+                     FVI_SUCCESS);
+    for (size_t j = 0; j < 4 * D; j++)
+        got[j] = s->all[j / D * MOST + j % D];
+    got[20] = s->to.parameters[0];
+    got[21] = s->to.parameters[1];
+    got[22] = no_alpha ? NAN : *s->to.alpha;
+    for (size_t j = 0; j < 3; j++)
+        got[23 + j] = s->force[ref_chains[i].force[j]];
+    slopes_free(s);
+}
+
+/* (23.13), (23.15): every derivative of five masses, of itself, or of 0.01 where that is
+ * more, to 1e-12. Seen: 2.4e-13. */
+START_TEST(eq_23_15_every_derivative_of_a_chain_with_stages)
+{
+    static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
+                                             FVI_MEMORY_EXPONENTIALS };
+    for (size_t i = 0; i < LEN(kinds) * LEN(ref_chains); i++) {
+        const size_t row = i / LEN(kinds);
+        double got[SLOPES];
+        slopes_by(row, kinds[i % LEN(kinds)], got);
+        for (size_t j = 0; j < SLOPES; j++) {
+            const double want = ref_chains[row].want[j];
+            ck_assert_int_eq(isnan(want), isnan(got[j]));
+            if (isnan(want))
+                continue;
+            const double unit = fmax(0.01, fabs(want));
+            seen_worst(fabs(got[j] - want) / unit, "worst");
+            ck_assert_near(got[j], want, 1e-12 * unit,
+                           "%s past %d alpha=%g, derivative %zu",
+                           ref_chains[row].method->name,
+                           (int)ref_chains[row].past, ref_chains[row].alpha, j);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, values with stages");
+    ADD_CASE(suite, "rates", eq_23_14_the_rates_of_the_matrices,
+             eq_23_14_modes_read_a_second_time_give_the_rates_of_stages,
+             a_memory_without_rates_has_none_to_give);
+    ADD_CASE(suite, "values", eq_23_15_every_derivative_of_a_chain_with_stages);
+    return run_suite(suite);
+}

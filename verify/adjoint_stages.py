@@ -1,0 +1,403 @@
+"""Chapter 23. The adjoint of methods with stages.
+
+Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), three steps:
+  (23.13) the derivative of sum Lambda . R by the stages, form M;
+  (23.15) and by the velocities of the stages, form D, with what comes out.
+Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
+derivatives of chains of five masses by complex steps: the equations (17.8) and (17.24) as
+they stand, one number with an imaginary part of 10^-45, 60 digits."""
+from functools import cache
+from random import Random
+
+import mpmath
+from mpmath import mp, mpf
+from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
+
+from refgen import claim, header, hexd, prove, table
+
+# ---- the transpose, with stages ----
+
+NODES = {2: [0, 1], 3: [0, Rational(1, 2), 1]}
+z, t, m, h, c = symbols("z t m h c")
+
+
+def rule_of(s):
+    """b and D of the nodes, by Lagrange's polynomials."""
+    nodes, b, D = NODES[s], [], zeros(s, s)
+    for j in range(s):
+        l = Rational(1)
+        for i in range(s):
+            if i != j:
+                l *= (t - nodes[i]) / (nodes[j] - nodes[i])
+        poly = expand(l)
+        b.append(expand(poly.integrate((t, 0, 1))))
+        for i in range(s):
+            D[i, j] = expand(poly.diff(t).subs(t, nodes[i]))
+    return b, D
+
+
+STEPS = 3
+for s in (2, 3):
+    b, D = rule_of(s)
+    e1, es, P, B = eye(s)[:, 0], eye(s)[:, s - 1], eye(s)[::-1, :], diag(*b)
+    inverse = (D + e1 * e1.T / b[0]).applyfunc(expand)
+    A = inverse.inv()
+    Delta = [inverse, -e1 * es.T / b[0]]
+    W = [(Delta[0] * Delta[0] + 3 * Delta[0]).applyfunc(expand),
+         (Delta[0] * Delta[1] + Delta[1] * Delta[0] + 3 * Delta[1]).applyfunc(expand),
+         (Delta[1] * Delta[1]).applyfunc(expand)]
+    L = [Matrix(symbols(f"L{k}_0:{s}")) for k in range(STEPS + 1)]
+    G = [diag(*symbols(f"G{k}_0:{s}")) for k in range(STEPS)]
+    V = [Matrix(symbols(f"V{k}_0:{s}")) for k in range(STEPS)]
+    x = symbols(f"x0:{STEPS + 1}")
+    v0, xi = symbols("v0"), symbols(f"xi0:{STEPS + 1}")
+    #> form-d
+    # form D: R = m (A^-1 (V - v_k) + c W V) + h G X, X = x_k + h A V; and x_k by xi_k
+    total = 0
+    for k in range(STEPS):
+        before = V[k - 1][s - 1] if k else v0
+        X = x[k] * ones(s, 1) + h * A * V[k]
+        memory = sum((W[n] * (V[k - n] - v0 * ones(s, 1)) for n in range(k + 1)), zeros(s, 1))
+        R = m * (inverse * V[k] - e1 / b[0] * before) + h * c * memory + h * G[k] * X
+        total += -(L[k].T * B * R)[0] + xi[k + 1] * (x[k] + h * (es.T * A * V[k])[0] - x[k + 1])
+    Jp = symbols("Jp")
+    total = expand(total + Jp * m * V[STEPS - 1][s - 1])
+    T = [sum((W[n] * P * L[k + n] for n in range(STEPS - k)), zeros(s, 1)) for k in range(STEPS)]
+    first = [L[k][0] for k in range(STEPS)] + [Jp]
+    for k in range(STEPS):
+        mu = P * L[k]
+        row = (m * (inverse * mu - e1 / b[0] * first[k + 1]) + h * c * T[k]
+               + h * (h * A * P * G[k] * L[k] - xi[k + 1] * ones(s, 1)))
+        by_V = Matrix([total.diff(v) for v in V[k]])
+        prove("(23.15) by the velocities of a step", *(by_V + B * P * row).applyfunc(expand))
+        prove("(23.15) by x_k", expand(total.diff(x[k]) - (
+            xi[k + 1] - (xi[k] if k else 0) - h * (ones(1, s) * B * G[k] * L[k])[0])))
+    prove("(23.15) by v_0", expand(total.diff(v0) - m * first[0]
+                                   - h * c * sum((ones(1, s) * B * P * T[k])[0] for k in range(STEPS))))
+    prove("(23.15) by c", expand(total.diff(c) + h * sum(
+        ((V[k] - v0 * ones(s, 1)).T * B * P * T[k])[0] for k in range(STEPS))))
+    #< form-d
+    #> form-m
+    # form M: rows e_1 p + m/h K X - h G X - h B c W v, v = D X / h; p by what it becomes
+    K = (D.T * B * D).applyfunc(expand)
+    X = [Matrix([x[k], *symbols(f"X{k}_1:{s - 1}"), x[k + 1]]) for k in range(STEPS)]
+    total = 0
+    for k in range(STEPS):
+        memory = sum((W[n] * D * X[k - n] / h for n in range(k + 1)), zeros(s, 1))
+        total += (L[k].T * (m / h * K * X[k] - h * B * G[k] * X[k] - h * B * c * memory))[0]
+    for k in range(STEPS):
+        row = m / h * K * L[k] - h * B * G[k] * L[k] - c * D.T * B * P * T[k]
+        by_X = Matrix([total.diff(v) for v in X[k]])
+        prove("(23.13) by the inner stages", *[expand(v) for v in (by_X - row)[1:s - 1, 0]])
+    prove("(23.13) by the last stage", expand(total.diff(x[STEPS]) - row[s - 1]))
+    #< form-m
+
+# ---- the rates of the weights ----
+
+mp.dps = 60
+BETA_RATES, LAGS, CIRCLE = [-1.0, -0.95, -0.5, 0.0, 0.2, 0.8, 1.0], [0, 1, 3, 4, 40], 96
+
+
+@cache
+def numbers(s):
+    """c, b, D and A of s nodes, from the zeros of Legendre's derivative."""
+    poly = [mpmath.binomial(s - 1, k) * mpmath.binomial(s - 1 + k, k) * (k if k else 0)
+            for k in range(s)]  # of P'(1 - 2 t), by powers of -t, times t
+    inner = [] if s == 2 else mpmath.polyroots(
+        [(-1) ** k * poly[k] for k in range(s - 1, 0, -1)], maxsteps=300, extraprec=300)
+    nodes = [mpf(0), *sorted(mpmath.re(v) for v in inner), mpf(1)]
+    D, A, b = (mpmath.matrix(s, s) for _ in range(3))
+    b = [1 / (mpf(s) * (s - 1) * mpmath.legendre(s - 1, 2 * v - 1) ** 2) for v in nodes]
+    scale = [mpmath.fprod(v - w for w in nodes if w != v) for v in nodes]
+    for i in range(s):
+        for j in range(s):
+            if i != j:
+                D[i, j] = scale[i] / scale[j] / (nodes[i] - nodes[j])
+        D[i, i] = -sum(D[i, j] for j in range(s) if j != i)
+    base = D.copy()
+    base[0, 0] += 1 / b[0]
+    return nodes, b, D, base, mpmath.inverse(base)
+
+
+@cache
+def circle(s, radius):
+    """Points z of half a circle, their shares, and eigenvalues with projections."""
+    out, (_, b, _, base, _) = [], numbers(s)
+    for j in range(CIRCLE // 2 + 1):
+        point = mpmath.expjpi(mpf(2 * j) / CIRCLE) * radius
+        M = base.copy()
+        M[0, s - 1] -= point / b[0]
+        roots, right = mpmath.eig(M)
+        left = mpmath.inverse(right)
+        share = mpf(1 if j in (0, CIRCLE // 2) else 2) / CIRCLE
+        out.append((point, share, roots, [right[:, i] * left[i, :] for i in range(s)]))
+    return out
+
+
+def cauchy(s, function, orders, radius):
+    """Coefficients of function(Delta(z)), real on real z: z^n for n of orders."""
+    W = {n: mpmath.matrix(s, s) for n in orders}
+    for point, share, roots, parts in circle(s, radius):
+        value = mpmath.matrix(s, s)
+        for root, part in zip(roots, parts):
+            value += part * function(root)
+        for n in orders:
+            W[n] += value * (share * point ** -n)
+    return {n: w.apply(mpmath.re) for n, w in W.items()}
+
+
+def nearest(v):
+    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
+
+
+def literal(values):
+    return "{ " + ", ".join(nearest(v) for v in values) + " }"
+
+
+rates = []
+for s in (2, 3, 4, 8):
+    for beta in BETA_RATES if s < 8 else (-0.5, 0.8):
+        found = cauchy(s, lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS, mpf(7) / 16)
+        for n in LAGS:
+            rates.append([s, repr(beta), n, literal(found[n])])
+
+# ---- chains of five masses ----
+
+D5, N, TINY = 5, 6, mpf(10) ** -45
+
+
+class Tilted:
+    """w_k + i TINY w'_k of complex order beta + i TINY beta'."""
+    @staticmethod
+    @cache
+    def weights(s, beta):
+        w = cauchy(s, lambda v: v**beta, range(N), mpf(1) / 4)
+        r = cauchy(s, lambda v: v**beta * mpmath.log(v), range(N), mpf(1) / 4)
+        return [w[n].tolist() for n in range(N)], [r[n].tolist() for n in range(N)]
+
+
+def impulses(nodes, e, rate):
+    """int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, e tilted by rate."""
+    e = mpmath.mpc(e, rate)
+    out, size = [], len(nodes)
+    poly = []
+    for j in range(size):  # l_j by powers of s
+        l = [mpf(1)]
+        for i in range(size):
+            if i != j:
+                f = nodes[j] - nodes[i]
+                l = [((l[k - 1] if k else 0) - (nodes[i] * l[k] if k < len(l) else 0)) / f
+                     for k in range(len(l) + 1)]
+        poly.append(l)
+    for k in range(N):
+        def power(n):
+            """int_k^{k+1} u^(n + e) du / Gamma(1 + e)"""
+            low = mpf(0) if k == 0 else mpf(k) ** (n + 1 + e)
+            unit = mpmath.rgamma(2 + e) if n == 0 else mpmath.rgamma(1 + e) / (n + 1 + e)
+            return ((k + 1) ** (n + 1 + e) - low) * unit
+        u = [power(n) for n in range(size)]
+        moment = [sum(mpmath.binomial(n, i) * mpf(-k) ** (n - i) * u[i] for i in range(n + 1))
+                  for n in range(size)]
+        out.append([sum(a * b for a, b in zip(l, moment)) for l in poly])
+    return out
+
+
+def pulls_of_springs(x, k1, g3):
+    """grad U of the chain, and U's second derivatives of the springs."""
+    stretch = [(x[i] if i < D5 else 0) - (x[i - 1] if i else 0) for i in range(D5 + 1)]
+    pull = [k1 * r + g3 * r**3 for r in stretch]
+    stiff = [k1 + 3 * g3 * r**2 for r in stretch]
+    return [pull[i] - pull[i + 1] for i in range(D5)], stiff
+
+
+class Chain:
+    """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
+
+    def __init__(self, s, damped, past, alpha, q, step):
+        self.s, self.damped, self.past, self.h = s, damped, past, mpf(step)
+        self.nodes, self.b, self.D, self.inverse, self.A = numbers(s)
+        self.side, self.alpha0 = (alpha > 0.5) - (alpha < 0.5), mpf(alpha)
+        self.heavy = alpha == 1 and not damped  # form M: (17.17)
+        self.q, self.path, self.factors = q, None, None
+        self.K = (self.D.T * mpmath.diag(self.b) * self.D).tolist()
+        self.Dl, self.Al, self.Il = self.D.tolist(), self.A.tolist(), self.inverse.tolist()
+        self.unknown = range(s) if damped else range(1, s)
+        self.path, self.factors = [], []
+        self.J = self.run(q, None)
+
+    def matrix(self, V, xk, W0, scale):
+        """The equations of a step, differentiated by what is unknown; real."""
+        s, h, q, n = self.s, self.h, self.q, len(self.unknown)
+        M = mpmath.matrix(n * D5, n * D5)
+        for a, i in enumerate(self.unknown):
+            X = [xk[j] + V[j][i] if not self.damped else
+                 xk[j] + h * sum(self.Al[i][l] * V[j][l] for l in range(s)) for j in range(D5)]
+            stiff = pulls_of_springs(X, *q["cg"])[1]
+            row = a if self.damped else a
+            for j in range(D5):
+                near = [(j, stiff[j] + stiff[j + 1])]
+                near += [(j - 1, -stiff[j])] if j else []
+                near += [(j + 1, -stiff[j + 1])] if j + 1 < D5 else []
+                for l, k in near:
+                    if self.damped:
+                        for cc in range(s):
+                            M[j * n + row, l * n + cc] += h * h * k * self.Al[i][cc]
+                    elif i < s - 1:
+                        M[j * n + i, l * n + i - 1] -= h * self.b[i] * k * self.share(j)
+        for j in range(D5):
+            rho = 0 if self.heavy else q["rho"][j]
+            for a in range(n):
+                for cc, l in enumerate(self.unknown):
+                    if self.damped:
+                        M[j * n + a, j * n + cc] += (q["mass"][j] * self.Il[a][l]
+                                                     + h * rho * scale * W0[a][l])
+                    else:
+                        memory = sum(W0[a][k] * self.Dl[k][l] for k in range(s))
+                        M[j * n + a, j * n + cc] += (q["mass"][j] / h * self.K[a][l]
+                                                     - self.b[a] * rho * scale * memory)
+        return mp.LU_decomp(M)
+
+    def share(self, j, q=None):
+        q = q or self.q
+        return q["mass"][j] / (q["mass"][j] + q["rho"][j]) if self.heavy else mpf(1)
+
+    def step_residual(self, q, k, V, xk, pk, history, W0, scale, v0, pull, t0):
+        """The rows, and what p becomes. V: X_i - x_k of form M, else V_i."""
+        s, h, rows = self.s, self.h, [[None] * self.s for _ in range(D5)]
+        S = [[None] * s for _ in range(D5)]
+        speed = [V[j] if self.damped else
+                 [sum(self.Dl[i][l] * V[j][l] for l in range(1, s)) / h for i in range(s)]
+                 for j in range(D5)]
+        for i in range(s):
+            X = [xk[j] + (h * sum(self.Al[i][l] * V[j][l] for l in range(s)) if self.damped
+                          else V[j][i]) for j in range(D5)]
+            grad = pulls_of_springs(X, *q["cg"])[0]
+            for j in range(D5):
+                rho = q["rho"][j]
+                Y = history[j][i] + scale * sum(W0[i][l] * (speed[j][l] - v0[j]) for l in range(s))
+                force = grad[j] - q["F"][(k * (s - 1) + i) * D5 + j] + (0 if self.heavy else rho * Y)
+                S[j][i] = (h * self.b[i] * force + rho * pull[j] * self.impulse[k][i]) * self.share(j, q)
+        out = []
+        for j in range(D5):
+            for a in range(len(self.unknown)):
+                if self.damped:
+                    vk = pk[j] / q["mass"][j]
+                    out.append(q["mass"][j] * sum(self.Il[a][l] * (V[j][l] - vk) for l in range(s))
+                               + S[j][a] / self.b[a])
+                else:
+                    out.append((pk[j] if a == 0 else 0) - S[j][a]
+                               + q["mass"][j] / h * sum(self.K[a][l] * V[j][l] for l in range(1, s)))
+        return out, S, speed
+
+    def run(self, q, tilt):
+        """J. tilt None: the real run, which is kept; else d alpha, and q may be complex."""
+        s, h, real, n = self.s, self.h, tilt is None, len(self.unknown)
+        beta = 2 * self.alpha0 - 1
+        w, r = Tilted.weights(s, beta)
+        turn = 2 * (tilt or 0)
+        W = [[[a + turn * mpmath.mpc(0, 1) * b for a, b in zip(x, y)] for x, y in zip(u, v)]
+             for u, v in zip(w, r)] if turn else w
+        scale = h ** -(beta + (mpmath.mpc(0, turn) if turn else 0))
+        rl = self.past == "rl"
+        is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
+        e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
+        self.impulse = [[0] * s] * N
+        if is_pulled:
+            unit = h ** (1 + mpmath.mpc(e, -turn))
+            self.impulse = [[v * unit for v in u] for u in impulses(self.nodes, e, -turn)]
+            if real:
+                self.impulse = [[mpmath.re(v) for v in u] for u in self.impulse]
+        v0 = [p / m if self.side > 0 else mpf(0) for p, m in zip(q["p0"], q["mass"])]
+        A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
+        pull = A if is_pulled else [mpf(0)] * D5
+        x, p, past, J = list(q["x0"]), list(q["p0"]), [], mpf(0)
+        for k in range(N):
+            history = [[scale * sum(W[k - o][i][l] * (past[o][j][l] - v0[j])
+                                    for o in range(k) for l in range(s))
+                        if not self.heavy else 0 for i in range(s)] for j in range(D5)]
+            V = [[p[j] / q["mass"][j] * (1 if self.damped else self.nodes[i] * h) for i in range(s)]
+                 for j in range(D5)] if real else [list(v) for v in self.path[k]]
+            if not self.damped:
+                for j in range(D5):
+                    V[j][0] = mpf(0)
+            left = 40 if real else 1  # the rest is of order TINY^2
+            while left:
+                rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull, k * h)
+                if real:
+                    lu = self.matrix(V, x, W[0], scale)
+                else:
+                    lu = self.factors[k]
+                change = mp.U_solve(lu[0], mp.L_solve(lu[0], mpmath.matrix(rest), lu[1]))
+                for j in range(D5):
+                    for a, i in enumerate(self.unknown):
+                        V[j][i] -= change[j * n + a]
+                left -= 1
+                if real and mpmath.norm(change, mpmath.inf) < mpf(10) ** -34:
+                    left = 0
+            if real:
+                self.path.append([list(v) for v in V])
+                self.factors.append(self.matrix(V, x, W[0], scale))
+            rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull, k * h)
+            past.append(speed)
+            for j in range(D5):
+                if self.damped:
+                    x[j] += h * sum(self.Al[s - 1][l] * V[j][l] for l in range(s))
+                    p[j] = q["mass"][j] * V[j][s - 1]
+                else:
+                    x[j] += V[j][s - 1]
+                    p[j] -= sum(S[j])
+            J += sum(h / 2 * (v - mpmath.sin((k + 1) * h)) ** 2 for v in x)
+        return J + sum(v / 2 + v * u * u / 4 for v, u in zip(x, p))
+
+    def slope(self, name, i=None):
+        """dJ by a complex step of one number."""
+        q = {k: list(v) for k, v in self.q.items()}
+        if i is not None:
+            q[name][i] = mpmath.mpc(q[name][i], TINY)
+        return mpmath.im(self.run(q, TINY if name == "alpha" else mpf(0))) / TINY
+
+
+def cases():
+    random, order = Random(23), [0.05, 0.35, 0.5, 0.7, 0.95, 1.0]
+    uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+    for number, (s, damped) in enumerate((s, f) for s in (2, 3, 4) for f in (0, 1)):
+        for which, past in enumerate(("held", "caputo", "rl")):
+            alpha = order[(2 * which + number) % 6]
+            zero = past == "rl" and alpha > 0.5
+            q = dict(x0=[0.0 if zero else uniform(-1, 1) for _ in range(D5)],
+                     p0=[uniform(-1, 1) for _ in range(D5)], mass=[uniform(0.5, 2) for _ in range(D5)],
+                     rho=[0.0 if i == 2 else uniform(0, 0.4) for i in range(D5)],
+                     cg=[uniform(0.5, 2), uniform(0.2, 1)])
+            yield s, damped, past, alpha, q
+
+
+STEP = 1 / 16
+runs, forces = [], [0, 13, -1]
+for s, damped, past, alpha, data in cases():
+    q = {k: [mpf(v) for v in w] for k, w in data.items()}
+    nodes = numbers(s)[0]
+    times = [(k + nodes[i]) * mpf(STEP) for k in range(N) for i in range(s - 1)] + [N * mpf(STEP)]
+    q["F"] = [mpmath.cos(1.25 * v) / 5 for v in times for _ in range(D5)]
+    run = Chain(s, damped, past, alpha, q, STEP)
+    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+    want += [run.slope("cg", 0), run.slope("cg", 1), run.slope("alpha")]
+    at = [f % len(q["F"]) for f in forces]
+    want += [run.slope("F", i) for i in at]
+    no = (past == "rl" and alpha > 0.5)
+    text = [("NAN" if no and i < D5 and data["rho"][i] > 0 else nearest(v)) for i, v in enumerate(want)]
+    if alpha == 1 and not damped:
+        text[22] = "NAN"
+    runs.append([f"&fvi_lobatto{s}{'d' if damped else ''}",
+                 f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha)]
+                + ["{ " + ", ".join(hexd(Rational(v)) for v in data[k]) + " }"
+                   for k in ("x0", "p0", "mass", "rho", "cg")]
+                + ["{ " + ", ".join(map(str, at)) + " }", "{ " + ", ".join(text) + " }"])
+
+header("verify/adjoint_stages.py")
+print("\n/* d W_n / d beta, row by row */")
+table("ref_stage_rates", "size_t s; double beta; size_t n; double want[64];", rates)
+print("""
+/* Five masses, F = cos(5t/4)/5 on each, h = 1/16, six steps; dJ, J as in to_sine, by x0, p0,
+   mass, rho, c, g, alpha, and three entries of F */""")
+table("ref_chains", "const fvi_method *method; fvi_past past; double alpha, x0[5], p0[5], mass[5], "
+      "rho[5], cg[2]; size_t force[3]; double want[26];", runs)
