@@ -32,7 +32,8 @@ typedef struct {
  *
  *   x0, p0         by x0 and p0, d numbers each
  *   mass, damping  by each mass and each damping, d numbers each
- *   alpha          by alpha, one number, all dampings together
+ *   alpha          by alpha, one number, all dampings together; there is none of a law
+ *   terms          by the rho of each term of run->law, law->count numbers
  *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
  *                  of a method with s stages at all their times t_k + c_i h in one row,
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
@@ -40,7 +41,7 @@ typedef struct {
  *   sensitivity    of the potential (sensitivity.h)
  *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0 */
 typedef struct {
-    double *x0, *p0, *mass, *damping, *alpha, *force, *parameters;
+    double *x0, *p0, *mass, *damping, *alpha, *terms, *force, *parameters;
     fvi_sensitivity sensitivity;
 } fvi_gradients;
 
@@ -77,8 +78,8 @@ typedef struct {
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
- * parameters are wanted and sensitivity.column is NULL; FVI_EUNSUP if the method has no
- * adjoint, or not this one, or the run a law; FVI_ESING if the equation of a step backwards
+ * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none; FVI_EUNSUP if the method has no
+ * adjoint, or not this one, or the system matrices; FVI_ESING if the equation of a step backwards
  * has no unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
  * On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

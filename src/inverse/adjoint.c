@@ -17,8 +17,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
-    if (run->law)
-        FVI_FAIL("a law of damping has no adjoint here", FVI_EUNSUP);
+    if (run->system && run->system->matrices)
+        FVI_FAIL("matrices have no adjoint here", FVI_EUNSUP);
+    if (run->law ? want->alpha != NULL : want->terms != NULL)
+        FVI_FAIL("a law has terms, and no alpha; a power the other way round",
+                 FVI_EINVAL);
     if (method->scheme == FVI_SCHEME_STAGES && x)
         FVI_FAIL("stages need their own run", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia
@@ -53,6 +56,8 @@ static void clear(const fvi_run *run, const fvi_gradients *want, size_t per)
     const size_t d = run->system->d;
     if (want->alpha)
         *want->alpha = 0;
+    for (size_t i = 0; want->terms && i < run->law->count; i++)
+        want->terms[i] = 0;
     if (want->damping)
         memset(want->damping, 0, d * sizeof *want->damping);
     if (want->force)
@@ -85,7 +90,7 @@ static int begin(const fvi_method *method, const fvi_run *run,
     m->stages = (size_t)method->stages;
     return m->stages
                ? fvi_mirror_stages_start(method, run, want, p, Jp, &m->staged)
-               : fvi_mirror_start(method->scheme, run, want, Jp, &m->plain);
+               : fvi_mirror_start(method, run, want, Jp, &m->plain);
 }
 
 static int step(mirror *m, size_t k, const double *rows, const double *Jx)

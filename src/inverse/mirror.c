@@ -37,9 +37,39 @@ static int allocate(fvi_mirror *m)
     return FVI_SUCCESS;
 }
 
+/* The memory of one term of the law, with rho = 1. */
+static int start_term(fvi_mirror *m, fvi_quadrature kind, size_t i)
+{
+    const fvi_run *run = m->run;
+    fvi_law_term term = run->law->term[i];
+    const fvi_law alone = { 1, &term };
+    term.rho = 1;
+    return fvi_law_memory(&alone, kind, run->h, m->d, run->steps, run->memory,
+                          run->tolerance, &m->first[i], &m->each[i]);
+}
+
+/* That of the law, and one of each term if its derivative is asked for. */
+static int start_law(fvi_mirror *m, fvi_quadrature kind)
+{
+    const fvi_run *run = m->run;
+    double first = 0;
+    int status = fvi_law_memory(run->law, kind, run->h, m->d, run->steps,
+                                run->memory, run->tolerance, &first, &m->memory);
+    m->unit = run->h * first;
+    if (status || !m->want->terms)
+        return status;
+    m->each = calloc(run->law->count, sizeof *m->each);
+    m->first = calloc(run->law->count, sizeof *m->first);
+    if (!m->each || !m->first)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    for (; !status && m->terms < run->law->count; m->terms += !status)
+        status = start_term(m, kind, m->terms);
+    return status;
+}
+
 /* The memory of the run, with its rates only if alpha is asked for. All coordinates
  * are remembered, even those whose damping is zero: their derivatives are not. */
-static int start_memories(fvi_mirror *m, int is_shifted)
+static int start_memories(fvi_mirror *m, const fvi_method *method)
 {
     const fvi_run *run = m->run;
     int is_damped = m->want->damping != NULL;
@@ -47,10 +77,12 @@ static int start_memories(fvi_mirror *m, int is_shifted)
         is_damped |= run->system->damping[i] > 0;
     if (!is_damped)
         return FVI_SUCCESS;
+    if (run->law)
+        return start_law(m, method->quadrature);
     const double beta = 2 * run->alpha;
     int status = (m->want->alpha ? fvi_memory_alloc_rate : fvi_memory_alloc)(
         beta, m->d, run->steps, run->memory, run->tolerance, &m->memory);
-    if (!status && m->want->alpha && is_shifted)
+    if (!status && m->want->alpha && method->scheme == FVI_SCHEME_SHIFTED)
         status = fvi_memory_alloc(beta, m->d, run->steps, run->memory,
                                   run->tolerance, &m->slope);
     return status;
@@ -81,7 +113,8 @@ static void factor_stable(fvi_mirror *m)
 
 static int start_factor(fvi_mirror *m, fvi_scheme scheme)
 {
-    if (scheme != FVI_SCHEME_BDF2 && scheme != FVI_SCHEME_STABLE)
+    const int has_factor = scheme == FVI_SCHEME_BDF2 || scheme == FVI_SCHEME_STABLE;
+    if (!has_factor || m->run->law)
         return FVI_SUCCESS;
     (scheme == FVI_SCHEME_BDF2 ? factor_bdf2 : factor_stable)(m);
     m->sums = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->sums);
@@ -94,7 +127,7 @@ static int start_factor(fvi_mirror *m, fvi_scheme scheme)
 /* Does the memory know p0/m? */
 static int drifts(const fvi_mirror *m)
 {
-    return 2 * m->run->alpha > 1
+    return !m->run->law && 2 * m->run->alpha > 1
            && (!m->printed || m->run->past == FVI_PAST_CAPUTO);
 }
 
@@ -103,10 +136,9 @@ static void start_terms(fvi_mirror *m)
 {
     const fvi_run *run = m->run;
     const int whole = m->printed && run->past == FVI_PAST_RIEMANN_LIOUVILLE;
-    const double unit = pow(run->h, 1 - 2 * run->alpha);
     for (size_t i = 0; i < m->d; i++) {
         const double mass = run->system->mass[i];
-        m->c[i] = run->system->damping[i] * unit;
+        m->c[i] = run->system->damping[i] * m->unit;
         m->inertia[i] =
             mass / run->h + m->theta * m->c[i] * (m->taps ? m->g[0] : 1);
         m->origin[i] = whole ? 0 : run->x0[i];
@@ -114,10 +146,11 @@ static void start_terms(fvi_mirror *m)
     }
 }
 
-int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
+int fvi_mirror_start(const fvi_method *method, const fvi_run *run,
                      const fvi_gradients *want, const double *Jp, fvi_mirror *m)
 {
     static const double ends[] = { 0, 1 };
+    const fvi_scheme scheme = method->scheme;
     const int printed = scheme == FVI_SCHEME_ALGORITHM_3,
               stable = scheme == FVI_SCHEME_STABLE;
     *m = (fvi_mirror){ .run = run,
@@ -128,17 +161,19 @@ int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
                                                              : 0,
                        .kappa = stable ? 0.5 : run->kappa,
                        .end = printed ? 1 : 0.5,
+                       .unit = run->law ? run->h
+                                        : pow(run->h, 1 - 2 * run->alpha),
                        .printed = printed };
     int status = allocate(m);
     if (!status)
-        status = start_memories(m, scheme == FVI_SCHEME_SHIFTED);
+        status = start_memories(m, method);
     if (!status)
         status = start_factor(m, scheme);
     if (status)
         return status;
     start_terms(m);
     memcpy(m->lambda, Jp, m->d * sizeof *Jp);
-    m->is_pulled = !printed && m->memory && run->alpha != 0.5
+    m->is_pulled = !printed && m->memory && !run->law && run->alpha != 0.5
                    && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
                        || (run->past == FVI_PAST_HELD && run->alpha > 0.5));
     if (m->is_pulled)
@@ -150,6 +185,10 @@ void fvi_mirror_stop(fvi_mirror *m)
 {
     fvi_memory_free(m->memory);
     fvi_memory_free(m->slope);
+    for (size_t i = 0; i < m->terms; i++)
+        fvi_memory_free(m->each[i]);
+    free(m->each);
+    free(m->first);
     fvi_band_free(&m->J);
     free(m->block);
     free(m->sums);
@@ -164,12 +203,11 @@ static void end_damping(const fvi_mirror *m, size_t i)
     const fvi_run *run = m->run;
     const fvi_gradients *want = m->want;
     const double rho = run->system->damping[i], mass = run->system->mass[i];
-    const double h = run->h, v0 = run->p0[i] / mass,
-                 unit = pow(h, 1 - 2 * run->alpha);
+    const double h = run->h, v0 = run->p0[i] / mass;
     if (want->damping)
-        want->damping[i] = -unit * m->sum[i];
+        want->damping[i] = -m->unit * m->sum[i];
     if (want->alpha)
-        *want->alpha -= 2 * rho * unit * (m->rate[i] - log(h) * m->sum[i])
+        *want->alpha -= 2 * rho * m->unit * (m->rate[i] - log(h) * m->sum[i])
                         + m->c[i] * m->shift[i];
     if (drifts(m)) {
         const double slope = m->c[i] * h * m->linear[i] / mass;

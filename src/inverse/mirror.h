@@ -32,7 +32,11 @@ typedef struct {
     double *shift, *before; /* each: the derivative by theta; d nu/d theta */
     double *block;          /* all these; owned */
 
+    double unit;                /* h^(1 - 2 alpha), or h w_0 of a law */
     fvi_memory *memory, *slope; /* of nu; of d nu/d theta. NULL: not needed */
+    size_t terms;               /* of a law whose terms are wanted, */
+    double *first;              /* the w_0 of each with rho = 1, */
+    fvi_memory **each;          /* and their memories; owned */
     size_t taps;                /* of a factor of the weights; 0: none */
     double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
     double *sums, *rates; /* its last terms, FVI_BDF2_TAPS each; owned */
@@ -46,11 +50,11 @@ typedef struct {
 
 /* fvi_mirror_start -- at node N, where lambda_N = J_p.
  *
- *   scheme  FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE
+ *   method  its scheme is FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE
  *   run, want  stay the caller's
  *   Jp      d numbers
  *   m       output; in any case to be given back by fvi_mirror_stop */
-int fvi_mirror_start(fvi_scheme scheme, const fvi_run *run,
+int fvi_mirror_start(const fvi_method *method, const fvi_run *run,
                      const fvi_gradients *want, const double *Jp,
                      fvi_mirror *m);
 

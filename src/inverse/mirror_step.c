@@ -52,6 +52,20 @@ static int look_ahead(fvi_mirror *m)
     return status;
 }
 
+/* What each term of the law, alone, gives to its derivative. */
+static int remember_terms(fvi_mirror *m, size_t j, const double *x)
+{
+    int status = FVI_SUCCESS;
+    for (size_t l = 0; !status && l < m->terms; l++) {
+        status = fvi_memory_push(m->each[l], m->nu, m->dnu, m->work);
+        for (size_t i = 0; i < m->d; i++)
+            m->want->terms[l] -= m->run->h * m->first[l]
+                                 * m->run->system->damping[i]
+                                 * term(m, j, x[i], i) * m->work[i];
+    }
+    return status;
+}
+
 /* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
@@ -67,7 +81,7 @@ static int remember(fvi_mirror *m, size_t j, const double *x)
         m->plain[i] += j > 0 ? m->N[i] : 0;
         m->linear[i] += (double)j * m->N[i];
     }
-    return status;
+    return status ? status : remember_terms(m, j, x);
 }
 
 /* d nu_j / d theta = lambda_{j-1} - lambda_j, at node N lambda_{N-1}: its memory, which

@@ -14,8 +14,8 @@
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
-    "error",      "damping",  "columns", "every",    "format",   "plot",
-    "checkpoint", "continue", "system",  "unknowns", "snapshot", NULL
+    "error",    "columns", "every",    "format",   "plot", "checkpoint",
+    "continue", "system",  "unknowns", "snapshot", NULL
 };
 
 enum { OF, FORCES };
@@ -185,11 +185,11 @@ static int differentiate(request *r)
                   : 0;
 }
 
-/* In form M p is another number at alpha = 1 than below, (17.17). */
+/* A law has none. In form M p is another number at alpha = 1 than below, (17.17). */
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    return !m->stages || m->damped_inertia || r->o.alpha < 1;
+    return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 
 static int make_room(request *r)
@@ -204,7 +204,8 @@ static int make_room(request *r)
         8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
     const int wanted =
         r->words.own[FORCES] || (r->o.forces && r->o.lets.count > 0);
-    r->numbers = calloc(4 * d + 3 + r->o.lets.count, sizeof(double));
+    const size_t terms = r->run.law ? r->run.law->count : 0;
+    r->numbers = calloc(4 * d + 3 + r->o.lets.count + terms, sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
         r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
     if (!r->numbers || (wanted && !r->force))
@@ -216,6 +217,8 @@ static int make_room(request *r)
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
     r->lets = r->to.damping + d + 3; /* behind c and g */
     r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
+    if (r->run.law)
+        r->to.terms = r->lets + r->o.lets.count;
     r->to.force = r->force;
     return 0;
 }
@@ -255,6 +258,17 @@ static void print_each(FILE *f, const request *r, const char *name,
     }
 }
 
+/* By the factor R of each --damping. */
+static void print_law(FILE *f, const request *r)
+{
+    for (size_t i = 0; i < r->run.law->count; i++) {
+        char number[24] = "";
+        if (r->run.law->count > 1)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        print_row(f, "damping", number, r->to.terms[i]);
+    }
+}
+
 static int print_answer(const request *r)
 {
     static const char *const c_and_g[] = { "c", "g" };
@@ -267,10 +281,13 @@ static int print_answer(const request *r)
     print_each(f, r, "x0", r->to.x0);
     print_each(f, r, "p0", r->to.p0);
     print_each(f, r, "mass", r->to.mass);
-    print_each(f, r, "rho", r->to.damping);
+    if (r->run.law)
+        print_law(f, r);
+    else
+        print_each(f, r, "rho", r->to.damping);
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
-    else
+    else if (!r->run.law)
         fprintf(f, "# warning = no derivative by alpha: p of %s jumps at 1\n",
                 r->o.method->name);
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;

@@ -246,11 +246,13 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_adjoint(&fvi_lagrange_dalembert, &run, x, x, &J, &g),
                      FVI_EUNSUP);
-    const fvi_law_term term = { FVI_LAW_MAXWELL, 1, 0, 1, 0 };
-    run.law = &(fvi_law){ 1, &term };
+    const fvi_matrices some = { .damp = NULL };
+    fvi_system full = system;
+    full.matrices = &some;
+    run.system = &full;
     ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &run, NULL, NULL, &J, &g),
                      FVI_EUNSUP);
-    run.law = NULL;
+    run.system = &system;
     const fvi_gradients lost = { .parameters = out,
                                  .sensitivity = { 1, NULL } };
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, &lost), FVI_EINVAL);

@@ -105,9 +105,13 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
 {
     double aw[] = { 0.2, 1.25 };
     const fvi_method *method = ref_chains[i].method;
-    const fvi_system system = { D, ref_chains[i].mass, ref_chains[i].rho,
-                                fvi_potential_chain((void *)ref_chains[i].cg),
-                                fvi_force_cosine(aw) };
+    const fvi_system system = {
+        .d = D,
+        .mass = ref_chains[i].mass,
+        .damping = ref_chains[i].rho,
+        .potential = fvi_potential_chain((void *)ref_chains[i].cg),
+        .force = fvi_force_cosine(aw)
+    };
     fvi_run run = fvi_run_default(&system, ref_chains[i].x0, ref_chains[i].p0,
                                   1. / 16, N);
     run.alpha = ref_chains[i].alpha;

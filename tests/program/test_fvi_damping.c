@@ -130,7 +130,6 @@ START_TEST(what_is_no_law_is_bad_use)
                           "oscillations has no exact solution here\n");
     ck_assert_str_eq(out, "");
     ck_assert_int_eq(fvi("fit --damping power:1,0.3 data"), 2);
-    ck_assert_int_eq(fvi("gradient --damping power:1,0.3"), 2);
     ck_assert_int_eq(fvi("run --damping zener:1,0.48,2 --memory exponentials"),
                      1);
 }

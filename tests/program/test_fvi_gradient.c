@@ -35,6 +35,7 @@ static const char *const runs[] = {
     "--force 'cos(k*t)'",
     "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto3d",
     "--alpha 1 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto4",
+    "--damping maxwell:0.2,1 --damping zener:0.3,0.4,1 --method fvi-bdf2",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -55,6 +56,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 3, "alpha", "--alpha", 0.7 }, { 4, "alpha", "--alpha", 0.3 },
         { 4, "mass", "--mass", 1 },  { 5, "mass", "--mass", 1 },
         { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
+        { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -86,6 +88,33 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
                        1e-6 * fmax(1, fabs(slope)), "%s by %s, run %d",
                        of[i % 3], rows[j].name, rows[j].run);
     }
+}
+END_TEST
+
+/* The rows of a law's factors, against central differences as above. */
+START_TEST(rows_of_a_law_are_differences_of_runs)
+{
+    const char *laws = "--damping maxwell:%.17g,1 --damping zener:%.17g,0.4,1 ";
+    char options[300], line[400];
+    snprintf(options, sizeof options, laws, 0.2, 0.3);
+    snprintf(line, sizeof line, "gradient %s --method fvi-bdf2", options);
+    ck_assert_int_eq(fvi(line), 0);
+    const double got[] = { derivative("damping_1"), derivative("damping_2") };
+    ck_assert_ptr_null(strstr(out, "rho"));
+    ck_assert_ptr_null(strstr(out, "alpha"));
+    for (size_t i = 0; i < 2; i++) {
+        double v[2];
+        for (int side = 0; side < 2; side++) {
+            const double more = side ? 1e-5 : -1e-5;
+            snprintf(options, sizeof options, laws, 0.2 + (i == 0 ? more : 0),
+                     0.3 + (i == 1 ? more : 0));
+            v[side] = last(options, "x", "--method fvi-bdf2");
+        }
+        ck_assert_near(got[i], (v[1] - v[0]) / 2e-5, 1e-6, "damping_%zu",
+                       i + 1);
+    }
+    ck_assert_int_eq(fvi("gradient --damping maxwell:0.2,1"), 0);
+    derivative("damping");
 }
 END_TEST
 
@@ -174,6 +203,7 @@ int main(void)
 {
     Suite *suite = suite_create("fvi gradient");
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
+             rows_of_a_law_are_differences_of_runs,
              the_forces_and_the_start_add_up_to_a_linear_motion,
              bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);

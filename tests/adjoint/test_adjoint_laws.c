@@ -1,0 +1,216 @@
+/* tests/adjoint/test_adjoint_laws.c -- Chapter 23: laws of damping.
+ *                                        Run alone: make test-adjoint_laws */
+#include "adjoint_runs.h"
+
+enum { D = 3, N = 300, TERMS = 4 };
+
+/* Three masses in a chain, a law of four terms; t moves all numbers along a direction. */
+typedef struct {
+    double x0[D], p0[D], mass[D], rho[D], cg[2], aw[2];
+    fvi_law_term term[TERMS];
+    fvi_law law;
+    fvi_system system;
+    fvi_run run;
+} chain;
+
+static void chain_at(chain *c, fvi_memory_kind memory, double t)
+{
+    *c = (chain){
+        .x0 = { 1 - 0.3 * t, -0.5, 0.25 + t },
+        .p0 = { 0.5 + t, -0.3, 0.2 - t },
+        .mass = { 1 + 0.2 * t, 1.5, 0.7 - 0.3 * t },
+        .rho = { 1 + 0.4 * t, 0, 0.5 - 0.2 * t },
+        .cg = { 1 + 0.5 * t, 0.5 + 0.4 * t },
+        .aw = { 0.2, 1.3 },
+        .term = { { FVI_LAW_POWER, 0.2 - 0.1 * t, 0.3, 0, 0 },
+                  { FVI_LAW_ZENER, 0.4 + 0.2 * t, 0.35, 0.6, 0 },
+                  { FVI_LAW_MAXWELL, 0.3 + 0.3 * t, 0, 0.5, 0 },
+                  { FVI_LAW_DISTRIBUTED, 0.2 - 0.2 * t, 0.1, 0, 0.45 } },
+    };
+    c->law = (fvi_law){ TERMS, c->term };
+    c->system = (fvi_system){ .d = D,
+                              .mass = c->mass,
+                              .damping = c->rho,
+                              .potential = fvi_potential_chain(c->cg),
+                              .force = fvi_force_cosine(c->aw) };
+    c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 32, N);
+    c->run.memory = memory;
+    c->run.law = &c->law;
+    c->run.alpha = 0.9; /* not read */
+}
+
+/* J = x_N,1 + p_N,2 */
+static int ends(size_t k, size_t d, const double *x, const double *p,
+                void *params, double *Jx, double *Jp)
+{
+    (void)k, (void)d, (void)x, (void)params;
+    if (p) {
+        Jx[0] = 1;
+        Jp[1] = 1;
+    }
+    return 0;
+}
+
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2 };
+static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
+                                         FVI_MEMORY_EXPONENTIALS };
+
+static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
+                         double *terms)
+{
+    slopes *s = slopes_of(&c->run, N + 1);
+    const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
+    s->to.alpha = NULL;
+    s->to.terms = terms;
+    ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
+                     FVI_SUCCESS);
+    return s;
+}
+
+static void run_of(const fvi_method *method, const chain *c, double *x,
+                   double *p)
+{
+    ck_assert_int_eq(fvi_trajectory(method, &c->run, x, p, NULL), FVI_SUCCESS);
+}
+
+/* A law that is one power, and that power: the same derivatives. The law has its weights
+ * from its own quadrature, to 60 u; N of them, 1e-12 in all. Seen: 3e-14. */
+START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
+{
+    for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
+        const fvi_law_term term = { FVI_LAW_POWER, 0.4, 0.3, 0, 0 };
+        const fvi_law law = { 1, &term };
+        chain c;
+        double by_term;
+        chain_at(&c, kinds[i / LEN(methods)], 0);
+        c.run.law = &law;
+        slopes *s = slopes_by(methods[i % LEN(methods)], &c, 0, &by_term);
+        double alone[D] = { 0.4, 0, 0.2 }, sum = 0;
+        c.run.law = NULL;
+        c.run.alpha = 0.3;
+        c.system.damping = alone;
+        slopes *same = slopes_of(&c.run, N + 1);
+        const fvi_objective J = { to_sine, &c.run };
+        ck_assert_int_eq(fvi_adjoint(methods[i % LEN(methods)], &c.run, NULL,
+                                     NULL, &J, &same->to),
+                         FVI_SUCCESS);
+        for (size_t j = 0; j < D; j++) {
+            ck_assert_near(s->to.x0[j], same->to.x0[j], 1e-12, "x0");
+            ck_assert_near(s->to.p0[j], same->to.p0[j], 1e-12, "p0");
+            ck_assert_near(s->to.mass[j], same->to.mass[j], 1e-12, "mass");
+            ck_assert_near(s->to.damping[j], 0.4 * same->to.damping[j], 1e-12,
+                           "damping");
+            ck_assert_near(s->force[7 * D + j], same->force[7 * D + j], 1e-12,
+                           "force");
+            sum += alone[j] / 0.4 * same->to.damping[j];
+        }
+        ck_assert_near(by_term, sum, 1e-12, "the factor of the term");
+        slopes_free(s);
+        slopes_free(same);
+    }
+}
+END_TEST
+
+/* Masses, the terms of the law, springs, forces and momenta times one factor: the same x.
+ * J = x_N,1 + p_N,2, of which p_N grows by the factor; for the terms the dampings, too. */
+START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
+        chain c;
+        double terms[TERMS], by_terms = 0, by_rho = 0, size = 0;
+        chain_at(&c, kinds[i / LEN(methods)], 0);
+        const fvi_method *method = methods[i % LEN(methods)];
+        slopes *s = slopes_by(method, &c, 1, terms);
+        run_of(method, &c, x, p);
+        double sum = s->to.parameters[0] * c.cg[0]
+                     + s->to.parameters[1] * c.cg[1];
+        for (size_t k = 0; k <= N; k++)
+            for (size_t j = 0; j < D; j++)
+                sum += s->force[k * D + j] * c.aw[0]
+                       * cos(c.aw[1] * (double)k * c.run.h);
+        for (size_t j = 0; j < D; j++) {
+            sum += s->to.p0[j] * c.p0[j] + s->to.mass[j] * c.mass[j];
+            by_rho += s->to.damping[j] * c.rho[j];
+            size += fabs(s->to.mass[j] * c.mass[j]);
+        }
+        for (size_t l = 0; l < TERMS; l++)
+            by_terms += terms[l] * c.term[l].rho;
+        ck_assert_near(sum + by_rho, p[N * D + 1], 1e-12 * fmax(1, size),
+                       "%s", method->name);
+        ck_assert_near(by_terms, by_rho, 1e-12 * fmax(1, size), "%s",
+                       method->name);
+        slopes_free(s);
+    }
+}
+END_TEST
+
+static double objective(const fvi_method *method, const chain *c)
+{
+    static double x[(N + 1) * D], p[(N + 1) * D];
+    double J = 0;
+    run_of(method, c, x, p);
+    for (size_t i = 0; i < D; i++) {
+        for (size_t k = 1; k <= N; k++) {
+            const double away = x[k * D + i] - sin((double)k * c->run.h);
+            J += c->run.h / 2 * away * away;
+        }
+        J += x[N * D + i] / 2 + x[N * D + i] * p[N * D + i] * p[N * D + i] / 4;
+    }
+    return J;
+}
+
+/* Taylor's test, along the direction of chain_at. */
+START_TEST(eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2)
+{
+    for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
+        const fvi_method *method = methods[i % LEN(methods)];
+        const fvi_memory_kind memory = kinds[i / LEN(methods)];
+        const double t = 1e-3;
+        chain c;
+        double terms[TERMS];
+        chain_at(&c, memory, 0);
+        slopes *s = slopes_by(method, &c, 0, terms);
+        const fvi_gradients *g = &s->to;
+        const double slope =
+            -0.3 * g->x0[0] + g->x0[2] + g->p0[0] - g->p0[2]
+            + 0.2 * g->mass[0] - 0.3 * g->mass[2] + 0.4 * g->damping[0]
+            - 0.2 * g->damping[2] + 0.5 * g->parameters[0]
+            + 0.4 * g->parameters[1] - 0.1 * terms[0] + 0.2 * terms[1]
+            + 0.3 * terms[2] - 0.2 * terms[3];
+        const double J = objective(method, &c);
+        chain_at(&c, memory, t);
+        const double whole = objective(method, &c) - J - t * slope;
+        chain_at(&c, memory, t / 2);
+        const double half = objective(method, &c) - J - t / 2 * slope;
+        ck_assert_near(whole / half, 4, 0.1, "%s", method->name);
+        slopes_free(s);
+    }
+}
+END_TEST
+
+START_TEST(a_law_has_no_alpha_and_a_power_no_terms)
+{
+    chain c;
+    double number;
+    chain_at(&c, FVI_MEMORY_AUTO, 0);
+    const fvi_objective J = { ends, NULL };
+    const fvi_gradients by_alpha = { .alpha = &number },
+                        by_terms = { .terms = &number };
+    ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_alpha),
+                     FVI_EINVAL);
+    c.run.law = NULL;
+    ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_terms),
+                     FVI_EINVAL);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, laws");
+    ADD_CASE(suite, "laws", eq_23_6_a_law_of_one_power_has_its_derivatives,
+             eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position,
+             eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2);
+    ADD_CASE(suite, "errors", a_law_has_no_alpha_and_a_power_no_terms);
+    return run_suite(suite);
+}
