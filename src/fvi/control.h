@@ -26,8 +26,8 @@ typedef struct {
  *
  * u_k being added to the force F(t_k) of the system.
  *
- *   method  fvi_fractional, fvi_shifted or fvi_bdf2
- *   run     the start, the steps, the past; no law; N >= 2
+ *   method  fvi_fractional, fvi_shifted, fvi_bdf2 or fvi_stable
+ *   run     the start, the steps, the past, a law if the method takes it; N >= 2
  *   x, p    where it is to end, d numbers each
  *   u       in: a guess, zeros will do; out: (N + 1) d numbers, component i at t_k at
  *           [k * d + i]
@@ -44,9 +44,8 @@ typedef struct {
  *
  * Cost of an iteration: one run, more if the step is halved, and 2 d mirrored ones;
  * (2 d + 18) d (N + 1) numbers are kept, and 4 d (d + 1).
- * Returns FVI_SUCCESS; what fvi_trajectory and fvi_adjoint return, FVI_EUNSUP for other methods
- * and for a law; FVI_EFAULT if a pointer
- * is NULL; FVI_EINVAL if N < 2, or so many steps cannot be addressed; FVI_EDOM if x or p
+ * Returns FVI_SUCCESS; what fvi_trajectory and fvi_adjoint return, FVI_EUNSUP for other methods;
+ * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if N < 2, or so many steps cannot be addressed; FVI_EDOM if x or p
  * is not finite; FVI_ESING if the force cannot reach x and p; FVI_EMAXITER after 200
  * iterations, u and found being those of the last; FVI_ENOMEM. After another error u is of
  * no use. */
