@@ -161,8 +161,7 @@ int main(int argc, char **argv)
             return 1;
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
-        fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi run --help'.\n",
-                complaint);
+        fvi_refused(complaint, "'fvi --help' or 'fvi run --help'");
         return status;
     }
     switch (o.command) {

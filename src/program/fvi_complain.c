@@ -13,6 +13,12 @@ int fvi_complain(const char *what)
     return 1;
 }
 
+void fvi_refused(const char *complaint, const char *help)
+{
+    fprintf(stderr, "fvi: %s%sTry %s.\n", complaint,
+            strchr(complaint, '\n') ? "  " : "\n", help);
+}
+
 int fvi_cannot_write(const char *name)
 {
     const int why = errno;

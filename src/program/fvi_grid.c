@@ -254,13 +254,15 @@ static int stands_in(const char *text, const char *name)
     return 0;
 }
 
-int fvi_grid_check(const fvi_grid *g, const fvi_options *o, fvi_complaint c)
+int fvi_grid_check(const fvi_grid *g, fvi_complaint c)
 {
     for (size_t n = 0; n < g->count; n++) {
         const char *name = g->axis[n].name,
                    *near = fvi_word_nearest(name, strlen(name), numbers);
-        if (g->axis[n].is_let && !stands_in(o->text[POTENTIAL], name)
-            && !stands_in(o->text[FORCE], name))
+        int found = 0;
+        for (int i = 2; i < g->word_count; i++)
+            found = found || stands_in(g->words[i], name);
+        if (g->axis[n].is_let && !found)
             return fvi_refuse(c,
                               "--vary: '%s' is no option that can be varied, "
                               "and in no expression%s%s%s",

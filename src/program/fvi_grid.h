@@ -40,9 +40,9 @@ void fvi_grid_free(fvi_grid *g);
 int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
                      char *complaint, size_t size);
 
-/* fvi_grid_check -- is each name that is no option a part of o's potential or force? A run
- * would not depend on it. Returns 0, or 2 and a complaint. */
-int fvi_grid_check(const fvi_grid *g, const fvi_options *o, fvi_complaint c);
+/* fvi_grid_check -- does each name that is no option stand in another word? Whether that is
+ * an expression fvi_grid_options sees. Returns 0, or 2 and a complaint. */
+int fvi_grid_check(const fvi_grid *g, fvi_complaint c);
 
 /* fvi_grid_value -- of axis n in run i. Both ends are met exactly. */
 double fvi_grid_value(const fvi_grid *g, size_t i, size_t n);

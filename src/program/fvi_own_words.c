@@ -1,5 +1,6 @@
 /* src/program/fvi_own_words.c -- Commands with options of their own beside those of run. */
 #include "fvi_own_words.h"
+#include "fvi_commands.h"
 #include "fvi_format.h"
 
 #include <stdlib.h>
@@ -144,6 +145,7 @@ void fvi_own_words_head(FILE *out, const fvi_own_command *command,
 
 void fvi_own_words_refuse(const fvi_own_command *command, const char *complaint)
 {
-    fprintf(stderr, "fvi: %s\nTry 'fvi %s --help'.\n", complaint,
-            command->name);
+    char help[40];
+    snprintf(help, sizeof help, "'fvi %s --help'", command->name);
+    fvi_refused(complaint, help);
 }

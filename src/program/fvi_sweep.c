@@ -214,26 +214,24 @@ static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
 static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
                      size_t size)
 {
+    int status = fvi_grid_check(g, (fvi_complaint){ complaint, size });
     *no_solution = 0;
-    for (size_t i = 0; i < g->runs; i++) {
+    for (size_t i = 0; !status && i < g->runs; i++) {
         fvi_options o;
-        int status = fvi_grid_options(g, g->first + i, &o, complaint, size);
+        status = fvi_grid_options(g, g->first + i, &o, complaint, size);
         if (status)
             return status;
         *no_solution |= o.no_solution;
-        status = fvi_grid_check(g, &o, (fvi_complaint){ complaint, size });
         const char *other = o.checkpoint ? "checkpoint"
                             : o.plot     ? "plot"
                             : o.snapshot ? "snapshot"
                                          : NULL;
         fvi_options_free(&o);
-        if (status)
-            return status;
         if (other)
             return fvi_refuse((fvi_complaint){ complaint, size },
                               "--%s: not an option of this command", other);
     }
-    return 0;
+    return status;
 }
 
 static int run_all(const fvi_grid *g, const fvi_options *o, int no_solution)
@@ -269,8 +267,7 @@ int fvi_command_sweep(int argc, char **argv)
     if (!status)
         status = fvi_grid_options(&g, g.first, &o, complaint, sizeof complaint);
     if (status) {
-        fprintf(stderr, "fvi: %s\nTry 'fvi --help' or 'fvi sweep --help'.\n",
-                complaint);
+        fvi_refused(complaint, "'fvi --help' or 'fvi sweep --help'");
     } else {
         status = run_all(&g, &o, no_solution);
         fvi_options_free(&o);

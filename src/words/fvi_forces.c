@@ -142,13 +142,11 @@ static int read_file(part *p, const char *name, double last, fvi_complaint c)
     return 0;
 }
 
-static int read_expression(part *p, const char *text, const fvi_lets *lets,
+static int read_expression(part *p, const char *text, fvi_lets *lets,
                            fvi_complaint c)
 {
-    const fvi_names names = fvi_lets_names(lets, "t", 1);
     fvi_misprint wrong;
-    int status =
-        fvi_expression_parse(text, &names, lets->value, &p->expression, &wrong);
+    int status = fvi_lets_parse(lets, "t", 1, text, &p->expression, &wrong);
     if (status == FVI_ENOMEM) {
         fvi_refuse(c, "not enough memory");
         return 1;
@@ -157,7 +155,7 @@ static int read_expression(part *p, const char *text, const fvi_lets *lets,
 }
 
 /* One part: a word with a colon, or an expression. */
-static int read_part(part *p, const char *text, const fvi_lets *lets,
+static int read_part(part *p, const char *text, fvi_lets *lets,
                      double last, fvi_complaint c)
 {
     static const char *const words[] = { "none", "step", "cosine", "file",
@@ -216,7 +214,7 @@ static int collect_jumps(fvi_forces *f)
     return 0;
 }
 
-int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
+int fvi_forces_parse(const char *text, fvi_lets *lets, double last,
                      fvi_forces **f, fvi_complaint c)
 {
     char *copy = strdup(text);

@@ -14,7 +14,7 @@ typedef struct fvi_forces fvi_forces;
  *   f     output; free it with fvi_forces_free
  *
  * Returns 0; 2 if a word, or the file, is refused; 1 if there is no memory. */
-int fvi_forces_parse(const char *text, const fvi_lets *lets, double last,
+int fvi_forces_parse(const char *text, fvi_lets *lets, double last,
                      fvi_forces **f, fvi_complaint c);
 
 /* fvi_forces_force -- the same on every mass. f must outlive it. */

@@ -17,18 +17,46 @@ int fvi_lets_add(fvi_lets *lets, const char *text, fvi_complaint c)
                : fvi_refuse(c, "--let: '%s': too many parameters", text);
 }
 
-fvi_names fvi_lets_names(const fvi_lets *lets, const char *variable, size_t d)
+/* Notes which parameters an expression, which has been understood, speaks of. */
+static void note(fvi_lets *lets, const char *text)
 {
-    return (fvi_names){ variable, d, lets->name, lets->count };
+    static const char inside[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789."
+                                 "abcdefghijklmnopqrstuvwxyz";
+    while (*(text += strcspn(text, inside))) {
+        const size_t length = strspn(text, inside);
+        for (size_t i = 0; i < lets->count; i++)
+            if (strlen(lets->name[i]) == length
+                && strncmp(text, lets->name[i], length) == 0)
+                lets->used[i] = 1;
+        text += length;
+    }
 }
 
-static int evaluate(const fvi_lets *lets, const char *text, double *value,
+int fvi_lets_parse(fvi_lets *lets, const char *variable, size_t d,
+                   const char *text, fvi_expression **e, fvi_misprint *wrong)
+{
+    const fvi_names names = { variable, d, lets->name, lets->count };
+    int status = fvi_expression_parse(text, &names, lets->value, e, wrong);
+    if (!status)
+        note(lets, text);
+    return status;
+}
+
+int fvi_lets_are_used(const fvi_lets *lets, fvi_complaint c)
+{
+    for (size_t i = 0; i < lets->count; i++)
+        if (!lets->used[i])
+            return fvi_refuse(c, "--let: '%s' is in no expression",
+                              lets->name[i]);
+    return 0;
+}
+
+static int evaluate(fvi_lets *lets, const char *text, double *value,
                     fvi_complaint c)
 {
-    const fvi_names names = fvi_lets_names(lets, NULL, 0);
     fvi_misprint wrong;
     fvi_expression *e;
-    int status = fvi_expression_parse(text, &names, lets->value, &e, &wrong);
+    int status = fvi_lets_parse(lets, NULL, 0, text, &e, &wrong);
     if (status == FVI_ENOMEM) {
         fvi_refuse(c, "not enough memory");
         return 1;

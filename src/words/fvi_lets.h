@@ -4,6 +4,8 @@
 
 #include "fvi_words.h"
 
+#include <fvi/expression.h>
+
 enum { FVI_MOST_LETS = 64 };
 
 /* Do not copy one that is in use: name points into names. */
@@ -13,6 +15,7 @@ typedef struct {
     char names[1024]; /* the same in pieces */
     const char *name[FVI_MOST_LETS];
     double value[FVI_MOST_LETS];
+    unsigned char used[FVI_MOST_LETS]; /* 1: an expression speaks of it */
 } fvi_lets;
 
 /* fvi_lets_add -- one more "k=3", or several; understood by fvi_lets_interpret.
@@ -24,7 +27,12 @@ int fvi_lets_add(fvi_lets *lets, const char *text, fvi_complaint c);
  * Returns 0; 2 if a word is refused; 1 if there is no memory. */
 int fvi_lets_interpret(fvi_lets *lets, fvi_complaint c);
 
-/* fvi_lets_names -- what an expression of x, or x1, ..., xd, or of t may speak of. */
-fvi_names fvi_lets_names(const fvi_lets *lets, const char *variable, size_t d);
+/* fvi_lets_parse -- fvi_expression_parse of x, or x1, ..., xd, or of t, with these
+ * parameters, of which it is noted which are used. Returns what that returns. */
+int fvi_lets_parse(fvi_lets *lets, const char *variable, size_t d,
+                   const char *text, fvi_expression **e, fvi_misprint *wrong);
+
+/* fvi_lets_are_used -- does an expression speak of each? Returns 0, or 2. */
+int fvi_lets_are_used(const fvi_lets *lets, fvi_complaint c);
 
 #endif

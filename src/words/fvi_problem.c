@@ -54,10 +54,9 @@ static int interpret_expression(fvi_options *o, fvi_complaint c)
 {
     const char *text = o->text[POTENTIAL],
                *near = fvi_word_near_potential(text);
-    const fvi_names names = fvi_lets_names(&o->lets, "x", o->d);
     fvi_misprint wrong;
-    int status = fvi_expression_parse(text, &names, o->lets.value,
-                                      &o->expression, &wrong);
+    int status =
+        fvi_lets_parse(&o->lets, "x", o->d, text, &o->expression, &wrong);
     if (status == FVI_ENOMEM)
         return no_memory(c);
     if (status && near)

@@ -210,6 +210,8 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = fvi_problem_force(o, c);
     if (!status)
+        status = fvi_lets_are_used(&o->lets, c);
+    if (!status)
         status = choice(o, DERIVATIVE, pasts, &which, c);
     o->past = (fvi_past)which;
     if (!status && o->text[DAMPING] && o->past != FVI_PAST_HELD)

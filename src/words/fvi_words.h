@@ -48,8 +48,8 @@ typedef struct {
 __attribute__((format(printf, 2, 3))) int fvi_refuse(fvi_complaint c,
                                                      const char *format, ...);
 
-/* Refuse a misprint in the text of --name: what is wrong, and in a second line a caret
- * below the place, when the complaint is printed behind "fvi: ". */
+/* Refuse a misprint in the text of --name: what is wrong, and in a second line, which
+ * is not ended, a caret below the place, when the complaint is printed behind "fvi: ". */
 int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
                   fvi_misprint wrong);
 

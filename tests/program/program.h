@@ -126,12 +126,20 @@ static inline int run_suite_of_program(Suite *suite)
 }
 
 /* Exit code 2, nothing printed, and what is said first. */
-#define ck_assert_refused(line, said)                                          \
+#define ck_assert_refused(line, said) ck_assert_refused_with(line, said "\n")
+
+/* The same, with a caret at the end of `said`: the pointer to the help is behind it. */
+#define ck_assert_refused_at(line, said)                                       \
+    do {                                                                       \
+        ck_assert_refused_with(line, said "  Try 'fvi ");                      \
+        ck_assert_uint_eq(count_lines(err), 2);                                \
+    } while (0)
+
+#define ck_assert_refused_with(line, said)                                     \
     do {                                                                       \
         ck_assert_msg(fvi(line) == 2, "%s", line);                             \
         ck_assert_str_eq(out, "");                                             \
-        ck_assert_msg(strncmp(err, said "\n", strlen(said "\n")) == 0, "%s",   \
-                      err);                                                    \
+        ck_assert_msg(strncmp(err, said, strlen(said)) == 0, "%s", err);       \
     } while (0)
 
 #endif

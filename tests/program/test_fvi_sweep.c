@@ -128,6 +128,8 @@ START_TEST(bad_sweeps_are_refused)
     ck_assert_ptr_nonnull(strstr(err, ": log needs two ends of one sign\n"));
     fvi("sweep --vary ALPHA=0:1:2");
     ck_assert_ptr_nonnull(strstr(err, "did you mean alpha?\n"));
+    fvi("sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1");
+    ck_assert_ptr_nonnull(strstr(err, "--vary: 'k' is no option"));
     fvi("sweep --vary alpha=0:1:2 --alhpa 3");
     ck_assert_ptr_nonnull(strstr(err, "did you mean --alpha?\n"));
 }
