@@ -433,7 +433,11 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text slides errata erratum-% excerpts check workshop workshop-% test-workshop layers book pdf test-book slides,pandoc petsc portability mutants seen,python) $(call goal,book pdf test-book,pandoc katex node wasm) node) $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers portability mutants seen,python) \
+  $(call goal,book pdf test-book slides petsc,python) \
+  $(call goal,book pdf test-book slides,pandoc katex node) \
+  $(call goal,book pdf test-book,wasm) \
+  $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
   $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 
