@@ -172,12 +172,72 @@ START_TEST(eq_27_5_a_mode_of_the_bar_is_one_oscillator)
 }
 END_TEST
 
+/* ---- stability ---- */
+
+/* A random symmetric matrix B^T B of three unknowns, of this rank, and `more` on the diagonal:
+ * as triplets for both, full. */
+static void random_matrix(unsigned *seed, int rank, double more, fvi_sparse *A)
+{
+    double B[3][3];
+    fvi_triplet list[9];
+    for (int i = 0; i < 9; i++) {
+        *seed = *seed * 1664525u + 1013904223u;
+        B[i / 3][i % 3] = (double)*seed * 0x1p-31 - 1;
+    }
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double sum = i == j ? more : 0;
+            for (int l = 0; l < rank; l++)
+                sum += B[l][i] * B[l][j];
+            list[3 * i + j] = (fvi_triplet){ i, j, sum };
+        }
+    OK(fvi_sparse_sum(3, 9, list, A));
+}
+
+static double largest(const double *x, size_t from, size_t to)
+{
+    double max = 0;
+    for (size_t i = 3 * from; i < 3 * to; i++)
+        max = fmax(max, fabs(x[i]));
+    return max;
+}
+
+/* Theorem 27.2: dampers of rank one that share no mode with M and K, steps up to a thousand
+ * radians. A mode that grew by a thousandth in each step would be e times as large in each
+ * quarter. Seen: 0.97. */
+START_TEST(eq_27_8_no_motion_of_fvi_stable_grows)
+{
+    enum { ALL = 4000 };
+    static double x[3 * (ALL + 1)];
+    const double x0[3] = { 1, 0, -1 }, p0[3] = { 0, 0.5, 0 };
+    unsigned seed = 27;
+    for (int i = 0; i < 60; i++) {
+        static const double alphas[] = { 0.1, 0.25, 0.4, 0.6 };
+        matrices m;
+        random_matrix(&seed, 3, 0.5, &m.M);
+        random_matrix(&seed, 3, 0.1, &m.K);
+        random_matrix(&seed, 1, 0, &m.C);
+        make(&m);
+        ck_assert_uint_eq(m.system.matrices->remembered, 1);
+        const fvi_run run = run_of(&m.system, alphas[i % 4],
+                                   pow(10, i / 4 % 5 - 1), ALL, x0, p0);
+        OK(fvi_trajectory(&fvi_stable, &run, x, NULL, NULL));
+        const double ratio =
+            largest(x, 3 * ALL / 4, ALL) / largest(x, 0, ALL / 4);
+        seen_worst(ratio, "last quarter over first");
+        ck_assert_msg(ratio < 1.05, "run %d: %g", i, ratio);
+        drop(&m);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("structures");
     ADD_CASE(suite, "no matrices",
              eq_27_1_diagonal_matrices_are_masses_and_dampings,
              eq_27_1_laws_of_damping_take_matrices);
-    ADD_CASE(suite, "modes", eq_27_5_a_mode_of_the_bar_is_one_oscillator);
+    ADD_CASE(suite, "modes", eq_27_5_a_mode_of_the_bar_is_one_oscillator,
+             eq_27_8_no_motion_of_fvi_stable_grows);
     return run_suite(suite);
 }
