@@ -51,6 +51,7 @@ static product *product_of(size_t lanes)
 
 enum {
     THREADS_FROM = 10000,        /* coordinates, where compiled with -fopenmp */
+    AHEAD = 4,                   /* tiles: so early a step asks for its rows */
     AREA = FVI_EIGHT * FVI_TILE, /* numbers of eight rows of a tile */
     SQUARE = FVI_EIGHT * FVI_EIGHT /* of a table between two eights */
 };
@@ -205,6 +206,13 @@ static void between(const fvi_tiles *t, size_t count, size_t D,
     t->times(count, FVI_EIGHT, t->lags + (D - 1) * SQUARE, terms, none, to);
 }
 
+/* So many numbers of a tile to come are on their way while this one is worked on. */
+static void fetch(const double *from, size_t count)
+{
+    for (size_t i = 0; i < count; i += 8)
+        __builtin_prefetch(from + i);
+}
+
 //> block
 /* Thirty-two terms are in: what they and all before them say to the next 32 sums, and
  * then to the modes. The sums take the places of the terms. */
@@ -224,9 +232,12 @@ static void open_block(fvi_tiles *t, size_t tile)
         for (size_t s = 0; s < FVI_SLABS; s++)
             between(t, count, FVI_SLABS + g - s, terms + s * AREA, to);
     }
-    for (size_t q = 0; q < t->Q; q += FVI_EIGHT) /* (28.2) */
+    for (size_t q = 0; q < t->Q; q += FVI_EIGHT) { /* (28.2) */
+        if (tile + 1 < t->tiles)
+            fetch(z + (t->Q + q) * FVI_TILE, AREA);
         t->times(count, FVI_WINDOW, t->decay + q * FVI_WINDOW, terms,
                  t->lose + q, z + q * FVI_TILE);
+    }
 }
 //< block
 
@@ -240,19 +251,21 @@ static void open_eight(fvi_tiles *t, size_t tile, size_t g)
 }
 //< eight
 
-/* Row r of eight, and the terms before it in the same eight. */
+/* The terms in the eight so far, the oldest first, and row r. */
 FVI_VECTORS static void next_row(size_t r, const double *restrict w,
                                  const double *restrict rows,
                                  double *restrict sum)
 {
-#pragma GCC unroll 16
     for (size_t i = 0; i < FVI_TILE; i++)
-        sum[i] = rows[r * FVI_TILE + i];
-    for (size_t j = 1; j <= r; j++) {
+        sum[i] = 0;
+    for (size_t j = 0; j < r; j++) {
 #pragma GCC unroll 16
         for (size_t i = 0; i < FVI_TILE; i++)
-            sum[i] += w[j] * rows[(r - j) * FVI_TILE + i];
+            sum[i] += w[r - j] * rows[j * FVI_TILE + i];
     }
+#pragma GCC unroll 16
+    for (size_t i = 0; i < FVI_TILE; i++)
+        sum[i] += rows[r * FVI_TILE + i];
 }
 
 //> push
@@ -263,6 +276,8 @@ void fvi_tiles_push(fvi_tiles *t, const double *term, double *H)
 #pragma omp parallel for schedule(static) if (t->d >= THREADS_FROM)
     for (size_t tile = 0; tile < t->tiles; tile++) {
         double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
+        if (tile + AHEAD < t->tiles)
+            fetch(rows + AHEAD * AREA, (r + 1) * FVI_TILE);
         next_row(r, t->w, rows, sum);
         for (size_t i = 0; i < columns(t, tile); i++) {
             const double new = term[tile * FVI_TILE + i];
