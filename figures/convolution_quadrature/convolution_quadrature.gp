@@ -21,6 +21,7 @@ set key at graph 0.5, graph -0.24 center top vertical maxrows 3 samplen 4
 
 set title "Bagley-Torvik, α = 3/4, t ≤ 20"
 set ylabel "largest error of x"
+set yrange [1e-8:1]
 set xrange [1e-3:0.15]
 plot for [i=1:3] line(i, i, x) with lines ls 10 + i notitle, \
      for [i=1:3] dat index 0 using 1:(column(i + 1)) with points ls 10 + i ps 0.9 title legend(i, i)

@@ -22,7 +22,7 @@ set key at graph 0.5, graph -0.24 center top vertical maxrows 5 samplen 5 width 
 
 set title "As printed: the damping acts on x"
 set ylabel "largest error of x for t ≤ 2"
-set yrange [1e-3:1e3]
+set yrange [4e-6:4e2]
 plot for [i=1:5] exp(p0[i]) * x**(1 - 2*a[i]) * exp((printed[i] - 1 + 2*a[i]) * log(1e-3)) \
          with lines ls i notitle, \
      for [i=1:5] dat index i-1 using 2:3 with points ls i ps 0.9 notitle, \
@@ -31,7 +31,6 @@ plot for [i=1:5] exp(p0[i]) * x**(1 - 2*a[i]) * exp((printed[i] - 1 + 2*a[i]) * 
 
 set title "Held: it acts on x − x_{0}"
 unset ylabel
-set yrange [5e-6:1e-1]
 plot for [i=1:5] exp(h0[i]) * x * exp((held[i] - 1) * log(1e-3)) with lines ls i notitle, \
      for [i=1:5] dat index i-1 using 2:4 with points ls i ps 0.9 notitle, \
      for [i=1:5] keyentry with linespoints ls i ps 0.9 \

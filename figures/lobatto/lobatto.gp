@@ -32,7 +32,6 @@ plot for [i=1:3] line(x, x_order(i+1), q[i], q0[i], hx[i]) with lines ls 13 + i 
 
 set title "Momenta; open circles: corrected"
 unset ylabel
-set yrange [1e-12:1e1]
 plot for [i=1:3] line(x, p_order(i+1), p[i], p0[i], hm[i]) with lines ls 13 + i notitle, \
      for [i=1:3] dat index i-1 using 1:3 with points ls 13 + i ps 0.9 \
          title sprintf("s = %d: slope %.2f, line %.1f", i+1, p[i], p_order(i+1)), \
