@@ -47,8 +47,7 @@ extern "C" {
  * forty, or is overlooked where it is small: x was off by up to 26 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
- * fvi_copy and fvi_visit know it. A run that was saved goes on to the same end only, h steps
- * is constant, and any step may be its last before that.
+ * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end, h steps.
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
  * if something is damped, Hessians of few diagonals, s at most, by Newton's method with one

@@ -152,9 +152,9 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
 
 /* fvi_singular_moment -- sum_n d_n I(a_n, S) of (22.20), S >= 0, from what
  * fvi_singular_sums makes of d_n and a_n > 0, n < count. To 1e-14 of sum |d_n| I(a_n, S). */
-enum { FVI_SERIES = 128 };
+enum { FVI_NEAR = 128, FVI_FAR = 36 };
 typedef struct {
-    double B[FVI_SERIES], D[FVI_SERIES];
+    double B[FVI_NEAR], D[FVI_FAR];
 } fvi_singular_series;
 void fvi_singular_sums(size_t count, const double *d, const double *a,
                        fvi_singular_series *f);

@@ -17,14 +17,16 @@
  * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.20) */
 #include "adaptive.h"
 
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* 2^-ENOUGH of a velocity is left to y at t1; more where y would not be smooth. */
-enum { ENOUGH = 32, MOST_TERMS = 256 };
+/* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large; more terms
+ * where y would not be smooth. */
+enum { MANY = 32, FEW = 16, MOST_TERMS = 256 };
 
 /* a_n */
 static double power(const fvi_singular *g, size_t n)
@@ -48,7 +50,8 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         return FVI_SUCCESS;
     g->gap = 2 - 2 * alpha;
     g->e = alpha > 0.5;
-    g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap), ENOUGH),
+    g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap),
+                             o->rule->s == 6 ? FEW : MANY),
                         MOST_TERMS);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
@@ -56,6 +59,10 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
     g->ratio = g->c + o->d * (g->J + 1);
     g->pull = g->ratio + o->d;
+    double gamma[MOST_TERMS + 1];
+    for (size_t n = 0; n <= g->J; n++)
+        gamma[n] = tgamma(1 + power(g, n));
+    const double last = tgamma(1 + power(g, g->J) - 2 * alpha);
     for (size_t j = 0; j < o->d; j++) {
         const double m = system->mass[j], rho = system->damping[j],
                      A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
@@ -63,8 +70,8 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         double sign = rho > 0 ? A : 0;
         g->ratio[j] = rho / m;
         for (size_t n = 0; n <= g->J; n++, sign = -sign)
-            g->c[j * (g->J + 1) + n] = sign / tgamma(1 + power(g, n));
-        g->pull[j] = -sign * m / tgamma(1 + power(g, g->J) - 2 * alpha);
+            g->c[j * (g->J + 1) + n] = sign / gamma[n];
+        g->pull[j] = -sign * m / last;
     }
     return FVI_SUCCESS;
 }
@@ -90,37 +97,52 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
 //< at
 
 /* The sums of (22.20) over the terms of G, that over the modes need not do them again:
- * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k / k!, and sum_k D_k / S^{k+1} as S grows,
+ * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k, and sum_k D_k / S^{k+1} as S grows,
  *
- *     B_k = sum_n d_n / (a_n + k),   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
+ *     B_k = sum_n d_n / (a_n + k) / k!,   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
 //> moments
+FVI_VECTORS static void sum_up(size_t count, const double *d, const double *a,
+                               fvi_singular_series *f)
+{
+    for (size_t k = 0; k < FVI_NEAR; k += 4) {
+        const double l = (double)k;
+        const fvi_four at = { l, l + 1, l + 2, l + 3 };
+        fvi_four sum = { 0 };
+        for (size_t n = 0; n < count; n++)
+            sum += d[n] / (a[n] + at);
+        *(fvi_four *)(f->B + k) = sum;
+    }
+}
+
 void fvi_singular_sums(size_t count, const double *d, const double *a,
                        fvi_singular_series *f)
 {
-    for (size_t k = 0; k < FVI_SERIES; k++) {
-        f->B[k] = f->D[k] = 0;
-        for (size_t n = 0; n < count; n++)
-            f->B[k] += d[n] / (a[n] + (double)k);
-    }
+    double by = 1;
+    sum_up(count, d, a, f);
+    for (size_t k = 1; k < FVI_NEAR; k++)
+        f->B[k] *= by /= (double)k;
+    for (size_t k = 0; k < FVI_FAR; k++)
+        f->D[k] = 0;
     for (size_t n = 0; n < count; n++) {
         double term = d[n];
-        for (size_t k = 0; k < FVI_SERIES; term *= (double)++k - a[n])
+        for (size_t k = 0; k < FVI_FAR; term *= (double)++k - a[n])
             f->D[k] += term;
     }
 }
 
-/* The terms of the second series fall to 35! / 40^35, below rounding, before they grow. */
+/* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on; the terms of the second
+ * series fall to 35! / 40^35, below rounding, before they grow. */
 double fvi_singular_moment(const fvi_singular_series *f, double S)
 {
-    double sum = 0, term = 1;
+    double sum = 0;
     if (S < 40) {
-        for (size_t k = 0; k < FVI_SERIES; term *= S / (double)++k)
-            sum += f->B[k] * term;
+        for (size_t k = (size_t)(12 + S + 9 * sqrt(S)) + 1; k-- > 0;)
+            sum = sum * S + f->B[k];
         return exp(-S) * sum;
     }
-    term = 1 / S;
-    for (size_t k = 0; k < 36; k++, term /= S)
-        sum += term * f->D[k];
+    const double by = 1 / S;
+    for (size_t k = FVI_FAR; k-- > 0;)
+        sum = (sum + f->D[k]) * by;
     return sum;
 }
 //< moments
@@ -131,9 +153,10 @@ static void series(const fvi_singular *g, size_t j, fvi_singular_series *f)
 {
     const double *c = g->c + j * (g->J + 1);
     double d[MOST_TERMS], a[MOST_TERMS], q = 1;
+    const double by = g->ratio[j] * pow(g->t1, g->gap);
     for (size_t n = 1; n <= g->J; n++) {
         a[n - 1] = power(g, n) - g->e;
-        q *= g->ratio[j] * pow(g->t1, g->gap);
+        q *= by;
         d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
     }
     fvi_singular_sums(g->J, d, a, f);
@@ -155,7 +178,8 @@ void fvi_singular_hand_over(fvi_adaptive_run *o)
         const double jump = g->c[o->index[l] * (g->J + 1)];
         for (size_t q = 0; q < fvi_modes_count(o->modes); q++) {
             const double sigma = fvi_modes_rate(o->modes, q), S = sigma * g->t1,
-                         more = jump * exp(-S) + fvi_singular_moment(&f, S);
+                         fades = S < 700 ? jump * exp(-S) : 0,
+                         more = fades + fvi_singular_moment(&f, S);
             fvi_modes_add(o->modes, l, q, g->e == 1 ? more : sigma * more);
         }
     }
