@@ -84,6 +84,7 @@ def constants(s):
     columns = lambda Z: [[Z[i, l] for i in range(s)] for l in range(s)]
     return {"c": c, "b": b, "A": columns(A), "inverse": columns(M), "form_m": columns(R * M), "legendre": columns(P * M),
             "det": det, "numerator": [[powers[n][i] for n in range(s)] for i in range(s)],
+            "lambda_re": [mp.re(z) for z in upper], "lambda_im": [mp.im(z) for z in upper],
             "log_modulus": [log(abs(z)) for z in upper], "angle": [mp.arg(z) for z in upper],
             "re": [[mp.re(t) for t in v] for v in vectors], "im": [[mp.im(t) for t in v] for v in vectors]}
 

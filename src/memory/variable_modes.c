@@ -32,36 +32,34 @@ struct fvi_modes {
     range range;
     size_t apart; /* nodes of an end */
     double beta;
-    size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
-    int first;            /* sigma_q = exp(L (first + every q)) */
-    size_t count, awake;  /* modes that this step reads; that are up to date */
-    double top[FVI_ENDS]; /* what the upper end adds to its weights, times */
-    double at_top[FVI_ENDS]; /* weight_top of this step */
-    fvi_length now, before;  /* this step, the last that was taken */
-    fvi_mode_row row;        /* of this step */
-    double *sigma, *weight;  /* of each mode */
-    double *y;               /* Q for each coordinate */
-    last_step *last;         /* of each coordinate */
-    double *own;             /* room for rows off the lattice */
+    size_t d, Q;         /* coordinates; modes of each, a multiple of LANES */
+    int first;           /* sigma_q = exp(L (first + every q)) */
+    size_t count, awake; /* modes that this step reads; that are up to date */
+    double top
+        [FVI_ENDS]; /* what the upper end adds to its weights, times the last */
+    fvi_length now, before; /* this step, the last that was taken */
+    fvi_mode_row row;       /* of this step */
+    double *sigma, *weight; /* of each mode */
+    double *y;              /* Q for each coordinate */
+    last_step *last;        /* of each coordinate */
+    double *closed;         /* weights of this step, its upper end closed */
+    double *own;            /* room for rows off the lattice */
 };
 
 /* ---- the two loops over the modes ---- */
 
-/* H += sum over the modes for the stages i, ..., i + 3, or fewer, then the last is taken
- * again and not used. Partial sum l takes every eighth mode from the l-th on, whatever the
- * machine: no digit depends on the width of its vectors. */
+/* H = sum over the modes for the stages i, i + 1, i + 2, and i + 3 if n = 4. Partial sum l
+ * takes every eighth mode from the l-th on, whatever the machine: no digit depends on the
+ * width of its vectors. */
 #define AT(x, q) (*(const fvi_four *)((x) + (q)))
 
 //> history
-FVI_VECTORS static void gather(size_t stages, size_t Q,
-                               const double *restrict weight,
-                               const double *restrict y,
-                               const double *restrict a, size_t stride,
-                               double *restrict H)
+static inline __attribute__((always_inline)) void
+gather(const size_t n, size_t Q, const double *restrict weight,
+       const double *restrict y, const double *restrict a, size_t stride,
+       double *restrict H)
 {
-    const double *a1 = a + (stages > 1 ? stride : 0),
-                 *a2 = a1 + (stages > 2 ? stride : 0),
-                 *a3 = a2 + (stages > 3 ? stride : 0);
+    const double *a1 = a + stride, *a2 = a1 + stride, *a3 = a2 + stride;
     fvi_four sum[8];
     for (size_t i = 0; i < 8; i++)
         sum[i] = (fvi_four){ 0 };
@@ -74,15 +72,34 @@ FVI_VECTORS static void gather(size_t stages, size_t Q,
         sum[3] += AT(a1, q + 4) * high;
         sum[4] += AT(a2, q) * low;
         sum[5] += AT(a2, q + 4) * high;
+        if (n < 4)
+            continue;
         sum[6] += AT(a3, q) * low;
         sum[7] += AT(a3, q + 4) * high;
     }
-    for (size_t i = 0; i < stages && i < 4; i++) {
+    for (size_t i = 0; i < n; i++) {
         const fvi_four part = sum[2 * i] + sum[2 * i + 1];
         H[i] = (part[0] + part[2]) + (part[1] + part[3]);
     }
 }
 //< history
+
+FVI_VECTORS static void gather_six(size_t Q, const double *restrict weight,
+                                   const double *restrict y,
+                                   const fvi_mode_row *row, double *restrict H)
+{
+    for (size_t i = 0; i < 6; i += 3)
+        gather(3, Q, weight, y, row->a + i * row->stride, row->stride, H + i);
+}
+
+FVI_VECTORS static void gather_eight(size_t Q, const double *restrict weight,
+                                     const double *restrict y,
+                                     const fvi_mode_row *row,
+                                     double *restrict H)
+{
+    for (size_t i = 0; i < 8; i += 4)
+        gather(4, Q, weight, y, row->a + i * row->stride, row->stride, H + i);
+}
 
 //> advance
 FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
@@ -161,22 +178,20 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     m->now = length;
     wake(m, m->count);
     m->row = row_of(m, length, 0, m->count);
-    for (size_t l = 0; l < FVI_ENDS; l++)
-        m->at_top[l] = m->weight[m->count - 1] * m->top[l];
+    memcpy(m->closed, m->weight, m->count * sizeof *m->closed);
+    for (size_t l = 0; l < FVI_ENDS; l++) /* (22.12) */
+        m->closed[m->count - 1 - m->apart * l] +=
+            m->weight[m->count - 1] * m->top[l];
 }
 
 void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
 {
-    const fvi_mode_row *row = &m->row;
     const double *y = m->y + j * m->Q;
-    memset(H, 0, FVI_LANES * sizeof *H);
-    for (size_t i = 0; i < m->rule->s; i += 4)
-        gather(m->rule->s - i, m->count, m->weight, y, row->a + i * row->stride,
-               row->stride, H + i);
-    for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
-        const size_t q = m->count - 1 - m->apart * l;
-        for (size_t i = 0; i < m->rule->s; i++)
-            H[i] += row->a[i * row->stride + q] * (m->at_top[l] * y[q]);
+    if (m->rule->s == 8) {
+        gather_eight(m->count, m->closed, y, &m->row, H);
+    } else {
+        gather_six(m->count, m->closed, y, &m->row, H);
+        H[6] = H[7] = 0;
     }
 }
 
@@ -197,29 +212,31 @@ void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
 
 /* ---- a memory ---- */
 
+/* The numbers that steps read from the steps before. */
 static size_t numbers(const fvi_modes *m)
 {
-    return (2 + m->d + 2 + m->rule->s) * m->Q;
+    return (2 + m->d) * m->Q + m->d * sizeof *m->last / sizeof *m->y;
 }
 
-/* Room for such sizes, zeros, and nothing else; or NULL. */
+/* Room for such sizes, at rest, and nothing else; or NULL. */
 static fvi_modes *make(fvi_modes sizes)
 {
     fvi_modes *m = malloc(sizeof *m);
-    double *block = calloc(numbers(&sizes), sizeof *block);
-    last_step *last = calloc(sizes.d, sizeof *last);
-    if (!m || !block || !last) {
+    const size_t count = numbers(&sizes) + (1 + 2 + sizes.rule->s) * sizes.Q;
+    double *block = malloc(count * sizeof *block);
+    if (!m || !block) {
         free(m);
         free(block);
-        free(last);
         return NULL;
     }
     *m = sizes;
     m->sigma = block;
     m->weight = m->sigma + m->Q;
     m->y = m->weight + m->Q;
-    m->own = m->y + m->d * m->Q;
-    m->last = last;
+    m->last = (last_step *)(m->y + m->d * m->Q);
+    m->closed = block + numbers(m);
+    m->own = m->closed + m->Q;
+    memset(m->y, 0, (numbers(m) - 2 * m->Q) * sizeof *m->y);
     return m;
 }
 
@@ -289,7 +306,6 @@ int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
     if (!m)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     memcpy(m->sigma, from->sigma, numbers(m) * sizeof *m->sigma);
-    memcpy(m->last, from->last, m->d * sizeof *m->last);
     m->now = (fvi_length){ 0 }; /* its row may point into the other's room */
     *to = m;
     return FVI_SUCCESS;
@@ -321,7 +337,6 @@ void fvi_modes_free(fvi_modes *m)
     if (!m)
         return;
     free(m->sigma);
-    free(m->last);
     free(m);
 }
 

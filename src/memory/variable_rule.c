@@ -22,16 +22,30 @@ double fvi_variable_spacing(void)
     return FVI_SPACING;
 }
 
+void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
+                         double *im)
+{
+    for (size_t n = 0; n < rule->s / 2; n++) {
+        const double size = exp(beta * rule->log_modulus[n]);
+        re[n] = size * cos(beta * rule->angle[n]);
+        im[n] = size * sin(beta * rule->angle[n]);
+    }
+}
+
 //> present
 void fvi_variable_present(const fvi_variable_rule *rule, double beta,
                           fvi_square *W)
 {
     const size_t s = rule->s;
+    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
     memset(W, 0, sizeof *W);
+    for (size_t i = 0; beta == 0 && i < s; i++)
+        W->column[i][i] = 1;
+    if (beta == 0)
+        return;
+    fvi_variable_powers(rule, beta, power_re, power_im);
     for (size_t n = 0; n < s / 2; n++) {
-        const double size = 2 * exp(beta * rule->log_modulus[n]),
-                     re = size * cos(beta * rule->angle[n]),
-                     im = size * sin(beta * rule->angle[n]);
+        const double re = 2 * power_re[n], im = 2 * power_im[n];
         for (size_t l = 0; l < s; l++) {
             const double vr = rule->b[l] * rule->re[n][s - 1 - l],
                          vi = rule->b[l] * rule->im[n][s - 1 - l],

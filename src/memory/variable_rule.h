@@ -37,12 +37,18 @@ typedef struct {
     double det[FVI_LANES + 1], numerator[FVI_LANES][FVI_LANES];
     /* The eigenvalues of A^{-1} in the upper half plane, and vectors v such that
      * v w^T, w_i = b_i v_{s-1-i}, are the projectors */
+    double lambda_re[FVI_LANES / 2], lambda_im[FVI_LANES / 2];
     double log_modulus[FVI_LANES / 2], angle[FVI_LANES / 2];
     double re[FVI_LANES / 2][FVI_LANES], im[FVI_LANES / 2][FVI_LANES];
 } fvi_variable_rule;
 
 /* fvi_variable -- the rule of s stages, s = 6 or 8; NULL for another s. */
 const fvi_variable_rule *fvi_variable(size_t s);
+
+/* fvi_variable_powers -- the lambda^beta of the s/2 eigenvalues in the upper half plane.
+ *   re, im  outputs, s/2 numbers each */
+void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
+                         double *im);
 
 /* fvi_variable_present -- W0 = (A^{-1})^beta: what h^beta D^beta does within a step of
  * length h, for any h.                                                       (22.2)

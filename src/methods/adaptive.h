@@ -70,13 +70,11 @@ typedef struct {
     double *base, *R, *delta;
     double *bend,
         *bend0; /* h times the Legendre coefficients of x''; of the last step */
-    double *
-        powers; /* and as powers, if a time within the last step was asked for */
-    int powers_known;
+    double *powers;   /* those as powers, in the place of bend, */
+    int powers_known; /* once a row within the last step was asked for */
     double *point, *gradient, *hessian;
     fvi_square *jacobian; /* of each coordinate, inverted; or NULL */
-    size_t
-        diagonals; /* of the Hessian if they are few, and their factors; or 0 */
+    size_t diagonals;     /* of the Hessian, if they are few; or 0 */
     fvi_adaptive_band *band;
     /* control */
     double *events; /* where steps have to end: jumps, t1, T at last */
@@ -123,10 +121,12 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
 
 /* fvi_adaptive_powers -- f(theta) = sum_n bend_n P_n(2 theta - 1) = sum_k g_k theta^k, n
- * and k < s; and its integral from 0 to theta, in units of a step, once and twice. */
+ * and k < s; g has FVI_LANES numbers.
+ * fvi_adaptive_once, _twice -- its integral from 0 to theta, in units of a step, and that
+ * of its integral are sum_k w_k g_k; w has FVI_LANES numbers. */
 void fvi_adaptive_powers(size_t s, const double *bend, double *g);
-double fvi_adaptive_once(size_t s, const double *g, double theta);
-double fvi_adaptive_twice(size_t s, const double *g, double theta);
+void fvi_adaptive_once(double theta, double *w);
+void fvi_adaptive_twice(double theta, double *w);
 
 /* fvi_adaptive_shapes -- the integrals of P_n(2 u - 1) from 0 to theta_i, n < s, entry
  * (i, n), at s times of which FVI_LANES are there; the rest of the matrix is of no use. */

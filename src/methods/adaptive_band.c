@@ -4,7 +4,6 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -12,8 +11,8 @@ enum {
     PAIRS = 4
 }; /* eigenvalues side by side; of 6 stages the last one is idle */
 
-/* Four complex numbers. */
-typedef struct {
+/* Four complex numbers, the size of the stages of a coordinate. */
+typedef struct __attribute__((may_alias)) {
     fvi_four re, im;
 } quad;
 
@@ -24,7 +23,6 @@ struct fvi_adaptive_band {
     double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: and back */
     quad *kind;   /* m lambda + drag lambda^beta */
     quad *factor; /* of column j: 1 / D_j, then what stands below */
-    quad *e;
 };
 
 static inline quad times(quad a, quad b)
@@ -68,16 +66,35 @@ FVI_VECTORS static void factorise(fvi_adaptive_band *o, const size_t *kind,
 }
 //< factorise
 
-FVI_VECTORS static void substitute(fvi_adaptive_band *o)
+/* ---- solutions ---- */
+
+/* From the stages to the pairs, and forwards by L: e_j stands where r_j did. */
+//> forwards
+FVI_VECTORS static void forwards(const fvi_adaptive_band *o, double *r)
 {
     const size_t n = o->diagonals;
-    quad *e = o->e;
-    for (size_t j = 0; j < o->d; j++)
-        for (size_t k = 1; k < n && j + k < o->d; k++) {
-            const quad more = times(o->factor[j * n + k], e[j]);
-            e[j + k].re -= more.re;
-            e[j + k].im -= more.im;
+    quad *e = (quad *)r;
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        quad sum = { { 0 }, { 0 } };
+        for (size_t i = 0; i < o->s; i++) {
+            sum.re += o->in[i].re * r[i];
+            sum.im += o->in[i].im * r[i];
         }
+        for (size_t k = 1; k < n && k <= j; k++) {
+            const quad more = times(o->factor[(j - k) * n + k], e[j - k]);
+            sum.re -= more.re;
+            sum.im -= more.im;
+        }
+        e[j] = sum;
+    }
+}
+//< forwards
+
+/* Backwards by D and L^T. */
+FVI_VECTORS static void backwards(const fvi_adaptive_band *o, double *r)
+{
+    const size_t n = o->diagonals;
+    quad *e = (quad *)r;
     for (size_t j = o->d; j-- > 0;) {
         quad sum = times(o->factor[j * n], e[j]);
         for (size_t k = 1; k < n && j + k < o->d; k++) {
@@ -89,32 +106,19 @@ FVI_VECTORS static void substitute(fvi_adaptive_band *o)
     }
 }
 
-/* ---- from the stages to the pairs, and back ---- */
-
-FVI_VECTORS static void split(fvi_adaptive_band *o, const double *r)
+/* From the pairs back to the stages. */
+FVI_VECTORS static void join(const fvi_adaptive_band *o, double *r)
 {
     for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
-        quad e = { { 0 }, { 0 } };
-        for (size_t i = 0; i < o->s; i++) {
-            e.re += o->in[i].re * r[i];
-            e.im += o->in[i].im * r[i];
-        }
-        o->e[j] = e;
-    }
-}
-
-FVI_VECTORS static void join(const fvi_adaptive_band *o, double *eps)
-{
-    for (size_t j = 0; j < o->d; j++, eps += FVI_LANES) {
         fvi_four low = { 0 }, high = { 0 };
-        for (size_t n = 0; n < PAIRS; n++) {
+        for (size_t n = 0; n < o->s / 2; n++) {
             const fvi_four *re = (const fvi_four *)o->re[n],
                            *im = (const fvi_four *)o->im[n];
-            low += re[0] * o->e[j].re[n] - im[0] * o->e[j].im[n];
-            high += re[1] * o->e[j].re[n] - im[1] * o->e[j].im[n];
+            low += re[0] * r[n] - im[0] * r[PAIRS + n];
+            high += re[1] * r[n] - im[1] * r[PAIRS + n];
         }
-        ((fvi_four *)eps)[0] = low;
-        ((fvi_four *)eps)[1] = high;
+        ((fvi_four *)r)[0] = low;
+        ((fvi_four *)r)[1] = high;
     }
 }
 
@@ -133,8 +137,8 @@ void fvi_adaptive_band_factorise(fvi_adaptive_band *o, const size_t *kind,
 
 void fvi_adaptive_band_solve(fvi_adaptive_band *o, double *r)
 {
-    split(o, r);
-    substitute(o);
+    forwards(o, r);
+    backwards(o, r);
     join(o, r);
 }
 
@@ -147,7 +151,7 @@ fvi_adaptive_band *fvi_adaptive_band_alloc(const fvi_variable_rule *rule,
     if (d > SIZE_MAX / sizeof(quad) / (diagonals + 2))
         return NULL;
     fvi_adaptive_band *o = calloc(1, sizeof *o);
-    quad *block = calloc(kinds + d * (diagonals + 1), sizeof *block);
+    quad *block = malloc((kinds + d * diagonals) * sizeof *block);
     if (!o || !block) {
         free(o);
         free(block);
@@ -156,19 +160,21 @@ fvi_adaptive_band *fvi_adaptive_band_alloc(const fvi_variable_rule *rule,
     o->s = rule->s;
     o->d = d;
     o->diagonals = diagonals;
-    o->e = block;
-    o->factor = o->e + d;
-    o->kind = o->factor + d * diagonals;
+    o->kind = block;
+    o->factor = o->kind + kinds;
+    double power_re[PAIRS], power_im[PAIRS];
+    fvi_variable_powers(rule, beta, power_re, power_im);
     for (size_t n = 0; n < PAIRS; n++) {
         const int idle = n >= rule->s / 2;
-        const double log_modulus = idle ? 0 : rule->log_modulus[n],
-                     angle = idle ? 0 : rule->angle[n];
-        o->lambda.re[n] = exp(log_modulus) * cos(angle);
-        o->lambda.im[n] = exp(log_modulus) * sin(angle);
-        o->power.re[n] = exp(beta * log_modulus) * cos(beta * angle);
-        o->power.im[n] = exp(beta * log_modulus) * sin(beta * angle);
-        o->inverse.re[n] = idle ? 0 : exp(-log_modulus) * cos(angle);
-        o->inverse.im[n] = idle ? 0 : -exp(-log_modulus) * sin(angle);
+        const double re = idle ? 1 : rule->lambda_re[n],
+                     im = idle ? 0 : rule->lambda_im[n],
+                     size = re * re + im * im;
+        o->lambda.re[n] = re;
+        o->lambda.im[n] = im;
+        o->power.re[n] = idle ? 1 : power_re[n];
+        o->power.im[n] = idle ? 0 : power_im[n];
+        o->inverse.re[n] = idle ? 0 : re / size;
+        o->inverse.im[n] = idle ? 0 : -im / size;
         for (size_t i = 0; i < rule->s && !idle; i++) {
             o->in[i].re[n] = rule->b[i] * rule->re[n][rule->s - 1 - i];
             o->in[i].im[n] = rule->b[i] * rule->im[n][rule->s - 1 - i];
@@ -183,6 +189,6 @@ void fvi_adaptive_band_free(fvi_adaptive_band *o)
 {
     if (!o)
         return;
-    free(o->e);
+    free(o->kind);
     free(o);
 }

@@ -26,24 +26,36 @@ void fvi_adaptive_powers(size_t s, const double *bend, double *g)
     fvi_square_apply(s, &powers, bend, g);
 }
 
-double fvi_adaptive_once(size_t s, const double *g, double theta)
+/* w_k = first theta^k by_k */
+static void weigh(double first, double theta, const fvi_four by[2], double *w)
 {
-    static const double by[] = { 1,      1. / 2, 1. / 3, 1. / 4,
-                                 1. / 5, 1. / 6, 1. / 7, 1. / 8 };
-    double sum = 0;
-    for (size_t k = s; k-- > 0;)
-        sum = sum * theta + g[k] * by[k];
-    return sum * theta;
+    const double square = theta * theta, cube = square * theta;
+    const fvi_four low = { first, first * theta, first * square, first * cube },
+                   high = low * (square * square);
+    ((fvi_four *)w)[0] = low * by[0];
+    ((fvi_four *)w)[1] = high * by[1];
 }
 
-double fvi_adaptive_twice(size_t s, const double *g, double theta)
+void fvi_adaptive_once(double theta, double *w)
 {
-    static const double by[] = { 1. / 2,  1. / 6,  1. / 12, 1. / 20,
-                                 1. / 30, 1. / 42, 1. / 56, 1. / 72 };
-    double sum = 0;
-    for (size_t k = s; k-- > 0;)
-        sum = sum * theta + g[k] * by[k];
-    return sum * theta * theta;
+    static const fvi_four by[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
+                                   { 1. / 5, 1. / 6, 1. / 7, 1. / 8 } };
+    weigh(theta, theta, by, w);
+}
+
+void fvi_adaptive_twice(double theta, double *w)
+{
+    static const fvi_four by[] = { { 1. / 2, 1. / 6, 1. / 12, 1. / 20 },
+                                   { 1. / 30, 1. / 42, 1. / 56, 1. / 72 } };
+    weigh(theta * theta, theta, by, w);
+}
+
+/* One of them has zeros behind the s-th number. */
+static double product(const double *a, const double *b)
+{
+    const fvi_four *x = (const fvi_four *)a, *y = (const fvi_four *)b,
+                   sum = x[0] * y[0] + x[1] * y[1];
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
 //> dense
@@ -55,22 +67,30 @@ int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p)
     const double h = s->t - o->t0, theta = (t - o->t0) / h;
     if (!(h > 0 && theta >= 0 && theta <= 1))
         return FVI_EDOM;
+    double once[FVI_LANES], twice[FVI_LANES];
+    if (x)
+        fvi_adaptive_twice(theta, twice);
+    if (p)
+        fvi_adaptive_once(theta, once);
     for (size_t j = 0; j < o->d && !o->powers_known; j++)
         fvi_adaptive_powers(n, o->bend0 + j * FVI_LANES,
                             o->powers + j * FVI_LANES);
     o->powers_known = 1;
-    for (size_t j = 0; j < o->d; j++) {
-        const double *g = o->powers + j * FVI_LANES;
-        double G = 0, slope = 0;
-        if (fvi_singular_is(o, o->t0) && t > 0)
-            fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
+    for (size_t j = 0; x && j < o->d; j++)
+        x[j] = o->y0[j]
+               + h
+                     * (theta * o->v0[j]
+                        + product(o->powers + j * FVI_LANES, twice));
+    for (size_t j = 0; p && j < o->d; j++)
+        p[j] = s->run.system->mass[j]
+               * (o->v0[j] + product(o->powers + j * FVI_LANES, once));
+    for (size_t j = 0; fvi_singular_is(o, o->t0) && t > 0 && j < o->d; j++) {
+        double G, slope;
+        fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
         if (x)
-            x[j] = o->y0[j]
-                   + h * (theta * o->v0[j] + fvi_adaptive_twice(n, g, theta))
-                   + G;
+            x[j] += G;
         if (p)
-            p[j] = s->run.system->mass[j]
-                   * (o->v0[j] + fvi_adaptive_once(n, g, theta) + slope);
+            p[j] += s->run.system->mass[j] * slope;
     }
     return FVI_SUCCESS;
 }

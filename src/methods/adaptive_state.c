@@ -9,7 +9,7 @@
 
 enum {
     STATE = 7,
-    LANED = 6,
+    LANED = 5,
     STAGED = 3
 }; /* arrays: of d, of LANES d, of s d */
 
@@ -62,8 +62,8 @@ int fvi_adaptive_allocate(fvi_adaptive_run *o)
     o->delta = o->R + FVI_LANES * d;
     o->bend = o->delta + FVI_LANES * d;
     o->bend0 = o->bend + FVI_LANES * d;
-    o->powers = o->bend0 + FVI_LANES * d;
-    o->point = o->powers + FVI_LANES * d;
+    o->powers = o->bend;
+    o->point = o->bend0 + FVI_LANES * d;
     o->gradient = o->point + o->rule->s * d;
     o->hessian = o->gradient + o->rule->s * d;
     return FVI_SUCCESS;

@@ -266,7 +266,6 @@ static void take(fvi_adaptive_run *o, double event)
         add(&o->v[j], &o->v_less[j], delta[s - 1]);
     }
     memcpy(o->bend0, o->bend, o->d * FVI_LANES * sizeof *o->bend);
-    o->powers_known = 0;
     o->t0 = o->t;
     add(&o->t, &o->t_less, h);
     if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
@@ -284,6 +283,7 @@ static int step(fvi_stepper *s)
     fvi_adaptive_run *o = s->own;
     const double event = next_event(o);
     double found = 0, error = 0, found_before = 0, h_before = 0;
+    o->powers_known = 0; /* bend stands there */
     for (;;) {
         const fvi_length length = choose(o, event);
         int status = trial(s, o, length, &found);
