@@ -46,11 +46,11 @@ typedef struct {
 } fvi_gradients;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
- *                                              [(23.4), (23.6), (23.13), (23.15)]
+ *                                              [(23.4), (23.6), (23.13), (23.15), (23.16)]
  *
- *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or fvi_lobatto2 to 8d
- *              with x and p NULL, of which form M has no derivative by alpha at alpha = 1,
- *              where its p jumps, (17.17)
+ *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
+ *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
+ *              alpha = 1, where its p jumps, (17.17); and fvi_adaptive, see mesh
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
  *              d momenta p_N of its last row. Or both NULL: the run is done here, and
@@ -68,6 +68,9 @@ typedef struct {
  *          pasts with all but fvi_fractional: likewise, if less. RIEMANN_LIOUVILLE
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
+ *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
+ *          steps. By alpha there is none, and where the past pulls the start, (19.3), none at
+ *          all. force: the force changes along straight lines between t_k and t_{k+1}
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages

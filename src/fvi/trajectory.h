@@ -71,14 +71,15 @@ typedef struct fvi_method fvi_method;
 
 /* fvi_scheme -- which equations a method solves, for those who transpose them
  * (adjoint.h): those of Algorithm 3, (13.7) with the shift alpha, (13.7) with the weights
- * of BDF2, (13.16), (17.8) or (17.24); or others. */
+ * of BDF2, (13.16), (17.8) or (17.24), (22.14); or others. */
 typedef enum {
     FVI_SCHEME_OTHER,
     FVI_SCHEME_ALGORITHM_3,
     FVI_SCHEME_SHIFTED,
     FVI_SCHEME_BDF2,
     FVI_SCHEME_STABLE,
-    FVI_SCHEME_STAGES
+    FVI_SCHEME_STAGES,
+    FVI_SCHEME_MESH
 } fvi_scheme;
 
 /* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */

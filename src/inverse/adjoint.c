@@ -3,6 +3,7 @@
 
 #include "backward.h"
 #include "mirror.h"
+#include "mirror_mesh.h"
 #include "mirror_stages.h"
 #include "system/fail.h"
 
@@ -22,8 +23,12 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (run->law ? want->alpha != NULL : want->terms != NULL)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
-    if (method->scheme == FVI_SCHEME_STAGES && x)
+    if ((method->scheme == FVI_SCHEME_STAGES
+         || method->scheme == FVI_SCHEME_MESH)
+        && x)
         FVI_FAIL("stages need their own run", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_MESH && want->alpha)
+        FVI_FAIL("no derivative by alpha on a mesh", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
@@ -126,8 +131,8 @@ static int walk(const fvi_method *method, fvi_backward *path,
         status = slopes(objective, N, d, rows + per * d,
                         fvi_backward_momentum(path), J, J + d);
     if (!status)
-        status = begin(method, run, want, fvi_backward_momentum(path), J + d,
-                       &m);
+        status =
+            begin(method, run, want, fvi_backward_momentum(path), J + d, &m);
     for (size_t k = N; !status && k-- > 0;) {
         if (k + 1 < N)
             status = fvi_backward_step(path, k, &rows);
@@ -149,11 +154,14 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
 {
     fvi_backward *path;
     int status = check(method, run, x, p, objective, want);
-    if (!status)
-        status = fvi_backward_alloc(method, run, x, p, &path);
     if (status)
         return status;
     clear(run, want, forces_of(method));
+    if (method->scheme == FVI_SCHEME_MESH)
+        return fvi_mirror_mesh(run, objective, want);
+    status = fvi_backward_alloc(method, run, x, p, &path);
+    if (status)
+        return status;
     double *J = calloc(2 * run->system->d, sizeof *J);
     if (!J) {
         fvi_backward_free(path);

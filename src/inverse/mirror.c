@@ -53,8 +53,9 @@ static int start_law(fvi_mirror *m, fvi_quadrature kind)
 {
     const fvi_run *run = m->run;
     double first = 0;
-    int status = fvi_law_memory(run->law, kind, run->h, m->d, run->steps,
-                                run->memory, run->tolerance, &first, &m->memory);
+    int status =
+        fvi_law_memory(run->law, kind, run->h, m->d, run->steps, run->memory,
+                       run->tolerance, &first, &m->memory);
     m->unit = run->h * first;
     if (status || !m->want->terms)
         return status;
@@ -113,7 +114,8 @@ static void factor_stable(fvi_mirror *m)
 
 static int start_factor(fvi_mirror *m, fvi_scheme scheme)
 {
-    const int has_factor = scheme == FVI_SCHEME_BDF2 || scheme == FVI_SCHEME_STABLE;
+    const int has_factor =
+        scheme == FVI_SCHEME_BDF2 || scheme == FVI_SCHEME_STABLE;
     if (!has_factor || m->run->law)
         return FVI_SUCCESS;
     (scheme == FVI_SCHEME_BDF2 ? factor_bdf2 : factor_stable)(m);
@@ -161,8 +163,8 @@ int fvi_mirror_start(const fvi_method *method, const fvi_run *run,
                                                              : 0,
                        .kappa = stable ? 0.5 : run->kappa,
                        .end = printed ? 1 : 0.5,
-                       .unit = run->law ? run->h
-                                        : pow(run->h, 1 - 2 * run->alpha),
+                       .unit =
+                           run->law ? run->h : pow(run->h, 1 - 2 * run->alpha),
                        .printed = printed };
     int status = allocate(m);
     if (!status)

@@ -20,8 +20,8 @@ static int allocate(fvi_mirror_stages *m)
     const size_t hessian =
         system->potential.hessian ? fvi_hessian_room(system) : 0;
     double **longs[LONG] = { &m->Lambda, &m->T, &m->past, &m->pastdot, &m->r };
-    double **shorts[SHORT] = { &m->column, &m->Q,      &m->mass, &m->after,
-                               &m->last,   &m->kinetic, &m->sum,  &m->sumdot,
+    double **shorts[SHORT] = { &m->column, &m->Q,       &m->mass,   &m->after,
+                               &m->last,   &m->kinetic, &m->sum,    &m->sumdot,
                                &m->plain,  &m->pull,    &m->pulldot };
     m->block = calloc((LONG * s + SHORT) * d + s * hessian, sizeof *m->block);
     if (!m->block)
@@ -149,11 +149,10 @@ static double inertia(const fvi_mirror_stages *m, size_t j, const double *rows,
     double sum = 0;
     for (size_t i = 0; i < m->s; i++)
         for (size_t l = 0; l < m->s; l++)
-            sum += m->damped_inertia
-                       ? -m->run->h * Lambda[i] * m->rule->b[i]
-                             * m->rule->D[i][l] * v[l]
-                       : Lambda[i] * m->K[i][l]
-                             * (rows[l * m->d + j] - rows[j]);
+            sum += m->damped_inertia ? -m->run->h * Lambda[i] * m->rule->b[i]
+                                           * m->rule->D[i][l] * v[l]
+                                     : Lambda[i] * m->K[i][l]
+                                           * (rows[l * m->d + j] - rows[j]);
     if (m->damped_inertia) /* v_{k+1} is v[s-1] */
         sum += m->run->h * (m->after[j] * v[m->s - 1] - Lambda[0] * v[0]);
     return sum;
@@ -267,10 +266,10 @@ static void end_damping(const fvi_mirror_stages *m, size_t j, double pulled,
                  log_h = log(run->h);
     if (want->damping) {
         want->damping[j] = -A * pulled * m->pull[j];
-        want->damping[j] +=
-            m->heavy ? m->kinetic[j] / run->h + m->Lambda[j * m->s] * v0
-                           - m->last[j] / m->mass[j]
-                     : -run->h * m->unit * m->sum[j];
+        want->damping[j] += m->heavy ? m->kinetic[j] / run->h
+                                           + m->Lambda[j * m->s] * v0
+                                           - m->last[j] / m->mass[j]
+                                     : -run->h * m->unit * m->sum[j];
     }
     if (want->alpha) /* e falls by 2 dalpha, beta grows by it */
         *want->alpha +=
@@ -278,8 +277,8 @@ static void end_damping(const fvi_mirror_stages *m, size_t j, double pulled,
             * (A * pulled * (log_h * m->pull[j] + m->pulldot[j])
                - run->h * m->unit * (m->sumdot[j] - log_h * m->sum[j]));
     if (m->heavy && want->mass)
-        want->mass[j] += rho / mass
-                         * (m->last[j] / m->mass[j] - m->Lambda[j * m->s] * v0);
+        want->mass[j] +=
+            rho / mass * (m->last[j] / m->mass[j] - m->Lambda[j * m->s] * v0);
     if (m->heavy && want->p0)
         want->p0[j] += m->Lambda[j * m->s] * rho / mass;
 }

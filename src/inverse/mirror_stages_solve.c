@@ -1,6 +1,7 @@
 /* src/inverse/mirror_stages_solve.c -- A step backwards through stages. [Chapter 23] */
 #include "mirror_stages.h"
 
+#include "hessian_band.h"
 #include "methods/lobatto_stages.h"
 #include "system/fail.h"
 
@@ -25,25 +26,13 @@ void fvi_mirror_stages_matrices(fvi_mirror_stages *m)
 
 /* ---- the Hessians ---- */
 
-/* Entry (i, j) of the Hessian at a stage. */
-static double hessian(const fvi_mirror_stages *m, size_t stage, size_t i,
-                      size_t j)
+/* Entry (j, l) of the Hessian at a stage. */
+static double hessian(const fvi_mirror_stages *m, size_t stage, size_t j,
+                      size_t l)
 {
-    const size_t w = m->run->system->potential.diagonals;
-    const double *G = m->G + stage * fvi_hessian_room(m->run->system);
-    if (!w)
-        return G[i * m->d + j];
-    const size_t low = i < j ? i : j, high = i < j ? j : i;
-    return high - low < w ? G[low * w + high - low] : 0;
-}
-
-/* The neighbours in the Hessian of coordinate j: from low to below high. */
-static void reach(const fvi_mirror_stages *m, size_t j, size_t *low,
-                  size_t *high)
-{
-    const size_t w = m->run->system->potential.diagonals;
-    *low = w && j + 1 > w ? j + 1 - w : 0;
-    *high = w && j + w < m->d ? j + w : m->d;
+    const fvi_system *system = m->run->system;
+    return fvi_hessian_entry(system, m->G + stage * fvi_hessian_room(system), j,
+                             l);
 }
 
 /* h b_i (G Lambda_i) of coordinate j */
@@ -53,7 +42,7 @@ static double bent(const fvi_mirror_stages *m, size_t j, size_t i)
     double sum = 0;
     if (!m->G)
         return 0;
-    reach(m, j, &low, &high);
+    fvi_hessian_reach(m->run->system, j, &low, &high);
     for (size_t l = low; l < high; l++)
         sum += hessian(m, i, j, l) * m->Lambda[l * m->s + i];
     return m->run->h * m->rule->b[i] * sum;
@@ -81,8 +70,7 @@ static double damping(const fvi_mirror_stages *m, size_t j)
 static double linear(const fvi_mirror_stages *m, size_t j, size_t i, size_t l)
 {
     return m->mass[j] / m->run->h * m->K[i][l]
-           - damping(m, j)
-                 * gathered(m, i, &m->W[0][m->s - 1 - l], FVI_STAGES);
+           - damping(m, j) * gathered(m, i, &m->W[0][m->s - 1 - l], FVI_STAGES);
 }
 
 /* Rows 2, ..., s of (23.13) for Lambda_1, ..., Lambda_{s-1}. */
@@ -97,7 +85,7 @@ static int factorise(fvi_mirror_stages *m)
                 row[j * n + l] = linear(m, j, i, l);
             size_t low = 0, high = 0;
             if (m->G && i < n)
-                reach(m, j, &low, &high);
+                fvi_hessian_reach(m->run->system, j, &low, &high);
             for (size_t l = low; l < high; l++)
                 row[l * n + i] -=
                     m->run->h * m->rule->b[i] * hessian(m, i, j, l);
@@ -155,7 +143,7 @@ static int factorise_damped(fvi_mirror_stages *m)
             row[j * s + i] += m->mass[j];
             size_t low = 0, high = 0;
             if (m->G)
-                reach(m, j, &low, &high);
+                fvi_hessian_reach(m->run->system, j, &low, &high);
             for (size_t n = low; n < high; n++)
                 for (size_t l = 0; l < s; l++)
                     row[n * s + l] +=

@@ -33,8 +33,7 @@ static void filter(fvi_mirror *m)
         m->N[i] = ring(m->taps, m->g, N, m->N[i]);
         if (!m->want->alpha)
             continue;
-        m->Ndot[i] =
-            ring(m->taps, m->g, m->rates + i * m->taps, m->Ndot[i]);
+        m->Ndot[i] = ring(m->taps, m->g, m->rates + i * m->taps, m->Ndot[i]);
         for (size_t n = 0; n < m->taps; n++)
             m->Ndot[i] += m->gdot[n] * N[n];
     }
@@ -69,9 +68,10 @@ static int remember_terms(fvi_mirror *m, size_t j, const double *x)
 /* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
-    int status = m->want->alpha ? fvi_memory_push_rate(m->memory, m->nu, m->dnu,
-                                                       m->N, m->Ndot)
-                                : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
+    int status =
+        m->want->alpha
+            ? fvi_memory_push_rate(m->memory, m->nu, m->dnu, m->N, m->Ndot)
+            : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
     if (m->taps > 0)
         filter(m);
     for (size_t i = 0; i < m->d; i++) {

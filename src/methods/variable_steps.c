@@ -343,6 +343,7 @@ const fvi_method fvi_adaptive = {
     .lowest = 10,
     .highest = 14,
     .alpha_most = 1,
+    .scheme = FVI_SCHEME_MESH,
     .memories = 1u << FVI_MEMORY_AUTO | 1u << FVI_MEMORY_EXPONENTIALS,
     .implicit = 1,
     .start = fvi_adaptive_start,

@@ -59,14 +59,36 @@ static int interpret_of(request *r, fvi_complaint c)
     return status;
 }
 
+/* (19.3): does the start begin with a singular part? */
+static int is_pulled(const fvi_options *o)
+{
+    int is_damped = 0;
+    for (size_t i = 0; i < o->d; i++)
+        is_damped |= o->rho[i] > 0;
+    return is_damped && o->past != FVI_PAST_CAPUTO && o->alpha != 0.5
+           && !(o->past == FVI_PAST_HELD && o->alpha < 0.5);
+}
+
 static int interpret(request *r, fvi_complaint c)
 {
     const fvi_method *m = r->o.method;
     if (m->scheme == FVI_SCHEME_OTHER)
         return fvi_refuse(c,
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
-                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d have",
+                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
+                          "fvi-adaptive have",
                           m->name);
+    if (m->scheme == FVI_SCHEME_MESH && is_pulled(&r->o))
+        return fvi_refuse(c,
+                          "--method: '%s' has no gradient where the past pulls "
+                          "the start (--derivative held and alpha > 1/2, or "
+                          "rl); take fvi-lobatto8d, or --derivative caputo",
+                          m->name);
+    if (m->scheme == FVI_SCHEME_MESH && r->o.forces && r->o.lets.count > 0)
+        return fvi_refuse(c,
+                          "--let: '%s' has no gradient with %s, which asks "
+                          "for the force between the rows",
+                          r->o.lets.name[0], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
@@ -185,11 +207,13 @@ static int differentiate(request *r)
                   : 0;
 }
 
-/* A law has none. In form M p is another number at alpha = 1 than below, (17.17). */
+/* A law has none, nor has a mesh. In form M p is another number at alpha = 1 than below,
+ * (17.17). */
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
+    return !r->run.law && m->scheme != FVI_SCHEME_MESH
+           && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 
 static int make_room(request *r)
@@ -288,8 +312,10 @@ static int print_answer(const request *r)
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
     else if (!r->run.law)
-        fprintf(f, "# warning = no derivative by alpha: p of %s jumps at 1\n",
-                r->o.method->name);
+        fprintf(f, "# warning = no derivative by alpha: %s\n",
+                r->o.method->scheme == FVI_SCHEME_MESH
+                    ? "none on a mesh yet"
+                    : "p of this method jumps at 1");
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);

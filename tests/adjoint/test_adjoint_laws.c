@@ -123,8 +123,8 @@ START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
         const fvi_method *method = methods[i % LEN(methods)];
         slopes *s = slopes_by(method, &c, 1, terms);
         run_of(method, &c, x, p);
-        double sum = s->to.parameters[0] * c.cg[0]
-                     + s->to.parameters[1] * c.cg[1];
+        double sum =
+            s->to.parameters[0] * c.cg[0] + s->to.parameters[1] * c.cg[1];
         for (size_t k = 0; k <= N; k++)
             for (size_t j = 0; j < D; j++)
                 sum += s->force[k * D + j] * c.aw[0]
@@ -136,8 +136,8 @@ START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
         }
         for (size_t l = 0; l < TERMS; l++)
             by_terms += terms[l] * c.term[l].rho;
-        ck_assert_near(sum + by_rho, p[N * D + 1], 1e-12 * fmax(1, size),
-                       "%s", method->name);
+        ck_assert_near(sum + by_rho, p[N * D + 1], 1e-12 * fmax(1, size), "%s",
+                       method->name);
         ck_assert_near(by_terms, by_rho, 1e-12 * fmax(1, size), "%s",
                        method->name);
         slopes_free(s);
@@ -173,11 +173,10 @@ START_TEST(eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2)
         slopes *s = slopes_by(method, &c, 0, terms);
         const fvi_gradients *g = &s->to;
         const double slope =
-            -0.3 * g->x0[0] + g->x0[2] + g->p0[0] - g->p0[2]
-            + 0.2 * g->mass[0] - 0.3 * g->mass[2] + 0.4 * g->damping[0]
-            - 0.2 * g->damping[2] + 0.5 * g->parameters[0]
-            + 0.4 * g->parameters[1] - 0.1 * terms[0] + 0.2 * terms[1]
-            + 0.3 * terms[2] - 0.2 * terms[3];
+            -0.3 * g->x0[0] + g->x0[2] + g->p0[0] - g->p0[2] + 0.2 * g->mass[0]
+            - 0.3 * g->mass[2] + 0.4 * g->damping[0] - 0.2 * g->damping[2]
+            + 0.5 * g->parameters[0] + 0.4 * g->parameters[1] - 0.1 * terms[0]
+            + 0.2 * terms[1] + 0.3 * terms[2] - 0.2 * terms[3];
         const double J = objective(method, &c);
         chain_at(&c, memory, t);
         const double whole = objective(method, &c) - J - t * slope;

@@ -23,9 +23,9 @@ START_TEST(eq_23_14_the_rates_of_the_matrices)
     static double W[MOST_OF], rate[MOST_OF];
     for (size_t i = 0; i < LEN(ref_stage_rates); i++) {
         const size_t s = ref_stage_rates[i].s, n = ref_stage_rates[i].n;
-        ck_assert_int_eq(fvi_lobatto_weights_rate(s, ref_stage_rates[i].beta,
-                                                  LAGS, W, rate),
-                         FVI_SUCCESS);
+        ck_assert_int_eq(
+            fvi_lobatto_weights_rate(s, ref_stage_rates[i].beta, LAGS, W, rate),
+            FVI_SUCCESS);
         const double unit = largest(rate, 5 * s * s);
         for (size_t j = 0; j < s * s; j++) {
             const double got = rate[n * s * s + j];
@@ -44,16 +44,16 @@ END_TEST
 START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
 {
     enum { S = 3, STEPS = 2000 };
-    static const double betas[] = { -1, -1 + 1e-9, -0.95, -0.5, -0.01, 0,
-                                    0.3, 0.8, 1 };
+    static const double betas[] = { -1, -1 + 1e-9, -0.95, -0.5, -0.01,
+                                    0,  0.3,       0.8,   1 };
     static const double tolerances[] = { 1e-13, 1e-8 };
     for (size_t i = 0; i < LEN(betas) * LEN(tolerances); i++) {
         const double beta = betas[i % LEN(betas)],
                      tolerance = tolerances[i / LEN(betas)];
         fvi_lobatto_memory *modes, *all;
-        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(
-                             S, beta, 1, STEPS, FVI_MEMORY_EXPONENTIALS,
-                             tolerance, &modes),
+        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(S, beta, 1, STEPS,
+                                                       FVI_MEMORY_EXPONENTIALS,
+                                                       tolerance, &modes),
                          FVI_SUCCESS);
         ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(
                              S, beta, 1, STEPS, FVI_MEMORY_DIRECT, 0, &all),
@@ -65,8 +65,9 @@ START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
             ck_assert_int_eq(
                 fvi_lobatto_memory_push_rate(modes, v, H[0], rate[0]),
                 FVI_SUCCESS);
-            ck_assert_int_eq(fvi_lobatto_memory_push_rate(all, v, H[1], rate[1]),
-                             FVI_SUCCESS);
+            ck_assert_int_eq(
+                fvi_lobatto_memory_push_rate(all, v, H[1], rate[1]),
+                FVI_SUCCESS);
             const double time = (double)k,
                          unit = fmax(1, pow(time, -beta)) * (1 + log(time));
             for (size_t l = 0; l < S; l++) {
@@ -88,9 +89,9 @@ START_TEST(a_memory_without_rates_has_none_to_give)
 {
     fvi_lobatto_memory *m;
     double v[2] = { 1, 2 }, H[2], rate[2];
-    ck_assert_int_eq(fvi_lobatto_memory_alloc(2, 0.3, 1, 9, FVI_MEMORY_AUTO, 0,
-                                              &m),
-                     FVI_SUCCESS);
+    ck_assert_int_eq(
+        fvi_lobatto_memory_alloc(2, 0.3, 1, 9, FVI_MEMORY_AUTO, 0, &m),
+        FVI_SUCCESS);
     ck_assert_int_eq(fvi_lobatto_memory_push_rate(m, v, H, rate), FVI_EUNSUP);
     fvi_lobatto_memory_free(m);
 }
@@ -105,13 +106,12 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
 {
     double aw[] = { 0.2, 1.25 };
     const fvi_method *method = ref_chains[i].method;
-    const fvi_system system = {
-        .d = D,
-        .mass = ref_chains[i].mass,
-        .damping = ref_chains[i].rho,
-        .potential = fvi_potential_chain((void *)ref_chains[i].cg),
-        .force = fvi_force_cosine(aw)
-    };
+    const fvi_system system = { .d = D,
+                                .mass = ref_chains[i].mass,
+                                .damping = ref_chains[i].rho,
+                                .potential = fvi_potential_chain(
+                                    (void *)ref_chains[i].cg),
+                                .force = fvi_force_cosine(aw) };
     fvi_run run = fvi_run_default(&system, ref_chains[i].x0, ref_chains[i].p0,
                                   1. / 16, N);
     run.alpha = ref_chains[i].alpha;

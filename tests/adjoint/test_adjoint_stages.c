@@ -3,9 +3,9 @@
 #include "adjoint_runs.h"
 #include "memory/lobatto_weights.h"
 
-static const fvi_method *const staged[] = { &fvi_lobatto2, &fvi_lobatto3,
-                                            &fvi_lobatto4, &fvi_lobatto5,
-                                            &fvi_lobatto8, &fvi_lobatto2d,
+static const fvi_method *const staged[] = { &fvi_lobatto2,  &fvi_lobatto3,
+                                            &fvi_lobatto4,  &fvi_lobatto5,
+                                            &fvi_lobatto8,  &fvi_lobatto2d,
                                             &fvi_lobatto3d, &fvi_lobatto8d };
 static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
                                   FVI_PAST_RIEMANN_LIOUVILLE };

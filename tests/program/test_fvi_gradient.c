@@ -36,6 +36,7 @@ static const char *const runs[] = {
     "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto3d",
     "--alpha 1 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto4",
     "--damping maxwell:0.2,1 --damping zener:0.3,0.4,1 --method fvi-bdf2",
+    "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-adaptive",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -57,6 +58,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 4, "mass", "--mass", 1 },  { 5, "mass", "--mass", 1 },
         { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
         { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
+        { 7, "p0", "--p0", 0.5 },    { 7, "rho", "--rho", 0.4 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -150,7 +152,10 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
-        { "--method fvi-adaptive", "--method: 'fvi-adaptive' has no gradient" },
+        { "--method fvi-adaptive --alpha 0.7",
+          "--method: 'fvi-adaptive' has no gradient where the past pulls" },
+        { "--method fvi-adaptive --force 'a*cos(t)' --let a=1",
+          "--let: 'a' has no gradient with fvi-adaptive" },
         { "--of y", "--of: 'y' is none of x, p, energy" },
         { "--of x:2", "--of: '2' is outside [1, 1]" },
         { "--of energy:1", "--of: 'energy:1': there is one energy" },

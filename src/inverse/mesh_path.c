@@ -1,0 +1,104 @@
+/* src/inverse/mesh_path.c -- A run of fvi_adaptive, step by step.      [Chapter 23] */
+#include "mesh_path.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A run whose past pulls begins with a singular part, on steps that end where it does. */
+static int is_pulled(const fvi_run *run)
+{
+    int is_damped = 0;
+    for (size_t i = 0; i < run->system->d; i++)
+        is_damped |= run->system->damping[i] > 0;
+    return is_damped && run->past != FVI_PAST_CAPUTO && run->alpha != 0.5
+           && !(run->past == FVI_PAST_HELD && run->alpha < 0.5);
+}
+
+static int grow(fvi_mesh_path *m)
+{
+    const size_t room = m->room ? 2 * m->room : 64;
+    fvi_mesh_step *step = realloc(m->step, room * sizeof *step);
+    if (step)
+        m->step = step;
+    double *numbers =
+        realloc(m->numbers, room * (2 + FVI_LANES) * m->d * sizeof *numbers);
+    if (numbers)
+        m->numbers = numbers;
+    if (!step || !numbers)
+        FVI_FAIL("no memory for the steps", FVI_ENOMEM);
+    m->room = room;
+    return FVI_SUCCESS;
+}
+
+/* The step that was done last. */
+static int record(fvi_mesh_path *m, const fvi_adaptive_run *o)
+{
+    const size_t d = m->d;
+    int status = m->steps < m->room ? FVI_SUCCESS : grow(m);
+    if (status)
+        return status;
+    double *to = m->numbers + m->steps * (2 + FVI_LANES) * d;
+    m->step[m->steps++] = (fvi_mesh_step){ o->t0, o->length };
+    memcpy(to, o->y0, d * sizeof *to);
+    memcpy(to + d, o->v0, d * sizeof *to);
+    memcpy(to + 2 * d, o->delta, d * FVI_LANES * sizeof *to);
+    return FVI_SUCCESS;
+}
+
+static int run_all(const fvi_run *run, fvi_stepper *s, fvi_mesh_path *m)
+{
+    const fvi_adaptive_run *o = s->own;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    m->rule = o->rule;
+    m->to_x = o->to_x;
+    m->W0 = o->W0;
+    m->beta = o->beta;
+    m->T = o->T;
+    m->least = o->least;
+    memcpy(m->rows, s->x, d * sizeof *m->rows);
+    for (size_t k = 1; k <= run->steps && !status;) {
+        status = fvi_step(s);
+        if (!status)
+            status = record(m, o);
+        for (; !status && k <= run->steps; k++) {
+            const double t = fmin((double)k * run->h, m->T);
+            if (t > s->t)
+                break;
+            status = fvi_adaptive_dense(s, t, m->rows + k * d, NULL);
+        }
+    }
+    memcpy(m->p, s->p, d * sizeof *m->p);
+    return status;
+}
+
+int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *m)
+{
+    fvi_stepper *s;
+    *m = (fvi_mesh_path){ .d = run->system->d };
+    if (is_pulled(run))
+        FVI_FAIL("a start that the past pulls has no adjoint", FVI_EUNSUP);
+    if (run->steps > SIZE_MAX / sizeof(double) / m->d - 2)
+        FVI_FAIL("steps must be addressable", FVI_EINVAL);
+    m->rows = malloc((run->steps + 2) * m->d * sizeof *m->rows);
+    if (!m->rows)
+        FVI_FAIL("no memory for the path", FVI_ENOMEM);
+    m->p = m->rows + (run->steps + 1) * m->d;
+    int status = fvi_start(&fvi_adaptive, run, &s);
+    if (status)
+        return status;
+    status = run_all(run, s, m);
+    fvi_stop(s);
+    return status;
+}
+
+void fvi_mesh_path_free(fvi_mesh_path *m)
+{
+    free(m->step);
+    free(m->numbers);
+    free(m->rows);
+}

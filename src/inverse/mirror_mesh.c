@@ -1,0 +1,272 @@
+/* src/inverse/mirror_mesh.c -- The run that goes backwards over its own mesh. [Chapter 23] */
+#include "mirror_mesh.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+enum { LANED = 5, PLAIN = 10, STAGED = 2 };
+
+static int allocate(fvi_mirror_mesh_run *m)
+{
+    const size_t s = m->s, d = m->d;
+    const fvi_system *system = m->run->system;
+    const size_t room =
+        system->potential.hessian ? fvi_hessian_room(system) : 0;
+    double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
+    double **plain[PLAIN] = { &m->xi,  &m->after, &m->before, &m->area,
+                              &m->Jx,  &m->Jp,    &m->column, &m->kinetic,
+                              &m->sum, &m->plain };
+    m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d + s * room,
+                      sizeof *m->block);
+    if (!m->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    double *next = m->block;
+    for (size_t i = 0; i < LANED; i++, next += FVI_LANES * d)
+        *laned[i] = next;
+    for (size_t i = 0; i < PLAIN; i++, next += d)
+        *plain[i] = next;
+    m->X = next;
+    m->r = m->X + s * d;
+    m->G = room ? m->r + s * d : NULL;
+    const size_t w =
+        system->potential.diagonals ? system->potential.diagonals : d;
+    if (fvi_band_alloc(s * d, s * w, &m->J_band))
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+static int start(fvi_mirror_mesh_run *m)
+{
+    const fvi_mesh_path *path = &m->path;
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    m->rule = path->rule;
+    m->s = m->rule->s;
+    m->row = m->run->steps;
+    m->heavy = path->beta == 1;
+    m->is_damped = m->want->damping != NULL;
+    for (size_t j = 0; j < m->d; j++)
+        m->is_damped |= m->run->system->damping[j] > 0;
+    m->is_damped = m->is_damped && !m->heavy;
+    int status = allocate(m);
+    if (status)
+        return status;
+    fvi_square_apply(m->s, &path->W0, ones, m->W_1);
+    if (!m->is_damped || path->beta == 0 || path->beta == -1)
+        return FVI_SUCCESS;
+    return fvi_modes_alloc(m->rule,
+                           m->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE,
+                           path->beta, m->d, path->T, path->least, &m->modes);
+}
+
+/* ---- what J has of the rows within a step ---- */
+
+/* By V - v: what moves x at theta of a step of length h, (22.18). */
+static void shape_at(const fvi_mirror_mesh_run *m, double h, double theta,
+                     double *shape)
+{
+    for (size_t i = 0; i < m->s; i++) {
+        double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
+        unit[i] = 1;
+        fvi_square_apply(m->s, &m->rule->legendre, unit, bend);
+        fvi_adaptive_powers(m->s, bend, power);
+        shape[i] = h * fvi_adaptive_twice(m->s, power, theta);
+    }
+}
+
+/* The slopes of row k, zeroed before they are asked for. */
+static int ask(fvi_mirror_mesh_run *m, size_t k)
+{
+    const int last = k == m->run->steps;
+    memset(m->Jx, 0, m->d * sizeof *m->Jx);
+    return m->J->slopes(k, m->d, m->path.rows + k * m->d,
+                        last ? m->path.p : NULL, m->J->params, m->Jx,
+                        last ? m->Jp : NULL);
+}
+
+/* All rows in the step n that are not at its beginning: to the source of Lambda, and what
+ * v_n and x_n do to them, to `by_v` and `by_x`. */
+static int read_rows(fvi_mirror_mesh_run *m, size_t n, double *by_v,
+                     double *by_x)
+{
+    const fvi_mesh_step *step = &m->path.step[n];
+    const double h = step->length.h;
+    int status = FVI_SUCCESS;
+    memset(m->source, 0, m->d * FVI_LANES * sizeof *m->source);
+    for (; !status && m->row > 0; m->row--) {
+        const double t = (double)m->row * m->run->h,
+                     theta = fmin((t - step->t) / h, 1);
+        double shape[FVI_LANES];
+        if (t <= step->t)
+            break;
+        status = ask(m, m->row);
+        shape_at(m, h, theta, shape);
+        for (size_t j = 0; j < m->d; j++) {
+            double whole = 0;
+            for (size_t i = 0; i < m->s; i++) {
+                m->source[j * FVI_LANES + i] += m->Jx[j] * shape[i];
+                whole += shape[i];
+            }
+            by_v[j] += m->Jx[j] * (h * theta - whole);
+            by_x[j] += m->Jx[j];
+            if (m->row == m->run->steps) /* p_N = m v_N */
+                m->after[j] = m->run->system->mass[j] * m->Jp[j];
+        }
+    }
+    return status;
+}
+
+/* ---- a step ---- */
+
+/* What T, the inertia and V meet. numbers: those of the step. */
+static void meet(fvi_mirror_mesh_run *m, const double *numbers, double h)
+{
+    const size_t s = m->s, d = m->d;
+    const double now = pow(h, -m->path.beta), *b = m->rule->b;
+    for (size_t j = 0; j < d; j++) {
+        const double *delta = numbers + 2 * d + j * FVI_LANES;
+        const double *Lambda = m->Lambda + j * FVI_LANES,
+                     *mu = m->mu + j * FVI_LANES, *T = m->T + j * FVI_LANES;
+        const double v0 =
+            m->path.beta > 0 ? m->run->p0[j] / m->run->system->mass[j] : 0;
+        double bend[FVI_LANES], present[FVI_LANES];
+        fvi_square_apply(s, &m->rule->inverse, delta, bend);
+        fvi_square_apply(s, &m->path.W0, mu, present);
+        for (size_t i = 0; i < s; i++) {
+            const double V = numbers[d + j] + delta[s - 1 - i] - v0,
+                         all = T[i] + now * present[i];
+            m->kinetic[j] -= b[i] * Lambda[i] * bend[i];
+            m->sum[j] += h * b[i] * V * all;
+            m->plain[j] += h * b[i] * all;
+        }
+    }
+}
+
+/* The force acts at the stages; the derivative is by its values at the rows, between which
+ * it is changed along lines. */
+static void drive(fvi_mirror_mesh_run *m, const fvi_mesh_step *step)
+{
+    const size_t d = m->d, N = m->run->steps;
+    double *force = m->want->force;
+    for (size_t i = 0; force && i < m->s; i++) {
+        const double t = step->t + m->rule->c[i] * step->length.h,
+                     at = t / m->run->h, k = fmin(floor(at), (double)N - 1),
+                     share = fmin(at - k, 1);
+        for (size_t j = 0; j < d; j++) {
+            const double by =
+                step->length.h * m->rule->b[i] * m->Lambda[j * FVI_LANES + i];
+            force[(size_t)k * d + j] += (1 - share) * by;
+            force[((size_t)k + 1) * d + j] += share * by;
+        }
+    }
+}
+
+static int meet_parameters(fvi_mirror_mesh_run *m, double h)
+{
+    const fvi_sensitivity *by = &m->want->sensitivity;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; m->want->parameters && i < m->s; i++)
+        for (size_t p = 0; !status && p < by->count; p++) {
+            status = by->column(p, d, m->X + i * d,
+                                m->run->system->potential.params, m->column);
+            for (size_t j = 0; j < d; j++)
+                m->want->parameters[p] -= h * m->rule->b[i] * m->column[j]
+                                          * m->Lambda[j * FVI_LANES + i];
+        }
+    return status;
+}
+
+/* mu goes into the memory. */
+static void remember(fvi_mirror_mesh_run *m, double h)
+{
+    for (size_t j = 0; m->is_damped && j < m->d; j++) {
+        const double *mu = m->mu + j * FVI_LANES;
+        double v[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < m->s; i++) {
+            v[i] = mu[i] - (m->path.beta > 0 ? m->before[j] : 0);
+            m->area[j] += h * m->rule->b[i] * mu[i];
+        }
+        if (m->modes)
+            fvi_modes_advance(m->modes, j, v, m->before[j]);
+        m->before[j] = mu[m->s - 1];
+    }
+}
+
+/* From the end of step n to its beginning. */
+static int step_back(fvi_mirror_mesh_run *m, size_t n)
+{
+    const fvi_mesh_step *step = &m->path.step[n];
+    const double *numbers = m->path.numbers + n * (2 + FVI_LANES) * m->d;
+    const double h = step->length.h, *b = m->rule->b;
+    double *by_v = m->v, *by_x = m->v + m->d;
+    memset(m->v, 0, 2 * m->d * sizeof *m->v);
+    int status = read_rows(m, n, by_v, by_x);
+    if (!status)
+        status = fvi_mirror_mesh_solve(m, n);
+    if (!status)
+        status = meet_parameters(m, h);
+    if (status)
+        return status;
+    meet(m, numbers, h);
+    drive(m, step);
+    remember(m, h);
+    for (size_t j = 0; j < m->d; j++) { /* to x_n and v_n */
+        m->after[j] =
+            fvi_mirror_mesh_mass(m, j) * m->Lambda[j * FVI_LANES] + by_v[j];
+        for (size_t i = 0; i < m->s; i++)
+            by_x[j] -= h * b[i] * fvi_mirror_mesh_bent(m, j, i);
+        m->xi[j] += by_x[j];
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the end ---- */
+
+static int end(fvi_mirror_mesh_run *m)
+{
+    const fvi_gradients *want = m->want;
+    int status = ask(m, 0);
+    for (size_t j = 0; j < m->d; j++) {
+        const double M = m->run->system->mass[j], v0 = m->run->p0[j] / M,
+                     by_v0 = m->after[j]
+                             + (m->path.beta > 0 ? fvi_mirror_mesh_damping(m, j)
+                                                       * m->plain[j]
+                                                 : 0);
+        m->xi[j] += m->Jx[j];
+        if (want->x0)
+            want->x0[j] = m->xi[j];
+        if (want->p0)
+            want->p0[j] = by_v0 / M;
+        if (want->mass)
+            want->mass[j] =
+                m->kinetic[j] - by_v0 * v0 / M + m->Jp[j] * m->path.p[j] / M;
+        if (want->damping)
+            want->damping[j] = m->heavy ? m->kinetic[j] : -m->sum[j];
+    }
+    return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
+}
+
+int fvi_mirror_mesh(const fvi_run *run, const fvi_objective *J,
+                    const fvi_gradients *want)
+{
+    fvi_mirror_mesh_run m = {
+        .run = run, .J = J, .want = want, .d = run->system->d
+    };
+    int status = fvi_mesh_path_run(run, &m.path);
+    if (!status)
+        status = start(&m);
+    for (size_t n = m.path.steps; !status && n-- > 0;)
+        status = step_back(&m, n);
+    if (!status)
+        status = end(&m);
+    fvi_modes_free(m.modes);
+    fvi_band_free(&m.J_band);
+    free(m.block);
+    fvi_mesh_path_free(&m.path);
+    return status;
+}

@@ -1,0 +1,60 @@
+/* src/inverse/mirror_mesh.h -- The run that goes backwards over its own mesh. [Chapter 23]
+ *
+ * Internal: what adjoint.c has for fvi_adaptive. */
+#ifndef FVI_MIRROR_MESH_H
+#define FVI_MIRROR_MESH_H
+
+#include <fvi/adjoint.h>
+#include "mesh_path.h"
+#include "system/band.h"
+
+/* Stage i of coordinate j stands at [j * FVI_LANES + i]. Where the comment says "each",
+ * d numbers. */
+typedef struct {
+    const fvi_run *run;
+    const fvi_objective *J;
+    const fvi_gradients *want;
+    fvi_mesh_path path;
+    const fvi_variable_rule *rule;
+    size_t s, d;
+    double W_1[FVI_LANES]; /* W0 1 */
+    int is_damped, heavy; /* something has a memory; alpha = 1: rho is a mass */
+    double *Lambda, *mu, *T, *v, *source; /* LANES d numbers each */
+    double *xi, *after, *before, *area;   /* each, see (23.16) */
+    double *Jx, *Jp, *column;             /* each */
+    double *kinetic, *sum, *plain;        /* each */
+    double *G, *X, *r;                    /* s Hessians; s d; s d */
+    double *block;                        /* all these; owned */
+    fvi_modes *modes;                     /* NULL: none is needed */
+    fvi_band J_band;
+    size_t row; /* the next row that is asked for its slopes */
+} fvi_mirror_mesh_run;
+
+/* fvi_mirror_mesh -- as fvi_adjoint, of a run of fvi_adaptive that is made here; the
+ * outputs that are added to are zero. */
+int fvi_mirror_mesh(const fvi_run *run, const fvi_objective *objective,
+                    const fvi_gradients *want);
+
+/* fvi_mirror_mesh_solve -- (23.16): Lambda and mu of step n, from source, after, xi and the
+ * memory, which is told of its length; T is then what mu is not in. Also X, and G.
+ * Errors: FVI_ESING; what the Hessian returns. */
+int fvi_mirror_mesh_solve(fvi_mirror_mesh_run *m, size_t n);
+
+/* fvi_mirror_mesh_bent -- (G Lambda)_i of coordinate j. */
+double fvi_mirror_mesh_bent(const fvi_mirror_mesh_run *m, size_t j, size_t i);
+
+/* The inertia and the damping of coordinate j: alpha = 1 makes rho a mass. */
+static inline double fvi_mirror_mesh_mass(const fvi_mirror_mesh_run *m,
+                                          size_t j)
+{
+    const fvi_system *system = m->run->system;
+    return system->mass[j] + (m->heavy ? system->damping[j] : 0);
+}
+
+static inline double fvi_mirror_mesh_damping(const fvi_mirror_mesh_run *m,
+                                             size_t j)
+{
+    return m->heavy ? 0 : m->run->system->damping[j];
+}
+
+#endif
