@@ -69,12 +69,16 @@ static int start(fvi_mirror_mesh_run *m)
 static void shape_at(const fvi_mirror_mesh_run *m, double h, double theta,
                      double *shape)
 {
+    double twice[FVI_LANES];
+    fvi_adaptive_twice(theta, twice);
     for (size_t i = 0; i < m->s; i++) {
         double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
         unit[i] = 1;
         fvi_square_apply(m->s, &m->rule->legendre, unit, bend);
         fvi_adaptive_powers(m->s, bend, power);
-        shape[i] = h * fvi_adaptive_twice(m->s, power, theta);
+        shape[i] = 0;
+        for (size_t k = 0; k < m->s; k++)
+            shape[i] += h * twice[k] * power[k];
     }
 }
 

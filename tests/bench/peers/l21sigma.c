@@ -74,7 +74,7 @@ static int modes(solver *o, double tolerance)
 }
 
 /* z <- e^{-s h} z + near * before; returns sum om z, without what is implicit. */
-FVI_VECTORS static double advance(size_t Q, const double *restrict om,
+FVI_VECTORS static double decayed(size_t Q, const double *restrict om,
                                   const double *restrict decay,
                                   const double *restrict near, double before,
                                   double *restrict z)
@@ -155,7 +155,7 @@ static int step(solver *o, size_t n, double *M, double *a)
                      before = n ? last - (o->of_v ? v[0][j] : x[0][j]) : 0,
                      take = o->local + (n ? o->implicit : 0);
         const double past =
-            n ? advance(o->Q, o->om, o->decay, o->near, before, o->z + j * o->Q)
+            n ? decayed(o->Q, o->om, o->decay, o->near, before, o->z + j * o->Q)
               : 0;
         M[j] = s->mass[j] * top + rho * take * (o->of_v ? 1 : slope);
         o->r[j] = s->mass[j] * vs + o->F[j]

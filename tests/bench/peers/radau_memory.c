@@ -154,8 +154,8 @@ void radau_memory_step(radau_memory *o, double h, double next, int on_lattice)
     o->now = o->own;
 }
 
-FVI_VECTORS static double dot(int n, const double *restrict a,
-                              const double *restrict b)
+FVI_VECTORS static double inner(int n, const double *restrict a,
+                                const double *restrict b)
 {
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -173,9 +173,9 @@ FVI_VECTORS static void multiply(int n, const double *restrict a,
 }
 
 /* z <- R z + sum_j g_j u_j */
-FVI_VECTORS static void advance(int n, int s, int stride,
-                                const double *restrict a, const double *u,
-                                double *restrict z)
+FVI_VECTORS static void go_on(int n, int s, int stride,
+                              const double *restrict a, const double *u,
+                              double *restrict z)
 {
     const double *restrict R = a + (s - 1) * stride, *restrict g =
                                                          a + s * stride;
@@ -197,7 +197,7 @@ void radau_memory_history(const radau_memory *o, double *H)
             o->weighted[o->read - 1 - APART * l] *= 1 + o->top[l];
         for (int i = 0; i < o->m->s; i++)
             H[(size_t)i * o->d + a] =
-                dot(o->read, o->weighted, o->now + i * o->stride);
+                inner(o->read, o->weighted, o->now + i * o->stride);
     }
 }
 
@@ -207,7 +207,6 @@ void radau_memory_push(radau_memory *o, const double *u)
     for (size_t a = 0; a < o->d; a++) {
         for (int i = 0; i < o->m->s; i++)
             v[i] = u[(size_t)i * o->d + a];
-        advance(o->awake, o->m->s, o->stride, o->now, v,
-                o->z + a * (size_t)o->Q);
+        go_on(o->awake, o->m->s, o->stride, o->now, v, o->z + a * (size_t)o->Q);
     }
 }
