@@ -41,6 +41,10 @@ extern "C" {
  *   run     system, x0, h, kappa, alpha are read; the rest may be anything
  *   load    output, >= 0 if K is positive semidefinite
  *
+ * With matrices (system.h) the load of the methods that take them is a lower bound, within
+ * some percent, by 64 products with K and C and solutions with M; FVI_EUNSUP for
+ * fvi-shifted with alpha > 1/2 and kappa other than 1/2.
+ *
  * Cost O(d) if the Hessian has one or two diagonals, by bisection, or if kappa = 1/2
  * or U = 0; else O(d^3) by GSL's symmetric eigenvalues.
  * Accuracy: 8 d u relative to the larger term, u = 2^-53. euler-explicit: 8 u where the

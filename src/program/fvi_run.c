@@ -126,7 +126,7 @@ static int load_of(const fvi_options *o, const fvi_run *run, double *load,
     if (o->d > FEW && m->stages > 0) /* the others keep to two diagonals */
         return -1;
     int status = fvi_stability_load(m, run, load);
-    if (!status && *load > 1 && m->load_grows)
+    if (!status && *load > 1 && m->load_grows && !o->directory)
         status = fvi_stability_step(m, run, h);
     return status;
 }

@@ -3,6 +3,7 @@
 
 #include "stability_share.h"
 #include "system/fail.h"
+#include "system/newton.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_math.h>
@@ -16,7 +17,7 @@ static int check(const fvi_run *run, const void *output)
 {
     if (!run || !output)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system);
+    int status = fvi_system_check_any(run->system);
     if (status)
         return status;
     if (!run->x0)
@@ -129,15 +130,24 @@ static int weigh(const fvi_system *system, double spring, double damper,
     return FVI_SUCCESS;
 }
 
+/* What stands before K and rho in (14.3), times m. */
+static double spring_of(const fvi_run *run)
+{
+    return gsl_pow_2((1 - 2 * run->kappa) * run->h);
+}
+
+static double damper_of(double share, const fvi_run *run)
+{
+    return share * pow(4, run->alpha) * pow(run->h, 2 - 2 * run->alpha);
+}
+
 /* (14.3) with share rho for rho, and the Hessian K at x0; K == NULL is zero. A is
  * room for d * d numbers, used if K is there. */
 static int load_at(double share, const fvi_run *run, const double *K, double *A,
                    double *load)
 {
     const fvi_system *system = run->system;
-    const double spring = gsl_pow_2((1 - 2 * run->kappa) * run->h);
-    const double damper =
-        share * pow(4, run->alpha) * pow(run->h, 2 - 2 * run->alpha);
+    const double spring = spring_of(run), damper = damper_of(share, run);
     double largest = 0;
     if (!K || spring == 0) { /* only the damping, and it is diagonal */
         for (size_t i = 0; i < system->d; i++)
@@ -181,6 +191,9 @@ int fvi_stability_share(double share, const fvi_run *run, double *load)
     int status = check(run, load);
     if (status)
         return status;
+    if (run->system->matrices)
+        return fvi_stability_of_matrices(spring_of(run), damper_of(share, run),
+                                         run, load);
     double *K;
     status = hessian_at_start(run, &K);
     if (!status)

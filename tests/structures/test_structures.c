@@ -231,6 +231,73 @@ START_TEST(eq_27_8_no_motion_of_fvi_stable_grows)
 }
 END_TEST
 
+/* (27.9) against all eigenvalues, from below; and runs on both sides of it. A load of 1.1 lets
+ * the alternating mode grow by some percent a step. */
+START_TEST(eq_27_9_the_load_of_matrices)
+{
+    enum { ALL = 1500 };
+    static double x[3 * (ALL + 1)];
+    const double x0[3] = { 1, 0.3, -1 }, p0[3] = { 0, 0.5, 0 };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
+                                                 &fvi_shifted };
+    unsigned seed = 7;
+    for (int i = 0; i < 30; i++) {
+        const fvi_method *method = methods[i % 3];
+        matrices m;
+        random_matrix(&seed, 3, 0.5, &m.M);
+        random_matrix(&seed, 3, 0.1, &m.K);
+        random_matrix(&seed, 3, 0.1, &m.C);
+        make(&m);
+        fvi_run run = run_of(&m.system, 0.3, 0.1, ALL, x0, p0);
+        run.kappa = i % 2 ? 0.5 : 0;
+        double load = 0, low = 1e-3, high = 1e3;
+        while (high / low > 1.0001) {
+            run.h = sqrt(low * high);
+            OK(fvi_stability_load(method, &run, &load));
+            *(load < 1 ? &low : &high) = run.h;
+        }
+        for (int above = 0; above < 2; above++) {
+            run.h = low * (above ? 1.1 : 0.95);
+            const int status = fvi_trajectory(method, &run, x, NULL, NULL);
+            const double end = largest(x, ALL / 2, ALL),
+                         begin = largest(x, 0, ALL / 2);
+            ck_assert_msg(above ? status != 0 || end > 1e3 * begin
+                                : status == 0 && end < begin,
+                          "run %d, %d: %g, %g", i, above, begin, end);
+        }
+        drop(&m);
+    }
+}
+END_TEST
+
+START_TEST(loads_that_are_not_known_are_refused)
+{
+    const double one[3] = { 1, 1, 1 };
+    unsigned seed = 7;
+    double load = 7;
+    matrices m;
+    random_matrix(&seed, 3, 0.5, &m.M);
+    random_matrix(&seed, 3, 0.1, &m.K);
+    random_matrix(&seed, 3, 0.1, &m.C);
+    make(&m);
+    fvi_run run = run_of(&m.system, 0.7, 0.1, 9, one, one);
+    run.kappa = 0;
+    ck_assert_int_eq(fvi_stability_load(&fvi_shifted, &run, &load), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_load(&fvi_lobatto2, &run, &load),
+                     FVI_EUNSUP);
+    ck_assert(load == 7);
+    OK(fvi_stability_load(&fvi_stable, &run, &load));
+    ck_assert(load == 0);
+    double h = 7;
+    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &h), FVI_EUNSUP);
+    fvi_stepper *s = NULL;
+    ck_assert_int_eq(fvi_start(&fvi_lobatto4, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_EUNSUP);
+    ck_assert(h == 7 && !s);
+    drop(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("structures");
@@ -238,6 +305,8 @@ int main(void)
              eq_27_1_diagonal_matrices_are_masses_and_dampings,
              eq_27_1_laws_of_damping_take_matrices);
     ADD_CASE(suite, "modes", eq_27_5_a_mode_of_the_bar_is_one_oscillator,
-             eq_27_8_no_motion_of_fvi_stable_grows);
+             eq_27_8_no_motion_of_fvi_stable_grows,
+             eq_27_9_the_load_of_matrices,
+             loads_that_are_not_known_are_refused);
     return run_suite(suite);
 }

@@ -153,6 +153,75 @@ START_TEST(bad_files_are_refused_with_their_line)
 }
 END_TEST
 
+/* ---- another reader ---- */
+
+#if defined(__has_include)
+#if __has_include(<suitesparse/cholmod.h>)
+#define HAS_CHOLMOD
+#endif
+#endif
+
+#ifdef HAS_CHOLMOD
+#include <dlfcn.h>
+#include <suitesparse/cholmod.h>
+
+typedef int initialise(cholmod_common *);
+typedef cholmod_sparse *reading(FILE *, cholmod_common *);
+typedef int releasing(cholmod_sparse **, cholmod_common *);
+
+/* The entry (i, j), i <= j, that CHOLMOD reads; NaN if it refuses the file. */
+static double read_by_cholmod(void *library, const char *text, int i, int j)
+{
+    cholmod_common common;
+    initialise *start, *finish;
+    reading *read;
+    releasing *release;
+    *(void **)&start = dlsym(library, "cholmod_start");
+    *(void **)&finish = dlsym(library, "cholmod_finish");
+    *(void **)&read = dlsym(library, "cholmod_read_sparse");
+    *(void **)&release = dlsym(library, "cholmod_free_sparse");
+    const char *name = write_file(text);
+    FILE *file = fopen(name, "r");
+    start(&common);
+    common.print = 0;
+    cholmod_sparse *A = read(file, &common);
+    double entry = A ? 0 : NAN;
+    for (int e = A ? ((int *)A->p)[j] : 0; A && e < ((int *)A->p)[j + 1]; e++)
+        if (((int *)A->i)[e] == i)
+            entry = ((double *)A->x)[e];
+    release(&A, &common);
+    finish(&common);
+    fclose(file);
+    remove(name);
+    return entry;
+}
+#endif
+
+/* CHOLMOD reads a good file as we do; a file with both triangles it doubles, without a word. */
+START_TEST(another_reader_agrees_where_the_file_is_good)
+{
+#ifdef HAS_CHOLMOD
+    void *library = dlopen("libcholmod.so.3", RTLD_NOW);
+    if (!library)
+        return;
+    const char *good = HEAD "2 2 3\n1 1 2\n2 1 -1.25\n2 2 0.1\n";
+    fvi_sparse A;
+    const char *name = write_file(good);
+    OK(fvi_sparse_read(name, &A, NULL));
+    remove(name);
+    ck_assert(A.entry[1] == read_by_cholmod(library, good, 0, 1));
+    ck_assert(A.entry[3] == read_by_cholmod(library, good, 1, 1));
+    fvi_sparse_free(&A);
+    ck_assert(read_by_cholmod(library,
+                              HEAD "2 2 4\n1 1 2\n2 1 -1.25\n1 2 -1.25\n"
+                                   "2 2 0.1\n",
+                              0, 1)
+              == -2.5);
+    dlclose(library);
+#endif
+}
+END_TEST
+
 /* ---- factors ---- */
 
 /* The grid's Laplacian and a little more, on m^2 points: half bandwidth m, condition 500. */
@@ -383,7 +452,8 @@ int main(void)
     ADD_CASE(suite, "sums", triplets_sum_in_any_order,
              bad_triplets_are_refused);
     ADD_CASE(suite, "files", a_file_is_the_matrix_that_it_says,
-             bad_files_are_refused_with_their_line);
+             bad_files_are_refused_with_their_line,
+             another_reader_agrees_where_the_file_is_good);
     ADD_CASE(suite, "factors", eq_27_3_every_way_solves_the_same_equations,
              an_indefinite_matrix_has_no_factors,
              the_way_is_chosen_by_the_band);
