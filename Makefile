@@ -433,7 +433,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% ch%,sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% test-workshop layers portability mutants seen,python) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
   $(call goal,book pdf test-book,wasm) \

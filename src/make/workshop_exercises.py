@@ -124,6 +124,10 @@ def table():
     return "\n".join(lines) + "\n"
 
 
+def write_table():
+    TABLE.write_text(table())
+
+
 def main(name, answer=None):
     exercise = next((e for e in exercises() if e.name == name), None)
     if not exercise:

@@ -65,6 +65,28 @@ def compile_student(source, target, *flags, show_warning=0):
     return target
 
 
+def symbols(file):
+    """What an object, or each member of an archive, defines for others: {"coefficients.o": {...}}."""
+    found = {}
+    for line in say(["nm", "-A", "-g", "--defined-only", file]).stdout.splitlines():
+        place, _, name = line.rpartition(" ")
+        member = re.search(r"([^:/]+\.o):", place)[1]
+        found.setdefault(member, set()).add(name)
+    return found
+
+
+def each_has_one_place(file, obj, library):
+    """A student's object must define what the module did that it replaces, and no more of the library."""
+    ours, mine = symbols(library), symbols(obj).get(pathlib.Path(obj).name, set())
+    own = ours.pop(pathlib.Path(obj).name)
+    for name in sorted(own - mine):
+        if not name.startswith("__"):
+            raise NotBuilt(f"there is no {name} in {file}: it must be there, under this name, not static")
+    for member, names in ours.items():
+        for name in sorted(names & mine):
+            raise NotBuilt(f"{name} is defined in {file}, and a second time in {member[:-2]}.c: each function has one place")
+
+
 def link(target, files, inputs):
     done = say([*CC, *FLAGS, *inputs, *LIBS, "-o", target])
     if done.returncode == 0:
