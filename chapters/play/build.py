@@ -19,7 +19,7 @@ def main():
     OUT.mkdir(parents=True, exist_ok=True)
     code = compile_to(OUT / "play.wasm", SOURCES, MODULES)
     page = (HERE / "page.html").read_text()
-    for name in ("model.js", "plot.js", "play.js"):
+    for name in ("model.js", "plot.js", "explain.js", "play.js"):
         page = page.replace("{" + name + "}", (HERE / name).read_text().strip())
     text = packed(code)
     page = page.replace("{wasm}", text)

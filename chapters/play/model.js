@@ -56,8 +56,11 @@ function defaults() {
   return state;
 }
 
-// A number as the program reads one, or NaN; never "", "0,5", "1e", "Infinity".
+// A number as the program reads one, or a fraction such as 1/3, or NaN; never "", "0,5",
+// "1e", "Infinity".
 function number(text) {
+  const parts = /^(\d{1,6})\/(\d{1,6})$/.exec(text);
+  if (parts) return parts[2] > 0 ? parts[1] / parts[2] : NaN;
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
 }
 

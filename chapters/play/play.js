@@ -8,7 +8,7 @@ const notes = {
 const spelled = { held: "held at x0", caputo: "on a line (Caputo)", rl: "at 0 (Riemann-Liouville)" };
 
 const middle = 0.6; // of the run: the moment to look at, 0 the first, 1 the last
-let state, fvi, result, look = middle;
+let state, fvi, result, look = middle; // explain.js has: pinned, the run to compare with
 let motion; // the picture of x(t), for the pointer
 let waiting = false, linkTimer;
 
@@ -17,6 +17,12 @@ let waiting = false, linkTimer;
 function say(lines) {
   element("message").textContent = lines.join("; ");
   element("message").hidden = lines.length === 0;
+}
+
+// What is wrong with a field, below it.
+function sayFault(name, text) {
+  element(`${name}-fault`).textContent = text;
+  element(`${name}-fault`).hidden = !text;
 }
 
 function sayStability() {
@@ -84,29 +90,37 @@ function drawPast(at, times) {
 }
 
 function drawMotion() {
-  const { x, p, energy, exact, rows } = result, k = moment(), dash = [8, 5];
+  const { x, p, energy, exact, rows } = result, k = moment(), dash = [8, 5], other = pinned ?? { t: [], x: [], p: [], energy: [] };
   const times = Float64Array.from({ length: rows }, (_, i) => i * state.h);
   const c = state.potential === "free" ? 0 : state.c; // of a U with an exact solution
   const exactEnergy = exact.x.map((x, i) => (exact.v[i] ** 2 + c * x * x) / 2);
-  const t = [0, Math.max(rows - 1, 1) * state.h];
-  const at = motion = picture(element("x"), { x: t, y: span(x, exact.x), names: ["t", "x"] });
+  const t = [0, Math.max(rows - 1, 1) * state.h], high = readable(result);
+  const fit = (most, ...arrays) => span(...arrays).map(end => Math.min(Math.max(end, -most), most));
+  sayCut(high);
+  const at = motion = picture(element("x"), { x: t, y: fit(high, x, exact.x, other.x), names: ["t", "x"] });
+  at.curve(other.t, other.x, "pinned", [2, 3]);
   at.curve(times, x, "run");
   at.curve(exact.t, exact.x, "exact", dash);
   drawPast(at, times);
-  const e = picture(element("energy"), { x: t, y: span(energy, exactEnergy, [0]), names: ["t", "E"] });
+  const e = picture(element("energy"), { x: t, y: fit(high * high, energy, exactEnergy, other.energy, [0]), names: ["t", "E"] });
+  e.curve(other.t, other.energy, "pinned", [2, 3]);
   e.curve(times, energy, "run");
   e.curve(exact.t, exactEnergy, "exact", dash);
   e.dot(times[k], energy[k], "run", 4);
-  const phase = picture(element("phase"), { x: span(x, exact.x), y: span(p, exact.v), names: ["x", "p"] });
+  const phase = picture(element("phase"), { x: fit(high, x, exact.x, other.x), y: fit(high, p, exact.v, other.p), names: ["x", "p"] });
+  phase.curve(other.x, other.p, "pinned", [2, 3], 1.2);
   phase.curve(x, p, "run", [], 1.2);
   phase.curve(exact.x, exact.v, "exact", dash, 1.2);
   phase.dot(x[k], p[k], "run", 4);
+  drawError(t);
+  drawBody(high);
 }
 
 // The axes alone, of a run that is refused.
 function drawNothing() {
   const t = [0, state.steps * state.h], y = [-1, 1];
-  for (const [id, x, names] of [["energy", t, ["t", "E"]], ["phase", y, ["x", "p"]], ["x", t, ["t", "x"]]]) {
+  sayCut(Infinity);
+  for (const [id, x, names] of [["body", y, ["", ""]], ["error", t, ["t", "error"]], ["energy", t, ["t", "E"]], ["phase", y, ["x", "p"]], ["x", t, ["t", "x"]]]) {
     motion = picture(element(id), { x, y, names }); // that of x is the last
     motion.note("no run");
   }
@@ -168,15 +182,16 @@ function control(name) {
   row.dataset.of = name;
   row.innerHTML = `<label for="${name}-slider"><var>${name}</var> <span></span></label>
     <input type="range" id="${name}-slider" min="0" max="${values.length - 1}" step="1">
-    <input type="text" id="${name}" inputmode="decimal" autocomplete="off" spellcheck="false">`;
+    <input type="text" id="${name}" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${name}-fault">
+    <p class="fault" id="${name}-fault" role="alert" hidden></p>`;
   const [slider, field] = row.querySelectorAll("input");
   field.setAttribute("aria-label", `${name} as a number`);
   slider.addEventListener("input", () => set(name, values[slider.value]));
   field.addEventListener("input", () => {
-    const wrong = fault(name, field.value.trim());
+    const text = field.value.trim(), wrong = fault(name, text);
     field.setAttribute("aria-invalid", Boolean(wrong));
-    say(wrong ? [`${wrong}; ${name} stays ${state[name]}`] : []);
-    if (!wrong) set(name, Number(field.value));
+    sayFault(name, wrong && `${wrong}; ${name} stays ${state[name]}`);
+    if (!wrong) set(name, number(text));
   });
   field.addEventListener("change", () => show());
   return row;
@@ -194,7 +209,11 @@ function change() {
   if (wrong) say([wrong]);
   show();
   clearTimeout(linkTimer);
-  linkTimer = setTimeout(() => history.replaceState(null, "", link(state)), 150);
+  linkTimer = setTimeout(() => { // the hand rests
+    remember();
+    history.replaceState(null, "", link(state));
+    showTour();
+  }, 150);
   redraw();
 }
 
@@ -210,10 +229,11 @@ function show() {
     });
     slider.value = nearest;
     slider.setAttribute("aria-valuetext", String(state[name]));
-    const typing = field === document.activeElement && Number(field.value) === state[name];
+    const typing = field === document.activeElement && number(field.value.trim()) === state[name];
     if (!typing || fault(name, field.value.trim())) {
       field.value = state[name];
       field.setAttribute("aria-invalid", false);
+      sayFault(name, "");
     }
     const row = slider.parentNode, frequency = name === "b" && state.force === "cosine";
     const unused = name === "alpha" && half ? `${state.method} knows only 1/2`
@@ -270,6 +290,8 @@ function read() {
   const { state: meant, wrong } = parse(location.hash);
   clearTimeout(linkTimer);
   state = meant;
+  remember();
+  showTour();
   say(wrong.length ? [`This link is not all understood: ${wrong.join("; ")}`] : []);
   show();
   redraw();
@@ -278,6 +300,7 @@ function read() {
 async function begin() {
   fvi = await kernel(wasm);
   build();
+  explain();
   read();
 }
 begin().catch(error => say([`The page could not start: ${error.message}`]));

@@ -4,7 +4,7 @@
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["ink", "soft-ink", "grid", "axis", "run", "exact", "past", "positive", "negative"])
+  for (const name of ["ink", "soft-ink", "grid", "axis", "run", "exact", "past", "positive", "negative", "pinned"])
     colours[name] = style.getPropertyValue(`--${name}`).trim();
 }
 
@@ -43,7 +43,8 @@ function label(value) {
   return String(rounded);
 }
 
-// One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y] }.
+// One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y],
+// bare: without an axis y }.
 // Returns what draws into it, in the units of the axes.
 function picture(canvas, axes) {
   const width = canvas.clientWidth, height = canvas.clientHeight, dots = window.devicePixelRatio;
@@ -52,7 +53,7 @@ function picture(canvas, axes) {
     canvas.height = Math.round(height * dots);
   }
   const pen = canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
-  const left = 52, right = width - 10, top = 16, bottom = height - 34;
+  const left = axes.bare ? 20 : 52, right = width - 10, top = 16, bottom = height - 34;
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
     return value => from + (scale(value) - a) * by;
@@ -70,7 +71,7 @@ function picture(canvas, axes) {
     pen.lineTo(x1, y1);
     pen.stroke();
   };
-  for (const [of, at, along, log] of [[axes.x, X, true, logs[0]], [axes.y, Y, false, logs[1]]])
+  for (const [of, at, along, log] of [[axes.x, X, true, logs[0]], ...axes.bare ? [] : [[axes.y, Y, false, logs[1]]]])
     for (const value of ticks(...of, log, along ? Math.max(3, width / 90) : 5)) {
       pen.strokeStyle = colours[value === 0 ? "axis" : "grid"];
       pen.fillStyle = colours.ink;
@@ -104,6 +105,7 @@ function picture(canvas, axes) {
   };
   return {
     note,
+    left: axes.x[0],
     // Where a pixel is on the axis x: 0 at its left end, 1 at its right.
     fraction: pixel => (pixel - left) / (right - left),
     // The same up the axis y: 0 at its lower end, 1 at its upper.

@@ -70,16 +70,77 @@ await test("it opens from a disk and says where it is", async () => {
   assert.equal(await evaluate("document.getElementById('message').hidden"), true);
 });
 
-await test("a click on a chapter's link brings its run", async () => {
-  const link = await evaluate(`(e => {
-    const b = e.getBoundingClientRect();
-    return [b.x + 9, b.y + b.height / 2];
-  })(document.querySelector("a[href*='step:8,1']"))`);
-  await mouse("mousePressed", ...link);
-  await mouse("mouseReleased", ...link);
+await test("the tour leads through eight stops, each with its run, its sentence and its chapter", async () => {
+  await start();
+  const seen = [];
+  for (let i = 1; i <= 8; i++) {
+    assert.equal(await text("tour-place"), `Stop ${i} of 8`);
+    const stop = await evaluate(`[...document.querySelectorAll("#tour li")].filter(e => e.checkVisibility()).map(e => e.textContent + e.querySelector("a").hash)`);
+    assert.equal(stop.length, 1);
+    assert.match(stop[0], /chapter \d+\)#/);
+    assert.equal(await hash() || "#alpha=0.3", stop[0].slice(stop[0].indexOf("#")));
+    seen.push(stop[0]);
+    await evaluate("document.getElementById('tour-next').click()");
+    await pause();
+  }
+  assert.equal(new Set(seen).size, 8);
+  assert.equal(await evaluate("document.getElementById('tour-next').disabled"), true);
+  await evaluate("document.getElementById('tour-back').click()");
   await pause();
-  assert.match(await hash(), /alpha=0\.75.*force=step:8,1/);
-  assert.deepEqual([await value("alpha"), await value("a"), await value("force")], ["0.75", "8", "step"]);
+  assert.equal(await text("tour-place"), "Stop 7 of 8");
+  await evaluate("set('rho', 0.7)");
+  await pause();
+  assert.match(await text("tour-place"), /begin with Next/);
+});
+
+await test("a pinned run stays while others come, and its errors with it", async () => {
+  await start("#alpha=0.25&rho=1");
+  await evaluate("document.getElementById('pin').click()");
+  await evaluate("set('method', 'fvi-lobatto3')");
+  await pause();
+  assert.equal(await text("pinned-name"), "#alpha=0.25&rho=1");
+  const [pinnedX, x, worse, better] = await evaluate(`[pinned.x[100], result.x[100],
+    Math.max(...pinned.error.map(p => p[1])), Math.max(...errors().map(p => p[1]))]`);
+  assert.notEqual(pinnedX, x);
+  assert.ok(worse > 100 * better, `${worse}, ${better}`);
+  const withIt = await Promise.all(["x", "error"].map(ink));
+  await evaluate("document.getElementById('pin').click()");
+  await pause();
+  const without = await Promise.all(["x", "error"].map(ink));
+  withIt.forEach((old, i) => assert.notEqual(old, without[i]));
+  assert.equal(await evaluate("document.getElementById('legend-pinned').checkVisibility()"), false);
+});
+
+await test("what blows up is cut, and it is said", async () => {
+  await start("#rho=3&h=1&steps=100");
+  assert.match(await text("cut"), /^The pictures are cut at ±\d.*: the run goes up to \S+e\+?\d+\.$/);
+  await evaluate("set('h', 0.1)");
+  await pause();
+  assert.equal(await evaluate("document.getElementById('cut').hidden"), true);
+});
+
+await test("undo goes back a step at a time, play moves the moment, a fraction is a number", async () => {
+  await start("#rho=0.5");
+  await evaluate("set('rho', 0.7)");
+  await pause();
+  await evaluate("set('h', 0.2)");
+  await pause();
+  await evaluate("document.getElementById('undo').click()");
+  await pause();
+  assert.equal(await hash(), "#rho=0.7");
+  await evaluate("document.getElementById('undo').click()");
+  await pause();
+  assert.equal(await hash(), "#rho=0.5");
+  assert.equal(await evaluate("document.getElementById('undo').disabled"), true);
+  const moment = () => value("look").then(Number), was = await moment();
+  await evaluate("document.getElementById('play').click()");
+  await pause(700);
+  await evaluate("document.getElementById('play').click()");
+  assert.notEqual(await moment(), was);
+  await evaluate("document.getElementById('alpha').focus(); document.getElementById('alpha').select()");
+  await call("Input.insertText", { text: "1/3" });
+  await pause();
+  assert.equal(await evaluate("state.alpha"), 1 / 3);
 });
 
 await test("a drag of alpha moves the curves and the link", async () => {
@@ -127,7 +188,7 @@ await test("a drag over x(t) looks at that moment", async () => {
 
 await test("the keyboard reaches and moves every control", async () => {
   await start("#force=cosine:1,2&potential=duffing:1,0.5");
-  await evaluate("document.querySelector('.presets li:last-child a').focus()");
+  await evaluate("document.getElementById('tour-next').focus()");
   const seen = [];
   for (let i = 0; i < 60; i++) {
     await key("Tab");
@@ -137,7 +198,7 @@ await test("the keyboard reaches and moves every control", async () => {
   }
   const names = ["alpha", "rho", "h", "steps", "kappa", "c", "g", "a", "b", "x0", "p0"];
   for (const id of [...names, ...names.map(name => `${name}-slider`), "method", "potential", "force",
-    "past", "look", "reset"]) assert.ok(seen.includes(id), `${id} is not reached`);
+    "past", "look", "reset", "play", "pin", "save-table", "save-picture"]) assert.ok(seen.includes(id), `${id} is not reached`);
   await evaluate("document.getElementById('alpha-slider').focus()");
   await key("ArrowRight");
   assert.equal(await value("alpha"), "0.505");
@@ -201,9 +262,9 @@ await test("a run that is refused leaves no curve of another", async () => {
     draw();
     pen.fillText = write;
     return words.filter(word => word === "no run").length;
-  })()`), 3);
+  })()`), 5);
   await evaluate("draw()");
-  const pictures = () => Promise.all(["x", "energy", "phase"].map(ink));
+  const pictures = () => Promise.all(["x", "energy", "phase", "error", "body"].map(ink));
   const empty = await pictures();
   await start("#alpha=0.75&past=rl&method=fvi-bdf2");
   assert.deepEqual(await pictures(), empty);
@@ -277,7 +338,10 @@ await test("nonsense is said, and does no harm", async () => {
   assert.equal(await evaluate("document.images.length"), 0);
   await evaluate("document.getElementById('h').focus(); document.getElementById('h').select()");
   await call("Input.insertText", { text: "0,5" });
-  assert.match(await text("message"), /h: '0,5' is not a finite number; h stays 0\.1/);
+  assert.match(await text("h-fault"), /h: '0,5' is not a finite number; h stays 0\.1/);
+  const [below, border] = await evaluate(`[document.getElementById("h-fault").getBoundingClientRect().top
+    - document.getElementById("h").getBoundingClientRect().bottom, getComputedStyle(document.getElementById("h")).borderTopStyle]`);
+  assert.ok(below >= 0 && below < 20 && border === "dashed", `${below}, ${border}`);
   assert.equal(await evaluate("document.getElementById('h').getAttribute('aria-invalid')"), "true");
   await evaluate("document.getElementById('h').blur()");
   assert.equal(await value("h"), "0.1");
@@ -285,7 +349,7 @@ await test("nonsense is said, and does no harm", async () => {
   await call("Input.insertText", { text: "0.0625" });
   await pause();
   assert.equal(await hash(), "#h=0.0625");
-  assert.equal(await evaluate("document.getElementById('message').hidden"), true);
+  assert.equal(await evaluate("document.getElementById('h-fault').hidden"), true);
   await start("#alpha=0.3&method=lda");
   assert.match(await text("message"), /lda knows only 0\.5/);
   assert.equal(await evaluate("document.getElementById('alpha-slider').disabled"), true);
@@ -312,8 +376,8 @@ await test("the fastest of 20 frames of 2000 steps takes less than 20 ms, whatev
 
 const views = [["wide", 1200, 1000, "light"], ["dark", 1200, 1000, "dark"], ["narrow", 400, 800, "light"],
   ["narrow-dark", 400, 800, "dark"]];
-await test("it fits every screen, light and dark, with every preset", async () => {
-  const presets = await evaluate("[...document.querySelectorAll('.presets a')].map(a => a.hash)");
+await test("it fits every screen, light and dark, at every stop of the tour", async () => {
+  const presets = await evaluate("[...document.querySelectorAll('#tour a')].map(a => a.hash).filter(Boolean)");
   for (const [name, width, height, mode] of views) {
     await size(width, height);
     await scheme(mode);
