@@ -57,7 +57,7 @@ function sayCut(high) {
 // A wall, a spring, the body at its place, and where it was, as large as that weighs.
 function drawBody(high) {
   const canvas = element("body"), { x, weights } = result, k = moment();
-  const at = picture(canvas, { x: span(x, [0]).map(end => Math.min(Math.max(end, -high), high)), y: [-1, 1], names: ["x", ""], bare: true });
+  const at = picture(canvas, { x: span(x, [0]).map(end => Math.min(Math.max(end, -high), high)), y: [-1, 1], names: ["", ""], bare: true });
   const wall = at.left, place = Math.min(Math.max(x[k], -high), high), coils = 12;
   at.curve(Array.from({ length: 2 * coils + 1 }, (_, i) => wall + (place - wall) * i / (2 * coils)),
     Array.from({ length: 2 * coils + 1 }, (_, i) => (i % 2 ? (i % 4 === 1 ? 0.35 : -0.35) : 0)), "axis", [], 1.3);

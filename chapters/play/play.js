@@ -95,7 +95,7 @@ function drawMotion() {
   const c = state.potential === "free" ? 0 : state.c; // of a U with an exact solution
   const exactEnergy = exact.x.map((x, i) => (exact.v[i] ** 2 + c * x * x) / 2);
   const t = [0, Math.max(rows - 1, 1) * state.h], high = readable(result);
-  const fit = (most, ...arrays) => span(...arrays).map(end => Math.min(Math.max(end, -most), most));
+  const fit = (most, ...arrays) => span(...arrays.map(values => values.map(value => Math.min(Math.max(value, -most), most))));
   sayCut(high);
   const at = motion = picture(element("x"), { x: t, y: fit(high, x, exact.x, other.x), names: ["t", "x"] });
   at.curve(other.t, other.x, "pinned", [2, 3]);

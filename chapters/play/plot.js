@@ -53,7 +53,7 @@ function picture(canvas, axes) {
     canvas.height = Math.round(height * dots);
   }
   const pen = canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
-  const left = axes.bare ? 20 : 52, right = width - 10, top = 16, bottom = height - 34;
+  const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 16, bottom = height - (axes.bare ? 18 : 34);
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
     return value => from + (scale(value) - a) * by;
