@@ -109,7 +109,8 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  *   curve   NULL, or output: x(t_i) of the fitted motion, n numbers
  *   fitted  output
  *
- * Levenberg's and Marquardt's method by GSL in alpha's logit, ln rho and ln m, from the
+ * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional and
+ * a potential whose constants fvi_sensitivity_of knows, else with differences, in alpha's logit, ln rho and ln m, from the
  * values of the run and from fit->starts - 1 points of Sobol's sequence in the box.
  * A start agrees with the best if all its parameters come within sd / 10 of those, or
  * within 1e-6 of their size, which is |theta|, but of x0, p0 and constants at least a
@@ -166,8 +167,7 @@ int fvi_fit_moduli(size_t n, const double *w, const double *storage,
  *   x      output: x_k, N + 1 numbers
  *   slope  output: d x_k / d which[j] at [k * P + j], (N + 1) P numbers
  *
- * For those who solve least squares of their own: fvi_fit_search is for any method, and takes
- * differences. They are the derivatives of what the program computes, as (24.6) solves the
+ * For those who solve least squares of their own; fvi_fit_search takes them where it can. They are the derivatives of what the program computes, as (24.6) solves the
  * derived equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
  * by alpha is that from below. Cost: a run, a second memory of
  * P coordinates, a third of x with its rate if alpha or rho is asked for. Accuracy:

@@ -27,6 +27,7 @@ typedef struct {
     gsl_multifit_nlinear_workspace *solver;
     place *found;        /* one for each start */
     double *last, *base; /* residuals: the last ones, and those of slopes */
+    double *ridden;      /* n P slopes; NULL: the run cannot carry them */
     double size[FVI_FIT_MOST]; /* of each u: it is nearly zero far below that */
 } search;
 
@@ -51,8 +52,28 @@ static int residuals(const gsl_vector *u, void *params, gsl_vector *f)
 }
 //< residuals
 
+/* The Jacobian from slopes that ride along with the run; 0 if they cannot be had. */
+static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
+{
+    fvi_fit_model *m = &o->model;
+    const size_t P = u->size;
+    for (size_t j = 0; j < P; j++)
+        fvi_fit_model_set(m, j,
+                          fvi_fit_model_bound(m, j, gsl_vector_get(u, j)));
+    if (!o->ridden || fvi_fit_model_tangents(m, o->ridden)
+        || !fvi_all_finite(J->size1 * P, o->ridden))
+        return 0;
+    for (size_t j = 0; j < P; j++) {
+        const double by =
+            fvi_fit_model_slope(m, j, fvi_fit_model_get(m, j)) / m->scale;
+        for (size_t i = 0; i < J->size1; i++)
+            gsl_matrix_set(J, i, j, by * o->ridden[i * P + j]);
+    }
+    return 1;
+}
+
 //> slopes
-/* The Jacobian by differences, at the u of the last residuals, where GSL asks for it. Its
+/* The Jacobian, by differences if the run cannot carry it along, at the u of the last residuals, where GSL asks for it. Its
  * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
  * rho = 1, p0 = 0. */
 static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
@@ -60,6 +81,8 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
     search *o = params;
     double there[FVI_FIT_MOST];
     gsl_vector_view v = gsl_vector_view_array(there, u->size);
+    if (ride(u, o, J))
+        return GSL_SUCCESS;
     memcpy(o->base, o->last, J->size1 * sizeof *o->base);
     for (size_t j = 0; j < u->size; j++) {
         gsl_vector_view f = gsl_matrix_column(J, j);
@@ -309,9 +332,12 @@ static int search_alloc(search *o, const fvi_fit *fit)
     o->last = calloc(2 * fit->n, sizeof *o->last);
     o->base = o->last ? o->last + fit->n : NULL;
     o->found = calloc(fit->starts, sizeof *o->found);
+    const int rides = fvi_fit_model_has_tangents(&o->model);
+    o->ridden =
+        rides ? malloc(fit->n * fit->parameters * sizeof *o->ridden) : NULL;
     o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
                                            fit->n, fit->parameters);
-    if (!motion || !o->last || !o->found || !o->solver)
+    if (!motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
         FVI_FAIL("no memory for the fit", FVI_ENOMEM);
     return FVI_SUCCESS;
 }
@@ -342,6 +368,7 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
     gsl_multifit_nlinear_free(o.solver);
     free(o.found);
     free(o.last);
+    free(o.ridden);
     free(o.model.motion);
     fvi_loud();
     return status;

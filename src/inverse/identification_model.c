@@ -1,10 +1,12 @@
 /* src/inverse/identification_model.c -- The motion as a function of its parameters.
  *                                                                     [Chapter 24] */
 #include "identification_model.h"
+#include "identification_tangent.h"
 
 #include <fvi/error.h>
 
 #include <math.h>
+#include <string.h>
 
 void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion)
 {
@@ -150,3 +152,59 @@ int fvi_fit_model_run(fvi_fit_model *m)
     return status;
 }
 //< run
+
+/* ---- its slopes ---- */
+
+int fvi_fit_model_has_tangents(const fvi_fit_model *m)
+{
+    const fvi_fit *fit = m->fit;
+    const size_t constants =
+        fvi_sensitivity_of(&fit->run->system->potential).count;
+    int known = fit->method->scheme == FVI_SCHEME_ALGORITHM_3 && !fit->run->law;
+    for (size_t j = 0; j < fit->parameters; j++)
+        known &= fit->which[j] < FVI_PARAMETER_CONSTANT + constants;
+    return known;
+}
+
+//> tangents
+/* Hermite's cubic is linear in what it is made of. before: s and pi a step before. */
+static void read_slopes(const fvi_fit_model *m, const fvi_tangent_run *o,
+                        double share, double p_before, const double *before,
+                        double *slope)
+{
+    const size_t P = o->P;
+    const double drift = m->run.h / m->mass, p = o->stepper->p[0];
+    for (size_t j = 0; j < P; j++) {
+        const double by =
+            o->which[j] == FVI_PARAMETER_MASS ? -drift / m->mass : 0;
+        slope[j] =
+            hermite(share, before[j], drift * before[P + j] + by * p_before,
+                    o->s[j], drift * o->pi[j] + by * p);
+    }
+}
+
+int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope)
+{
+    fvi_tangent_run o;
+    const size_t P = m->fit->parameters;
+    const double h = m->run.h;
+    double before[2 * FVI_FIT_MOST] = { 0 }, p_before = 0;
+    if (!is_possible(m))
+        return FVI_EDOM;
+    int status = fvi_tangent_start(&m->run, P, m->fit->which, &o);
+    for (size_t i = 0; i < m->fit->n && !status; i++, slope += P) {
+        const double t = m->fit->t[i];
+        while (o.stepper->t < t - 1e-9 * h && o.stepper->k < m->run.steps
+               && !status) {
+            memcpy(before, o.s, 2 * P * sizeof *before); /* pi is behind s */
+            p_before = o.stepper->p[0];
+            status = fvi_tangent_step(&o);
+        }
+        const int first = o.stepper->k == 0;
+        read_slopes(m, &o, first ? 1 : (t - o.stepper->t) / h + 1, p_before,
+                    before, slope);
+    }
+    fvi_tangent_stop(&o);
+    return status;
+}
+//< tangents

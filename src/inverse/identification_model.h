@@ -37,6 +37,13 @@ double fvi_fit_model_slope(const fvi_fit_model *m, size_t j, double theta);
 /* m->motion for the present values. Returns what fvi_start and fvi_step return. */
 int fvi_fit_model_run(fvi_fit_model *m);
 
+/* Can the slopes of the motion be had without differences? */
+int fvi_fit_model_has_tangents(const fvi_fit_model *m);
+
+/* d motion_i / d parameter j for the present values, at slope[i * P + j]. Errors as
+ * fvi_tangents. */
+int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope);
+
 /* The longest step for a first look: it meets all times if one does that is not much
  * shorter than their gaps; w h <= 1, w as below. */
 double fvi_fit_first_step(const fvi_fit *fit);

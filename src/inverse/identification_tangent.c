@@ -1,6 +1,6 @@
 /* src/inverse/identification_tangent.c -- A run and its derivatives, side by side.
  *                                                                     [Chapter 24] */
-#include <fvi/identification.h>
+#include "identification_tangent.h"
 
 #include <fvi/fvi.h>
 #include "system/fail.h"
@@ -8,26 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Arrays of P numbers: of parameter j at [j]. */
-typedef struct {
-    const fvi_run *run;
-    size_t P;
-    const fvi_parameter *which;
-    fvi_sensitivity by;
-    fvi_stepper *stepper;
-    fvi_memory *memory, *own; /* of the slopes; of x with its rate, or NULL */
-    double c;                 /* rho h^(1 - 2 alpha) */
-    double *s, *pi, *delta;   /* d x_k, d p_k, d (x_{k+1} - x_k) */
-    double *z, *dz, *dU;      /* what the memory takes in; d U'(S) */
-} tangents;
-
-static double rho(const tangents *o)
+static double rho(const fvi_tangent_run *o)
 {
     return o->run->system->damping[0];
 }
 
 /* Does the memory know the line t p0/m? (9.6) */
-static int knows_the_line(const tangents *o)
+static int knows_the_line(const fvi_tangent_run *o)
 {
     return o->run->past == FVI_PAST_CAPUTO && o->run->alpha > 0.5;
 }
@@ -35,7 +22,7 @@ static int knows_the_line(const tangents *o)
 /* ---- one step ---- */
 
 /* d U'(S) by the parameters of U at fixed S, and U''(S). */
-static int potential_at(tangents *o, double S, double *G)
+static int potential_at(fvi_tangent_run *o, double S, double *G)
 {
     const fvi_system *system = o->run->system;
     double H[2] = { 0, 0 };
@@ -53,7 +40,7 @@ static int potential_at(tangents *o, double S, double *G)
 //> tangent
 /* (24.6): the derived equation of a step is linear, with one matrix for all slopes.
  * dx = x_{k+1} - x_k. */
-static int tangent_step(tangents *o, double G, double dx)
+static int tangent_step(fvi_tangent_run *o, double G, double dx)
 {
     const double h = o->run->h, kappa = o->run->kappa,
                  m = o->run->system->mass[0],
@@ -72,7 +59,7 @@ static int tangent_step(tangents *o, double G, double dx)
 //< tangent
 
 /* d z_k and its increment, of parameter j; k = 0 is the first, with delta = s. (24.7) */
-static void take_in(tangents *o, size_t k)
+static void take_in(fvi_tangent_run *o, size_t k)
 {
     const double t = (double)k * o->run->h, m = o->run->system->mass[0],
                  p0 = o->run->p0[0];
@@ -90,7 +77,7 @@ static void take_in(tangents *o, size_t k)
 }
 
 /* The memory of the slopes, and what alpha and rho change in that of x. */
-static int remember(tangents *o, size_t k, double x, double dx)
+static int remember(fvi_tangent_run *o, size_t k, double x, double dx)
 {
     const fvi_run *r = o->run;
     const double t = (double)k * r->h, speed = r->p0[0] / r->system->mass[0];
@@ -116,34 +103,24 @@ static int remember(tangents *o, size_t k, double x, double dx)
     return status;
 }
 
-static int all_steps(tangents *o, double *x, double *slope)
+int fvi_tangent_step(fvi_tangent_run *o)
 {
     fvi_stepper *s = o->stepper;
-    const double kappa = o->run->kappa;
-    double before = s->x[0], G;
-    x[0] = before;
-    memcpy(slope, o->s, o->P * sizeof *slope);
-    int status = remember(o, 0, before, before);
-    while (!status && s->k < o->run->steps) {
-        status = fvi_step(s);
-        if (!status)
-            status =
-                potential_at(o, kappa * before + (1 - kappa) * s->x[0], &G);
-        if (!status)
-            status = tangent_step(o, G, s->x[0] - before);
-        if (!status)
-            status = remember(o, s->k, s->x[0], s->x[0] - before);
-        before = x[s->k] = s->x[0];
-        memcpy(slope + s->k * o->P, o->s, o->P * sizeof *slope);
-    }
-    return status;
+    const double before = s->x[0], kappa = o->run->kappa;
+    double G;
+    int status = fvi_step(s);
+    if (!status)
+        status = potential_at(o, kappa * before + (1 - kappa) * s->x[0], &G);
+    if (!status)
+        status = tangent_step(o, G, s->x[0] - before);
+    return status ? status : remember(o, s->k, s->x[0], s->x[0] - before);
 }
 
 /* ---- the whole ---- */
 
-static int check(const tangents *o, const double *x, const double *slope)
+static int check(const fvi_tangent_run *o)
 {
-    if (!o->run || !o->which || !x || !slope || !o->run->x0 || !o->run->p0)
+    if (!o->run || !o->which || !o->run->x0 || !o->run->p0)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
     if (o->run->law)
         FVI_FAIL("the tangents are those of a power", FVI_EUNSUP);
@@ -159,7 +136,7 @@ static int check(const tangents *o, const double *x, const double *slope)
     return status;
 }
 
-static int prepare(tangents *o)
+static int prepare(fvi_tangent_run *o)
 {
     const fvi_run *r = o->run;
     int wants_own = 0;
@@ -189,20 +166,40 @@ static int prepare(tangents *o)
     return status;
 }
 
+int fvi_tangent_start(const fvi_run *run, size_t P, const fvi_parameter *which,
+                      fvi_tangent_run *o)
+{
+    *o = (fvi_tangent_run){ .run = run, .P = P, .which = which };
+    int status = check(o);
+    if (!status)
+        status = fvi_start(&fvi_fractional, run, &o->stepper);
+    if (!status)
+        status = prepare(o);
+    return status ? status : remember(o, 0, run->x0[0], run->x0[0]);
+}
+
+void fvi_tangent_stop(fvi_tangent_run *o)
+{
+    fvi_stop(o->stepper);
+    fvi_memory_free(o->memory);
+    fvi_memory_free(o->own);
+    free(o->s);
+}
+
 int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
                  double *x, double *slope)
 {
-    tangents o = { .run = run, .P = P, .which = which };
-    int status = check(&o, x, slope);
-    if (!status)
-        status = fvi_start(&fvi_fractional, run, &o.stepper);
-    if (!status)
-        status = prepare(&o);
-    if (!status)
-        status = all_steps(&o, x, slope);
-    fvi_stop(o.stepper);
-    fvi_memory_free(o.memory);
-    fvi_memory_free(o.own);
-    free(o.s);
+    fvi_tangent_run o;
+    if (!x || !slope)
+        FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
+    int status = fvi_tangent_start(run, P, which, &o);
+    for (size_t k = 0; !status; k++) {
+        x[k] = o.stepper->x[0];
+        memcpy(slope + k * P, o.s, P * sizeof *slope);
+        if (k == run->steps)
+            break;
+        status = fvi_tangent_step(&o);
+    }
+    fvi_tangent_stop(&o);
     return status;
 }

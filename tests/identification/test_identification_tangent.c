@@ -2,6 +2,7 @@
  * along with a run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
+#include "inverse/identification_model.h"
 
 static const fvi_parameter SEVEN[] = {
     FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,
@@ -86,6 +87,71 @@ START_TEST(eq_24_6_by_a_damping_of_zero)
 }
 END_TEST
 
+/* The slopes of a motion that is read off between the steps, against central differences
+ * of that motion, 2e-4 of a parameter wide: (1e-4)^2/6 of a third derivative, some 10 here.
+ * Seen: 4.3e-8. */
+START_TEST(eq_24_6_a_motion_between_the_steps_has_its_slopes)
+{
+    enum { n = 30, P = 7 };
+    question q;
+    double slope[n * P], motion[n], up[n];
+    fvi_fit_model m;
+    ask(&q, NULL, P);
+    q.constants[0] = 1;
+    q.constants[1] = 0.5;
+    q.fit.method = &fvi_fractional;
+    q.fit.which = SEVEN;
+    q.fit.n = n;
+    q.run.alpha = 0.3;
+    for (size_t i = 0; i < n; i++)
+        q.t[i] = 0.173 * (double)i;
+    fvi_fit_model_init(&m, &q.fit, motion);
+    fvi_fit_model_step(&m, 0.0625);
+    ck_assert(fvi_fit_model_has_tangents(&m));
+    ck_assert_int_eq(fvi_fit_model_tangents(&m, slope), FVI_SUCCESS);
+    for (size_t j = 0; j < P; j++) {
+        const double there = fvi_fit_model_get(&m, j);
+        fvi_fit_model_set(&m, j, there + 1e-4);
+        ck_assert_int_eq(fvi_fit_model_run(&m), FVI_SUCCESS);
+        memcpy(up, motion, sizeof up);
+        fvi_fit_model_set(&m, j, there - 1e-4);
+        ck_assert_int_eq(fvi_fit_model_run(&m), FVI_SUCCESS);
+        fvi_fit_model_set(&m, j, there);
+        for (size_t i = 0; i < n; i++) {
+            const double want = (up[i] - motion[i]) / 2e-4;
+            seen(fabs(slope[i * P + j] - want), "difference");
+            ck_assert_near(slope[i * P + j], want, 2e-7, "%zu at %zu", j, i);
+        }
+    }
+}
+END_TEST
+
+/* A fit by slopes that ride along, and the same by differences, which a method that does
+ * not say what its equations are is left with: 1e-4 sd, as differences are 1e-7 wide. */
+START_TEST(eq_24_3_slopes_and_differences_find_the_same)
+{
+    question q;
+    fvi_fitted ridden, taken;
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    fvi_method other = fvi_fractional;
+    other.scheme = FVI_SCHEME_OTHER;
+    ask(&q, ref_low, 5);
+    add_noise(&q, 0.02, r);
+    q.fit.h = 0.1;
+    q.fit.method = &fvi_fractional;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &ridden), FVI_SUCCESS);
+    q.fit.method = &other;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &taken), FVI_SUCCESS);
+    for (size_t j = 0; j < 5; j++) {
+        ck_assert_near(ridden.estimate[j], taken.estimate[j],
+                       1e-4 * taken.sd[j], "estimate %zu", j);
+        ck_assert_near(ridden.sd[j], taken.sd[j], 1e-4 * taken.sd[j], "sd %zu",
+                       j);
+    }
+    gsl_rng_free(r);
+}
+END_TEST
+
 static int handled;
 static void handler(const char *reason, const char *file, int line, int code)
 {
@@ -129,7 +195,9 @@ int main(void)
 {
     Suite *suite = suite_create("derivatives beside a run");
     ADD_CASE(suite, "values", eq_24_6_tangents_are_the_derivatives_of_the_run,
-             tangents_do_not_feel_each_other, eq_24_6_by_a_damping_of_zero);
+             tangents_do_not_feel_each_other, eq_24_6_by_a_damping_of_zero,
+             eq_24_6_a_motion_between_the_steps_has_its_slopes,
+             eq_24_3_slopes_and_differences_find_the_same);
     ADD_CASE(suite, "errors", tangents_refuse_what_they_do_not_know);
     return run_suite(suite);
 }

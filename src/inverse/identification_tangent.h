@@ -1,0 +1,31 @@
+/* src/inverse/identification_tangent.h -- A run with its derivatives, on its way.
+ *                                                                     [Chapter 24] */
+#ifndef FVI_IDENTIFICATION_TANGENT_H
+#define FVI_IDENTIFICATION_TANGENT_H
+
+#include <fvi/identification.h>
+
+/* Arrays of P numbers: of parameter j at [j]. */
+typedef struct {
+    const fvi_run *run;
+    size_t P;
+    const fvi_parameter *which;
+    fvi_sensitivity by;
+    fvi_stepper *stepper;
+    fvi_memory *memory, *own; /* of the slopes; of x with its rate, or NULL */
+    double c;                 /* rho h^(1 - 2 alpha) */
+    double *s, *pi, *delta;   /* d x_k, d p_k, d (x_{k+1} - x_k) */
+    double *z, *dz, *dU;      /* what the memory takes in; d U'(S) */
+} fvi_tangent_run;
+
+/* fvi_tangent_start -- at k = 0; run and which stay the caller's. o: output, which
+ * fvi_tangent_stop gives back in any case. Errors as fvi_tangents. */
+int fvi_tangent_start(const fvi_run *run, size_t P, const fvi_parameter *which,
+                      fvi_tangent_run *o);
+
+/* fvi_tangent_step -- a step of the run and of its slopes. */
+int fvi_tangent_step(fvi_tangent_run *o);
+
+void fvi_tangent_stop(fvi_tangent_run *o);
+
+#endif
