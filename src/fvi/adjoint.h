@@ -61,7 +61,8 @@ typedef struct {
  *
  * These are the derivatives of what the program computes, not of the motion it stands
  * for: no step size is small. With a compressed memory they belong to the weights as
- * they are compressed; the derivative by alpha is that of the true weights to (23.11), (23.14).
+ * they are compressed; the derivative by alpha is that of the true weights to (23.11),
+ * (23.14).
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -69,22 +70,24 @@ typedef struct {
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
- *          steps. By alpha there is none, and where the past pulls the start, (19.3), none at
- *          all. force: the force changes along straight lines between t_k and t_{k+1}
+ *          steps. By alpha there is none, and where the past pulls the start, (19.3), none
+ *          at all. force: the force changes along straight lines between t_k and t_{k+1}
  *   rho    a damping that is zero has a derivative too, at the cost of its memory
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
- * always one, s - 1 times as large, in form D s times), and no iteration. Measured, fvi_fractional, one
- * coordinate, all derivatives, the rows given: 0.24 to 0.43 of the time of the run
- * (figures/adjoint/adjoint_bench.tsv). Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where that is more, N = 2000; with eight
- * stages and alpha near 0 an identity of all derivatives is off by 1e-11.
+ * always one, s - 1 times as large, in form D s times), and no iteration. Measured,
+ * fvi_fractional, one coordinate, all derivatives, the rows given: 0.24 to 0.43 of the time
+ * of the run (figures/adjoint/adjoint_bench.tsv). fvi_adaptive keeps 10 d numbers a step.
+ * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
+ * that is more, N = 2000; with eight stages and alpha near 0 an identity of all derivatives
+ * is off by 1e-11.
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
- * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none; FVI_EUNSUP if the method has no
- * adjoint, or not this one, or the system matrices; FVI_ESING if the equation of a step backwards
- * has no unique solution; FVI_EOVRFLW if a derivative is not finite; what a callback returned.
- * On error the outputs are of no use. */
+ * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
+ * FVI_EUNSUP if the method has no adjoint, or not this one, or the system matrices;
+ * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
+ * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
                 const fvi_gradients *gradients);
