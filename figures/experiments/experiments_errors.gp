@@ -23,8 +23,8 @@ set yrange [0:0.24]
 set label 1 "x" at 0.0036,0.194 tc rgb BLUE
 set label 2 "p" at 0.0036,0.218 tc rgb RED
 set label 3 "energy" at 0.05,0.072 center tc rgb GREEN
-set label 4 sprintf("limits %.4f, %.4f", limit[2], limit[1]) at 0.13,0.222 tc rgb "#222222"
-set label 5 sprintf("limit %.4f", limit[3]) at 0.2,0.066 tc rgb "#222222"
+set label 4 sprintf("limits %.4f, %.4f", limit[2], limit[1]) at 0.105,0.222 tc rgb "#222222"
+set label 5 sprintf("limit %.4f", limit[3]) at 0.0032,0.069 tc rgb "#222222"
 plot limit[1] with lines ls 8, limit[2] with lines ls 8, limit[3] with lines ls 8, \
      for [b=0:1] for [i=1:3] dat index b using 1:(column(i + 1) / $1) with linespoints ls i dt 1
 unset label

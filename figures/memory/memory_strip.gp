@@ -21,13 +21,12 @@ set trange [-2.5:2.5]
 plot for [k=1:7] t, b[k] with lines ls look(k), \
      '+' using (-2.4 + 0.4 * $0):(0) every ::0::12 with points ls 1 ps 0.9
 unset label
-set title "its image under s(t), N = 1"
+set title "its image under s(t), N = 1; left of the line e^{−ns} grows"
 set xlabel "Re s"
 set ylabel "Im s"
 set xrange [-1:5]
 set yrange [-3:3]
 set label 1 "real rates, s_q" at 3.2,0.25 tc rgb "#0072B2"
-set label 2 "here e^{−ns} does not fade" at 1.6,-2.7 tc rgb "#222222"
 set arrow 1 from 0,-3 to 0,3 nohead lc rgb "#888888" lw 0.8
 set trange [-1.2:3]
 plot for [k=1:7] real(s(t + i * b[k])), imag(s(t + i * b[k])) with lines ls look(k), \
