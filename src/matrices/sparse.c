@@ -28,6 +28,7 @@ void fvi_sparse_free(fvi_sparse *A)
     *A = (fvi_sparse){ 0 };
 }
 
+//> product
 void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y)
 {
     for (size_t j = 0; j < A->n; j++) { /* column j is row j */
@@ -37,6 +38,7 @@ void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y)
         y[j] = sum;
     }
 }
+//< product
 
 double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j)
 {
