@@ -2,9 +2,13 @@
  * Run alone: make test-fvi_options */
 #include "harness/ulp.h"
 #include "words/fvi_options.h"
+#include "words/fvi_shortest.h"
 #include "words/fvi_words.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 static unsigned long long seed = 20240229;
 
@@ -267,10 +271,46 @@ START_TEST(a_long_word_is_shortened_and_its_reason_stays)
 }
 END_TEST
 
+/* The fewest of 15 to 17 digits that come back, or fewer for subnormal numbers, as the C
+ * library writes them: random bits, decimals, powers of two and ten and their neighbours. */
+START_TEST(digits_are_those_of_the_c_library)
+{
+    for (int i = 0; i < 200000; i++) {
+        const double sign = dice(2) ? 1 : -1,
+                     ten = pow(10, (double)dice(42) - 21),
+                     two = ldexp(1, (int)dice(140) - 70);
+        const uint64_t bits = (uint64_t)dice(1u << 31) << 33
+                              ^ (uint64_t)dice(1u << 31) << 11 ^ dice(1u << 12);
+        double v;
+        memcpy(&v, &bits, sizeof v);
+        const double some[] = { v,
+                                (double)dice(100000000) * ten,
+                                (double)dice(1u << 30) / 1e9,
+                                ten,
+                                nextafter(ten, i % 2 ? 0 : 1e300),
+                                two,
+                                nextafter(two, i % 2 ? 0 : 1e300),
+                                (double)(dice(1u << 30) * 2 + 1) * 0.5 };
+        v = sign * some[i % 8];
+        if (!isfinite(v))
+            continue;
+        char want[40], text[32];
+        for (int digits = fabs(v) < DBL_MIN ? 1 : 15; digits <= 17; digits++) {
+            snprintf(want, sizeof want, "%.*g", digits, v);
+            if (strtod(want, NULL) == v)
+                break;
+        }
+        ck_assert_int_eq(fvi_shortest(v, text), strlen(want));
+        ck_assert_str_eq(text, want);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the words of fvi");
-    ADD_CASE(suite, "values", defaults_are_those_of_the_manual);
+    ADD_CASE(suite, "values", defaults_are_those_of_the_manual,
+             digits_are_those_of_the_c_library);
     ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
              the_nearest_known_word_is_named, words_stay_within_their_bounds,
              a_long_word_is_shortened_and_its_reason_stays);
