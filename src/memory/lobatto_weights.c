@@ -5,6 +5,7 @@
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,32 +110,64 @@ static series root(size_t s, series *x)
 }
 //< root
 
+/* Delta^(1/2^k) = 1 + E */
+typedef struct {
+    series E;
+    int k;
+} deep_root;
+
 //> near
-/* Delta(z)^beta: roots until Delta^(1/2^k) = 1 + E with a small E, the binomial
- * series of (1 + E)^beta, and k squares. Its derivative, if wanted: times ln Delta, which
- * is 2^k ln(1 + E). */
-static series near(size_t s, double beta, series *rate)
+/* Roots of Delta until E is small. */
+static deep_root make_root(size_t s)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const series one = identity(s);
-    series x = { 0 }, E, term = one, sum = one, logarithm = { 0 };
+    series x = { 0 };
+    deep_root r = { .k = 0 };
     for (size_t i = 0; i < s; i++)
         memcpy(x.w[0][i], rule->D[i], s * sizeof(double));
     x.w[0][0][0] += 1 / rule->b[0];     /* (17.3) */
     x.w[1][0][s - 1] = -1 / rule->b[0]; /* (17.5) */
-    int k = 0;
-    for (; combine(s, 1, &x, -1, &one, &E), norm(s, &E) > 0.25; k++)
+    for (; combine(s, 1, &x, -1, &one, &r.E), norm(s, &r.E) > 0.25; r.k++)
         x = root(s, &x);
+    return r;
+}
+
+/* The same for every order: made once in a process. */
+static deep_root root_of(size_t s)
+{
+    static _Atomic(deep_root *) made[FVI_STAGES + 1];
+    const deep_root *there = atomic_load(&made[s]);
+    if (there)
+        return *there;
+    const deep_root mine = make_root(s);
+    deep_root *kept = malloc(sizeof *kept), *none = NULL;
+    if (kept)
+        *kept = mine;
+    if (!atomic_compare_exchange_strong(&made[s], &none, kept))
+        free(kept); /* another thread was faster */
+    return mine;
+}
+
+/* Delta(z)^beta: the binomial series of (1 + E)^beta, and k squares; what its 40 terms
+ * leave is below 4^-40. Its derivative, if wanted: times ln Delta, which is
+ * 2^k ln(1 + E). */
+static series near(size_t s, double beta, series *rate)
+{
+    const series one = identity(s);
+    deep_root r = root_of(s);
+    series *E = &r.E, term = one, sum = one, logarithm = { 0 };
+    int k = r.k;
     for (int j = 0; j < 40; j++) {
-        term = multiply(s, &term, &E);
+        term = multiply(s, &term, E);
         combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
         combine(s, 1, &sum, 1, &term, &sum);
     }
-    term = E;
+    term = *E;
     for (int j = 1; rate && j <= 40; j++) {
         combine(s, 1, &logarithm, ldexp(j % 2 ? 1. : -1., k) / j, &term,
                 &logarithm);
-        term = multiply(s, &term, &E);
+        term = multiply(s, &term, E);
     }
     while (k-- > 0)
         sum = multiply(s, &sum, &sum);
