@@ -28,8 +28,9 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
  *   W      output, n s s numbers: entry (i, j) of W_k at [(k * s + i) * s + j]
  *
  * Step size is NOT included: multiply by h^(-beta). Cost 50 us, s = 4, and four times
- * that the first time in a process; then O(n Q), Q about 100. Accuracy, in units of 2^-53 max|W_0|: the first four matrices 1000
- * (no proof; seen 313), the others 100 (seen 13).
+ * that the first time in a process; then O(n Q), Q about 100. Accuracy, in units of
+ * 2^-53 max|W_0|: the first four matrices 1000 (no proof; seen 313), the others 100 (seen
+ * 13).
  * Returns FVI_SUCCESS; FVI_EFAULT if W is NULL; FVI_EINVAL if s is not in
  * 2, ..., 8 or n is 0 or too large to be addressed; FVI_EDOM if beta is out of range;
  * FVI_ENOMEM. On error W is untouched. */
