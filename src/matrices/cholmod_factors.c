@@ -1,15 +1,16 @@
 /* src/matrices/cholmod_factors.c -- Factors by CHOLMOD.                [Chapter 27]
  *
- * SuiteSparse's CHOLMOD is optional twice. Without its header this file says that there is
- * no CHOLMOD. With it, the library is loaded when the first matrix asks for it, so that
- * no program has to be linked with it; where it has gone, there is none either. */
+ * SuiteSparse's CHOLMOD is optional twice. Without its header, or with -DFVI_NO_CHOLMOD,
+ * this file says that there is no CHOLMOD. With it, the library is loaded when the first
+ * matrix asks for it, so that no program has to be linked with it; where it has gone, there
+ * is none either. */
 #define _GNU_SOURCE
 #include "factors.h"
 
 #include "system/fail.h"
 
 #if defined(__has_include)
-#if __has_include(<suitesparse/cholmod.h>)
+#if __has_include(<suitesparse/cholmod.h>) && !defined(FVI_NO_CHOLMOD)
 #define FVI_HAS_CHOLMOD
 #endif
 #endif

@@ -336,12 +336,61 @@ static void spoil_checkpoint(void)
     }
 }
 
+static void put_file(const char *name, const char *text)
+{
+    FILE *f = fopen(name, "w");
+    if (!f || fputs(text, f) < 0 || fclose(f) != 0)
+        exit(1);
+}
+
+/* A matrix of three unknowns, mostly a right one with some bytes changed. */
+static void random_matrix(const char *name, const char *entries)
+{
+    static const char *const heads[] = {
+        "%%MatrixMarket matrix coordinate real symmetric\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n",
+        "%%MatrixMarket matrix coordinate integer general\n",
+        "%%MatrixMarket matrix array real symmetric\n"
+    };
+    char word[WORD];
+    snprintf(word, WORD, "%s3 3 %s", dice(8) ? heads[0] : ONE_OF(heads),
+             entries);
+    if (dice(3) == 0)
+        spoil(word);
+    put_file(name, word);
+}
+
+static void random_system(void)
+{
+    static const char *const dampings[] = { "1\n1 1 0.5\n",
+                                            "3\n1 1 1\n2 1 -1\n2 2 1\n",
+                                            "1\n2 1 1\n", "0\n" };
+    random_matrix("M.mtx", "3\n1 1 1\n2 2 2\n3 3 1\n");
+    random_matrix("K.mtx", "5\n1 1 2\n2 1 -1\n2 2 2\n3 2 -1\n3 3 2\n");
+    random_matrix("C.mtx", ONE_OF(dampings));
+    if (dice(2))
+        random_file("f.tsv");
+    else
+        remove("f.tsv");
+    add("run");
+    add("--system=.");
+    add("--steps=%s", few());
+    if (dice(2))
+        add("--unknowns=%s", dice(2) ? "3,1" : few());
+    if (dice(2))
+        add("--snapshot=end");
+}
+
 static void random_file_and_line(void)
 {
     static const char *const forces[] = { "file:data", "FILE:data + t" };
     static const char *const lists[] = { "x0", "p0", "mass", "rho" };
-    const size_t kind = dice(4);
+    const size_t kind = dice(5);
     add("fvi");
+    if (kind == 4) {
+        random_system();
+        return;
+    }
     if (kind == 0) {
         spoil_checkpoint();
         add("run");
@@ -372,13 +421,6 @@ static void random_file_and_line(void)
 /* ---- the verdict ---- */
 
 static const char kept[] = "what was there\n";
-
-static void put_file(const char *name, const char *text)
-{
-    FILE *f = fopen(name, "w");
-    if (!f || fputs(text, f) < 0 || fclose(f) != 0)
-        exit(1);
-}
 
 static char text[1 << 22];
 

@@ -228,6 +228,41 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
 }
 END_TEST
 
+START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
+{
+    static char whole[1 << 16], parts[1 << 16], rest[1 << 16];
+    write_chain();
+    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+          "--steps 60",
+          whole, sizeof whole);
+    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+          "--steps 25 --checkpoint saved",
+          parts, sizeof parts);
+    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+          "--steps 60 --checkpoint saved --continue",
+          rest, sizeof rest);
+    strcat(parts, rest);
+    ck_assert_str_eq(whole, parts);
+}
+END_TEST
+
+/* (27.9): the largest eigenvalue of M^-1 K is 8.64: h < 0.68 at kappa = 0. */
+START_TEST(an_unstable_step_is_told_of_a_system_too)
+{
+    write_chain();
+    ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
+    ck_assert_int_eq(fvi("run --system chain --kappa 0 --h 0.6 --steps 3"), 0);
+    ck_assert_str_eq(err, "");
+    ck_assert_int_eq(fvi("run --system chain --kappa 0 --h 0.7 --steps 3"), 0);
+    ck_assert_int_eq(
+        strncmp(err, "fvi: warning: this step is unstable (load 1.", 44), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = this step is unstable"));
+    ck_assert_int_eq(
+        fvi("run --system chain --method fvi-stable --h 70 --steps 3"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: systems of matrices");
@@ -235,6 +270,8 @@ int main(void)
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
              bad_folders_are_refused_with_file_and_line,
-             what_a_system_replaces_or_no_method_takes_is_refused);
+             what_a_system_replaces_or_no_method_takes_is_refused,
+             a_system_goes_on_from_a_checkpoint_with_the_same_digits,
+             an_unstable_step_is_told_of_a_system_too);
     return run_suite_of_program(suite);
 }
