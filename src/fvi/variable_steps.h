@@ -33,18 +33,19 @@ extern "C" {
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
  *                    the size so far, max |x_i|. p is off by more
  *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
- *   run->tolerance   not read: the modes are right to 2e-14, or, if s = 6, to 1e-7
+ *   run->tolerance   not read: the modes are right to 2e-14, or to 1e-7 where step_error
+ *                    is above 1e-6 of the size
  *   run->kappa       not read
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
  * if v0 = 0 too, or 1; what is below 1e-12 of the next counts as 0. s = 8, or 6 if
- * step_error is above 1e-6 of that size. Where nothing is damped the step is form M
+ * step_error is above 1e-3 of that size. Where nothing is damped the step is form M
  * instead, that of the variational methods of chapter 17, which has no numerical damping;
  * fvi_adaptive_look says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
- * forty, or is overlooked where it is small: x was off by up to 26 step_error in what the
+ * forty, or is overlooked where it is small: x was off by up to 21 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
  * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end, h steps.
@@ -56,7 +57,7 @@ extern "C" {
  * shorter; but others then take Newton's method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
- * each decade below, or, if s = 6, 30 and 4; s gradients for each iteration, mostly 2 to 6
+ * each decade below, or, above 1e-6 of the size, 30 and 4; s gradients for each iteration, mostly 2 to 6
  * of them; O(d s^2), and O(s^3) for each mass, damping and spring where h changes. Newton's
  * method is O(d s b^2) more for a Hessian of b diagonals, O(d s^3) coordinate by coordinate,
  * and for all together O(d s^3 b^2) or O(d^3 s^3). Memory O(d (Q + s^2)) + d s b), Q 190, or up to 2300 where a start is
@@ -105,8 +106,8 @@ typedef struct {
  *   found  output
  *
  * It is an estimate, no bound: what both runs pass over, a pulse of the force shorter
- * than their steps, say, is not seen; and a small jump that is not declared was seen to
- * cost 2.2 times the wanted error. The error of p is another matter.
+ * than their steps, say, is not seen, nor perhaps a small jump that is not declared. The
+ * error of p is another matter.
  * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
  * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_start
  * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or

@@ -10,6 +10,9 @@
 #include "adaptive_band.h"
 #include "memory/variable_modes.h"
 
+/* With a larger wish the modes are coarse, and of a singular start fewer terms are taken. */
+#define FVI_COARSE 1e-6
+
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */
@@ -50,6 +53,7 @@ typedef struct {
     const fvi_variable_rule *rule;
     size_t d;
     double beta;
+    double wish; /* the tolerance of a step, of the size at first */
     fvi_solve solve;
     const fvi_square *to_x; /* X = base + h to_x delta: A, or that of form M */
     fvi_square W0;          /* (22.2), and W0 1 */

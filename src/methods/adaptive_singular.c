@@ -51,7 +51,7 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
     g->gap = 2 - 2 * alpha;
     g->e = alpha > 0.5;
     g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap),
-                             o->rule->s == 6 ? FEW : MANY),
+                             o->wish > FVI_COARSE ? FEW : MANY),
                         MOST_TERMS);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     g->c = calloc(o->d * (g->J + 3), sizeof *g->c);

@@ -128,7 +128,8 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     int damped = 0;
     for (size_t j = 0; j < o->d; j++)
         damped |= run->system->damping[j] > 0;
-    o->rule = fvi_variable(wish > 1e-6 ? 6 : 8);
+    o->rule = fvi_variable(wish > 1e-3 ? 6 : 8);
+    o->wish = wish;
     o->beta = 2 * run->alpha - 1;
     o->to_x = damped ? &o->rule->A : &o->rule->form_m;
     o->counts.stages = (int)o->rule->s;
@@ -182,7 +183,7 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         FVI_FAIL("no step is short enough for the start of such a damping",
                  FVI_EUNSUP);
     const fvi_modes_kind kind =
-        o->rule->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE;
+        o->wish > FVI_COARSE ? FVI_MODES_COARSE : FVI_MODES_FINE;
     return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
@@ -227,7 +228,7 @@ int fvi_adaptive_start(fvi_stepper *s)
     if (!status) {
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);
-        if (o->solve == FVI_SOLVE_LINEAR && (o->rule->s > 6 || o->kinds < d))
+        if (o->solve == FVI_SOLVE_LINEAR && (o->wish < 1e-9 || o->kinds < d))
             o->diagonals = 0; /* the inverse is more exact; and many share it */
         status = fvi_adaptive_allocate(o);
     }
