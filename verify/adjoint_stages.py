@@ -2,7 +2,8 @@
 
 Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), three steps:
   (23.13) the derivative of sum Lambda . R by the stages, form M;
-  (23.15) and by the velocities of the stages, form D, with what comes out.
+  (23.15) and by the velocities of the stages, form D, with what comes out;
+  (23.16) the same on steps h_0, h_1, h_2, s = 2, 3, the memory a polynomial in (22.1).
 Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
 derivatives of chains of five masses by complex steps: the equations (17.8) and (17.24) as
 they stand, one number with an imaginary part of 10^-45, 60 digits."""
@@ -77,6 +78,34 @@ for s in (2, 3):
     prove("(23.15) by c", expand(total.diff(c) + h * sum(
         ((V[k] - v0 * ones(s, 1)).T * B * P * T[k])[0] for k in range(STEPS))))
     #< form-d
+    #> mesh
+    # steps of any length: the same, T from the matrix of the reversed mesh
+    H, w = symbols(f"h0:{STEPS}"), [Matrix(symbols(f"w{k}_0:{s}")) for k in range(STEPS)]
+
+    def memory_of(steps):
+        DD = zeros(STEPS * s, STEPS * s)
+        for k, step in enumerate(steps):
+            DD[k * s:(k + 1) * s, k * s:(k + 1) * s] = inverse / step
+            if k:
+                DD[k * s:(k + 1) * s, (k - 1) * s:k * s] = -e1 * es.T / b[0] / step
+        return DD * DD + 3 * DD
+
+    Y, total = memory_of(H) * Matrix.vstack(*V), 0
+    Tall = memory_of(H[::-1]) * Matrix.vstack(*[P * L[k] for k in reversed(range(STEPS))])
+    for k in range(STEPS):
+        before = V[k - 1][s - 1] if k else v0
+        R = (m * (inverse * V[k] - e1 / b[0] * before) + H[k] * c * Y[k * s:(k + 1) * s, 0]
+             + H[k] * G[k] * (x[k] * ones(s, 1) + H[k] * A * V[k]))
+        total += (-(L[k].T * B * R)[0] + (w[k].T * V[k])[0]
+                  + xi[k + 1] * (x[k] + H[k] * (es.T * A * V[k])[0] - x[k + 1]))
+    total = expand(total + Jp * m * V[STEPS - 1][s - 1])
+    for k in range(STEPS):
+        Tk = Tall[(STEPS - 1 - k) * s:(STEPS - k) * s, 0]
+        row = (m * (inverse * P * L[k] - e1 / b[0] * first[k + 1]) + H[k] * c * Tk
+               + H[k] * (H[k] * A * P * G[k] * L[k] - xi[k + 1] * ones(s, 1)) - P * B.inv() * w[k])
+        by_V = Matrix([total.diff(v) for v in V[k]])
+        prove("(23.16) by the velocities of a step", *(by_V + B * P * row).applyfunc(expand))
+    #< mesh
     #> form-m
     # form M: rows e_1 p + m/h K X - h G X - h B c W v, v = D X / h; p by what it becomes
     K = (D.T * B * D).applyfunc(expand)
