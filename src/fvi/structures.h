@@ -44,7 +44,8 @@ typedef struct {
  *   A      output; free it with fvi_sparse_free
  *
  * Entries are summed in the order of the list: of element matrices that are symmetric to
- * the last bit the sum is, too. Cost O(n + count), and for long columns a sort of each.
+ * the last bit the sum is, too. Cost O(n + count), and up to the square of the
+ * length of a column for each: columns are short.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of
  * range; FVI_EDOM if a row or a column is not in 0 ... n - 1, or an entry not finite;
  * FVI_ENOMEM. On error *A is untouched. */

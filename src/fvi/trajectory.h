@@ -207,7 +207,8 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p);
  *   to    output; stop it with fvi_stop
  *
  * Cost: the bytes of the stepper and of its memory are copied; with FVI_MEMORY_FFT the
- * tables of cosines are made anew. No callback is called.
+ * tables of cosines are made anew. No callback is called, but for factorise of matrices,
+ * whose code is then returned.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
  * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
 int fvi_copy(const fvi_stepper *from, fvi_stepper **to);

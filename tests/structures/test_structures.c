@@ -118,6 +118,36 @@ START_TEST(eq_27_1_laws_of_damping_take_matrices)
 }
 END_TEST
 
+/* A fork goes on with the digits of the whole run, all state and factors its own. */
+START_TEST(a_copy_of_a_run_with_matrices_goes_on_alike)
+{
+    const double x0[D] = { 1, 0, -0.5, 0.2, 0, 0.3 }, p0[D] = { 0 };
+    matrices m;
+    diagonal(dampings[0], &m.C);
+    tridiagonal(D, 2, 0.5, &m.M);
+    tridiagonal(D, 4, -2, &m.K);
+    make(&m);
+    for (size_t i = 0; i < LEN(takers); i++) {
+        fvi_stepper *s, *fork;
+        const fvi_run run = run_of(&m.system, 0.3, 0.1, N, x0, p0);
+        OK(fvi_start(takers[i], &run, &s));
+        while (s->k < N / 2)
+            OK(fvi_step(s));
+        OK(fvi_copy(s, &fork));
+        while (s->k < N)
+            OK(fvi_step(s));
+        double x[D];
+        memcpy(x, s->x, sizeof x);
+        fvi_stop(s);
+        while (fork->k < N)
+            OK(fvi_step(fork));
+        ck_assert_int_eq(memcmp(x, fork->x, sizeof x), 0);
+        fvi_stop(fork);
+    }
+    drop(&m);
+}
+END_TEST
+
 /* ---- modes ---- */
 
 /* Each mode of C = rho K + sigma M moves like one oscillator. The bar's modes are sines, on
@@ -303,7 +333,8 @@ int main(void)
     Suite *suite = suite_create("structures");
     ADD_CASE(suite, "no matrices",
              eq_27_1_diagonal_matrices_are_masses_and_dampings,
-             eq_27_1_laws_of_damping_take_matrices);
+             eq_27_1_laws_of_damping_take_matrices,
+             a_copy_of_a_run_with_matrices_goes_on_alike);
     ADD_CASE(suite, "modes", eq_27_5_a_mode_of_the_bar_is_one_oscillator,
              eq_27_8_no_motion_of_fvi_stable_grows,
              eq_27_9_the_load_of_matrices,
