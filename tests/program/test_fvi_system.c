@@ -115,6 +115,8 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
           one, sizeof one);
     ck_assert_ptr_nonnull(strstr(out, "# t\tp3\tp1\tx3\tx1\n"));
     ck_assert_ptr_nonnull(strstr(out, "# solver = band\n"));
+    ck_assert_int_eq(fvi("run --system chain --steps 1 --kappa 1"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# solver = diagonal\n"));
     char path[PATH_MAX + 20];
     snprintf(path, sizeof path, "%s/end.tsv", folder);
     read_file(path, file, sizeof file);
