@@ -42,7 +42,8 @@ extern "C" {
  *         - h rho Delta_-^alpha Delta_-^alpha x_k + h F(t_k) = 0,
  *     p_0 = -D1 L_d(x_0, x_1),
  *
- * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1].
+ * in R^d with diagonal m and rho, any potential, any kappa and alpha in [0, 1]; or with
+ * matrices for m, rho and the Hessian of U (structures.h).
  * Done in momentum form, which is the same equation with less rounding:
  * p_k = -D1 L_d(x_k, x_k + dx) gives dx, then
  *
