@@ -121,6 +121,7 @@ typedef struct {
     double x0, v0;
     fvi_forcing forcing;
     double A, T, w;
+    ...;
 } fvi_linear;
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
 
