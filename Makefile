@@ -355,6 +355,7 @@ workshop-figure: $B/figures/experiments/experiments_alphas.dat | needs
 	$(WORKSHOP) $B figure
 
 $(HELD:%=workshop-%): workshop-%: | needs
+	test -e $B/san/libfvi.a || echo 'building the library with sanitizers, once: a minute or two'
 	$(MAKE) -s B=$B/san CFLAGS='$(SANITIZE)' $B/san/libfvi.a $$($(WORKSHOP) $B tests $* | sed 's|[^ ]*|$B/san/tests/&.o|g')
 	$(WORKSHOP) $B/san chapter $*
 
@@ -367,8 +368,10 @@ exercise-%: $(MEASURED) | needs
 exercises: | needs
 	$(WORKSHOP) $B exercises
 
-test-workshop: $(MEASURED) $B/figures/experiments/experiments_alphas.dat | needs
-	$(MAKE) -s B=$B $$($(WORKSHOP) $B tests | sed 's|[^ ]*|$B/tests/&.o|g')
+# The tests that name the holes: objects of this very run of make, which may be at work on others.
+NAMED := $(shell grep -lE "START_TEST\(($$(sed -nE 's/^named +//p' tests/workshop/holes.txt | paste -sd '|'))\)" tests/*/test_*.c)
+
+test-workshop: $(MEASURED) $B/figures/experiments/experiments_alphas.dat $(patsubst %.c,$B/tests/%.o,$(notdir $(NAMED))) | needs
 	$(WORKSHOP) $B check
 
 test-workshop-accidents: | needs
