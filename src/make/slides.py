@@ -20,7 +20,9 @@ OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FIGURE = re.compile(r"^!\[([^\]]*)\]\(\.\./(figures/[^)]*\.svg)\)$", re.M)
 EQUATION = re.compile(r"^```math\n.*?\\tag\{.*?^```$", re.M | re.S)
-STATEMENT = re.compile(r"^\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b.*?(?=\n\n)", re.M | re.S)
+WORD = r"\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b"
+STATEMENT = re.compile(rf"^{WORD}.*?(?=\n\n)", re.M | re.S)
+QUOTED = re.compile(rf"^> {WORD}.*\n(?:>.*\n)*", re.M)
 ASIDE = re.compile(r"<details>.*?</details>|<!--.*?-->", re.S)
 STYLE = """
 body { margin: 0; font: 1.6rem/1.4 Georgia, "DejaVu Serif", serif; color: #222; background: #fff; }
@@ -68,7 +70,8 @@ def slides(page, known):
     text = ASIDE.sub("", page.read_text())
     front, *sections = re.split(r"^## ", text, flags=re.M)
     title = re.search(r"^# (.*)", front)[1]
-    asked = [p for p in front.partition("\n![")[0].split("\n\n") if "?" in p and not p.startswith("|")]
+    asked = [p for p in front.partition("\n![")[0].split("\n\n")[1:] if not p.startswith(("|", "Play with it"))]
+    asked = [p for p in asked if "?" in p] or asked
     yield f"# {title}\n\n{asked[-1] if asked else ''}"
     for match in FIGURE.finditer(front):  # what is to be seen in it stands below
         words = front[match.end():].strip().partition("\n\n")[0]
@@ -77,13 +80,13 @@ def slides(page, known):
         heading, _, body = section.partition("\n")
         if heading.startswith(("Exercises", "Sources", "Appendix")):
             break
-        found = sorted([m for kind in (STATEMENT, EQUATION, FIGURE) for m in kind.finditer(body)], key=lambda m: m.start())
+        found = sorted([m for kind in (STATEMENT, QUOTED, EQUATION, FIGURE) for m in kind.finditer(body)], key=lambda m: m.start())
         waiting = []
         for match in found:
             if match.re is FIGURE:
                 yield f"## {heading}\n\n" + picture(match, known)
                 continue
-            waiting.append(match[0])
+            waiting.append(re.sub(r"^> ?", "", match[0], flags=re.M).strip())
             if len(waiting) == 2:
                 yield f"## {heading}\n\n" + "\n\n".join(waiting)
                 waiting = []
