@@ -70,9 +70,9 @@ def slides(page, known):
     text = ASIDE.sub("", page.read_text())
     front, *sections = re.split(r"^## ", text, flags=re.M)
     title = re.search(r"^# (.*)", front)[1]
-    asked = [p for p in front.partition("\n![")[0].split("\n\n")[1:] if not p.startswith(("|", "Play with it"))]
+    asked = [p for p in front.split("\n\n")[1:] if not p.startswith(("|", "Play with it", "![", "```"))]
     asked = [p for p in asked if "?" in p] or asked
-    yield f"# {title}\n\n{asked[-1] if asked else ''}"
+    yield f"# {title}\n\n{asked[0]}"
     for match in FIGURE.finditer(front):  # what is to be seen in it stands below
         words = front[match.end():].strip().partition("\n\n")[0]
         yield f"## {title}\n\n{picture(match, {pathlib.Path(match[2]).stem: ''})}\n\n{words}"

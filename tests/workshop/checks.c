@@ -238,7 +238,7 @@ END_TEST
 
 /* ---- chapter 9 ---- */
 
-START_TEST(eq_9_4_three_steps_by_hand)
+START_TEST(eq_9_4_a_run_by_hand)
 {
     NEED(alpha), NEED(integrate);
     problem s = paper;
@@ -373,8 +373,8 @@ int main(void)
              eq_7_3_half_a_derivative_twice);
     ADD_CASE(suite, "4", eq_7_9_at_one_half_it_is_linear_damping);
     ADD_CASE(suite, "5", eq_8_9_the_mass_it_moves);
-    ADD_CASE(suite, "6", eq_9_4_three_steps_by_hand,
-             eq_9_5_the_kick_costs_the_order, eq_9_6_caputo_restores_it);
+    ADD_CASE(suite, "6", eq_9_4_a_run_by_hand, eq_9_5_the_kick_costs_the_order,
+             eq_9_6_caputo_restores_it);
     ADD_CASE(suite, "8", eq_12_6_exponentials_are_the_direct_sum,
              eq_12_6_two_hundred_thousand_steps);
     ADD_CASE(suite, "9", eq_13_8_order_two);
