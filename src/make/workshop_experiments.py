@@ -294,9 +294,12 @@ def swing_up():
 def slopes_of_tails():
     found = []
     for block in blocks("damping_laws/damping_laws_motion"):
-        late = [(math.log(t), math.log(abs(x))) for t, x in block if 200 <= t <= 1000 and x]
-        found.append((late[-1][1] - late[0][1]) / (late[-1][0] - late[0][0]))
-    return [(found[0],) * 2, (found[1],) * 2]
+        slopes = []
+        for first, last in ((200, 1000), (200, 450), (450, 1000)):
+            late = [(math.log(t), math.log(abs(x))) for t, x in block if first <= t <= last and x]
+            slopes.append((late[-1][1] - late[0][1]) / (late[-1][0] - late[0][0]))
+        found.append(span(slopes))
+    return found[:2]
 
 
 EXPERIMENTS = {
