@@ -26,6 +26,8 @@ export async function open() {
     if (method === "Log.entryAdded") complaints.push(`log: ${params.entry.text}`);
     if (method === "Network.requestWillBeSent" && !/^(file|data):/.test(params.request.url))
       complaints.push(`request: ${params.request.url}`);
+    if (method === "Inspector.targetCrashed") // nobody would answer
+      for (const { reject } of waiting.values()) reject(new Error("the page crashed"));
     if (method === "Page.loadEventFired") loaded.splice(0).forEach(resolve => resolve());
   }
   from.on("data", bytes => {
@@ -44,7 +46,7 @@ export async function open() {
   const { targetInfos } = await call("Target.getTargets");
   const targetId = targetInfos.find(target => target.type === "page").targetId;
   session = (await call("Target.attachToTarget", { targetId, flatten: true })).sessionId;
-  for (const domain of ["Page", "Runtime", "Log", "Network"]) await call(`${domain}.enable`);
+  for (const domain of ["Page", "Runtime", "Log", "Network", "Inspector"]) await call(`${domain}.enable`);
   await call("Emulation.setFocusEmulationEnabled", { enabled: true }); // as if its window were in front
 
   return {
