@@ -93,15 +93,6 @@ static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
     int status = s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
     if (status)
         return status;
-    for (size_t j = 0; o->band && j < o->d; j++) {
-        left_of(o, j, o->delta + j * FVI_LANES);
-        o->hessian[j] = o->of_kind[o->kind[j]].spring;
-    }
-    if (o->band) {
-        factorise(o);
-        fvi_adaptive_band_solve(o->band, o->delta);
-        return FVI_SUCCESS;
-    }
     for (size_t j = 0; j < o->d; j++) {
         double left[FVI_LANES];
         left_of(o, j, left);
@@ -316,10 +307,27 @@ static void predict(fvi_adaptive_run *o)
 }
 //< predict
 
+/* A quadratic U by the factors; of eight stages these are right to 12 digits only, and what
+ * is left is solved for again. */
+static int solve_by_pairs(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    int status = FVI_SUCCESS;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    for (size_t j = 0; j < o->d; j++)
+        o->hessian[j] = o->of_kind[o->kind[j]].spring;
+    factorise(o);
+    for (size_t i = 6; !status && i <= o->rule->s; i += 2) {
+        status = look(s, o);
+        if (!status)
+            correct_band(o);
+    }
+    return status;
+}
+
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
 {
     if (o->solve == FVI_SOLVE_LINEAR)
-        return solve_linear(s, o);
+        return o->band ? solve_by_pairs(s, o) : solve_linear(s, o);
     predict(o);
     if (o->solve == FVI_SOLVE_TOGETHER)
         return solve_coupled(s, o);

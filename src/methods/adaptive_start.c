@@ -21,15 +21,13 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
     if (h == o->length.h)
         return FVI_SUCCESS;
     const double power = pow(h, 1 - o->beta);
-    /* who asks for L, who for the inverse */
-    const int L = o->solve != FVI_SOLVE_LINEAR || !o->band,
-              inverse = o->solve == FVI_SOLVE_TOGETHER
-                        || (L && !o->band && o->solve != FVI_SOLVE_DIAGONAL);
+    const int inverse = o->solve == FVI_SOLVE_TOGETHER /* who asks for it? */
+                        || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
     o->length.h = 0; /* until all of them are there */
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_kind *kind = &o->of_kind[n];
         kind->drag = o->beta == 1 ? 0 : kind->damping * power;
-        for (size_t l = 0; l < s && L; l++)
+        for (size_t l = 0; l < s; l++)
             for (size_t i = 0; i < FVI_LANES; i++)
                 kind->L.column[l][i] =
                     kind->mass * o->rule->inverse.column[l][i]
@@ -228,8 +226,8 @@ int fvi_adaptive_start(fvi_stepper *s)
     if (!status) {
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);
-        if (o->solve == FVI_SOLVE_LINEAR && (o->wish < 1e-9 || o->kinds < d))
-            o->diagonals = 0; /* the inverse is more exact; and many share it */
+        if (o->solve == FVI_SOLVE_LINEAR && o->kinds < d)
+            o->diagonals = 0; /* many share an inverse */
         status = fvi_adaptive_allocate(o);
     }
     if (!status) {
