@@ -168,7 +168,7 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
         if (by_steps || !tunes)
             error = point(&o, N, 0, &seconds);
         /* tolerances about the error; at first all, as some go by them alone */
-        const double most = first ? 0.1 : fmin(0.1, 30 * error),
+        const double most = first ? sqrt(0.1) : fmin(0.1, 30 * error),
                      lowest = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
         if (tunes && (error < 1 || !by_steps)
             && seconds < p->seconds / (first ? 1 : 4))
