@@ -61,7 +61,7 @@ typedef struct {
     size_t kinds, *kind; /* how many; which of them has each coordinate */
     fvi_kind *of_kind;
     fvi_length length; /* of the steps for which their matrices are */
-    double coupled;    /* and s->newton, if there is one */
+    double coupled; /* and s->newton, if there is one, or the factors of a quadratic U */
     /* the past */
     fvi_modes *modes;      /* NULL: none is needed */
     size_t damped, *index; /* the coordinates that have modes */

@@ -313,9 +313,11 @@ static int solve_by_pairs(fvi_stepper *s, fvi_adaptive_run *o)
 {
     int status = FVI_SUCCESS;
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
-    for (size_t j = 0; j < o->d; j++)
+    for (size_t j = 0; j < o->d && o->coupled != o->length.h; j++)
         o->hessian[j] = o->of_kind[o->kind[j]].spring;
-    factorise(o);
+    if (o->coupled != o->length.h)
+        factorise(o);
+    o->coupled = o->length.h;
     for (size_t i = 6; !status && i <= o->rule->s; i += 2) {
         status = look(s, o);
         if (!status)

@@ -84,6 +84,7 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     o->jacobian = NULL;
     o->band = NULL;
     o->y = NULL;
+    o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
     int status = fvi_adaptive_allocate(o);
     if (status)
         return status;

@@ -1,5 +1,5 @@
 /* tests/variable_steps/test_variable_steps_use.c -- Chapter 22: many masses, jumps that
- * nobody declared, the life of a stepper, a wanted error.
+ * nobody declared, a wanted error.
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
@@ -257,167 +257,6 @@ START_TEST(a_jump_that_is_not_declared_is_found)
 END_TEST
 //< undeclared
 
-/* ---- the life of a stepper ---- */
-
-/* A visitor that keeps the pieces, or gives them back. */
-typedef struct {
-    fvi_visitor visitor;
-    size_t at;
-} shelf;
-static unsigned char pieces[1 << 16];
-static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    (void)constant;
-    ck_assert(bytes <= sizeof pieces - s->at);
-    memcpy(pieces + s->at, data, bytes);
-    s->at += bytes;
-    return 0;
-}
-static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
-{
-    shelf *s = (shelf *)v;
-    if (constant && memcmp(pieces + s->at, data, bytes) != 0)
-        return -7;
-    if (!constant)
-        memcpy(data, pieces + s->at, bytes);
-    s->at += bytes;
-    return 0;
-}
-
-/* A copy, a run that was saved, and one begun anew go on with the same digits; rows may be
- * had at any time that is not before the last step. */
-START_TEST(a_copy_goes_on_with_the_same_digits)
-{
-    const double jumps[] = { 3.3, 1.1, 99 };
-    for (size_t way = 0; way < 4; way++) {
-        fvi_system system = { D,
-                              mass,
-                              rho,
-                              way % 3 == 0 ? fvi_potential_chain(cg)
-                              : way == 1   ? fvi_potential_duffing(cg)
-                                           : fvi_potential_harmonic(cg),
-                              fvi_force_cosine(cg),
-                              NULL };
-        system.force.jumps = jumps;
-        system.force.jump_count = LEN(jumps);
-        fvi_run run = run_of(&system, 1e-9);
-        run.alpha = way == 2 ? 0.75 : 0.3;
-        fvi_stepper *s, *copy, *again;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        double last = -1;
-        int met = 0;
-        while (s->t < 1e-3) {
-            ck_assert_int_eq(fvi_step(s), 0);
-            ck_assert(s->t > last);
-            last = s->t;
-        }
-        if (way == 0) {
-            fvi_adaptive_run *o = s->own;
-            o->solve = FVI_SOLVE_TOGETHER;
-            o->length.h = 0; /* other matrices */
-        }
-        ck_assert_int_eq(fvi_step(s), 0);
-        while (s->t < 0.3 * (double)way)
-            ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_copy(s, &copy), 0);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &again), 0);
-        shelf saved = { .visitor = { save } }, read = { .visitor = { load } };
-        ck_assert_int_eq(fvi_visit(s, &saved.visitor), 0);
-        ck_assert_int_eq(fvi_visit(again, &read.visitor), 0);
-        ck_assert(read.at == saved.at && again->t == s->t);
-        while (s->k < N) {
-            ck_assert_int_eq(fvi_step(s), 0);
-            ck_assert_int_eq(fvi_step(copy), 0);
-            ck_assert_int_eq(fvi_step(again), 0);
-            ck_assert(s->t == again->t
-                      && memcmp(s->x, again->x, 2 * D * sizeof *x) == 0);
-            ck_assert(s->t == copy->t && s->k == copy->k);
-            ck_assert(s->k == N || (double)(s->k + 1) * run.h > s->t);
-            ck_assert((double)s->k * run.h <= s->t);
-            ck_assert(memcmp(s->x, copy->x, D * sizeof *x) == 0
-                      && memcmp(s->p, copy->p, D * sizeof *x) == 0);
-            met += s->t == 3.3 || s->t == 1.1;
-        }
-        ck_assert(met == 2 && s->t == N * run.h);
-        ck_assert_int_eq(fvi_step(s), FVI_EINVAL);
-        memcpy(x, s->x, D * sizeof *x);
-        const fvi_adaptive_run *o = s->own;
-        double middle = (o->t0 + s->t) / 2;
-        ck_assert_int_eq(fvi_run_to(s, middle, y, NULL), 0);
-        ck_assert_int_eq(fvi_run_to(copy, middle, NULL, p), 0);
-        ck_assert_int_eq(fvi_run_to(copy, s->t, y, NULL), 0);
-        ck_assert(memcmp(x, y, D * sizeof *x) == 0);
-        ck_assert_int_eq(fvi_run_to(s, o->t0 * 0.999, y, NULL), FVI_EDOM);
-        ck_assert_int_eq(fvi_run_to(s, s->t * 1.001, y, NULL), FVI_EDOM);
-        ck_assert_int_eq(fvi_run_to(NULL, 1, y, NULL), FVI_EFAULT);
-        fvi_stop(copy);
-        fvi_stop(again);
-        if (way > 0) {
-            ck_assert_int_eq(fvi_reset(s), 0);
-            ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
-            ck_assert(memcmp(x, y, D * sizeof *x) == 0);
-        }
-        fvi_stop(s);
-    }
-}
-END_TEST
-
-/* fvi_run_to knows the rows of methods that step by h, and no other times. */
-START_TEST(uniform_methods_have_rows_only)
-{
-    const fvi_system system = { D,     mass, rho, fvi_potential_harmonic(cg),
-                                { 0 }, NULL };
-    const fvi_run run = run_of(&system, 0);
-    fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 7 * run.h, x, p), 0);
-    ck_assert(s->k == 7 && memcmp(x, s->x, D * sizeof *x) == 0
-              && memcmp(p, s->p, D * sizeof *x) == 0);
-    ck_assert_int_eq(fvi_run_to(s, 7.5 * run.h, x, p), FVI_EDOM);
-    ck_assert_int_eq(fvi_run_to(s, 2 * run.h, x, p), FVI_EDOM);
-    fvi_adaptive_counts counts;
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), FVI_EINVAL);
-    ck_assert_int_eq(fvi_adaptive_look(NULL, &counts), FVI_EFAULT);
-    fvi_stop(s);
-}
-END_TEST
-
-/* What a callback returns comes back; what is never finite ends the run. */
-static int moods, mood;
-static int moody(double t, size_t d, void *params, double *F)
-{
-    (void)t, (void)params;
-    for (size_t i = 0; i < d; i++)
-        F[i] = mood ? GSL_NAN : 1;
-    return ++moods > 200 && !mood ? -77 : 0;
-}
-
-START_TEST(what_callbacks_say_comes_back)
-{
-    fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }, NULL
-    };
-    const fvi_run run = fvi_run_default(&system, &one, &one, 1, 100);
-    for (mood = 0; mood < 2; mood++) {
-        fvi_stepper *s;
-        int status = 0;
-        moods = 0;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        while (s->k < run.steps && !status)
-            status = fvi_step(s);
-        ck_assert_int_eq(status, mood ? FVI_EOVRFLW : -77);
-        fvi_stop(s);
-    }
-    fvi_run wrong = run;
-    fvi_stepper *s;
-    wrong.step_error = -1;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
-    wrong.step_error = GSL_NAN;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
-}
-END_TEST
-
 /* ---- a wanted error ---- */
 
 //> promise
@@ -482,8 +321,6 @@ int main(void)
              steps_too_long_to_be_solved_are_rare,
              stiff_chains_keep_their_energy, masses_alone_and_together);
     ADD_CASE(suite, "jumps", a_jump_that_is_not_declared_is_found);
-    ADD_CASE(suite, "stepper", a_copy_goes_on_with_the_same_digits,
-             uniform_methods_have_rows_only, what_callbacks_say_comes_back);
     ADD_CASE(suite, "error", a_wanted_error_is_had_or_refused,
              a_search_checks_and_ends);
     return run_suite(suite);
