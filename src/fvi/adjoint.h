@@ -72,7 +72,8 @@ typedef struct {
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
  *          steps. By alpha there is none, and where the past pulls the start, (19.3), none
  *          at all. force: the force changes along straight lines between t_k and t_{k+1}
- *   rho    a damping that is zero has a derivative too, at the cost of its memory
+ *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
+ *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
  * always one, s - 1 times as large, in form D s times), and no iteration. Measured,

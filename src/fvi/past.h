@@ -37,6 +37,9 @@ int fvi_past_has_solution(fvi_past past, double alpha, double rho, double x0);
  * that has a solution. */
 double fvi_past_amplitude(fvi_past past, double alpha, double x0, double v0);
 
+/* fvi_past_pulls -- 1 if A of (19.3) is not zero, but for starts at rest or at 0. */
+int fvi_past_pulls(fvi_past past, double alpha);
+
 /* fvi_past_pull -- the impulses of the pull, to be prepared once a run. */
 enum { FVI_PAST_NODES = 8 };
 typedef struct {

@@ -14,8 +14,7 @@ static int is_pulled(const fvi_run *run)
     int is_damped = 0;
     for (size_t i = 0; i < run->system->d; i++)
         is_damped |= run->system->damping[i] > 0;
-    return is_damped && run->past != FVI_PAST_CAPUTO && run->alpha != 0.5
-           && !(run->past == FVI_PAST_HELD && run->alpha < 0.5);
+    return is_damped && fvi_past_pulls(run->past, run->alpha);
 }
 
 static int grow(fvi_mesh_path *m)

@@ -175,9 +175,8 @@ int fvi_mirror_start(const fvi_method *method, const fvi_run *run,
         return status;
     start_terms(m);
     memcpy(m->lambda, Jp, m->d * sizeof *Jp);
-    m->is_pulled = !printed && m->memory && !run->law && run->alpha != 0.5
-                   && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
-                       || (run->past == FVI_PAST_HELD && run->alpha > 0.5));
+    m->is_pulled = !printed && m->memory && !run->law
+                   && fvi_past_pulls(run->past, run->alpha);
     if (m->is_pulled)
         fvi_past_prepare(run->alpha, 2, ends, &m->fading);
     return FVI_SUCCESS;

@@ -92,9 +92,7 @@ int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
         m->Lambda[j * s] = Jp[j] * mass / m->mass[j];
         m->last[j] = Jp[j] * p[j];
     }
-    m->is_pulled = m->is_damped && run->alpha != 0.5
-                   && (run->past == FVI_PAST_RIEMANN_LIOUVILLE
-                       || (run->past == FVI_PAST_HELD && run->alpha > 0.5));
+    m->is_pulled = m->is_damped && fvi_past_pulls(run->past, run->alpha);
     if (m->is_pulled)
         fvi_past_prepare(run->alpha, m->s, m->rule->c, &m->fading);
     return FVI_SUCCESS;

@@ -23,6 +23,11 @@ double fvi_past_amplitude(fvi_past past, double alpha, double x0, double v0)
 }
 //< amplitude
 
+int fvi_past_pulls(fvi_past past, double alpha)
+{
+    return fvi_past_amplitude(past, alpha, 1, 1) != 0;
+}
+
 /* l_i as a polynomial in s - origin: a product of (s - c_j) / (c_i - c_j). */
 static void lagrange(size_t n, const double *c, size_t i, double origin,
                      double *l)

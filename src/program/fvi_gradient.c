@@ -65,8 +65,7 @@ static int is_pulled(const fvi_options *o)
     int is_damped = 0;
     for (size_t i = 0; i < o->d; i++)
         is_damped |= o->rho[i] > 0;
-    return is_damped && o->past != FVI_PAST_CAPUTO && o->alpha != 0.5
-           && !(o->past == FVI_PAST_HELD && o->alpha < 0.5);
+    return is_damped && fvi_past_pulls(o->past, o->alpha);
 }
 
 static int interpret(request *r, fvi_complaint c)

@@ -47,6 +47,7 @@ static const struct {
     { FVI_PAST_CAPUTO, 0.3, 1 },  { FVI_PAST_CAPUTO, 0.7, 1 },
     { FVI_PAST_CAPUTO, 0.95, 1 }, { FVI_PAST_CAPUTO, 1, 1 },
     { FVI_PAST_HELD, 0.5, 0 },    { FVI_PAST_RIEMANN_LIOUVILLE, 0.5, 1 },
+    { FVI_PAST_CAPUTO, 0.7, 0 },  { FVI_PAST_HELD, 0.2, 0 },
 };
 
 /* J = x_N,1 + p_N,2 */
