@@ -7,6 +7,7 @@
   (26.7)  the weights of a Maxwell element are geometric sequences;
   (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
   (26.9)  motions of an oscillator, by inversion of its Laplace transform;
+  (26.12) weights on two and three Lobatto nodes, by the cut and by Cauchy's integral;
   (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
 
 Inputs are the doubles they are."""
@@ -212,6 +213,42 @@ def zeros(law, m, c):
     turned = sum(mpmath.arg(b / a) for a, b in zip(values, values[1:]))
     return int(mpmath.nint(turned / (2 * mpmath.pi))) + poles
 #< zeros
+
+
+#> stages
+def stages(law, s, n, h):
+    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
+    b, D = {2: ([mpf(1) / 2] * 2, [[-1, 1], [-1, 1]]),
+            3: ([mpf(1) / 6, mpf(2) / 3, mpf(1) / 6], [[-3, 4, -1], [-1, 0, 1], [1, -4, 3]])}[s]
+    A_inverse = mpmath.matrix(D)
+    A_inverse[0, 0] += 1 / b[0]
+
+    def weight_of(z):
+        Delta = A_inverse.copy()
+        Delta[0, s - 1] -= z / b[0]
+        values, left = mpmath.eig(Delta / h)
+        return left * mpmath.diag([symbol(law, v) / v for v in values]) * left**-1
+
+    points = 120 + n
+    circle = [2 * mpmath.expj(2 * mpmath.pi * j / points) / 5 for j in range(points)]
+    cauchy = sum((weight_of(z) * z**-n for z in circle), mpmath.zeros(s)) / points
+
+    def along(ln_mu):
+        mu = mpmath.exp(ln_mu)
+        a = mpmath.lu_solve(A_inverse + mu * mpmath.eye(s), mpmath.matrix([1 / b[0]] + [0] * (s - 1)))
+        r = 1 - mu * sum(x * y for x, y in zip(b, a))
+        C = symbol(law, mpc(-mu / h, mpf(10)**-40)).imag
+        return h / mpmath.pi * C * r**(n - 1) * a * mpmath.matrix([b[j] * a[s - 1 - j] for j in range(s)]).T
+    step = mpf(1) / 8
+    cut = step * sum((along(k * step) for k in range(-700, 200)), mpmath.zeros(s))
+    return mpmath.mnorm(cauchy - cut) / mpmath.mnorm(cauchy)
+#< stages
+
+
+mp.dps = 25
+for law in (LAWS[0], LAWS[2]):
+    claim("(26.12)", all(stages(law, s, n, mpf(1) / 8) < mpf(10)**-20 for s, n in ((2, 4), (3, 9))))
+mp.dps = 40
 
 
 def nearest(x):

@@ -64,6 +64,9 @@ extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
  *     V = DD X,   Y = DD^beta (V - [beta > 0] p_0/m),   DD = Delta / h,
  *     x_{k+1} = X_s,   p_{k+1} = m V_s:
  *
+ * or C(DD) (X - x_0) of a law (26.12), of orders up to 1 and without fractions of
+ * 0.9 < 2 alpha < 1 (else FVI_EUNSUP).
+ *
  * Lobatto IIIC, with its own quadrature for the damping. Systems, pasts, forces, memory,
  * tolerance and errors as above, and FVI_ESING if the matrix of a step is singular.
  *

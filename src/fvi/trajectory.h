@@ -168,7 +168,7 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
- * of a law is not FVI_PAST_HELD; what fvi_law_memory returns; FVI_ENOMEM; FVI_ESING if a constant
+ * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law that stages do not take; FVI_ENOMEM; FVI_ESING if a constant
  * matrix is singular; what the potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);

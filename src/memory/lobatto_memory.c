@@ -2,6 +2,7 @@
  *                                                               [Chapter 17] */
 #include "lobatto_memory.h"
 
+#include "lobatto_law.h"
 #include "memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
@@ -176,6 +177,40 @@ int fvi_lobatto_memory_alloc_rate(size_t s, double beta, size_t d, size_t steps,
                                   fvi_lobatto_memory **memory)
 {
     return allocate(s, beta, d, steps, kind, 1, tolerance, memory);
+}
+
+int fvi_lobatto_memory_of_law(size_t s, const fvi_law *law, double h, size_t d,
+                              size_t steps, fvi_memory_kind kind,
+                              double tolerance, fvi_lobatto_memory **memory)
+{
+    int status = check(s, -0.5, d, steps, kind, 0, tolerance);
+    fvi_lobatto_law ready;
+    if (!status)
+        status = fvi_lobatto_law_of(law, h, &ready);
+    if (status)
+        return status;
+    const double N = (double)steps + 1, keep = kept(tolerance);
+    const int direct = is_direct(-0.5, steps, kind, 0);
+    const size_t Q = direct ? 0
+                            : padded(fvi_lobatto_law_nodes(s, &ready, N, keep,
+                                                           NULL, NULL, NULL, 0));
+    fvi_lobatto_memory *m = make((fvi_lobatto_memory){
+        .s = s, .d = d, .steps = steps,
+        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS, .Q = Q });
+    if (m && Q > 0)
+        fvi_lobatto_law_nodes(s, &ready, N, keep, m->q, m->p, m->a, Q);
+    for (size_t j = 0; m && j < Q; j++) /* as above */
+        for (size_t l = 0; l < FVI_LAGS; l++)
+            m->q[j] -= m->p[j] * m->q[j];
+    status = m ? fvi_lobatto_law_weights(s, &ready, m->lags + 1, m->W)
+               : FVI_ENOMEM;
+    fvi_lobatto_law_free(&ready);
+    if (status) {
+        fvi_lobatto_memory_free(m);
+        FVI_FAIL("no memory for the history", status);
+    }
+    *memory = m;
+    return FVI_SUCCESS;
 }
 
 int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,

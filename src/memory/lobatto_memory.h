@@ -3,6 +3,7 @@
 #ifndef FVI_LOBATTO_MEMORY_H
 #define FVI_LOBATTO_MEMORY_H
 
+#include <fvi/damping_laws.h>
 #include <fvi/memory.h>
 #include <fvi/visit.h>
 #include "lobatto_weights.h"
@@ -40,6 +41,13 @@ int fvi_lobatto_memory_alloc(size_t s, double beta, size_t d, size_t steps,
 int fvi_lobatto_memory_alloc_rate(size_t s, double beta, size_t d, size_t steps,
                                   fvi_memory_kind kind, double tolerance,
                                   fvi_lobatto_memory **memory);
+
+/* fvi_lobatto_memory_of_law -- as fvi_lobatto_memory_alloc for a law, with the W_n of (26.12);
+ * the step size IS included. The law has passed fvi_law_check. Errors also those of
+ * fvi_lobatto_law_of. */
+int fvi_lobatto_memory_of_law(size_t s, const fvi_law *law, double h, size_t d,
+                              size_t steps, fvi_memory_kind kind,
+                              double tolerance, fvi_lobatto_memory **memory);
 
 /* fvi_lobatto_memory_bytes -- what fvi_lobatto_memory_alloc will take from the heap
  * and keep. Arguments as there. A double, because it may be more than can be

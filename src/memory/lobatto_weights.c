@@ -110,6 +110,18 @@ static series root(size_t s, series *x)
 }
 //< root
 
+/* Delta(z) */
+static series delta(size_t s)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    series x = { 0 };
+    for (size_t i = 0; i < s; i++)
+        memcpy(x.w[0][i], rule->D[i], s * sizeof(double));
+    x.w[0][0][0] += 1 / rule->b[0];     /* (17.3) */
+    x.w[1][0][s - 1] = -1 / rule->b[0]; /* (17.5) */
+    return x;
+}
+
 /* Delta^(1/2^k) = 1 + E */
 typedef struct {
     series E;
@@ -120,14 +132,9 @@ typedef struct {
 /* Roots of Delta until E is small. */
 static deep_root make_root(size_t s)
 {
-    const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const series one = identity(s);
-    series x = { 0 };
+    series x = delta(s);
     deep_root r = { .k = 0 };
-    for (size_t i = 0; i < s; i++)
-        memcpy(x.w[0][i], rule->D[i], s * sizeof(double));
-    x.w[0][0][0] += 1 / rule->b[0];     /* (17.3) */
-    x.w[1][0][s - 1] = -1 / rule->b[0]; /* (17.5) */
     for (; combine(s, 1, &x, -1, &one, &r.E), norm(s, &r.E) > 0.25; r.k++)
         x = root(s, &x);
     return r;
@@ -177,6 +184,27 @@ static series near(size_t s, double beta, series *rate)
 }
 //< near
 
+//> fraction
+/* (Delta/h)^(2 alpha - 1) (1 + T (Delta/h)^(2 alpha))^(-1): all of these commute. */
+void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
+                      double *W)
+{
+    const series one = identity(s);
+    series top = near(s, 2 * alpha - 1, NULL), bottom = delta(s);
+    combine(s, pow(h, 1 - 2 * alpha), &top, 0, &one, &top);
+    if (T > 0) {
+        bottom = multiply(s, &bottom, &top);
+        combine(s, T / h, &bottom, 1, &one, &bottom);
+        bottom = invert(s, &bottom);
+        top = multiply(s, &top, &bottom);
+    }
+    for (size_t n = 0; n < TERMS; n++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t j = 0; j < s; j++)
+                *W++ += rho * top.w[n][i][j];
+}
+//< fraction
+
 /* ---- the rank-one integral ---- */
 
 /* (mu + A^(-1)) a = e_1 / b_1. */
@@ -199,6 +227,18 @@ static void node(size_t s, double mu, double *a)
     gsl_vector_view v = gsl_vector_view_array(a, s);
     gsl_linalg_LU_decomp(&M.matrix, &permutation, &sign);
     gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
+}
+
+void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
+{
+    const double *b = fvi_lobatto(s)->b;
+    double vector[FVI_STAGES];
+    node(s, mu, vector);
+    *p = 0;
+    for (size_t i = 0; i < s; i++) {
+        a[i * stride] = vector[i];
+        *p += mu * b[i] * vector[i]; /* 1 - r(-mu), to all digits */
+    }
 }
 
 //> tail
@@ -256,7 +296,7 @@ static size_t make_nodes(size_t s, double beta, double N, double tolerance,
     const double slope = step * cos(M_PI * e0);
     double low = 0;
     for (size_t j = 0; q && j < Q; j++) {
-        double mu = exp(first + ((double)j - 1) * step), vector[FVI_STAGES];
+        double mu = exp(first + ((double)j - 1) * step);
         q[j] = factor * pow(mu, e0);
         if (rated)
             rate[j] = pow(mu, e0) * (slope + factor * log(mu));
@@ -267,12 +307,7 @@ static size_t make_nodes(size_t s, double beta, double N, double tolerance,
             q[j] = beta == -1 ? 1 : factor * S0;
             low = mu = beta == -1 ? 0 : S1 / S0;
         }
-        node(s, mu, vector);
-        p[j] = 0;
-        for (size_t i = 0; i < s; i++) {
-            a[i * stride + j] = vector[i];
-            p[j] += mu * b[i] * vector[i]; /* 1 - r(-mu), to all digits */
-        }
+        fvi_lobatto_node(s, mu, &p[j], a + j, stride);
     }
     if (q && rated)
         tail_rates(e0, step, exp(first), low, factor, slope, q, rate);
@@ -310,6 +345,17 @@ static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
                 sum += q[j] * x[j] * y[j];
             W[i * s + l] = b[l] * sum;
         }
+}
+
+void fvi_lobatto_far(size_t s, size_t Q, double *q, const double *p,
+                     const double *a, size_t n, double *W)
+{
+    for (size_t k = 2; k < n; k++) {
+        for (size_t j = 0; j < Q; j++)
+            q[j] -= p[j] * q[j];
+        if (k >= TERMS)
+            sum_nodes(s, Q, q, a, W + k * s * s);
+    }
 }
 
 /* Matrix k, from the series if it is there. */

@@ -73,4 +73,18 @@ size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
                               double *q, double *rate, double *p, double *a,
                               size_t stride);
 
+/* ---- for lobatto_law.c: nothing is checked ---- */
+
+/* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of rho s^(2 alpha - 1) /
+ * (1 + T s^(2 alpha)) at Delta(z)/h. The step size IS included. */
+void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
+                      double *W);
+
+/* fvi_lobatto_node -- p and a of one node mu >= 0: that of (mu + Delta)^(-1) has q = 1. */
+void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride);
+
+/* fvi_lobatto_far -- W_n for FVI_LAGS < n < N from nodes with a stride of Q; q changes. */
+void fvi_lobatto_far(size_t s, size_t Q, double *q, const double *p,
+                     const double *a, size_t N, double *W);
+
 #endif

@@ -89,9 +89,11 @@ double fvi_lobatto_finer(const fvi_run *run)
 {
     const fvi_system *system = run->system;
     const double beta = 2 * run->alpha - 1, T = run->h * (double)run->steps,
-                 Y = pow(beta > 0 ? run->h : T, -beta),
                  wish = run->tolerance > 0 ? run->tolerance : 1e-13;
+    double Y = pow(beta > 0 ? run->h : T, -beta);
     double worst = 1;
+    if (run->law) /* C(s)/s at s = 1/T: what a velocity of 1 makes */
+        Y = T * fvi_law_symbol(run->law, 1 / T);
     for (size_t j = 0; j < system->d; j++)
         worst = fmax(worst, T * system->damping[j] * Y / system->mass[j]);
     return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
@@ -101,16 +103,21 @@ double fvi_lobatto_finer(const fvi_run *run)
 /* W_0 and the memory for the order beta = 2 alpha - 1; W = 0 if none is damped. */
 static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    const double beta = 2 * s->run.alpha - 1;
-    o->scale = pow(s->run.h, -beta);
-    if (o->damped == 0 || beta == 0) {
+    const fvi_run *run = &s->run;
+    const double beta = 2 * run->alpha - 1;
+    o->scale = run->law ? 1 : pow(run->h, -beta);
+    if (o->damped == 0 || (!run->law && beta == 0)) {
         for (size_t i = 0; i < o->s; i++)
             o->W[i][i] = o->damped > 0;
         return FVI_SUCCESS;
     }
+    const double keep = fvi_lobatto_finer(run);
     int status =
-        fvi_lobatto_memory_alloc(o->s, beta, o->damped, s->run.steps,
-                                 s->run.memory, fvi_lobatto_finer(&s->run), &o->memory);
+        run->law ? fvi_lobatto_memory_of_law(o->s, run->law, run->h, o->damped,
+                                             run->steps, run->memory, keep,
+                                             &o->memory)
+                 : fvi_lobatto_memory_alloc(o->s, beta, o->damped, run->steps,
+                                            run->memory, keep, &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
@@ -125,6 +132,8 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     if (status)
         return status;
     fvi_lobatto_stages *o = s->own;
+    if (s->run.law) /* its orders are 2 alpha <= 1 */
+        s->run.alpha = 0.5;
     for (size_t j = 0; j < o->d; j++) {
         const double m = system->mass[j], rho = system->damping[j];
         o->share[j] = s->run.alpha == 1 ? m / (m + rho) : 1; /* (17.17) */
@@ -195,6 +204,7 @@ static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
         .damped_inertia = damped,                                              \
         .scheme = FVI_SCHEME_STAGES,                                           \
         .alpha_most = 1,                                                       \
+        .takes_laws = damped,                                                  \
         .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
         .implicit = is_implicit,                                               \
         .load = its_load,                                                      \

@@ -51,7 +51,11 @@ static double run_bytes(const fvi_options *o)
         return bytes;
     if (s > 0)
         return bytes
-               + fvi_lobatto_memory_bytes(s, 2 * o->alpha - 1, d, o->steps,
+               + fvi_lobatto_memory_bytes(s,
+                                          o->laws.law.count > 0
+                                              ? -0.5
+                                              : 2 * o->alpha - 1,
+                                          d, o->steps,
                                           o->memory, o->tolerance);
     const double order = o->laws.law.count > 0 ? 0.5 : 2 * o->alpha;
     return bytes

@@ -61,6 +61,20 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return status;
 }
 
+/* On stages a law has orders up to 1, and no fraction with poles near its cut. */
+static int is_for_stages(const fvi_law *law)
+{
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_law_term *t = &law->term[i];
+        const double last = t->kind == FVI_LAW_DISTRIBUTED ? t->end : t->alpha;
+        if (last > 0.5
+            || (t->kind == FVI_LAW_ZENER && t->time > 0 && last > 0.45
+                && last < 0.5))
+            return 0;
+    }
+    return 1;
+}
+
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_complaint c)
 {
@@ -70,6 +84,11 @@ static int check_method(const fvi_options *o, fvi_complaint c)
                           o->text[ALPHA], m->alpha_least, m->name);
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "--damping: '%s' is not known to %s",
+                          o->text[DAMPING], m->name);
+    if (o->text[DAMPING] && m->stages > 0 && !is_for_stages(&o->laws.law))
+        return fvi_refuse(c,
+                          "--damping: '%s': %s takes A, B <= 0.5, and a zener "
+                          "with A <= 0.45 or A = 0.5",
                           o->text[DAMPING], m->name);
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not for --damping");

@@ -53,6 +53,11 @@ START_TEST(each_kind_is_its_symbol)
                  laws[i].words);
         ck_assert_near(last_x(line), laws[i].x, 1e-7, "%s", laws[i].words);
         snprintf(line, sizeof line,
+                 "--p0 0 --method fvi-lobatto8d "
+                 "--steps 16 %s",
+                 laws[i].words);
+        ck_assert_near(last_x(line), laws[i].x, 2e-13, "%s", laws[i].words);
+        snprintf(line, sizeof line,
                  "exact --p0 0 --time 4 --steps 3 --columns x %s",
                  laws[i].words);
         ck_assert_int_eq(fvi(line), 0);
@@ -109,6 +114,12 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping power:1,0.3 --rho 1", "not together with --rho" },
         { "--damping power:1,0.3 --method fvi-shifted", "is not known to" },
         { "--damping power:1,0.3 --method fvi-adaptive", "is not known to" },
+        { "--damping power:1,0.6 --method fvi-lobatto4d",
+          "--damping: 'power:1,0.6': fvi-lobatto4d takes A, B <= 0.5, and a "
+          "zener with A <= 0.45 or A = 0.5\n" },
+        { "--damping zener:1,0.48,1 --method fvi-lobatto2d", "takes A, B <=" },
+        { "--damping distributed:1,0.1,0.7 --method fvi-lobatto2d", "takes" },
+        { "--damping power:1,0.3 --method fvi-lobatto4", "is not known to" },
         { "--damping power:1,0.3 --derivative rl", "--derivative: 'rl'" },
         { "--damping power:1,0.3 --derivative caputo", "--derivative: 'cap" },
         { "--damping power:1,0.3 --memory fft", "--memory: 'fft'" },
