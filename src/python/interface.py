@@ -35,6 +35,15 @@ typedef struct {
 } fvi_system;
 typedef enum { FVI_PAST_HELD, FVI_PAST_CAPUTO, FVI_PAST_RIEMANN_LIOUVILLE, ... } fvi_past;
 typedef enum { FVI_MEMORY_AUTO, FVI_MEMORY_DIRECT, FVI_MEMORY_FFT, FVI_MEMORY_EXPONENTIALS, ... } fvi_memory_kind;
+typedef enum { FVI_LAW_POWER, FVI_LAW_ZENER, FVI_LAW_MAXWELL, FVI_LAW_DISTRIBUTED } fvi_law_kind;
+typedef struct {
+    fvi_law_kind kind;
+    double rho, alpha, time, end;
+} fvi_law_term;
+typedef struct {
+    size_t count;
+    const fvi_law_term *term;
+} fvi_law;
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
@@ -44,6 +53,7 @@ typedef struct {
     fvi_past past;
     fvi_memory_kind memory;
     double tolerance;
+    const fvi_law *law;
     ...;
 } fvi_run;
 typedef struct {
@@ -74,6 +84,13 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
 int fvi_reset(fvi_stepper *s);
 void fvi_stop(fvi_stepper *s);
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x, double *p, double *energy);
+int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
+typedef struct { size_t parts; double estimate, order; } fvi_step_found;
+int fvi_step_search(const fvi_method *method, const fvi_run *run, double error, size_t most,
+                    double *x, double *p, fvi_step_found *found);
+typedef struct { double estimate; ...; } fvi_adaptive_found;
+int fvi_adaptive_search(const fvi_run *run, double error, size_t most, double *x, double *p,
+                        fvi_adaptive_found *found);
 int fvi_stability_load(const fvi_method *method, const fvi_run *run, double *load);
 
 typedef struct fvi_expression fvi_expression;
@@ -121,7 +138,7 @@ typedef struct {
     double x0, v0;
     fvi_forcing forcing;
     double A, T, w;
-    ...;
+    const fvi_law *law;
 } fvi_linear;
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
 

@@ -23,7 +23,7 @@ def program(command, *options):
 def columns(run):
     """t, x, p, energy side by side, as the program prints them."""
     rows = len(run.t)
-    return np.column_stack([a.reshape(rows, -1) for a in run])
+    return np.column_stack([a.reshape(rows, -1) for a in run[:4]])
 
 
 def test_the_defaults_are_the_programs():
@@ -175,6 +175,37 @@ def test_the_exact_solution_is_the_programs():
     assert abs(close.x - fvi.exact(close.t, alpha=0.3)[0]).max() < 1e-6
 
 
+LAW = ["zener:1,0.3,2", "maxwell:0.5,3", "distributed:0.2,0.1,0.5"]
+
+
+@pytest.mark.parametrize("method", ["fvi", "fvi-bdf2", "fvi-lobatto4d"])
+def test_a_law_of_damping_is_the_programs(method):
+    words = [word for term in LAW for word in ("--damping", term)]
+    run = fvi.run(damping=LAW, method=method, columns="t,x,p,energy")
+    assert np.array_equal(columns(run), program("run", "--method", method, *words))
+    x, v = fvi.exact(run.t, damping=LAW)
+    assert np.array_equal(x, program("exact", *words)[:, 1])
+    assert np.array_equal(fvi.run(damping=LAW[1]).x, program("run", *words[2:4])[:, 1])
+    if method == "fvi-lobatto4d":
+        assert abs(run.x - x).max() < 1e-8
+    with pytest.raises(fvi.Error):
+        fvi.run(damping="power:1,0.7", method="fvi-lobatto4d")
+
+
+def test_an_error_is_kept_or_refused():
+    for options, words in (({}, []), ({"method": "fvi-bdf2"}, ["--method", "fvi-bdf2"]),
+                           ({"damping": LAW[0]}, ["--damping", LAW[0]])):
+        run = fvi.run(error=1e-6, steps=8, columns="t,x,p,energy", **options)
+        assert np.array_equal(columns(run), program("run", "--error", "1e-6", "--steps", "8", *words))
+        truth = fvi.exact(run.t, **{k: v for k, v in options.items() if k == "damping"})[0]
+        assert abs(run.x - truth).max() <= run.estimate <= 1e-6
+    assert fvi.run(error=1e-3, columns="t").x is None
+    assert fvi.run().estimate is None
+    with pytest.raises(fvi.Error, match="smallest estimate") as caught:
+        fvi.run(error=1e-17, steps=2)
+    assert caught.value.code == 14
+
+
 def test_weights_of_half_a_derivative():
     assert fvi.weights(0.5, 4).tolist() == [1, -0.5, -0.125, -0.0625]
     with pytest.raises(fvi.Error) as caught:
@@ -211,7 +242,10 @@ def test_the_examples_of_the_readme_give_the_same_numbers():
     (dict(mass=0), fvi.Error), (dict(rho=-1), fvi.Error), (dict(x0=float("inf")), fvi.Error),
     (dict(kappa=0.3, method="fvi-lobatto3"), ValueError),
     (dict(derivative="rl", alpha=0.8, method="fvi-shifted"), fvi.Error),
-    (dict(alfa=0.3), TypeError),
+    (dict(alfa=0.3), TypeError), (dict(damping="power:1"), ValueError), (dict(damping="zenr:1,2,3"), ValueError),
+    (dict(damping=LAW, alpha=0.3), ValueError), (dict(damping=LAW, rho=0.3), ValueError),
+    (dict(damping="power:1,2"), fvi.Error), (dict(damping=[]), fvi.Error), (dict(error=1e-6, h=0.1), ValueError),
+    (dict(error=-1), fvi.Error),
 ])
 def test_bad_input_is_named(options, what):
     with pytest.raises(what):

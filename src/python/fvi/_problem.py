@@ -158,6 +158,23 @@ def words(text: str, known: dict) -> tuple:
     return name, given
 
 
+LAWS = {"power": (lib.FVI_LAW_POWER, ("rho", "alpha")), "zener": (lib.FVI_LAW_ZENER, ("rho", "alpha", "time")),
+        "maxwell": (lib.FVI_LAW_MAXWELL, ("rho", "time")),
+        "distributed": (lib.FVI_LAW_DISTRIBUTED, ("rho", "alpha", "end"))}
+
+
+def law(given: Union[str, Sequence[str]]) -> tuple:
+    """The terms "zener:1,0.3,2", a text or several, as the library's struct, and what it points to."""
+    terms = [given] if isinstance(given, str) else list(given)
+    array_ = ffi.new("fvi_law_term[]", len(terms))
+    for term, text in zip(array_, terms):
+        name, n = words(text, {word: len(fields) for word, (_, fields) in LAWS.items()})
+        term.kind = LAWS[name][0]
+        for field, value in zip(LAWS[name][1], n):
+            setattr(term, field, value)
+    return ffi.new("fvi_law *", {"count": len(terms), "term": array_}), array_
+
+
 def array(what: str, given: Numbers, d: int) -> Array:
     """d finite numbers, of one for all or of d."""
     a = np.array(given, dtype=float)

@@ -1,12 +1,12 @@
 """Runs: whole trajectories, single steps, exact solutions."""
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple, Optional, Union
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
 from ._fvi import ffi, lib
-from ._problem import Array, Error, Numbers, Potential, Problem, words
+from ._problem import Array, Error, Numbers, Potential, Problem, law, words
 
 lib.listen()  # the reasons of errors go into the exceptions
 
@@ -109,13 +109,16 @@ class Stepper:
         self._problem.check(lib.fvi_reset(self._s))
 
 
-def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0.5,
-            rho: Numbers = 0.2, mass: Numbers = 1.0,
+def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[float] = None,
+            rho: Optional[Numbers] = None, damping: Union[None, str, Sequence[str]] = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
             memory: str = "auto", tolerance: float = 0.0) -> tuple:
-    problem = Problem(potential, force, mass, rho, x0, p0, let)
+    if damping is not None and not (alpha is None and rho is None):
+        raise ValueError("damping: not together with alpha or rho")
+    default = 0.2 if damping is None else 1.0  # a law has its own
+    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let)
     if steps != int(steps) or steps < 1:
         raise ValueError(f"steps: {steps} is no whole number >= 1")
     if h is not None and time is not None:
@@ -131,7 +134,11 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = 0.1 if h is None else h, int(steps)
-    run.kappa, run.alpha, run.tolerance = kappa, alpha, tolerance
+    run.kappa, run.alpha, run.tolerance = kappa, 0.5 if alpha is None else alpha, tolerance
+    if damping is not None:
+        kept = law(damping)
+        run.law = kept[0]
+        problem.keep.append(kept)
     run.past = choice("derivative", derivative, PASTS)
     run.memory = choice("memory", memory, MEMORIES)
     return problem, run, found
@@ -140,15 +147,34 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: float = 0
 class Run(NamedTuple):
     """A trajectory: `t` of N + 1 times; `x`, `p` of N + 1 numbers, or (N + 1, d) where the
     start was a list or the system has more than one mass; `energy` p^2/(2m) + U of N + 1.
-    What was not asked for is None."""
+    What was not asked for is None. `estimate`: of the largest error of x, if one was asked for."""
     t: Array
     x: Optional[Array]
     p: Optional[Array]
     energy: Optional[Array]
+    estimate: Optional[float] = None
+
+
+MOST_STEPS = 1 << 24  # as the program
+
+
+def search(problem: Problem, r: Any, method: Any, error: float, x: Any, p: Any) -> float:
+    """Rows with an error of at most that by an estimate, which is returned."""
+    if method == lib.fvi_method_named(b"fvi-adaptive"):
+        found = ffi.new("fvi_adaptive_found *")
+        status = lib.fvi_adaptive_search(r, error, MOST_STEPS, x, p, found)
+    else:
+        found = ffi.new("fvi_step_found *")
+        status = lib.fvi_step_search(method, r, error, MOST_STEPS, x, p, found)
+    if status == lib.FVI_ETOL:
+        problem.check(0)
+        raise Error(status, f": the smallest estimate of the error was {found.estimate:.2g}")
+    problem.check(status)
+    return found.estimate
 
 
 def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,p",
-        **options: Any) -> Run:
+        error: Optional[float] = None, **options: Any) -> Run:
     """A whole trajectory of m x'' + grad U(x) + rho D^{2 alpha} x = F(t).
 
     potential   "harmonic:C", "duffing:C,G", "pendulum:G", "free", "chain:D,C,G", as the
@@ -157,11 +183,16 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     let         the numbers that expressions name: {"k": 3}
     alpha       0 ... 1, the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them; 0.2 and 1
+    damping     instead of alpha and rho a law, "power:R,A", "zener:R,A,T", "maxwell:R,T" or
+                "distributed:R,A,B" as the program has them, or a list of such, which add
     force       None, "step:A,T", "cosine:A,W", an expression in t, or a function of t that
                 gives one number or d of them
     derivative  the past: "held", "caputo" or "rl"
     x0, p0      the start, one number or d of them; 1 and 0.5
     h, steps    the step and how many; 0.1 and 200; time=T instead of h: h = T / steps
+    error       instead of h: the rows to `time`, 20, with steps between them so chosen that x is
+                right to it by an estimate; by "fvi-adaptive", or "fvi-bdf2" with damping,
+                unless another method is named
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, where the potential is taken; 0.5
     memory      "auto", "direct", "fft" or "exponentials"
@@ -174,15 +205,26 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     wanted = columns.split(",")
     if not set(wanted) <= {"t", "x", "p", "energy"}:
         raise ValueError(f"columns: '{columns}' are not all among t,x,p,energy")
+    if error is not None:
+        if "h" in options:
+            raise ValueError("h: not together with error")
+        options.setdefault("time", 20.0)
+        options.setdefault("method", "fvi-adaptive" if options.get("damping") is None else "fvi-bdf2")
     problem, r, method = prepare(potential, **options)
     rows, d = r.steps + 1, problem.d
     shape = (rows,) if problem.scalar else (rows, d)
     out = {name: np.empty((rows,) if name == "energy" else shape)
-           for name in ("x", "p", "energy") if name in wanted}
+           for name in ("x", "p", "energy") if name in wanted or (error is not None and name != "energy")}
     pointers = [ffi.from_buffer("double[]", out[n]) if n in out else ffi.NULL
                 for n in ("x", "p", "energy")]
-    problem.check(lib.fvi_trajectory(method, r, *pointers))
-    return Run(np.arange(rows) * r.h, *(out.get(n) for n in ("x", "p", "energy")))
+    estimate = None
+    if error is None:
+        problem.check(lib.fvi_trajectory(method, r, *pointers))
+    else:
+        estimate = search(problem, r, method, error, *pointers[:2])
+        for k in range(rows if "energy" in wanted else 0):
+            problem.check(lib.fvi_energy(r.system, *(q + k * d for q in pointers[:2]), pointers[2] + k))
+    return Run(np.arange(rows) * r.h, *(out[n] if n in wanted else None for n in ("x", "p", "energy")), estimate)
 
 
 class Fit(NamedTuple):
@@ -254,22 +296,28 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     return answer
 
 
-def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: float = 0.2, alpha: float = 0.5,
-          derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
+def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float] = None,
+          alpha: Optional[float] = None, damping: Union[None, str, Sequence[str]] = None, derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
           force: Optional[str] = None) -> tuple:
     """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|.
 
     t      one time or an array of them, >= 0, in any order
     force  None, "step:A,T" or "cosine:A,W"
     v0     the velocity at 0, not the momentum
+    damping  as for `run`, instead of rho (0.2) and alpha (0.5)
 
     Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
     (derivative="rl" with x0 != 0 and alpha > 1/2) or a number is out of its range.
     """
     times = np.array(t, dtype=float)
     flat = np.ascontiguousarray(times.reshape(-1))
-    problem = ffi.new("fvi_linear *", {"m": mass, "c": c, "rho": rho, "alpha": alpha, "x0": x0,
-                                       "v0": v0, "past": choice("derivative", derivative, PASTS)})
+    if damping is not None and not (alpha is None and rho is None):
+        raise ValueError("damping: not together with alpha or rho")
+    kept = law(damping) if damping is not None else (ffi.NULL,)
+    default = 0.2 if damping is None else 1.0
+    problem = ffi.new("fvi_linear *", {
+        "m": mass, "c": c, "rho": default if rho is None else rho, "alpha": 0.5 if alpha is None else alpha, "x0": x0,
+        "v0": v0, "past": choice("derivative", derivative, PASTS), "law": kept[0]})
     if force not in (None, "none"):
         name, n = words(force, {"step": 2, "cosine": 2})
         problem.A = n[0]
