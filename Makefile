@@ -112,6 +112,7 @@ book: text | needs ## the course as a folder of pages, build/book/index.html (pa
 
 pdf: book ## the chapters on paper, build/book/fvi.pdf (Chromium, poppler, qpdf; a minute or two)
 	node chapters/book/print.mjs $B/book
+	node chapters/book/test_pdf.mjs $B/book
 
 # axe-core knows WCAG's rules; where npm does not reach it, the rest is tested.
 AXE := $B/npm/node_modules/axe-core/axe.min.js

@@ -23,7 +23,7 @@ import sources  # noqa: E402
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FRAME = (HERE / "frame.html").read_text()
-NAMES = {"index": "Start", "course": "The map of the course", "workshop": "The workshop"}  # in the contents
+NAMES = {"index": "Start", "course": "The map of the course", "workshop": "The workshop", "glossary": "Glossary and index"}  # in the contents
 
 
 def captions():
@@ -87,6 +87,22 @@ def write_pages(all_pages):
         before, after = (all_pages[j] if 0 <= j < len(all_pages) else None for j in (i - 1, i + 1))
         text = framed(f'<article id="top">{page.body}</article>', plain(page.title), contents(all_pages, page, ""), neighbours=turn(before, after))
         (OUT / f"{page.name}.html").write_text(text)
+
+
+def add_index(all_pages):
+    """Below the glossary: each function that the text names, its header, and the pages that name it."""
+    headers = {name: path for path in sorted(pathlib.Path("src/fvi").rglob("*.h"))
+               for name in re.findall(r"^[a-z][\w *]*?\b(fvi_\w+)\(", path.read_text(), re.M)}
+    rows = []
+    for name in sorted(headers):
+        users = [page for page in all_pages if re.search(rf"<code>{name}\b", page.body)]
+        links = ", ".join(f'<a href="{page.name}.html">{page.number or unlinked(named(page))}</a>' for page in users)
+        header = sources.source_page(headers[name])
+        rows.append(f'<li><a href="source/{header}"><code>{name}</code></a>{": " if links else ""}{links}</li>')
+    glossary = next(page for page in all_pages if page.name == "glossary")
+    glossary.headings.append((2, "functions", "The functions of the library"))
+    glossary.body += (f'<h2 id="functions">The functions of the library</h2><p>Each leads to its header; the numbers are '
+                      f'the chapters that name it.</p><ul class="names">{"".join(rows)}</ul>')
 
 
 def write_sources(all_pages):
@@ -217,6 +233,7 @@ def main():
         pages.link_equations(page, found)
     order = {"index": 0, "course": 1}  # then the chapters, then the rest
     all_pages.sort(key=lambda page: order.get(page.name, 2 if page.number else 3))
+    add_index(all_pages)
     write_pages(all_pages)
     files = write_sources(all_pages)
     sections = write_search(all_pages, files, found)

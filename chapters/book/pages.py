@@ -20,7 +20,7 @@ from links import heading_id  # noqa: E402
 
 # The pages that are no chapter, and what they are called in the site.
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
-          "chapters/workshop/README.md": "workshop",
+          "chapters/workshop/README.md": "workshop", "chapters/book/glossary.md": "glossary",
           "chapters/what_the_principle_buys.md": "what_the_principle_buys"}
 CUT = "page-ends-here"
 
@@ -179,7 +179,7 @@ def number_figures(page, captions):
         number = f"{int(page.number)}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
         return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}"></a>\n'
-                f'<figcaption><a href="#fig-{number}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
+                f'<figcaption><a href="#fig-{number}">Figure {number}</a> <span class="still">{captions(source, alt)}</span></figcaption></figure>')
 
     page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)
 

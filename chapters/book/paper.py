@@ -52,6 +52,8 @@ def answers_last(page, body):
 def on_paper(page, body, names):
     """Its places and links, as they are in the one document."""
     body = re.sub(r'<a class="anchor".*?</a>', "", answers_last(page, body), flags=re.S)
+    body = re.sub(r'<p>Play with it:\s*<a [^>]*>[^<]*</a>\.\s*</p>', "", body)  # paper does not
+    body = re.sub(r' data-live="[^"]*"', "", body)
     body = re.sub(r'(<(?!annotation)[^>]*?\bid=")([^"]*)"', rf'\g<1>{page.name}--\g<2>"', body)
     body = re.sub(r'<h1 id="[^"]*"', f'<h1 id="{page.name}"', body, count=1)
 

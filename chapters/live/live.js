@@ -115,7 +115,13 @@ async function begin(figure) {
   says.className = "says";
   pictures.className = "pictures";
   controls.className = "controls";
-  pictures.append(...canvases);
+  pictures.append(...canvases.map(canvas => {
+    const box = document.createElement("div"), title = document.createElement("p");
+    title.textContent = canvas.dataset.label;
+    title.className = "title";
+    box.append(title, canvas);
+    return box;
+  }));
   controls.append(...rows.map(({ row }) => row));
   panel.className = "live";
   panel.append(about, controls, pictures, says);
