@@ -55,20 +55,21 @@ def pandoc_math(text):
         prose.clear()
 
     for line in text.split("\n"):
+        quote, line = re.fullmatch(r"((?:> ?)?)(.*)", line).groups()  # a theorem is a quotation
         if line.startswith("```") and fence is None:
             flush()
             fence = line
-            out.append("$$" if line == "```math" else line)
+            out.append(quote + ("$$" if line == "```math" else line))
         elif line.startswith("```"):
             if fence == "```math":
                 out[-1] += " $$"
             else:
-                out.append(line)
+                out.append(quote + line)
             fence = None
         elif fence == "```math":
             out[-1] += " " + line  # one line: `-` at the left margin begins no list
         else:
-            (out if fence else prose).append(line)
+            (out if fence else prose).append(quote + line)
     flush()
     return "\n".join(out)
 
