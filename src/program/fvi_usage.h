@@ -39,7 +39,7 @@ static const char usage_run[] =
     "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
     "                   chain:D,C,G (D masses between two walls), or an\n"
     "                   expression in x, in x1 ... xD: x^4/4 - k*x^2/2,\n"
-    "                   or FILE.so, which defines fvi_user_potential  "
+    "                   or FILE.so, FILE.c with fvi_user_potential        "
     "[harmonic:1]\n"
     "  --let NAME=V     a parameter of expressions; may be repeated\n"
     "  --dimension D    masses, of all but a chain                    [1]\n"

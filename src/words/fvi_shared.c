@@ -1,16 +1,40 @@
-/* src/words/fvi_shared.c -- A potential from a shared object. */
+/* src/words/fvi_shared.c -- A potential from a shared object, or from a file of C. */
 #define _GNU_SOURCE
 #include "fvi_shared.h"
+#include "fvi_compile.h"
 
 #include <dlfcn.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
+static int ends_with(const char *text, const char *end)
+{
+    const size_t length = strlen(text), last = strlen(end);
+    return length > last && strcmp(text + length - last, end) == 0;
+}
+
 int fvi_shared_name(const char *text)
 {
-    const size_t length = strlen(text);
-    return length > 3 && strcmp(text + length - 3, ".so") == 0;
+    return ends_with(text, ".so") || ends_with(text, ".c");
+}
+
+/* A sweep asks for the same file before each of its runs: it is compiled once, and stays. */
+static char *compiled;
+static void *kept;
+
+static int compile(const char *text, const char *path, void **library,
+                   fvi_complaint c)
+{
+    char why[200] = "";
+    *library = compiled && strcmp(compiled, text) == 0 ? kept : NULL;
+    if (*library)
+        return 0;
+    if (fvi_compile(path, library, sizeof why, why))
+        return fvi_refuse(c, "--potential: cannot compile '%s': %s", text, why);
+    if (!compiled && (compiled = strdup(text)))
+        kept = *library;
+    return 0;
 }
 
 /* A name without a folder is that of a file here, not of one where the system keeps its
@@ -21,11 +45,17 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
     char path[PATH_MAX];
     const int length = snprintf(path, sizeof path, "%s%s",
                                 strchr(text, '/') ? "" : "./", text);
-    *library = length < (int)sizeof path ? dlopen(path, RTLD_NOW) : NULL;
-    if (!*library)
+    *library = NULL;
+    if (length >= (int)sizeof path)
+        return fvi_refuse(c, "--potential: '%s': the name is too long", text);
+    if (ends_with(text, ".c")) {
+        int status = compile(text, path, library, c);
+        if (status)
+            return status;
+    } else if (!(*library = dlopen(path, RTLD_NOW))) {
         return fvi_refuse(c, "--potential: cannot load '%s': %s", text,
-                          length < (int)sizeof path ? dlerror()
-                                                    : "the name is too long");
+                          dlerror());
+    }
     const fvi_potential *found = dlsym(*library, "fvi_user_potential");
     if (found && found->value && found->gradient && found->hessian) {
         *U = *found;
@@ -42,6 +72,6 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
 
 void fvi_shared_close(void *library)
 {
-    if (library)
+    if (library && library != kept)
         dlclose(library);
 }

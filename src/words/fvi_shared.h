@@ -1,20 +1,20 @@
-/* src/words/fvi_shared.h -- A potential from a shared object. */
+/* src/words/fvi_shared.h -- A potential from a shared object, or from a file of C. */
 #ifndef FVI_SHARED_H
 #define FVI_SHARED_H
 
 #include "fvi_words.h"
 
-/* fvi_shared_name -- nonzero if the text of --potential is a shared object: it ends with .so. */
+/* fvi_shared_name -- nonzero if the text of --potential is such a file: it ends with .so or .c. */
 int fvi_shared_name(const char *text);
 
-/* fvi_shared_open -- load a shared object that defines
+/* fvi_shared_open -- load a shared object, or compile a file of C, that defines
  *
  *     const fvi_potential fvi_user_potential = { .value = ..., ... };
  *
  *   library  output; close it with fvi_shared_close when U is no longer used
  *   U        output
  *
- * Returns 0; 2 if it cannot be loaded, or has no such potential. */
+ * Returns 0; 2 if it cannot be loaded or compiled, or has no such potential. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
                     fvi_complaint c);
 

@@ -109,6 +109,34 @@ START_TEST(a_shared_object_is_a_potential)
     ck_assert_near_rows(
         "run --potential 'x1^2*x2' --dimension 2 --h 0.02 --steps 40",
         "run --potential $PWD/my.so --dimension 2 --h 0.02 --steps 40");
+    ck_assert_near_rows(
+        "run --potential 'x1^2*x2' --dimension 2 --h 0.02 --steps 40",
+        "run --potential my.c --dimension 2 --h 0.02 --steps 40");
+    ck_assert_same_rows(
+        "sweep --vary x0=1:2:3 --potential my.so --dimension 2 --steps 3 "
+        "--h 0.02",
+        "sweep --vary x0=1:2:3 --potential ./my.c --dimension 2 --steps 3 "
+        "--h 0.02");
+    write_file("wrong.c", "int fvi_user_potential = ;\n");
+    ck_assert_int_eq(fvi("run --potential wrong.c"), 2);
+    ck_assert_int_eq(strncmp(err,
+                             "fvi: --potential: cannot compile 'wrong.c': "
+                             "./wrong.c:1",
+                             55),
+                     0);
+    ck_assert_uint_eq(count_lines(err), 2);
+    ck_assert_int_eq(fvi("run --potential nowhere.c"), 2);
+    ck_assert(strncmp(err, "fvi: --potential: cannot compile 'nowhere.c': ", 46)
+                  == 0
+              && strstr(err, "No such file") && count_lines(err) == 2);
+    /* nothing stays behind, and without a compiler that is said */
+    ck_assert_int_eq(
+        shell("mkdir empty && TMPDIR=$PWD/empty \"$FVI\" run "
+              "--potential my.c --dimension 2 --steps 3 >/dev/null && rmdir "
+              "empty && CC=none \"$FVI\" run --potential my.c 2>e; "
+              "test $? = 2 && grep -q \"cannot compile 'my.c': the "
+              "compiler cc does not run\" e"),
+        0);
     ck_assert_int_eq(shell("echo 'int fvi_other;' > o.c; "
                            "cc -shared -fPIC o.c -o other.so; "
                            "sed 's/[.]value = value,//' my.c > half.c; cc "
