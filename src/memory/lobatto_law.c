@@ -152,7 +152,12 @@ int fvi_lobatto_law_weights(size_t s, const fvi_lobatto_law *ready, size_t n,
         if (t->rho > 0)
             fvi_lobatto_near(s, t->rho, t->alpha, t->time, ready->h, W);
     }
-    fvi_lobatto_far(s, Q, q, q + Q, q + 2 * Q, n, W);
+    for (size_t k = 2; k < n; k++) {
+        for (size_t j = 0; j < Q; j++)
+            q[j] -= q[Q + j] * q[j]; /* q_j r_j^(k-1) */
+        if (k > FVI_LAGS)
+            fvi_lobatto_sum(s, Q, q, q + 2 * Q, W + k * s * s);
+    }
     free(q);
     return FVI_SUCCESS;
 }

@@ -200,7 +200,7 @@ int fvi_lobatto_memory_of_law(size_t s, const fvi_law *law, double h, size_t d,
     if (m && Q > 0)
         fvi_lobatto_law_nodes(s, &ready, N, keep, m->q, m->p, m->a, Q);
     for (size_t j = 0; m && j < Q; j++) /* as above */
-        for (size_t l = 0; l < FVI_LAGS; l++)
+        for (size_t l = 1; l <= FVI_LAGS; l++)
             m->q[j] -= m->p[j] * m->q[j];
     status = m ? fvi_lobatto_law_weights(s, &ready, m->lags + 1, m->W)
                : FVI_ENOMEM;

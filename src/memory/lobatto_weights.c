@@ -333,8 +333,8 @@ size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
 #define TOLERANCE 1e-16 /* what the nodes may leave of the stored weights */
 
 /* W_n = sum_j q_j r_j^(n-1) a_j a~_j^T for q that holds the powers too. */
-static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
-                      double *W)
+void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
+                     double *W)
 {
     const double *b = fvi_lobatto(s)->b;
     for (size_t i = 0; i < s; i++)
@@ -347,17 +347,6 @@ static void sum_nodes(size_t s, size_t Q, const double *q, const double *a,
         }
 }
 
-void fvi_lobatto_far(size_t s, size_t Q, double *q, const double *p,
-                     const double *a, size_t n, double *W)
-{
-    for (size_t k = 2; k < n; k++) {
-        for (size_t j = 0; j < Q; j++)
-            q[j] -= p[j] * q[j];
-        if (k >= TERMS)
-            sum_nodes(s, Q, q, a, W + k * s * s);
-    }
-}
-
 /* Matrix k, from the series if it is there. */
 static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
                         const double *q, const double *a, double *W)
@@ -365,7 +354,7 @@ static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
     for (size_t i = 0; k < TERMS && i < s; i++)
         memcpy(W + i * s, first->w[k][i], s * sizeof *W);
     if (k >= TERMS)
-        sum_nodes(s, Q, q, a, W);
+        fvi_lobatto_sum(s, Q, q, a, W);
 }
 
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)

@@ -83,8 +83,8 @@ void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
 /* fvi_lobatto_node -- p and a of one node mu >= 0: that of (mu + Delta)^(-1) has q = 1. */
 void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride);
 
-/* fvi_lobatto_far -- W_n for FVI_LAGS < n < N from nodes with a stride of Q; q changes. */
-void fvi_lobatto_far(size_t s, size_t Q, double *q, const double *p,
-                     const double *a, size_t N, double *W);
+/* fvi_lobatto_sum -- sum_j q_j a_j a~_j^T into W, of nodes with a stride of Q. */
+void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
+                     double *W);
 
 #endif
