@@ -187,7 +187,7 @@ figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
 
-.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
+.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(TESTS:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -255,6 +255,15 @@ $B/python/wheel: $(PACKAGE) $(HEADERS) $B/libfvi.a
 	cd $B/python/package && $(PYTHON) setup.py -q bdist_wheel -d .. >../wheel.log 2>&1 || { cat ../wheel.log; exit 1; }
 	touch $@
 
+# The notebook, executed with the wheel; it takes no Jupyter to be made.
+$B/python/site: $B/python/wheel
+	rm -rf $@
+	$(PYTHON) -m zipfile -e $B/python/fvi-*.whl $@
+
+notebook: $B/python/site | needs ## the notebook, executed: build/python/experiments.ipynb (cffi, numpy)
+	PYTHONPATH=$< $(PYTHON) src/python/notebook/build.py src/python/notebook/experiments.py $B/python/experiments.ipynb
+	ls $B/python/experiments.ipynb
+
 ## -- tests -----------------------------------------------------------------
 
 # A test is compiled for one run: -O0 takes a quarter of the time. The library is as
@@ -298,9 +307,7 @@ test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used, uninstalled'
 
 # The wheel, installed into an empty folder, from which alone it is taken.
-test-python: test-example $B/fvi $B/python/wheel | needs ## the Python package (cffi, numpy, pytest)
-	rm -rf $B/python/site
-	$(PYTHON) -m zipfile -e $B/python/fvi-*.whl $B/python/site
+test-python: test-example $B/fvi $B/python/site | needs ## the Python package (cffi, numpy, pytest)
 	PYTHONPATH=$B/python/site FVI=$B/fvi EXAMPLE=$B/example.out $(PYTHON) -m pytest -q -p no:cacheprovider tests/python > $B/python/test.log || \
 	  { cat $B/python/test.log; exit 1; }; tail -1 $B/python/test.log | sed 's/^/python: /'
 
@@ -443,7 +450,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,book pdf test-book,wasm) \
   $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check python test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
+  $(call goal,check python notebook test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)

@@ -1,10 +1,13 @@
 """The Python package against the program, the exact solution and bad input."""
 import ctypes
 import gc
+import json
 import os
+import re
 import subprocess
 import sys
 import threading
+import xml.etree.ElementTree
 
 import fvi
 import numpy as np
@@ -304,3 +307,29 @@ def test_what_is_handed_over_may_be_thrown_away():
     x = s.x
     x[:] = 0  # a copy: the run does not see it
     assert abs(s.x).max() > 0 and s.copy().x.tolist() == s.x.tolist()
+
+
+def test_the_notebook_is_executed(tmp_path):
+    """Chapter 10's first panel and a fit, from the script to what stands below the cells."""
+    out = tmp_path / "n.ipynb"
+    build = [sys.executable, "src/python/notebook/build.py"]
+    subprocess.run([*build, "src/python/notebook/experiments.py", str(out)], check=True)
+    book = json.loads(out.read_text())
+    assert (book["nbformat"], book["nbformat_minor"]) == (4, 5)
+    code = [c for c in book["cells"] if c["cell_type"] == "code"]
+    assert [c["execution_count"] for c in code] == list(range(1, len(code) + 1))
+    assert len({c["id"] for c in book["cells"]}) == len(book["cells"])
+    pictures = ["".join(o["data"]["image/svg+xml"]) for c in code for o in c["outputs"] if "data" in o]
+    assert len(pictures) == 2 and pictures[0].count("<circle") == 7 * 31 and pictures[1].count("<circle") == 200
+    for picture in pictures:
+        xml.etree.ElementTree.fromstring(picture)
+    said = "".join(line for c in code for o in c["outputs"] for line in o.get("text", []))
+    panel = program("run", "--alpha", "0.25", "--h", "0.5", "--steps", "30")
+    error = abs(panel[:, 1] - program("exact", "--alpha", "0.25", "--h", "0.5", "--steps", "30")[:, 1]).max()
+    assert f"alpha = 0.25   largest error {error:.1e}" in said
+    fitted = re.search(r"alpha  (0[.]\d+)   95 %: (0[.]\d+) to (0[.]\d+)", said)
+    assert float(fitted[2]) < 0.3 < float(fitted[3]) and abs(float(fitted[1]) - 0.3) < 0.05
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text("# %%\n1/0\n")
+    assert subprocess.run([*build, str(wrong), str(tmp_path / "w")], capture_output=True).returncode != 0
+    assert not (tmp_path / "w").exists()
