@@ -81,7 +81,8 @@ START_TEST(kappa_changes_the_numbers_of_those_that_take_it)
 }
 END_TEST
 
-/* The Hessian of a pendulum, and how often it is asked for. */
+/* The Hessian of a pendulum, and how often it is asked for: once a step at least, but of a
+ * method that chooses its steps, which keeps factors while they serve. */
 static size_t asked;
 static int counted_hessian(size_t d, const double *x, void *params, double *H)
 {
@@ -102,7 +103,8 @@ START_TEST(an_implicit_step_asks_for_the_hessian)
         while (s->k < run.steps)
             ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
         fvi_stop(s);
-        ck_assert_msg(m->implicit ? asked >= STEPS : asked == 0, "%s: %zu",
+        const size_t least = m->dense ? 1 : STEPS;
+        ck_assert_msg(m->implicit ? asked >= least : asked == 0, "%s: %zu",
                       m->name, asked);
     }
 }
