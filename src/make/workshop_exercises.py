@@ -96,6 +96,8 @@ def faults():
                     yield f"{e.page}: exercise {e.number} accepts {wrong}"
     for page in sorted({e.page for e in every}):
         own = [e for e in every if e.page == page]
+        if [e.number for e in own] != list(range(1, len(own) + 1)):
+            yield f"{page}: its exercises are not numbered 1 to {len(own)}"
         kinds = {"code" if e.kind == "break it" else e.kind for e in own if e.kind}
         for kind in {"by hand", "code", "experiment"} - kinds:
             yield f"{page}: no exercise of the kind {kind}"
