@@ -301,7 +301,7 @@ START_TEST(digits_are_those_of_the_c_library)
             if (strtod(want, NULL) == v)
                 break;
         }
-        ck_assert_int_eq(fvi_shortest(v, text), strlen(want));
+        ck_assert_int_eq(fvi_shortest(v, text), (int)strlen(want));
         ck_assert_str_eq(text, want);
     }
 }
