@@ -36,7 +36,7 @@ START_TEST(eq_11_13_integer_orders_have_closed_forms)
                          FVI_FORCING_NONE,
                          0,
                          0,
-                         0 };
+                         0, NULL };
         double mass = 1 + (k % 2 ? rho : 0), spring = 1 + (k == 0 ? rho : 0);
         double jump = k == 1 && t > 0 ? v0 / mass : v0; /* of x' at t = 0 */
         double x, v, X, V;

@@ -36,7 +36,7 @@ START_TEST(eq_19_2_what_has_no_solution_is_refused)
                          none && method != FVI ? FVI_EDOM : FVI_SUCCESS);
         const fvi_linear linear = { 1,      1,    q.rho, q.alpha,
                                     q.past, q.x0, q.p0,  FVI_FORCING_NONE,
-                                    0,      0,    0 };
+                                    0,      0,    0, NULL };
         ck_assert_int_eq(fvi_exact(&linear, 1, &one, x, p),
                          none ? FVI_EDOM : FVI_SUCCESS);
     }
