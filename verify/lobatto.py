@@ -24,7 +24,8 @@ import mpmath
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, eye, factor,
                    integrate, ones, pi, prod, simplify, sin, solve, sqrt, symbols)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from refgen import (circle, claim, coefficients, header, hexd, hexd_real, prove, real_function,
+                    table)
 
 z, mu, x, h, m, rho = symbols("z mu x h m rho")
 Q = Rational
@@ -239,45 +240,25 @@ RADIUS = mpmath.mpf(7) / 16      # at 1/2 two eigenvalues of s = 2 coincide
 
 
 #> definition
-def power(s, beta, point):
-    """Delta(z)^beta: sum_j lambda_j^beta prod_{i != j} (Delta - lambda_i) / (lambda_j - lambda_i),
-    row by row: mpmath is quicker with lists than with matrices."""
+def delta(s, point):
     M = BASE[s].copy()
     M[0, s - 1] -= point / BS[s][0]
-    roots = eigenvalues(s, point)
-    total = [[0] * s * s for _ in beta]
-    for j, root in enumerate(roots):
-        P = mpmath.eye(s)
-        for i, other in enumerate(roots):
-            if i != j:
-                P = P * (M - mpmath.eye(s) * other) / (root - other)
-        for k, e in enumerate(beta):
-            share = root**e
-            total[k] = [t + v * share for t, v in zip(total[k], P)]
-    return total
+    return M
 
 
 def cauchy(s, betas, orders, count):
-    """W_n = (1/L) sum_j z_j^-n Delta(z_j)^beta, z_j^L = RADIUS^L, which is also the error."""
-    W = {(k, n): [0] * s * s for k in range(len(betas)) for n in orders}
-    for j in range(count // 2 + 1):
-        point = mpmath.expjpi(mpmath.mpf(2 * j) / count) * RADIUS
-        weight = (1 if j in (0, count // 2) else 2) / mpmath.mpf(count)
-        for k, value in enumerate(power(s, betas, point)):
-            for n in orders:
-                turn = weight * point**-n
-                W[k, n] = [w + (v * turn).real for w, v in zip(W[k, n], value)]
-    return {at: mpmath.matrix([w[s * i:s * i + s] for i in range(s)]) for at, w in W.items()}
+    """{(k, n): W_n of betas[k]}, Cauchy's integral of Delta(z)^beta; error RADIUS^count."""
+    points = circle(lambda z: delta(s, z), RADIUS, count)
+    return {(k, n): W for k, beta in enumerate(betas)
+            for n, W in coefficients(points, lambda root: root**beta, orders).items()}
 #< definition
 
 
 Z = symbols("Z")
 EXACT = {s: D[s] + unit(s, 0) * (unit(s, 0) - Z * unit(s, s - 1)).T / B[s][0] for s in STAGES}
-CHARACTER = {s: (lam * eye(s) - EXACT[s]).det().expand().as_poly(lam).all_coeffs() for s in STAGES}
 BASE, BS = {}, {}
 
 
-# A number stands to the right of a matrix: mpmath is slow on the other side.
 @cache
 def number_at(e, digits):
     return mpmath.mpf(str(expand(e).evalf(digits)))
@@ -286,11 +267,6 @@ def number_at(e, digits):
 def number(e):
     """A rational plus a rational times sqrt(5)."""
     return number_at(e, mpmath.mp.dps + 10)
-
-
-def eigenvalues(s, point):
-    coefficients = [c + d * point for c, d in LINEAR[s]]
-    return mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
 
 
 def at_digits(digits):
@@ -302,7 +278,6 @@ def at_digits(digits):
         for i in range(s):
             for j in range(s):
                 BASE[s][i, j] = number(EXACT[s].subs(Z, 0)[i, j])
-        LINEAR[s] = [(number(c.subs(Z, 0)), number(c.subs(Z, 1) - c.subs(Z, 0))) for c in CHARACTER[s]]
 
 
 def at_precision(digits):
@@ -312,7 +287,7 @@ def at_precision(digits):
 
 BETAS = [-0.95, -0.5, 0.2, 0.8]
 LAGS = [0, 1, 3, 4, 40]
-LINEAR, found = {}, {}
+found = {}
 for digits in (25, 45):
     found[digits] = at_precision(digits)
 
@@ -382,21 +357,12 @@ table("ref_corrections", "size_t s; double beta, want;", rows)
 #> loads
 def symbol(s, point, alpha):
     """K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point, without the constant."""
-    M, rule = BASE[s].copy(), mpmath.diag(BS[s])
-    D_ = mpmath.matrix(s, s)
+    rule, D_ = mpmath.diag(BS[s]), mpmath.matrix(s, s)
     for i in range(s):
         for j in range(s):
             D_[i, j] = number(D[s][i, j])
-    M[0, s - 1] -= point / BS[s][0]
-    roots = mpmath.polyroots([a + b * point for a, b in LINEAR[s]], maxsteps=200, extraprec=200)
-    total = mpmath.zeros(s, s)
-    for root in roots:
-        if abs(root) < mpmath.mpf(10)**-20:
-            continue                            # 0^(2 alpha) = 0
-        P = mpmath.eye(s)
-        for other in roots:
-            P = P if other == root else P * (M - mpmath.eye(s) * other) / (root - other)
-        total += P * root**(2 * alpha)
+    power = real_function(delta(s, point), lambda root: (  # 0^(2 alpha) = 0
+        root**(2 * alpha) if abs(root) > mpmath.mpf(10)**-20 else mpmath.mpf(0)))
     E = mpmath.matrix(s, s - 1)
     for i in range(s - 1):
         E[i, i] = 1
@@ -405,7 +371,7 @@ def symbol(s, point, alpha):
         E = mpmath.matrix(s, s - 2)
         for i in range(s - 2):
             E[i + 1, i], E[0, i], E[s - 1, i] = 1, -BS[s][i + 1] / 2 / BS[s][0], -BS[s][i + 1] / 2 / BS[s][0]
-    return [E.T * X * E for X in (D_.T * rule * D_, rule, rule * total.apply(mpmath.re))]
+    return [E.T * X * E for X in (D_.T * rule * D_, rule, rule * power)]
 
 
 def load(s, alpha, w, r):

@@ -11,7 +11,7 @@ s (s - 1)/mu^2.
 Printed: nodes, weights and D; W_n from Cauchy's integral over a circle,
 Delta(z)^beta by its eigenvalues; and three steps of form D of a driven oscillator
 from those W_n, all equations in one linear system: never by roots, nodes of a
-quadrature or a step at a time as in the C code; and loads (17.18), by eigenvectors."""
+quadrature or a step at a time as in the C code; and loads (17.18)."""
 from functools import cache
 
 import mpmath
@@ -19,7 +19,7 @@ from mpmath import mp, mpf
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, expand_trig, eye, ones,
                    simplify, sin, symbols)
 
-from refgen import claim, header, hexd, prove, table
+from refgen import circle, claim, coefficients, header, hexd, prove, real_function, table
 
 mp.dps = 50
 h, m, rho = symbols("h m rho", positive=True)
@@ -128,32 +128,21 @@ CIRCLE, RADIUS = 12, mpf(10) ** -2  # what comes round again is 1e-24 of W_{n + 
 
 
 @cache
-def powers(s):
-    """Delta(z) on half of a circle: eigenvalues, vectors and their inverse."""
-    inverse, _ = inverse_table(s)
-    b = rule(s)[1]
-    points = []
-    for j in range(CIRCLE // 2 + 1):
-        z = RADIUS * mpmath.expjpi(mpf(2 * j) / CIRCLE)
-        Delta = inverse.copy() * mpmath.mpc(1)
+def points(s):
+    inverse, b = inverse_table(s)[0], rule(s)[1]
+
+    def delta(z):
+        Delta = inverse.copy()
         Delta[0, s - 1] -= z / b[0]
-        values, vectors = mpmath.eig(Delta)
-        points.append((z, values, vectors, vectors**-1, 1 if j in (0, CIRCLE // 2) else 2))
-    return points
+        return Delta
+    return circle(delta, RADIUS, CIRCLE)
 
 
 @cache
 def weights(s, beta, count):
     """W_0, ..., W_{count-1} to some 1e-24 |W_0|."""
-    W = [mpmath.zeros(s) for _ in range(count)]
-    for z, values, vectors, back, times in powers(s):
-        power = vectors * mpmath.diag([mpmath.exp(beta * mpmath.log(v)) for v in values]) * back
-        for n in range(count):
-            share = power * z**-n
-            for i in range(s):
-                for j in range(s):
-                    W[n][i, j] += times * mpmath.re(share[i, j]) / CIRCLE
-    return W
+    W = coefficients(points(s), lambda root: root**beta, range(count))
+    return [W[n] for n in range(count)]
 
 
 def double(v):
@@ -167,7 +156,7 @@ def three_steps(s, alpha):
     step, beta = mpf(1) / 2, 2 * mpf(alpha) - 1
     c, b, _ = rule(s)
     inverse, A = inverse_table(s)
-    W = weights(s, beta, 6)
+    W, damper = weights(s, beta, 6), rho_ * step**-beta
     v0, n = p0 / mass, 3 * s
     whole, right = mpmath.zeros(n, n), mpmath.zeros(n, 1)
     for k in range(3):
@@ -178,7 +167,7 @@ def three_steps(s, alpha):
             for l in range(k + 1):
                 for j in range(s):
                     whole[row, l * s + j] += c_ * step * (A[i, j] if l == k else b[j])
-                    memory = rho_ * step**-beta * W[k - l][i, j]
+                    memory = damper * W[k - l][i, j]
                     whole[row, l * s + j] += memory
                     if beta > 0:
                         right[row] += memory * v0
@@ -199,31 +188,28 @@ def three_steps(s, alpha):
 
 @cache
 def symbol(s, point, alpha):
-    """(17.18) at z = 1 / point: K, B and B Delta^(2 alpha) on the paths with X_s = X_1 / point,
-    without the constant; the power by eigenvectors of both sides."""
+    """(17.18) at z = 1 / point: K^(-1) B and K^(-1) B Delta^(2 alpha) on the paths with
+    X_s = X_1 / point, without the constant."""
     c, b, D = rule(s)
     M, B, E = inverse_table(s)[0].copy(), mpmath.diag(b), mpmath.matrix(s, s - 1 - (point > 0))
     M[0, s - 1] -= point / b[0]
-    values, left, right = mpmath.eig(M, left=True, right=True)
-    power = mpmath.zeros(s)
-    for j, value in enumerate(values):
-        if abs(value) > mpf(10)**-20:                   # 0^(2 alpha) = 0
-            row, column = left[j, :], right[:, j]
-            power += column * row * (value**(2 * alpha) / (row * column)[0])
+    power = real_function(M, lambda root: (                 # 0^(2 alpha) = 0
+        root**(2 * alpha) if abs(root) > mpf(10)**-20 else mpf(0)))
     for j in range(E.cols):
         if point > 0:                                   # mean zero
             E[j + 1, j], E[0, j], E[s - 1, j] = 1, -b[j + 1] / 2 / b[0], -b[j + 1] / 2 / b[0]
         else:
             E[j, j], E[s - 1, 0] = 1, -1
-    return [E.T * X * E for X in (D.T * B * D, B, B * power.apply(mpmath.re))]
+    K, W, R = (E.T * X * E for X in (D.T * B * D, B, B * power))
+    return K**-1 * W, K**-1 * R
 
 
 def load(s, alpha, w, r):
     """The largest of the real eigenvalues, where an odd number exceeds 1, else below."""
     best = mpf(0)
     for point in (-1, 1):
-        K, W, R = symbol(s, point, alpha)
-        values = mpmath.eig(mpmath.inverse(K) * (W * w + R * r))[0]
+        W, R = symbol(s, point, alpha)
+        values = mpmath.eig(W * w + R * r, right=False)
         real = [v.real for v in values if abs(v.imag) < mpf(10)**-20 * (1 + abs(v))]
         above = [v for v in real if v > 1]
         best = max([best] + (above if len(above) % 2 else [v for v in real if v <= 1]))
