@@ -228,12 +228,12 @@ def momentum_errors(step):
     worst = [mpmath.mpf(0)] * 6
     wave = mpmath.sqrt(1 - r**2 / 4)
     last, now = mpmath.mpf(1), (mpmath.mpf(1) / 2 + 1 / hh - hh / 4) / (1 / hh + hh / 4)
-    for k in range(1, round(15 / step) + 1):
-        angle = wave * hh * k
-        fade, co, si = mpmath.exp(-r * hh * k / 2), mpmath.cos(angle), mpmath.sin(angle)
-        slope = (mpmath.mpf(1) / 2 + r / 2) / wave
-        z = fade * (co + slope * si)
-        v = fade * (slope * wave * co - wave * si) - r / 2 * z
+    slope = (mpmath.mpf(1) / 2 + r / 2) / wave
+    turn, at = mpmath.exp(mpmath.mpc(-r / 2, wave) * hh), mpmath.mpc(1)
+    for _ in range(round(15 / step)):
+        at *= turn                                     # e^(-rt/2) (cos wave t + i sin wave t)
+        z = at.real + slope * at.imag
+        v = slope * wave * at.real - wave * at.imag - r / 2 * z
         end = (now - last) / hh - hh / 2 * (now + last) / 2                 # D2 L_d
         for i, p in enumerate((end - r * (now - last), end, (now - last) / hh)):
             worst[i] = max(worst[i], abs(p - v))

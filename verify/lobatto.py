@@ -21,8 +21,9 @@ where the symbol at z = 1 and -1 vanishes, by its determinant."""
 from functools import cache
 
 import mpmath
-from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, eye, factor,
-                   integrate, ones, pi, prod, simplify, sin, solve, sqrt, symbols)
+from sympy import (Function, I, Matrix, Rational, cancel, cos, diag, diff, expand, eye, factor,
+                   integrate, numer, ones, pi, prod, radsimp, simplify, sin, solve, sqrt, symbols,
+                   together)
 
 from refgen import (circle, claim, coefficients, header, hexd, hexd_real, prove, real_function,
                     table)
@@ -55,12 +56,13 @@ def unit(s, i):
 
 
 for s in STAGES:
-    lagrange = [prod((x - C[s][j]) / (C[s][i] - C[s][j]) for j in range(s) if j != i)
-                for i in range(s)]
+    others = [[v for v in C[s] if v != node] for node in C[s]]
+    lagrange = [expand(radsimp(1 / expand(prod(node - v for v in rest))) * prod(x - v for v in rest))
+                for node, rest in zip(C[s], others)]
     for i in range(s):
-        prove("(17.1) b", integrate(expand(lagrange[i]), (x, 0, 1)) - B[s][i])
+        prove("(17.1) b", integrate(lagrange[i], (x, 0, 1)) - B[s][i])
         for j in range(s):
-            prove("(17.1) D", diff(lagrange[j], x).subs(x, C[s][i]) - D[s][i, j])
+            prove("(17.1) D", expand(diff(lagrange[j], x).subs(x, C[s][i]) - D[s][i, j]))
 
 #> structure
 for s in STAGES:
@@ -91,11 +93,11 @@ for s in STAGES:
 for s in STAGES:
     b, e1, es = Matrix(B[s]), unit(s, 0), unit(s, s - 1)
     Delta = D[s] + e1 * e1.T / b[0] - z / b[0] * e1 * es.T
-    a = ((eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate() * e1 / b[0])
-    det = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).det()
+    N = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate().applyfunc(expand)    # over det
+    det = expand((eye(s) * mu + D[s] + e1 * e1.T / b[0]).det())
+    a = N * e1 / b[0]
     r = a[s - 1]                                            # over det
     back = Matrix([b[i] * a[s - 1 - i] for i in range(s)])  # over det
-    N = (eye(s) * mu + D[s] + e1 * e1.T / b[0]).adjugate()  # over det
     #> resolvent
     # (mu + Delta)(N + z a a~^T / (1 - z r)) = 1, times det (det - z r) det
     zero("(17.10) resolvent", (eye(s) * mu + Delta) * (N * (det - z * r) + z * a * back.T)
@@ -173,15 +175,12 @@ CLOSED = {
 y = symbols("y", positive=True)
 GAP = {2: [4], 3: [8, 12], 4: [42 - 6 * sqrt(29), 10]}
 for s in STAGES:
-    rows = (D[s].T * diag(*B[s]) * D[s] - y * diag(*B[s])).applyfunc(simplify)
-    ends, inner = [0, s - 1], list(range(1, s - 1))
-    reduced = rows.extract(ends, ends)      # h p_k, -h p_{k+1} by x_k, x_{k+1}
-    if inner:
-        reduced -= (rows.extract(ends, inner) * rows.extract(inner, inner).inv()
-                    * rows.extract(inner, ends))
-    prove("(17.15) a step is time-symmetric", simplify(reduced[0, 0] - reduced[1, 1]))
-    half = factor(simplify(-reduced[0, 0] / reduced[0, 1]))     # of the trace
-    edges = [v for sign in (1, -1) for v in solve(simplify(half - sign), y) if v > 0]
+    rows = (D[s].T * diag(*B[s]) * D[s] - y * diag(*B[s])).applyfunc(expand)
+    # h p_k, -h p_{k+1} by x_k, x_{k+1}: a Schur complement, times the determinant within
+    reduced = lambda i, j: expand(rows.extract([i, *range(1, s - 1)], [j, *range(1, s - 1)]).det())
+    prove("(17.15) a step is time-symmetric", reduced(0, 0) - reduced(s - 1, s - 1))
+    half = factor(cancel(-reduced(0, 0) / reduced(0, s - 1)))   # of the trace
+    edges = [v for sign in (1, -1) for v in solve(numer(together(half - sign)), y) if v > 0]
     claim("(17.15) the first gap", sorted(edges, key=lambda v: v.evalf())[:2] == GAP[s])
     claim("(17.15) stable below", all(abs(half.subs(y, GAP[s][0] * Q(i, 20))) < 1 for i in range(1, 20)))
     claim("(17.15) not in the gap", abs(half.subs(y, sum(GAP[s]) / 2 if s > 2 else 5)) > 1)

@@ -6,6 +6,8 @@ from the definition and are rounded once, to the nearest double. Functions of ma
 stand here too, for the symbols of methods with stages."""
 import re
 import sys
+from functools import reduce
+from math import prod
 from operator import mul
 
 import mpmath
@@ -87,6 +89,20 @@ def units(z, bits):
     return int(mpmath.ldexp(mpmath.re(z), bits)), int(mpmath.ldexp(mpmath.im(z), bits))
 
 
+def rough_roots(p):
+    """Zeros of a polynomial, all at once by the method of Durand and Kerner, in doubles."""
+    value = lambda z: reduce(lambda total, c: total * z + c, p)
+    roots = [(0.4 + 0.9j)**k * max(map(abs, p))**(1 / len(p)) for k in range(len(p) - 1)]
+    for _ in range(500):
+        change = 0
+        for i, z in enumerate(roots):
+            step = value(z) / prod(z - other for other in roots if other is not z)
+            roots[i], change = z - step, max(change, abs(step))
+        if change < 1e-8:
+            break
+    return [mpmath.mpmathify(z) for z in roots]
+
+
 def spectrum(M):
     """Of a matrix of mpmath's whose eigenvalues l are different: the l; for each the
     polynomial chi(x)/((x - l) chi'(l)), which is 1 there and 0 at the others; and the
@@ -107,12 +123,13 @@ def spectrum(M):
     chi = [mpmath.mpc(1)]                       # from the highest power on, by Newton's identities
     for k in range(1, s + 1):
         chi.append(-sum(chi[k - i] * traces[i - 1] for i in range(1, k + 1)) / k)
-    with mpmath.workdps(20):
-        roots = mpmath.polyroots(chi, maxsteps=200, extraprec=100)
-    for _ in range(4):                          # Newton's method doubles the 20 digits
+    roots = rough_roots([complex(c) for c in chi])
+    for _ in range(5):                          # Newton's method doubles the digits
         steps = [mpmath.fdiv(*mpmath.polyval(chi, root, derivative=True)) for root in roots]
         roots = [root - step for root, step in zip(roots, steps)]
-    claim("the eigenvalues have converged", max(map(abs, steps)) < mpmath.mpf(10)**(20 - mp.dps))
+    claim("the eigenvalues have converged, to different numbers",
+          max(map(abs, steps)) < mpmath.mpf(10)**(20 - mp.dps) and
+          min(abs(a - b) for i, a in enumerate(roots) for b in roots[:i] or [a + 1]) > mpmath.mpf(10)**-6)
     basis = []
     for root in roots:
         q = [mpmath.mpc(1)]
