@@ -39,7 +39,7 @@ LIBRARY  := $(filter-out $(PROGRAM) src/petsc/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))
 BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c))
-PROOFS   := $(filter-out refgen,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+PROOFS   := $(filter-out refgen arithmetic,$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*/*.c))
 DIAGRAMS := $(filter-out $(SCENES),$(patsubst figures/%.gp,%,$(wildcard figures/*/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
@@ -387,7 +387,7 @@ test-workshop-accidents: | needs
 
 ## -- proofs and exact values -----------------------------------------------
 
-$B/verify/%_ref.h: verify/%.py verify/refgen.py | needs
+$B/verify/%_ref.h: verify/%.py verify/refgen.py verify/arithmetic.py | needs
 	mkdir -p $(@D)
 	$(PYTHON) $< > $@ && test -s $@
 

@@ -15,7 +15,9 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
-from refgen import circle, coefficients, header, hexd, prove, table
+from arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
+                        factorised, fixed, line, solved)
+from refgen import header, hexd, prove, table
 
 # ---- the transpose, with stages ----
 
@@ -177,75 +179,7 @@ for s in (2, 3, 4, 8):
 
 # ---- chains of five masses ----
 
-D5, N, TINY, BITS = 5, 6, mpf(10) ** -45, 240
-
-
-class Dual:
-    """v + d eps, eps^2 = 0, both in units of 2^-BITS: d is the derivative, with no error of
-    a difference."""
-    __slots__ = "v", "d"
-
-    def __init__(self, v, d=0):
-        self.v, self.d = v, d
-
-    def __add__(self, o):
-        return Dual(self.v + o.v, self.d + o.d)
-
-    def __sub__(self, o):
-        return Dual(self.v - o.v, self.d - o.d)
-
-    def __mul__(self, o):
-        return Dual(self.v * o.v >> BITS, self.v * o.d + self.d * o.v >> BITS)
-
-    def __truediv__(self, o):
-        q = (self.v << BITS) // o.v
-        return Dual(q, ((self.d << BITS) - q * o.d) // o.v)
-
-
-def fixed(v):
-    return int(mpmath.ldexp(v, BITS))
-
-
-def dual(v):
-    """Of a number with an imaginary part TINY times the slope; (TINY)^2 is nothing."""
-    return Dual(fixed(mpmath.re(v)), fixed(mpmath.im(v) / TINY))
-
-
-ZERO, ONE, HALF = dual(mpf(0)), dual(mpf(1)), dual(mpf(1) / 2)
-
-
-def dot(a, b):
-    av, bv = [x.v for x in a], [x.v for x in b]
-    slopes = sum(map(mul, av, [x.d for x in b])) + sum(map(mul, [x.d for x in a], bv))
-    return Dual(sum(map(mul, av, bv)) >> BITS, slopes >> BITS)
-
-
-def line(row, b):
-    """The same, of a row of whole numbers."""
-    return Dual(sum(map(mul, row, [x.v for x in b])) >> BITS, sum(map(mul, row, [x.d for x in b])) >> BITS)
-
-
-def factorised(M):
-    """L below, U above the diagonal, by the largest pivots, and the order of the rows."""
-    order = list(range(len(M)))
-    for k in order[:]:
-        best = max(range(k, len(M)), key=lambda i: abs(M[i][k]))
-        M[k], M[best], order[k], order[best] = M[best], M[k], order[best], order[k]
-        for row in M[k + 1:]:
-            row[k] = f = (row[k] << BITS) // M[k][k]
-            if f:
-                row[k + 1:] = [a - (f * b >> BITS) for a, b in zip(row[k + 1:], M[k][k + 1:])]
-    return M, order
-
-
-def solved(lu, right):
-    M, order = lu
-    y, x = [], []
-    for row, at in zip(M, order):
-        y.append(right[at] - (sum(map(mul, row, y)) >> BITS))
-    for i in range(len(M) - 1, -1, -1):
-        x.insert(0, (y[i] - (sum(map(mul, M[i][i + 1:], x)) >> BITS) << BITS) // M[i][i])
-    return x
+D5, N = 5, 6
 
 
 class Tilted:

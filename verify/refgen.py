@@ -2,16 +2,10 @@
 
 A script verify/STEM.py proves the statements of its chapter and prints
 tests/STEM_ref.h on standard output. Inputs are doubles as they are; outputs come
-from the definition and are rounded once, to the nearest double. Functions of matrices
-stand here too, for the symbols of methods with stages."""
+from the definition and are rounded once, to the nearest double."""
 import re
 import sys
-from functools import reduce
-from math import prod
-from operator import mul
 
-import mpmath
-from mpmath import mp
 from sympy import Rational, simplify, sympify
 
 
@@ -75,104 +69,3 @@ def array(name, values, comment=""):
         note = short(v)
         print(f"    {hexd(v)}," + (f" /* {note} */" if note else ""))
     print("};")
-
-
-# -- functions of matrices ---------------------------------------------------------------
-# mpmath is slow on matrices: sums of products are taken in integers, units of 2^-bits.
-
-
-def dot(a, b):
-    return sum(map(mul, a, b))
-
-
-def units(z, bits):
-    return int(mpmath.ldexp(mpmath.re(z), bits)), int(mpmath.ldexp(mpmath.im(z), bits))
-
-
-def rough_roots(p):
-    """Zeros of a polynomial, all at once by the method of Durand and Kerner, in doubles."""
-    value = lambda z: reduce(lambda total, c: total * z + c, p)
-    roots = [(0.4 + 0.9j)**k * max(map(abs, p))**(1 / len(p)) for k in range(len(p) - 1)]
-    for _ in range(500):
-        change = 0
-        for i, z in enumerate(roots):
-            step = value(z) / prod(z - other for other in roots if other is not z)
-            roots[i], change = z - step, max(change, abs(step))
-        if change < 1e-8:
-            break
-    return [mpmath.mpmathify(z) for z in roots]
-
-
-def spectrum(M):
-    """Of a matrix of mpmath's whose eigenvalues l are different: the l; for each the
-    polynomial chi(x)/((x - l) chi'(l)), which is 1 there and 0 at the others; and the
-    powers 1, M, ..., M^(s-1), entry by entry, real parts before imaginary ones."""
-    s, bits = M.rows, mp.prec + 64
-    columns = [[re for re, _ in column] + [im for _, im in column]
-               for column in ([units(M[i, j], bits) for i in range(s)] for j in range(s))]
-    powers, traces = [[[(int(i == j) << bits, 0) for j in range(s)] for i in range(s)]], []
-    for _ in range(s):
-        product = []
-        for row in powers[-1]:
-            re, im = map(list, zip(*row))
-            straight, turned = re + [-v for v in im], im + re
-            product.append([(dot(straight, c) >> bits, dot(turned, c) >> bits) for c in columns])
-        powers.append(product)
-        traces.append(mpmath.mpc(*(mpmath.ldexp(sum(product[i][i][part] for i in range(s)), -bits)
-                                   for part in (0, 1))))
-    chi = [mpmath.mpc(1)]                       # from the highest power on, by Newton's identities
-    for k in range(1, s + 1):
-        chi.append(-sum(chi[k - i] * traces[i - 1] for i in range(1, k + 1)) / k)
-    roots = rough_roots([complex(c) for c in chi])
-    for _ in range(5):                          # Newton's method doubles the digits
-        steps = [mpmath.fdiv(*mpmath.polyval(chi, root, derivative=True)) for root in roots]
-        roots = [root - step for root, step in zip(roots, steps)]
-    claim("the eigenvalues have converged, to different numbers",
-          max(map(abs, steps)) < mpmath.mpf(10)**(20 - mp.dps) and
-          min(abs(a - b) for i, a in enumerate(roots) for b in roots[:i] or [a + 1]) > mpmath.mpf(10)**-6)
-    basis = []
-    for root in roots:
-        q = [mpmath.mpc(1)]
-        for c in chi[1:s]:
-            q.append(c + root * q[-1])
-        slope = mpmath.polyval(q, root)
-        basis.append([c / slope for c in q[::-1]])
-    entries = [[power[i][j][part] for part in (0, 1) for power in powers[:s]]
-               for i in range(s) for j in range(s)]
-    return roots, basis, entries, bits
-
-
-def function_of(parts, f):
-    """f(M), row by row, in units of 2^-(2 bits); parts are spectrum(M)."""
-    roots, basis, entries, bits = parts
-    values = [f(root) for root in roots]
-    re, im = zip(*(units(mpmath.fdot(values, c), bits) for c in zip(*basis)))
-    straight, turned = re + tuple(-v for v in im), im + re
-    return [(dot(straight, e), dot(turned, e)) for e in entries]
-
-
-def circle(symbol, radius, count):
-    """Points z of half a circle of count points, their shares in a mean over the whole if
-    conjugates stand for the others, and the spectrum of symbol(z)."""
-    points = [mpmath.expjpi(mpmath.mpf(2 * j) / count) * radius for j in range(count // 2 + 1)]
-    return [(z, mpmath.mpf(1 if z.imag == 0 else 2) / count, spectrum(symbol(z))) for z in points]
-
-
-def coefficients(points, f, orders):
-    """{n: the coefficient of z^n in f(symbol(z))}, by Cauchy's integral over a circle: what
-    comes round again, radius^count times coefficients of later powers, is its error."""
-    found = [function_of(parts, f) for _, _, parts in points]
-    bits = points[0][2][3]
-    entries = [[v[part] for part in (0, 1) for v in entry] for entry in zip(*found)]
-    W, s = {}, len(points[0][2][0])
-    for n in orders:
-        re, im = zip(*(units(share * z**-n, bits) for z, share, _ in points))
-        turned = re + tuple(-v for v in im)
-        values = [mpmath.ldexp(dot(turned, e), -3 * bits) for e in entries]
-        W[n] = mpmath.matrix([values[s * i:s * i + s] for i in range(s)])
-    return W
-
-
-def real_function(M, f):
-    """The real part of f(M)."""
-    return coefficients([(mpmath.mpf(1), mpmath.mpf(1), spectrum(M))], f, [0])[0]
