@@ -18,7 +18,7 @@ three-term equation (13.7) as it stands, the derivative of order alpha taken
 twice; growth factors by bisection."""
 import mpmath
 from sympy import (Function, I, Rational, binomial, cos, diff, exp, expand,
-                   expand_func, gamma, im, integrate, limit, oo, pi, re, series,
+                   expand_func, gamma, im, integrate, limit, numer, oo, pi, re, series,
                    simplify, sin, sqrt, symbols, together, trigsimp)
 
 from refgen import claim, header, hexd, hexd_real, prove, table
@@ -180,10 +180,11 @@ square = (1 - g) ** 2 + 2 * g * (1 - g) * cos(phi) + g**2
 prove("(13.17) |g_0 + g_1 z|^2", trigsimp(expand(
     (taps * taps.subs(I, -I)).rewrite(cos) - square)))
 turning = g * (g + (1 - g) * cos(phi)) / square       # d psi / d phi
-prove("(13.17) the slope of psi = atan(g sin / (1 - g + g cos))", simplify(
-    diff(g * sin(phi) / (1 - g + g * cos(phi)), phi)
-    / (1 + (g * sin(phi) / (1 - g + g * cos(phi))) ** 2) - turning))
-prove("(13.17) g - psi' has the sign of g", simplify(
+tangent = g * sin(phi) / (1 - g + g * cos(phi))
+slope = numer(together(diff(tangent, phi) - turning * (1 + tangent**2)))    # only sin^2
+prove("(13.17) the slope of psi = atan(g sin / (1 - g + g cos))",
+      expand(expand(slope).subs(sin(phi), sqrt(1 - cos(phi) ** 2))))
+prove("(13.17) g - psi' has the sign of g", expand(
     (g - turning) * square - g * (1 - g) * (1 - 2 * g) * (1 - cos(phi))))
 b = symbols("b", positive=True)
 late = ((1 + b) / 2 + (1 - b) / 2 * exp(-s)) * (1 + exp(s)) / 2
