@@ -12,6 +12,7 @@ Proved here:
 Printed: the rates of the weights, from the definition: the product, differentiated; and
 derivatives of runs, differences of runs of 178 bits, which are right to 21 digits."""
 from fractions import Fraction
+from operator import mul
 
 import mpmath
 from mpmath import mp
@@ -244,6 +245,7 @@ claim("the two definitions agree",
 
 mp.dps = 70
 BITS = 178  # a number of a run is an integer times 2^-BITS
+SLOT, HALF_SLOT = 400, 1 << 399  # more than a sum of products of such numbers
 
 
 def fixed(v):
@@ -305,7 +307,8 @@ def pull_of(q, order, x0, p0, m):
 
 
 def trajectory(q):
-    """x_0, ..., x_N and p_N of Algorithm 3 or (13.7), one Duffing oscillator."""
+    """x_0, ..., x_N and p_N of Algorithm 3 or (13.7), one Duffing oscillator. It hands out z_k
+    and is handed sum_{j<=k} w_{k+1-j} z_j."""
     N, printed, past = q["N"], q["method"] == "fvi", q["past"]
     order, one, half = 2 * q["alpha"], 1 << BITS, 1 << BITS - 1
     pull = pull_of(q, order, q["x0"], q["p0"], q["mass"])
@@ -314,13 +317,12 @@ def trajectory(q):
     h, kappa, x0, p, m, k1, g3 = (fixed(q[n]) for n in ("h", "kappa", "x0", "p0", "mass", "k", "g"))
     origin = 0 if printed and past == "rl" else x0
     drift = over(times(h, p), m) if q["side"] > 0 and (past == "caputo" or not printed) else 0
-    reverse = weights(q["method"], fixed(order), N + 1)[::-1]
-    w0, z, x, dx = reverse[-1], [x0 - origin], [x0], over(times(h, p), m)
-    H, share, inertia = times(w0, z[0]), times(kappa, h), over(m, h) + times(times(theta, c), w0)
+    w0, z, x, dx = weights(q["method"], fixed(order), 1)[0], x0 - origin, [x0], over(times(h, p), m)
+    H, share, inertia = times(w0, z), times(kappa, h), over(m, h) + times(times(theta, c), w0)
     for k in range(N):
         if not printed:
             p += times(h, q["F"][k]) // 2 - times(half - theta, times(c, H)) - pull[k][0]
-        ahead = sum(map(int.__mul__, reverse[-len(z) - 1:-1], z)) >> BITS
+        ahead = (yield z) >> BITS
         ahead += times(w0, x[-1] - origin - (k + 1) * drift)  # H of k + 1 if dx is zero
         r = p - times(theta, times(c, ahead))
         while True:  # Newton's method, to the last bit but some
@@ -337,13 +339,39 @@ def trajectory(q):
         x.append(x[-1] + dx)
         p += times(h, q["F"][k + 1]) - times(c, H) if printed else (
             times(h, q["F"][k + 1]) // 2 - times(half + theta, times(c, H)) - pull[k][1])
-        z.append(x[-1] - origin - (k + 1) * drift)
+        z = x[-1] - origin - (k + 1) * drift
     return x, p
 
 
-def objective(q):
+def in_step(qs):
+    """Their trajectories, step by step together. Runs of one order share the weights: what z
+    differs by from that of the first is packed into one integer, SLOT bits each, for one sum."""
+    runs, ends, alike, N = [trajectory(q) for q in qs], [], {}, qs[0]["N"]
+    for i, q in enumerate(qs):
+        alike.setdefault(fixed(2 * q["alpha"]), []).append(i)
+    groups = [(weights(qs[0]["method"], order, N + 1)[::-1], first, rest, [], [])
+              for order, (first, *rest) in alike.items()]
+    newest, sums = [next(run) for run in runs], [0] * len(qs)
+    for k in range(N):
+        for reverse, first, rest, z, packed in groups:
+            z.append(newest[first])
+            packed.append(sum(newest[i] - z[-1] << SLOT * n for n, i in enumerate(rest)))
+            w = reverse[-k - 2:-1]
+            sums[first] = sum(map(mul, w, z))
+            total = sum(map(mul, w, packed)) if rest else 0
+            for i in rest:
+                part = (total + HALF_SLOT & (1 << SLOT) - 1) - HALF_SLOT
+                sums[i], total = sums[first] + part, total - part >> SLOT
+        for i, run in enumerate(runs):
+            try:
+                newest[i] = run.send(sums[i])
+            except StopIteration as end:
+                ends.append(end.value)
+    return ends
+
+
+def objective(q, x, p):
     """J = (h/2) sum_{k>=1} (x_k - sin t_k)^2 + x_N/2 + x_N p_N^2/4"""
-    x, p = trajectory(q)
     squares = sum((v - s) ** 2 for v, s in zip(x[1:], q["sine"][1:])) >> BITS
     J = real(squares) * q["h"] / 2 + real(x[-1]) / 2 + real(x[-1]) * real(p) ** 2 / 4
     return J, real(x[-1]), real(p)
@@ -351,7 +379,7 @@ def objective(q):
 
 def derivatives(q, names, force):
     """(J, x_N, p_N), and differences, 2^-80 wide with 178 bits: right to 21 digits."""
-    eps, out, middle = mpmath.mpf(2) ** -80, [], objective(q)
+    eps, qs = mpmath.mpf(2) ** -80, [q]
     for name in names + [force]:
         r = dict(q)
         if name == force:
@@ -359,8 +387,9 @@ def derivatives(q, names, force):
             r["F"][force] += fixed(eps)
         else:
             r[name] = q[name] + eps
-        out.append((objective(r)[0] - middle[0]) / eps)
-    return middle, out
+        qs.append(r)
+    middle, *others = (objective(r, x, p) for r, (x, p) in zip(qs, in_step(qs)))
+    return middle, [(J - middle[0]) / eps for J, _, _ in others]
 
 
 NAMES = ["x0", "p0", "mass", "rho", "alpha", "k", "g"]
