@@ -191,23 +191,24 @@ def cases(seed, names, count, depth):
             expression = parse_expr(words.replace("^", "**"), {**symbols, **FUNCTIONS, "pi": pi},
                                     transformations=standard_transformations + (rationalize,))
             slopes = {i: diff(expression, symbols[i]) for i in names}
-            for i, j in pairs:
-                wanted = [w.replace(DiracDelta, lambda *_: 0) for w in (
-                    expression, slopes[i], diff(slopes[i], symbols[j]))]
-                if any(w.has(zoo, oo, nan, I) for w in wanted):
-                    raise ValueError
-                run = lambdify(list(symbols.values()), wanted, "mpmath")
+            wanted = [w.replace(DiracDelta, lambda *_: 0) for w in (
+                expression, *slopes.values(), *(diff(slopes[i], symbols[j]) for i, j in pairs))]
+            if any(w.has(zoo, oo, nan, I) for w in wanted):
+                raise ValueError
+            run = lambdify(list(symbols.values()), wanted, "mpmath")
 
-                @cache
-                def exact(digits):
-                    with mpmath.workdps(digits):
-                        return [+v * mpmath.mpf(1) for v in run(*(mpmath.mpf(point[n]) for n in names))]
+            @cache
+            def exact(digits):
+                with mpmath.workdps(digits):
+                    return [+v * mpmath.mpf(1) for v in run(*(mpmath.mpf(point[n]) for n in names))]
 
-                if not real_and_tame(exact(40)):
-                    raise ValueError
+            if not real_and_tame(exact(40)):
+                raise ValueError
+            doubles = [hexd_real(lambda n, k=k: mpmath.nstr(exact(n + 20)[k], n)) for k in range(len(wanted))]
+            for (i, j), curved in zip(pairs, doubles[1 + len(names):]):
                 value, slope, _, curvature = bounds[i, j]
-                rows.append((names.index(i), names.index(j),
-                             *(hexd_real(lambda n, k=k: mpmath.nstr(exact(n + 20)[k], n)) for k in range(3)),
+                at = names.index(i)
+                rows.append((at, names.index(j), doubles[0], doubles[1 + at], curved,
                              *(f"{float(b):.3g}" for b in (value, slope, curvature))))
         except (ValueError, ZeroDivisionError, TypeError, NameError, mpmath.libmp.NoConvergence):
             continue
