@@ -245,7 +245,7 @@ claim("the two definitions agree",
 
 mp.dps = 70
 BITS = 178  # a number of a run is an integer times 2^-BITS
-SLOT, HALF_SLOT = 400, 1 << 399  # more than a sum of products of such numbers
+SLOT, HALF_SLOT = 320, 1 << 319  # z differ by less than 2^-60: no sum of products is larger
 
 
 def fixed(v):

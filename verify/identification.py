@@ -123,17 +123,22 @@ prove("(24.10) 1 - e^(-i wh) = 2 sin(wh/2) e^(i (pi - wh)/2)", expand(
 #< moduli
 
 
-def algorithm_3(v, steps, kappa, past):
-    """x_N of (9.4), from its definition: v are alpha, rho, mass, x0, p0, c, g."""
+def algorithm_3(v, steps, kappa, past, near=()):
+    """x_N of (9.4), from its definition: v are alpha, rho, mass, x0, p0, c, g; and the
+    x_{k+1} - x_k, where Newton's method starts if those of a run nearby are given. The memory
+    is summed in units of 2^-(2 bits)."""
     alpha, rho, m, x0, p0, c, g = v
+    bits, moves = mp.prec + 100, []
+    parts = lambda e: (int(mp.ldexp(mp.re(e), bits)), int(mp.ldexp(mp.im(e), bits)))
     h = mpf(1) / 16
     w = [mpf(1)]
     for n in range(1, steps + 1):
         w.append(w[-1] * (n - 1 - 2 * alpha) / n)
-    line = past == "CAPUTO" and mp.re(alpha) > 0.5
-    z, x, p = [x0 if past == "RIEMANN_LIOUVILLE" else 0 * x0], x0, p0
+    damper, line = rho * h ** (1 - 2 * alpha), past == "CAPUTO" and mp.re(alpha) > 0.5
+    w_re, w_im = zip(*map(parts, w))
+    z, x, p = [parts(x0 if past == "RIEMANN_LIOUVILLE" else 0)], x0, p0
     for k in range(steps):
-        d = h * p / m
+        d = near[k] if near else h * p / m
         for _ in range(60):                                # Newton
             at = x + (1 - kappa) * d
             wrong = m * d / h + kappa * h * (c * at + g * at**3) - p
@@ -142,20 +147,25 @@ def algorithm_3(v, steps, kappa, past):
                 break
         at = x + (1 - kappa) * d
         x += d
-        z.append(x - (0 if past == "RIEMANN_LIOUVILLE" else x0) - ((k + 1) * h * p0 / m if line else 0))
-        H = mp.fdot(w[:k + 2], z[::-1])
-        p -= h * (c * at + g * at**3) + rho * h ** (1 - 2 * alpha) * H
-    return x
+        moves.append(d)
+        z.insert(0, parts(x - (0 if past == "RIEMANN_LIOUVILLE" else x0) - ((k + 1) * h * p0 / m if line else 0)))
+        z_re, z_im = zip(*z)
+        dot = lambda a, b: sum(map(mul, a, b))
+        turned = dot(w_re, z_im) + dot(w_im, z_re)
+        H = mp.ldexp(dot(w_re, z_re) - dot(w_im, z_im), -2 * bits) + (1j * mp.ldexp(turned, -2 * bits) if turned else 0)
+        p -= h * (c * at + g * at**3) + damper * H
+    return x, moves
 
 
 def slopes(values, steps, kappa, past, digits):
     mp.dps = digits
     tiny = mpf(10) ** (-digits // 2)
     exact = [number(Rational(v)) for v in values]
-    found = [algorithm_3(exact, steps, mpf(kappa), past)]
+    end, moves = algorithm_3(exact, steps, mpf(kappa), past)
+    found = [mp.re(end)]
     for j in range(7):
         found.append(algorithm_3([v + (1j * tiny if i == j else 0) for i, v in enumerate(exact)],
-                                 steps, mpf(kappa), past).imag / tiny)
+                                 steps, mpf(kappa), past, moves)[0].imag / tiny)
     return found
 
 
