@@ -42,6 +42,7 @@ NODES = {2: [0, 1], 3: [0, Rational(1, 2), 1], 4: [0, (5 - r5) / 10, (5 + r5) / 
 h = symbols("h1:4", positive=True)
 
 
+@cache
 def exact_rule(s):
     """b and D by integrating and differentiating the Lagrange polynomials."""
     c, ell = NODES[s], []
