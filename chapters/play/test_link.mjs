@@ -129,6 +129,6 @@ await test("the page is one file, up to date, that asks nobody for anything", as
     want = want.replace(`{${name}}`, () => source(name).trim());
   assert.equal(page, want, "chapters/play/index.html is older than its parts: make play");
   assert.doesNotMatch(page.replace(wasm, ""), /https?:|\bsrc=|\bimport\b|@import|url\(|fetch\(/);
-  // 99,414; of these 12.5 kB are wasi-libc's log, sin of huge numbers, complex products.
+  // 110,398; of these 12.5 kB are wasi-libc's log, sin of huge numbers, complex products.
   assert.ok(page.length < 115e3);
 });
