@@ -36,7 +36,7 @@ static int keep(size_t d, const double *x, void *params, double *H)
     const fvi_potential *u = kept->u;
     const size_t bytes = d * (u->diagonals ? u->diagonals : d) * sizeof *H;
     if (!kept->K) {
-        kept->K = malloc(bytes);
+        kept->K = calloc(1, bytes); /* a row may have room that is not written */
         if (!kept->K)
             FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
         kept->status = u->hessian(d, x, u->params, kept->K);
