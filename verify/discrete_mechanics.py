@@ -10,7 +10,7 @@
 and that the elliptic functions of the tests solve their equations.
 Reference values: potentials and L_d from their formulas, which sympy
 differentiates. Trajectories: discrete_mechanics_runs.py."""
-from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, ratsimp, simplify,
+from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, eye, ratsimp, simplify,
                    sin, solve, symbols, together, zeros)
 
 from refgen import header, hexd, hexd_real, prove, table
@@ -136,11 +136,13 @@ begin = [(u, -(A * u + B * w)) for u, w in (one, two)]
 end = lambda R: [(w, B.T * u + C * w - R * (w - u)) for u, w in (one, two)]
 prove("(2.12) a step without damping keeps the area, in R^2",
       expand(area(*end(zeros(2, 2))) - area(*begin)))
-map_of = lambda R: Matrix.vstack(
-    Matrix.hstack(-B.inv() * A, -B.inv()),
-    Matrix.hstack(B.T + R - (C - R) * B.inv() * A, -(C - R) * B.inv()))
+# after * (w, p+) = before * (u, p), so that the determinant of the step is a quotient
+after = Matrix.vstack(Matrix.hstack(B, zeros(2, 2)), Matrix.hstack(R - C, eye(2)))
+before = Matrix.vstack(Matrix.hstack(-A, -eye(2)), Matrix.hstack(B.T + R, zeros(2, 2)))
+prove("these are the changes", *(after * Matrix.vstack(*end(R)[0])
+                                 - before * Matrix.vstack(*begin[0])).expand())
 prove("(2.12) with damping its determinant is det(B' + rho) / det B",
-      ratsimp(map_of(R).det() - (B.T + R).det() / B.det()))
+      expand(after.det() - B.det()), expand(before.det() - (B.T + R).det()))
 #< areas
 D11, D12, D22 = (diff(lagrangian([m], [a], [b]), *w) for w in ((a, a), (a, b), (b, b)))
 curve = V(kappa * a + (1 - kappa) * b, 2)
