@@ -161,24 +161,25 @@ def line(row, b):
     return Dual(sum(map(mul, row, [x.v for x in b])) >> BITS, sum(map(mul, row, [x.d for x in b])) >> BITS)
 
 
-def factorised(M):
+def factorised(M, bits=BITS):
     """L below, U above the diagonal, by the largest pivots, and the order of the rows."""
     order = list(range(len(M)))
     for k in order[:]:
         best = max(range(k, len(M)), key=lambda i: abs(M[i][k]))
         M[k], M[best], order[k], order[best] = M[best], M[k], order[best], order[k]
         for row in M[k + 1:]:
-            row[k] = f = (row[k] << BITS) // M[k][k]
+            row[k] = f = (row[k] << bits) // M[k][k]
             if f:
-                row[k + 1:] = [a - (f * b >> BITS) for a, b in zip(row[k + 1:], M[k][k + 1:])]
+                row[k + 1:] = [a - (f * b >> bits) for a, b in zip(row[k + 1:], M[k][k + 1:])]
     return M, order
 
 
-def solved(lu, right):
+def solved(lu, right, bits=BITS):
+    """x of M x = right, lu = factorised(M)."""
     M, order = lu
     y, x = [], []
     for row, at in zip(M, order):
-        y.append(right[at] - (sum(map(mul, row, y)) >> BITS))
+        y.append(right[at] - (sum(map(mul, row, y)) >> bits))
     for i in range(len(M) - 1, -1, -1):
-        x.insert(0, (y[i] - (sum(map(mul, M[i][i + 1:], x)) >> BITS) << BITS) // M[i][i])
+        x.insert(0, (y[i] - (sum(map(mul, M[i][i + 1:], x)) >> bits) << bits) // M[i][i])
     return x

@@ -19,6 +19,7 @@ from sympy import (I, Function, Matrix, Rational, Symbol, arg, binomial, conjuga
                    exp, expand, expand_complex, gamma, im, pi, re, simplify, sin, sqrt, symbols,
                    trigsimp, zeros)
 
+from arithmetic import factorised, solved
 from refgen import array, claim, header, hexd, hexd_real, prove, table
 
 Q = Rational
@@ -284,11 +285,12 @@ def masses_response(kind, theta, alpha, steps):
     th = mpmath.mpf(theta)
     scale = mpmath.power(h, 1 - order)
     dim = n * steps                                  # rows k = 0..steps-1, unknown x_1..x_steps
-    A = mpmath.matrix(dim, dim)
+    bits = mpmath.mp.prec + 60
+    A = [[0] * dim for _ in range(dim)]              # in units of 2^-bits
 
     def put(row, col, i, l, value):
-        if col >= 1:
-            A[row * n + i, (col - 1) * n + l] += value
+        if col >= 1 and value != 0:
+            A[row * n + i][(col - 1) * n + l] += int(mpmath.ldexp(value, bits))
 
     for row in range(steps):
         for i in range(n):
@@ -302,13 +304,13 @@ def masses_response(kind, theta, alpha, steps):
                 put(row, row + 1, i, l, -h * k * (1 - k) * C[i, l])
                 put(row, row, i, l, -h * (k * k + (1 - k) ** 2) * C[i, l])
                 put(row, row - 1, i, l, -h * k * (1 - k) * C[i, l])
-    LU, rows = mpmath.mp.LU_decomp(A)                   # once for all masses
+    lu = factorised(A, bits)                            # once for all masses
     out = []
     for j in range(n):
-        b = mpmath.matrix(dim, 1)
-        b[j] = -1
-        solution = mpmath.mp.U_solve(LU, mpmath.mp.L_solve(LU, b, rows))
-        out.append([solution[(steps - 1) * n + i] for i in range(n)])
+        b = [0] * dim
+        b[j] = -1 << bits
+        solution = solved(lu, b, bits)
+        out.append([mpmath.ldexp(solution[(steps - 1) * n + i], -bits) for i in range(n)])
     return out
 
 
