@@ -156,13 +156,32 @@ for law in LAWS:
     claim("(26.8)", max(abs(a - b) for a, b in zip(times(S, S), W)) < mpf(10)**-30)
 
 
+@functools.cache
+def contour(n):
+    """Points and weights of the fixed contour of Talbot, as Abate and Valko have it, at t = 1."""
+    points = [(mpf(2 * n) / 5, mpmath.exp(mpf(2 * n) / 5) / 5)]
+    for k in range(1, n):
+        theta = mpmath.pi * k / n
+        cot = mpmath.cot(theta)
+        point = mpf(2 * n) / 5 * theta * mpc(cot, 1)
+        points.append((point, mpmath.exp(point) * mpc(1, theta * (1 + cot**2) - cot) * 2 / 5))
+    return points
+
+
+def inverse(F, t, n):
+    """What has the transforms F(s), a list, at t. The sums cancel 0.17 n digits."""
+    with mp.workdps(50 + n // 5):
+        rows = [[weight * f for f in F(point / t)] for point, weight in contour(n)]
+        return [mpmath.re(sum(column)) / t for column in zip(*rows)]
+
+
 #> motion
 def motion(law, t, x0, v0, A):
     """(26.9): m = c = 1, held at x0 before t = 0, a constant force A."""
     def transform(s):
         C = symbol(law, s)
-        return (s * x0 + v0 + C * x0 / s + A / s) / (s * s + 1 + C)
-    first, second = (mpmath.invertlaplace(transform, t, method="talbot", degree=n) for n in (56, 72))
+        return [(s * x0 + v0 + C * x0 / s + A / s) / (s * s + 1 + C)]
+    first, second = (inverse(transform, t, n)[0] for n in (56, 72))
     claim("both inversions agree", abs(first - second) < mpf(10)**-22)
     return second
 #< motion
@@ -182,14 +201,12 @@ HARD = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in HARD]
 def forced(C, m, c, x0, v0, forcing, A, T, t):
     """x(t) and x'(t) with C(s); the end of a step is a second step, backwards."""
     def transform(s, start, F):
-        return (start * (m * s * x0 + m * v0 + C(s) * x0 / s) + F(s)) / (m * s * s + c + C(s))
+        X = (start * (m * s * x0 + m * v0 + C(s) * x0 / s) + F(s)) / (m * s * s + c + C(s))
+        return [X, s * X - start * x0]
 
     def at(start, F, t):
-        def back(n):
-            X = functools.cache(lambda s: transform(s, start, F))
-            V = lambda s: s * X(s) - (x0 if start else 0)
-            return [mpmath.invertlaplace(Y, t, method="talbot", degree=n) for Y in (X, V)]
-        first, second = (back(180), back(220)) if t > 2 else (back(64), back(80))
+        first, second = (inverse(lambda s: transform(s, start, F), t, n)
+                         for n in ((180, 220) if t > 2 else (64, 80)))
         claim("both inversions agree", all(abs(a - b) < mpf(10)**-22 for a, b in zip(first, second)))
         return second
     if forcing == 2:
