@@ -235,12 +235,25 @@ def zeros(law, m, c):
 
 
 #> stages
-def stages(law, s, n, h):
-    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
+@functools.cache
+def nodes(s):
+    """b and A^(-1) of s Lobatto nodes; mu, r(-mu) and the matrix a b a~^T on the cut."""
     b, D = {2: ([mpf(1) / 2] * 2, [[-1, 1], [-1, 1]]),
             3: ([mpf(1) / 6, mpf(2) / 3, mpf(1) / 6], [[-3, 4, -1], [-1, 0, 1], [1, -4, 3]])}[s]
     A_inverse = mpmath.matrix(D)
     A_inverse[0, 0] += 1 / b[0]
+    cut = []
+    for k in range(-700, 200):
+        mu = mpmath.exp(mpf(k) / 8)
+        a = mpmath.lu_solve(A_inverse + mu * mpmath.eye(s), mpmath.matrix([1 / b[0]] + [0] * (s - 1)))
+        r = 1 - mu * sum(x * y for x, y in zip(b, a))
+        cut.append((mu, r, a * mpmath.matrix([b[j] * a[s - 1 - j] for j in range(s)]).T))
+    return b, A_inverse, cut
+
+
+def stages(law, s, n, h):
+    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
+    b, A_inverse, cut = nodes(s)
 
     def delta(z):
         Delta = A_inverse.copy()
@@ -249,15 +262,9 @@ def stages(law, s, n, h):
 
     cauchy = coefficients(circle(delta, mpf(2) / 5, 120 + n), lambda v: symbol(law, v) / v, [n])[n]
 
-    def along(ln_mu):
-        mu = mpmath.exp(ln_mu)
-        a = mpmath.lu_solve(A_inverse + mu * mpmath.eye(s), mpmath.matrix([1 / b[0]] + [0] * (s - 1)))
-        r = 1 - mu * sum(x * y for x, y in zip(b, a))
-        C = symbol(law, mpc(-mu / h, mpf(10)**-40)).imag
-        return h / mpmath.pi * C * r**(n - 1) * a * mpmath.matrix([b[j] * a[s - 1 - j] for j in range(s)]).T
-    step = mpf(1) / 8
-    cut = step * sum((along(k * step) for k in range(-700, 200)), mpmath.zeros(s))
-    return mpmath.mnorm(cauchy - cut) / mpmath.mnorm(cauchy)
+    imaginary = lambda s: symbol(law, mpc(s, mpf(10)**-40)).imag
+    along = sum((M * (imaginary(-mu / h) * r**(n - 1)) for mu, r, M in cut), mpmath.zeros(s))
+    return mpmath.mnorm(cauchy - along * (h / mpmath.pi / 8)) / mpmath.mnorm(cauchy)
 #< stages
 
 
