@@ -94,22 +94,36 @@ static int pick(const fvi_sparse *C, fvi_remembered *B)
 static int is_zero(size_t n, const double *D, double noise)
 {
     for (size_t i = 0; i < n; i++)
-        if (fabs(D[i]) > noise)
+        if (!(fabs(D[i]) <= noise))
             return 0;
+    return 1;
+}
+
+/* D in units, powers of two, in which its diagonal is between 1/4 and 4: a small damper
+ * beside a large one is no rounding. Where the diagonal is not positive nothing else may
+ * be in the row: returns 0 if something is. */
+static int take_units(size_t r, double *D, double *unit)
+{
+    for (size_t i = 0; i < r; i++) {
+        const double size = D[i * r + i];
+        unit[i] = size > 0 ? ldexp(1, ilogb(size) / 2) : 1;
+        if (!(size > 0) && !is_zero(r, D + i * r, 0))
+            return 0;
+    }
+    for (size_t i = 0; i < r; i++)
+        for (size_t j = 0; j < r; j++)
+            D[i * r + j] = D[i * r + j] / unit[i] / unit[j];
     return 1;
 }
 
 //> rank
 /* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
- * until nothing is: D is C between the unknowns that it touches, and B's columns come into
- * `out`, of r rows each. Of a C that is negative somewhere more than rounding is left
- * when no positive entry of the diagonal is. Returns the rank, or -1. */
+ * until nothing is: D is C between the unknowns that it touches, its diagonal at most 4,
+ * and B's columns come into `out`, of r rows each. Of a C that is negative somewhere more
+ * than rounding is left when no positive entry of the diagonal is. Returns the rank, or -1. */
 static int take_apart(size_t r, double *D, double *out)
 {
-    double largest = 0;
-    for (size_t i = 0; i < r; i++)
-        largest = fmax(largest, D[i * r + i]);
-    const double noise = (double)r * 8 * DBL_EPSILON * largest;
+    const double noise = (double)r * 8 * DBL_EPSILON * 4;
     for (size_t rank = 0;; rank++, out += r) {
         size_t pivot = 0;
         for (size_t i = 0; i < r; i++)
@@ -131,7 +145,8 @@ static int take_apart(size_t r, double *D, double *out)
 static double *between(const fvi_remembered *B)
 {
     const size_t r = B->r;
-    double *D = calloc(2 * r * r, sizeof *D); /* and room for B's columns */
+    double *D =
+        calloc(2 * r * r + r, sizeof *D); /* and B's columns, and units */
     for (size_t l = 0; D && l < r; l++)
         for (size_t i = 0; i < r; i++)
             D[l * r + i] =
@@ -168,10 +183,14 @@ static int look_for_few(fvi_remembered *B)
     double *D = between(B);
     if (!D)
         return FVI_ENOMEM;
-    const int rank = take_apart(r, D, D + r * r);
+    double *columns = D + r * r, *unit = columns + r * r;
+    const int rank = take_units(r, D, unit) ? take_apart(r, D, columns) : -1;
     int status = rank < 0 ? FVI_EDOM : FVI_SUCCESS;
-    if (rank >= 0 && 2 * (size_t)rank <= r)
-        status = keep_columns((size_t)rank, D + r * r, B);
+    if (rank >= 0 && 2 * (size_t)rank <= r) {
+        for (size_t i = 0; i < (size_t)rank * r; i++)
+            columns[i] *= unit[i % r];
+        status = keep_columns((size_t)rank, columns, B);
+    }
     free(D);
     return status;
 }

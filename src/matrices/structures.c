@@ -71,8 +71,7 @@ static void forget(void *factors)
     fvi_factors_free(factors);
 }
 
-/* Two numbers at a time are asked of the factors, by runs in any threads: no room is
- * kept. */
+/* The factors have room of their own, so only one thread at a time may ask. */
 static int energy(size_t d, const double *x, const double *p,
                   const void *params, double *E)
 {

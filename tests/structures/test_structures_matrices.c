@@ -368,6 +368,8 @@ START_TEST(eq_27_4_only_what_the_damping_touches_is_remembered)
         { { 1, 2, 4, 0, 0, 0, -1, -2, 0, 1, 3, 6, 0, -3, 9 }, 1 },
         /* a chain of dampers to the ground at one end: rank 5, all */
         { { 2, -1, 2, 0, -1, 2, 0, 0, -1, 2, 0, 0, 0, -1, 1 }, 5 },
+        /* one damper is 1e-16 of the other, which is no reason to forget it */
+        { { 1, -1, 1, 0, 0, 1e-16, 0, 0, -1e-16, 1e-16 }, 2 },
     };
     for (size_t i = 0; i < LEN(cases); i++) {
         matrices m;
@@ -383,8 +385,9 @@ END_TEST
 
 START_TEST(bad_matrices_are_refused_by_name)
 {
-    static const double lopsided[] = { 1, 0, 1 };
-    fvi_sparse good, two, skew, less, holes, C;
+    static const double lopsided[] = { 1, 0, 1 },
+                        feeds[] = { 1, 0, -1e-16, 0, 0, 0 };
+    fvi_sparse good, two, skew, less, holes, little, C;
     fvi_structure *s = NULL;
     char fault;
     tridiagonal(3, 2, -1, &good);
@@ -394,6 +397,7 @@ START_TEST(bad_matrices_are_refused_by_name)
     tridiagonal(3, 2, -1, &skew);
     skew.entry[1] = 1;
     dense(2, lopsided, &C);
+    dense(3, feeds, &little);
 #define REFUSED(M, K, C, code, name)                                           \
     ck_assert_int_eq(fvi_structure_alloc(M, K, C, &s, &fault), code);          \
     ck_assert_int_eq(fault, name)
@@ -403,6 +407,7 @@ START_TEST(bad_matrices_are_refused_by_name)
     REFUSED(&good, &skew, &good, FVI_EDOM, 'K');
     REFUSED(&good, &good, &skew, FVI_EDOM, 'C');
     REFUSED(&good, &good, &less, FVI_EDOM, 'C');
+    REFUSED(&good, &good, &little, FVI_EDOM, 'C');
     REFUSED(&good, &two, &good, FVI_EINVAL, 'K');
     REFUSED(&good, &good, &two, FVI_EINVAL, 'C');
     REFUSED(NULL, &good, &good, FVI_EFAULT, 0);
@@ -416,6 +421,7 @@ START_TEST(bad_matrices_are_refused_by_name)
     fvi_sparse_free(&skew);
     fvi_sparse_free(&less);
     fvi_sparse_free(&holes);
+    fvi_sparse_free(&little);
     fvi_sparse_free(&C);
 }
 END_TEST
