@@ -134,6 +134,15 @@ static int all_columns(loads *l, size_t d)
     return l->unknown ? 0 : 1;
 }
 
+/* Is a line behind # no comment, but "t f3 f7"? */
+static int names_columns(const char *line)
+{
+    const char *at = line + strspn(line, "# \t");
+    const char *next = at + 1 + (*at == 't' ? strspn(at + 1, between) : 0);
+    return *at == 't' && next > at + 1 && *next == 'f' && next[1] >= '0'
+           && next[1] <= '9';
+}
+
 /* "t f3 f7", perhaps behind #. */
 static int named_columns(const reader *r, loads *l, size_t d)
 {
@@ -153,7 +162,7 @@ static int named_columns(const reader *r, loads *l, size_t d)
                 return refuse(r, "an unknown that is named twice");
         l->unknown[l->width++] = (size_t)i - 1;
     }
-    return 0;
+    return l->width > 0 ? 0 : refuse(r, "names are t, then f1, f2, ...");
 }
 
 /* One row of numbers; t increases. */
@@ -192,10 +201,10 @@ static int read_rows(reader *r, loads *l, size_t d)
         r->number++;
         const char *at = r->line + strspn(r->line, between);
         const int is_name =
-            *at == 't' || (*at == '#' && !l->unknown && strchr(at, 't'));
+            !l->unknown && (*at == 't' || (*at == '#' && names_columns(at)));
         if (*at == '\0' || (*at == '#' && !is_name))
             continue;
-        if (is_name && !l->unknown)
+        if (is_name)
             status = named_columns(r, l, d);
         else if (!l->unknown && all_columns(l, d))
             status = 1;

@@ -80,7 +80,7 @@ START_TEST(forces_come_from_a_table_of_unknowns)
     table("run --system chain --method fvi-stable --force 'step:1,9' --steps "
           "20",
           other, sizeof other);
-    write_file("chain/f.tsv", "# all alike\nt\tf1\tf3\tf2\n0\t1\t1\t1\n"
+    write_file("chain/f.tsv", "# the same to all\nt\tf1\tf3\tf2\n0\t1\t1\t1\n"
                               "3\t1\t1\t1\n");
     table("run --system chain --method fvi-stable --steps 20", one, sizeof one);
     ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
@@ -183,6 +183,12 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2: t does not increase" },
         { "f.tsv", "0 1 2 inf\n", "f.tsv:1: not a finite number" },
         { "f.tsv", "# t\n", "f.tsv: has no rows" },
+        { "f.tsv", "t\n0\n30\n", "f.tsv:1: names are t, then f1, f2, ..." },
+        { "f.tsv", "t f1\n0 1\nt f2\n30 1\n", "f.tsv:3: not a finite number" },
+        { "f.tsv", "0 1 2 3\ntrash 1\n30 1 2 3\n",
+          "f.tsv:2: not a finite number" },
+        { "C.mtx", HEAD "3 3 2\n1 1 1\n2 2 -1e-15\n",
+          "C.mtx: not positive semidefinite: it would feed the motion" },
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         char name[40], complaint[200];
