@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,36 +33,41 @@ static void includes(char flag[2][PATH])
         snprintf(flag[i], sizeof flag[i], "-I%s/../%s", self, places[i]);
 }
 
-/* Runs the compiler, which says what it has to say into the file `log`. Returns 0, or 1. */
-static int run_compiler(const char *file, const char *object, const char *log)
+static const char *compiler(void)
+{
+    const char *cc = getenv("CC");
+    return cc && *cc ? cc : "cc";
+}
+
+/* Runs the compiler, under these blocked signals; it says what it has to say into the file
+ * `log`. Returns 0, or 1. */
+static int run_compiler(const char *file, const char *object, const char *log,
+                        const sigset_t *blocked)
 {
     char flag[2][PATH];
-    const char *cc = getenv("CC");
     includes(flag);
-    const char *const words[] = { cc && *cc ? cc : "cc",
-                                  "-O2",
-                                  "-fPIC",
-                                  "-ffp-contract=off",
-                                  "-shared",
-                                  flag[0],
-                                  flag[1],
-                                  "-o",
-                                  object,
-                                  file,
-                                  "-lm",
-                                  NULL };
+    const char *const words[] = {
+        compiler(), "-O2",   "-fPIC", "-ffp-contract=off",
+        "-shared",  flag[0], flag[1], "-o",
+        object,     file,    "-lm",   NULL
+    };
     posix_spawn_file_actions_t files;
+    posix_spawnattr_t signals;
     pid_t child;
     int ended = 1;
     if (posix_spawn_file_actions_init(&files))
         return 1;
+    posix_spawnattr_init(&signals);
+    posix_spawnattr_setsigmask(&signals, blocked);
+    posix_spawnattr_setflags(&signals, POSIX_SPAWN_SETSIGMASK);
     posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&files, 2, log,
                                      O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int spawned = posix_spawnp(&child, words[0], &files, NULL,
+    const int spawned = posix_spawnp(&child, words[0], &files, &signals,
                                      (char *const *)words, environ);
     while (spawned == 0 && waitpid(child, &ended, 0) < 0 && errno == EINTR)
         ;
+    posix_spawnattr_destroy(&signals);
     posix_spawn_file_actions_destroy(&files);
     return ended != 0;
 }
@@ -77,28 +83,36 @@ static void first_error(const char *log, size_t size, char *line)
         fclose(f);
     line[strcspn(line, "\n")] = '\0';
     if (!found)
-        snprintf(line, size, "the compiler cc does not run");
+        snprintf(line, size, "the compiler %s does not run", compiler());
 }
 
 int fvi_compile(const char *file, void **library, size_t size, char *why)
 {
     const char *folder = getenv("TMPDIR");
     char place[PATH_MAX], object[PATH], log[PATH];
+    sigset_t all, before;
     const int length = snprintf(place, sizeof place, "%s/fvi-XXXXXX",
                                 folder && *folder ? folder : "/tmp");
     *library = NULL;
+    if (length >= (int)sizeof place)
+        errno = ENAMETOOLONG;
+    sigfillset(
+        &all); /* what would end the program waits until the folder is gone */
+    sigprocmask(SIG_BLOCK, &all, &before);
     if (length >= (int)sizeof place || !mkdtemp(place)) {
         snprintf(why, size, "no folder for the compiler: %s", strerror(errno));
+        sigprocmask(SIG_SETMASK, &before, NULL);
         return 1;
     }
     snprintf(object, sizeof object, "%s/potential.so", place);
     snprintf(log, sizeof log, "%s/log", place);
-    if (run_compiler(file, object, log))
+    if (run_compiler(file, object, log, &before))
         first_error(log, size, why);
     else if (!(*library = dlopen(object, RTLD_NOW)))
         snprintf(why, size, "%s", dlerror());
     remove(object); /* what is loaded stays */
     remove(log);
     rmdir(place);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return *library == NULL;
 }

@@ -38,13 +38,13 @@ static int compile(const char *text, const char *path, void **library,
 }
 
 /* A name without a folder is that of a file here, not of one where the system keeps its
- * libraries. */
+ * libraries; and -d/a.c is no option of the compiler. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
                     fvi_complaint c)
 {
     char path[PATH_MAX];
-    const int length = snprintf(path, sizeof path, "%s%s",
-                                strchr(text, '/') ? "" : "./", text);
+    const int length =
+        snprintf(path, sizeof path, "%s%s", *text == '/' ? "" : "./", text);
     *library = NULL;
     if (length >= (int)sizeof path)
         return fvi_refuse(c, "--potential: '%s': the name is too long", text);

@@ -129,14 +129,6 @@ START_TEST(a_shared_object_is_a_potential)
     ck_assert(strncmp(err, "fvi: --potential: cannot compile 'nowhere.c': ", 46)
                   == 0
               && strstr(err, "No such file") && count_lines(err) == 2);
-    /* nothing stays behind, and without a compiler that is said */
-    ck_assert_int_eq(
-        shell("mkdir empty && TMPDIR=$PWD/empty \"$FVI\" run "
-              "--potential my.c --dimension 2 --steps 3 >/dev/null && rmdir "
-              "empty && CC=none \"$FVI\" run --potential my.c 2>e; "
-              "test $? = 2 && grep -q \"cannot compile 'my.c': the "
-              "compiler cc does not run\" e"),
-        0);
     ck_assert_int_eq(shell("echo 'int fvi_other;' > o.c; "
                            "cc -shared -fPIC o.c -o other.so; "
                            "sed 's/[.]value = value,//' my.c > half.c; cc "
@@ -148,6 +140,39 @@ START_TEST(a_shared_object_is_a_potential)
     ck_assert_refused("run --potential half.so --dimension 2",
                       "fvi: --potential: 'half.so': a function is missing in "
                       "fvi_user_potential");
+}
+END_TEST
+
+/* Any name of a file, nothing that stays behind, not even of a program that is told to end
+ * while the compiler runs, and a compiler that does not run is named. SLOW is a compiler that
+ * tells its parent to end, then says whether it can be told so itself. */
+START_TEST(a_file_of_c_is_compiled_and_nothing_stays)
+{
+    if (shell("command -v cc > /dev/null") != 0)
+        return;
+    write_file("one.c",
+               "#include <fvi/system.h>\n"
+               "static int f(size_t d, const double *x, void *p, double *y)"
+               "{ (void)d, (void)p; *y = *x * 0; return 0; }\n"
+               "const fvi_potential fvi_user_potential = { .value = f, "
+               ".gradient = f, .hessian = f };\n");
+    ck_assert_int_eq(
+        shell("mkdir ./-d empty; cp one.c \"a b'\\$x.c\"; cp one.c ./-d; "
+              "export TMPDIR=$PWD/empty; for f in one.c \"a b'\\$x.c\" "
+              "-d/one.c ./-d/one.c; do \"$FVI\" run --potential \"$f\" "
+              "--steps 3 > /dev/null || exit 1; done; rmdir empty"),
+        0);
+    ck_assert_int_eq(
+        shell("CC=none \"$FVI\" run --potential one.c 2> e; test $? = 2 && "
+              "grep -q \"cannot compile 'one.c': the compiler none does not "
+              "run\" e"),
+        0);
+    ck_assert_int_eq(
+        shell("printf '#!/bin/sh\\nkill $PPID\\nkill $$\\ntouch deaf\\n' > "
+              "slow; chmod +x slow; mkdir empty; TMPDIR=$PWD/empty "
+              "CC=$PWD/slow \"$FVI\" run --potential one.c > o 2> e; "
+              "test $? = 143 && test ! -s o && rmdir empty && ! test -e deaf"),
+        0);
 }
 END_TEST
 
@@ -317,9 +342,11 @@ int main(void)
     Suite *suite = suite_create("the program fvi: one's own problem");
     ADD_CASE(suite, "values", an_expression_is_a_potential,
              expressions_have_as_many_coordinates_as_masses,
-             a_shared_object_is_a_potential, masses_and_dampings_one_by_one,
-             forces_add_up, case_does_not_matter_for_words,
-             tables_in_three_formats, other_programs_read_the_tables,
+             a_shared_object_is_a_potential,
+             a_file_of_c_is_compiled_and_nothing_stays,
+             masses_and_dampings_one_by_one, forces_add_up,
+             case_does_not_matter_for_words, tables_in_three_formats,
+             other_programs_read_the_tables,
              digits_are_the_fewest_that_come_back);
     return run_suite_of_program(suite);
 }
