@@ -4,10 +4,12 @@
   (20.3)  Gamma-quotients on random n and gamma, at 40 digits;
   (20.4)  the total of the kernel's excess in closed form, by induction;
   (20.6)  the totals of the damped weights;
+  (20.9)  its constants at points of the strip;
   (20.5), (20.6), (20.8)  the constants of some motions, at 40 digits.
 
 The inequality (20.3) for all n and gamma is the hand's, by convexity of log Gamma:
 here it is looked at where n and gamma happen to be."""
+import cmath
 import random
 
 import mpmath
@@ -138,6 +140,21 @@ MOTIONS = [(alpha, kappa_, T, r, l, G_, var, start, V, A, room)
                (0.25, 4.0, 0.125, 0.5, 2.0, 1.0, 1.5, 0.75, 0.0),
                (1.0, 0.1, 6.0, 3.0, 0.0, 2.0, 2.0, 8.0, 0.125))]
 MOTIONS.append((0.3, 0.5, 2.0, 0.0, 0.0, 0.0, 1.0, 1.0, 3.0, 1.0, 0.5))
+
+# -- order two of the methods of chapter 13 ------------------------------------------
+def strip():
+    """(20.9) in doubles, which is enough for constants: the largest |G - 1| / |u|^2 and |G|."""
+    near, size = 0.0, 0.0
+    for a in (n / 20 for n in range(21)):
+        for u in (complex(r / 8, cmath.pi * j / 113) for r in range(9) for j in range(-113, 114) if r or j):
+            z, root = cmath.exp(-u), ((1 - cmath.exp(-u)) / u) ** (2 * a)
+            for G in (root * (1 - a + a / z), root * ((3 - z) / 2) ** (2 * a),
+                      root * (0.5 + a + (0.5 - a) * z) * (1 + 1 / z) / 2):
+                near, size = max(near, abs(G - 1) / abs(u) ** 2), max(size, abs(G))
+    return near, size
+
+
+claim("(20.9) on the strip", strip()[0] < 0.7 and strip()[1] < 2.3)
 
 header("verify/convergence.py")
 print("\n/* c = Gamma(n + gamma) / Gamma(n); excess as in (20.4), without h. */")
