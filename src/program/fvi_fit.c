@@ -137,6 +137,10 @@ static int interpret(request *r, fvi_complaint c)
                             r->words.own[STARTS]);
     if (!status && r->words.own[CURVE] && !*r->words.own[CURVE])
         status = fvi_refuse(c, "--curve: '' is not a file's name");
+    if (!status && r->words.own[CURVE] && o->output
+        && strcmp(r->words.own[CURVE], o->output) == 0)
+        status =
+            fvi_refuse(c, "--curve: '%s' is the table's file, too", o->output);
     return status;
 }
 

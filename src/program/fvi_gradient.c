@@ -83,14 +83,19 @@ static int interpret(request *r, fvi_complaint c)
                           "the start (--derivative held and alpha > 1/2, or "
                           "rl); take fvi-lobatto8d, or --derivative caputo",
                           m->name);
-    if (m->scheme == FVI_SCHEME_MESH && r->o.forces && r->o.lets.count > 0)
-        return fvi_refuse(c,
-                          "--let: '%s' has no gradient with %s, which asks "
-                          "for the force between the rows",
-                          r->o.lets.name[0], m->name);
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        if (m->scheme == FVI_SCHEME_MESH && r->o.lets.used[j] & 2)
+            return fvi_refuse(c,
+                              "--let: '%s' has no gradient with %s, which "
+                              "asks for the force between the rows",
+                              r->o.lets.name[j], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
+    if (r->words.own[FORCES] && r->o.output
+        && strcmp(r->words.own[FORCES], r->o.output) == 0)
+        return fvi_refuse(c, "--forces: '%s' is the table's file, too",
+                          r->o.output);
     return interpret_of(r, c);
 }
 

@@ -18,7 +18,7 @@ int fvi_lets_add(fvi_lets *lets, const char *text, fvi_complaint c)
 }
 
 /* Notes which parameters an expression, which has been understood, speaks of. */
-static void note(fvi_lets *lets, const char *text)
+static void note(fvi_lets *lets, const char *text, unsigned char by)
 {
     static const char inside[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789."
                                  "abcdefghijklmnopqrstuvwxyz";
@@ -27,7 +27,7 @@ static void note(fvi_lets *lets, const char *text)
         for (size_t i = 0; i < lets->count; i++)
             if (strlen(lets->name[i]) == length
                 && strncmp(text, lets->name[i], length) == 0)
-                lets->used[i] = 1;
+                lets->used[i] |= by;
         text += length;
     }
 }
@@ -38,7 +38,7 @@ int fvi_lets_parse(fvi_lets *lets, const char *variable, size_t d,
     const fvi_names names = { variable, d, lets->name, lets->count };
     int status = fvi_expression_parse(text, &names, lets->value, e, wrong);
     if (!status)
-        note(lets, text);
+        note(lets, text, variable && *variable == 't' ? 2 : 1);
     return status;
 }
 

@@ -15,7 +15,7 @@ typedef struct {
     char names[1024]; /* the same in pieces */
     const char *name[FVI_MOST_LETS];
     double value[FVI_MOST_LETS];
-    unsigned char used[FVI_MOST_LETS]; /* 1: an expression speaks of it */
+    unsigned char used[FVI_MOST_LETS]; /* bit 2: a force speaks of it; 1: others */
 } fvi_lets;
 
 /* fvi_lets_add -- one more "k=3", or several; understood by fvi_lets_interpret.

@@ -267,6 +267,24 @@ static int is_picture(const char *name)
                || strcasecmp(name + length - 4, ".png") == 0);
 }
 
+/* Of two files with one name the later would take the place of the other. */
+static int check_files(const fvi_options *o, fvi_complaint c)
+{
+    static const option_index files[] = { PLOT, SNAPSHOT, CHECKPOINT };
+    for (int i = 0; i < 3; i++) {
+        const char *name = fvi_option_list[files[i]].name,
+                   *text = o->text[files[i]];
+        if (text && o->output && strcmp(text, o->output) == 0)
+            return fvi_refuse(c, "--%s: '%s' is the table's file, too", name,
+                              text);
+        for (int j = 0; text && j < i; j++)
+            if (o->text[files[j]] && strcmp(text, o->text[files[j]]) == 0)
+                return fvi_refuse(c, "--%s: '%s' is the file of --%s, too",
+                                  name, text, fvi_option_list[files[j]].name);
+    }
+    return 0;
+}
+
 static int interpret(fvi_options *o, fvi_complaint c)
 {
     size_t format;
@@ -280,9 +298,6 @@ static int interpret(fvi_options *o, fvi_complaint c)
     o->snapshot = o->text[SNAPSHOT];
     if (o->snapshot && !*o->snapshot)
         return fvi_refuse(c, "--snapshot: '' is not a file's name");
-    if (o->snapshot && o->output && strcmp(o->snapshot, o->output) == 0)
-        return fvi_refuse(c, "--snapshot: '%s' is the table's file, too",
-                          o->snapshot);
     if (o->snapshot && o->text[ERROR])
         return fvi_refuse(c, "--snapshot: not together with --error");
     o->checkpoint = o->text[CHECKPOINT];
@@ -293,7 +308,9 @@ static int interpret(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "--checkpoint: not together with --error");
     if (o->resume && !o->checkpoint)
         return fvi_refuse(c, "--continue: from which --checkpoint FILE?");
-    int status = choice(o, FORMAT, fvi_format_names, &format, c);
+    int status = check_files(o, c);
+    if (!status)
+        status = choice(o, FORMAT, fvi_format_names, &format, c);
     if (status)
         return status;
     o->format = (fvi_format)format;

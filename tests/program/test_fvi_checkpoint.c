@@ -135,6 +135,8 @@ START_TEST(another_problem_version_or_file_is_refused)
     refused("run --continue", "fvi: --continue: from which --checkpoint FILE?");
     refused("run --checkpoint ''",
             "fvi: --checkpoint: '' is not a file's name");
+    refused("run --checkpoint c -o c",
+            "fvi: --checkpoint: 'c' is the table's file, too");
     refused("run --checkpoint c --error 1",
             "fvi: --checkpoint: not together with --error");
     refused("run --checkpoint c --continue --columns y",

@@ -199,6 +199,7 @@ static const char *const refused[][2] = {
     { "fit --starts 1 d.tsv", "--starts" },
     { "fit --starts 2.5 d.tsv", "--starts" },
     { "fit --curve '' d.tsv", "--curve" },
+    { "fit --curve a -o a d.tsv", "--curve: 'a' is the table's file, too" },
     { "fit --sigma 1 --sigma 2 d.tsv", "twice" },
     { "fit --steps 5 d.tsv", "--steps" },
     { "fit --time=5 d.tsv", "--time" },

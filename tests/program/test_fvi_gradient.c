@@ -37,6 +37,8 @@ static const char *const runs[] = {
     "--alpha 1 --potential duffing:1,0.5 --rho 0.4 --method fvi-lobatto4",
     "--damping maxwell:0.2,1 --damping zener:0.3,0.4,1 --method fvi-bdf2",
     "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-adaptive",
+    "--alpha 0.3 --method fvi-adaptive --potential 'k*x^4/4+x^2/2' --let k=0.5 "
+    "--force 'cos(t)'",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -59,6 +61,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
         { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
         { 7, "p0", "--p0", 0.5 },    { 7, "rho", "--rho", 0.4 },
+        { 8, "k", "--let k=", 0.5 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -154,7 +157,7 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
         { "--method fvi-adaptive --alpha 0.7",
           "--method: 'fvi-adaptive' has no gradient where the past pulls" },
-        { "--method fvi-adaptive --force 'a*cos(t)' --let a=1",
+        { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let b=1,a=1",
           "--let: 'a' has no gradient with fvi-adaptive" },
         { "--of y", "--of: 'y' is none of x, p, energy" },
         { "--of x:2", "--of: '2' is outside [1, 1]" },
@@ -167,6 +170,7 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         { "--of x --of p", "--of: given twice, as 'x' and as 'p'" },
         { "--alpha 2", "--alpha: '2' is outside [0, 1]" },
         { "--forces ''", "--forces: '' is not a file's name" },
+        { "--forces a -o a", "--forces: 'a' is the table's file, too" },
         { "word", "'word': not expected here" },
         { "--off x", "--off: no such option; did you mean --of?" },
         { "--foce none", "--foce: no such option; did you mean --force?" },

@@ -145,6 +145,8 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
                       "fvi: --unknowns: '1,' is not a list of numbers from 1 to 3");
     ck_assert_refused("run --snapshot a -o a",
                       "fvi: --snapshot: 'a' is the table's file, too");
+    ck_assert_refused("run --snapshot a --checkpoint a",
+                      "fvi: --checkpoint: 'a' is the file of --snapshot, too");
 }
 END_TEST
 
