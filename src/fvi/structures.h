@@ -88,7 +88,8 @@ typedef struct fvi_structure fvi_structure;
 /* fvi_structure_alloc -- prepare a system with these matrices.
  *
  *   M      positive definite
- *   K      symmetric
+ *   K      symmetric. A run that is implicit in it does not start (FVI_ESING) where m M + c C
+ *          + k K is not positive definite; conjugate gradients may see it in a step only
  *   C      not negative; NULL: no damping
  *   structure  output; free it with fvi_structure_free. It points to the matrices, which
  *          must outlive it

@@ -7,9 +7,9 @@
 #include <fvi/version.h>
 
 #include <errno.h>
+#include <inttypes.h>
 #include <limits.h>
 #include <signal.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -93,6 +93,22 @@ static int is_free(const char *name)
     return 0;
 }
 
+/* What the matrices of --system are, in a number: the folder's name does not tell. */
+static uint64_t sum_of(const fvi_directory *directory)
+{
+    const fvi_sparse *A[3];
+    state f = { .sum = FIRST_SUM };
+    fvi_directory_matrices(directory, A);
+    for (int l = 0; l < 3; l++) {
+        const size_t n = A[l]->n, count = n ? (size_t)A[l]->start[n] : 0;
+        add_to_sum(&f, &n, sizeof n);
+        add_to_sum(&f, A[l]->start, n ? (n + 1) * sizeof *A[l]->start : 0);
+        add_to_sum(&f, A[l]->row, count * sizeof *A[l]->row);
+        add_to_sum(&f, A[l]->entry, count * sizeof *A[l]->entry);
+    }
+    return f.sum;
+}
+
 /* The head as a text of its own; NULL if there is no memory. */
 static char *head_of(const fvi_options *o)
 {
@@ -106,6 +122,8 @@ static char *head_of(const fvi_options *o)
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);
+    if (o->directory)
+        fprintf(f, "matrices = %016" PRIx64 "\n", sum_of(o->directory));
     fputc('\n', f);
     if (fclose(f) == 0)
         return text;

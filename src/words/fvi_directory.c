@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 /* Forces on some unknowns, in rows of t and `width` numbers. */
 typedef struct {
@@ -38,6 +38,13 @@ static const char *path(const fvi_directory *d, const char *file,
 {
     snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
     return place;
+}
+
+/* A link that leads nowhere is there, and cannot be read. */
+static int is_there(const char *place)
+{
+    struct stat file;
+    return lstat(place, &file) == 0;
 }
 
 /* ---- matrices ---- */
@@ -77,7 +84,7 @@ static int read_all(fvi_directory *d, fvi_complaint c)
     int status = read_matrix(d, "M.mtx", &d->M, c);
     if (!status)
         status = read_matrix(d, "K.mtx", &d->K, c);
-    const int damped = access(path(d, "C.mtx", place), F_OK) == 0;
+    const int damped = is_there(path(d, "C.mtx", place));
     if (!status && damped)
         status = read_matrix(d, "C.mtx", &d->C, c);
     if (status)
@@ -220,7 +227,7 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
     char place[PATH_MAX + 8];
     loads *l = &d->loads;
     reader r = { .name = path(d, "f.tsv", place), .c = c };
-    *found = access(place, F_OK) == 0;
+    *found = is_there(place);
     if (!*found)
         return 0;
     r.file = fopen(place, "r");
@@ -274,6 +281,13 @@ fvi_system fvi_directory_system(const fvi_directory *d)
     if (d->loads.rows > 0)
         s.force = (fvi_force){ .value = value, .params = (void *)d };
     return s;
+}
+
+void fvi_directory_matrices(const fvi_directory *d, const fvi_sparse *A[3])
+{
+    A[0] = &d->M;
+    A[1] = &d->K;
+    A[2] = &d->C;
 }
 
 const char *fvi_directory_solver(const fvi_directory *d, double m, double c,

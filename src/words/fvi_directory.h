@@ -28,6 +28,10 @@ int fvi_directory_force(fvi_directory *directory, double last, int *found,
 /* fvi_directory_system -- the system, with that force. It points into the directory. */
 fvi_system fvi_directory_system(const fvi_directory *directory);
 
+/* fvi_directory_matrices -- M, K and C as they were read; C is empty if there is none. */
+void fvi_directory_matrices(const fvi_directory *directory,
+                            const fvi_sparse *A[3]);
+
 /* fvi_directory_solver -- how a step of that method is solved, for the head of a table. */
 const char *fvi_directory_solver(const fvi_directory *directory, double m,
                                  double c, double k);

@@ -235,6 +235,13 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
     ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
     ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
     ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
+    ck_assert_int_eq(shell("ln -s nowhere chain/C.mtx"), 0);
+    ck_assert_refused("run --system chain --steps 3",
+                      "fvi: --system: chain/C.mtx: cannot be read");
+    ck_assert_int_eq(shell("mv chain/C.mtx chain/f.tsv"), 0);
+    ck_assert_refused("run --system chain --steps 3",
+                      "fvi: --system: chain/f.tsv: No such file or directory");
+    ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
 }
 END_TEST
 
@@ -253,6 +260,11 @@ START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
           rest, sizeof rest);
     strcat(parts, rest);
     ck_assert_str_eq(whole, parts);
+    write_file("chain/C.mtx", HEAD "3 3 2\n1 1 0.3\n3 3 0.2\n");
+    ck_assert_refused_with("run --system chain --method fvi-stable --alpha 0.3 "
+                           "--memory direct --steps 80 --checkpoint saved "
+                           "--continue",
+                           "fvi: --continue: saved: a run with matrices = ");
 }
 END_TEST
 
