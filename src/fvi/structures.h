@@ -120,7 +120,9 @@ fvi_system fvi_structure_system(const fvi_structure *structure);
  * 2^32 products and half a gigabyte; else by conjugate gradients with the diagonal as
  * preconditioner, to rounding.
  *
- *   m, c, k  zero or not is all that counts */
+ *   m, c, k  zero or not is all that counts
+ *
+ * Returns a static text, "" if there is no memory. */
 const char *fvi_structure_solver(const fvi_structure *structure, double m,
                                  double c, double k);
 

@@ -4,6 +4,7 @@
 
 #include "system/fail.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -192,7 +193,8 @@ const char *fvi_structure_solver(const fvi_structure *s, double m, double c,
     static const char *const names[] = { "diagonal", "band", "CHOLMOD",
                                          "conjugate gradients" };
     const fvi_sparse *const terms[3] = { s->M, s->C, s->K };
-    const double a[3] = { m, c, k };
+    /* of no simple ratio: where M is 1 and K is -1 no entry is lost */
+    const double a[3] = { m, c * sqrt(2), k * sqrt(3) };
     fvi_sparse A;
     if (fvi_sparse_add(terms, a, &A))
         return "";

@@ -317,6 +317,21 @@ START_TEST(the_way_is_chosen_by_the_band)
 }
 END_TEST
 
+/* M + K is diagonal here, but no M / h + s K of a run. */
+START_TEST(the_way_of_a_sum_is_not_that_of_entries_that_cancel)
+{
+    fvi_sparse M, K;
+    fvi_structure *s;
+    tridiagonal(5, 4, 1, &M);
+    tridiagonal(5, 2, -1, &K);
+    OK(fvi_structure_alloc(&M, &K, NULL, &s, NULL));
+    ck_assert_str_eq(fvi_structure_solver(s, 1, 0, 1), "band");
+    fvi_structure_free(s);
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&K);
+}
+END_TEST
+
 /* ---- what the damping remembers ---- */
 
 /* A matrix from its lower triangle, row by row. */
@@ -460,7 +475,8 @@ int main(void)
              another_reader_agrees_where_the_file_is_good);
     ADD_CASE(suite, "factors", eq_27_3_every_way_solves_the_same_equations,
              an_indefinite_matrix_has_no_factors,
-             the_way_is_chosen_by_the_band);
+             the_way_is_chosen_by_the_band,
+             the_way_of_a_sum_is_not_that_of_entries_that_cancel);
     ADD_CASE(
         suite, "damping", eq_27_4_only_what_the_damping_touches_is_remembered,
         bad_matrices_are_refused_by_name, a_large_damping_is_looked_at_too);
