@@ -474,8 +474,7 @@ int main(void)
              bad_files_are_refused_with_their_line,
              another_reader_agrees_where_the_file_is_good);
     ADD_CASE(suite, "factors", eq_27_3_every_way_solves_the_same_equations,
-             an_indefinite_matrix_has_no_factors,
-             the_way_is_chosen_by_the_band,
+             an_indefinite_matrix_has_no_factors, the_way_is_chosen_by_the_band,
              the_way_of_a_sum_is_not_that_of_entries_that_cancel);
     ADD_CASE(
         suite, "damping", eq_27_4_only_what_the_damping_touches_is_remembered,
