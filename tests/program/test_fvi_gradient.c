@@ -155,6 +155,9 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
+        { "--method fvi-lobatto4d --damping maxwell:1,2",
+          "--damping: 'maxwell:1,2' has no gradient with fvi-lobatto4d; with "
+          "fvi and fvi-bdf2 it has" },
         { "--method fvi-adaptive --alpha 0.7",
           "--method: 'fvi-adaptive' has no gradient where the past pulls" },
         { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let b=1,a=1",
