@@ -32,7 +32,7 @@ typedef struct {
  *
  *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
  *         (p' = p but for fvi_variational, 1, and three stages and more, whose
- *         order over all t may be as low as 3 - 2 alpha. p = 1 - 2 alpha for
+ *         order over all t may be as low as 3 - 2 alpha, 2 with a law. p = 1 - 2 alpha for
  *         a method with past_as_printed, Riemann-Liouville, alpha < 1/2, where a damped
  *         coordinate does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
  *     F, at 128 random times, is at most half as far from its linear interpolant

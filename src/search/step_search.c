@@ -90,11 +90,12 @@ static int is_kicked(const fvi_method *method, const fvi_run *run)
 }
 
 //> order
-/* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). */
+/* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). Of a law the
+ * worst on stages, that of its highest order, which is 1 at most. */
 static void orders(const fvi_method *method, const fvi_run *run, double *least,
                    double *most)
 {
-    const double alpha = run->alpha, s = method->stages;
+    const double alpha = run->law ? 0.5 : run->alpha, s = method->stages;
     *least = method->lowest;
     *most = method->highest;
     if (method->stages == 0 && run->kappa != 0.5)
@@ -103,7 +104,7 @@ static void orders(const fvi_method *method, const fvi_run *run, double *least,
         *least = *most = 1 - 2 * alpha; /* (9.5) */
     if (method->stages > 0)
         *least = *most = 2 * s - 2;
-    if (method->stages > 2 && alpha != 0 && alpha != 0.5) {
+    if (method->stages > 2 && (run->law || (alpha != 0 && alpha != 0.5))) {
         *most = fmin(2 * s - 2, (method->damped_inertia ? s + 4 : s + 2)
                                     - 2 * alpha); /* (17.13), (17.27) */
         *least = fmin(*most, 3 - 2 * alpha);

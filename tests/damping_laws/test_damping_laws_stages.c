@@ -277,6 +277,32 @@ START_TEST(what_stages_do_not_take_is_refused)
 }
 END_TEST
 
+/* A search with a law reads no alpha: the same estimate with any, to the bit. */
+START_TEST(a_search_with_a_law_reads_no_alpha)
+{
+    const double rho = 1, p0 = 0.5, spring[] = { 1, 0.5 };
+    const fvi_law_term power = { FVI_LAW_POWER, 1, 0.3, 0, 0 };
+    const fvi_law law = { 1, &power };
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_duffing(spring) };
+    const double alphas[] = { 0.05, 0.5, 1 };
+    double estimate[3], x[11];
+    for (int i = 0; i < 3; i++) {
+        fvi_run run = fvi_run_default(&system, &one, &p0, 1.9, 10);
+        fvi_step_found found;
+        run.alpha = alphas[i];
+        run.law = &law;
+        ck_assert_int_eq(fvi_step_search(&fvi_lobatto6d, &run, 1e-3, 1 << 14, x,
+                                         NULL, &found),
+                         0);
+        estimate[i] = found.estimate;
+    }
+    ck_assert(estimate[0] == estimate[1] && estimate[1] == estimate[2]);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("damping_laws, stages");
@@ -285,6 +311,7 @@ int main(void)
              eq_26_12_modes_are_the_weights);
     ADD_CASE(suite, "motions", eq_26_12_orders_at_a_fixed_time,
              eq_17_28_form_d_with_a_law_is_stable_for_every_step);
-    ADD_CASE(suite, "errors", what_stages_do_not_take_is_refused);
+    ADD_CASE(suite, "errors", what_stages_do_not_take_is_refused,
+             a_search_with_a_law_reads_no_alpha);
     return run_suite(suite);
 }
