@@ -141,6 +141,9 @@ def test_a_fit_is_the_programs(tmp_path):
     assert caught.value.code == 14 and caught.value.fit.estimate["c"] > 0
     with pytest.raises(ValueError, match="which"):
         fvi.fit(t, data, which="alpha,beta")
+    for name in ("steps", "time"):
+        with pytest.raises(ValueError, match=name):
+            fvi.fit(t, data, **{name: 5})
 
 
 def test_a_force_of_ones_own():

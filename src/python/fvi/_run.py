@@ -255,7 +255,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     sigma      standard deviation of each x; None: estimated
     starts     how many searches, the first from the values given
     h          the longest step; 0: found
-    the rest   the model, as for `run`
+    the rest   the model, as for `run`, but for steps and time: those are the data's. With
+               damping, rho (from 1) multiplies the law, and alpha is not among `which`
 
     Raises fvi.Error where fewer than two starts agree on the best (code 11), chi^2 is out of
     range for the given sigma (14) or the data do not determine the parameters (21); the
@@ -264,6 +265,9 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     times, xs = (np.ascontiguousarray(a, dtype=float) for a in (t, x))
     if times.ndim != 1 or times.shape != xs.shape:
         raise ValueError("t and x are two arrays of one length")
+    for name in ("steps", "time"):
+        if name in options:
+            raise ValueError(f"{name}: not for a fit, whose times are those of the data")
     problem, model, found = prepare(potential, method=method, **options)
     places = {"alpha": lib.FVI_PARAMETER_ALPHA, "rho": lib.FVI_PARAMETER_RHO, "mass": lib.FVI_PARAMETER_MASS,
               "x0": lib.FVI_PARAMETER_X0, "p0": lib.FVI_PARAMETER_P0}
@@ -299,7 +303,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
 def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float] = None,
           alpha: Optional[float] = None, damping: Union[None, str, Sequence[str]] = None, derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
           force: Optional[str] = None) -> tuple:
-    """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|.
+    """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|, with
+    damping to about 2e-13.
 
     t      one time or an array of them, >= 0, in any order
     force  None, "step:A,T" or "cosine:A,W"
@@ -307,7 +312,8 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     damping  as for `run`, instead of rho (0.2) and alpha (0.5)
 
     Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
-    (derivative="rl" with x0 != 0 and alpha > 1/2) or a number is out of its range.
+    (derivative="rl" with x0 != 0 and alpha > 1/2), a number is out of its range, or damping
+    has another past than "held" or more than three oscillations.
     """
     times = np.array(t, dtype=float)
     flat = np.ascontiguousarray(times.reshape(-1))
