@@ -63,7 +63,7 @@ typedef struct {
  * the cut and resonance included). Seen: 1e-15. Near t = 0 also relative to x.
  * Cost: O(1) a time, a sum over at most 160 nodes that are computed once; no sum
  * where rho = 0 or 2 alpha is an integer and the formula closes.
- * With a law of more than one power: poles by (26.11), 1 ms; the sum has up to 288 nodes
+ * With a law that is not one power: poles by (26.11), 1 ms; the sum has up to 288 nodes
  * and a C(s) in each. There the errors are at most 2e-13 + 4 u w t of the same, u = 2^-53,
  * w the largest frequency there is (no proof; seen 4e-14).
  * Memory: 80 kB of stack.
@@ -71,7 +71,7 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if problem or t is NULL, or x and v both are;
  * FVI_EINVAL if n == 0 or forcing is unknown; FVI_EDOM if a number is out of its
  * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
- * these errors x and v are untouched, nor on those of a law: what fvi_law_check returns;
+ * these errors x and v are untouched, and on those of a law: what fvi_law_check returns;
  * FVI_EUNSUP for another past, and for more than three zeros of (26.11), which a sum of three
  * ZENERs with alpha > 1/2 may have; FVI_EMAXITER if they were not found. FVI_EOVRFLW if a value is not finite, and
  * FVI_ELOSS if the body has swung so often, w t above 8e17, that twice the digits
