@@ -112,7 +112,10 @@ START_TEST(bad_sweeps_are_refused)
         "walk;sweep --vary h=0.1:0.2:2 --time 3;sweep --vary k=1:2:2 "
         "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
         "sweep --vary alpha=0:1:2 --alhpa 3;sweep --vary alhpa=0:1:2;"
-        "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1";
+        "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1;"
+        "sweep --vary alpha=0:1:3 --every 7;sweep --vary alpha=0:1:3 --plot "
+        "a.svg;sweep --vary alpha=0:1:3 --snapshot a;sweep --vary alpha=0:1:3 "
+        "--checkpoint a";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
             *end = '\0';
