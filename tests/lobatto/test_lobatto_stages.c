@@ -4,6 +4,8 @@
 #include "lobatto_stages_ref.h"
 #include "memory/lobatto_memory.h"
 
+#include <fvi/stability.h>
+
 /* The nearest doubles, from five nodes on; the others have sqrt(5) at most. */
 START_TEST(eq_17_1_rules_are_the_nearest_doubles)
 {
