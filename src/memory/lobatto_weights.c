@@ -140,19 +140,21 @@ static deep_root make_root(size_t s)
     return r;
 }
 
-/* The same for every order: made once in a process. */
+/* The same for every order: made once in a process, by the thread that is first; one that
+ * comes while it writes takes its own. */
 static deep_root root_of(size_t s)
 {
-    static _Atomic(deep_root *) made[FVI_STAGES + 1];
-    const deep_root *there = atomic_load(&made[s]);
-    if (there)
-        return *there;
+    static deep_root kept[FVI_STAGES + 1];
+    static atomic_int state[FVI_STAGES + 1];
+    enum { NONE, WRITTEN, READY };
+    if (atomic_load(&state[s]) == READY)
+        return kept[s];
     const deep_root mine = make_root(s);
-    deep_root *kept = malloc(sizeof *kept), *none = NULL;
-    if (kept)
-        *kept = mine;
-    if (!atomic_compare_exchange_strong(&made[s], &none, kept))
-        free(kept); /* another thread was faster */
+    int none = NONE;
+    if (atomic_compare_exchange_strong(&state[s], &none, WRITTEN)) {
+        kept[s] = mine;
+        atomic_store(&state[s], READY);
+    }
     return mine;
 }
 
