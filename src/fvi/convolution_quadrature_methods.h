@@ -30,8 +30,8 @@ extern "C" {
  *
  * All three take matrices (structures.h). D_k is Caputo's: z = x - x0 or, if
  * 2 alpha > 1, x - x0 - t v0. What another past adds to it is a force that is known
- * beforehand (19.3) and acts by its exact impulses (19.5). F_k is the mean of both limits of F at
- * t_k, taken 4 ulp away, and each step begins and ends with the
+ * beforehand (19.3) and acts by its exact impulses (19.5). F_k is the mean of both limits
+ * of F at t_k, taken 4 ulp away, and each step begins and ends with the
  * limit on its own side: F may jump at nodes (13.12). In the first few steps after
  * the start, or after a jump of F, the error of p is larger and falls more slowly
  * with h; that does not spread. Cost of a step: as Algorithm 3, and two values of

@@ -72,19 +72,19 @@ typedef struct {
  * FVI_EINVAL if n == 0 or forcing is unknown; FVI_EDOM if a number is out of its
  * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
  * these errors x and v are untouched, and on those of a law: what fvi_law_check returns;
- * FVI_EUNSUP for another past, and for more than three zeros of (26.11), which a sum of three
- * ZENERs with alpha > 1/2 may have; FVI_EMAXITER if they were not found. FVI_EOVRFLW if a value is not finite, and
- * FVI_ELOSS if the body has swung so often, w t above 8e17, that twice the digits
- * of a double do not hold the phase (not where the swing has died away): the
- * values before it stand. */
+ * FVI_EUNSUP for another past, and for more than three zeros of (26.11), which a sum of
+ * three ZENERs with alpha > 1/2 may have; FVI_EMAXITER if they were not found.
+ * FVI_EOVRFLW if a value is not finite, and FVI_ELOSS if the body has swung so often, w t
+ * above 8e17, that twice the digits of a double do not hold the phase (not where the
+ * swing has died away): the values before it stand. */
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v);
 
 /* fvi_exact_oscillation -- the part 2 Re(a e^{s t}) of the solution.  [(11.7)]
  *
- * Only the two complex poles s, conj(s) of the equation; of a law all those of (26.11). What is left, after
- * the answer A Re(e^{iwt} / Q(iw)) to a cosine is also taken away, is the
- * integral along the branch cut: the tail. Arguments, errors: as fvi_exact;
+ * Only the two complex poles s, conj(s) of the equation; of a law all those of (26.11).
+ * What is left, after the answer A Re(e^{iwt} / Q(iw)) to a cosine is also taken away, is
+ * the integral along the branch cut: the tail. Arguments, errors: as fvi_exact;
  * also FVI_EDOM if there are no complex poles (see fvi_exact_pole). */
 int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
                           double *x, double *v);

@@ -17,7 +17,8 @@
  *     abs                                   everywhere; at 0 its derivatives are 0
  *
  * and NaN elsewhere. u^v with a constant whole v is for every u (u != 0 where v < 0),
- * else for u > 0. -x^2 is -(x^2), and 2^3^2 is 2^(3^2). Nothing may be left out: 2*x, not 2x.
+ * else for u > 0. -x^2 is -(x^2), and 2^3^2 is 2^(3^2). Nothing may be left out: 2*x, not
+ * 2x.
  *
  * Derivatives are exact: no differences, and no formula is rewritten. Each node of the
  * expression carries, with its value u, the derivatives u_i, u_j and u_ij by two of the
@@ -104,9 +105,9 @@ void fvi_expression_free(fvi_expression *e);
  * quadratic is known where U is a polynomial as it stands. diagonals is 1 if each term has
  * one coordinate, 1 + the largest distance of two that meet in a term else: x1 x2 + x2 x3
  * has 2. Cost: of each term, (n + 1) n / 2 times its length for the Hessian if n
- * coordinates meet in it, n times for the gradient. Runs of 10^6 steps of one mass were seen
- * to take 1.4 to 2.8 times as long as by fvi_potential_duffing and fvi_potential_pendulum:
- * most with Euler's explicit method, which does nothing else.
+ * coordinates meet in it, n times for the gradient. Runs of 10^6 steps of one mass were
+ * seen to take 1.4 to 2.8 times as long as by fvi_potential_duffing and
+ * fvi_potential_pendulum: most with Euler's explicit method, which does nothing else.
  * Where U is not defined NaN is written: the step then fails with FVI_EOVRFLW. */
 fvi_potential fvi_potential_expression(const fvi_expression *e);
 

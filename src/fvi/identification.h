@@ -109,16 +109,17 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  *   curve   NULL, or output: x(t_i) of the fitted motion, n numbers
  *   fitted  output
  *
- * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional and
- * a potential whose constants fvi_sensitivity_of knows, else with differences, in alpha's logit, ln rho and ln m, from the
- * values of the run and from fit->starts - 1 points of Sobol's sequence in the box.
- * A start agrees with the best if all its parameters come within sd / 10 of those, or
- * within 1e-6 of their size, which is |theta|, but of x0, p0 and constants at least a
- * sixteenth of the box, or of that of fvi_fit_box if it is smaller. Then the step, at first
- * the longest that meets all times and is no longer than 1/w, is halved until no estimate
- * moves by more than sd / 100, or 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the
- * moves (bias is the last). Times that no step meets are read off by Hermite's cubic
- * through x and p / m, or as a method of variable steps has them.
+ * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
+ * and a potential whose constants fvi_sensitivity_of knows, else with differences, in
+ * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
+ * points of Sobol's sequence in the box. A start agrees with the best if all its
+ * parameters come within sd / 10 of those, or within 1e-6 of their size, which is
+ * |theta|, but of x0, p0 and constants at least a sixteenth of the box, or of that of
+ * fvi_fit_box if it is smaller. Then the step, at first the longest that meets all times
+ * and is no longer than 1/w, is halved until no estimate moves by more than sd / 100, or
+ * 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the moves
+ * (bias is the last). Times that no step meets are read off by Hermite's cubic through x
+ * and p / m, or as a method of variable steps has them.
  *
  * The searches are repeatable: the same digits each time. Time: seen 60 to 170 runs a
  * start, two to five parameters, 200 points; each search ends after 60 iterations, P + 1
@@ -167,15 +168,16 @@ int fvi_fit_moduli(size_t n, const double *w, const double *storage,
  *   x      output: x_k, N + 1 numbers
  *   slope  output: d x_k / d which[j] at [k * P + j], (N + 1) P numbers
  *
- * For those who solve least squares of their own; fvi_fit_search takes them where it can. They are the derivatives of what the program computes, as (24.6) solves the
- * derived equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
- * by alpha is that from below. Cost: a run, a second memory of
- * P coordinates, a third of x with its rate if alpha or rho is asked for. Accuracy:
- * that of the run with the same memory; no bound is proved for the rounding.
- * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if the system has
- * not d == 1, P == 0, or there is no such constant; what fvi_start, fvi_step and
- * fvi_memory_alloc_rate return; FVI_EUNSUP for a run with a law; FVI_ESING if
- * m/h + kappa (1 - kappa) h U'' is 0; FVI_ENOMEM; what a callback returned. */
+ * For those who solve least squares of their own; fvi_fit_search takes them where it can.
+ * They are the derivatives of what the program computes, as (24.6) solves the derived
+ * equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
+ * by alpha is that from below. Cost: a run, a second memory of P coordinates, a third of
+ * x with its rate if alpha or rho is asked for. Accuracy: that of the run with the same
+ * memory; no bound is proved for the rounding. Returns FVI_SUCCESS; FVI_EFAULT if a
+ * pointer is NULL; FVI_EINVAL if the system has not d == 1, P == 0, or there is no such
+ * constant; what fvi_start, fvi_step and fvi_memory_alloc_rate return; FVI_EUNSUP for a
+ * run with a law; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0; FVI_ENOMEM; what a
+ * callback returned. */
 int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
                  double *x, double *slope);
 

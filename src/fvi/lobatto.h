@@ -51,8 +51,9 @@ extern "C" {
  * rho = 0, alpha = 0, 1/2, 1: no history is kept.
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the factors of an (s - 2) d matrix with s - 2 times
- * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each damped coordinate, Q about 90.
- * Errors as fvi_start and fvi_step, and FVI_EUNSUP for FFT. */
+ * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each
+ * damped coordinate, Q about 90. Errors as fvi_start and fvi_step, and FVI_EUNSUP for
+ * FFT. */
 extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
 extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
 

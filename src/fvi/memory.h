@@ -120,8 +120,8 @@ int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
  *   x      x_k, the last that was pushed, d numbers (zeros before the first)
  *   ahead  output, d numbers, may be x
  *
- * Cost: none for EXPONENTIALS up to d = 15, then at most 7 d products; DIRECT O(k d), FFT at
- * most 64 d products.
+ * Cost: none for EXPONENTIALS up to d = 15, then at most 7 d products; DIRECT O(k d), FFT
+ * at most 64 d products.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
  * steps + 1 terms. On error ahead is untouched. */
 int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
@@ -138,8 +138,9 @@ int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
 int fvi_memory_copy(const fvi_memory *from, fvi_memory **to);
 
 /* fvi_memory_visit -- show the terms that came in, or what is left of them, to a visitor; as
- * fvi_visit (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if
- * there are more terms than this memory was made for; what the visitor returns. */
+ * fvi_visit (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL;
+ * FVI_EINVAL if there are more terms than this memory was made for; what the visitor
+ * returns. */
 int fvi_memory_visit(fvi_memory *memory, fvi_visitor *visitor);
 
 /* fvi_memory_free -- give everything back. NULL is allowed. */

@@ -55,7 +55,8 @@ extern "C" {
  * NULL; FVI_EDOM if h, kappa or alpha is out of range, or the method does not know
  * this alpha; FVI_EUNSUP if method->load is NULL, or the method
  * does not take run->law, or for euler-explicit and more than 64 masses with springs
- * between them; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian returned. On error *load is untouched. */
+ * between them; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian
+ * returned. On error *load is untouched. */
 int fvi_stability_load(const fvi_method *method, const fvi_run *run,
                        double *load);
 

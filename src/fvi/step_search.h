@@ -65,13 +65,13 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if method, run, x or found is NULL; FVI_EDOM if
  * error is not finite and > 0, or if the run has no solution (19.2); FVI_EINVAL if
  * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_start
- * returns; FVI_EUNSUP for a method that chooses its steps; FVI_ENOMEM; FVI_ETOL if the error was not reached, because of most or
- * because rounding made it grow again: *found then is the smallest estimate that was
- * believed (infinite if there was none). FVI_ETOL is an answer: no error handler is
- * called for it, nor for the runs that fail. What a callback of the caller's returned
- * comes back; but FVI_EOVRFLW, FVI_EMAXITER or FVI_ESING, in a run, says that its
- * steps are too long, and the search goes on with shorter ones. On error x, p and,
- * but for FVI_ETOL, *found are untouched. */
+ * returns; FVI_EUNSUP for a method that chooses its steps; FVI_ENOMEM; FVI_ETOL if the
+ * error was not reached, because of most or because rounding made it grow again: *found
+ * then is the smallest estimate that was believed (infinite if there was none). FVI_ETOL
+ * is an answer: no error handler is called for it, nor for the runs that fail. What a
+ * callback of the caller's returned comes back; but FVI_EOVRFLW, FVI_EMAXITER or
+ * FVI_ESING, in a run, says that its steps are too long, and the search goes on with
+ * shorter ones. On error x, p and, but for FVI_ETOL, *found are untouched. */
 int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
                     size_t most, double *x, double *p, fvi_step_found *found);
 

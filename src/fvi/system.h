@@ -87,8 +87,8 @@ typedef struct {
  * masses and dampings are more than the numbers of a diagonal. structures.h makes them
  * of sparse matrices.
  *
- *   remembered  r >= 0 of the damping: C = S B^T, and z = B^T x are the r numbers that a run
- *              remembers. 0: no damping, the next two functions are not called
+ *   remembered  r >= 0 of the damping: C = S B^T, and z = B^T x are the r numbers that a
+ *              run remembers. 0: no damping, the next two functions are not called
  *   remember   writes B^T x - from to z, r numbers each; none is another
  *   damp       takes a S z away from the d numbers p
  *   stiffness  writes K x to y

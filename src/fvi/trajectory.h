@@ -115,13 +115,14 @@ typedef struct {
  *   takes_kappa  nonzero if run->kappa is used where there is a potential
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
  *          method with the Hessian of U
- *   takes_laws  nonzero if run->law need not be NULL; fvi_start refuses it else (FVI_EUNSUP)
+ *   takes_laws  nonzero if run->law need not be NULL; fvi_start refuses it else
+ *   (FVI_EUNSUP)
  *   takes_matrices  nonzero if the system may have matrices; fvi_start refuses it else
  *          (FVI_EUNSUP)
  *   past_as_printed  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
  *          its exact impulses (19.5), and is refused where there is no solution (19.2,
- *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2 alpha
- *          is all there is of a kick (9.5), and what has no solution is run too
+ *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2
+ *          alpha is all there is of a kick (9.5), and what has no solution is run too
  *   load   of run, above 1 if a mode grows, as fvi_stability_load (stability.h) has it;
  *          of U it asks for the Hessian at x0 alone. NULL if it is not known
  *   load_grows  nonzero if that load does not fall while h grows: the stable steps are
@@ -134,8 +135,8 @@ typedef struct {
  *          sets s->t, to steps h in the end
  *   copy   makes to->own out of from->own; NULL only if own is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
- *   visit  shows what steps change of own to a visitor, and what must be the same (visit.h).
- *          NULL if own is never set, or the method has no such function
+ *   visit  shows what steps change of own to a visitor, and what must be the same
+ *          (visit.h). NULL if own is never set, or the method has no such function
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
@@ -168,8 +169,9 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
- * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law that stages do not take; FVI_ENOMEM; FVI_ESING if a constant
- * matrix is singular; what the potential returned. On error *stepper is untouched. */
+ * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law
+ * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; what
+ * the potential returned. On error *stepper is untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
@@ -179,7 +181,8 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
  * is two gradients and O(d w), else mostly two to five gradients, Hessians and
  * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to 1050, and twice as
- * many gradients, where Newton's method fails. Which solution is found where there are several is not said.
+ * many gradients, where Newton's method fails. Which solution is found where there are
+ * several is not said.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
@@ -224,13 +227,13 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
  * The digits are then those of the run that was saved. The system is not among the pieces,
  * but for d, masses and dampings, which are constant; potential, matrices and force must be
  * the same.
- * `steps` may be another one where the memory is none or FVI_MEMORY_DIRECT, and at least k; in the
- * other memories what depends on it is constant. All pieces are as this machine has them.
- * O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.
+ * `steps` may be another one where the memory is none or FVI_MEMORY_DIRECT, and at least
+ * k; in the other memories what depends on it is constant. All pieces are as this machine
+ * has them. O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
- * the method has data of its own and no visit; FVI_EINVAL if the k that was loaded is beyond
- * the run; what the visitor returns. */
+ * the method has data of its own and no visit; FVI_EINVAL if the k that was loaded is
+ * beyond the run; what the visitor returns. */
 int fvi_visit(fvi_stepper *s, fvi_visitor *visitor);
 
 /* fvi_reset -- back to k = 0 of the same run, also after a step that failed. The digits

@@ -48,7 +48,8 @@ extern "C" {
  * forty, or is overlooked where it is small: x was off by up to 21 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
- * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end, h steps.
+ * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end, h
+ * steps.
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
  * if something is damped, Hessians of few diagonals, s at most, by Newton's method with one
@@ -57,14 +58,15 @@ extern "C" {
  * shorter; but others then take Newton's method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
- * each decade below, or, above 1e-6 of the size, 30 and 4; s gradients for each iteration, mostly 2 to 6
- * of them; O(d s^2), and O(s^3) for each mass, damping and spring where h changes. Newton's
- * method is O(d s b^2) more for a Hessian of b diagonals, O(d s^3) coordinate by coordinate,
- * and for all together O(d s^3 b^2) or O(d^3 s^3). Memory O(d (Q + s^2)) + d s b), Q 190, or up to 2300 where a start is
- * singular; with all together O(d s^2 b) or O(d^2 s^2) more.
- * Errors as fvi_start and fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from
- * fvi_start if it is clear beforehand: alpha < 1 near 1, a damping far above the mass, and
- * a past that the body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */
+ * each decade below, or, above 1e-6 of the size, 30 and 4; s gradients for each
+ * iteration, mostly 2 to 6 of them; O(d s^2), and O(s^3) for each mass, damping and
+ * spring where h changes. Newton's method is O(d s b^2) more for a Hessian of b
+ * diagonals, O(d s^3) coordinate by coordinate, and for all together O(d s^3 b^2) or
+ * O(d^3 s^3). Memory O(d (Q + s^2)) + d s b), Q 190, or up to 2300 where a start is
+ * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
+ * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
+ * clear beforehand: alpha < 1 near 1, a damping far above the mass, and a past that the
+ * body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

@@ -19,13 +19,13 @@ fvi_way fvi_way_of(const fvi_sparse *A);
 typedef struct fvi_factors fvi_factors;
 
 /* fvi_factors_alloc -- factorise A in this way. A is taken over, and freed if that fails.
- * Returns FVI_SUCCESS; FVI_ESING if A is not positive definite (by gradients: if its diagonal
- * is not positive); FVI_ENOMEM. */
+ * Returns FVI_SUCCESS; FVI_ESING if A is not positive definite (by gradients: if its
+ * diagonal is not positive); FVI_ENOMEM. */
 int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors);
 
 /* fvi_factors_solve -- r becomes A^-1 r, n numbers.
- * Returns FVI_SUCCESS; FVI_ENOMEM of CHOLMOD; by gradients FVI_ESING if A turns out not to be
- * positive definite, FVI_EMAXITER if they do not come to an end. */
+ * Returns FVI_SUCCESS; FVI_ENOMEM of CHOLMOD; by gradients FVI_ESING if A turns out not
+ * to be positive definite, FVI_EMAXITER if they do not come to an end. */
 int fvi_factors_solve(fvi_factors *f, double *r);
 
 /* fvi_factors_free -- give everything back. NULL is allowed. */

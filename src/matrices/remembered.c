@@ -120,7 +120,8 @@ static int take_units(size_t r, double *D, double *unit)
 /* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
  * until nothing is: D is C between the unknowns that it touches, its diagonal at most 4,
  * and B's columns come into `out`, of r rows each. Of a C that is negative somewhere more
- * than rounding is left when no positive entry of the diagonal is. Returns the rank, or -1. */
+ * than rounding is left when no positive entry of the diagonal is. Returns the rank, or
+ * -1. */
 static int take_apart(size_t r, double *D, double *out)
 {
     const double noise = (double)r * 8 * DBL_EPSILON * 4;

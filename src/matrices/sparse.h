@@ -19,8 +19,8 @@ double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j);
 int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place);
 
 /* fvi_sparse_add -- sum = a_0 A_0 + a_1 A_1 + a_2 A_2, of which some may be NULL; those with
- * a_l = 0 are left out. Zeros off the diagonal are not stored. Free sum with fvi_sparse_free.
- * Returns FVI_SUCCESS or FVI_ENOMEM. */
+ * a_l = 0 are left out. Zeros off the diagonal are not stored. Free sum with
+ * fvi_sparse_free. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_sparse_add(const fvi_sparse *const A[3], const double a[3],
                    fvi_sparse *sum);
 

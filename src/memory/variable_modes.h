@@ -46,8 +46,8 @@ typedef enum { FVI_MODES_FINE, FVI_MODES_COARSE } fvi_modes_kind;
  *   modes  output; free it with fvi_modes_free
  *
  * Accuracy of H: 2e-14 of its size without the modes' signs, 1e-7 where they are coarse
- * (no proof; tested against the matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T / least),
- * or 24 + 1.9 ln(T / least).
+ * (no proof; tested against the matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T /
+ * least), or 24 + 1.9 ln(T / least).
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,

@@ -1,8 +1,8 @@
 /* src/methods/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
  *
- * Internal: adaptive_start.c makes it, adaptive_state.c holds it, variable_steps.c steps with it, adaptive_solve.c
- * solves the equation of a step, adaptive_dense.c has what is between its ends,
- * adaptive_singular.c the start that is not smooth. */
+ * Internal: adaptive_start.c makes it, adaptive_state.c holds it, variable_steps.c steps
+ * with it, adaptive_solve.c solves the equation of a step, adaptive_dense.c has what is
+ * between its ends, adaptive_singular.c the start that is not smooth. */
 #ifndef FVI_ADAPTIVE_H
 #define FVI_ADAPTIVE_H
 

@@ -9,7 +9,8 @@
  * Every matrix in it is a function of A^{-1}. Its eigenvectors (22.9) take the stages
  * apart: e_j = w^T eps_j solves, for each lambda in the upper half plane,
  *
- *     (m_j lambda + rho_j h^{1-beta} lambda^beta) e_j + (h^2 / lambda) sum_k H_jk e_k = w^T r_j,
+ *     (m_j lambda + rho_j h^{1-beta} lambda^beta) e_j + (h^2 / lambda) sum_k H_jk e_k =
+ *     w^T r_j,
  *
  * and eps_j = 2 Re sum v e_j. As |arg lambda| < pi/2 and |beta| <= 1, the real part of the
  * matrix is positive where H is, and its factors need no exchange of rows. */

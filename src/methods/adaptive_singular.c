@@ -2,7 +2,8 @@
  *
  * A body that was held, or put at x0, and has to forget it (19.3):
  *
- *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2 alpha),
+ *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2
+ *     alpha),
  *
  * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-1)^n / Gamma(1 + a_n),
  * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that

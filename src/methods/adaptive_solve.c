@@ -5,9 +5,9 @@
  * By the inverse of L + c h^2 to_x, or its eigenvectors, where grad U = c x; by Newton's
  * method with one Hessian for all stages (adaptive_band.h) where it has few diagonals and
  * form D's to_x has those eigenvectors; in form M with the Jacobian L + h^2 diag(U'') to_x
- * where coordinates do not know of each other; else by delta <- L^{-1} (R - h grad U), which
- * needs no matrix that couples them, as long as it contracts, and by Newton's method for
- * all stages and coordinates where it does not. */
+ * where coordinates do not know of each other; else by delta <- L^{-1} (R - h grad U),
+ * which needs no matrix that couples them, as long as it contracts, and by Newton's
+ * method for all stages and coordinates where it does not. */
 #include "adaptive.h"
 
 #include "system/fail.h"

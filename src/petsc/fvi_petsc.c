@@ -1,6 +1,7 @@
 /* src/petsc/fvi_petsc.c -- A structure on many machines, by PETSc and MPI.  [Chapter 28]
  *
- *     mpirun -n RANKS fvi_petsc -system DIR -alpha A -h H -steps N [-x0 X] [-p0 P] [-o FILE]
+ *     mpirun -n RANKS fvi_petsc -system DIR -alpha A -h H -steps N [-x0 X] [-p0 P] [-o
+ *     FILE]
  *
  * runs fvi-stable on M x'' + C D^{2 alpha} x + K x = 0 with the matrices M.mtx, K.mtx and
  * C.mtx of a folder, from x = X and p = P for all unknowns. Each rank has some of the

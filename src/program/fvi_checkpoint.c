@@ -231,8 +231,8 @@ static int is_whole(FILE *file)
 }
 
 /* The file is whole, and of this problem. If it does not fit all the same, the memory depends
- * on N, and N is another one: a run of the new N had other last digits from the first step on,
- * and so it begins anew. */
+ * on N, and N is another one: a run of the new N had other last digits from the first
+ * step on, and so it begins anew. */
 static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
                     size_t *done)
 {

@@ -11,12 +11,12 @@ int fvi_checkpoint_write(const fvi_options *o, fvi_stepper *s);
 /* fvi_checkpoint_begin -- with --continue, go on from there; s has been started with the same
  * problem.
  *
- *   done  output: the step that was saved; rows up to there are printed. s stands there; or, if
- *         the memory depends on N and that is another one, at the start, as a line on standard
- *         error says
+ *   done  output: the step that was saved; rows up to there are printed. s stands there;
+ *         or, if the memory depends on N and that is another one, at the start, as a line
+ *         on standard error says
  *
- * Returns 0; 2 after it has said why not: the method cannot be saved, or the file is damaged, or
- * of another version, problem or machine; 1 if there is no memory. */
+ * Returns 0; 2 after it has said why not: the method cannot be saved, or the file is
+ * damaged, or of another version, problem or machine; 1 if there is no memory. */
 int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s, size_t *done);
 
 /* fvi_checkpoint_due -- nonzero ten seconds after it last was, or was first asked. */

@@ -10,8 +10,8 @@
  *
  * An ordinary file is written without a name in its folder and takes its name in
  * fvi_output_close: nothing is left of it if the program is killed. Where a file cannot be
- * without a name (not on Linux, no /proc, some network file systems) it is .fvi-XXXXXX, which a
- * signal that can be caught removes, and SIGKILL leaves. It has the
+ * without a name (not on Linux, no /proc, some network file systems) it is .fvi-XXXXXX,
+ * which a signal that can be caught removes, and SIGKILL leaves. It has the
  * permissions of the file that it replaces and, where that is allowed, its owner. A
  * file of several names (hard links) keeps them: the complete table is copied into
  * it. What is no ordinary file (a pipe, a device), and a file that is open already
@@ -24,8 +24,8 @@ FILE *fvi_output_open(const char *name);
 int fvi_output_close(FILE *stream, int keep);
 
 /* fvi_progress -- at step k of `steps`: after the first second a line on standard
- * error, if that is a terminal, with the seconds that are left if each step costs as much as
- * the steps so far. fvi_progress_clear takes it away again. */
+ * error, if that is a terminal, with the seconds that are left if each step costs as much
+ * as the steps so far. fvi_progress_clear takes it away again. */
 void fvi_progress(size_t k, size_t steps);
 void fvi_progress_clear(void);
 

@@ -60,9 +60,9 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
                    const double *p);
 
 /* fvi_table_open -- open o->output, and a place for the rows of a picture if one is wanted.
- * fvi_table_close -- the rows that waited, and the end, if nothing failed; then the file gets its
- * name, and the picture is drawn. Both return 0, or 1 after they have said what is wrong, and
- * close 1 if something failed before. */
+ * fvi_table_close -- the rows that waited, and the end, if nothing failed; then the file
+ * gets its name, and the picture is drawn. Both return 0, or 1 after they have said what
+ * is wrong, and close 1 if something failed before. */
 int fvi_table_open(fvi_table *t);
 int fvi_table_close(fvi_table *t, int failed);
 

@@ -11,8 +11,8 @@ int fvi_stability_share(double share, const fvi_run *run, double *load);
 
 /* fvi_stability_of_matrices -- the largest eigenvalue of spring K + damper C against M, over 4,
  * from below, within some percent: 64 products and solutions.               [(27.9)]
- * Returns FVI_SUCCESS; FVI_EUNSUP if damper < 0 and spring > 0; FVI_EOVRFLW; FVI_ENOMEM; what
- * a function of the matrices returned. On error *load is untouched. */
+ * Returns FVI_SUCCESS; FVI_EUNSUP if damper < 0 and spring > 0; FVI_EOVRFLW; FVI_ENOMEM;
+ * what a function of the matrices returned. On error *load is untouched. */
 int fvi_stability_of_matrices(double spring, double damper, const fvi_run *run,
                               double *load);
 

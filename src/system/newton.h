@@ -56,8 +56,8 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
  *   m, c      finite, m > 0, c >= 0
  *   s, theta  finite
  *
- * m M + c C + s theta K is factorised here, once. Returns FVI_SUCCESS; FVI_EDOM if a number is
- * out of range; FVI_ENOMEM; what factorise returned. */
+ * m M + c C + s theta K is factorised here, once. Returns FVI_SUCCESS; FVI_EDOM if a
+ * number is out of range; FVI_ENOMEM; what factorise returned. */
 int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
                               double s, double theta, fvi_newton **newton);
 

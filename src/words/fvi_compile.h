@@ -5,8 +5,8 @@
 #include <stddef.h>
 
 /* fvi_compile -- by $CC, or cc, with the headers of this program, in a folder of its own
- * under $TMPDIR that is gone when this returns; a signal that comes meanwhile waits so long.
- * $CC is one word, the name of a program.
+ * under $TMPDIR that is gone when this returns; a signal that comes meanwhile waits so
+ * long. $CC is one word, the name of a program.
  *
  *   file     a path that begins with a slash or a dot: not an option of the compiler
  *   library  output: as dlopen gives it, or NULL

@@ -11,7 +11,8 @@ typedef struct fvi_directory fvi_directory;
  *
  *   directory  output; close it with fvi_directory_close
  *
- * Returns 0; 2 after a complaint that names the file and the line; 1 if there is no memory. */
+ * Returns 0; 2 after a complaint that names the file and the line; 1 if there is no
+ * memory. */
 int fvi_directory_open(const char *name, fvi_directory **directory,
                        fvi_complaint c);
 

@@ -5,9 +5,10 @@
 #include "fvi_option_list.h"
 
 /* Each interprets its part of o->text, presets filled in, in this order: how many masses
- * there are, and what is between them; what each has, x0, p0, mass, rho; and, when the grid is
- * known, the force. Returns 0; 2 if a word is refused, 1 if there is no memory, with the complaint
- * written. What was made so far is freed by fvi_options_free (fvi_values.h). */
+ * there are, and what is between them; what each has, x0, p0, mass, rho; and, when the
+ * grid is known, the force. Returns 0; 2 if a word is refused, 1 if there is no memory,
+ * with the complaint written. What was made so far is freed by fvi_options_free
+ * (fvi_values.h). */
 int fvi_problem_potential(fvi_options *o, fvi_complaint c);
 int fvi_problem_lists(fvi_options *o, fvi_complaint c);
 int fvi_problem_force(fvi_options *o, fvi_complaint c);

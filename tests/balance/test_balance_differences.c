@@ -138,8 +138,9 @@ END_TEST
 
 /* d x_N / d (impulse at j) from the same scheme run backwards about the trajectory. Where
  * the potential is asked for and where its pull is felt are the same node, or as in
- * the FVI the same mean of two nodes, it is the derivative of the run, to rounding: N steps of
- * some 60 u, as above. MEAN asks at one node and feels at three, and is off by O(h^2). */
+ * the FVI the same mean of two nodes, it is the derivative of the run, to rounding: N
+ * steps of some 60 u, as above. MEAN asks at one node and feels at three, and is off by
+ * O(h^2). */
 START_TEST(a_gradient_by_the_same_scheme_run_backwards)
 {
     static double H[MOST + 1], back[MOST + 1], v[MOST + 1];
@@ -171,8 +172,9 @@ START_TEST(a_gradient_by_the_same_scheme_run_backwards)
 END_TEST
 
 /* Without damping, in the plane. The angular momentum x p' - p x' of the FVI is kept; so is
- * x_k x x_{k+1} / h of NODE. That of MEAN swings by O(h^2) (and a quantity near it is kept: it is
- * the trapezoidal rule, conjugate to the midpoint rule); that of BACK is lost. */
+ * x_k x x_{k+1} / h of NODE. That of MEAN swings by O(h^2) (and a quantity near it is
+ * kept: it is the trapezoidal rule, conjugate to the midpoint rule); that of BACK is
+ * lost. */
 START_TEST(what_turns_without_damping)
 {
     double swing[4][2];

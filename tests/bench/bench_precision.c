@@ -1,6 +1,6 @@
 /* tests/bench/bench_precision.c -- Chapter 18: run time against error. Prints tab separated
- * tables to be kept in figures/step_search/step_search.tsv, and the sentences of the chapter
- * that say who is ahead: `make bench`, some minutes.
+ * tables to be kept in figures/step_search/step_search.tsv, and the sentences of the
+ * chapter that say who is ahead: `make bench`, some minutes.
  *
  * The error is the largest of |x_k - x(t_k)| over all coordinates and 80 times, evenly
  * between 0 and T, from the first on (or from t = 2 on, where that is said). A time is

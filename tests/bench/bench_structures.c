@@ -2,9 +2,9 @@
  *
  * u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, Algorithm 3
  * with kappa = 1: 1000 steps with the whole past, against the same mode as one oscillator;
- * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable. Some
- * two minutes, and a gigabyte at d = 10^6; a number of points as the argument runs that
- * wave alone. */
+ * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable.
+ * Some two minutes, and a gigabyte at d = 10^6; a number of points as the argument runs
+ * that wave alone. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "../../figures/structures/wave.h"

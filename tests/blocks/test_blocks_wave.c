@@ -29,8 +29,8 @@ static void oscillator(double c, double alpha, double *x)
 /* u'' + rho D^{2 alpha} u = second difference of u, ends fixed: from an eigenvector each
  * point is one oscillator. The string's step is written out here and knows nothing of
  * steppers. Its roundings make an error of a few u in p a step, and, the wave being stable,
- * one of a few u / omega in u, omega > 0.04 for the slowest: at worst 100 u STEPS. Roundings
- * go both ways, and 4 u STEPS is demanded, 9e-13. Seen: 0.014 of that. */
+ * one of a few u / omega in u, omega > 0.04 for the slowest: at worst 100 u STEPS.
+ * Roundings go both ways, and 4 u STEPS is demanded, 9e-13. Seen: 0.014 of that. */
 START_TEST(eq_28_1_every_point_of_a_wave_is_one_oscillator)
 {
     static double u[POINTS + 2], p[POINTS + 2], z[POINTS + 2], dz[POINTS + 2];

@@ -101,7 +101,8 @@ START_TEST(eq_26_11_two_halves_of_a_power_are_one)
 END_TEST
 
 /* At resonance, and near it, both residues of a cosine are large and cancel: two halves
- * against one power again, w off the zero by 10^-16, 10^-8, 10^-3 of it. Seen: 0.002 of it. */
+ * against one power again, w off the zero by 10^-16, 10^-8, 10^-3 of it. Seen: 0.002 of
+ * it. */
 START_TEST(eq_26_11_resonance)
 {
     const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5e-9, 0.25, 0, 0 },

@@ -174,8 +174,8 @@ START_TEST(a_chain_with_a_law_and_its_copy)
 END_TEST
 
 /* (26.10): three percent below the longest stable step a motion stays
- * bounded, three percent above it grows. A light mass, no spring: what a step can do is up to
- * the law alone. */
+ * bounded, three percent above it grows. A light mass, no spring: what a step can do is
+ * up to the law alone. */
 START_TEST(eq_26_10_the_longest_step)
 {
     size_t ran = 0;

@@ -35,7 +35,8 @@ static double largest(size_t n, const double *W)
 }
 
 /* One power in two halves has chapter 17's weights, which are of order 2 alpha - 1 and
- * without h: to those header's 1000 u of the largest in the first four, and 100 u, twice. Seen: 0.15 of it. */
+ * without h: to those header's 1000 u of the largest in the first four, and 100 u, twice.
+ * Seen: 0.15 of it. */
 START_TEST(eq_26_12_a_power_has_the_weights_of_chapter_17)
 {
     for (size_t s = 2; s <= 8; s++)
@@ -59,9 +60,10 @@ START_TEST(eq_26_12_a_power_has_the_weights_of_chapter_17)
 END_TEST
 
 /* sum_k ([k == 0] + T Q_k) W_{n-k} = N_n for a fraction: N of s^(2 alpha - 1), and
- * Q = (Delta/h) N of s^(2 alpha), by Delta's two coefficients. That is all that (26.12) says,
- * and no cut is in it. The sum has n terms of errors 100 u, ten of them with a large |Q|, but for the springs; random
- * fractions, Maxwell elements and springs among them, times from 0.01 to 1000 steps. Seen: 0.15 of it. */
+ * Q = (Delta/h) N of s^(2 alpha), by Delta's two coefficients. That is all that (26.12)
+ * says, and no cut is in it. The sum has n terms of errors 100 u, ten of them with a
+ * large |Q|, but for the springs; random fractions, Maxwell elements and springs among
+ * them, times from 0.01 to 1000 steps. Seen: 0.15 of it. */
 START_TEST(eq_26_12_a_fraction_times_its_denominator)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);

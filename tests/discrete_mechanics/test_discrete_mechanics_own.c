@@ -161,7 +161,8 @@ static fvi_system system_of(membrane *o, int own)
 /* With the Hessian and without, every method that solves one equation a step, also when the
  * conjugate gradients of a nonlinear U stop at eight digits. The matrices have condition
  * numbers below 3 at this h, and 40 steps of a few rounding errors of numbers below 4
- * each, of which 25 come together, grow by less than 40^2/2: 2000 * 4 * 25 u. Seen: 1e-4 of it. */
+ * each, of which 25 come together, grow by less than 40^2/2: 2000 * 4 * 25 u. Seen: 1e-4
+ * of it. */
 START_TEST(eq_2_10_a_potential_solves_for_itself)
 {
     static const fvi_method *const methods[] = {

@@ -180,8 +180,8 @@ START_TEST(parameters_have_derivatives_too)
 END_TEST
 
 /* The trajectory of a fractional Duffing oscillator, and of a chain, are those of the
- * potentials that are built in, but for what the roundings make of it: 10^-12, for 400 steps
- * of a motion that is not chaotic. Seen: 4e-16. */
+ * potentials that are built in, but for what the roundings make of it: 10^-12, for 400
+ * steps of a motion that is not chaotic. Seen: 4e-16. */
 START_TEST(a_run_is_that_of_the_potential_that_is_built_in)
 {
     const double m[] = { 1, 1 }, rho[] = { 0.3, 0.3 }, x0[] = { 1, 0.25 },

@@ -133,8 +133,8 @@ START_TEST(eq_24_3_a_constant_in_any_unit)
 END_TEST
 
 /* Of a run with a law rho is what multiplies it. Data and fit are of one method and one
- * step: what is left is where the search ends, 1e-9 of u, and rho is 1.5 times its slope. Seen:
- * 2e-16. */
+ * step: what is left is where the search ends, 1e-9 of u, and rho is 1.5 times its slope.
+ * Seen: 2e-16. */
 START_TEST(eq_26_1_a_fit_with_a_law_finds_what_multiplies_it)
 {
     const fvi_law_term zener = {
@@ -307,7 +307,8 @@ END_TEST
 
 //> halving
 /* A method of order 1 makes an error in the model that no noise tells of. With the step
- * of the data its estimates are many sd away; halved until they stand still, they are not. */
+ * of the data its estimates are many sd away; halved until they stand still, they are
+ * not. */
 START_TEST(eq_24_4_the_step_is_halved_until_nothing_moves)
 {
     question q;

@@ -128,8 +128,8 @@ END_TEST
 
 /* Without damping a step of form M is stationary in the mean, p^2/2 + U goes up and down,
  * and returns; form D is Lobatto IIIC itself, and multiplies the energy of x'' = -w^2 x by
- * |R(i h w)|^2: for s = 2 R = 2/(2 - 2y + y^2), for s = 3 6 (y + 4)/(24 - 18y + 6y^2 - y^3).
- * Seen: 0.1 of 100 u max(1, h^2). */
+ * |R(i h w)|^2: for s = 2 R = 2/(2 - 2y + y^2), for s = 3 6 (y + 4)/(24 - 18y + 6y^2 -
+ * y^3). Seen: 0.1 of 100 u max(1, h^2). */
 START_TEST(eq_17_25_form_d_multiplies_the_energy_of_an_oscillator)
 {
     const double one = 1, rho = 0, c = 1, x0 = 0.75, p0 = 0.5;

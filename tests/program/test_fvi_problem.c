@@ -144,8 +144,8 @@ START_TEST(a_shared_object_is_a_potential)
 END_TEST
 
 /* Any name of a file, nothing that stays behind, not even of a program that is told to end
- * while the compiler runs, and a compiler that does not run is named. SLOW is a compiler that
- * tells its parent to end, then says whether it can be told so itself. */
+ * while the compiler runs, and a compiler that does not run is named. SLOW is a compiler
+ * that tells its parent to end, then says whether it can be told so itself. */
 START_TEST(a_file_of_c_is_compiled_and_nothing_stays)
 {
     if (shell("command -v cc > /dev/null") != 0)

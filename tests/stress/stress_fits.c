@@ -86,8 +86,8 @@ double stress_scatter(gsl_rng *random, char *describe, size_t size)
 }
 
 /* 100 data sets of the two motions of another program, 20 starts that know nothing of
- * them: how many of 5 that may fail did? Found is: alpha, rho and c within 3 sd. A second for
- * each is allowed. */
+ * them: how many of 5 that may fail did? Found is: alpha, rho and c within 3 sd. A second
+ * for each is allowed. */
 double stress_found(gsl_rng *random, char *describe, size_t size)
 {
     double t[REF_POINTS], x[REF_POINTS], longest = 0;

@@ -151,8 +151,8 @@ END_TEST
 /* ---- modes ---- */
 
 /* Each mode of C = rho K + sigma M moves like one oscillator. The bar's modes are sines, on
- * which tridiagonal matrices a, b are the numbers a + 2 b cos(theta). Rounding: as above, with
- * |K||x| up to h^2 lambda_max/4 times what is left of it. Seen: 2e-14 of 1e-12. */
+ * which tridiagonal matrices a, b are the numbers a + 2 b cos(theta). Rounding: as above,
+ * with |K||x| up to h^2 lambda_max/4 times what is left of it. Seen: 2e-14 of 1e-12. */
 START_TEST(eq_27_5_a_mode_of_the_bar_is_one_oscillator)
 {
     enum { n = 24, STEPS = 200 };

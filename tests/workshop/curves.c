@@ -1,6 +1,7 @@
 /* tests/workshop/curves.c -- A curve for each chapter of the workshop: what its functions
  * make, to be drawn over what those of the course make. `curves 04` prints x and y, line
- * by line, an empty line between two curves, up to the first function that is not there yet. */
+ * by line, an empty line between two curves, up to the first function that is not there
+ * yet. */
 #include <fvi/coefficients.h>
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>

@@ -8,7 +8,8 @@
  *
  * A force that ends is the difference of two that do not, so no jump is left. (M.
  * Zayernouri, G. E. Karniadakis, SIAM J. Sci. Comput. 36 (2014), collocate by powers of
- * t^{1/2}; N. Hale, S. Olver, SIAM J. Sci. Comput. 40 (2018).) The integrals of the polynomials over
+ * t^{1/2}; N. Hale, S. Olver, SIAM J. Sci. Comput. 40 (2018).) The integrals of the
+ * polynomials over
  * [0, 1] are numbers of the method and kept.                            [Chapter 18] */
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "peers.h"

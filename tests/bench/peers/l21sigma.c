@@ -26,7 +26,8 @@ typedef struct {
 } solver;
 
 /* t^{-b} = 1 / Gamma(b) int s^b e^{-s t} d ln s; z = int_0^{t_n} u' e^{-s (t_n - tau)}
- * where u' is linear in each piece: (u_{n+1} - u_n) / h at its right end plus 1/2, and so on. */
+ * where u' is linear in each piece: (u_{n+1} - u_n) / h at its right end plus 1/2, and so
+ * on. */
 static int modes(solver *o, double tolerance)
 {
     const double digits = -log(fmax(tolerance, 1e-15)), h = o->h,

@@ -12,10 +12,10 @@
  *
  *     Y = h^{-beta} M^beta V + H,   beta < 0;   h^{-beta} M^beta (V - v_k 1) + H,   beta > 0,
  *
- * V the stages, v_k the value at its start, and H a sum over modes s_q = e^{L (q + q0)} / unit
- * by the trapezoid rule in ln s, whose ends are corrected. With h = unit e^{L j}, j whole,
- * all numbers of all modes and steps come from one table; other steps make their own.
- * (M. Lopez-Fernandez, S. Sauter, Numer. Math. 133 (2016); L. Banjai, M.
+ * V the stages, v_k the value at its start, and H a sum over modes s_q = e^{L (q + q0)} /
+ * unit by the trapezoid rule in ln s, whose ends are corrected. With h = unit e^{L j}, j
+ * whole, all numbers of all modes and steps come from one table; other steps make their
+ * own. (M. Lopez-Fernandez, S. Sauter, Numer. Math. 133 (2016); L. Banjai, M.
  * Lopez-Fernandez, Numer. Math. 141 (2019); J. Guo, M. Lopez-Fernandez, arXiv
  * 2506.21242 (2025).) */
 typedef struct radau_memory radau_memory;
