@@ -67,6 +67,8 @@ START_TEST(wrong_parameters_and_lists_are_refused)
         "here\n                              ^");
     ck_assert_refused("run --let k=1,kk=2 --potential 'kk*x^2'",
                       "fvi: --let: 'k' is in no expression");
+    ck_assert_refused("run --let k=1,kk=2 --potential 'k*x^2'",
+                      "fvi: --let: 'kk' is in no expression");
     ck_assert_refused("sweep --vary k=1:2:2",
                       "fvi: --vary: 'k' is no option that can be varied, and "
                       "in no expression");
