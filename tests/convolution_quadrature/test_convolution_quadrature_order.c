@@ -1,14 +1,13 @@
 /* tests/convolution_quadrature/test_convolution_quadrature_order.c -- Chapter 13: the orders.
  * Run alone: make test-convolution_quadrature_order */
-#include <fvi/convolution_quadrature_methods.h>
 #include <fvi/exact_solution.h>
 #include "harness/fvi_runs.h"
+
+#include "convolution_quadrature_runs.h"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_math.h>
 
-static const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2,
-                                             &fvi_stable };
 static const double alphas[] = { 0.1, 0.25, 0.5, 0.75, 0.9 };
 
 /* ---- order ---- */
