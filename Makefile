@@ -339,7 +339,7 @@ $B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h 
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 # The program in one process: its main under another name.
-$B/fuzz: tests/fuzz/fuzz.c $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
+$B/fuzz: $(wildcard tests/fuzz/*.[ch]) $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
 	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
 	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
 
