@@ -119,7 +119,7 @@ END_TEST
  * Q + 64 = 136 roundings of partial sums below 1 on either side would be 3e-14. We demand
  * 1e-14 after ten thousand steps, for any number in the last tile, and of ahead too, which
  * has the rounding of one subtraction more. */
-static double apart(double beta, size_t d, size_t N)
+static double ck_assert_agreement(double beta, size_t d, size_t N)
 {
     double *x = calloc(4 * d, sizeof *x);
     ck_assert_ptr_nonnull(x);
@@ -156,9 +156,9 @@ START_TEST(eq_28_1_many_coordinates_agree_with_one_by_one)
     double worst = 0;
     srand(1);
     for (size_t d = 16; d <= 40; d++)
-        worst = fmax(worst, apart(betas[d % LEN(betas)], d, 200));
+        worst = fmax(worst, ck_assert_agreement(betas[d % LEN(betas)], d, 200));
     for (size_t b = 0; b < LEN(betas); b++)
-        worst = fmax(worst, apart(betas[b], 17, 10000));
+        worst = fmax(worst, ck_assert_agreement(betas[b], 17, 10000));
     seen(worst, "apart");
 }
 END_TEST

@@ -351,7 +351,7 @@ static void dense(int n, const double *lower, fvi_sparse *A)
 }
 
 /* S B^T x by the callbacks, against C x. */
-static void compare_damping(const matrices *m, size_t remembered)
+static void ck_assert_damps(const matrices *m, size_t remembered)
 {
     const fvi_matrices *f = m->system.matrices;
     const size_t d = m->C.n;
@@ -392,7 +392,7 @@ START_TEST(eq_27_4_only_what_the_damping_touches_is_remembered)
         tridiagonal(5, 2, -1, &m.K);
         dense(5, cases[i].C, &m.C);
         make(&m);
-        compare_damping(&m, cases[i].remembered);
+        ck_assert_damps(&m, cases[i].remembered);
         drop(&m);
     }
 }
