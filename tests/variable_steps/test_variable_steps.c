@@ -3,14 +3,9 @@
 #include "harness/ulp.h"
 #include "memory/variable_modes.h"
 #include "memory/variable_table.h"
-#include "methods/adaptive.h"
 
 #include "variable_steps_ref.h"
 #include "variable_steps_runs_ref.h"
-
-#include <gsl/gsl_math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Row by row of the references from column by column. */
 static double entry(const fvi_square *M, size_t i, size_t l)
@@ -273,148 +268,6 @@ START_TEST(eq_22_10_history_is_the_power_of_the_matrix)
 END_TEST
 //< mesh
 
-/* ---- the equation of a step ---- */
-
-/* (22.14) of all coordinates by the eigenvectors of A^{-1}: what comes out is put back
- * into L eps + h^2 H A eps, to 1e-13 of the sizes of its terms for 6 stages and 4e-12 for
- * 8, ten times what the projectors keep. Seen: 0.11 of that. */
-START_TEST(eq_22_14_by_eigenvectors)
-{
-    enum { D = 7 };
-    const double m[2] = { 1, 0.01 }, drag[2] = { 0.3, 2 }, hh = 0.7;
-    const size_t kind[D] = { 0, 0, 1, 0, 1, 1, 0 };
-    for (size_t s = 6; s <= 8; s += 2)
-        for (size_t n = 1; n <= 5; n++)
-            for (double beta = -1; beta <= 1; beta += 0.25) {
-                const fvi_variable_rule *rule = fvi_variable(s);
-                double H[D * 5], r[D * FVI_LANES] = { 0 }, x[D * FVI_LANES],
-                                       move[D][FVI_LANES];
-                fvi_square W0;
-                fvi_adaptive_band *band =
-                    fvi_adaptive_band_alloc(rule, beta, D, 2, n);
-                ck_assert_ptr_nonnull(band);
-                for (size_t i = 0; i < D * n; i++)
-                    H[i] = i % n ? cos((double)(i * i)) : 3 + sin((double)i);
-                for (size_t j = 0; j < D; j++)
-                    for (size_t i = 0; i < s; i++)
-                        r[j * FVI_LANES + i] = cos((double)(3 * i + j));
-                for (size_t l = 0; l < 2; l++)
-                    fvi_adaptive_band_kind(band, l, m[l], drag[l]);
-                fvi_adaptive_band_factorise(band, kind, hh, H);
-                memcpy(x, r, sizeof x);
-                fvi_adaptive_band_solve(band, x);
-                fvi_adaptive_band_free(band);
-                fvi_variable_present(rule, beta, &W0);
-                for (size_t j = 0; j < D; j++)
-                    fvi_square_apply(s, &rule->A, x + j * FVI_LANES, move[j]);
-                for (size_t j = 0; j < D; j++) {
-                    double by_m[FVI_LANES], by_W[FVI_LANES];
-                    fvi_square_apply(s, &rule->inverse, x + j * FVI_LANES,
-                                     by_m);
-                    fvi_square_apply(s, &W0, x + j * FVI_LANES, by_W);
-                    for (size_t i = 0; i < s; i++) {
-                        const double a = m[kind[j]] * by_m[i],
-                                     b = drag[kind[j]] * by_W[i];
-                        double sum = a + b, size = fabs(a) + fabs(b) + 1;
-                        for (size_t k = 0; k < D; k++) {
-                            const size_t low = j < k ? j : k,
-                                         far = j + k - 2 * low;
-                            const double c =
-                                far < n ? hh * H[low * n + far] * move[k][i]
-                                        : 0;
-                            sum += c;
-                            size += fabs(c);
-                        }
-                        ck_assert_near(sum, r[j * FVI_LANES + i],
-                                       (s == 6 ? 1e-13 : 4e-12) * size,
-                                       "s=%zu n=%zu beta=%g", s, n, beta);
-                    }
-                }
-            }
-}
-END_TEST
-
-/* ---- in between ---- */
-
-static double product(const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t k = 0; k < FVI_LANES; k++)
-        sum += a[k] * b[k];
-    return sum;
-}
-
-/* (22.18): the integrals by powers are those of the interpolant. Numbers up to 16632 cancel
- * where the last coefficients are as large as the first: 2^15 u. Seen: 0.09 of that. */
-START_TEST(eq_22_18_dense_output_integrates_the_interpolant)
-{
-    size_t ran = 0;
-    for (size_t r = 0; r < LEN(ref_dense); r++) {
-        const size_t s = ref_dense[r].s;
-        const fvi_variable_rule *rule = fvi_variable(s);
-        if (!rule)
-            continue;
-        ran++;
-        const double theta = ref_dense[r].theta;
-        for (size_t i = 0; i < s; i++) {
-            double by_A[FVI_LANES], unit[FVI_LANES] = { 0 }, bend[FVI_LANES],
-                                    g[FVI_LANES];
-            unit[i] = 1;
-            fvi_square_apply(s, &rule->A, unit, by_A);
-            fvi_square_apply(s, &rule->legendre, by_A, bend);
-            double once[FVI_LANES], twice[FVI_LANES];
-            fvi_adaptive_powers(s, bend, g);
-            fvi_adaptive_once(theta, once);
-            fvi_adaptive_twice(theta, twice);
-            ck_assert_near(product(g, once), ref_dense[r].want[i], 0x1p15 * U,
-                           "once");
-            ck_assert_near(product(g, twice), ref_dense[r].want[s + i],
-                           0x1p15 * U, "twice");
-        }
-    }
-    ck_assert_uint_ge(ran, 6);
-}
-END_TEST
-
-/* The guess for the next step by Legendre's polynomials is that by powers, where these
- * are good enough: to 2^13 u. Seen: 0.08 of that. */
-START_TEST(eq_22_18_the_next_step_is_guessed)
-{
-    for (size_t s = 6; s <= 8; s += 2) {
-        double theta[FVI_LANES] = { 0 };
-        fvi_square all;
-        for (size_t i = 0; i < s; i++)
-            theta[i] = 1 - 0.12 * (double)i;
-        fvi_adaptive_shapes(s, theta, &all);
-        for (size_t n = 0; n < s; n++) {
-            double bend[FVI_LANES] = { 0 }, g[FVI_LANES];
-            bend[n] = 1;
-            fvi_adaptive_powers(s, bend, g);
-            for (size_t i = 0; i < s; i++) {
-                double once[FVI_LANES];
-                fvi_adaptive_once(theta[i], once);
-                ck_assert_near(all.column[n][i], product(g, once), 0x1p13 * U,
-                               "s=%zu n=%zu i=%zu", s, n, i);
-            }
-        }
-    }
-}
-END_TEST
-
-/* I(a, S) by its two series, to 64 u. Seen: 0.21 of that. */
-START_TEST(eq_22_20_what_a_start_did_to_a_mode)
-{
-    for (size_t r = 0; r < LEN(ref_hand_over); r++) {
-        const double one = 1;
-        fvi_singular_series f;
-        fvi_singular_sums(1, &one, &ref_hand_over[r].a, &f);
-        ck_assert_near(fvi_singular_moment(&f, ref_hand_over[r].S),
-                       ref_hand_over[r].want, 64 * U * ref_hand_over[r].want,
-                       "a=%g S=%g", ref_hand_over[r].a, ref_hand_over[r].S);
-    }
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("variable_steps: the rule and the modes");
@@ -423,9 +276,5 @@ int main(void)
              eq_22_8_coefficients_of_modes, one_table_for_a_process,
              eq_22_11_ends, squares_are_inverted_with_exchanges);
     ADD_CASE(suite, "past", eq_22_10_history_is_the_power_of_the_matrix);
-    ADD_CASE(suite, "step", eq_22_14_by_eigenvectors,
-             eq_22_18_dense_output_integrates_the_interpolant,
-             eq_22_18_the_next_step_is_guessed,
-             eq_22_20_what_a_start_did_to_a_mode);
     return run_suite(suite);
 }
