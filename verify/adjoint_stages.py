@@ -5,18 +5,15 @@ Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), thr
   (23.15) and by the velocities of the stages, form D, with what comes out;
   (23.16) the same on steps h_0, h_1, h_2, s = 2, 3, the memory a polynomial in (22.1).
 Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
-derivatives of chains of five masses by dual numbers: the equations (17.8) and (17.24) as
-they stand, one number with a slope of 1, 72 digits."""
-from functools import cache
-from operator import mul
+derivatives of chains of five masses by dual numbers of 72 digits, adjoint_chain.py."""
 from random import Random
 
 import mpmath
 from mpmath import mp, mpf
 from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
-from arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
-                        factorised, fixed, line, solved)
+from adjoint_chain import D5, N, Chain, numbers, points
+from arithmetic import coefficients, dual
 from refgen import header, hexd, prove, table
 
 # ---- the transpose, with stages ----
@@ -127,39 +124,7 @@ for s in (2, 3):
 # ---- the rates of the weights ----
 
 mp.dps = 60
-BETA_RATES, LAGS, CIRCLE = [-1.0, -0.95, -0.5, 0.0, 0.2, 0.8, 1.0], [0, 1, 3, 4, 40], 96
-
-
-@cache
-def numbers(s):
-    """c, b, D and A of s nodes, from the zeros of Legendre's derivative."""
-    poly = [mpmath.binomial(s - 1, k) * mpmath.binomial(s - 1 + k, k) * (k if k else 0)
-            for k in range(s)]  # of P'(1 - 2 t), by powers of -t, times t
-    inner = [] if s == 2 else mpmath.polyroots(
-        [(-1) ** k * poly[k] for k in range(s - 1, 0, -1)], maxsteps=300, extraprec=300)
-    nodes = [mpf(0), *sorted(mpmath.re(v) for v in inner), mpf(1)]
-    D, A, b = (mpmath.matrix(s, s) for _ in range(3))
-    b = [1 / (mpf(s) * (s - 1) * mpmath.legendre(s - 1, 2 * v - 1) ** 2) for v in nodes]
-    scale = [mpmath.fprod(v - w for w in nodes if w != v) for v in nodes]
-    for i in range(s):
-        for j in range(s):
-            if i != j:
-                D[i, j] = scale[i] / scale[j] / (nodes[i] - nodes[j])
-        D[i, i] = -sum(D[i, j] for j in range(s) if j != i)
-    base = D.copy()
-    base[0, 0] += 1 / b[0]
-    return nodes, b, D, base, mpmath.inverse(base)
-
-
-@cache
-def points(s, radius):
-    _, b, _, base, _ = numbers(s)
-
-    def delta(z):
-        M = base.copy()
-        M[0, s - 1] -= z / b[0]
-        return M
-    return circle(delta, radius, CIRCLE)
+BETA_RATES, LAGS = [-1.0, -0.95, -0.5, 0.0, 0.2, 0.8, 1.0], [0, 1, 3, 4, 40]
 
 
 def nearest(v):
@@ -178,193 +143,6 @@ for s in (2, 3, 4, 8):
             rates.append([s, repr(beta), n, literal(found[n])])
 
 # ---- chains of five masses ----
-
-D5, N = 5, 6
-
-
-class Tilted:
-    """w_k + w'_k eps, of the order beta + eps."""
-    @staticmethod
-    @cache
-    def weights(s, beta):
-        around = points(s, mpf(1) / 4)
-        w = coefficients(around, lambda v: v**beta, range(N))
-        r = coefficients(around, lambda v: v**beta * mpmath.log(v), range(N))
-        return [[[Dual(fixed(a), fixed(b)) for a, b in zip(x, y)]
-                 for x, y in zip(w[n].tolist(), r[n].tolist())] for n in range(N)]
-
-
-@cache
-def impulses(s, e, rate, h):
-    """h^(1 + e) int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, e tilted by rate."""
-    e, nodes = mpmath.mpc(e, rate * TINY), numbers(s)[0]
-    out, size = [], len(nodes)
-    poly = []
-    for j in range(size):  # l_j by powers of s
-        l = [mpf(1)]
-        for i in range(size):
-            if i != j:
-                f = nodes[j] - nodes[i]
-                l = [((l[k - 1] if k else 0) - (nodes[i] * l[k] if k < len(l) else 0)) / f
-                     for k in range(len(l) + 1)]
-        poly.append(l)
-    for k in range(N):
-        def power(n):
-            """int_k^{k+1} u^(n + e) du / Gamma(1 + e)"""
-            low = mpf(0) if k == 0 else mpf(k) ** (n + 1 + e)
-            unit = mpmath.rgamma(2 + e) if n == 0 else mpmath.rgamma(1 + e) / (n + 1 + e)
-            return ((k + 1) ** (n + 1 + e) - low) * unit
-        u = [power(n) for n in range(size)]
-        moment = [sum(mpmath.binomial(n, i) * mpf(-k) ** (n - i) * u[i] for i in range(n + 1))
-                  for n in range(size)]
-        out.append([dual(h ** (1 + e) * sum(a * b for a, b in zip(l, moment))) for l in poly])
-    return out
-
-
-def pulls_of_springs(x, k1, g3):
-    """grad U of the chain, and U's second derivatives of the springs."""
-    stretch = [(x[i] if i < D5 else ZERO) - (x[i - 1] if i else ZERO) for i in range(D5 + 1)]
-    cubic = [g3 * r * r for r in stretch]
-    pull = [(k1 + c) * r for c, r in zip(cubic, stretch)]
-    stiff = [k1 + c + c + c for c in cubic]
-    return [pull[i] - pull[i + 1] for i in range(D5)], stiff
-
-
-class Chain:
-    """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
-
-    def __init__(self, s, damped, past, alpha, q, step):
-        self.s, self.damped, self.past, self.h = s, damped, past, dual(mpf(step))
-        self.nodes, b, D, inverse, A = numbers(s)
-        self.step, self.b = mpf(step), [dual(v) for v in b]
-        self.side, self.alpha0 = (alpha > 0.5) - (alpha < 0.5), mpf(alpha)
-        self.heavy = alpha == 1 and not damped  # form M: (17.17)
-        self.K, self.D, self.A, self.inverse = (
-            [[fixed(v) for v in row] for row in M.tolist()]
-            for M in (D.T * mpmath.diag(b) * D / step, D / step, A * step, inverse))
-        self.unknown = range(s) if damped else range(1, s)
-        self.q, self.path, self.factors = q, [], []
-        self.run(q, None)
-
-    def matrix(self, V, xk, W0, scale):
-        """The equations of a step, differentiated by what is unknown; values only."""
-        s, h, q, n = self.s, self.h, self.q, len(self.unknown)
-        M = [[0] * (n * D5) for _ in range(n * D5)]
-        for a, i in enumerate(self.unknown):
-            stiff = pulls_of_springs(self.places(V, xk, i), *q["cg"])[1]
-            for j in range(D5):
-                near = [(j, stiff[j] + stiff[j + 1])]
-                near += [(j - 1, ZERO - stiff[j])] if j else []
-                near += [(j + 1, ZERO - stiff[j + 1])] if j + 1 < D5 else []
-                for l, k in near:
-                    if self.damped:
-                        for cc in range(s):
-                            M[j * n + a][l * n + cc] += (h * k).v * self.A[i][cc] >> BITS
-                    elif i < s - 1:
-                        M[j * n + i][l * n + i - 1] -= (h * self.b[i] * k * self.share(j, q)).v
-        columns = list(zip(*self.D))
-        memory = [[W0[a][l].v if self.damped else
-                   sum(map(mul, [w.v for w in W0[a]], columns[l])) >> BITS for l in self.unknown]
-                  for a in range(n)]
-        for j in range(D5):
-            rho = ZERO if self.heavy else q["rho"][j]
-            for a in range(n):
-                factor = (h * rho * scale * (ONE if self.damped else self.b[a])).v
-                for cc, l in enumerate(self.unknown):
-                    damping = factor * memory[a][cc] >> BITS
-                    M[j * n + a][j * n + cc] += (
-                        (q["mass"][j].v * self.inverse[a][l] >> BITS) + damping if self.damped else
-                        (q["mass"][j].v * self.K[a][l] >> BITS) - damping)
-        return factorised(M)
-
-    def places(self, V, xk, i):
-        return [xk[j] + (line(self.A[i], V[j]) if self.damped else V[j][i]) for j in range(D5)]
-
-    def share(self, j, q):
-        return q["mass"][j] / (q["mass"][j] + q["rho"][j]) if self.heavy else ONE
-
-    def step_residual(self, q, k, V, xk, pk, history, W0, scale, v0, pull):
-        """The rows, and what p becomes. V: X_i - x_k of form M, else V_i."""
-        s, h = self.s, self.h
-        S = [[None] * s for _ in range(D5)]
-        speed = V if self.damped else [[line(self.D[i], V[j]) for i in range(s)] for j in range(D5)]
-        moved = [[v - v0[j] for v in speed[j]] for j in range(D5)]
-        for i in range(s):
-            grad = pulls_of_springs(self.places(V, xk, i), *q["cg"])[0]
-            for j in range(D5):
-                rho = q["rho"][j]
-                force = grad[j] - q["F"][(k * (s - 1) + i) * D5 + j]
-                if not self.heavy:
-                    force += rho * (history[j][i] + scale * dot(W0[i], moved[j]))
-                S[j][i] = (h * self.b[i] * force + rho * pull[j] * self.impulse[k][i]) * self.share(j, q)
-        out = []
-        for j in range(D5):
-            for a in range(len(self.unknown)):
-                if self.damped:
-                    vk = pk[j] / q["mass"][j]
-                    out.append(q["mass"][j] * line(self.inverse[a], [v - vk for v in V[j]]) + S[j][a] / self.b[a])
-                else:
-                    out.append((pk[j] if a == 0 else ZERO) - S[j][a] + q["mass"][j] * line(self.K[a], V[j]))
-        return out, S, speed
-
-    def run(self, q, tilt):
-        """J. tilt None: the run of values, which is kept; else d alpha, 0 or 1."""
-        s, h, real, n = self.s, self.h, tilt is None, len(self.unknown)
-        beta, turn = 2 * self.alpha0 - 1, 2 * (tilt or 0)
-        W = [[[Dual(w.v, turn * w.d) for w in row] for row in u] for u in Tilted.weights(s, beta)]
-        scale = dual(self.step ** -mpmath.mpc(beta, turn * TINY))
-        rl = self.past == "rl"
-        is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
-        e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
-        self.impulse = impulses(s, e, -turn, self.step) if is_pulled else [[ZERO] * s] * N
-        v0 = [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
-        A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
-        pull = A if is_pulled else [ZERO] * D5
-        x, p, past, J = list(q["x0"]), list(q["p0"]), [], ZERO
-        for k in range(N):
-            history = [[ZERO] * s for _ in range(D5)]
-            for j in range(D5) if k and not self.heavy else ():
-                before = [v - v0[j] for o in range(k) for v in past[o][j]]
-                history[j] = [scale * dot([w for o in range(k) for w in W[k - o][i]], before) for i in range(s)]
-            V = [[p[j] / q["mass"][j] * (ONE if self.damped else dual(self.nodes[i] * self.step))
-                  for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
-            left = 40 if real else 1  # one step is exact for what is linear, the slopes
-            while left:
-                rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull)
-                lu = self.matrix(V, x, W[0], scale) if real else self.factors[k]
-                change = list(map(Dual, solved(lu, [r.v for r in rest]), solved(lu, [r.d for r in rest])))
-                for j in range(D5):
-                    for a, i in enumerate(self.unknown):
-                        V[j][i] -= change[j * n + a]
-                left -= 1
-                if real and max(abs(c.v) for c in change) < 1 << BITS // 2 - 10:
-                    left = 0
-            if real:
-                self.path.append([list(v) for v in V])
-                self.factors.append(self.matrix(V, x, W[0], scale))
-            rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull)
-            past.append(speed)
-            for j in range(D5):
-                if self.damped:
-                    x[j] += line(self.A[s - 1], V[j])
-                    p[j] = q["mass"][j] * V[j][s - 1]
-                else:
-                    x[j] += V[j][s - 1]
-                    for v in S[j]:
-                        p[j] -= v
-            sine = dual(mpmath.sin((k + 1) * self.step))
-            for v in x:
-                J += h * HALF * (v - sine) * (v - sine)
-        for v, u in zip(x, p):
-            J += HALF * v * (ONE + HALF * u * u)
-        return J
-
-    def slope(self, name, i=None):
-        """dJ by one number."""
-        q = {k: list(v) for k, v in self.q.items()}
-        if i is not None:
-            q[name][i] = Dual(q[name][i].v, ONE.v)
-        return mpmath.ldexp(self.run(q, int(name == "alpha")).d, -BITS)
 
 
 def cases():
