@@ -101,6 +101,7 @@ typedef struct {
     size_t parameters;
 } fvi_names;
 typedef struct { size_t at; const char *reason; } fvi_misprint;
+int fvi_name_is_free(const char *name, const char *variable);
 int fvi_expression_parse(const char *text, const fvi_names *names, const double *values,
                          fvi_expression **e, fvi_misprint *wrong);
 void fvi_expression_free(fvi_expression *e);

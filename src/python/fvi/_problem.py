@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import numbers
+import re
 from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
@@ -130,8 +131,8 @@ def ask_quadratic(params):
 class Expression:
     """A text that was understood; it lives as long as the runs that use it."""
 
-    def __init__(self, what: str, text: str, variable: str, d: int, let: dict):
-        self.values = np.array(list(let.values()) or [0.0], dtype=float)
+    def __init__(self, what: str, text: str, variable: str, d: int, let: dict, values: Array):
+        self.values = values  # of `let`; whoever changes them changes them for all expressions
         encoded = [ffi.new("char[]", name.encode()) for name in let]
         coordinate, parameters = ffi.new("char[]", variable.encode()), ffi.new("const char *[]", encoded)
         names = ffi.new("fvi_names *", {"variable": coordinate, "d": d, "parameter": parameters,
@@ -190,6 +191,11 @@ class Problem:
                  x0: Numbers, p0: Numbers, let: Optional[dict] = None):
         self.keep: list = []
         self.let = {name: float(value) for name, value in (let or {}).items()}
+        self.values = np.array(list(self.let.values()) or [0.0])
+        self.named: set = set()  # by the expressions
+        for name in self.let:
+            if not (lib.fvi_name_is_free(name.encode(), b"x") and lib.fvi_name_is_free(name.encode(), b"t")):
+                raise ValueError(f"let: '{name}' is not a name for a parameter")
         self.constants: Optional[Array] = None  # of the potential, by names
         self.names: list = []
         self.scalar = np.ndim(x0) == 0 and np.ndim(p0) == 0
@@ -208,6 +214,9 @@ class Problem:
         self.system.damping = self.pointer(array("rho", rho, self.d))
         self.system.potential = U
         self.system.force = self.force(force)
+        for name in self.let:
+            if name not in self.named:
+                raise ValueError(f"let: '{name}' is in no expression")
 
     def pointer(self, a: Array) -> Any:
         self.keep.append(a)
@@ -229,9 +238,14 @@ class Problem:
         self.constants, self.names = np.array(n), ["g"] if name == "pendulum" else ["c", "g"][:len(n)]
         return getattr(lib, f"fvi_potential_{name}")(self.pointer(self.constants))
 
-    def expression(self, text: str) -> Any:
-        e = Expression("potential", text, "x", self.d, self.let)
+    def understood(self, what: str, text: str, variable: str, d: int) -> Expression:
+        e = Expression(what, text, variable, d, self.let, self.values)
         self.keep.append(e)
+        self.named.update(re.findall(r"[\w.]+", text))
+        return e
+
+    def expression(self, text: str) -> Any:
+        e = self.understood("potential", text, "x", self.d)
         self.constants, self.names = e.values, list(self.let)
         return lib.fvi_potential_expression(e.pointer)
 
@@ -255,9 +269,7 @@ class Problem:
             return F[0]
         known = {"step": 2, "cosine": 2}
         if given.partition(":")[0] not in known:
-            e = Expression("force", given, "t", 1, self.let)
-            self.keep.append(e)
-            return lib.fvi_force_expression(e.pointer)
+            return lib.fvi_force_expression(self.understood("force", given, "t", 1).pointer)
         name, n = words(given, known)
         return getattr(lib, f"fvi_force_{name}")(self.pointer(np.array(n)))
 

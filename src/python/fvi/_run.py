@@ -180,7 +180,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     potential   "harmonic:C", "duffing:C,G", "pendulum:G", "free", "chain:D,C,G", as the
                 program has them; an expression in x, or in x1, x2, ...: "x^4/4 - k*x^2/2";
                 or what `fvi.potential` makes
-    let         the numbers that expressions name: {"k": 3}
+    let         the numbers that expressions name: {"k": 3}; one that none names is a ValueError
     alpha       0 ... 1, the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them; 0.2 and 1
     damping     instead of alpha and rho a law, "power:R,A", "zener:R,A,T", "maxwell:R,T" or
