@@ -210,10 +210,10 @@ void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
 /* ---- the rank-one integral ---- */
 
 /* (mu + A^(-1)) a = e_1 / b_1. */
-static void node(size_t s, double mu, double *a)
+void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
-    double m[FVI_STAGES * FVI_STAGES];
+    double m[FVI_STAGES * FVI_STAGES], vector[FVI_STAGES] = { 0 };
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
     int sign;
@@ -221,25 +221,17 @@ static void node(size_t s, double mu, double *a)
         for (size_t j = 0; j < s; j++)
             m[i * s + j] = rule->D[i][j];
         m[i * s + i] += mu;
-        a[i] = 0;
     }
     m[0] += 1 / rule->b[0];
-    a[0] = 1 / rule->b[0];
+    vector[0] = 1 / rule->b[0];
     gsl_matrix_view M = gsl_matrix_view_array(m, s, s);
-    gsl_vector_view v = gsl_vector_view_array(a, s);
+    gsl_vector_view v = gsl_vector_view_array(vector, s);
     gsl_linalg_LU_decomp(&M.matrix, &permutation, &sign);
     gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
-}
-
-void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
-{
-    const double *b = fvi_lobatto(s)->b;
-    double vector[FVI_STAGES];
-    node(s, mu, vector);
     *p = 0;
     for (size_t i = 0; i < s; i++) {
         a[i * stride] = vector[i];
-        *p += mu * b[i] * vector[i]; /* 1 - r(-mu), to all digits */
+        *p += mu * rule->b[i] * vector[i]; /* 1 - r(-mu), to all digits */
     }
 }
 
