@@ -26,7 +26,7 @@ typedef struct {
 
 /* fvi_mesh_path_run -- the run, recorded. path: output; fvi_mesh_path_free it in any case.
  * Returns what fvi_start and fvi_step return; FVI_EUNSUP if the start is singular (22.19);
- * FVI_ENOMEM. */
+ * FVI_EINVAL if the rows cannot be addressed; FVI_ENOMEM. */
 int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *path);
 void fvi_mesh_path_free(fvi_mesh_path *path);
 

@@ -25,7 +25,8 @@ int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors);
 
 /* fvi_factors_solve -- r becomes A^-1 r, n numbers.
  * Returns FVI_SUCCESS; FVI_ENOMEM of CHOLMOD; by gradients FVI_ESING if A turns out not
- * to be positive definite, FVI_EMAXITER if they do not come to an end. */
+ * to be positive definite, FVI_EOVRFLW if r is not finite, FVI_EMAXITER if they do not come
+ * to an end. */
 int fvi_factors_solve(fvi_factors *f, double *r);
 
 /* fvi_factors_free -- give everything back. NULL is allowed. */

@@ -147,10 +147,10 @@ static int read_entries(reader *r)
 
 /* ---- what is wrong with the whole ---- */
 
-/* The line of the last triplet in this place, from below `before`; 0 if there is none. */
-static size_t line_of(const reader *r, int row, int column, size_t before)
+/* The line of the last triplet in this place; 0 if there is none. */
+static size_t line_of(const reader *r, int row, int column)
 {
-    for (size_t i = before; i-- > 0;)
+    for (size_t i = r->kept; i-- > 0;)
         if (r->triplets[i].row == row && r->triplets[i].column == column)
             return r->lines[i];
     return 0;
@@ -195,7 +195,7 @@ static int finish(reader *r, fvi_sparse *A)
         int column = 0;
         while (whole.start[column + 1] <= place)
             column++;
-        refuse(r, line_of(r, whole.row[place], column, r->kept),
+        refuse(r, line_of(r, whole.row[place], column),
                "the matrix is not symmetric: entry (j, i) is another one");
     }
     if (status)

@@ -128,7 +128,7 @@ int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
 
 /* Rows and columns are met in order, so the place of (j, i) in column i is where the last
  * visit left off. */
-int fvi_sparse_is_symmetric(const fvi_sparse *A, int *line)
+int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place)
 {
     int *next = malloc(A->n * sizeof *next), status = FVI_SUCCESS;
     if (!next)
@@ -140,7 +140,7 @@ int fvi_sparse_is_symmetric(const fvi_sparse *A, int *line)
             if (at >= A->start[i + 1] || A->row[at] != (int)j
                 || A->entry[at] != A->entry[e] || !isfinite(A->entry[e])) {
                 status = FVI_EDOM;
-                *line = e;
+                *place = e;
             }
         }
     free(next);

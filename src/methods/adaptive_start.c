@@ -237,7 +237,9 @@ int fvi_adaptive_start(fvi_stepper *s)
     if (!status)
         status = find_events(s, o);
     free(springs);
-    for (size_t j = 0; !status && j < d; j++) {
+    if (status)
+        return status;
+    for (size_t j = 0; j < d; j++) {
         const double m = s->run.system->mass[j];
         const int struck = s->run.alpha == 1 && s->run.past != FVI_PAST_CAPUTO;
         o->y[j] = s->x[j];
@@ -248,5 +250,5 @@ int fvi_adaptive_start(fvi_stepper *s)
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
     o->first = (int)fmax(o->first, o->fewest);
     o->next = o->first;
-    return status;
+    return FVI_SUCCESS;
 }

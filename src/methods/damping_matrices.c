@@ -7,14 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_velocity(const fvi_system *system, const double *p, double *v)
+/* v = M^-1 p. Returns FVI_SUCCESS, or what factorise or solve returned. */
+static int velocity(const fvi_system *system, const double *p, double *v)
 {
     const fvi_matrices *m = system->matrices;
-    for (size_t i = 0; i < system->d; i++)
-        v[i] = m ? p[i] : p[i] / system->mass[i];
-    if (!m)
-        return FVI_SUCCESS;
     void *factors;
+    memcpy(v, p, system->d * sizeof *v);
     int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
     if (status)
         return status;
@@ -32,7 +30,7 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
     int status = FVI_SUCCESS;
     if (past == FVI_PAST_CAPUTO && order > 1) {
         double *v = s->dx; /* nothing stands there yet */
-        status = fvi_velocity(run->system, s->p, v);
+        status = velocity(run->system, s->p, v);
         for (size_t i = 0; i < run->system->d; i++)
             v[i] *= run->h;
         if (!status) /* from z, which is still zero */
@@ -61,7 +59,7 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     if (!A || !pull->size)
         status = FVI_ENOMEM;
     else if (run->alpha > 0.5) /* else no velocity is asked for */
-        status = fvi_velocity(run->system, s->p, A);
+        status = velocity(run->system, s->p, A);
     for (size_t i = 0; !status && i < d; i++) {
         A[i] = fvi_past_amplitude(run->past, run->alpha, s->x[i], A[i]);
         any |= A[i] != 0;
