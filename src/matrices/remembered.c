@@ -22,12 +22,12 @@ void fvi_remembered_gather(const fvi_remembered *B, const double *x,
         if (B->kind == FVI_REMEMBER_ALL)
             z[l] = x[l] - from[l];
         if (B->kind == FVI_REMEMBER_SOME)
-            z[l] = x[B->row[l]] - from[l];
+            z[l] = x[B->columns.row[l]] - from[l];
         if (B->kind != FVI_REMEMBER_FEW)
             continue;
         double sum = 0;
-        for (int e = B->start[l]; e < B->start[l + 1]; e++)
-            sum += B->entry[e] * x[B->row[e]];
+        for (int e = B->columns.start[l]; e < B->columns.start[l + 1]; e++)
+            sum += B->columns.entry[e] * x[B->columns.row[e]];
         z[l] = sum - from[l];
     }
 }
@@ -45,13 +45,13 @@ void fvi_remembered_damp(const fvi_remembered *B, double a, const double *z,
             p[l] -= a * sum;
         }
         if (B->kind == FVI_REMEMBER_SOME) {
-            const int j = B->row[l];
+            const int j = B->columns.row[l];
             for (int e = C->start[j]; e < C->start[j + 1]; e++)
                 p[C->row[e]] -= a * C->entry[e] * z[l];
         }
         if (B->kind == FVI_REMEMBER_FEW)
-            for (int e = B->start[l]; e < B->start[l + 1]; e++)
-                p[B->row[e]] -= a * B->entry[e] * z[l];
+            for (int e = B->columns.start[l]; e < B->columns.start[l + 1]; e++)
+                p[B->columns.row[e]] -= a * B->columns.entry[e] * z[l];
     }
 }
 //< remember
@@ -61,19 +61,12 @@ void fvi_remembered_damp(const fvi_remembered *B, double a, const double *z,
 static int room(size_t r, size_t count, fvi_remembered *B)
 {
     B->r = r;
-    B->start = calloc(r + 1, sizeof *B->start);
-    B->row = malloc((count + 1) * sizeof *B->row);
-    B->entry = malloc((count + 1) * sizeof *B->entry);
-    return B->start && B->row && B->entry ? FVI_SUCCESS : FVI_ENOMEM;
+    return fvi_sparse_room(r, count, &B->columns);
 }
 
 void fvi_remembered_free(fvi_remembered *B)
 {
-    free(B->start);
-    free(B->row);
-    free(B->entry);
-    B->start = B->row = NULL;
-    B->entry = NULL;
+    fvi_sparse_free(&B->columns);
 }
 
 /* The unknowns that C touches. */
@@ -87,7 +80,7 @@ static int pick(const fvi_sparse *C, fvi_remembered *B)
     B->kind = FVI_REMEMBER_SOME;
     for (size_t j = 0, l = 0; j < C->n; j++)
         if (C->start[j + 1] > C->start[j])
-            B->row[l++] = (int)j;
+            B->columns.row[l++] = (int)j;
     return FVI_SUCCESS;
 }
 
@@ -150,8 +143,8 @@ static double *between(const fvi_remembered *B)
         calloc(2 * r * r + r, sizeof *D); /* and B's columns, and units */
     for (size_t l = 0; D && l < r; l++)
         for (size_t i = 0; i < r; i++)
-            D[l * r + i] =
-                fvi_sparse_entry(B->C, (size_t)B->row[i], (size_t)B->row[l]);
+            D[l * r + i] = fvi_sparse_entry(B->C, (size_t)B->columns.row[i],
+                                            (size_t)B->columns.row[l]);
     return D;
 }
 
@@ -159,18 +152,16 @@ static double *between(const fvi_remembered *B)
 static int keep_columns(size_t rank, const double *dense, fvi_remembered *B)
 {
     fvi_remembered few = { .C = B->C, .kind = FVI_REMEMBER_FEW };
-    if (room(rank, rank * B->r, &few)) {
-        fvi_remembered_free(&few);
+    if (room(rank, rank * B->r, &few))
         return FVI_ENOMEM;
-    }
     for (size_t l = 0; l < rank; l++) {
-        int e = few.start[l];
+        int e = few.columns.start[l];
         for (size_t i = 0; i < B->r; i++)
             if (dense[l * B->r + i] != 0) {
-                few.row[e] = B->row[i];
-                few.entry[e++] = dense[l * B->r + i];
+                few.columns.row[e] = B->columns.row[i];
+                few.columns.entry[e++] = dense[l * B->r + i];
             }
-        few.start[l + 1] = e;
+        few.columns.start[l + 1] = e;
     }
     fvi_remembered_free(B);
     *B = few;

@@ -12,13 +12,13 @@ typedef enum {
     FVI_REMEMBER_FEW      /* B^T x, C = B B^T */
 } fvi_remember_kind;
 
-/* C = S B^T. Column l of B, of r, is at start[l], ..., start[l + 1] - 1, as in fvi_sparse. */
+/* C = S B^T. The r columns of B stand as those of a matrix do; of SOME only the rows are read,
+ * one for each column, and of ALL nothing is there. */
 typedef struct {
     const fvi_sparse *C;
     fvi_remember_kind kind;
     size_t r;
-    int *start, *row;
-    double *entry; /* of SOME not read: they are ones */
+    fvi_sparse columns;
 } fvi_remembered;
 
 /* fvi_remembered_find -- see fvi_structure_alloc; C may be NULL, M has a positive diagonal.
