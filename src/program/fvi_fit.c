@@ -144,12 +144,22 @@ static int interpret(request *r, fvi_complaint c)
     return status;
 }
 
+/* Is this file, that is to be written, the one that is read? */
+static int is_data(const request *r, const char *name)
+{
+    return name && strcmp(name, r->words.operand) == 0;
+}
+
 static int read_data(request *r, fvi_complaint c)
 {
     static const char *const names[] = { "t", "x" };
     if (!r->words.operand)
         return fvi_refuse(c,
                           "DATA: a file with the columns t and x is missing");
+    if (is_data(r, r->o.output) || is_data(r, r->words.own[CURVE]))
+        return fvi_refuse(c, "%s: '%s' is the file of the data, too",
+                          is_data(r, r->o.output) ? "-o" : "--curve",
+                          r->words.operand);
     int status = fvi_data_table("DATA", r->words.operand, names, &r->fit.n,
                                 &r->t, &r->x, c);
     if (status)
