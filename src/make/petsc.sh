@@ -12,8 +12,9 @@ if test -n "${missing-}"; then
     echo "petsc: left out, program and test, for want of:$missing (Debian: apt-get install petsc-dev)"
     exit 0
 fi
-# -pedantic and -Wconversion speak of PETSc's own macros.
-FLAGS=$(echo "$FLAGS" | sed 's/-pedantic//; s/-Wconversion//')
+# -pedantic and -Wconversion speak of PETSc's own macros. A function that is not of the shape
+# that the library calls would read another argument than it was given.
+FLAGS="$(echo "$FLAGS" | sed 's/-pedantic//; s/-Wconversion//') -Werror=incompatible-pointer-types"
 mpicc $FLAGS -Isrc $(pkg-config --cflags petsc) src/petsc/fvi_petsc.c "$build/libfvi.a" \
     $GSL_LIBS $(pkg-config --libs petsc) -lm -o "$build/fvi_petsc"
 # Root is let in, more ranks than cores too; else ranks and the threads of BLAS fight.

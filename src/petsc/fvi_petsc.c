@@ -49,11 +49,12 @@ static int product(const share *s, Mat A, const double *x, double *y)
 }
 //< product
 
-static int remember(size_t d, const double *x, const void *params, double *z)
+static int remember(size_t d, const double *x, const double *from,
+                    const void *params, double *z)
 {
     (void)params;
     for (size_t i = 0; i < d; i++)
-        z[i] = x[i];
+        z[i] = x[i] - from[i];
     return FVI_SUCCESS;
 }
 
