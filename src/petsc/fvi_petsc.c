@@ -215,6 +215,8 @@ static PetscErrorCode ask(wishes *w)
     PetscCall(PetscOptionsGetReal(NULL, NULL, "-x0", &w->x0, NULL));
     PetscCall(PetscOptionsGetReal(NULL, NULL, "-p0", &w->p0, NULL));
     PetscCall(PetscOptionsGetInt(NULL, NULL, "-steps", &w->steps, NULL));
+    PetscCheck(w->steps >= 1, PETSC_COMM_WORLD, PETSC_ERR_USER,
+               "-steps is less than 1");
     PetscFunctionReturn(0);
 }
 
@@ -291,6 +293,7 @@ int main(int argc, char **argv)
     }
     PetscCall(run(&s, &w, room + s.rows, room + 2 * s.rows, room + 3 * s.rows,
                   room + 4 * s.rows));
+    PetscCall(PetscOptionsLeft(NULL)); /* names those that nobody asked for */
     PetscCall(PetscFree(room));
     PetscCall(VecDestroy(&s.x));
     PetscCall(VecDestroy(&s.y));

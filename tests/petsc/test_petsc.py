@@ -77,6 +77,11 @@ for count in (1, 2):
     print(f"petsc: {count} ranks and one machine are {apart:.1e} apart")
     if not apart <= 1e-13:
         sys.exit("petsc: too far")
+# No option is ignored in silence.
+for word, said in (("-stpes", "name:-stpes"), ("-steps", "-steps is less than 1")):
+    done = subprocess.run(["mpirun", "-n", "1", BUILD / "fvi_petsc", "-system", FOLDER, word, "-3"], capture_output=True, text=True)
+    if said not in done.stdout + done.stderr:
+        sys.exit(f"petsc: {word} -3 was taken without a word")
 # What cannot be run is refused by all ranks.
 (FOLDER / "K.mtx").write_text("%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 1 nan\n")
 bad = subprocess.run(["mpirun", "-n", "2", BUILD / "fvi_petsc", "-system", FOLDER], capture_output=True, text=True)
