@@ -176,11 +176,60 @@ START_TEST(eq_20_8_order_one_with_a_jump_between_nodes)
 }
 END_TEST
 
+/* ---- order two ---- */
+
+/* The largest error of x over all nodes of [0, T]. */
+static double worst_of_all(const fvi_method *method, const motion *q, size_t N)
+{
+    const fvi_linear problem = { .m = q->mass,
+                                 .c = q->cg[0],
+                                 .rho = q->rho,
+                                 .alpha = q->alpha,
+                                 .past = q->past,
+                                 .x0 = q->x0,
+                                 .v0 = q->p0 / q->mass };
+    double *t = fine_p, off = 0;
+    for (size_t k = 0; k <= N; k++)
+        t[k] = (double)k * (q->T / (double)N);
+    ck_assert_int_eq(fvi_exact(&problem, N + 1, t, fine_x, NULL), 0);
+    solve(method, q, N, x, p);
+    for (size_t k = 0; k <= N; k++)
+        off = fmax(off, fabs(x[k] - fine_x[k]));
+    return off;
+}
+
+/* x, the first nodes included, by the methods of theorem 20.3; the steps are shorter than
+ * 0.0039, the bound of fvi_bdf2 for the last order. What follows h^2 in the errors moves the
+ * order by a multiple of a power of h, which no formula here gives. Seen: off by 0.0013. */
+START_TEST(eq_20_10_order_two_over_all_nodes)
+{
+    const fvi_method *methods[] = { &fvi_shifted, &fvi_bdf2, &fvi_stable };
+    const double alphas[] = { 0, 0.1, 0.3, 0.45, 0.55, 0.7, 0.95 };
+    for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
+        const fvi_method *method = methods[i % LEN(methods)];
+        const motion q = { .alpha = alphas[i / LEN(methods)],
+                           .kappa = 0.5,
+                           .mass = 1,
+                           .rho = 0.5,
+                           .x0 = 1,
+                           .p0 = 0.5,
+                           .T = 4,
+                           .past = FVI_PAST_CAPUTO,
+                           .cg = { 1, 0 } };
+        const double order = log2(worst_of_all(method, &q, 2048)
+                                  / worst_of_all(method, &q, 4096));
+        seen(fabs(order - 2), "order off");
+        ck_assert_near(order, 2, 0.02, "%s, alpha = %g", method->name, q.alpha);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("20 convergence, the theorem run");
     ADD_CASE(suite, "theorem", eq_20_8_errors_are_below_the_bound,
              eq_20_8_how_sharp, eq_20_8_holds_where_the_run_explodes);
-    ADD_CASE(suite, "order", eq_20_8_order_one_with_a_jump_between_nodes);
+    ADD_CASE(suite, "order", eq_20_8_order_one_with_a_jump_between_nodes,
+             eq_20_10_order_two_over_all_nodes);
     return run_suite(suite);
 }
