@@ -110,7 +110,7 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  *   fitted  output
  *
  * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
- * and a potential whose constants fvi_sensitivity_of knows, else with differences, in
+ * without a law and constants that fvi_sensitivity_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
  * points of Sobol's sequence in the box. A start agrees with the best if all its
  * parameters come within sd / 10 of those, or within 1e-6 of their size, which is

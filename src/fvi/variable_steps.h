@@ -24,8 +24,8 @@ extern "C" {
 
 /* fvi_adaptive -- variable steps, s = 6 or 8 stages, order 2 s - 2.
  *
- * Any system in R^d, all coordinates with the same steps; any alpha in [0, 1], any rho,
- * any past. run->h and run->steps say where the rows are, t_k = k h; the steps are the
+ * Any system in R^d but those of matrices, all coordinates with the same steps; any alpha in
+ * [0, 1], any rho, any past, no law of damping. run->h and run->steps say where the rows are, t_k = k h; the steps are the
  * method's own, see fvi_step: s->k counts rows that have been passed, s->t is the time
  * of x and p. Between the ends of its steps fvi_run_to and fvi_trajectory interpolate,
  * to the same order as far as the force is smooth.
@@ -48,8 +48,8 @@ extern "C" {
  * forty, or is overlooked where it is small: x was off by up to 21 step_error in what the
  * tests try. A pulse that is shorter than the steps may be passed over.
  *
- * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end, h
- * steps.
+ * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end,
+ * h times steps.
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
  * if something is damped, Hessians of few diagonals, s at most, by Newton's method with one
@@ -62,7 +62,7 @@ extern "C" {
  * iteration, mostly 2 to 6 of them; O(d s^2), and O(s^3) for each mass, damping and
  * spring where h changes. Newton's method is O(d s b^2) more for a Hessian of b
  * diagonals, O(d s^3) coordinate by coordinate, and for all together O(d s^3 b^2) or
- * O(d^3 s^3). Memory O(d (Q + s^2)) + d s b), Q 190, or up to 2300 where a start is
+ * O(d^3 s^3). Memory O(d (Q + s^2) + d s b), Q 190, or up to 2300 where a start is
  * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
  * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
  * clear beforehand: alpha < 1 near 1, a damping far above the mass, and a past that the
