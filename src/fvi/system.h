@@ -142,7 +142,7 @@ typedef struct {
  * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
  * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
  * if a mass is not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if it has
- * matrices, which only fvi_start takes.  Cost O(d). */
+ * matrices, which fvi_start and fvi_stability_load take, and not everything. Cost O(d). */
 int fvi_system_check(const fvi_system *system);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
