@@ -72,8 +72,6 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_law *r, double N,
                            double tolerance, double *q, double *p, double *a,
                            size_t stride)
 {
-    const double *b = fvi_lobatto(s)->b, L = -log(tolerance),
-                 decay = (double)(s * (s - 1));
     double least = 1, most = -1, width = 1;
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_law_simple *t = &r->term[i];
@@ -86,13 +84,10 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_law *r, double N,
     }
     if (most < least)
         return 0;
-    const double first = -L / (3 + least) - log(N),
-                 last = fmax(
-                     (L + FVI_LAGS * log(decay) + 2 * log((double)s / b[0]))
-                         / (2 * FVI_LAGS + 1 - most),
-                     M_LN2 * 3);
-    const double step = width * M_PI * M_PI / (L + M_LN10);
-    const size_t Q = 2 + (size_t)ceil((last - first) / step);
+    const fvi_lobatto_span span =
+        fvi_lobatto_span_of(s, least, most, N, tolerance, width);
+    const double first = span.first, step = span.step;
+    const size_t Q = 2 + (size_t)ceil((span.last - first) / step);
     for (size_t j = 0; q && j < Q; j++) {
         const double ln_mu = first + ((double)j - 1) * step;
         double S0 = 0, S1 = 0;

@@ -74,11 +74,9 @@ static void plan(size_t s, double beta, size_t steps, fvi_memory_kind kind,
     const int direct = is_direct(beta, steps, kind, rated);
     const double N = (double)steps + 1;
     *lags = direct ? steps : FVI_LAGS;
-    *Q = direct  ? 0
-         : rated ? fvi_lobatto_nodes_rate(s, beta, N, keep, NULL, NULL, NULL,
-                                          NULL, 0)
-                 : fvi_lobatto_nodes(s, beta, N, keep, NULL, NULL, NULL, 0);
-    *Q = padded(*Q);
+    *Q = direct ? 0
+                : padded(fvi_lobatto_nodes(s, beta, N, keep, rated, NULL, NULL,
+                                           NULL, NULL, 0));
 }
 
 /* The default stands for a tolerance of 0. */
@@ -151,10 +149,8 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
         fvi_lobatto_memory_free(m);
         return status;
     }
-    if (Q > 0 && rated)
-        fvi_lobatto_nodes_rate(s, beta, N, keep, m->q, m->r, m->p, m->a, Q);
-    else if (Q > 0)
-        fvi_lobatto_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
+    if (Q > 0)
+        fvi_lobatto_nodes(s, beta, N, keep, rated, m->q, m->r, m->p, m->a, Q);
     for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
         for (size_t l = 0; l < FVI_LAGS; l++) {
             m->q[j] -= m->p[j] * m->q[j];

@@ -46,7 +46,7 @@ int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
                              double *rate);
 
-/* ---- for lobatto_memory.c: nothing is checked ---- */
+/* ---- lobatto_nodes.c; for lobatto_memory.c: nothing is checked ---- */
 
 /* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
  *
@@ -55,23 +55,18 @@ int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
  *
  *   N          the longest lag, N >= 1
  *   tolerance  what the nodes leave of it, relative to W_0, 1e-16 to below 1
+ *   rated      nonzero: the derivative of W_n by beta is asked for, too: the same sum
+ *              with rate_j for q_j                                       [(23.14)]
  *   q, p       outputs, Q numbers each
+ *   rate       output, Q numbers; not touched if not rated
  *   a          output, s Q numbers: entry i of a_j at [i * stride + j]
  *   stride     from one entry to the next, >= Q
  *
  * q may be NULL, and then only Q is returned: about (ln N + 20) ln(10/tolerance)
- * / 10; none for beta = 0, one for beta = -1. Cost 0.5 us a node. */
+ * / 10; if not rated none for beta = 0, one for beta = -1. Cost 0.5 us a node. */
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
-                         double *q, double *p, double *a, size_t stride);
-
-/* fvi_lobatto_nodes_rate -- and the derivative of W_n by beta, on the same nodes: with
- * rate_j for q_j.                                                        [(23.14)]
- *
- *   rate     output, Q numbers; NULL if q is
- *   others   as above; none are saved for beta = 0 or -1 */
-size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
-                              double *q, double *rate, double *p, double *a,
-                              size_t stride);
+                         int rated, double *q, double *rate, double *p,
+                         double *a, size_t stride);
 
 /* ---- for lobatto_law.c: nothing is checked ---- */
 
@@ -79,6 +74,16 @@ size_t fvi_lobatto_nodes_rate(size_t s, double beta, double N, double tolerance,
  * (1 + T s^(2 alpha)) at Delta(z)/h. The step size IS included. */
 void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
                       double *W);
+
+/* ln mu of the nodes: the first, the last, and from one to the next. */
+typedef struct {
+    double first, last, step;
+} fvi_lobatto_span;
+
+/* fvi_lobatto_span_of -- of nodes for powers beta from `least` to `most`; s, N and tolerance as
+ * for fvi_lobatto_nodes. Steps are `width` <= 1 times those of a power.     [(17.10)] */
+fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
+                                     double N, double tolerance, double width);
 
 /* fvi_lobatto_node -- p and a of one node mu >= 0: that of (mu + Delta)^(-1) has q = 1. */
 void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride);

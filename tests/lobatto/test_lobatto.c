@@ -233,8 +233,8 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
                                              FVI_MEMORY_EXPONENTIALS,
                                              tolerances[e], &fast[e]),
                     FVI_SUCCESS);
-            seen((double)fvi_lobatto_nodes(s, betas[t], MANY, 1e-13, NULL, NULL,
-                                           NULL, 0),
+            seen((double)fvi_lobatto_nodes(s, betas[t], MANY, 1e-13, 0, NULL,
+                                           NULL, NULL, NULL, 0),
                  "nodes");
             double v[4 * D], H[4 * D], G[4 * D];
             for (size_t k = 0; k < MANY; k++) {
