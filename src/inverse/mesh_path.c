@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run whose past pulls begins with a singular part, on steps that end where it does. */
-static int is_pulled(const fvi_run *run)
+int fvi_mesh_path_is_pulled(const fvi_run *run)
 {
     int is_damped = 0;
     for (size_t i = 0; i < run->system->d; i++)
@@ -79,7 +78,7 @@ int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *m)
 {
     fvi_stepper *s;
     *m = (fvi_mesh_path){ .d = run->system->d };
-    if (is_pulled(run))
+    if (fvi_mesh_path_is_pulled(run))
         FVI_FAIL("a start that the past pulls has no adjoint", FVI_EUNSUP);
     if (run->steps > SIZE_MAX / sizeof(double) / m->d - 2)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);

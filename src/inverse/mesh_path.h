@@ -24,6 +24,10 @@ typedef struct {
     double *rows, *p; /* x at the times of the rows; the last p */
 } fvi_mesh_path;
 
+/* fvi_mesh_path_is_pulled -- does the run begin with a singular part (22.19), on steps that
+ * end where it does? Such a run is not recorded. */
+int fvi_mesh_path_is_pulled(const fvi_run *run);
+
 /* fvi_mesh_path_run -- the run, recorded. path: output; fvi_mesh_path_free it in any case.
  * Returns what fvi_start and fvi_step return; FVI_EUNSUP if the start is singular (22.19);
  * FVI_EINVAL if the rows cannot be addressed; FVI_ENOMEM. */

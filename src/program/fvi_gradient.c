@@ -6,6 +6,7 @@
 #include "fvi_output.h"
 #include "fvi_own_words.h"
 #include "fvi_table.h"
+#include "inverse/mesh_path.h"
 #include "memory/lobatto_weights.h"
 
 #include <math.h>
@@ -59,18 +60,11 @@ static int interpret_of(request *r, fvi_complaint c)
     return status;
 }
 
-/* (19.3): does the start begin with a singular part? */
-static int is_pulled(const fvi_options *o)
-{
-    int is_damped = 0;
-    for (size_t i = 0; i < o->d; i++)
-        is_damped |= o->rho[i] > 0;
-    return is_damped && fvi_past_pulls(o->past, o->alpha);
-}
-
 static int interpret(request *r, fvi_complaint c)
 {
     const fvi_method *m = r->o.method;
+    r->system = fvi_options_system(&r->o);
+    r->run = fvi_options_run(&r->o, &r->system);
     if (m->scheme == FVI_SCHEME_OTHER)
         return fvi_refuse(c,
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
@@ -82,7 +76,7 @@ static int interpret(request *r, fvi_complaint c)
                           "--damping: '%s' has no gradient with %s; with fvi "
                           "and fvi-bdf2 it has",
                           r->o.text[DAMPING], m->name);
-    if (m->scheme == FVI_SCHEME_MESH && is_pulled(&r->o))
+    if (m->scheme == FVI_SCHEME_MESH && fvi_mesh_path_is_pulled(&r->run))
         return fvi_refuse(c,
                           "--method: '%s' has no gradient where the past pulls "
                           "the start (--derivative held and alpha > 1/2, or "
@@ -228,8 +222,6 @@ static int has_alpha(const request *r)
 static int make_room(request *r)
 {
     const size_t d = r->o.d;
-    r->system = fvi_options_system(&r->o);
-    r->run = fvi_options_run(&r->o, &r->system);
     r->to.sensitivity = fvi_sensitivity_of(&r->system.potential);
     if (r->o.expression)
         r->to.sensitivity = (fvi_sensitivity){ r->o.lets.count, by_let };
