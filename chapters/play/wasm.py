@@ -7,9 +7,10 @@ import zlib
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
 MODULES = """band error newton newton_stages system coefficients convolution_quadrature lobatto_memory
-    lobatto_rules lobatto_weights memory memory_direct past trajectory convolution_quadrature_stability stability
-    stability_explicit stability_step convolution_quadrature_methods damping discrete_mechanics fvi loads lobatto
-    lobatto_damped lobatto_start pull exact_inverse exact_pole exact_solution""".split()
+    lobatto_nodes lobatto_rules lobatto_weights memory memory_direct past trajectory
+    convolution_quadrature_stability stability stability_explicit stability_step
+    convolution_quadrature_methods damping discrete_mechanics fvi loads lobatto lobatto_damped
+    lobatto_start pull exact_inverse exact_pole exact_solution""".split()
 # Small code, linked as a whole; what a page never calls need not be there, and traps. As the
 # Makefile has it: no contraction to fma, or the last digits would differ.
 FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "
