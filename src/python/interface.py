@@ -122,6 +122,7 @@ typedef struct {
     const fvi_parameter *which;
     size_t starts;
     double h;
+    const double *low, *high;
     ...;
 } fvi_fit;
 typedef struct {
@@ -130,6 +131,7 @@ typedef struct {
     size_t agree;
     double h, bias;
 } fvi_fitted;
+int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
 
 typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;

@@ -154,6 +154,20 @@ def test_a_fit_varies_a_parameter_in_the_force_too():
     assert abs(found.estimate["k"] - 2) <= 50 * 50 * 2**-53
 
 
+def test_a_fit_of_an_expression_begins_where_the_programs_does(tmp_path):
+    """From other places the same best fit has other last digits."""
+    U, t = "a*x^2/2 + b*x^4/4", 0.1 * np.arange(1, 101)
+    data = fvi.run(U, let={"a": 2, "b": 1.5}, steps=100).x[1:] + np.random.default_rng(1).normal(0, 0.02, t.size)
+    path = tmp_path / "data.tsv"
+    path.write_text("".join(f"{a!r}\t{b!r}\n" for a, b in zip(t.tolist(), data.tolist())))
+    found = fvi.fit(t, data, U, let={"a": 1.7, "b": 1}, which="a,b", method="fvi", h=0.1)
+    text = subprocess.run([PROGRAM, "fit", "--fit", "a,b", "--potential", U, "--let", "a=1.7,b=1", "--method", "fvi",
+                           "--h", "0.1", str(path)], check=True, capture_output=True, text=True).stdout
+    for name in ("a", "b"):
+        assert f"\n{name}\t{found.estimate[name]!r}\t{found.sd[name]!r}\t" in text
+    assert f"{found.agree} agree" in text
+
+
 def test_a_force_of_ones_own():
     own = fvi.run(force=lambda t: 0.3 * np.cos(1.2 * t), alpha=0.3)
     assert abs(own.x - fvi.run(force="cosine:0.3,1.2", alpha=0.3).x).max() <= 200 * 16 * 2**-53

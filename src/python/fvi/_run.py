@@ -282,6 +282,14 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     question.sigma = 0.0 if sigma is None else sigma
     question.parameters, question.which = len(names), chosen
     question.starts, question.h = starts, h
+    box = np.empty((2, len(names)))
+    low, high = (problem.pointer(side) for side in box)
+    problem.check(lib.fvi_fit_box(question, low, high))
+    for j, name in enumerate(names):  # the library knows nothing of the constants of an expression
+        if problem.constants is problem.values and name in problem.let:
+            k = problem.let[name]
+            box[:, j] = sorted((k / 10, 10 * k)) if k else (-1, 1)  # as the program
+    question.low, question.high = low, high
     curve, f = np.empty_like(times), ffi.new("fvi_fitted *")
     status = lib.fvi_fit_search(question, ffi.from_buffer("double[]", curve), f)
     if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
