@@ -68,15 +68,25 @@ typedef struct {
                  void *params, double *r);
 } fvi_potential;
 
+/* fvi_impulse -- at the time t >= 0 each momentum p_j jumps by J[j]; d numbers, finite. */
+typedef struct {
+    double t;
+    const double *J;
+} fvi_impulse;
+
 /* fvi_force -- F(t), d numbers written to F. A zeroed force is none.
  *
  *   jumps, jump_count  the times, in any order, at which F or a derivative of it jumps;
- *          NULL and 0 if there are none. Methods that choose their steps end one there */
+ *          NULL and 0 if there are none. Methods that choose their steps end one there
+ *   impulses, impulse_count  what hits the body, t not falling; NULL and 0 if nothing does.
+ *          How methods take them: (2.14), trajectory.h */
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
     void *params;
     const double *jumps;
     size_t jump_count;
+    const fvi_impulse *impulses;
+    size_t impulse_count;
 } fvi_force;
 
 /* fvi_matrices -- M, C and K of a linear system                          [Chapter 27]

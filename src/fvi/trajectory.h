@@ -168,6 +168,9 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
+ * of the impulses FVI_EFAULT without an array or a J, FVI_EINVAL if their times fall,
+ * FVI_EDOM if a number is not finite or a time negative, FVI_EUNSUP at alpha = 1 if the
+ * method has stages and anything is damped;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
  * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law
  * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; what
@@ -175,7 +178,8 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
-/* fvi_step -- from k to k + 1; or, of a method that chooses its steps, one of these: from
+/* fvi_step -- from k to k + 1, where p then holds what impulses give to that node, (2.15);
+ * or, of a method that chooses its steps, one of these: from
  * s->t to a later s->t, the last of them to steps h.
  *
  * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that

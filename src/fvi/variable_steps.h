@@ -46,7 +46,9 @@ extern "C" {
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
  * forty, or is overlooked where it is small: x was off by up to 21 step_error in what the
- * tests try. A pulse that is shorter than the steps may be passed over.
+ * tests try. A pulse that is shorter than the steps may be passed over. An impulse acts at
+ * its time, between two steps; for alpha > 1/2 those that follow begin as short as what it
+ * leaves in x'' asks for, and there are more modes for them.
  *
  * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end,
  * h times steps.
@@ -66,7 +68,7 @@ extern "C" {
  * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
  * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
  * clear beforehand: alpha < 1 near 1, a damping far above the mass, and a past that the
- * body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0. */
+ * body has to forget, HELD or RIEMANN_LIOUVILLE with p0 != 0, or an impulse. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

@@ -318,7 +318,8 @@ int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
                   .ends = 2 * run->system->d,
                   .wanted_x = x,
                   .wanted_p = p };
-    o.system.force = (fvi_force){ .value = driven, .params = &o };
+    o.system.force.value = driven; /* its impulses stay */
+    o.system.force.params = &o;
     o.run.system = &o.system;
     *found = (fvi_controlled){ .iterations = 0 };
     status = allocate(&o);

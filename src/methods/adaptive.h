@@ -69,6 +69,8 @@ typedef struct {
     fvi_singular singular;
     /* the state at t, compensated; y is x without its singular part */
     double *y, *y_less, *v, *v_less, t, t_less;
+    double *kick; /* what the impulses at t have added to v */
+    size_t hits;  /* impulses that have acted */
     /* this step, or the last: its start, its stages */
     double t0, *y0, *v0;
     double *base, *R, *delta;
@@ -81,7 +83,7 @@ typedef struct {
     size_t diagonals;     /* of the Hessian, if they are few; or 0 */
     fvi_adaptive_band *band;
     /* control */
-    double *events; /* where steps have to end: jumps, t1, T at last */
+    double *events; /* where steps have to end: jumps, impulses, t1, T at last */
     size_t event, event_count;
     double T, least;    /* the end; no step is shorter */
     double scale;       /* the largest |x_i| so far */
@@ -102,6 +104,9 @@ typedef struct {
 /* fvi_adaptive_limit -- before the first step: no step longer than `longest`, nor than
  * the last by more than `growth` factors exp(FVI_SPACING). */
 void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth);
+
+/* fvi_adaptive_strike -- let the impulses at o->t act that have not: v jumps, (22.22). */
+void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o);
 
 /* fvi_adaptive_start, _stop, _copy, _visit -- as fvi_method has them. */
 int fvi_adaptive_start(fvi_stepper *s);

@@ -103,6 +103,7 @@ static double or_else(double size, double next)
 static int first_scale(fvi_stepper *s, double *scale)
 {
     const fvi_system *system = s->run.system;
+    const fvi_force *force = &system->force;
     double x = 0, v = 0, f = 0;
     int status = fvi_gradient(system, s->x, s->g);
     if (!status)
@@ -111,6 +112,8 @@ static int first_scale(fvi_stepper *s, double *scale)
         x = fmax(x, fabs(s->x[j]));
         v = fmax(v, fabs(s->p[j]) / system->mass[j]);
         f = fmax(f, fabs(s->F[j] - s->g[j]) / system->mass[j]);
+        for (size_t i = 0; i < force->impulse_count; i++)
+            v = fmax(v, fabs(force->impulses[i].J[j]) / system->mass[j]);
     }
     const double h = s->run.h, size = or_else(x, or_else(v * h, f * h * h));
     *scale = size > 0 ? size : 1;
@@ -177,8 +180,13 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         return status;
     if (o->singular.J)
         o->least = fmin(o->least, o->singular.t1 / 16);
+    if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
+        o->least = fmin(o->least, o->T
+                                      * pow(1e-4 * fmin(o->wish, 1),
+                                            1 / (1 - o->beta)));
     if (o->least < 1e-250 * o->T)
-        FVI_FAIL("no step is short enough for the start of such a damping",
+        FVI_FAIL("no step is short enough for what such a damping makes of a "
+                 "velocity that jumps",
                  FVI_EUNSUP);
     const fvi_modes_kind kind =
         o->wish > FVI_COARSE ? FVI_MODES_COARSE : FVI_MODES_FINE;
@@ -192,19 +200,23 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where steps end: the jumps of the force within the run, the end of the singular start,
- * and of the run, in order. */
+/* Where steps end: the jumps and the impulses of the force within the run, the end of the
+ * singular start, and of the run, in order. */
 static int find_events(const fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_force *force = &s->run.system->force;
-    if (force->jump_count > SIZE_MAX / sizeof(double) - 2)
+    const size_t hits = force->impulse_count;
+    if (force->jump_count > SIZE_MAX / sizeof(double) - 2 - hits)
         FVI_FAIL("jumps must be addressable", FVI_EINVAL);
-    o->events = malloc((force->jump_count + 2) * sizeof *o->events);
+    o->events = malloc((force->jump_count + hits + 2) * sizeof *o->events);
     if (!o->events)
         FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
     for (size_t i = 0; i < force->jump_count; i++)
         if (force->jumps[i] > 0 && force->jumps[i] < o->T)
             o->events[o->event_count++] = force->jumps[i];
+    for (size_t i = 0; i < hits; i++)
+        if (force->impulses[i].t > 0 && force->impulses[i].t < o->T)
+            o->events[o->event_count++] = force->impulses[i].t;
     if (o->singular.J && o->singular.t1 < o->T)
         o->events[o->event_count++] = o->singular.t1;
     o->events[o->event_count++] = o->T;
@@ -247,6 +259,9 @@ int fvi_adaptive_start(fvi_stepper *s)
             s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
         o->centre[j] = s->run.past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
+    fvi_adaptive_strike(s, o);
+    for (size_t j = 0; j < d; j++)
+        s->p[j] += s->run.system->mass[j] * o->kick[j];
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
     o->first = (int)fmax(o->first, o->fewest);
     o->next = o->first;

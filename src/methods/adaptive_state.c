@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum {
-    STATE = 7,
+    STATE = 8,
     LANED = 5,
     STAGED = 3
 }; /* arrays: of d, of LANES d, of s d */
@@ -57,6 +57,7 @@ int fvi_adaptive_allocate(fvi_adaptive_run *o)
     o->y0 = o->y + 4 * d;
     o->v0 = o->y + 5 * d;
     o->centre = o->y + 6 * d;
+    o->kick = o->y + 7 * d;
     o->base = o->y + STATE * d;
     o->R = o->base + FVI_LANES * d;
     o->delta = o->R + FVI_LANES * d;
@@ -136,6 +137,7 @@ int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v)
         { &o->length.h, number, 0 },
         { &o->length.k, whole, 0 },
         { &o->event, sizeof o->event, 0 },
+        { &o->hits, sizeof o->hits, 0 },
         { &o->scale, number, 0 },
         { &o->next, whole, 0 },
         { &o->first, whole, 0 },

@@ -143,7 +143,7 @@ static int start_variational(fvi_stepper *s)
     for (size_t i = 0; i < system->d; i++)
         if (system->damping[i] != 0)
             FVI_FAIL("Algorithm 1 has no damping", FVI_EINVAL);
-    if (system->force.value)
+    if (system->force.value || system->force.impulse_count)
         FVI_FAIL("Algorithm 1 has no force", FVI_EINVAL);
     return fvi_variational_solver(s);
 }

@@ -56,13 +56,14 @@ static int drive(fvi_stepper *s, fvi_adaptive_run *o)
 //< drive
 
 //> remember
-/* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k. */
+/* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
+ * v has jumped by. */
 static void remember(fvi_adaptive_run *o)
 {
     const double h = o->length.h;
     for (size_t j = 0; j < o->d; j++) {
         const fvi_kind *kind = &o->of_kind[o->kind[j]];
-        const double now = o->beta <= 0 ? kind->drag * o->v[j] : 0,
+        const double now = kind->drag * (o->beta <= 0 ? o->v[j] : o->kick[j]),
                      spring = o->beta == -1
                                   ? h * kind->damping * (o->y[j] - o->centre[j])
                                   : 0;
@@ -244,6 +245,23 @@ static void show(fvi_stepper *s, fvi_adaptive_run *o)
     s->t = o->t;
 }
 
+//> strike
+void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
+    memset(o->kick, 0, o->d * sizeof *o->kick);
+    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now;
+         o->hits++)
+        for (size_t j = 0; j < o->d; j++) {
+            const double jump =
+                force->impulses[o->hits].J[j] / o->of_kind[o->kind[j]].mass;
+            o->kick[j] += jump;
+            o->v[j] += jump;
+        }
+}
+//< strike
+
 //> take
 /* The trial is the step: x, v, the modes, the time. */
 static void take(fvi_adaptive_run *o, double event)
@@ -254,8 +272,9 @@ static void take(fvi_adaptive_run *o, double event)
         const size_t j = o->index[l];
         double v[FVI_LANES];
         for (size_t i = 0; i < s; i++)
-            v[i] = o->delta[j * FVI_LANES + i] + (o->beta < 0 ? o->v[j] : 0);
-        fvi_modes_advance(o->modes, l, v, o->v[j]);
+            v[i] = o->delta[j * FVI_LANES + i]
+                   + (o->beta < 0 ? o->v[j] : o->kick[j]);
+        fvi_modes_advance(o->modes, l, v, o->v[j] - o->kick[j]);
     }
     for (size_t j = 0; j < o->d; j++) {
         double *delta = o->delta + j * FVI_LANES, move[FVI_LANES];
@@ -308,6 +327,7 @@ static int step(fvi_stepper *s)
     const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
     if (over)
         fvi_singular_hand_over(o);
+    fvi_adaptive_strike(s, o);
     o->fresh = o->t == event && !over;
     if (o->fresh)
         o->next = o->first;

@@ -55,6 +55,8 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
         return status;
     if (system->d != 1)
         FVI_FAIL("Algorithm 3 as printed is in one dimension", FVI_EINVAL);
+    if (system->force.impulse_count)
+        FVI_FAIL("Algorithm 3 as printed has no impulses", FVI_EUNSUP);
     if (N >= SIZE_MAX / sizeof(double) / 2 - 1)
         FVI_FAIL("N must be addressable", FVI_EINVAL);
     const fvi_run run = { .system = system,

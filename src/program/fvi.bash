@@ -12,7 +12,7 @@ _fvi()
         --derivative) known='held caputo rl' ;;
         --format) known='tsv csv json' ;;
         --potential) known='harmonic: duffing: pendulum: free chain:' ;;
-        --force) known='none step: cosine: file:' ;;
+        --force) known='none step: cosine: impulse: file:' ;;
         --damping) known='power: zener: maxwell: distributed:' ;;
         --columns) known='t,x t,x,p,energy' ;;
         -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;

@@ -24,7 +24,8 @@ int fvi_complain_of_start(int status)
         : status == FVI_EINVAL
             ? "--steps: the compressed memory reaches back 10^9 steps at most"
         : status == FVI_EUNSUP
-            ? "no step is short enough for the start: alpha is too near to 1"
+            ? "no step is short enough for a velocity that jumps: alpha is too "
+              "near to 1"
         : status == FVI_EDOM ? "--h: mass / h is not a finite number"
                              : fvi_strerror(status));
 }

@@ -22,8 +22,14 @@ typedef struct {
     ...;
 } fvi_potential;
 typedef struct {
+    double t;
+    const double *J;
+} fvi_impulse;
+typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
     void *params;
+    const fvi_impulse *impulses;
+    size_t impulse_count;
     ...;
 } fvi_force;
 typedef struct {

@@ -1,6 +1,7 @@
 /* src/run/trajectory.c -- Runs: a start, a step size, a method.      [Chapter 2] */
 #include <fvi/trajectory.h>
 
+#include "impulses.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -36,6 +37,19 @@ static int check_law(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("a law of damping is that of a body that was held",
                  FVI_EUNSUP);
     return fvi_law_check(run->law);
+}
+
+static int check_impulses(const fvi_method *method, const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    const int status = fvi_impulses_check(&system->force, system->d);
+    if (status || !system->force.impulse_count || !method->stages
+        || run->alpha < 1)
+        return status;
+    for (size_t i = 0; i < system->d; i++)
+        if (system->damping[i] > 0) /* (17.17): p is not m x' */
+            FVI_FAIL("stages take no impulse at alpha = 1", FVI_EUNSUP);
+    return FVI_SUCCESS;
 }
 
 static int check_past(const fvi_method *method, const fvi_run *run)
@@ -84,7 +98,9 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
     if (!fvi_method_has_memory(method, run->memory))
         FVI_FAIL("this method has no such memory", FVI_EUNSUP);
-    status = check_law(method, run);
+    status = check_impulses(method, run);
+    if (!status)
+        status = check_law(method, run);
     return status ? status : check_past(method, run);
 }
 
@@ -129,6 +145,8 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
         fvi_stop(s);
         return status;
     }
+    if (!method->dense)
+        fvi_impulses_act(s, 0);
     *stepper = s;
     return FVI_SUCCESS;
 }
@@ -142,6 +160,8 @@ int fvi_step(fvi_stepper *s)
     int status = s->method->step(s);
     if (status)
         return status;
+    if (!s->method->dense)
+        fvi_impulses_act(s, s->k + 1);
     if (!fvi_all_finite(2 * s->run.system->d, s->x)) /* x, then p */
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */
     if (!s->method->dense) {

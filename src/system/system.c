@@ -318,7 +318,10 @@ static int step_value(double t, size_t d, void *params, double *F)
 
 fvi_force fvi_force_step(const double aT[2])
 {
-    return (fvi_force){ step_value, (void *)aT, aT + 1, 1 };
+    return (fvi_force){ .value = step_value,
+                        .params = (void *)aT,
+                        .jumps = aT + 1,
+                        .jump_count = 1 };
 }
 
 static int cosine_value(double t, size_t d, void *params, double *F)

@@ -10,11 +10,13 @@
 #include <string.h>
 #include <strings.h>
 
-/* One of: an expression, a table of n rows, a force of the library's. */
+/* One of: an expression, a table of n rows, an impulse p[0] at p[1], a force of the
+ * library's. */
 typedef struct {
     fvi_expression *expression;
     size_t n;
     double *t, *F;
+    int hits;
     fvi_forcing kind;
     double p[2];
 } part;
@@ -24,6 +26,9 @@ struct fvi_forces {
     part *parts;
     size_t jump_count; /* the ends of steps, then the rows of tables */
     double *jumps;
+    size_t impulse_count; /* in the order of their times */
+    fvi_impulse *impulses;
+    double *J; /* d numbers each */
 };
 
 /* ---- values ---- */
@@ -58,6 +63,9 @@ static int value_of(const part *p, double t, double *F)
         *F = between_rows(p, t);
         return 0;
     }
+    *F = 0;
+    if (p->hits)
+        return 0;
     const fvi_force force = p->kind == FVI_FORCING_STEP
                                 ? fvi_force_step(p->p)
                                 : fvi_force_cosine(p->p);
@@ -98,13 +106,16 @@ fvi_force fvi_forces_force(const fvi_forces *f)
     return (fvi_force){ .value = force_value,
                         .params = (void *)f,
                         .jumps = f->jumps,
-                        .jump_count = f->jump_count };
+                        .jump_count = f->jump_count,
+                        .impulses = f->impulses,
+                        .impulse_count = f->impulse_count };
 }
 
 double fvi_forces_jump(const fvi_forces *f, size_t i)
 {
     for (size_t n = 0; n < f->count; n++)
-        if (f->parts[n].kind == FVI_FORCING_STEP && i-- == 0)
+        if ((f->parts[n].kind == FVI_FORCING_STEP || f->parts[n].hits)
+            && i-- == 0)
             return f->parts[n].p[1];
     return NAN;
 }
@@ -118,13 +129,16 @@ void fvi_forces_free(fvi_forces *f)
     if (f) {
         free(f->parts);
         free(f->jumps);
+        free(f->impulses);
+        free(f->J);
     }
     free(f);
 }
 
 /* ---- words ---- */
 
-static const char forms[] = "none, step:A,T, cosine:A,W, file:F.tsv";
+static const char forms[] = "none, step:A,T, cosine:A,W, "
+                            "impulse:J,T, file:F.tsv";
 
 /* A table from 0 to the end of the run: nothing is made up. */
 static int read_file(part *p, const char *name, double last, fvi_complaint c)
@@ -154,12 +168,22 @@ static int read_expression(part *p, const char *text, fvi_lets *lets,
     return status ? fvi_refuse_at(c, "force", text, wrong) : 0;
 }
 
+/* One that comes when the run is over, or has not begun, would be ignored. */
+static int read_impulse(part *p, const char *text, double last, fvi_complaint c)
+{
+    p->hits = 1;
+    if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
+        return fvi_refuse(c, "--force: '%s' is not within the run, 0 <= T <= %g",
+                          text, last);
+    return 0;
+}
+
 /* One part: a word with a colon, or an expression. */
 static int read_part(part *p, const char *text, fvi_lets *lets,
                      double last, fvi_complaint c)
 {
-    static const char *const words[] = { "none", "step", "cosine", "file",
-                                         NULL };
+    static const char *const words[] = { "none",    "step", "cosine",
+                                         "impulse", "file", NULL };
     const size_t length = strcspn(text, ":");
     if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
         return read_file(p, text + 5, last, c);
@@ -167,6 +191,8 @@ static int read_part(part *p, const char *text, fvi_lets *lets,
         return p->kind == FVI_FORCING_STEP && p->p[1] < 0
                    ? fvi_refuse(c, "--force: '%s' ends before it begins", text)
                    : 0;
+    if (fvi_word_call(text, "impulse", 2, p->p))
+        return read_impulse(p, text, last, c);
     const char *near = fvi_word_nearest(text, length, words);
     const int known =
         near && strlen(near) == length && strncasecmp(near, text, length) == 0;
@@ -214,7 +240,38 @@ static int collect_jumps(fvi_forces *f)
     return 0;
 }
 
-int fvi_forces_parse(const char *text, fvi_lets *lets, double last,
+static int by_time(const void *a, const void *b)
+{
+    const fvi_impulse *x = a, *y = b;
+    return (x->t > y->t) - (x->t < y->t);
+}
+
+/* Each on all d masses. Returns 0, or 1 if there is no memory. */
+static int collect_impulses(fvi_forces *f, size_t d)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < f->count; i++)
+        n += f->parts[i].hits != 0;
+    if (n == 0)
+        return 0;
+    f->impulses = malloc(n * sizeof *f->impulses);
+    f->J = malloc(n * d * sizeof *f->J);
+    if (!f->impulses || !f->J)
+        return 1;
+    for (size_t i = 0; i < f->count; i++) {
+        if (!f->parts[i].hits)
+            continue;
+        double *J = f->J + f->impulse_count * d;
+        for (size_t j = 0; j < d; j++)
+            J[j] = f->parts[i].p[0];
+        f->impulses[f->impulse_count++] =
+            (fvi_impulse){ .t = f->parts[i].p[1], .J = J };
+    }
+    qsort(f->impulses, n, sizeof *f->impulses, by_time);
+    return 0;
+}
+
+int fvi_forces_parse(const char *text, size_t d, fvi_lets *lets, double last,
                      fvi_forces **f, fvi_complaint c)
 {
     char *copy = strdup(text);
@@ -239,6 +296,8 @@ int fvi_forces_parse(const char *text, fvi_lets *lets, double last,
     }
     if (!status)
         status = collect_jumps(new);
+    if (!status)
+        status = collect_impulses(new, d);
     if (status == 1)
         fvi_refuse(c, "not enough memory");
     free(copy);

@@ -123,7 +123,7 @@ int fvi_problem_force(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "--force: '%s': there is %s/f.tsv, too",
                           o->text[FORCE], o->text[SYSTEM]);
     if (!fvi_word_force(o->text[FORCE], &o->force, o->forcing))
-        return fvi_forces_parse(o->text[FORCE], &o->lets, last, &o->forces, c);
+        return fvi_forces_parse(o->text[FORCE], o->d, &o->lets, last, &o->forces, c);
     if (o->force == FVI_FORCING_STEP && o->forcing[1] < 0)
         return fvi_refuse(c, "--force: '%s' ends before it begins",
                           o->text[FORCE]);

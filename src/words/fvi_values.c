@@ -54,7 +54,7 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
             break;
         if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
             return fvi_refuse(c,
-                              "--error: the force '%s' ends between two rows; "
+                              "--error: the force '%s' jumps between two rows; "
                               "take other --steps",
                               o->text[FORCE]);
     }

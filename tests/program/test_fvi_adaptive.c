@@ -23,7 +23,7 @@ static double off_by(const char *options)
 }
 
 /* The wanted error, by the method that is taken where none is named, with a force that
- * ends between two rows and with every past; the head and standard error say what was
+ * jumps between two rows and with every past; the head and standard error say what was
  * done. Seen: 2e-4 of 1e-9. */
 START_TEST(a_wanted_error_needs_no_other_word)
 {

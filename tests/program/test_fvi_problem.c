@@ -205,6 +205,34 @@ START_TEST(masses_and_dampings_one_by_one)
 }
 END_TEST
 
+/* An impulse is another momentum; two add, in any order; it stands beside other forces, hits
+ * every mass, and is met by the steps of --error. */
+START_TEST(impulses_are_forces)
+{
+    ck_assert_near_rows("run --force none --p0 0.75 --steps 40",
+                        "run --force impulse:0.25,0 --steps 40");
+    ck_assert_same_rows(
+        "run --force 'impulse:0.5,3 + impulse:-1,1.26'",
+        "run --force 'impulse:-1,1.26 + impulse:0.25,3 + Impulse:0.25,3'");
+    ck_assert_same_rows("run --force 'step:1,90 + impulse:0,3'",
+                        "run --force step:1,90");
+    ck_assert_same_rows("run --potential chain:2,1,0 --force impulse:1,0 --x0 0 "
+                        "--p0 0 --columns x",
+                        "run --potential chain:2,1,0 --x0 0 --p0 1 --columns x");
+    ck_assert_int_eq(fvi("run --error 1e-10 --time 20 --steps 20 --x0 0 --p0 0 "
+                         "--alpha 0.3 --force impulse:2,0.5"),
+                     0);
+    double x[21];
+    for (size_t k = 0; k <= 20; k++)
+        x[k] = cell(k, 1);
+    ck_assert_int_eq(fvi("exact --time 19.5 --steps 39 --x0 0 --p0 2 "
+                         "--alpha 0.3"),
+                     0);
+    for (size_t k = 1; k <= 20; k++)
+        ck_assert_near(x[k], cell(2 * k - 1, 1), 1.2e-10, "row %zu", k);
+}
+END_TEST
+
 /* Forces add; a file is linear between its rows, and needs no names. */
 START_TEST(forces_add_up)
 {
@@ -344,7 +372,7 @@ int main(void)
              expressions_have_as_many_coordinates_as_masses,
              a_shared_object_is_a_potential,
              a_file_of_c_is_compiled_and_nothing_stays,
-             masses_and_dampings_one_by_one, forces_add_up,
+             masses_and_dampings_one_by_one, impulses_are_forces, forces_add_up,
              case_does_not_matter_for_words, tables_in_three_formats,
              other_programs_read_the_tables,
              digits_are_the_fewest_that_come_back);

@@ -41,7 +41,21 @@ START_TEST(a_misprint_is_shown)
     ck_assert_refused(
         "run --force cosin:1,2",
         "fvi: --force: 'cosin:1,2' is none of none, step:A,T, cosine:A,W, "
-        "file:F.tsv; did you mean cosine?");
+        "impulse:J,T, file:F.tsv; did you mean cosine?");
+    ck_assert_refused("run --force impulse:1,21",
+                      "fvi: --force: 'impulse:1,21' is not within the run, "
+                      "0 <= T <= 20");
+    ck_assert_refused("run --force 1+impulse:1",
+                      "fvi: --force: '1+impulse:1' is none of none, step:A,T, "
+                      "cosine:A,W, impulse:J,T, file:F.tsv; did you mean "
+                      "impulse?");
+    ck_assert_refused("exact --force impulse:1,2",
+                      "fvi: --force: 'impulse:1,2' has no exact solution here; "
+                      "none, step:A,T and cosine:A,W have");
+    ck_assert_refused("run --force impulse:1,2.05 --time 20 --error 1e-6 "
+                      "--method fvi-lobatto3",
+                      "fvi: --error: the force 'impulse:1,2.05' jumps between "
+                      "two rows; take other --steps");
     ck_assert_refused(
         "run --columns t,q",
         "fvi: --columns: 'q' in 't,q' is none of t, x, p, energy, y");
@@ -116,7 +130,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
         "with C >= 0 and free have");
     ck_assert_refused(
         "run --error 0.1 --method fvi --force 'step:1,1 + step:1,1.05'",
-        "fvi: --error: the force 'step:1,1 + step:1,1.05' ends between two "
+        "fvi: --error: the force 'step:1,1 + step:1,1.05' jumps between two "
         "rows; take other --steps");
 }
 END_TEST

@@ -168,6 +168,15 @@ def test_a_fit_of_an_expression_begins_where_the_programs_does(tmp_path):
     assert f"{found.agree} agree" in text
 
 
+@pytest.mark.parametrize("method", ["fvi", "fvi-lobatto3", "fvi-adaptive"])
+def test_an_impulse_is_the_programs(method):
+    run = fvi.run("chain:2,1,0", method=method, alpha=0.3, x0=0, p0=[0, 1], force="impulse:0.7,3.04",
+                  columns="t,x,p,energy")
+    assert np.array_equal(columns(run), program("run", "--method", method, "--alpha", "0.3", "--potential",
+                                                "chain:2,1,0", "--x0", "0", "--p0", "0,1", "--force",
+                                                "impulse:0.7,3.04"))
+
+
 def test_a_force_of_ones_own():
     own = fvi.run(force=lambda t: 0.3 * np.cos(1.2 * t), alpha=0.3)
     assert abs(own.x - fvi.run(force="cosine:0.3,1.2", alpha=0.3).x).max() <= 200 * 16 * 2**-53

@@ -267,11 +267,21 @@ class Problem:
         if callable(given):
             F.value, F.params = lib.ask_force, self.handle
             return F[0]
-        known = {"step": 2, "cosine": 2}
+        known = {"step": 2, "cosine": 2, "impulse": 2}
         if given.partition(":")[0] not in known:
             return lib.fvi_force_expression(self.understood("force", given, "t", 1).pointer)
         name, n = words(given, known)
+        if name == "impulse":
+            F.impulses = self.impulse(*n)
+            F.impulse_count = 1
+            return F[0]
         return getattr(lib, f"fvi_force_{name}")(self.pointer(np.array(n)))
+
+    def impulse(self, J: float, t: float) -> Any:
+        hit = ffi.new("fvi_impulse[1]")
+        hit[0].t, hit[0].J = t, self.pointer(np.full(self.d, J))
+        self.keep.append(hit)
+        return hit
 
     def check(self, status: int, where: str = "") -> None:
         """Raise what the library, or a function that it asked, has to say."""

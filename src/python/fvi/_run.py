@@ -185,8 +185,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     rho, mass   one number, or d of them; 0.2 and 1
     damping     instead of alpha and rho a law, "power:R,A", "zener:R,A,T", "maxwell:R,T" or
                 "distributed:R,A,B" as the program has them, or a list of such, which add
-    force       None, "step:A,T", "cosine:A,W", an expression in t, or a function of t that
-                gives one number or d of them
+    force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T),
+                an expression in t, or a function of t that gives one number or d of them
     derivative  the past: "held", "caputo" or "rl"
     x0, p0      the start, one number or d of them; 1 and 0.5
     h, steps    the step and how many; 0.1 and 200; time=T instead of h: h = T / steps

@@ -1,0 +1,66 @@
+/* src/run/impulses.c -- What hits the body, as steps of one length take it. [Chapter 2] */
+#include "impulses.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+int fvi_impulses_check(const fvi_force *force, size_t d)
+{
+    const size_t n = force->impulse_count;
+    const fvi_impulse *hit = force->impulses;
+    if (n > 0 && !hit)
+        FVI_FAIL("impulses is a null pointer", FVI_EFAULT);
+    for (size_t i = 0; i < n; i++) {
+        if (!hit[i].J)
+            FVI_FAIL("an impulse needs its J", FVI_EFAULT);
+        if (!(gsl_finite(hit[i].t) && hit[i].t >= 0)
+            || !fvi_all_finite(d, hit[i].J))
+            FVI_FAIL("an impulse is finite, at a time t >= 0", FVI_EDOM);
+        if (i > 0 && hit[i].t < hit[i - 1].t)
+            FVI_FAIL("impulses stand in the order of their times", FVI_EINVAL);
+    }
+    return FVI_SUCCESS;
+}
+
+/* The first impulse at t or later. */
+static size_t first(const fvi_force *force, double t)
+{
+    size_t low = 0, high = force->impulse_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (force->impulses[middle].t < t)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+//> share
+/* h, the product k h and the time itself may each be off by half an ulp, and T / N for h by
+ * as much again: four ulp from a node is at the node. */
+static double share(double t, double h, size_t k)
+{
+    double steps = t / h;
+    const double nearest = round(steps);
+    if (fabs(steps - nearest) <= 4 * GSL_DBL_EPSILON * nearest)
+        steps = nearest;
+    return fmax(0, 1 - fabs(steps - (double)k)); /* (2.15) */
+}
+
+void fvi_impulses_act(fvi_stepper *s, size_t k)
+{
+    const fvi_force *force = &s->run.system->force;
+    const double h = s->run.h;
+    for (size_t i = first(force, ((double)k - 1) * h);
+         i < force->impulse_count && force->impulses[i].t < (double)(k + 1) * h;
+         i++) {
+        const double part = share(force->impulses[i].t, h, k);
+        for (size_t j = 0; j < s->run.system->d; j++)
+            s->p[j] += part * force->impulses[i].J[j];
+    }
+}
+//< share

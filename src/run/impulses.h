@@ -1,0 +1,16 @@
+/* src/run/impulses.h -- What hits the body, as steps of one length take it. [Chapter 2] */
+#ifndef FVI_IMPULSES_H
+#define FVI_IMPULSES_H
+
+#include <fvi/trajectory.h>
+
+/* fvi_impulses_check -- FVI_SUCCESS; FVI_EFAULT if there are impulses and no array, or one
+ * without J; FVI_EDOM if a number is not finite, or a time negative; FVI_EINVAL if the
+ * times fall. Cost O(n d). */
+int fvi_impulses_check(const fvi_force *force, size_t d);
+
+/* fvi_impulses_act -- add to p what falls to node k, (2.15). Cost O(log n) of n impulses,
+ * and O(d) for each within a step of the node. */
+void fvi_impulses_act(fvi_stepper *s, size_t k);
+
+#endif
