@@ -39,9 +39,8 @@ LIBRARY  := $(filter-out $(PROGRAM) src/petsc/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))
 BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c))
-# Modules of verify/ that proofs import, and that prove nothing themselves.
-SHARED   := refgen arithmetic adjoint_chain adjoint_runs variable_steps_power
-PROOFS   := $(filter-out $(SHARED),$(patsubst verify/%.py,%,$(wildcard verify/*.py)))
+# What proofs import, and what proves nothing itself, stands in verify/shared/.
+PROOFS   := $(patsubst verify/%.py,%,$(wildcard verify/*.py))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*/*.c))
 DIAGRAMS := $(filter-out $(SCENES),$(patsubst figures/%.gp,%,$(wildcard figures/*/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
@@ -389,12 +388,15 @@ test-workshop-accidents: | needs
 
 ## -- proofs and exact values -----------------------------------------------
 
-$B/verify/%_ref.h: verify/%.py verify/refgen.py verify/arithmetic.py | needs
+$B/verify/%_ref.h: verify/%.py verify/shared/refgen.py verify/shared/arithmetic.py | needs
 	mkdir -p $(@D)
 	$(PYTHON) $< > $@ && test -s $@
-$B/verify/adjoint_ref.h: verify/adjoint_runs.py
-$B/verify/adjoint_stages_ref.h: verify/adjoint_chain.py
-$B/verify/variable_steps_runs_ref.h: verify/variable_steps_power.py verify/variable_steps.py
+$B/verify/adjoint_ref.h: verify/shared/adjoint_runs.py
+$B/verify/adjoint_stages_ref.h: verify/shared/adjoint_chain.py
+$B/verify/exact_solution_ref.h: verify/shared/exact_solution_routes.py
+$B/verify/fvi_ref.h: verify/shared/fvi_runs.py
+$B/verify/restricted_principle_ref.h: verify/shared/restricted_principle_powers.py
+$B/verify/variable_steps_runs_ref.h: verify/shared/variable_steps_power.py verify/variable_steps.py
 
 # The committed header stands beside the tests, or the module, that read it.
 committed = $(or $(wildcard tests/*/$1_ref.h src/*/$1_ref.h),tests/$1/$1_ref.h)

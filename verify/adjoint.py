@@ -19,8 +19,8 @@ from mpmath import mp
 from sympy import (Matrix, Rational, cos, diff, exp, expand, log, pi,
                    series, simplify, sin, symbols)
 
-from adjoint_runs import BITS, fixed, in_step, real
-from refgen import claim, header, hexd, hexd_real, prove, short, table
+from shared.adjoint_runs import BITS, fixed, in_step, real
+from shared.refgen import claim, header, hexd, hexd_real, prove, short, table
 
 # ---- the transpose ----
 

@@ -12,9 +12,9 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
-from adjoint_chain import D5, N, Chain, numbers, points
-from arithmetic import coefficients, dual
-from refgen import header, hexd, prove, table
+from shared.adjoint_chain import D5, N, Chain, numbers, points
+from shared.arithmetic import coefficients, dual
+from shared.refgen import header, hexd, prove, table
 
 # ---- the transpose, with stages ----
 

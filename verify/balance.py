@@ -19,8 +19,8 @@ from sympy import (I, Function, Matrix, Rational, Symbol, arg, binomial, conjuga
                    exp, expand, expand_complex, gamma, im, pi, re, simplify, sin, sqrt, symbols,
                    trigsimp, zeros)
 
-from arithmetic import factorised, solved
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.arithmetic import factorised, solved
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 Q = Rational
 

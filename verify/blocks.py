@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from sympy import expand, symbols
 
-from refgen import array, claim, header, hexd, prove, table
+from shared.refgen import array, claim, header, hexd, prove, table
 
 BLOCK, EIGHT, TAIL = 32, 8, 33
 

@@ -11,7 +11,7 @@ import mpmath
 from sympy import (Rational, binomial, expand_func, factorial, gamma, gammasimp,
                    limit, oo, prod, simplify, symbols)
 
-from refgen import array, claim, header, hexd, hexd_real, prove, short, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, short, table
 
 a, b = symbols("alpha beta")
 n = symbols("n", integer=True, positive=True)

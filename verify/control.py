@@ -10,7 +10,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, diff, expand, symbols
 
-from refgen import claim, header, hexd, prove, table
+from shared.refgen import claim, header, hexd, prove, table
 
 #> lagrange
 N, kappa, h, m, c, k0, g, p0, nux, nup = 4, *symbols("kappa h m c k0 g p0 nu_x nu_p")

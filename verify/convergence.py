@@ -16,7 +16,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, exp, expand, gamma, gammasimp, prod, series, sinh, symbols
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 a, g, h, rho, p0, z, lam = symbols("alpha gamma h rho p0 z lambda", positive=True)
 k = symbols("k", integer=True, positive=True)

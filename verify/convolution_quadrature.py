@@ -21,7 +21,7 @@ from sympy import (Function, I, Rational, binomial, cos, diff, exp, expand,
                    expand_func, gamma, im, integrate, limit, numer, oo, pi, re, series,
                    simplify, sin, sqrt, symbols, together, trigsimp)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 alpha, beta, gam = symbols("alpha beta gamma", positive=True)
 h, m, rho, theta, kappa, s, z = symbols("h m rho theta kappa s z")

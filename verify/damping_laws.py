@@ -18,8 +18,8 @@ import mpmath
 from mpmath import mp, mpc, mpf
 from sympy import I, cos, im, sin, symbols
 
-from arithmetic import circle, coefficients
-from refgen import claim, header, prove
+from shared.arithmetic import circle, coefficients
+from shared.refgen import claim, header, prove
 
 mp.dps = 40
 POWER, ZENER, MAXWELL, DISTRIBUTED = range(4)

@@ -13,7 +13,7 @@ differentiates. Trajectories: discrete_mechanics_runs.py."""
 from sympy import (Function, Matrix, Rational, cos, diff, expand, euler_equations, eye, ratsimp, simplify,
                    sin, solve, symbols, together, zeros)
 
-from refgen import header, hexd, hexd_real, prove, table
+from shared.refgen import header, hexd, hexd_real, prove, table
 
 h, m, rho, kappa, c, t = symbols("h m rho kappa c t", positive=True)
 

@@ -11,7 +11,7 @@ from math import ceil
 
 import mpmath
 
-from refgen import claim, header, hexd, hexd_real, table
+from shared.refgen import claim, header, hexd, hexd_real, table
 
 
 class Exactly:

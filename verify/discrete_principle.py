@@ -22,7 +22,7 @@ from sympy import (QQ, Function, Rational, Symbol, binomial, diff, expand,
                    expand_func, factor, solve, symbols)
 from sympy.polys.rings import PolyRing
 
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 N = 4
 h, rho, kappa, m, g = symbols("h rho kappa m g")  # g stands for h^(-2 alpha)

@@ -21,7 +21,7 @@ from sympy import (Rational, binomial, diff, exp, expand, gamma, gammasimp, inte
                    oo, pi, simplify, sqrt, symbols)
 from sympy.ntheory.multinomial import multinomial_coefficients
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 b, c, g, lam, R, Kx, Kv, s, t = symbols("beta c gamma lambda R K_x K_v s t", positive=True)
 p, q = symbols("p q", positive=True)

@@ -17,7 +17,7 @@ import mpmath
 from sympy import (Matrix, Rational, cos, diff, exp, expand, factorial, lambdify, log,
                    series, simplify, sin, solve, sqrt, symbols)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 m, rho, c, h, t = symbols("m rho c h t", positive=True)
 x0, p0 = symbols("x0 p0")

@@ -16,7 +16,7 @@ from operator import mul
 import mpmath
 from sympy import Matrix, Rational, expand, simplify, symbols
 
-from refgen import array, claim, header, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd_real, prove, table
 
 mpf = mpmath.mpf
 

@@ -14,7 +14,7 @@ from sympy import Abs, DiracDelta, I, Symbol, diff, lambdify, nan, oo, pi, zoo
 from sympy.parsing.sympy_parser import (parse_expr, rationalize,
                                         standard_transformations)
 
-from refgen import claim, header, hexd, hexd_real, table
+from shared.refgen import claim, header, hexd, hexd_real, table
 
 FUNCTIONS = {name: getattr(__import__("sympy"), name) for name in
              "sin cos tan asin acos atan sinh cosh tanh exp log sqrt".split()}

@@ -21,7 +21,7 @@ import mpmath
 from sympy import (Function, Rational, binomial, diff, gamma, gammasimp, limit, oo, pi,
                    powsimp, simplify, sqrt, symbols)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 alpha, beta, g = symbols("alpha beta g", positive=True)
 a, t, tau, u, h = symbols("a t tau u h", positive=True)

@@ -21,7 +21,7 @@ import mpmath
 from sympy import (Function, Rational, S, binomial, catalan, diff, expand, expand_func,
                    gamma, gammasimp, pi, simplify, sqrt, symbols)
 
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 a, b = symbols("alpha beta")
 n, k = symbols("n k", integer=True, positive=True)

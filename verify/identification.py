@@ -16,7 +16,7 @@ from mpmath import mp, mpf
 from sympy import Function, I, Rational, cos, diff, exp, expand, expand_trig, sin, symbols
 from sympy import pi as sympi
 
-from refgen import claim, header, hexd, hexd_real, prove
+from shared.refgen import claim, header, hexd, hexd_real, prove
 
 #> transform
 s, m, c, rho, alpha, x0, p0 = symbols("s m c rho alpha x0 p0", positive=True)

@@ -22,7 +22,7 @@ from random import Random
 import mpmath
 from sympy import Matrix, Rational, binomial, exp, expand, expand_func, log, series, symbols
 
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 a = symbols("alpha")
 

@@ -15,7 +15,7 @@ from functools import cache
 import mpmath
 from sympy import Function, Matrix, Rational, cos, diff, exp, expand, sin, symbols
 
-from refgen import claim, header, hexd, prove, table
+from shared.refgen import claim, header, hexd, prove, table
 
 h, m, rho, kappa, alpha, tilde = symbols("h m rho kappa alpha kappa~", positive=True)
 half = Rational(1, 2)

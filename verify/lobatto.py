@@ -25,8 +25,8 @@ from sympy import (Function, I, Matrix, Rational, cancel, cos, diag, diff, expan
                    integrate, numer, ones, pi, prod, radsimp, simplify, sin, solve, sqrt, symbols,
                    together)
 
-from arithmetic import circle, coefficients, real_function
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.arithmetic import circle, coefficients, real_function
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 z, mu, x, h, m, rho = symbols("z mu x h m rho")
 Q = Rational

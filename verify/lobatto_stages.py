@@ -19,8 +19,8 @@ from mpmath import mp, mpf
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, expand_trig, eye, ones,
                    simplify, sin, symbols)
 
-from arithmetic import circle, coefficients, real_function
-from refgen import claim, header, hexd, prove, table
+from shared.arithmetic import circle, coefficients, real_function
+from shared.refgen import claim, header, hexd, prove, table
 
 mp.dps = 50
 h, m, rho = symbols("h m rho", positive=True)

@@ -17,7 +17,7 @@ import mpmath
 from sympy import (I, Matrix, Rational, binomial, cos, diff, exp, expand, expand_func,
                    gamma, gammasimp, im, log, pi, re, simplify, sin, symbols)
 
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 nu, r, s, t, n = symbols("nu r s t n", positive=True)
 

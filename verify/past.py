@@ -14,7 +14,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, binomial, expand, gamma, gammasimp, limit, oo, symbols
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 t, u = symbols("t u", positive=True)
 beta, b, rho, m, c, v0, x0, s = symbols("beta b rho m c v0 x0 s", positive=True)

@@ -23,23 +23,14 @@ Printed: exact values of powers, of the action (by Beta functions), of the serie
 import mpmath
 from sympy import (Function, Integer, Matrix, Poly, Rational, Symbol, cos,
                    diff, exp, expand, eye, gamma, gammasimp, hessian, integrate,
-                   limit, oo, pi, simplify, sin, solve, sqrt, symbols, zeros)
+                   limit, oo, simplify, sin, solve, sqrt, symbols, zeros)
 
-from refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.restricted_principle_powers import (CUBE, DAMPING, MASS, SPRING, D, a, action, ddt, first_variation,
+                                                integral, plus, power, powered, real, sizes)
 
-a, t = symbols("alpha t", positive=True)
-e = symbols("e", positive=True)
+t, e = symbols("t e", positive=True)
 m, rho, c = symbols("m rho c", positive=True)
-
-
-def Beta(p, q):
-    return gamma(p) * gamma(q) / gamma(p + q)
-
-
-def power(order, exponent):
-    """(1.6): D^order s^exponent = power(order, exponent) s^(exponent - order)."""
-    return gamma(exponent + 1) / gamma(exponent + 1 - order)
-
 
 half = Rational(1, 2)
 prove("(3.13) and d/ds at alpha = 1/2", gammasimp(power(half, e) * power(half, e - half)) - e)
@@ -55,18 +46,6 @@ s = Symbol("s")
 
 def U(z):
     return c * z ** 2 / 2 + z ** 3 / 3
-
-
-def integral(left, right):
-    """int_0^1 sum l_p t^p sum r_q (1-t)^q dt for {exponent: coefficient}."""
-    return sum(l * r * Beta(p + 1, q + 1) for p, l in left.items() for q, r in right.items())
-
-
-def D(z, times=1):
-    """D^alpha of a sum of powers, `times` times, from its own end."""
-    for _ in range(times):
-        z = {p - a: v * power(a, p) for p, v in z.items()}
-    return z
 
 
 def polynomial(z):
@@ -124,20 +103,6 @@ prove("(3.24) with a constant left in f, it is s^(1-2 alpha)/Gamma(2-2 alpha) of
 # ---- (3.7), (3.8): every quadratic Lagrangian of the six arguments --------------------
 #> equations
 # A function is a pair: a sum of powers of t, and one of powers of 1 - t.
-def plus(*parts):
-    """Sum of (factor, sum of powers)."""
-    out = {}
-    for factor, z in parts:
-        for p, v in z.items():
-            out[p] = out.get(p, 0) + factor * v
-    return out
-
-
-def ddt(z, sign=1):
-    """d/dt; sign = -1 for powers of 1 - t."""
-    return {p - 1: sign * v * p for p, v in z.items() if p != 0}
-
-
 def flip(z):
     """A polynomial in t as one in 1 - t, and the other way round."""
     return polynomial(expand(sum(v * (1 - s) ** p for p, v in z.items())))
@@ -353,20 +318,12 @@ header("verify/restricted_principle.py")
 Q = Rational
 
 
-def real(z):
-    return mpmath.mpf(int(z.p)) / int(z.q)
-
-
 def nearest(value, digits=40):
     """value() is computed at two precisions; both must round to the same double."""
     def text(n):
         with mpmath.workdps(n + 15):
             return mpmath.nstr(value(), n)
     return hexd_real(text, digits, 10)
-
-
-def powered(order, exponent):
-    return mpmath.gamma(real(exponent) + 1) * mpmath.rgamma(real(exponent) + 1 - real(order))
 
 
 rows = []
@@ -376,61 +333,6 @@ for order in (Q(0), Q(1, 4), Q(0.3), Q(1, 2), Q(0.9), Q(1)):
             rows.append([hexd(order), hexd(exponent), hexd(at), nearest(
                 lambda: powered(order, exponent) * real(at) ** real(exponent - order))])
 table("ref_derivative", "double beta, exponent, s, want;", rows)
-
-# The action and its variation: products of powers, integrated one by one.
-MASS, DAMPING, SPRING, CUBE = Q(2), Q(3, 4), Q(3, 2), Q(1, 2)  # U = SPRING z^2/2 + CUBE z^4/4
-
-
-def times(*curves):
-    out = {Q(0): Q(1)}
-    for z in curves:
-        new = {}
-        for (p, l), (q, r) in ((i, j) for i in out.items() for j in z.items()):
-            new[p + q] = new.get(p + q, 0) + l * r
-        out = new
-    return out
-
-
-def slope(z):
-    return {p - 1: v * p for p, v in z.items() if p}
-
-
-def add(*parts):
-    out = {}
-    for p, v in ((p, factor * v) for factor, z in parts for p, v in z.items()):
-        out[p] = out.get(p, 0) + v
-    return out
-
-
-def over(z, T):
-    """int_0^T of a sum of powers."""
-    return sum(real(v) * real(T) ** real(p + 1) / real(p + 1) for p, v in z.items())
-
-
-def coupled(z, o, alpha, T):
-    """int D_- z D_+ o dt."""
-    return sum(real(l) * real(r) * powered(alpha, p) * powered(alpha, q)
-               * real(T) ** real(p + q + 1 - 2 * alpha)
-               * mpmath.beta(real(p + 1 - alpha), real(q + 1 - alpha))
-               for p, l in z.items() for q, r in o.items())
-
-
-def action(alpha, T, x, y, sign=-1):
-    half = [add((MASS / 2, times(slope(z), slope(z))), (sign * SPRING / 2, times(z, z)),
-                (sign * CUBE / 4, times(z, z, z, z))) for z in (x, y)]
-    return sum(over(z, T) for z in half) + sign * real(DAMPING) * coupled(x, y, alpha, T)
-
-
-def first_variation(alpha, T, x, y, xi, eta, sign=-1):
-    half = [add((MASS, times(slope(z), slope(d))), (sign * SPRING, times(z, d)),
-                (sign * CUBE, times(z, z, z, d))) for z, d in ((x, xi), (y, eta))]
-    return (sum(over(z, T) for z in half) + sign * real(DAMPING)
-            * (coupled(xi, y, alpha, T) + coupled(x, eta, alpha, T)))
-
-
-def sizes(z):
-    return {p: abs(v) for p, v in z.items()}
-
 
 CURVES = [  # x, y, xi, eta: three terms each
     [{0: Q(1, 2), 1: Q(-1), 3: Q(3, 4)}, {1: Q(2), 2: Q(-1, 2), 5: Q(1, 4)},

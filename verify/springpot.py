@@ -10,7 +10,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import Rational, besseli, diff, exp, factorial, gamma, gammasimp, series, sqrt, symbols
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 t, s, q, k, rho, z = symbols("t s q k rho z", positive=True)
 beta = symbols("beta", positive=True)

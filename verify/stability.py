@@ -17,7 +17,7 @@ import mpmath
 from sympy import (I, Matrix, Rational, cos, diff, exp, expand, expand_complex, eye, pi,
                    simplify, sin, sqrt, symbols, trigsimp)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 alpha, kappa, W, R, h, m, c = symbols("alpha kappa W R h m c", positive=True)
 xm, x0, xp = symbols("x_- x_0 x_+", real=True)

@@ -14,7 +14,7 @@ import mpmath
 from sympy import (Matrix, Rational, acos, atan, cos, diff, expand, expand_trig, limit, pi, simplify, sin,
                    sqrt, symbols)
 
-from refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 C, h, q, j = symbols("C h q j", positive=True)
 error = lambda j: C * (h / 2**j) ** q

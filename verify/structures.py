@@ -3,7 +3,7 @@ what elements add to them, and a structure's mode as one oscillator."""
 from mpmath import cos, cosh, findroot, mp, pi
 from sympy import Matrix, Rational, cos as c_, diff, eye, integrate, series, simplify, sin as s_, symbols
 
-from refgen import claim, header, hexd_real, prove, table
+from shared.refgen import claim, header, hexd_real, prove, table
 
 # ---- (27.6): four cubics, each 1 in one of w(0), l w'(0), w(l), l w'(l), and 0 in the others
 x, l = symbols("x l", positive=True)

@@ -6,7 +6,7 @@ from textwrap import wrap
 
 from mpmath import mp, mpf, matrix, eye, diag, legendre, polyroots, taylor, log, exp
 
-from refgen import claim, header
+from shared.refgen import claim, header
 
 SPACING = mpf(26) / 100  # of the lattice: steps and modes are powers of exp(SPACING)
 ENDS = 6                 # corrections at each end of the modes,

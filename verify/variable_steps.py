@@ -21,7 +21,7 @@ from mpmath import mp, mpf
 from sympy import (Function, Matrix, Poly, Rational, binomial, diag, diff, expand, eye,
                    factorial, gcd, integrate, legendre, ones, simplify, sqrt, symbols, zeros)
 
-from refgen import claim, header, hexd, prove, table
+from shared.refgen import claim, header, hexd, prove, table
 
 mu, t, x = symbols("mu t x")
 STAGES = range(2, 9)

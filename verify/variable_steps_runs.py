@@ -17,8 +17,8 @@ from mpmath import mp, mpf
 from sympy import Rational
 
 import variable_steps as one
-from refgen import claim, header, hexd, table
-from variable_steps_power import dense, dense_sums, product
+from shared.refgen import claim, header, hexd, table
+from shared.variable_steps_power import dense, dense_sums, product
 
 
 rng = random.Random(22)

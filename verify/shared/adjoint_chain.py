@@ -8,8 +8,8 @@ from operator import mul
 import mpmath
 from mpmath import mpf
 
-from arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
-                        factorised, fixed, line, solved)
+from shared.arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
+                              factorised, fixed, line, solved)
 
 CIRCLE = 96
 

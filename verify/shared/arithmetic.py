@@ -9,7 +9,7 @@ from operator import mul
 import mpmath
 from mpmath import mp
 
-from refgen import claim
+from shared.refgen import claim
 
 # -- functions of matrices ---------------------------------------------------------------
 
