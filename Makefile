@@ -354,7 +354,7 @@ $B/stress: $(wildcard tests/stress/*.[ch]) tests/variable_steps/adaptive_problem
 # what exists, and none removes it.
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 WORKSHOP  = FLAGS='$(DIALECT) $(STUDENT) $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' $(PYTHON) src/make/workshop.py
-HELD     := $(sort $(shell sed -nE 's/^shows +([0-9]+)\..*/0\1/; s/^0*([0-9]{2})$$/\1/p' tests/workshop/holes.txt))
+HELD     := $(sort $(shell sed -nE 's/^shows +([0-9]+)\..*/0\1/; s/^(chapter +)?0*([0-9]{2})$$/\2/p' tests/workshop/holes.txt))
 workshop $(HELD:%=workshop-%) test-workshop-accidents: STUDENT := $(SANITIZE)
 
 workshop: $B/figures/experiments/experiments_alphas.dat | needs ## your own integrator, from an empty file (chapters/workshop)

@@ -55,6 +55,7 @@ static inline double ladder_rho(double beta, double k, double eta)
 static inline void ladder_stage(const ladder *l, const double *from, double v,
                                 double h, double f, double *y)
 {
+    //> elimination
     double weight[RUNGS],
         load[RUNGS]; /* of nodes j, j + 1, ...: weight y_j = load + k y_{j-1} */
     for (size_t j = RUNGS; j-- > 0;) {
@@ -70,6 +71,7 @@ static inline void ladder_stage(const ladder *l, const double *from, double v,
     y[0] = load[0] / weight[0];
     for (size_t j = 1; j < RUNGS; j++)
         y[j] = (load[j] + l->spring[j - 1] * y[j - 1]) / weight[j];
+    //< elimination
 }
 
 /* A step h under a force that is constant in it: Alexander's method, two stages, order 2,

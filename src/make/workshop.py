@@ -21,7 +21,7 @@ import workshop_check as checks
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, FIGURE, HERE, archive, compile_plain, figure_fails, harness, module, thread
+from workshop_build import BUILD, FIGURE, HERE, archive, compile_plain, figure_fails, harness, meeting, thread
 
 MINE = pathlib.Path("workshop/my.c")
 STAGES = {1: "02", 2: "04", 3: "05", 4: "07", 5: "08", 6: "09", 7: "10", 8: "12", 9: "13"}
@@ -94,13 +94,19 @@ def chapter(number):
     files = holes.lay_out(number)
     folder = HERE / number
     folder.mkdir(parents=True, exist_ok=True)
+    met = {hole.source: holes.tests()[hole.named][0] for hole in cuts}
     try:
-        objects = [module(source, file, folder, 1) for source, file in files.items()]
-        for obj, file in zip(objects, files.values()):
-            runner.each_has_one_place(file, obj, BUILD / "libfvi.a")
-        library = [*objects, compile_plain("tests/workshop/exit.c"), archive(folder, files)]
+        library, anew = [], {}
+        for source, file in files.items():
+            *test, obj = meeting(source, file, folder, met[source], 1)
+            if test:
+                runner.each_has_one_place(file, obj, BUILD / "libfvi.a")
+                library.append(obj)
+            else:
+                anew[met[source]] = obj
+        library += [compile_plain("tests/workshop/exit.c"), archive(folder, files)]
         for test in chapter_tests(cuts):
-            binary = runner.link(folder / test, list(files.values()), [BUILD / f"tests/{test}.o", *library])
+            binary = runner.link(folder / test, list(files.values()), [anew.get(test, BUILD / f"tests/{test}.o"), *library])
             runner.show(runner.run(binary, [f.name for f in files.values()], LONG))
         binary = runner.link(folder / "curve", list(files.values()),
                              [compile_plain("tests/workshop/curves.c", "-Isrc"), *library])

@@ -28,6 +28,7 @@ def thread(source, folder, objects, show_warning=0):
     folder.mkdir(parents=True, exist_ok=True)
     sanitizers = [f for f in runner.FLAGS if "sanitize" in f]
     mine = runner.compile_student(source, folder / "my.o", *DIALECT, *sanitizers, show_warning=show_warning)
+    subprocess.run(["objcopy", "--redefine-sym=main=student_main", mine], check=True)
     return runner.link(folder / "checks", [source], [*objects, mine])
 
 
@@ -88,3 +89,14 @@ def module(source, file, folder, show_warning=0):
     """A student's version of a module, compiled as the library is."""
     return runner.compile_student(file, folder / (pathlib.Path(source).stem + ".o"), *runner.FLAGS, "-Isrc", "-include", "math.h",
                                   f"-I{pathlib.Path(source).parent}", show_warning=show_warning)
+
+
+def meeting(source, file, folder, test, show_warning=0):
+    """What a program of tests takes of a student's version of a source: a module, beside the object of
+    the test, or a test that is compiled anew, as that version or with it in the place of its header."""
+    if source.startswith("src/"):
+        return [BUILD / f"tests/{test}.o", module(source, file, folder, show_warning)]
+    path = next(pathlib.Path("tests").glob(f"*/{test}.c"))
+    what, *instead = (path, "-include", file) if source.endswith(".h") else (file,)
+    return [runner.compile_student(what, folder / f"{test}.o", *runner.FLAGS, "-Isrc", "-Itests", f"-I{path.parent}",
+                                   "-include", "math.h", *instead, file=file, show_warning=show_warning)]

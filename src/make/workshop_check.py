@@ -11,7 +11,7 @@ import sys
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, HERE, figure_fails, harness, module, thread
+from workshop_build import BUILD, HERE, figure_fails, harness, meeting, module, thread
 
 ACCIDENTS = "tests/workshop/accidents.txt"
 LIMIT = 10  # seconds of the processor for a test
@@ -33,7 +33,7 @@ def hole_fails(hole):
     file.write_text(text)
     test, case = holes.tests()[hole.named]
     try:
-        inputs = [BUILD / f"tests/{test}.o", module(hole.source, file, folder), HERE / "exit.o",
+        inputs = [*meeting(hole.source, file, folder, test), HERE / "exit.o",
                   BUILD / "libfvi.a"]  # of which the linker takes what is not there yet
         results = runner.run(runner.link(folder / test, [file], inputs), [file.name], LIMIT, case)
     except runner.NotBuilt as error:
@@ -51,7 +51,7 @@ def skeletons_fail(where, cuts):
     file = folder / pathlib.Path(source).name
     file.write_text(holes.skeleton(source, cuts))
     try:
-        module(source, file, folder)
+        meeting(source, file, folder, holes.tests()[cuts[0].named][0])
     except runner.NotBuilt as error:
         return str(error)
     return None
@@ -80,12 +80,13 @@ def check():
     files = {(hole.chapter, hole.source): [h for h in cuts if (h.chapter, h.source) == (hole.chapter, hole.source)]
              for hole in cuts}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [pool.submit(hole_fails, hole) for hole in cuts]
+        faults = pool.submit(lambda: list(exercises.faults()))  # the longest come first
+        jobs = [pool.submit(stage_fails, number, objects) for number in reversed(STAGES)]
         jobs += [pool.submit(skeletons_fail, *item) for item in files.items() if len(item[1]) > 1]
-        jobs += [pool.submit(stage_fails, number, objects) for number in STAGES]
-        failed = [job.result() for job in jobs if job.result()]
-    failed += filter(None, [module_accident_fails(entry) for entry in holes.paragraphs(ACCIDENTS) if "module" in entry])
-    failed += exercises.faults()
+        jobs += [pool.submit(hole_fails, hole) for hole in cuts]
+        jobs += [pool.submit(module_accident_fails, entry, i) for i, entry in enumerate(holes.paragraphs(ACCIDENTS))
+                 if "module" in entry]
+        failed = [job.result() for job in jobs if job.result()] + faults.result()
     if failed:
         sys.exit("\n".join(failed))
     print(f"workshop: {len(exercises.exercises())} exercises, {len(files)} skeletons compile, {len(cuts)} holes are noticed and filled, "
@@ -102,10 +103,10 @@ def wrong_version(entry, source, file):
     return file
 
 
-def module_accident_fails(entry):
+def module_accident_fails(entry, place):
     """None if a module that lacks a function, or has another's, is told so."""
     source = entry["module"]
-    folder = HERE / "accident"
+    folder = HERE / f"accident_{place}"
     file = wrong_version(entry, source, folder / pathlib.Path(source).name)
     try:
         runner.each_has_one_place(file.name, module(source, file, folder), BUILD / "libfvi.a")

@@ -7,6 +7,7 @@ Numbers by hand must be equal, or, where they are not whole, right to half a per
 must lie in what workshop_experiments.py measures, made wider; this note is then only an
 example of a right answer and, after `not`, of wrong ones, and `make check` asks for both."""
 import fractions
+import functools
 import pathlib
 import re
 import sys
@@ -50,6 +51,11 @@ def widened(least, largest):
     return least - more, largest + more
 
 
+@functools.cache
+def measured(chapter):
+    return experiments.EXPERIMENTS[chapter]()
+
+
 def judge(exercise, answer):
     """None if the answer is right, else a sentence."""
     try:
@@ -57,7 +63,7 @@ def judge(exercise, answer):
     except (ValueError, ZeroDivisionError):
         return "numbers are wanted, such as 1.5 or -4/81, with commas between them"
     if exercise.kind == "experiment":
-        ranges = [widened(*pair) for pair in experiments.EXPERIMENTS[exercise.chapter]()]
+        ranges = [widened(*pair) for pair in measured(exercise.chapter)]
     else:
         ranges = [(w, w) if w.denominator == 1 else (w - abs(w) / 200, w + abs(w) / 200)
                   for w in numbers(exercise.right)]

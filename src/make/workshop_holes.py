@@ -1,4 +1,4 @@
-"""Skeletons: the modules of the course with holes, made from the sources themselves.
+"""Skeletons: the files of the course with holes, made from the sources themselves.
 
 tests/workshop/holes.txt says which regions are cut (its head tells the format). A region
 lies between `//> name` and `//< name`, as for the quotes in the chapters."""
@@ -15,7 +15,7 @@ class Hole:
     def __init__(self, entry):
         self.source, self.region = entry["region"].split("#")
         self.leaves, self.shows, self.named = entry["leaves"], entry["shows"], entry["named"]
-        self.chapter = f"{int(self.shows.split('.')[0]):02d}"
+        self.chapter = entry.get("chapter", f"{int(self.shows.split('.')[0]):02d}")
 
 
 def paragraphs(path):

@@ -49,19 +49,20 @@ def say(command):
                           env={**os.environ, "LC_ALL": "C"})
 
 
-def compile_student(source, target, *flags, show_warning=0):
-    """The object of a student's file; its first warning is printed."""
+def compile_student(source, target, *flags, file=None, show_warning=0):
+    """The object of a student's file, or of a source that takes it in; its first warning is printed."""
     done = say([*CC, *flags, *STUDENT, "-c", source, "-o", target])
-    name = pathlib.Path(source).name
+    file = file or source
+    name = pathlib.Path(file).name
     notes = re.findall(r"^[^\n]*?" + re.escape(name) + r":(\d+):\d+: (?:fatal )?(error|warning): (.*?)(?: \[-W.*\])?$",
                        done.stderr, re.M)
     if done.returncode:
         where = [f"line {line}: {text}" for line, kind, text in notes if kind == "error"]
-        raise NotBuilt(f"{source} does not compile: {(where or done.stderr.splitlines()[-1:])[0]}")
+        raise NotBuilt(f"{file} does not compile: {(where or done.stderr.splitlines()[-1:])[0]}")
     for line, _, text in notes[:show_warning]:
         print(f"  (a warning of the compiler, line {line}: {text})")
     renamed = [f"--redefine-sym={name}=student_{name}" for name in ENDS]
-    subprocess.run(["objcopy", *renamed, "--redefine-sym=main=student_main", target], check=True)
+    subprocess.run(["objcopy", *renamed, target], check=True)
     return target
 
 

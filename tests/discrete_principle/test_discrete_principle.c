@@ -342,8 +342,7 @@ START_TEST(eq_6_7_the_three_sums_agree_when_the_ends_vanish)
 END_TEST
 
 /* (6.9). The reversal of x with the same kappa: x_{N-k} solves (6.6a), so the
- * restricted gradient is h times the difference of the two forces there,
- * 3 c1 kappa (kappa - 1) (2 kappa - 1) (x_- - x_+) (2 x_0 - x_- - x_+). It
+ * restricted gradient is h times the difference of the two forces there. It
  * vanishes for kappa = 0, 1/2, 1 or without the cubic term. Bound as above.
  * Seen: 0.0011 of it. */
 START_TEST(eq_6_9_the_same_kappa_does_not_mirror)
@@ -361,9 +360,11 @@ START_TEST(eq_6_9_the_same_kappa_does_not_mirror)
                                      gx, gy);
         double bound = 2 * (3 * N + 36) * U * size(&system, alpha, h, N, x);
         for (size_t k = 1; k < N; k++) {
-            const double *at = x + (N - k);
+            const double *at = x + (N - k); /* the nodes at[-1], at[0], at[1] */
+            //> defect
             double defect = 3 * c[1] * kappa * (kappa - 1) * (2 * kappa - 1)
                             * (at[-1] - at[1]) * (2 * at[0] - at[-1] - at[1]);
+            //< defect
             ck_assert_near(gx[k] + gy[k], h * defect, bound, "kappa=%g k=%zu",
                            kappa, k);
             most = fmax(most, fabs(h * defect));

@@ -383,10 +383,10 @@ int main(void)
     Suite *suite = suite_create("07 half derivative");
     ADD_CASE(suite, "values", eq_7_2_products_match_the_definition,
              eq_7_1_two_derivatives_match_the_double_sum);
+    ADD_CASE(suite, "lemma", eq_7_3_half_a_derivative_twice_is_a_difference);
     ADD_CASE(suite, "identities",
              eq_7_6_the_weights_vanish_exactly_and_then_but_for_rounding,
              eq_7_5_the_lemma_is_segners_recurrence,
-             eq_7_3_half_a_derivative_twice_is_a_difference,
              eq_7_7_the_qth_part_q_times_is_a_difference,
              eq_7_8_the_l1_rule_does_not_have_the_property,
              eq_7_10_the_printed_induction_proves_too_much,

@@ -20,6 +20,47 @@ static double creep(double beta, int count, int doublings, double *t)
     return l.x[0];
 }
 
+/* The force that is left on node j after a stage from `from` to y, with velocity v before it,
+ * and the sum of the sizes of what should add up to nothing: (0.3), and for node 0 the
+ * balance of the body. */
+static double left_over(const ladder *l, const double *from, const double *y,
+                        size_t j, double v, double h, double f, double *size)
+{
+    const double before = j > 0 ? y[j - 1] : 0,
+                 behind = j + 1 < RUNGS ? y[j + 1] : 0,
+                 k = j > 0 ? l->spring[j - 1] : 0, m = j > 0 ? 0 : l->m,
+                 c = j > 0 ? 0 : l->c, rate = (y[j] - from[j]) / h;
+    *size = (l->dashpot[j] + m / h) * (fabs(y[j]) + fabs(from[j])) / h
+            + m / h * fabs(v) + (j > 0 ? 0 : fabs(f))
+            + l->spring[j] * (fabs(y[j]) + fabs(behind))
+            + k * (fabs(y[j]) + fabs(before)) + c * fabs(y[j]);
+    return l->dashpot[j] * rate + m * (rate - v) / h - (j > 0 ? 0 : f)
+           + l->spring[j] * (y[j] - behind) + k * (y[j] - before) + c * y[j];
+}
+
+/* A stage is right if nothing is left over. The elimination makes each of its numbers of a
+ * few others by a sum or a quotient of positive terms, or by one difference of a term that
+ * stands in the equation itself: 8 u of the size. Seen: 0.23 of that. */
+START_TEST(eq_0_3_a_stage_solves_the_equations_of_all_nodes)
+{
+    for (int i = 1; i < 4; i++) {
+        const double h = pow(10, -i), v = 0.5, f = 2, beta = 0.25 * i;
+        ladder l = ladder_of_order(beta, 3, 2);
+        l.m = i - 1, l.c = 1;
+        double from[RUNGS], y[RUNGS], size;
+        for (size_t j = 0; j < RUNGS; j++)
+            from[j] = sin((double)(j * j));
+        ladder_stage(&l, from, v, h, f, y);
+        for (size_t j = 0; j < RUNGS; j++) {
+            const double left = left_over(&l, from, y, j, v, h, f, &size);
+            ck_assert_near(left, 0, 8 * U * size,
+                           "beta = %g, h = %g, force left on node %zu", beta, h,
+                           j);
+        }
+    }
+}
+END_TEST
+
 /* (0.4), in time: 2 t e^-2t (I_0(2t) + I_1(2t)). The steps at t are t / (2 count) long, and
  * the method of order 2: 0.02 / count^2, relative. Seen: 0.21 of it. */
 START_TEST(eq_0_4_a_ladder_creeps_as_its_bessel_functions)
@@ -133,6 +174,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("00 springpot");
+    ADD_CASE(suite, "a stage",
+             eq_0_3_a_stage_solves_the_equations_of_all_nodes);
     ADD_CASE(suite, "ladders", eq_0_4_a_ladder_creeps_as_its_bessel_functions,
              eq_0_4_a_slow_ladder_is_a_springpot,
              eq_0_5_graded_ladders_are_springpots,
