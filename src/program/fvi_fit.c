@@ -117,11 +117,13 @@ static int interpret(request *r, fvi_complaint c)
     if (!r->words.given[H])
         o->text[H] = NULL; /* it is found: not in the head */
     int status = interpret_names(r, c);
+    const int by_number = o->text[DIMENSION] != NULL;
     if (!status && o->d != 1)
         status = fvi_refuse(c,
-                            "--potential: '%s' has more masses than the one "
-                            "column of a fit",
-                            o->text[POTENTIAL]);
+                            "--%s: '%s' has more masses than the one column of "
+                            "a fit",
+                            by_number ? "dimension" : "potential",
+                            o->text[by_number ? DIMENSION : POTENTIAL]);
     if (!status && r->words.own[SIGMA])
         status = fvi_word_number("sigma", r->words.own[SIGMA], 0, INFINITY,
                                  "()", &r->fit.sigma, c);

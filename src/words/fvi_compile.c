@@ -36,7 +36,18 @@ static void includes(char flag[2][PATH])
 static const char *compiler(void)
 {
     const char *cc = getenv("CC");
-    return cc && *cc ? cc : "cc";
+    return cc && cc[strspn(cc, " ")] ? cc : "cc";
+}
+
+/* The words of $CC, as in "ccache gcc -m64", and how many. */
+static size_t split(char *cc, const char **words)
+{
+    size_t count = 0;
+    char *rest;
+    for (char *word = strtok_r(cc, " ", &rest); word;
+         word = strtok_r(NULL, " ", &rest))
+        words[count++] = word;
+    return count;
 }
 
 /* Runs the compiler, under these blocked signals; it says what it has to say into the file
@@ -44,13 +55,17 @@ static const char *compiler(void)
 static int run_compiler(const char *file, const char *object, const char *log,
                         const sigset_t *blocked)
 {
-    char flag[2][PATH];
+    char flag[2][PATH], cc[PATH];
+    if (strlen(compiler()) >= sizeof cc)
+        return 1;
     includes(flag);
-    const char *const words[] = {
-        compiler(), "-O2",   "-fPIC", "-ffp-contract=off",
-        "-shared",  flag[0], flag[1], "-o",
-        object,     file,    "-lm",   NULL
-    };
+    const char *const options[] = { "-O2",   "-fPIC", "-ffp-contract=off",
+                                    "-shared", flag[0], flag[1],
+                                    "-o",      object,  file,
+                                    "-lm",     NULL };
+    const char *words[PATH / 2 + sizeof options / sizeof *options];
+    memcpy(words + split(strcpy(cc, compiler()), words), options,
+           sizeof options);
     posix_spawn_file_actions_t files;
     posix_spawnattr_t signals;
     pid_t child;

@@ -163,6 +163,11 @@ START_TEST(a_file_of_c_is_compiled_and_nothing_stays)
               "--steps 3 > /dev/null || exit 1; done; rmdir empty"),
         0);
     ck_assert_int_eq(
+        shell("printf '#!/bin/sh\n\"$@\"\n' > early; chmod +x early; "
+              "CC=\" $PWD/early  ${CC:-cc} -Os\" \"$FVI\" run --potential one.c "
+              "--steps 3 > /dev/null"),
+        0);
+    ck_assert_int_eq(
         shell("CC=none \"$FVI\" run --potential one.c 2> e; test $? = 2 && "
               "grep -q \"cannot compile 'one.c': the compiler none does not "
               "run\" e"),
