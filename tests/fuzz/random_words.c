@@ -124,8 +124,9 @@ static void force(char *word)
 {
     static const char *const names[] = { "t", "t", "k", "x" };
     static const char *const known[] = {
-        "none",      "step:1,2", "cosine:1,2", "file:data",
-        "file:list", "file:",    "step:1",     "file:nowhere"
+        "none",        "step:1,2",    "cosine:1,2", "file:data",
+        "file:list",   "file:",       "step:1",     "file:nowhere",
+        "impulse:1,2", "impulse:3,0", "impulse:1"
     };
     *word = '\0';
     for (size_t parts = 1 + dice(3); parts > 0 && strlen(word) < 200; parts--) {
