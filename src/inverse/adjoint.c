@@ -40,8 +40,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (want->parameters && want->sensitivity.count > 0
         && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
-    fvi_stepper *s; /* knows what a run may be */
-    int status = fvi_start(method, run, &s);
+    fvi_stepper
+        *s; /* knows what a run may be; one of a step has no long memory */
+    fvi_run one = *run;
+    one.steps = run->steps > 0;
+    int status = fvi_start(method, &one, &s);
     if (!status)
         fvi_stop(s);
     return status;

@@ -14,8 +14,8 @@ struct fvi_backward {
     size_t piece;     /* the one whose rows are there */
     size_t steps;     /* of the run */
     size_t per;       /* rows of a step: its end, and other stages before it */
-    size_t first;     /* 1 if the first stage is one of them, as it is not x_k */
-    const double *x;  /* its rows */
+    size_t first;    /* 1 if the first stage is one of them, as it is not x_k */
+    const double *x; /* its rows */
     double *rows, *p; /* owned; NULL, or those rows; p_N */
     size_t copies;    /* one at the beginning of each piece but the last, */
     fvi_stepper **at; /* NULL when it has been used */
@@ -150,13 +150,13 @@ const double *fvi_backward_momentum(const fvi_backward *b)
 
 int fvi_backward_step(fvi_backward *b, size_t k, const double **rows)
 {
-    const size_t piece = k / b->length;
     int status = FVI_SUCCESS;
-    if (piece != b->piece) {
+    if (k < b->piece * b->length) {
+        const size_t piece = k / b->length;
         status = run_piece(b, b->at[piece]);
         fvi_stop(b->at[piece]);
         b->at[piece] = NULL;
     }
-    *rows = b->x + (k - piece * b->length) * b->per * b->d;
+    *rows = b->x + (k - b->piece * b->length) * b->per * b->d;
     return status;
 }

@@ -173,6 +173,8 @@ int fvi_mirror_start(const fvi_method *method, const fvi_run *run,
         status = start_factor(m, scheme);
     if (status)
         return status;
+    const fvi_potential *u = &run->system->potential;
+    m->is_quadratic = u->quadratic && u->quadratic(u->params);
     start_terms(m);
     memcpy(m->lambda, Jp, m->d * sizeof *Jp);
     m->is_pulled = !printed && m->memory && !run->law

@@ -43,9 +43,9 @@ typedef struct {
     int is_pulled;
     fvi_past_pull fading;
 
-    fvi_band J;   /* m/h + theta c + kappa (1 - kappa) h G, its factors */
-    double *G;    /* the Hessian; NULL: no potential; owned */
-    int is_ready; /* U is quadratic, and J and G stay */
+    fvi_band J; /* m/h + theta c + kappa (1 - kappa) h G, its factors */
+    double *G;  /* the Hessian; NULL: no potential; owned */
+    int is_quadratic, is_ready; /* U is, and J and G stay as they are */
 } fvi_mirror;
 
 /* fvi_mirror_start -- at node N, where lambda_N = J_p.

@@ -8,9 +8,9 @@
 /* ---- the memory ---- */
 
 /* z_j, on which the memory of the run acts. */
-static double term(const fvi_mirror *m, size_t j, double x, size_t i)
+static double term(const fvi_mirror *m, double j, double x, size_t i)
 {
-    return x - m->origin[i] - (double)j * m->drift[i];
+    return x - m->origin[i] - j * m->drift[i];
 }
 
 /* `now` enters a ring of last terms; returns sum_n f[n] of them. */
@@ -60,28 +60,51 @@ static int remember_terms(fvi_mirror *m, size_t j, const double *x)
         for (size_t i = 0; i < m->d; i++)
             m->want->terms[l] -= m->run->h * m->first[l]
                                  * m->run->system->damping[i]
-                                 * term(m, j, x[i], i) * m->work[i];
+                                 * term(m, (double)j, x[i], i) * m->work[i];
     }
     return status;
 }
 
-/* (23.7): nu_j is there; N_j, and what it gives to the sums. x: x_j. */
+/* (23.7): nu_j is there; N_j, and what it gives to the sums and, but for N_0, to q.
+ * x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
     int status =
         m->want->alpha
             ? fvi_memory_push_rate(m->memory, m->nu, m->dnu, m->N, m->Ndot)
             : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
+    const double number = (double)j;
     if (m->taps > 0)
         filter(m);
     for (size_t i = 0; i < m->d; i++) {
-        const double z = term(m, j, x[i], i);
-        m->sum[i] += z * m->N[i];
+        const double z = term(m, number, x[i], i), N = m->N[i];
+        m->sum[i] += z * N;
         m->rate[i] += z * m->Ndot[i];
-        m->plain[i] += j > 0 ? m->N[i] : 0;
-        m->linear[i] += (double)j * m->N[i];
+        if (j == 0)
+            continue;
+        m->plain[i] += N;
+        m->linear[i] += number * N;
+        m->q[i] -= m->c[i] * N;
     }
     return status ? status : remember_terms(m, j, x);
+}
+
+/* With a shift: r = q - c N into delta, with the N that look_ahead gave. */
+static void guess(fvi_mirror *m)
+{
+    const double now = m->taps ? m->g[0] : 1;
+    for (size_t i = 0; i < m->d; i++)
+        m->delta[i] = m->q[i] - m->c[i] * (m->N[i] + now * m->dnu[i]);
+}
+
+/* With a shift, delta being there: the rest of nu_j, then as above. */
+static int remember_shifted(fvi_mirror *m, size_t j, const double *x)
+{
+    for (size_t i = 0; i < m->d; i++) {
+        m->nu[i] += m->theta * m->delta[i];
+        m->dnu[i] += m->theta * m->delta[i];
+    }
+    return remember(m, j, x);
 }
 
 /* d nu_j / d theta = lambda_{j-1} - lambda_j, at node N lambda_{N-1}: its memory, which
@@ -96,24 +119,19 @@ static int remember_slope(fvi_mirror *m, size_t j, const double *x)
     }
     int status = fvi_memory_push(m->slope, m->before, m->work, m->N);
     for (size_t i = 0; i < m->d; i++)
-        m->shift[i] += term(m, j, x[i], i) * m->N[i];
+        m->shift[i] += term(m, (double)j, x[i], i) * m->N[i];
     return status;
 }
 
 /* ---- the equation of a step ---- */
 
-/* out = H v for a Hessian as the potential writes it. */
+/* out = G v for a Hessian with more than its diagonal. */
 static void apply(const fvi_mirror *m, const double *v, double *out)
 {
     const size_t d = m->d, w = m->run->system->potential.diagonals;
     const double *row = m->G;
-    if (m->G && w == 1) { /* the usual case, at a third of the time */
-        for (size_t i = 0; i < d; i++)
-            out[i] = row[i] * v[i];
-        return;
-    }
     memset(out, 0, d * sizeof *out);
-    for (size_t i = 0; m->G && i < d; i++, row += w ? w : d)
+    for (size_t i = 0; i < d; i++, row += w ? w : d)
         for (size_t j = 0; j < (w ? w : d); j++) {
             const size_t k = w ? i + j : j;
             if (k >= d)
@@ -143,115 +161,114 @@ static int factorise(fvi_mirror *m)
     return fvi_band_factorise(&m->J);
 }
 
-/* G and J at S = kappa x_k + (1 - kappa) x_{k+1}. */
-static int look(fvi_mirror *m, const double *rows)
+/* G and J at S. */
+static int look(fvi_mirror *m)
 {
-    const fvi_run *run = m->run;
-    const fvi_potential *u = &run->system->potential;
-    const size_t d = m->d;
-    for (size_t i = 0; i < d; i++)
-        m->S[i] = rows[i] + (1 - m->kappa) * (rows[d + i] - rows[i]);
+    const fvi_potential *u = &m->run->system->potential;
     if (!m->G || m->is_ready)
         return FVI_SUCCESS;
-    m->is_ready = u->quadratic && u->quadratic(u->params);
-    int status = u->hessian(d, m->S, u->params, m->G);
-    return status || u->diagonals == 1 ? status : factorise(m);
+    m->is_ready = m->is_quadratic;
+    int status = u->hessian(m->d, m->S, u->params, m->G);
+    return status || !m->J.block ? status : factorise(m);
 }
 
-/* delta, from J delta = r - (1 - kappa) h G lambda; r is in delta. */
-static int solve(fvi_mirror *m)
+/* delta, from J delta = r - (1 - kappa) h G lambda. r may be delta. */
+static int solve(fvi_mirror *m, const double *r)
 {
-    const fvi_run *run = m->run;
-    const double h = run->h, kappa = m->kappa;
-    apply(m, m->lambda, m->work);
-    for (size_t i = 0; i < m->d; i++)
-        m->delta[i] -= (1 - kappa) * h * m->work[i];
+    const double after = (1 - m->kappa) * m->run->h, share = m->kappa * after;
+    int status = FVI_SUCCESS;
     if (m->J.block) {
+        apply(m, m->lambda, m->work);
+        for (size_t i = 0; i < m->d; i++)
+            m->delta[i] = r[i] - after * m->work[i];
         fvi_band_solve(&m->J, m->delta);
-        return FVI_SUCCESS;
+        return status;
     }
-    for (size_t i = 0; i < m->d; i++) {
-        const double J =
-            m->inertia[i] + kappa * (1 - kappa) * h * (m->G ? m->G[i] : 0);
+    for (size_t i = 0; i < m->d; i++) { /* each coordinate alone */
+        const double G = m->G ? m->G[i] : 0, J = m->inertia[i] + share * G;
+        m->delta[i] = (r[i] - after * G * m->lambda[i]) / J;
         if (J == 0)
-            return FVI_ESING;
-        m->delta[i] /= J;
+            status = FVI_ESING;
     }
-    return FVI_SUCCESS;
+    return status;
 }
 
 /* ---- a step ---- */
 
-/* What the force and the past gave to the two ends of step k, lambda_{k+1} and
- * lambda_k being there. */
-static void drive(fvi_mirror *m, size_t k)
+/* What the past gave to the two ends of step k. */
+static void meet_past(fvi_mirror *m, size_t k)
 {
-    const double h = m->run->h;
-    const size_t d = m->d;
-    double at[2] = { 0 }, slope[2] = { 0 }, *force = m->want->force;
-    for (size_t i = 0; force && i < d; i++) {
-        const double left = m->lambda[i] + m->delta[i], right = m->lambda[i];
-        force[(k + 1) * d + i] += m->printed ? h * right : h / 2 * right;
-        force[k * d + i] += m->printed ? 0 : h / 2 * left;
-    }
-    if (!m->is_pulled)
-        return;
     static const double ends[] = { 0, 1 };
+    double at[2] = { 0 }, slope[2] = { 0 };
     fvi_past_impulses(&m->fading, k, at);
     if (m->want->alpha)
         fvi_past_impulses_rate(&m->fading, ends, k, slope);
-    for (size_t i = 0; i < d; i++) {
+    for (size_t i = 0; i < m->d; i++) {
         const double left = m->lambda[i] + m->delta[i], right = m->lambda[i];
         m->pull[i] += at[0] * left + at[1] * right;
         m->pulldot[i] += slope[0] * left + slope[1] * right;
     }
 }
 
-/* M_k = kappa lambda_k + (1 - kappa) lambda_{k+1}, and what it meets. */
-static int meet(fvi_mirror *m, const double *rows)
+/* What the parameters of the potential give, M being there. */
+static int meet_parameters(fvi_mirror *m)
 {
-    const fvi_sensitivity *s = &m->want->sensitivity;
-    const double h = m->run->h;
-    const size_t d = m->d;
-    for (size_t i = 0; i < d; i++) {
-        m->M[i] = m->lambda[i] + m->kappa * m->delta[i];
-        m->kinetic[i] -= (rows[d + i] - rows[i]) * m->delta[i];
-    }
-    apply(m, m->M, m->work);
-    for (size_t i = 0; i < d; i++)
-        m->q[i] -= h * m->work[i];
+    const fvi_gradients *want = m->want;
+    const fvi_sensitivity *by = &want->sensitivity;
+    const size_t d = m->d, count = want->parameters ? by->count : 0;
+    const double *M = m->M, *column = m->column, h = m->run->h;
+    void *params = m->run->system->potential.params;
     int status = FVI_SUCCESS;
-    for (size_t j = 0; m->want->parameters && !status && j < s->count; j++) {
-        status =
-            s->column(j, d, m->S, m->run->system->potential.params, m->column);
+    for (size_t j = 0; !status && j < count; j++) {
+        double sum = 0;
+        status = by->column(j, d, m->S, params, m->column);
         for (size_t i = 0; i < d; i++)
-            m->want->parameters[j] -= h * m->column[i] * m->M[i];
+            sum += column[i] * M[i];
+        want->parameters[j] -= h * sum;
     }
     return status;
 }
 
-/* The right-hand side, q - c N_{k+1}, into delta; of N only what is known before lambda_k
- * is, if theta > 0. */
-static int right_hand_side(fvi_mirror *m, size_t k, const double *x)
+/* lambda_{k+1} becomes lambda_k. On the way: M_k = kappa lambda_k + (1 - kappa)
+ * lambda_{k+1}, the momentum behind the step, and what mass and force meet. */
+static int pass(fvi_mirror *m, size_t k, const double *rows)
+{
+    const double h = m->run->h, kappa = m->kappa;
+    const size_t d = m->d;
+    double *force = m->want->force ? m->want->force + k * d : NULL;
+    for (size_t i = 0; i < d; i++) {
+        const double right = m->lambda[i], delta = m->delta[i],
+                     left = right + delta, M = right + kappa * delta;
+        m->lambda[i] = left;
+        m->M[i] = M;
+        m->kinetic[i] -= (rows[d + i] - rows[i]) * delta;
+        if (m->G && !m->J.block)
+            m->q[i] -= h * (m->G[i] * M);
+        if (!force)
+            continue;
+        force[d + i] += m->printed ? h * right : h / 2 * right;
+        force[i] += m->printed ? 0 : h / 2 * left;
+    }
+    if (m->J.block)
+        apply(m, m->M, m->work);
+    for (size_t i = 0; m->J.block && i < d; i++)
+        m->q[i] -= h * m->work[i];
+    return meet_parameters(m);
+}
+
+/* J_{k+1} and lambda_{k+1} come in. */
+static void enter(fvi_mirror *m, size_t k, const double *rows, const double *Jx)
 {
     const double last = k + 1 == m->run->steps ? m->end + m->theta : 1;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; i < m->d; i++)
-        m->delta[i] = m->q[i];
-    if (!m->memory)
-        return status;
-    if (m->theta > 0)
-        status = look_ahead(m);
-    for (size_t i = 0; i < m->d; i++) {
-        m->dnu[i] = last * m->lambda[i] - m->nu[i];
-        m->nu[i] += m->dnu[i];
+    const double after = 1 - m->kappa;
+    const size_t d = m->d;
+    for (size_t i = 0; i < d; i++) {
+        const double dnu = last * m->lambda[i] - m->nu[i];
+        m->S[i] = rows[i] + after * (rows[d + i] - rows[i]);
+        m->q[i] += Jx[i];
+        m->dnu[i] = dnu;
+        m->nu[i] += dnu;
     }
-    if (!status && m->theta == 0)
-        status = remember(m, k + 1, x);
-    const double now = m->theta > 0 ? m->taps ? m->g[0] : 1 : 0;
-    for (size_t i = 0; i < m->d; i++)
-        m->delta[i] -= m->c[i] * (m->N[i] + now * m->dnu[i]);
-    return status;
 }
 
 //> step
@@ -259,31 +276,24 @@ int fvi_mirror_step(fvi_mirror *m, size_t k, const double *rows,
                     const double *Jx)
 {
     const double *x = rows + m->d; /* x_{k+1} */
-    for (size_t i = 0; i < m->d; i++)
-        m->q[i] += Jx[i];
-    int status = look(m, rows);
+    const int shifted = m->memory && m->theta > 0;
+    int status = shifted ? look_ahead(m) : FVI_SUCCESS;
+    enter(m, k, rows, Jx);
     if (!status)
-        status = right_hand_side(m, k, x);
-    if (!status)
-        status = solve(m);
-    if (!status && m->memory && m->theta > 0) {
-        for (size_t i = 0; i < m->d; i++) {
-            m->nu[i] += m->theta * m->delta[i];
-            m->dnu[i] += m->theta * m->delta[i];
-        }
+        status = look(m);
+    if (!status && m->memory && !shifted)
         status = remember(m, k + 1, x);
-    }
-    if (status)
-        return status;
-    for (size_t i = 0; m->memory && i < m->d; i++)
-        m->q[i] -= m->c[i] * m->N[i];
-    drive(m, k);
-    status = meet(m, rows);
+    if (shifted)
+        guess(m);
+    if (!status)
+        status = solve(m, shifted ? m->delta : m->q);
+    if (!status && shifted)
+        status = remember_shifted(m, k + 1, x);
     if (!status && m->slope)
         status = remember_slope(m, k + 1, x);
-    for (size_t i = 0; i < m->d; i++)
-        m->lambda[i] += m->delta[i]; /* lambda_k */
-    return status;
+    if (!status && m->is_pulled)
+        meet_past(m, k);
+    return status ? status : pass(m, k, rows);
 }
 //< step
 

@@ -52,35 +52,32 @@ fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip)
     return (fvi_grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
 }
 
-size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
-                              double *c)
+/* s, c and, if it is not NULL, dc / d nu. */
+static void rule(const fvi_grid *g, double nu, double N, double *s, double *c,
+                 double *rate)
 {
-    const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
-    const double factor = -sin(M_PI * fmin(nu, 1 - nu)) / M_PI * g.step;
-    //> rule
-    for (size_t q = 0; s && q < g.Q; q++) { /* (12.7) */
-        double t = g.left + (double)q * g.step;
-        s[q] = exp(t - exp(-t)) / N;
-        c[q] = factor * s[q] * (1 + exp(-t)) * pow(expm1(s[q]), nu);
+    const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
+    const double cosine = cos(M_PI * nu);
+    for (size_t q = 0; q < g->Q; q++) {
+        const double t = g->left + (double)q * g->step, e = exp(-t);
+        s[q] = exp(t - e) / N;
+        const double base = expm1(s[q]), power = pow(base, nu);
+        c[q] = -sine * g->step * s[q] * (1 + e) * power; /* (12.7) */
+        if (rate)                                        /* (23.11) */
+            rate[q] =
+                -g->step * s[q] * (1 + e) * power * (cosine + sine * log(base));
     }
-    //< rule
-    return g.Q;
 }
 //< nodes
 
-//> rates
-void fvi_exponentials_rates(double nu, double N, double delta, double *rate)
+size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
+                              double *c, double *rate)
 {
     const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
-    const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
-    for (size_t q = 0; q < g.Q; q++) { /* (23.11) */
-        const double t = g.left + (double)q * g.step;
-        const double s = exp(t - exp(-t)) / N, base = expm1(s);
-        rate[q] = -g.step * s * (1 + exp(-t)) * pow(base, nu)
-                  * (cos(M_PI * nu) + sine * log(base));
-    }
+    if (s)
+        rule(&g, nu, N, s, c, rate);
+    return g.Q;
 }
-//< rates
 
 //> delta
 /* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
@@ -98,13 +95,14 @@ enum { LANES = 8 }; /* doubles in the widest vector, and in a cache line */
 struct fvi_exponentials {
     size_t d, Q, k;  /* Q padded to a multiple of LANES */
     double w1;       /* of lag 1; that of lag 0 is 1 */
+    double slope1;   /* its rate */
     double *p, *c;   /* Q numbers: z += x - p z, worth c z */
     double *weights; /* 0, w_32, w_31, ..., w_2 */
     double *z;       /* Q modes for each coordinate */
     double *past;    /* the last 32 terms of each, twice over: a ring */
     double *far;     /* d sums over the lags >= 1, one step ahead */
     double *rates;   /* NULL, or dc/d nu: Q numbers, */
-    double *slopes;  /* those of the lags 32, 31, ..., 1, */
+    double *slopes;  /* 0, those of w_32, w_31, ..., w_2, */
     double *further; /* and d such sums with them */
     fvi_tiles
         *tiles; /* NULL, or what stands for z, past and far (chapter 28) */
@@ -122,9 +120,9 @@ static size_t padded(size_t Q)
 }
 
 /* The nodes are made for N lags, or for 128 where that is more. */
-static size_t count(double nu, size_t steps, double delta, double *s, double *c)
+static double lags(size_t steps)
 {
-    return fvi_exponentials_nodes(nu, fmax((double)steps, 128), delta, s, c);
+    return fmax((double)steps, 128);
 }
 
 static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
@@ -138,7 +136,8 @@ static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
 size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
                               double delta)
 {
-    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
+    const size_t Q = padded(
+        fvi_exponentials_nodes(nu, lags(steps), delta, NULL, NULL, NULL));
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
     const size_t bytes =
@@ -185,7 +184,10 @@ static void open_window(fvi_exponentials *e, const double *w)
 static void decays(fvi_exponentials *e)
 {
     for (size_t q = 0; q < e->Q; q++) {
-        e->c[q] *= exp(-FVI_TAIL * e->p[q]);
+        const double tail = exp(-FVI_TAIL * e->p[q]);
+        e->c[q] *= tail;
+        if (e->rates)
+            e->rates[q] *= tail;
         e->p[q] = -expm1(-e->p[q]);
     }
 }
@@ -206,21 +208,19 @@ static fvi_exponentials *finish(fvi_exponentials *e)
 fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
                                          size_t steps, double delta)
 {
-    const size_t Q = padded(count(nu, steps, delta, NULL, NULL));
-    fvi_exponentials *e = make(Q, rated, d);
+    const fvi_grid g = fvi_exponentials_grid(nu, lags(steps), delta, 1);
+    fvi_exponentials *e = make(padded(g.Q), rated, d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
     fvi_coefficients(nu, FVI_WINDOW + 1, w);
     open_window(e, w);
-    count(nu, steps, delta, e->p, e->c);
+    rule(&g, nu, lags(steps), e->p, e->c, e->rates);
     if (rated) {
         fvi_coefficients_rate(nu, FVI_WINDOW + 1, w);
-        for (size_t n = 1; n <= FVI_WINDOW; n++)
-            e->slopes[FVI_WINDOW - n] = w[n];
-        fvi_exponentials_rates(nu, fmax((double)steps, 128), delta, e->rates);
-        for (size_t q = 0; q < Q; q++)
-            e->rates[q] *= exp(-FVI_TAIL * e->p[q]);
+        e->slope1 = w[1];
+        for (size_t n = 2; n <= FVI_WINDOW; n++)
+            e->slopes[FVI_WINDOW + 1 - n] = w[n];
     }
     return finish(e);
 }
@@ -245,6 +245,7 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
         return NULL;
     memcpy(e->p, from->p, numbers(e->Q, e->rates != NULL, e->d) * sizeof *e->p);
     e->w1 = from->w1;
+    e->slope1 = from->slope1;
     e->k = from->k;
     e->tiles = from->tiles ? fvi_tiles_copy(from->tiles) : NULL;
     if (!e->tiles == !from->tiles)
@@ -332,37 +333,55 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
         push_each(e, term, H);
 }
 
-/* The modes as they stand, read with other coefficients. */
-FVI_VECTORS static double read_out(size_t Q, const double *restrict c,
-                                   const double *restrict z,
-                                   const double *restrict weights,
-                                   const double *restrict past)
+/* As advance, and the rates in the same pass. Of two sums gcc makes no vectors by itself. */
+FVI_VECTORS static void advance_rated(const fvi_exponentials *e, double *z,
+                                      const double *past, double *out)
 {
-    double sum[LANES] = { 0 };
-    for (size_t q = 0; q < Q; q += LANES) {
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++)
-            sum[l] += c[q + l] * z[q + l];
+    typedef double half
+        __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
+    const half *p = (half *)e->p, *c = (half *)e->c, *by = (half *)e->rates;
+    const half *w = (half *)e->weights, *wdot = (half *)e->slopes;
+    half sum[2] = { { 0 } }, rate[2] = { { 0 } };
+    const double x = past[0];
+    for (size_t q = 0, Q = e->Q / 4; q < Q; q += 2) {
+#pragma GCC unroll 2
+        for (size_t l = 0; l < 2; l++) {
+            half now = ((half *)z)[q + l];
+            now += x - p[q + l] * now;
+            ((half *)z)[q + l] = now;
+            sum[l] += c[q + l] * now;
+            rate[l] += by[q + l] * now;
+        }
     }
-    for (size_t j = 0; j < FVI_WINDOW; j += LANES) {
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++)
-            sum[l] += weights[j + l] * past[j + l];
+    for (size_t j = 0; j < FVI_WINDOW / 4; j += 2) {
+#pragma GCC unroll 2
+        for (size_t l = 0; l < 2; l++) {
+            const half then = ((const half *)past)[j + l];
+            sum[l] += w[j + l] * then;
+            rate[l] += wdot[j + l] * then;
+        }
     }
-    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
-           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    sum[0] += sum[1];
+    rate[0] += rate[1];
+    out[0] = (sum[0][0] + sum[0][2]) + (sum[0][1] + sum[0][3]);
+    out[1] = (rate[0][0] + rate[0][2]) + (rate[0][1] + rate[0][3]);
 }
 
 //> push-rate
 void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
                                 double *H, double *rate)
 {
-    memcpy(rate, e->further, e->d * sizeof *rate);
-    fvi_exponentials_push(e, term, H);
-    const double *oldest = e->past + (e->k - 1) % FVI_WINDOW + 1;
-    for (size_t i = 0; i < e->d; i++)
-        e->further[i] = read_out(e->Q, e->rates, e->z + i * e->Q, e->slopes,
-                                 oldest + i * 2 * FVI_WINDOW);
+    const size_t place = e->k++ % FVI_WINDOW;
+    for (size_t i = 0; i < e->d; i++) {
+        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
+        double next[2];
+        H[i] = new + e->far[i];
+        rate[i] = e->further[i];
+        advance_rated(e, e->z + i * e->Q, past, next);
+        e->far[i] = next[0] + e->w1 * new;
+        e->further[i] = next[1] + e->slope1 * new;
+        past[FVI_WINDOW] = past[0] = new;
+    }
 }
 //< push-rate
 

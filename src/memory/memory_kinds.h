@@ -86,15 +86,12 @@ enum {
  *   N      the longest lag, 128 <= N <= FVI_LONGEST
  *   delta  relative error of a weight, 1e-15 <= delta <= 1/50
  *   s, c   outputs, both NULL or Q numbers each: 0 < s_0 < s_1 < ..., c_q <= 0
+ *   rate   NULL, or output: dc_q/d nu, the s_q being held, so that the sum of
+ *          rate_q exp(-n s_q) is d w_n/d nu; 0 <= nu <= 1 then           [(23.11)]
  *
  * Returns Q, about (ln(N/33) + ln(1/delta) ...)/h: see (12.7). */
 size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
-                              double *c);
-
-/* fvi_exponentials_rates -- dc_q/d nu at the same nodes s_q, which are held: the sum
- * of rate_q exp(-n s_q) is then d w_n/d nu.                             [(23.11)]
- * Arguments as above, but 0 <= nu <= 1; rate: output, Q numbers. */
-void fvi_exponentials_rates(double nu, double N, double delta, double *rate);
+                              double *c, double *rate);
 
 /* Where those nodes are: at s = exp(t - exp(-t)) / N, t = left + q step, q = 0, ..., Q - 1.
  *                                                             [(12.9), (12.10)] */

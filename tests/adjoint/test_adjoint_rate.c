@@ -123,8 +123,7 @@ START_TEST(eq_23_11_the_modes_read_a_second_time_give_the_rates)
         const double delta = deltas[i / LEN(nus)], nu = nus[i % LEN(nus)];
         fvi_coefficients(nu, COUNT, w);
         fvi_coefficients_rate(nu, COUNT, wdot);
-        const size_t Q = fvi_exponentials_nodes(nu, COUNT, delta, s, c);
-        fvi_exponentials_rates(nu, COUNT, delta, rates);
+        const size_t Q = fvi_exponentials_nodes(nu, COUNT, delta, s, c, rates);
         for (size_t n = FVI_TAIL; n < COUNT; n += 1 + n / 8) {
             double sum = 0, x = (double)n;
             for (size_t q = 0; q < Q; q++)

@@ -153,7 +153,7 @@ static void against_tolerance(void)
         double t = seconds(1, N, 0.5, FVI_MEMORY_EXPONENTIALS, tolerance, &x);
         double delta = fvi_exponentials_delta(N, tolerance);
         printf("%.0e\t%.3f\t%zu\t%.1e\n", tolerance, 1e3 * t,
-               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL),
+               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL, NULL),
                fabs(x - want));
     }
     printf("#< tolerance\n\n\n");
@@ -198,7 +198,7 @@ static void against_modes(void)
             fvi_exponentials_free(e);
         }
         printf("%zu\t%.1f\n",
-               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL),
+               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL, NULL),
                1e9 * best / (double)N);
     }
     printf("#< modes\n");

@@ -106,7 +106,7 @@ START_TEST(eq_12_6_every_weight_of_the_tail_is_within_delta)
             double N = longest[j / LEN(deltas)], n = (double)ref_tail[i].n;
             if (n > N)
                 continue;
-            size_t Q = fvi_exponentials_nodes(ref_tail[i].nu, N, delta, s, c);
+            size_t Q = fvi_exponentials_nodes(ref_tail[i].nu, N, delta, s, c, NULL);
             double sum = 0;
             for (size_t q = 0; q < Q; q++)
                 sum += c[q] * exp(-n * s[q]);
@@ -263,7 +263,7 @@ START_TEST(eq_12_13_the_weights_fall_and_are_convex)
         const double delta = fvi_exponentials_delta(N, tolerance);
         ck_assert(delta > 0 && delta * (double)N <= 16); /* (12.11) */
         ck_assert(delta <= tolerance / 10 && delta <= 1. / 2000);
-        size_t Q = fvi_exponentials_nodes(nu, (double)N, delta, s, c);
+        size_t Q = fvi_exponentials_nodes(nu, (double)N, delta, s, c, NULL);
         for (size_t q = 0; q < Q; q++)
             ck_assert(c[q] < 0 && s[q] > 0 && (q == 0 || s[q] > s[q - 1]));
         for (size_t k = 0; k <= N; k++)
