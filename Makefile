@@ -82,7 +82,8 @@ check: test test-install test-python test-play test-workshop verify text errata 
 
 test: $(TESTS:%=test-%) test-example test-fuzz ## run every test (needs gcc, GSL, Check, libcerf; no Python, no gnuplot)
 
-verify: $(PROOFS:%=verify-%) ## prove with sympy; compare the reference values with tests/*/*_ref.h
+verify: | needs ## prove with sympy; compare the reference values with tests/*/*_ref.h
+	$(PYTHON) src/make/prove.py $B $(PROOFS)
 
 figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what changed of the figures
 	echo 'all $(words $(SCENES) $(DIAGRAMS)) pictures are as their data: figures/*/*.svg'
@@ -143,7 +144,8 @@ test-play: $B/fvi | needs ## the live page's numbers against build/fvi (node)
 test-page: | needs ## the live page in a browser: a click, a drag, the keyboard (node, Chromium)
 	node chapters/play/test_page.mjs chapters/play/index.html $B/play
 
-refs: $(PROOFS:%=refs-%) ## accept new reference values into tests/
+refs: | needs ## accept new reference values into tests/
+	$(PYTHON) src/make/prove.py $B --accept $(PROOFS)
 
 san: ## the tests under AddressSanitizer and UBSan
 	ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
@@ -273,8 +275,10 @@ $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) -O0 $(CHECK_CFLAGS) -Itests -c $< -o $@
 
+# Of 130 links gold makes a third of the time.
+GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 $B/tests/test_%: $B/tests/test_%.o $B/libfvi.a
-	$(CC) $(CFLAGS) $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
+	$(CC) $(CFLAGS) $(GOLD) $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
 
 # One test takes another road, by libcerf's complex error functions.
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
@@ -388,27 +392,11 @@ test-workshop-accidents: | needs
 
 ## -- proofs and exact values -----------------------------------------------
 
-$B/verify/%_ref.h: verify/%.py verify/shared/refgen.py verify/shared/arithmetic.py | needs
-	mkdir -p $(@D)
-	$(PYTHON) $< > $@ && test -s $@
-$B/verify/adjoint_ref.h: verify/shared/adjoint_runs.py
-$B/verify/adjoint_stages_ref.h: verify/shared/adjoint_chain.py
-$B/verify/exact_solution_ref.h: verify/shared/exact_solution_routes.py
-$B/verify/fvi_ref.h: verify/shared/fvi_runs.py
-$B/verify/restricted_principle_ref.h: verify/shared/restricted_principle_powers.py
-$B/verify/variable_steps_runs_ref.h: verify/shared/variable_steps_power.py verify/variable_steps.py
+$(PROOFS:%=verify-%): verify-%: | needs
+	$(PYTHON) src/make/prove.py $B $*
 
-# The committed header stands beside the tests, or the module, that read it.
-committed = $(or $(wildcard tests/*/$1_ref.h src/*/$1_ref.h),tests/$1/$1_ref.h)
-
-$B/verify/%.ok: $B/verify/%_ref.h $(wildcard tests/*/*_ref.h)
-	cmp $< $(call committed,$*) && echo 'proved: verify/$*.py, and $(call committed,$*) is what it gives' || \
-	  { echo 'verify/$*.py no longer gives $(call committed,$*); to accept: make refs-$*'; exit 1; }
-	touch $@
-
-$(PROOFS:%=verify-%): verify-%: $B/verify/%.ok
-$(PROOFS:%=refs-%): refs-%: $B/verify/%_ref.h
-	cp $< $(call committed,$*)
+$(PROOFS:%=refs-%): refs-%: | needs
+	$(PYTHON) src/make/prove.py $B --accept $*
 
 ## -- figures ---------------------------------------------------------------
 

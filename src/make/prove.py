@@ -1,0 +1,79 @@
+"""Prove with sympy, and compare the reference values.
+
+    prove.py BUILD [--accept] STEM...     (make verify, verify-STEM, refs-STEM)
+
+A script verify/STEM.py proves, and prints BUILD/verify/STEM_ref.h, which must be the
+committed header to the byte, or with --accept becomes it. BUILD/verify/STEM.ok names the
+modules of verify/ that the script read: while nothing of them or of the header is newer,
+the proof stands. sympy takes half a second to load, so it is loaded once, and each proof
+is a child of that process."""
+import multiprocessing
+import os
+import pathlib
+import runpy
+import shutil
+import sys
+from multiprocessing.connection import wait
+
+import mpmath   # here for the children: they find it loaded
+import sympy
+
+BUILD = pathlib.Path(sys.argv[1], "verify")
+ACCEPT = "--accept" in sys.argv
+STEMS = [word for word in sys.argv[2:] if word != "--accept"]
+
+
+def committed(stem):
+    """The header stands beside the tests, or the module, that read it."""
+    found = [path for room in ("tests", "src") for path in pathlib.Path(room).glob(f"*/{stem}_ref.h")]
+    return found[0] if found else pathlib.Path("tests", stem, f"{stem}_ref.h")
+
+
+def stands(stem):
+    """Has the proof been run on what there is?"""
+    ok = BUILD / f"{stem}.ok"
+    read = [pathlib.Path(line) for line in ok.read_text().split()] if ok.exists() else []
+    needed = [*read, committed(stem)]
+    return bool(read) and all(p.exists() and p.stat().st_mtime <= ok.stat().st_mtime for p in needed)
+
+
+def prove(stem):
+    """In a child: the script, its output, the verdict."""
+    fresh, header = BUILD / f"{stem}_ref.h", committed(stem)
+    with open(fresh, "w") as out:
+        os.dup2(out.fileno(), sys.stdout.fileno())
+    runpy.run_path(f"verify/{stem}.py", run_name="__main__")
+    sys.stdout.flush()
+    home = pathlib.Path("verify").resolve()
+    read = [pathlib.Path(m.__file__) for m in list(sys.modules.values()) if getattr(m, "__file__", None)]
+    read = [path for path in read if path.resolve().is_relative_to(home)]
+    if ACCEPT:
+        shutil.copy(fresh, header)
+    elif not header.exists() or fresh.read_bytes() != header.read_bytes():
+        sys.exit(f"verify/{stem}.py no longer gives {header}; to accept: make refs-{stem}")
+    names = sorted({f"verify/{stem}.py", *(os.path.relpath(path) for path in read)})
+    (BUILD / f"{stem}.ok").write_text("\n".join(names) + "\n")
+    print(f"proved: verify/{stem}.py, and {header} is what it gives", file=sys.stderr)
+
+
+def main():
+    BUILD.mkdir(parents=True, exist_ok=True)
+    sys.path.insert(0, "verify")
+    context, running, failed = multiprocessing.get_context("fork"), {}, []
+    todo = [stem for stem in STEMS if ACCEPT or not stands(stem)]
+    while todo or running:
+        while todo and len(running) < (os.cpu_count() or 2):
+            stem = todo.pop(0)
+            child = context.Process(target=prove, args=(stem,))
+            child.start()
+            running[child.sentinel] = child, stem
+        for sentinel in wait(running):
+            child, stem = running.pop(sentinel)
+            child.join()
+            if child.exitcode:
+                (BUILD / f"{stem}.ok").unlink(missing_ok=True)
+                failed.append(stem)
+    sys.exit(f"failed: {', '.join(failed)}" if failed else 0)
+
+
+main()
