@@ -6,7 +6,9 @@
 #   What is no method has the styles 1 to 8; each has its own dash and its own marker, too,
 #   so that curves are told apart in grey. The hues are Okabe and Ito's, for the colour-blind,
 #   two of them darker: each colour has a contrast of 3 to 1 at least, on white and on black.
-#   A name stands at its curve where there is room, else in the key; a panel says one thing.
+#   A panel says one thing. A name stands at its curve. A key stays where curves cross or run
+#   together, so that a name at one could be another's, where marks stand alone, or where it
+#   serves two panels; its line says which, and it stands where no curve is.
 #   Panels side by side have one scale, or their titles say what is different.
 width = exists("width") ? width : 760
 height = exists("height") ? height : 460
@@ -41,6 +43,6 @@ set style line EXPLICIT lc rgb RED   dt (8,4)      lw 1.8 pt 5  ps 0.6
 set style line IMPLICIT lc rgb PINK  dt (4,3)      lw 1.8 pt 13 ps 0.8
 set style line MATRIX   lc rgb "#7A5FC0" dt (4,2,1,2) lw 1.8 pt 3 ps 0.7
 set style line PRINTED  lc rgb BLUE  dt (3,3)      lw 1.4 pt 6  ps 0.7
-set style line LOBATTO5 lc rgb GREEN dt (10,2)     lw 1.8 pt 8  ps 0.75
+set style line LOBATTO5 lc rgb GREEN dt (10,2)     lw 1.8 pt 14 ps 0.75
 set style line LOBATTO6 lc rgb RED   dt (3,2)      lw 1.8 pt 10 ps 0.75
 set style line LOBATTO8 lc rgb PINK  dt (1,2)      lw 1.8 pt 12 ps 0.8

@@ -1,7 +1,7 @@
 """Hold the grammar of the figures: every figure loads figures/style.gp, every colour that a
 script names stands out from white by 3 to 1 at least, the hues of the methods from black
-as well, and no picture asks for a font without naming others. Exit 1 with a list of what
-is wrong. Fills and grids may be paler. Contrast is that of WCAG. Only Python's standard library is used."""
+as well, a key has its reason beside it, and no picture asks for a font without naming
+others. Exit 1 with a list of what is wrong. Fills and grids may be paler. Contrast is that of WCAG. Only Python's standard library is used."""
 import pathlib
 import re
 import sys
@@ -30,6 +30,8 @@ def faults():
         if script != STYLE and "load 'figures/style.gp'" not in text:
             yield f"{script}: does not load {STYLE}"
         for number, line in enumerate(text.splitlines(), 1):
+            if re.match(r"\s*set key(?!.*# )", line) and script != STYLE:
+                yield f"{script}:{number}: a key, and no word why the names do not stand at the curves"
             for colour in re.findall(r"#[0-9A-Fa-f]{6}\b", "" if PALE.search(line) else line):
                 if on_white(colour) < 3:
                     yield f"{script}:{number}: {colour} has a contrast of {on_white(colour):.2f} on white"

@@ -8,7 +8,7 @@ set format y "10^{%T}"
 set xlabel "steps N"
 set xrange [27:610]
 set xtics (32, 64, 128, 256, 512)
-set key at graph 0.5, graph -0.2 center top
+set key at graph 0.5, graph -0.2 center top # one for both panels
 
 # One key for both, half of it below each.
 set title "The largest error of x for t ≤ 10"

@@ -13,9 +13,12 @@ set ylabel "ns a coordinate"
 set format x "10^{%L}"
 set xrange [10:2e6]
 set yrange [5:200]
-set key left top
-plot tsv index 1 using 1:2 with linespoints ls 2 title "one by one", \
-     '' index 1 using 1:3 with linespoints ls 1 title "by blocks"
+unset key
+set label 1 "one by one" at 2e4,75 right tc ls 2
+set label 2 "by blocks" at 2e4,12 right tc ls 1
+plot tsv index 1 using 1:2 with linespoints ls 2, \
+     '' index 1 using 1:3 with linespoints ls 1
+unset label
 
 # the roofs: a row each, in this order
 stats tsv index 2 every ::0::0 using (peak = $2) nooutput
@@ -26,7 +29,7 @@ set ylabel "operations a nanosecond"
 set format x "%g"
 set xrange [0.1:20]
 set yrange [1:100]
-set key right bottom
+set key right bottom # two marks stand alone
 set label 1 sprintf("%.0f GFLOP/s", peak) at 5,peak * 1.12
 set label 2 sprintf("%.0f GB/s", wide) at 0.5,wide * 0.5 * 1.5 right
 plot (x * wide < peak ? x * wide : peak) with lines ls 7 title "no program is above", \

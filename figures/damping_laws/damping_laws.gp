@@ -9,7 +9,7 @@ set format "10^{%T}"
 set xlabel "ω"
 set xrange [1e-3:1e3]
 set yrange [1e-4:2e1]
-set key bottom right
+set key bottom right # the curves cross
 set title "storage modulus Re C(iω): a spring"
 plot for [i=0:3] dat index i using 1:2 with lines ls i+1 title name(i)
 set title "loss modulus Im C(iω): a damper"

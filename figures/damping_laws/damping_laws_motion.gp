@@ -17,6 +17,6 @@ set logscale xy
 set format "10^{%T}"
 set xrange [1:1000]
 set yrange [1e-6:1.5]
-set key bottom left samplen 2 width -4
+set key bottom left samplen 2 width -4 # the curves cross
 plot for [i=0:3] dat index i using 1:(abs($2)) with lines ls i+1 title name(i)
 unset multiplot

@@ -10,7 +10,7 @@ set xrange [0.316:1e4]
 set yrange [1e-13:3]
 set xlabel "t"
 set multiplot layout 1,2 margins 0.085,0.985,0.20,0.92 spacing 0.06
-set key at screen 0.5, screen 0.015 center bottom maxrows 1
+set key at screen 0.5, screen 0.015 center bottom maxrows 1 # one for both panels, whose curves cross
 alpha(i) = "α = ".word("1/4 2/5 1/2 3/4", i + 1)
 style(i) = i == 2 ? 8 : i + 1
 set title "pushed from rest: tails t^{−1−2α}"

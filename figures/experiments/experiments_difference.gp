@@ -8,6 +8,8 @@ set ylabel "difference, in units of 2^{-53}"
 set xrange [0:30]
 set yrange [-18:18]
 set xzeroaxis lc rgb "#444444"
-set key top right
-plot dat using 1:3 with linespoints ls PRINTED title "Algorithm 3 as printed, two sums", \
-     '' using 1:2 with linespoints ls FVI title "momentum form"
+unset key
+set label 1 "Algorithm 3 as printed, two sums" at 8.2,16.5 tc ls PRINTED
+set label 2 "momentum form" at 13.2,-6 center tc ls FVI
+plot dat using 1:3 with linespoints ls PRINTED, \
+     '' using 1:2 with linespoints ls FVI

@@ -10,10 +10,10 @@ set yrange [1e-16:1e-9]
 set xlabel "number of steps N, to t = 20"
 set ylabel "largest rounding error of x"
 set title "Bagley-Torvik: two forms of one equation in doubles"
-set key top left samplen 5 Left reverse
-plot exp(P_intercept + P_slope * log(x)) with lines ls PRINTED notitle, \
-     exp(M_intercept + M_slope * log(x)) with lines ls FVI notitle, \
-     dat using 1:2 with points ls PRINTED ps 1 notitle, \
-     dat using 1:3 with points ls FVI ps 1 notitle, \
-     keyentry with linespoints ls PRINTED ps 1 title sprintf("as printed: grows as N^{%.1f}", P_slope), \
-     keyentry with linespoints ls FVI ps 1 title sprintf("momentum form: grows as N^{%.1f}", M_slope)
+unset key
+set label 1 sprintf("as printed: grows as N^{%.1f}", P_slope) at 900,2e-12 right tc ls PRINTED
+set label 2 sprintf("momentum form: grows as N^{%.1f}", M_slope) at 1.3e4,6e-16 right tc ls FVI
+plot exp(P_intercept + P_slope * log(x)) with lines ls PRINTED, \
+     exp(M_intercept + M_slope * log(x)) with lines ls FVI, \
+     dat using 1:2 with points ls PRINTED ps 1, \
+     dat using 1:3 with points ls FVI ps 1

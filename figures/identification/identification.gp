@@ -10,7 +10,7 @@ set tmargin at screen 0.97
 set bmargin at screen 0.42
 set format x ""
 set ylabel "x"
-set key top right
+set key top right # points and a curve through them
 plot dat index 0 using 1:2 with points ls 8 pt 7 ps 0.35 title "data, σ = 0.02", \
      '' index 0 using 1:3 with lines ls 1 title "fit of α, ρ, c, x_0, p_0"
 set tmargin at screen 0.38

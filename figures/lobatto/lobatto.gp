@@ -36,7 +36,7 @@ plot for [i=1:3] line(x, x_order(i+1), q[i], q0[i], hx[i]) with lines ls 13 + i 
 set title "Momenta; open circles: corrected"
 unset ylabel
 set label 1 name(1, p[1], p_order(2)) at 4.5e-3,2e-1
-set label 2 name(2, p[2], p_order(3)) at 0.16,1.3e-3 center rotate by 21
+set label 2 name(2, p[2], p_order(3)) at 0.095,3.2e-4 center rotate by 21
 set label 3 name(3, p[3], p_order(4)) at 0.6,2e-12 right
 plot for [i=1:3] line(x, p_order(i+1), p[i], p0[i], hm[i]) with lines ls 13 + i notitle, \
      for [i=1:3] dat index i-1 using 1:3 with points ls 13 + i ps 0.9, \

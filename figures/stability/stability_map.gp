@@ -13,18 +13,25 @@ set xlabel "α"
 set ylabel "R = ρ h^{2−2α} / m"
 set xrange [0:1]
 set yrange [0.2:3000]
-set key top right
-set label 1 "no bound: fvi-stable," at 0.53,9 textcolor rgb "#555555"
-set label 2 "fvi-lobatto2d to 8d" at 0.53,5.2 textcolor rgb "#555555"
-plot for [i=1:8] dat index 0 using 1:i+1 with lines ls word(looks, i) + 0 title word(names, i)
-unset label 1
-unset label 2
+unset key
+heights = "2.4 62 0.6 30 130 280 560 1150" # of the names, to the right of where the curves end
+places = "0.6 0.5 0.3 0.5 0.5 0.5 0.5 0.5"
+do for [i=1:8] {
+    set label i word(names, i) at word(places, i) + 0, word(heights, i) + 0 tc ls word(looks, i) + 0
+}
+set label 9 "no bound: fvi-stable,\nfvi-lobatto2d to 8d" at 0.5,9 textcolor rgb "#555555"
+plot for [i=1:8] dat index 0 using 1:i+1 with lines ls word(looks, i) + 0
+unset label
 
 set title "The same at α = 1/4"
 set xlabel "hω"
 unset ylabel
 set xrange [0:8]
 set yrange [0.2:3000]
-unset key
-plot for [i=1:8] dat index 1 using 1:i+1 with lines ls word(looks, i) + 0 title word(names, i)
+heights = "4 8.2 1.35 0.3 27 62 210 500"
+places = "5.6 5.6 5.6 0.15 0.2 0.2 0.2 0.2"
+do for [i=1:8] {
+    set label i word(names, i) at word(places, i) + 0, word(heights, i) + 0 tc ls word(looks, i) + 0
+}
+plot for [i=1:8] dat index 1 using 1:i+1 with lines ls word(looks, i) + 0
 unset multiplot

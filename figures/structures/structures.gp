@@ -14,7 +14,7 @@ set title "its tip"
 set xlabel "t"
 set xrange [0:8]
 set yrange [-1.6:1.05]
-set key bottom right
+set key bottom right # the curves cross
 plot dat index 0 using 1:2 with lines ls 1 title "α = 0.05", \
      dat index 1 using 1:2 with lines ls 2 title "α = 0.25", \
      dat index 2 using 1:2 with lines ls 3 title "α = 0.5"

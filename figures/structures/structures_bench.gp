@@ -9,14 +9,18 @@ set format x "10^{%L}"
 set multiplot layout 1,2
 set ylabel "ns per unknown and step"
 set yrange [1:3000]
-set key top left
+unset key
+set label 1 "membrane, fvi-stable, factors" at 70,300 tc ls 2
+set label 2 "wave, 1000 steps, explicit" at 1.4e6,13 right tc ls 1
 set title "more unknowns"
 set xlabel "unknowns d"
 set xrange [50:2e6]
-plot tsv index 0 using 1:4 with linespoints ls 1 title "wave, 1000 steps, explicit", \
-     '' index 2 using 1:3 with linespoints ls 2 title "membrane, fvi-stable, factors"
+plot tsv index 0 using 1:4 with linespoints ls 1, \
+     '' index 2 using 1:3 with linespoints ls 2
 set title "more steps, each with the whole past"
 set xlabel "steps N"
 set xrange [50:2e5]
-plot tsv index 1 using 2:4 with linespoints ls 1 title "wave, 1000 unknowns"
+unset label 1
+set label 2 "wave, 1000 unknowns" at 1.4e5,13
+plot tsv index 1 using 2:4 with linespoints ls 1
 unset multiplot

@@ -16,7 +16,7 @@ set ylabel "m"
 set ytics 1
 set xlabel "t in s"
 set yrange [-1.4:2.8]
-set key top left
+set key top left # the curves cross
 plot dat index 0 using 1:3 with lines ls 2 title "bare", \
      dat index 0 using 1:4 with lines ls 1 title "six dampers, α = 0.3"
 set origin 0.66, 0; set size 0.34, 1

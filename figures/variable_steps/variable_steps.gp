@@ -20,7 +20,7 @@ set format y "10^{%L}"
 set yrange [1e-8:1e8]
 set ytics 1e2
 unset grid
-set key at graph 0.98, graph 0.97 top right
+set key at graph 0.98, graph 0.97 top right # marks stand alone
 set style line 9 lc rgb "#7891a3" dt 1 lw 0.7
 plot dat index 2 using 1:2 with lines ls 9 title "1/σ, awake", \
      dat index 1 using ($5 == 1 ? $1 : NaN):4 with points ls 2 pt 7 ps 0.6 title "h, on a rung", \
