@@ -302,6 +302,26 @@ def slopes_of_tails():
     return found[:2]
 
 
+def bar(n, lumped):
+    """The tip at t = 1 of a bar of n elements, clamped at its other end and let go from sin(pi x / 2)."""
+    folder = BUILD / f"workshop/bar_{n}"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, middle, beside in (("M", *((1 / 2, 0) if lumped else (1 / 3, 1 / 6))), ("K", n * n, -n * n)):
+        entries = [(i, i, middle * (2 if i < n else 1) / n) for i in range(1, n + 1)]
+        entries += [(i + 1, i, beside / n) for i in range(1, n)] if beside else []
+        (folder / f"{name}.mtx").write_text(f"%%MatrixMarket matrix coordinate real symmetric\n{n} {n} {len(entries)}\n"
+                                            + "".join(f"{i} {j} {v!r}\n" for i, j, v in entries))
+    start = ",".join(repr(math.sin(math.pi / 2 * i / n)) for i in range(1, n + 1))
+    return fvi("run", system=folder, method="fvi-stable", x0=start, p0=0, unknowns=n, time=1, steps=4000, every=4000,
+               columns="x")[-1][-1]
+
+
+def tips():
+    tip = {lumped: [bar(n, lumped) for n in (4, 8, 16)] for lumped in (False, True)}
+    slopes = [math.log2(a / b) for ends in tip.values() for a, b in zip(ends, ends[1:])]
+    return [(tip[False][1],) * 2, (tip[True][1],) * 2, span(slopes)]
+
+
 EXPERIMENTS = {
     "00": creep, "25": swing_up, "26": slopes_of_tails,
     "01": half_derivative_of_t, "02": energy_band, "03": first_power, "04": half_of_the_sum,
@@ -309,5 +329,5 @@ EXPERIMENTS = {
     "09": order_and_past, "10": constant_of_the_error, "11": tail, "12": tolerance_kept,
     "13": orders_of_two, "14": longest_step, "15": velocity_that_is_left, "16": energy_of_euler,
     "17": order_of_lobatto, "18": honest, "19": two_pasts, "20": error_by_step, "21": pushed,
-    "22": steps_by_decade, "23": least_answer, "24": deviations, "28": many_at_once,
+    "22": steps_by_decade, "23": least_answer, "24": deviations, "27": tips, "28": many_at_once,
 }
