@@ -4,6 +4,7 @@
     workshop.py BUILD chapter 04     the skeletons of a chapter      (make workshop-04)
     workshop.py BUILD figure         the first figure, out of my.c (make workshop-figure)
     workshop.py BUILD check          skeletons, holes, stages     (part of make check)
+    workshop.py BUILD text           that each hole can be cut       (part of make text)
     workshop.py BUILD accidents      the sentences of tests/workshop/accidents.txt (the same)
     workshop.py BUILD exercise 13-2 [ANSWER]           (make exercise-13-2 ANSWER=...)
     workshop.py BUILD exercises      the table of all of them         (make exercises)
@@ -140,6 +141,6 @@ def tests(number=None):
 
 
 COMMANDS = {"start": start, "chapter": chapter, "figure": figure, "tests": tests, "exercise": exercises.main,
-            "exercises": exercises.write_table, "check": checks.check, "accidents": checks.accidents}
+            "exercises": exercises.write_table, "check": checks.check, "text": checks.text, "accidents": checks.accidents}
 HERE.mkdir(parents=True, exist_ok=True)
 COMMANDS[sys.argv[2]](*sys.argv[3:])

@@ -58,6 +58,7 @@ static void rule(const fvi_grid *g, double nu, double N, double *s, double *c,
 {
     const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
     const double cosine = cos(M_PI * nu);
+    //> rule
     for (size_t q = 0; q < g->Q; q++) {
         const double t = g->left + (double)q * g->step, e = exp(-t);
         s[q] = exp(t - e) / N;
@@ -67,6 +68,7 @@ static void rule(const fvi_grid *g, double nu, double N, double *s, double *c,
             rate[q] =
                 -g->step * s[q] * (1 + e) * power * (cosine + sine * log(base));
     }
+    //< rule
 }
 //< nodes
 
