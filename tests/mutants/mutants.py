@@ -67,6 +67,19 @@ def build(folder, entry, test):
         subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)
 
 
+def watched(command, environment):
+    """Its exit code and what it says. One that does not end is asked to, not killed: Check
+    then ends the test that runs, which is a process of its own."""
+    with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True) as process:
+        try:
+            said = process.communicate(timeout=120)[0]
+            return process.returncode, said
+        except subprocess.TimeoutExpired:
+            process.terminate()
+            raise
+
+
 def run(number, entry):
     """None if the mutant was named, else what happened."""
     try:
@@ -76,8 +89,7 @@ def run(number, entry):
         build(folder, entry, test)
         environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
                            CK_DEFAULT_TIMEOUT="20")
-        result = subprocess.run([folder / "test"], env=environment, capture_output=True,
-                                text=True, timeout=120)
+        status, said = watched([folder / "test"], environment)
     except KeyError:
         return f"there is no test {entry['named']}"
     except ValueError as error:
@@ -86,11 +98,11 @@ def run(number, entry):
         return "it does not compile"
     except subprocess.TimeoutExpired:
         return "no end within two minutes"
-    failed = re.findall(r":[FE]:[^:]*:(\w+):", result.stdout)
+    failed = re.findall(r":[FE]:[^:]*:(\w+):", said)
     if entry["named"] in failed:
         return None
     if not failed:
-        return "it died and no test was named" if result.returncode else "it survived"
+        return "it died and no test was named" if status else "it survived"
     return "it was named by " + ", ".join(sorted(set(failed)))
 
 
