@@ -10,12 +10,15 @@ Proved here, all parameters symbolic:
   (14.7)  Euler's explicit step of x' = v, m v' = -c x - rho v: its matrix is 1 + h A, and
           (14.8), |1 + h s| < 1 for both roots s, is b < a and 2 a - b < 4,
           a = h rho / m, b = h^2 c / m, by Jury's conditions; at random rationals, too.
+  (14.9)  det S of Lobatto's form M from the eigenvalues of Delta(z): S = E* B f(Delta) E, and
+          the determinant, at 30 digits for s = 2 to 8, random z, alpha, W and R;
+  (14.10) alpha = 1/2, s = 2 to 8: the coefficients, with every sign, as polynomials in W, R.
 Printed: growth factors 1/|z| from the root of Q in (-1, 0), at 50 digits."""
 import random
 
 import mpmath
-from sympy import (I, Matrix, Rational, cos, diff, exp, expand, expand_complex, eye, pi,
-                   simplify, sin, sqrt, symbols, trigsimp)
+from sympy import (I, Matrix, Poly, Rational, binomial, cancel, cos, diff, exp, expand, expand_complex, eye,
+                   factorial, pi, simplify, sin, sqrt, symbols, symmetrize, trigsimp)
 
 from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
@@ -100,6 +103,72 @@ for _ in range(2000):
     claim("(14.8) load <= 1 is b <= a and 2 a - b <= 4",
           bool(load <= 1) == bool(B <= A and 2 * A - B <= 4))
 
+
+def pade(s, x):
+    """N and Q of the stability function of Lobatto IIIC, N(x)/Q(x) = e^x + O(x^(2s-1))."""
+    part = lambda n, i: factorial(2 * s - 2 - i) * binomial(n, i) / factorial(2 * s - 2)
+    return (sum(part(s - 2, i) * x**i for i in range(s - 1)),
+            sum(part(s, i) * (-x)**i for i in range(s + 1)))
+
+
+#> compressed
+# (14.9): S is f(Delta) on the paths without a jump, and its determinant.
+mpmath.mp.dps = 30
+mp = mpmath.mp
+for s in range(2, 9):
+    leg = lambda t: mpmath.diff(lambda y: mpmath.legendre(s - 1, y), t)
+    c_ = [mp.mpf(0), *(sorted((1 + mp.re(t)) / 2 for t in mpmath.polyroots(
+        mpmath.taylor(leg, 0, s - 2)[::-1], maxsteps=200, extraprec=100)) if s > 2 else []), mp.mpf(1)]
+    b_ = [1 / (s * (s - 1) * mpmath.legendre(s - 1, 2 * t - 1)**2) for t in c_]
+    lagrange = lambda j: lambda t: mpmath.fprod((t - c_[i]) / (c_[j] - c_[i])
+                                                for i in range(s) if i != j)
+    D_ = mpmath.matrix(s, s)
+    for i in range(s):
+        for j in range(s):
+            D_[i, j] = mpmath.diff(lagrange(j), c_[i])
+    B_ = mpmath.diag(b_)
+    for _ in range(6):
+        al, w, r, phi = (mp.mpf(random.random()) for _ in range(4))
+        w, r, z_ = 50 * w, 50 * r, mpmath.expj(-3 * phi)
+        delta = D_ + 0
+        delta[0, 0] += 1 / b_[0]
+        delta[0, s - 1] -= z_ / b_[0]                                  # (17.5)
+        lam, V = mpmath.eig(delta)
+        power = V * mpmath.diag([t**(2 * al) for t in lam]) * V**-1
+        E = mpmath.matrix(s, s - 1)
+        for i in range(s - 1):
+            E[i, i] = 1
+        E[s - 1, 0] = 1 / z_
+        S = E.H * (-D_.H * B_ * D_ + w * B_ + r * B_ * power) * E      # (17.18)
+        f_ = lambda t: t * t + w + r * t**(2 * al)
+        total = sum(mpmath.fprod(lam[j] + mpmath.conj(t) for t in lam)
+                    * mpmath.fprod(f_(lam[i]) / (lam[j] - lam[i]) for i in range(s) if i != j)
+                    for j in range(s))
+        want = b_[0] * mpmath.fprod(b_[:-1]) * total
+        compressed = E.H * B_ * (delta**2 + w * mpmath.eye(s) + r * power) * E
+        claim("(14.9) the symbol", mpmath.mnorm(S - compressed) < 1e-18 * mpmath.mnorm(S))
+        claim("(14.9) its determinant", abs(mpmath.det(S) - want) < 1e-15 * (abs(want) + 1))
+#< compressed
+
+#> half
+# (14.10): alpha = 1/2, f(x) = (x - p)(x - p'), p + p' = -R, p p' = W.
+p_, q_ = symbols("p p'")
+for s in range(2, 9):
+    (N1, Q1), (N2, Q2) = pade(s, p_), pade(s, q_)
+    (M1_, P1_), (M2_, P2_) = pade(s, -p_), pade(s, -q_)
+    both = {1: P1_ * N2 - P2_ * N1, -1: M1_ * Q2 - M2_ * Q1,
+            0: P2_ * Q1 + M2_ * N1 - P1_ * Q2 - M1_ * N2}
+    a_ = {}
+    for n, e in both.items():
+        even, rest, names = symmetrize(cancel(expand(e) / (p_ - q_)), [p_, q_], formal=True)
+        prove(f"(14.10) symmetric in p and p', s = {s}, z^{n}", rest)
+        a_[n] = Poly(even.subs({name: -R if t == p_ + q_ else W for name, t in names}), W, R)
+    claim("(14.10) a_{-1} > 0", all(v > 0 for v in a_[-1].coeffs()))
+    claim("(14.10) a_{-1} > a_1", all(v > 0 for v in (a_[-1] - a_[1]).coeffs()))
+    if s == 3:
+        prove("(14.10) s = 3 at z = 1 and -1", expand((a_[1] + a_[0] + a_[-1]).as_expr() - W * (24 - W) / 48),
+              expand((a_[1] - a_[0] + a_[-1]).as_expr() - ((W - 8) * (W - 12) + 8 * R**2) / 48))
+#< half
 
 def growth(a, k, w, r, digits):
     mpmath.mp.dps = digits + 15
