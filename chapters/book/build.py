@@ -224,6 +224,7 @@ def main():
         pages.to_places(page)
         pages.number_headings(page)
         pages.row_of_files(page)
+        pages.without_neighbours(page)
         pages.number_figures(page, captions())
         page.plain, page.plain_title = page.body, page.title
         pages.colour_code(page)

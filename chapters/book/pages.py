@@ -159,6 +159,11 @@ def number_headings(page):
     page.body = re.sub(r"<h([1-6])>(.*?)</h\1>", heading, page.body, flags=re.S)
 
 
+def without_neighbours(page):
+    """The last line of a chapter on GitHub, Previous and Next: a page has them below, paper needs none."""
+    page.body = re.sub(r"<p>(?:<a [^>]*>)?(?:Previous|Next|Back to)\b(?:(?!<p>).)*</p>\s*$", "", page.body, flags=re.S)
+
+
 def row_of_files(page):
     """The table below a title -> a list, which a narrow screen can break."""
     def row(match):

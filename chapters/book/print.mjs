@@ -2,7 +2,7 @@
 //
 // Chromium prints OUT/print.html; pdfinfo says on which page each place of the contents has
 // come to stand; these numbers are written into the contents, and it is printed again, until
-// they no longer change. qpdf packs what came out. A formula or a table that is wider than
+// they no longer change. qpdf packs what came out. A formula, a table or code that is wider than
 // the line is set smaller, and ends the build if a third less is not enough.
 import { execFileSync } from "node:child_process";
 import { closeSync, openSync, rmSync, statSync, writeSync } from "node:fs";
@@ -33,15 +33,34 @@ function places() {
     .map(([, page, place]) => [place, Number(page)]));
 }
 
-// Runs in the page: makes fit what is too wide; returns what cannot.
+// Runs in the page: makes fit what is too wide; returns what cannot, and the words that a table breaks.
 function fit() {
   const bad = [];
   for (const box of document.querySelectorAll(".formula, .scroll, pre")) {
-    const part = box.querySelector(".katex-html, table, code") ?? box, room = box.clientWidth;
+    const part = box.querySelector(".katex-html, table, code") ?? box, whole = parseFloat(getComputedStyle(part).fontSize);
+    const room = box.clientWidth - parseFloat(getComputedStyle(box).paddingRight);
     const right = () => Math.max(...[part, ...part.querySelectorAll(".base, .tag")].map(e => e.getBoundingClientRect().right))
       - box.getBoundingClientRect().left;
-    for (let size = 95; right() > room + 1 && size >= 60; size -= 5) box.style.fontSize = part.style.fontSize = `${size}%`;
-    if (right() > room + 1) bad.push(box.textContent.slice(0, 60));
+    const fits = least => {
+      for (let share = 1; share > least - 0.01; share -= 0.05) {
+        part.style.fontSize = `${whole * share}px`;
+        if (right() <= room + 1) return true;
+      }
+      return false;
+    };
+    box.classList.add("unbroken"); // better a little smaller than in two lines
+    if (fits(0.75)) continue;
+    box.classList.remove("unbroken");
+    if (!fits(0.65)) bad.push(box.textContent.slice(0, 60));
+  }
+  for (const cell of document.querySelectorAll("td, th")) {
+    const texts = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT), range = document.createRange();
+    for (let text = texts.nextNode(); text; text = texts.nextNode())
+      for (const { 0: word, index } of text.parentElement.closest(".katex") ? [] : text.data.matchAll(/[\p{L}\p{N}]+/gu)) {
+        range.setStart(text, index);
+        range.setEnd(text, index + word.length);
+        if (new Set([...range.getClientRects()].map(box => Math.round(box.top))).size > 1) bad.push(`${word} in: ${cell.textContent.slice(0, 40)}`);
+      }
   }
   return bad;
 }

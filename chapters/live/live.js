@@ -98,6 +98,7 @@ async function begin(figure) {
     rows.forEach(row => row.show());
     const data = scene.compute(values, library, scene), words = scene.says(data, values);
     scene.draw(data, values, canvases);
+    figure.live = { values, moved, data };
     says.textContent = words;
     canvases.forEach(canvas => canvas.setAttribute("aria-label", `${canvas.dataset.label}. ${words}`));
     figure.dataset.frame = (performance.now() - began).toFixed(2);
@@ -145,7 +146,6 @@ async function begin(figure) {
   panel.after(links);
   new ResizeObserver(moved).observe(panel);
   addEventListener("themechange", moved);
-  figure.live = { values, moved };
 }
 
 // How far a run is from the exact motion, at the nodes from that one on.

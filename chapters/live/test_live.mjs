@@ -1,16 +1,20 @@
 // chapters/live/test_live.mjs -- The numbers of the figures that move, against build/fvi.
 //
-//   node test_live.mjs BOOK PROGRAM      (part of make test-book)
+//   node test_live.mjs BOOK PROGRAM [MOVES]      (part of make test-book)
+//
+// MOVES, if it is not there, is written: where each figure was moved to. A browser moves them
+// there, and adds what they show; if it is there, it is this that is compared.
 import { spawnSync } from "node:child_process";
-import { readFileSync, readdirSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import assert from "node:assert/strict";
 import vm from "node:vm";
 
-const [, , book, program] = process.argv, folder = `${book}/live`;
+const [, , book, program, movesName] = process.argv, folder = `${book}/live`;
 const read = name => vm.runInThisContext(readFileSync(`${folder}/${name}`, "utf8"), name);
 ["kernel.js", "live.js", ...readdirSync(folder).filter(name => !["kernel.js", "live.js"].includes(name))].forEach(read);
 const { scenes, open, start, error } = vm.runInThisContext("FVI_LIVE");
 const library = await open(vm.runInThisContext("FVI_WASM"));
+const shown = movesName && existsSync(movesName) ? JSON.parse(readFileSync(movesName, "utf8")) : null, moves = [];
 let tests = 0;
 async function test(name, body) {
   try {
@@ -25,6 +29,12 @@ async function test(name, body) {
 // What a figure computes when it is moved there, and says.
 function moved(name, values) {
   const scene = scenes.get(name), all = { ...start(scene), ...values };
+  moves.push({ name, values: { ...all } });
+  if (shown) {
+    const move = shown[moves.length - 1];
+    assert.equal(move.name, name);
+    return { ...move.data, said: move.said };
+  }
   const data = scene.compute(all, library, scene);
   return { ...data, said: scene.says(data, all) };
 }
@@ -143,3 +153,4 @@ await test("a scene of two thousand steps takes less than a sixtieth of a second
 });
 
 console.log(`figures that move: ${tests} tests, ${scenes.size} figures`);
+if (movesName && !shown) writeFileSync(movesName, JSON.stringify(moves));
