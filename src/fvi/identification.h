@@ -139,6 +139,28 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * FVI_ENOMEM. */
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
 
+/* fvi_fit_profile -- the interval of one parameter, the others making up for it. [(24.11)]
+ *
+ *   fit        the question
+ *   fitted     its answer, by fvi_fit_search
+ *   j          which parameter, below fit->parameters
+ *   low, high  output: all values between them have, with the others at their best, a
+ *              chi^2, with fitted->sigma, of at most fitted->chi2 + fitted->quantile^2.
+ *              Where that never ends, what bounds the parameter: an end of what the
+ *              method knows of alpha, 0 of rho and the mass, or an infinity
+ *
+ * That is the interval of 95 % for which (24.3) has estimate -+ quantile sd, and the same
+ * where chi^2 is a parabola. It is followed from the fit outward, the others from where
+ * they were; another minimum, beyond a hill, is not looked for. The step is fitted->h. The
+ * root of what chi^2 grows by is the quantile, at the ends, to a part in 10^4.
+ *
+ * Returns FVI_SUCCESS; FVI_EMAXITER, of which no handler is called, if a lower chi^2 than
+ * that of the fit was met; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if there is no such
+ * parameter; FVI_EDOM if fitted is no answer; what fvi_fit_search returns for a question
+ * that cannot be asked; FVI_ENOMEM. */
+int fvi_fit_profile(const fvi_fit *fit, const fvi_fitted *fitted, size_t j,
+                    double *low, double *high);
+
 /* fvi_fit_moduli -- alpha, rho and k from storage and loss.             [(24.9)]
  *
  *     storage = k + rho w^{2 alpha} cos(pi alpha),   loss = rho w^{2 alpha} sin(pi alpha)

@@ -1,12 +1,11 @@
 /* src/inverse/identification.c -- Parameters from a measured motion.   [Chapter 24] */
 #include <fvi/identification.h>
 
-#include "identification_model.h"
+#include "identification_search.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_qrng.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,20 +15,8 @@
 #define VAGUE 20     /* sd of a logit or a logarithm that says nothing */
 #define STEP 1e-7    /* of a difference: the memory is smooth to 1e-13 */
 
-/* Where a search ended: the parameters as u, and the sum of squares. */
-typedef struct {
-    double u[FVI_FIT_MOST], sum;
-} place;
-
-typedef struct {
-    fvi_fit_model model;
-    gsl_multifit_nlinear_fdf fdf;
-    gsl_multifit_nlinear_workspace *solver;
-    place *found;        /* one for each start */
-    double *last, *base; /* residuals: the last ones, and those of slopes */
-    double *ridden;      /* n P slopes; NULL: the run cannot carry them */
-    double size[FVI_FIT_MOST]; /* of each u: it is nearly zero far below that */
-} search;
+typedef fvi_fit_place place;
+typedef fvi_fit_work search;
 
 /* ---- one search ---- */
 
@@ -102,7 +89,7 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
 //> minimise
 /* From at->u downhill. What the driver says is not asked: a false minimum is reached
  * with success, and a good one may be left with a complaint about the last digits. */
-static void minimise(search *o, place *at)
+void fvi_fit_minimise(search *o, place *at)
 {
     const size_t P = o->fdf.p;
     gsl_vector_view u = gsl_vector_view_array(at->u, P);
@@ -157,7 +144,7 @@ static int try_all(search *o, const double *low, const double *high,
     for (size_t k = 0; k < fit->starts; k++) {
         o->found[k].sum = GSL_POSINF;
         if (fvi_all_finite(fit->parameters, o->found[k].u))
-            minimise(o, &o->found[k]);
+            fvi_fit_minimise(o, &o->found[k]);
         if (o->found[k].sum < o->found[*best].sum)
             *best = k;
     }
@@ -255,7 +242,7 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
     while (!status && moves && (double)o->model.run.steps <= MANY_STEPS / 2) {
         const fvi_fitted before = *fitted;
         fvi_fit_model_step(&o->model, o->model.run.h / 2);
-        minimise(o, best);
+        fvi_fit_minimise(o, best);
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
         status = statistics(o, best, fitted);
@@ -293,7 +280,7 @@ static int whole(search *o, const double *low, const double *high,
         return status;
     place best = o->found[first];
     *fitted = (fvi_fitted){ .bias = GSL_NAN };
-    minimise(o, &best); /* for the Jacobian there */
+    fvi_fit_minimise(o, &best); /* for the Jacobian there */
     status = statistics(o, &best, fitted);
     fitted->agree = agreeing(o, &o->found[first], fitted);
     if (!status && fit->h == 0)
@@ -342,34 +329,49 @@ static int search_alloc(search *o, const fvi_fit *fit)
     return FVI_SUCCESS;
 }
 
+int fvi_fit_work_start(search *o, const fvi_fit *fit, double *low, double *high)
+{
+    *o = (search){ .found = NULL };
+    int status = fvi_fit_box(fit, low, high);
+    if (status)
+        return status;
+    set_sizes(o, fit, low, high);
+    if (fit->low) {
+        memcpy(low, fit->low, fit->parameters * sizeof *low);
+        memcpy(high, fit->high, fit->parameters * sizeof *high);
+        set_sizes(o, fit, low, high);
+    }
+    return search_alloc(o, fit);
+}
+
+void fvi_fit_work_stop(search *o)
+{
+    gsl_multifit_nlinear_free(o->solver);
+    free(o->found);
+    free(o->last);
+    free(o->ridden);
+    free(o->model.motion);
+}
+
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
 {
-    search o = { 0 };
+    search o;
     double low[FVI_FIT_MOST], high[FVI_FIT_MOST], were[FVI_FIT_MOST];
-    int status = fvi_fit_box(fit, low, high);
+    int status = fvi_fit_check(fit);
     if (status)
         return status;
     if (!fitted)
         FVI_FAIL("no room for the answer", FVI_EFAULT);
-    set_sizes(&o, fit, low, high);
-    if (fit->low) {
-        memcpy(low, fit->low, fit->parameters * sizeof *low);
-        memcpy(high, fit->high, fit->parameters * sizeof *high);
-        set_sizes(&o, fit, low, high);
-    }
     fvi_quiet();
-    status = search_alloc(&o, fit);
-    for (size_t j = 0; j < fit->parameters; j++)
+    status = fvi_fit_work_start(&o, fit, low, high);
+    for (size_t j = 0; !status && j < fit->parameters; j++)
         were[j] = fvi_fit_model_get(&o.model, j);
-    if (!status)
+    if (!status) {
         status = whole(&o, low, high, curve, fitted);
-    for (size_t j = 0; j < fit->parameters; j++)
-        fvi_fit_model_set(&o.model, j, were[j]);
-    gsl_multifit_nlinear_free(o.solver);
-    free(o.found);
-    free(o.last);
-    free(o.ridden);
-    free(o.model.motion);
+        for (size_t j = 0; j < fit->parameters; j++)
+            fvi_fit_model_set(&o.model, j, were[j]);
+    }
+    fvi_fit_work_stop(&o);
     fvi_loud();
     return status;
 }

@@ -8,6 +8,7 @@
 #include "words/fvi_data.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -185,40 +186,63 @@ static int read_data(request *r, fvi_complaint c)
 /* ---- the answer ---- */
 
 /* What the reader must know before he believes it; to the table and to standard error. */
-static void warn(FILE *out, const char *text)
+static void warn(FILE *out, const char *format, ...)
 {
+    char text[200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
     fprintf(stderr, "fvi: warning: %s\n", text);
     fprintf(out, "# warning = %s\n", text);
 }
 
-static void warnings(FILE *out, const request *r, const fvi_fitted *f)
+/* Pairs that the data can hardly tell apart; how many there are. */
+static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
 {
-    char text[200];
+    int pairs = 0;
     for (size_t i = 0; i < r->fit.parameters; i++)
         for (size_t j = 0; j < i; j++)
             if (fabs(f->correlation[i][j]) > ALIKE) {
-                snprintf(text, sizeof text,
-                         "these data can hardly tell %s and %s apart "
-                         "(correlation %.3f)",
-                         r->name[j], r->name[i], f->correlation[i][j]);
-                warn(out, text);
+                warn(out,
+                     "these data can hardly tell %s and %s apart "
+                     "(correlation %.3f)",
+                     r->name[j], r->name[i], f->correlation[i][j]);
+                pairs++;
             }
-    if (fabs(f->neighbours) > 5 / sqrt((double)r->fit.n)) {
-        snprintf(
-            text, sizeof text,
-            "neighbouring residuals are alike (correlation %.2f): the model, "
-            "its past or its force is not that of the data, or their noise "
-            "is not independent",
-            f->neighbours);
-        warn(out, text);
-    }
-    if (!(f->bias <= 0.02) && r->fit.h == 0) {
-        snprintf(
-            text, sizeof text,
-            "half the step moved the estimates by %.2g sd: take a method of "
-            "higher order",
-            f->bias);
-        warn(out, text);
+    return pairs;
+}
+
+static void warnings(FILE *out, const request *r, const fvi_fitted *f)
+{
+    if (fabs(f->neighbours) > 5 / sqrt((double)r->fit.n))
+        warn(out,
+             "neighbouring residuals are alike (correlation %.2f): the model, "
+             "its past or its force is not that of the data, or their noise "
+             "is not independent",
+             f->neighbours);
+    if (!(f->bias <= 0.02) && r->fit.h == 0)
+        warn(out,
+             "half the step moved the estimates by %.2g sd: take a method of "
+             "higher order",
+             f->bias);
+}
+
+/* How far each can really go while the others make up for it. */
+static void print_profiles(FILE *out, const request *r, const fvi_fitted *f)
+{
+    for (size_t j = 0; j < r->fit.parameters; j++) {
+        double low, high;
+        const int status = fvi_fit_profile(&r->fit, f, j, &low, &high);
+        if (status == FVI_EMAXITER)
+            warn(out, "on the way along a profile the fit became better: try "
+                      "more --starts");
+        if (status)
+            return;
+        fprintf(out, "# profile %s", r->name[j]);
+        fvi_print_number(out, " = ", low);
+        fvi_print_number(out, " ", high);
+        fputs(" (95 %)\n", out);
     }
 }
 
@@ -255,6 +279,8 @@ static void print_answer(FILE *out, const request *r, const fvi_fitted *f)
             fvi_print_number(out, " = ", f->correlation[i][j]);
         }
     fputc('\n', out);
+    if (warn_alike(out, r, f))
+        print_profiles(out, r, f);
     warnings(out, r, f);
 }
 

@@ -80,6 +80,35 @@ START_TEST(fit_finds_what_another_program_put_in)
 }
 END_TEST
 
+/* Where two can hardly be told apart, and only there, each has the interval of its profile;
+ * with small sigma it is nearly that of the standard deviation. The data have no noise at
+ * all, so chi2 is not believed. */
+START_TEST(fit_prints_profiles_where_two_are_alike)
+{
+    const char *const names[] = { "profile alpha", "profile rho", "profile c" };
+    write_data("d.tsv", 0.02, 1);
+    ck_assert_int_eq(fvi("fit --p0 0.25 --fit alpha,rho d.tsv"), 0);
+    ck_assert_ptr_null(strstr(out, "profile"));
+    ck_assert_int_eq(fvi("run --alpha 0.65 --rho 0.4 --p0 0.25 --method "
+                         "fvi-lobatto4 --columns t,x -o e.tsv"),
+                     0);
+    ck_assert_int_eq(
+        fvi("fit --p0 0.25 --fit alpha,rho,c --sigma 0.001 e.tsv"), 1);
+    for (size_t j = 0; j < LEN(names); j++) {
+        double row[4];
+        char *end;
+        row_of(names[j] + strlen("profile "), row);
+        value_of(names[j]);
+        const double low =
+            strtod(strstr(out, names[j]) + strlen(names[j]) + 3, &end);
+        const double high = strtod(end, &end);
+        ck_assert_msg(strncmp(end, " (95 %)\n", 8) == 0, "%s", end);
+        ck_assert(fabs(low - row[2]) < 0.01 * (row[3] - row[2]));
+        ck_assert(fabs(high - row[3]) < 0.01 * (row[3] - row[2]));
+    }
+}
+END_TEST
+
 /* The curve: residual = data - fit, and chi2 is what it says. The data are those of the
  * file; a step that is given is taken. */
 START_TEST(fit_writes_the_curve)
@@ -299,7 +328,8 @@ int main(void)
 {
     Suite *suite = suite_create("build/fvi fit");
     ADD_CASE(suite, "answers", fit_finds_what_another_program_put_in,
-             fit_writes_the_curve, fit_reads_tables_of_many_kinds,
+             fit_prints_profiles_where_two_are_alike, fit_writes_the_curve,
+             fit_reads_tables_of_many_kinds,
              fit_says_what_is_not_to_be_believed);
     ADD_CASE(suite, "words", fit_refuses_words_and_tables,
              fit_of_any_bytes_ends, fit_knows_the_names_of_let, fit_is_helped);

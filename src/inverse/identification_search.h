@@ -1,0 +1,41 @@
+/* src/inverse/identification_search.h -- One search of many.          [Chapter 24]
+ *
+ * Internal: identification.c begins it in many places, identification_profile.c at many
+ * values of one parameter. Nothing is checked, and GSL's handler is off. */
+#ifndef FVI_IDENTIFICATION_SEARCH_H
+#define FVI_IDENTIFICATION_SEARCH_H
+
+#include "identification_model.h"
+
+#include <gsl/gsl_multifit_nlinear.h>
+
+/* Where a search ended: the parameters as u, and the sum of squares. */
+typedef struct {
+    double u[FVI_FIT_MOST], sum;
+} fvi_fit_place;
+
+typedef struct {
+    fvi_fit_model model;
+    gsl_multifit_nlinear_fdf fdf;
+    gsl_multifit_nlinear_workspace *solver;
+    fvi_fit_place *found; /* one for each start */
+    double *last, *base;  /* residuals: the last ones, and those of slopes */
+    double *ridden;       /* n P slopes; NULL: the run cannot carry them */
+    double size[FVI_FIT_MOST]; /* of each u: it is nearly zero far below that */
+} fvi_fit_work;
+
+/* fvi_fit_work_start -- ready to search.
+ *
+ *   low, high  output: the box of fit, or that of fvi_fit_box
+ *   o          output, in any case to be given back by fvi_fit_work_stop
+ *
+ * Returns what fvi_fit_check returns; FVI_ENOMEM. */
+int fvi_fit_work_start(fvi_fit_work *o, const fvi_fit *fit, double *low,
+                       double *high);
+
+/* From at->u downhill; sum is infinite if that leads nowhere. */
+void fvi_fit_minimise(fvi_fit_work *o, fvi_fit_place *at);
+
+void fvi_fit_work_stop(fvi_fit_work *o);
+
+#endif
