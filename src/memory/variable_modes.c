@@ -34,6 +34,7 @@ struct fvi_modes {
     double beta;
     size_t d, Q;         /* coordinates; modes of each, a multiple of LANES */
     int first;           /* sigma_q = exp(L (first + every q)) */
+    double reach; /* the last mode of a step exp(L k) is (reach - k) / every */
     size_t count, awake; /* modes that this step reads; that are up to date */
     double top
         [FVI_ENDS]; /* what the upper end adds to its weights, times the last */
@@ -48,39 +49,43 @@ struct fvi_modes {
 
 /* ---- the two loops over the modes ---- */
 
-/* H = sum over the modes for the stages i, i + 1, i + 2, and i + 3 if n = 4. Partial sum l
- * takes every eighth mode from the l-th on, whatever the machine: no digit depends on the
- * width of its vectors. */
+/* H = sum over the modes, for all s stages in one reading. Partial sum l takes every fourth
+ * mode from the l-th on, whatever the machine: no digit depends on the width of its
+ * vectors. s is a constant where these are called, and no loop over it is left. */
 #define AT(x, q) (*(const fvi_four *)((x) + (q)))
+
+/* The sums of four times four numbers. */
+static inline __attribute__((always_inline)) void total(const fvi_four *x,
+                                                        double *H)
+{
+    const fvi_four a = x[0], b = x[1], c = x[2], d = x[3];
+    *(fvi_four *)H = ((fvi_four){ a[0], b[0], c[0], d[0] }
+                      + (fvi_four){ a[2], b[2], c[2], d[2] })
+                     + ((fvi_four){ a[1], b[1], c[1], d[1] }
+                        + (fvi_four){ a[3], b[3], c[3], d[3] });
+}
 
 //> history
 static inline __attribute__((always_inline)) void
-gather(const size_t n, size_t Q, const double *restrict weight,
-       const double *restrict y, const double *restrict a, size_t stride,
-       double *restrict H)
+gather(const size_t s, size_t Q, const double *restrict weight,
+       const double *restrict y, const fvi_mode_row *row, double *restrict H)
 {
-    const double *a1 = a + stride, *a2 = a1 + stride, *a3 = a2 + stride;
-    fvi_four sum[8];
-    for (size_t i = 0; i < 8; i++)
+    fvi_four sum[FVI_LANES];
+#pragma GCC unroll 8
+    for (size_t i = 0; i < s; i++)
         sum[i] = (fvi_four){ 0 };
-    for (size_t q = 0; q < Q; q += FVI_LANES) {
-        const fvi_four low = AT(weight, q) * AT(y, q), /* (22.10) */
-            high = AT(weight, q + 4) * AT(y, q + 4);
-        sum[0] += AT(a, q) * low;
-        sum[1] += AT(a, q + 4) * high;
-        sum[2] += AT(a1, q) * low;
-        sum[3] += AT(a1, q + 4) * high;
-        sum[4] += AT(a2, q) * low;
-        sum[5] += AT(a2, q + 4) * high;
-        if (n < 4)
-            continue;
-        sum[6] += AT(a3, q) * low;
-        sum[7] += AT(a3, q + 4) * high;
+    for (size_t q = 0; q < Q; q += 4) {
+        const fvi_four part = AT(weight, q) * AT(y, q); /* (22.10) */
+#pragma GCC unroll 8
+        for (size_t i = 0; i < s; i++)
+            sum[i] += AT(row->a + i * row->stride, q) * part;
     }
-    for (size_t i = 0; i < n; i++) {
-        const fvi_four part = sum[2 * i] + sum[2 * i + 1];
-        H[i] = (part[0] + part[2]) + (part[1] + part[3]);
-    }
+#pragma GCC unroll 8
+    for (size_t i = s; i < FVI_LANES; i++)
+        sum[i] = (fvi_four){ 0 };
+#pragma GCC unroll 2
+    for (size_t i = 0; i < FVI_LANES; i += 4)
+        total(sum + i, H + i);
 }
 //< history
 
@@ -88,8 +93,7 @@ FVI_VECTORS static void gather_six(size_t Q, const double *restrict weight,
                                    const double *restrict y,
                                    const fvi_mode_row *row, double *restrict H)
 {
-    for (size_t i = 0; i < 6; i += 3)
-        gather(3, Q, weight, y, row->a + i * row->stride, row->stride, H + i);
+    gather(6, Q, weight, y, row, H);
 }
 
 FVI_VECTORS static void gather_eight(size_t Q, const double *restrict weight,
@@ -97,28 +101,33 @@ FVI_VECTORS static void gather_eight(size_t Q, const double *restrict weight,
                                      const fvi_mode_row *row,
                                      double *restrict H)
 {
-    for (size_t i = 0; i < 8; i += 4)
-        gather(4, Q, weight, y, row->a + i * row->stride, row->stride, H + i);
+    gather(8, Q, weight, y, row, H);
 }
 
 //> advance
-FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
-                                const last_step *last, double *restrict y)
+static inline __attribute__((always_inline)) void
+advance(const size_t s, size_t n, const fvi_mode_row *row,
+        const last_step *last, double *restrict y)
 {
-    for (size_t q = 0; q < n; q += FVI_LANES) {
-        fvi_four low = { 0 }, high = { 0 }, *z = (fvi_four *)(y + q);
-        const double *a = row->a + q;
-        for (size_t i = 0; i < s; i++, a += row->stride) {
-            low += AT(a, 0) * last->u[i];
-            high += AT(a, 4) * last->u[i];
-        }
-        z[0] += (AT(row->mu, q) * low + last->ds) /* (22.6), (22.7) */
-                - AT(row->p, q) * z[0];
-        z[1] +=
-            (AT(row->mu, q + 4) * high + last->ds) - AT(row->p, q + 4) * z[1];
+    for (size_t q = 0; q < n; q += 4) {
+        fvi_four sum = { 0 }, *z = (fvi_four *)(y + q);
+#pragma GCC unroll 8
+        for (size_t i = 0; i < s; i++)
+            sum += AT(row->a + i * row->stride, q) * last->u[i];
+        *z += (AT(row->mu, q) * sum + last->ds) /* (22.6), (22.7) */
+              - AT(row->p, q) * *z;
     }
 }
 //< advance
+
+FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
+                                const last_step *last, double *restrict y)
+{
+    if (s == 8)
+        advance(8, n, row, last, y);
+    else
+        advance(6, n, row, last, y);
+}
 
 /* ---- lengths, rows, sleep ---- */
 
@@ -171,9 +180,12 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake)
         return;
     const double L = fvi_variable_spacing(),
-                 top = ceil((log(m->range.highest / length.h) / L - m->first)
-                            / (double)m->range.every);
-    q = (size_t)fmin(fmax(top, (double)q) + 1, (double)m->Q);
+                 h = length.k == FVI_OFF_LATTICE ? log(length.h) / L
+                                                 : (double)length.k,
+                 top = ceil((m->reach - h) / (double)m->range.every);
+    if (top > (double)q)
+        q = (size_t)top;
+    q = q + 1 < m->Q ? q + 1 : m->Q;
     m->count = (q + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
     m->now = length;
     wake(m, m->count);
@@ -191,7 +203,6 @@ void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
         gather_eight(m->count, m->closed, y, &m->row, H);
     } else {
         gather_six(m->count, m->closed, y, &m->row, H);
-        H[6] = H[7] = 0;
     }
 }
 
@@ -248,11 +259,10 @@ static void weigh(fvi_modes *m)
     const double L = fvi_variable_spacing() * (double)m->range.every,
                  first = fvi_variable_spacing() * m->first, beta = m->beta;
     const double size = sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
-    double fine[BLOCK], finer[BLOCK], c[FVI_ENDS];
-    for (size_t l = 0; l < BLOCK; l++) {
-        fine[l] = exp(L * (double)l);
+    double finer[BLOCK], c[FVI_ENDS];
+    const double *fine = m->table->mu - FVI_FIRST / (long)m->range.every;
+    for (size_t l = 0; l < BLOCK; l++)
         finer[l] = exp(L * beta * (double)l);
-    }
     for (size_t q = 0; q < m->Q; q += BLOCK) {
         const double ln = first + L * (double)q, sigma = exp(ln),
                      weight = size * exp(beta * ln);
@@ -290,6 +300,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                                      .d = d,
                                      .Q = Q,
                                      .first = first,
+                                     .reach = log(of.highest) / L - first,
                                      .awake = Q });
     if (!m || !m->table) {
         fvi_modes_free(m);

@@ -33,27 +33,37 @@ void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
 }
 
 //> present
-void fvi_variable_present(const fvi_variable_rule *rule, double beta,
-                          fvi_square *W)
+FVI_VECTORS static void projectors(const fvi_variable_rule *rule,
+                                   const double *power_re,
+                                   const double *power_im, fvi_square *W)
 {
     const size_t s = rule->s;
-    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
-    memset(W, 0, sizeof *W);
-    for (size_t i = 0; beta == 0 && i < s; i++)
-        W->column[i][i] = 1;
-    if (beta == 0)
-        return;
-    fvi_variable_powers(rule, beta, power_re, power_im);
     for (size_t n = 0; n < s / 2; n++) {
         const double re = 2 * power_re[n], im = 2 * power_im[n];
+        const fvi_four *v = (const fvi_four *)rule->re[n],
+                       *w = (const fvi_four *)rule->im[n];
         for (size_t l = 0; l < s; l++) {
             const double vr = rule->b[l] * rule->re[n][s - 1 - l],
                          vi = rule->b[l] * rule->im[n][s - 1 - l],
                          x = re * vr - im * vi, y = re * vi + im * vr;
-            for (size_t i = 0; i < s; i++) /* (22.2) */
-                W->column[l][i] += x * rule->re[n][i] - y * rule->im[n][i];
+            fvi_four *column = (fvi_four *)W->column[l]; /* (22.2) */
+            column[0] += x * v[0] - y * w[0];
+            column[1] += x * v[1] - y * w[1];
         }
     }
+}
+
+void fvi_variable_present(const fvi_variable_rule *rule, double beta,
+                          fvi_square *W)
+{
+    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
+    memset(W, 0, sizeof *W);
+    for (size_t i = 0; beta == 0 && i < rule->s; i++)
+        W->column[i][i] = 1;
+    if (beta == 0)
+        return;
+    fvi_variable_powers(rule, beta, power_re, power_im);
+    projectors(rule, power_re, power_im, W);
 }
 //< present
 

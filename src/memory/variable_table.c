@@ -8,34 +8,49 @@
 #include <stdlib.h>
 
 //> row
+/* sum_k c_k m^k, k < n, of eight numbers m. */
+static inline __attribute__((always_inline)) void
+polynomial(size_t n, const double *c, const fvi_four *m, fvi_four *sum)
+{
+    sum[0] = sum[1] = (fvi_four){ 0 } + c[n - 1];
+#pragma GCC unroll 8
+    for (size_t k = n - 1; k-- > 0;) {
+        sum[0] = sum[0] * m[0] + c[k];
+        sum[1] = sum[1] * m[1] + c[k];
+    }
+}
+
+static inline __attribute__((always_inline)) void
+quotients(const size_t s, const fvi_variable_rule *rule, size_t n,
+          const double *restrict mu, double *restrict p, double *restrict a)
+{
+    for (size_t q = 0; q < n; q += FVI_LANES) {
+        const fvi_four *m = (const fvi_four *)(mu + q);
+        fvi_four by[2], sum[2] = { { 0 }, { 0 } };
+        polynomial(s + 1, rule->det, m, by);
+        by[0] = 1 / by[0]; /* one quotient for all stages */
+        by[1] = 1 / by[1];
+        for (size_t i = 0; i < s; i++) {
+            fvi_four *at = (fvi_four *)(a + i * n + q), top[2];
+            polynomial(s, rule->numerator[i], m, top);
+            at[0] = top[0] *= by[0];
+            at[1] = top[1] *= by[1];
+            sum[0] += rule->b[i] * top[0];
+            sum[1] += rule->b[i] * top[1];
+        }
+        ((fvi_four *)(p + q))[0] = m[0] * sum[0];
+        ((fvi_four *)(p + q))[1] = m[1] * sum[1];
+    }
+}
+
 FVI_VECTORS static void make_row(const fvi_variable_rule *rule, size_t n,
                                  const double *restrict mu, double *restrict p,
                                  double *restrict a)
 {
-    const size_t s = rule->s;
-    for (size_t q = 0; q < n; q += FVI_LANES) {
-        const double *m = mu + q;
-        double det[FVI_LANES], sum[FVI_LANES] = { 0 };
-        for (size_t l = 0; l < FVI_LANES; l++)
-            det[l] = m[l] + rule->det[s - 1];
-        for (size_t k = s - 1; k-- > 0;)
-            for (size_t l = 0; l < FVI_LANES; l++)
-                det[l] = det[l] * m[l] + rule->det[k];
-        for (size_t i = 0; i < s; i++) {
-            double top[FVI_LANES];
-            for (size_t l = 0; l < FVI_LANES; l++)
-                top[l] = rule->numerator[i][s - 1];
-            for (size_t k = s - 1; k-- > 0;)
-                for (size_t l = 0; l < FVI_LANES; l++)
-                    top[l] = top[l] * m[l] + rule->numerator[i][k];
-            for (size_t l = 0; l < FVI_LANES; l++) {
-                a[i * n + q + l] = top[l] / det[l];
-                sum[l] += rule->b[i] * a[i * n + q + l];
-            }
-        }
-        for (size_t l = 0; l < FVI_LANES; l++)
-            p[q + l] = m[l] * sum[l];
-    }
+    if (rule->s == 8)
+        quotients(8, rule, n, mu, p, a);
+    else
+        quotients(6, rule, n, mu, p, a);
 }
 //< row
 

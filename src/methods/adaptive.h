@@ -20,8 +20,8 @@ typedef struct {
         spring; /* the c of U = c x^2 / 2 + ..., where that is all of it; or 0 */
     double drag;        /* rho h^{1 - beta} */
     double reach;       /* about how far x moves for a velocity 1 more */
-    fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0, if one asks for it */
-    fvi_square inverse; /* of L + c h^2 A, likewise */
+    fvi_square L;       /* m A^{-1} + rho h^{1 - beta} W0 + c h^2 to_x */
+    fvi_square inverse; /* its inverse, if one asks for it */
 } fvi_kind;
 
 /* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
@@ -125,9 +125,16 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
  *
  *     L delta = R - h grad U(base + h to_x delta)
  *
- * to 1e-5 of o->allowed in x. FVI_EMAXITER or FVI_ESING if it does not converge: a
+ * to 1e-5 of o->allowed in x, or 1e-3 where the wish is larger than FVI_COARSE.
+ * FVI_EMAXITER or FVI_ESING if it does not converge: a
  * shorter step may. What a callback returned comes back. */
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_adaptive_solve_linear -- the same where o->solve is FVI_SOLVE_LINEAR; R is not kept. */
+int fvi_adaptive_solve_linear(fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_adaptive_factorise -- the factors of o->band for the diagonals in o->hessian. */
+void fvi_adaptive_factorise(fvi_adaptive_run *o);
 
 /* fvi_adaptive_powers -- f(theta) = sum_n bend_n P_n(2 theta - 1) = sum_k g_k theta^k, n
  * and k < s; g has FVI_LANES numbers.

@@ -70,7 +70,8 @@ FVI_VECTORS static void factorise(fvi_adaptive_band *o, const size_t *kind,
 
 /* From the stages to the pairs, and forwards by L: e_j stands where r_j did. */
 //> forwards
-FVI_VECTORS static void forwards(const fvi_adaptive_band *o, double *r)
+static inline __attribute__((always_inline)) void
+forwards(const fvi_adaptive_band *o, double *r)
 {
     const size_t n = o->diagonals;
     quad *e = (quad *)r;
@@ -91,7 +92,8 @@ FVI_VECTORS static void forwards(const fvi_adaptive_band *o, double *r)
 //< forwards
 
 /* Backwards by D and L^T. */
-FVI_VECTORS static void backwards(const fvi_adaptive_band *o, double *r)
+static inline __attribute__((always_inline)) void
+backwards(const fvi_adaptive_band *o, double *r)
 {
     const size_t n = o->diagonals;
     quad *e = (quad *)r;
@@ -107,7 +109,8 @@ FVI_VECTORS static void backwards(const fvi_adaptive_band *o, double *r)
 }
 
 /* From the pairs back to the stages. */
-FVI_VECTORS static void join(const fvi_adaptive_band *o, double *r)
+static inline __attribute__((always_inline)) void
+join(const fvi_adaptive_band *o, double *r)
 {
     for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
         fvi_four low = { 0 }, high = { 0 };
@@ -135,11 +138,16 @@ void fvi_adaptive_band_factorise(fvi_adaptive_band *o, const size_t *kind,
     factorise(o, kind, hh, H);
 }
 
-void fvi_adaptive_band_solve(fvi_adaptive_band *o, double *r)
+FVI_VECTORS static void solve(const fvi_adaptive_band *o, double *r)
 {
     forwards(o, r);
     backwards(o, r);
     join(o, r);
+}
+
+void fvi_adaptive_band_solve(fvi_adaptive_band *o, double *r)
+{
+    solve(o, r);
 }
 
 /* ---- room ---- */

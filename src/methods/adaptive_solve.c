@@ -2,14 +2,15 @@
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
- * By the inverse of L + c h^2 to_x, or its eigenvectors, where grad U = c x; by Newton's
- * method with one Hessian for all stages (adaptive_band.h) where it has few diagonals and
+ * At once where grad U is linear and coordinates do not know of each other
+ * (adaptive_linear.c); by Newton's method with one Hessian for all stages (adaptive_band.h) where it has few diagonals and
  * form D's to_x has those eigenvectors; in form M with the Jacobian L + h^2 diag(U'') to_x
  * where coordinates do not know of each other; else by delta <- L^{-1} (R - h grad U),
  * which needs no matrix that couples them, as long as it contracts, and by Newton's
  * method for all stages and coordinates where it does not. */
 #include "adaptive.h"
 
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -18,21 +19,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* U'(base + h to_x delta) at all stages, to o->gradient; the points to o->point. */
+/* base + h to_x delta at all stages, to o->point. */
+FVI_VECTORS static void points(const fvi_adaptive_run *o)
+{
+    const size_t d = o->d, s = o->rule->s;
+    const double h = o->length.h;
+    for (size_t j = 0; j < d; j++) {
+        const double *delta = o->delta + j * FVI_LANES;
+        fvi_four move[2] = { { 0 }, { 0 } };
+        const fvi_four *base = (const fvi_four *)(o->base + j * FVI_LANES);
+        for (size_t l = 0; l < s; l++) {
+            const fvi_four *column = (const fvi_four *)o->to_x->column[l];
+            move[0] += column[0] * delta[l];
+            move[1] += column[1] * delta[l];
+        }
+        move[0] = base[0] + h * move[0];
+        move[1] = base[1] + h * move[1];
+        for (size_t i = 0; i < s; i++)
+            o->point[i * d + j] = ((const double *)move)[i];
+    }
+}
+
+/* U' there, to o->gradient. */
 static int look(fvi_stepper *s, fvi_adaptive_run *o)
 {
-    const size_t d = o->d, stages = o->rule->s;
-    for (size_t j = 0; j < d; j++) {
-        double move[FVI_LANES];
-        fvi_square_apply(stages, o->to_x, o->delta + j * FVI_LANES, move);
-        for (size_t i = 0; i < stages; i++)
-            o->point[i * d + j] =
-                o->base[j * FVI_LANES + i] + o->length.h * move[i];
-    }
     int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < stages; i++)
-        status =
-            fvi_gradient(s->run.system, o->point + i * d, o->gradient + i * d);
+    points(o);
+    for (size_t i = 0; !status && i < o->rule->s; i++)
+        status = fvi_gradient(s->run.system, o->point + i * o->d,
+                              o->gradient + i * o->d);
     return status;
 }
 
@@ -48,8 +63,8 @@ static void left_of(const fvi_adaptive_run *o, size_t j, double *left)
 /* ---- when to stop ---- */
 
 /* How far x still moves, from how far it has, h |change of delta|, and how far before
- * that: contraction / (1 - contraction) of it. Enough is 1e-5 of what the step may err,
- * or rounding. 1 go on, 0 enough, -1 it does not contract. */
+ * that: contraction / (1 - contraction) of it. Enough is 1e-5 of what the step may err, or 1e-3
+ * where that is much; or rounding. 1 go on, 0 enough, -1 it does not contract. */
 //> enough
 static int verdict(fvi_adaptive_run *o, int iteration, double moved,
                    double moved_before, double worst)
@@ -65,8 +80,9 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
             return moved <= 64 * floor ? 0
                                        : -1; /* rounding contracts no more */
     }
-    const double q = o->contraction;
-    return moved * q / (1 - q) > fmax(floor, 1e-5 * o->allowed);
+    const double q = o->contraction,
+                 part = o->wish > FVI_COARSE ? 1e-3 : 1e-5;
+    return moved * q / (1 - q) > fmax(floor, part * o->allowed);
 }
 //< enough
 
@@ -74,8 +90,7 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
  * Hessian for all stages, none. */
 typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
 
-/* The factors for the diagonals in o->hessian. */
-static void factorise(fvi_adaptive_run *o)
+void fvi_adaptive_factorise(fvi_adaptive_run *o)
 {
     const double h = o->length.h;
     for (size_t n = 0; n < o->kinds; n++)
@@ -85,22 +100,6 @@ static void factorise(fvi_adaptive_run *o)
 }
 
 /* ---- coordinate by coordinate ---- */
-
-static int solve_linear(fvi_stepper *s, fvi_adaptive_run *o)
-{
-    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
-    memset(o->gradient, 0, o->d * FVI_LANES * sizeof *o->gradient);
-    int status = s->run.system->potential.gradient ? look(s, o) : FVI_SUCCESS;
-    if (status)
-        return status;
-    for (size_t j = 0; j < o->d; j++) {
-        double left[FVI_LANES];
-        left_of(o, j, left);
-        fvi_square_apply(o->rule->s, &o->of_kind[o->kind[j]].inverse, left,
-                         o->delta + j * FVI_LANES);
-    }
-    return FVI_SUCCESS;
-}
 
 /* left -= L delta of coordinate j */
 static void subtract(const fvi_adaptive_run *o, size_t j, double *left)
@@ -139,7 +138,7 @@ static int factors(fvi_stepper *s, fvi_adaptive_run *o)
     const size_t d = o->d, middle = o->rule->s / 2;
     int status = u->hessian(d, o->point + middle * d, u->params, o->hessian);
     if (!status)
-        factorise(o);
+        fvi_adaptive_factorise(o);
     return status;
 }
 
@@ -167,15 +166,39 @@ static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
     return most;
 }
 
+/* eps = R - h grad U - L delta of all coordinates. */
+FVI_VECTORS static void residuals(const fvi_adaptive_run *o, double *eps)
+{
+    const size_t d = o->d, s = o->rule->s;
+    const double h = o->length.h;
+    for (size_t j = 0; j < d; j++) {
+        const size_t at = j * FVI_LANES;
+        const fvi_square *L = &o->of_kind[o->kind[j]].L;
+        const double *g = o->gradient + j, *g4 = g + 4 * d;
+        const int eight = s == 8;
+        fvi_four *left = (fvi_four *)(eps + at), *R = (fvi_four *)(o->R + at),
+                 low = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] },
+                 high = R[1]
+                        - h
+                              * (fvi_four){ g4[0], g4[d],
+                                            eight ? g4[2 * d] : 0,
+                                            eight ? g4[3 * d] : 0 };
+        for (size_t l = 0; l < s; l++) {
+            const fvi_four *column = (const fvi_four *)L->column[l];
+            low -= column[0] * o->delta[at + l];
+            high -= column[1] * o->delta[at + l];
+        }
+        left[0] = low;
+        left[1] = high;
+    }
+}
+
 /* The same for all coordinates by the factors. eps stands where bend will, which is not
  * yet there. */
 static double correct_band(fvi_adaptive_run *o)
 {
     double *eps = o->bend, most = 0;
-    for (size_t j = 0; j < o->d; j++) {
-        left_of(o, j, eps + j * FVI_LANES);
-        subtract(o, j, eps + j * FVI_LANES);
-    }
+    residuals(o, eps);
     fvi_adaptive_band_solve(o->band, eps);
     for (size_t i = 0; i < o->d * FVI_LANES; i++) {
         o->delta[i] += eps[i];
@@ -307,29 +330,10 @@ static void predict(fvi_adaptive_run *o)
 }
 //< predict
 
-/* A quadratic U by the factors; of eight stages these are right to 12 digits only, and what
- * is left is solved for again. */
-static int solve_by_pairs(fvi_stepper *s, fvi_adaptive_run *o)
-{
-    int status = FVI_SUCCESS;
-    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
-    for (size_t j = 0; j < o->d && o->coupled != o->length.h; j++)
-        o->hessian[j] = o->of_kind[o->kind[j]].spring;
-    if (o->coupled != o->length.h)
-        factorise(o);
-    o->coupled = o->length.h;
-    for (size_t i = 6; !status && i <= o->rule->s; i += 2) {
-        status = look(s, o);
-        if (!status)
-            correct_band(o);
-    }
-    return status;
-}
-
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
 {
     if (o->solve == FVI_SOLVE_LINEAR)
-        return o->band ? solve_by_pairs(s, o) : solve_linear(s, o);
+        return fvi_adaptive_solve_linear(s, o);
     predict(o);
     if (o->solve == FVI_SOLVE_TOGETHER)
         return solve_coupled(s, o);

@@ -3,6 +3,7 @@
 
 #include <fvi/discrete_mechanics.h>
 
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
@@ -14,10 +15,22 @@
 /* ---- matrices ---- */
 
 //> matrices
+/* M = a A + b B + c C */
+FVI_VECTORS static void combine(double a, const fvi_square *A, double b,
+                                const fvi_square *B, double c,
+                                const fvi_square *C, fvi_square *M)
+{
+    for (size_t l = 0; l < FVI_LANES; l++)
+        for (size_t i = 0; i < FVI_LANES; i += 4)
+            *(fvi_four *)(M->column[l] + i) =
+                a * *(const fvi_four *)(A->column[l] + i)
+                + b * *(const fvi_four *)(B->column[l] + i)
+                + c * *(const fvi_four *)(C->column[l] + i);
+}
+
 int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
 {
-    const size_t s = o->rule->s;
-    const double h = length.h, hh = h * h;
+    const double h = length.h;
     if (h == o->length.h)
         return FVI_SUCCESS;
     const double power = pow(h, 1 - o->beta);
@@ -27,18 +40,12 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
     for (size_t n = 0; n < o->kinds; n++) {
         fvi_kind *kind = &o->of_kind[n];
         kind->drag = o->beta == 1 ? 0 : kind->damping * power;
-        for (size_t l = 0; l < s; l++)
-            for (size_t i = 0; i < FVI_LANES; i++)
-                kind->L.column[l][i] =
-                    kind->mass * o->rule->inverse.column[l][i]
-                    + kind->drag * o->W0.column[l][i];
-        for (size_t l = 0; l < s && inverse; l++)
-            for (size_t i = 0; i < FVI_LANES; i++)
-                kind->inverse.column[l][i] =
-                    kind->L.column[l][i]
-                    + kind->spring * hh * o->to_x->column[l][i];
-        int status =
-            inverse ? fvi_square_invert(s, &kind->inverse) : FVI_SUCCESS;
+        combine(kind->mass, &o->rule->inverse, kind->drag, &o->W0,
+                kind->spring * h * h, o->to_x, &kind->L);
+        if (!inverse)
+            continue;
+        kind->inverse = kind->L;
+        int status = fvi_square_invert(o->rule->s, &kind->inverse);
         if (status)
             return status;
     }

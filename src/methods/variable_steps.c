@@ -15,6 +15,7 @@
 
 #include "adaptive.h"
 #include <fvi/discrete_mechanics.h>
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
@@ -33,24 +34,53 @@ static double stage_time(const fvi_adaptive_run *o, size_t i)
                                 : end - in * end;
 }
 
-/* base = x_k + h c v_k, R = h F; and what a singular start adds to both. */
+/* Eight stages of a coordinate as two times four numbers; those beyond the s-th are of no
+ * use. */
+#define LANES(x) ((fvi_four *)(x))
+
+/* What a singular start adds to base and R. */
+static void drive_singular(fvi_adaptive_run *o)
+{
+    for (size_t i = 0; i < o->rule->s; i++) {
+        const double t = stage_time(o, i);
+        for (size_t j = 0; j < o->d; j++) {
+            double G, pull;
+            fvi_singular_at(&o->singular, j, t, &G, NULL, &pull);
+            o->base[j * FVI_LANES + i] += G;
+            o->R[j * FVI_LANES + i] -= o->length.h * pull;
+        }
+    }
+}
+
+/* base = x_k + h c v_k */
+FVI_VECTORS static void glide(fvi_adaptive_run *o)
+{
+    const fvi_four *c = LANES(o->rule->c);
+    for (size_t j = 0; j < o->d; j++) {
+        const double x = o->y[j], move = o->length.h * o->v[j];
+        fvi_four *base = LANES(o->base + j * FVI_LANES);
+        base[0] = x + move * c[0];
+        base[1] = x + move * c[1];
+    }
+}
+
+/* base, R = h F; and what a singular start adds to both. */
 //> drive
 static int drive(fvi_stepper *s, fvi_adaptive_run *o)
 {
-    const double h = o->length.h, *c = o->rule->c;
-    for (size_t i = 0; i < o->rule->s; i++) {
-        const double t = stage_time(o, i);
-        int status = fvi_force_at(s, t);
+    const double h = o->length.h;
+    glide(o);
+    if (!s->run.system->force.value)
+        memset(o->R, 0, o->d * FVI_LANES * sizeof *o->R);
+    for (size_t i = 0; i < o->rule->s && s->run.system->force.value; i++) {
+        int status = fvi_force_at(s, stage_time(o, i));
         if (status)
             return status;
-        for (size_t j = 0; j < o->d; j++) {
-            double G = 0, pull = 0;
-            if (fvi_singular_is(o, o->t))
-                fvi_singular_at(&o->singular, j, t, &G, NULL, &pull);
-            o->base[j * FVI_LANES + i] = o->y[j] + h * c[i] * o->v[j] + G;
-            o->R[j * FVI_LANES + i] = h * (s->F[j] - pull);
-        }
+        for (size_t j = 0; j < o->d; j++)
+            o->R[j * FVI_LANES + i] = h * s->F[j];
     }
+    if (fvi_singular_is(o, o->t))
+        drive_singular(o);
     return FVI_SUCCESS;
 }
 //< drive
@@ -58,25 +88,28 @@ static int drive(fvi_stepper *s, fvi_adaptive_run *o)
 //> remember
 /* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
  * v has jumped by. */
-static void remember(fvi_adaptive_run *o)
+FVI_VECTORS static void remember(fvi_adaptive_run *o)
 {
     const double h = o->length.h;
+    const fvi_four *W1 = LANES(o->W1);
     for (size_t j = 0; j < o->d; j++) {
         const fvi_kind *kind = &o->of_kind[o->kind[j]];
         const double now = kind->drag * (o->beta <= 0 ? o->v[j] : o->kick[j]),
                      spring = o->beta == -1
                                   ? h * kind->damping * (o->y[j] - o->centre[j])
                                   : 0;
-        for (size_t i = 0; i < o->rule->s; i++)
-            o->R[j * FVI_LANES + i] -= now * o->W1[i] + spring;
+        fvi_four *R = LANES(o->R + j * FVI_LANES);
+        R[0] -= now * W1[0] + spring;
+        R[1] -= now * W1[1] + spring;
     }
     for (size_t l = 0; o->modes && l < o->damped; l++) {
         const size_t j = o->index[l];
         const double factor = h * o->of_kind[o->kind[j]].damping;
         double H[FVI_LANES];
         fvi_modes_history(o->modes, l, H);
-        for (size_t i = 0; i < o->rule->s; i++)
-            o->R[j * FVI_LANES + i] -= factor * H[i];
+        fvi_four *R = LANES(o->R + j * FVI_LANES);
+        R[0] -= factor * LANES(H)[0];
+        R[1] -= factor * LANES(H)[1];
     }
 }
 //< remember
@@ -142,8 +175,12 @@ static double next_event(fvi_adaptive_run *o)
 static fvi_length choose(const fvi_adaptive_run *o, double event)
 {
     const double rest = event - o->t;
-    const fvi_length length = { exp(fvi_variable_spacing() * o->next),
-                                o->next };
+    const fvi_length length = {
+        o->next == o->length.k && o->length.h > 0
+            ? o->length.h
+            : exp(fvi_variable_spacing() * o->next),
+        o->next
+    };
     if (length.h < rest / 2)
         return length;
     if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
@@ -167,12 +204,13 @@ static int change(const fvi_adaptive_run *o, double error)
 {
     const double L = fvi_variable_spacing(),
                  order = ((double)o->rule->s + 1) * L;
-    if (error <= o->allowed) /* (22.17) */
-        return (int)fmax(
-            -1, fmin(floor(0.9 * log(o->allowed / error) / order - 0.3),
-                     o->growth));
-    const double less = ceil(log(1.5 * error / o->allowed) / order);
-    return less <= 12 ? -(int)fmax(1, less) : -12; /* NaN: 12 */
+    const double room = log(o->allowed / error) / order;
+    if (error <= o->allowed) { /* (22.17) */
+        const double more = floor(0.9 * room - 0.3);
+        return more < -1 ? -1 : more < o->growth ? (int)more : o->growth;
+    }
+    const double less = ceil(log(1.5) / order - room);
+    return less < 1 ? -1 : less <= 12 ? -(int)less : -12; /* NaN: 12 */
 }
 //< control
 
@@ -262,6 +300,16 @@ void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o)
 }
 //< strike
 
+/* The velocities of coordinate j at the stages, as its memory wants them, to v. */
+FVI_VECTORS static void velocities(const fvi_adaptive_run *o, size_t j,
+                                   double *v)
+{
+    const double more = o->beta < 0 ? o->v[j] : o->kick[j];
+    const fvi_four *delta = LANES(o->delta + j * FVI_LANES);
+    LANES(v)[0] = delta[0] + more;
+    LANES(v)[1] = delta[1] + more;
+}
+
 //> take
 /* The trial is the step: x, v, the modes, the time. */
 static void take(fvi_adaptive_run *o, double event)
@@ -271,9 +319,7 @@ static void take(fvi_adaptive_run *o, double event)
     for (size_t l = 0; o->modes && l < o->damped; l++) {
         const size_t j = o->index[l];
         double v[FVI_LANES];
-        for (size_t i = 0; i < s; i++)
-            v[i] = o->delta[j * FVI_LANES + i]
-                   + (o->beta < 0 ? o->v[j] : o->kick[j]);
+        velocities(o, j, v);
         fvi_modes_advance(o->modes, l, v, o->v[j] - o->kick[j]);
     }
     for (size_t j = 0; j < o->d; j++) {

@@ -89,8 +89,8 @@ static void run_of(chain *c, double *x, double *p)
 }
 
 /* A linear system on a mesh: x_N and p_N are linear in x0, p0 and F. The memory is right to
- * 2e-14, some 50 steps round, and their equations are solved to 1e-5 of step_error: 1e-12,
- * and ten times that. Seen: 0.1 of it. */
+ * 2e-14, some 50 steps round, and their equations are solved to 1e-5 of step_error, or 1e-3
+ * where that is 1e-5: 1e-12, and ten times that. Seen: 0.1 of it. */
 START_TEST(eq_23_16_start_and_force_add_up_to_a_linear_motion)
 {
     static double x[(N + 1) * D], p[(N + 1) * D];
@@ -105,7 +105,7 @@ START_TEST(eq_23_16_start_and_force_add_up_to_a_linear_motion)
         for (size_t j = 0; j < D; j++)
             sum += s->to.x0[j] * c.x0[j] + s->to.p0[j] * c.p0[j];
         ck_assert_near(sum, x[N * D] + p[N * D + 1],
-                       1e-12 + 1e-4 * c.run.step_error, "past %d alpha=%g",
+                       1e-12 + (i % 2 ? 1e-2 : 1e-4) * c.run.step_error, "past %d alpha=%g",
                        (int)c.run.past, c.run.alpha);
         slopes_free(s);
     }
