@@ -148,6 +148,22 @@ for s in range(2, 9):
         compressed = E.H * B_ * (delta**2 + w * mpmath.eye(s) + r * power) * E
         claim("(14.9) the symbol", mpmath.mnorm(S - compressed) < 1e-18 * mpmath.mnorm(S))
         claim("(14.9) its determinant", abs(mpmath.det(S) - want) < 1e-15 * (abs(want) + 1))
+
+
+def symbol(s, al, w, r, phi):
+    """The sum of (14.9)."""
+    z_ = mpmath.expj(-phi)
+    N_, Q_ = (Poly(e, z).all_coeffs() for e in pade(s, z))
+    lam = mpmath.polyroots([mp.mpf(int(t.p)) / int(t.q) - z_ * v for t, v in zip(
+        Q_, [0, 0, *(mp.mpf(int(t.p)) / int(t.q) for t in N_)])], maxsteps=500, extraprec=200)
+    f_ = [t * t + w + r * t**(2 * al) for t in lam]
+    return sum(mpmath.fprod(lam[j] + mpmath.conj(t) for t in lam)
+               * mpmath.fprod(f_[i] / (lam[j] - lam[i]) for i in range(s) if i != j)
+               for j in range(s))
+
+
+weak, stiff_ = (symbol(3, mp.mpf("0.1"), w, mp.mpf(1), mp.mpf("0.5")).imag for w in (1, 1000))
+claim("(14.9) for s = 3 and alpha = 1/10 the imaginary part has both signs", weak * stiff_ < 0)
 #< compressed
 
 #> half
