@@ -53,9 +53,24 @@ static inline int is_remembered(const duffing *q, int i, int j)
     return i > (q->past == FVI_PAST_CAPUTO && q->alpha > 0.5 ? 1 : 0);
 }
 
-static inline void expand(const duffing *q, series *x)
+/* Row i of c x + g x^3, from the rows of x up to i. */
+static inline void row_of_gradient(const duffing *q, int i, table x,
+                                   table gradient)
 {
     static table square, cube;
+    const double gamma = 2 - 2 * q->alpha;
+    if (q->g != 0) {
+        row_of_product(i, gamma, x, x, square);
+        row_of_product(i, gamma, square, x, cube);
+    }
+    for (int j = 0; j < columns(i, gamma); j++)
+        gradient[i][j] = q->c * x[i][j] + (q->g != 0 ? q->g * cube[i][j] : 0);
+}
+
+/* All rows, one after the other: each coefficient from smaller exponents. */
+static inline void expand(const duffing *q, series *x)
+{
+    static table gradient;
     const double gamma = 2 - 2 * q->alpha;
     x->gamma = gamma;
     memset(x->c, 0, sizeof x->c);
@@ -67,8 +82,7 @@ static inline void expand(const duffing *q, series *x)
         for (int j = 0; j < columns(i, gamma); j++) {
             const double e = i + j * gamma, before = e - gamma;
             if (i >= 2)
-                row[j] -= (q->c * x->c[i - 2][j] + q->g * cube[i - 2][j])
-                          / (e * (e - 1));
+                row[j] -= gradient[i - 2][j] / (e * (e - 1));
             if (i >= 2 && i % 2 == 0 && j == 0) {
                 row[0] += force / tgamma(e + 1);
                 force *= -q->w * q->w;
@@ -77,8 +91,7 @@ static inline void expand(const duffing *q, series *x)
                 row[j] -=
                     q->rho * row[j - 1] * (tgamma(before + 1) / tgamma(e + 1));
         }
-        row_of_product(i, gamma, x->c, x->c, square);
-        row_of_product(i, gamma, square, x->c, cube);
+        row_of_gradient(q, i, x->c, gradient);
     }
 }
 
