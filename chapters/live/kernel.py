@@ -11,10 +11,11 @@ PLAY = HERE.parent / "play"
 sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
-SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "live.c"]
-MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative"]
+SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "live.c", HERE / "inverse.c"]
+MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative", "sensitivity",
+           "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
-WORDS = "scene, scenes, begin, open, start, axes, error, span, short, readColours, stopsOf, orders"
+WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders"
 
 
 def write(out):

@@ -1,7 +1,9 @@
 /* chapters/live/live.c -- What the figures of the book that move ask of the library,
  * beyond what the live page asks (play.c).
  *
- * Four arrays for numbers in and out; nothing is imported, nothing is printed. */
+ * Five arrays for numbers in and out; nothing is imported, nothing is printed. What asks for
+ * gradients, fits and controls is in inverse.c. */
+#include "memory/blocks.h"
 #include "memory/memory_kinds.h"
 
 #include <fvi/coefficients.h>
@@ -15,7 +17,7 @@
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
-enum { ROOM = 8192, ARRAYS = 4 };
+enum { ROOM = 8192, ARRAYS = 5 };
 
 static double arrays[ARRAYS][ROOM];
 
@@ -81,7 +83,13 @@ void EXPORT(live_powers)(double order, int n)
     }
 }
 
-/* ---- two functions of GSL, for the nodes ---- */
+/* ---- what the exponentials call ---- */
+
+/* Tiles are for many masses; here there is one, and none. */
+void fvi_tiles_free(fvi_tiles *t)
+{
+    (void)t;
+}
 
 double gsl_sf_lngamma(const double x)
 {

@@ -11,7 +11,11 @@
 //     compute(values, kernel, scene) -> data,      numbers only: a test runs it in node
 //     says(data, values) -> a sentence with the numbers,
 //     draw(data, values, canvases),                with picture() of plot.js
-//     drag(values, i, x, y): the pointer is in canvas i, at those fractions of its axes
+//     drag(values, i, x, y, type): the pointer, or what the arrow keys move, is in canvas i, at
+//       those fractions of its axes
+//     buttons: { again: ["label", values => what it does] }
+//     more(data, values, kernel): after a picture, what goes on by itself; true: another picture
+//     notes(data, values) -> a sentence with what only this browser knows, such as times
 //   });
 const scenes = new Map();
 let library; // the C, once for all figures of a page
@@ -35,6 +39,14 @@ async function open(text) {
   // A run of the live page, with what differs from its defaults.
   const run = (changes, points) => page.run({ ...defaults(), ...changes }, points);
   return { c: page.c, view, run };
+}
+
+// What a scene that goes on by itself comes to.
+function settled(scene, values, kernel) {
+  for (;;) {
+    const data = scene.compute(values, kernel, scene);
+    if (!scene.more?.(data, values, kernel)) return data;
+  }
 }
 
 function start(scene) {
@@ -68,22 +80,47 @@ function choice(name, [label, ...words], values, moved) {
   return { row, show: () => { select.value = values[name]; } };
 }
 
+function button([label, act], values, moved) {
+  const element = document.createElement("button");
+  Object.assign(element, { type: "button", textContent: label });
+  element.addEventListener("click", () => { act(values); moved(); });
+  return element;
+}
+
 function canvasOf(label, i, scene, values, moved) {
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
   canvas.dataset.label = label;
-  if (scene.drag) {
-    const to = event => {
-      if (event.type === "pointermove" && event.buttons === 0) return;
-      const box = canvas.getBoundingClientRect(), within = share => Math.min(Math.max(share, 0), 1);
-      const x = within(canvas.axes.fraction(event.clientX - box.left)), y = within(canvas.axes.height(event.clientY - box.top));
-      if (scene.drag(values, i, x, y, event.type) !== false) moved();
-    };
-    canvas.addEventListener("pointerdown", event => { canvas.setPointerCapture(event.pointerId); to(event); });
-    canvas.addEventListener("pointermove", to);
-    canvas.classList.add("draggable");
-  }
+  if (scene.drag) draggable(canvas, (x, y, type) => {
+    if (scene.drag(values, i, x, y, type) !== false) moved();
+  }, scene.drag.length > 3);
   return canvas;
+}
+
+// By the pointer, and by the arrow keys, with Shift in small steps. A finger scrolls the page
+// where only x matters.
+function draggable(canvas, to, both) {
+  const within = share => Math.min(Math.max(share, 0), 1), place = [0.5, 0.5];
+  const go = type => to(...place, type);
+  const pointer = event => {
+    if (event.type === "pointermove" && event.buttons === 0) return;
+    const box = canvas.getBoundingClientRect();
+    place[0] = within(canvas.axes.fraction(event.clientX - box.left));
+    place[1] = within(canvas.axes.height(event.clientY - box.top));
+    go(event.type);
+  };
+  canvas.addEventListener("pointerdown", event => { canvas.setPointerCapture(event.pointerId); pointer(event); });
+  canvas.addEventListener("pointermove", pointer);
+  canvas.tabIndex = 0;
+  canvas.addEventListener("keydown", event => {
+    const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    by.forEach((step, j) => { place[j] = within(place[j] + step / (event.shiftKey ? 200 : 40)); });
+    go("pointerdown");
+  });
+  canvas.classList.add("draggable");
+  if (both) canvas.style.touchAction = "none";
 }
 
 // The scene of a figure in place of its image, once its first picture is drawn.
@@ -98,10 +135,13 @@ async function begin(figure) {
     rows.forEach(row => row.show());
     const data = scene.compute(values, library, scene), words = scene.says(data, values);
     scene.draw(data, values, canvases);
-    figure.live = { values, moved, data };
     says.textContent = words;
+    notes.textContent = scene.notes?.(data, values) ?? "";
     canvases.forEach(canvas => canvas.setAttribute("aria-label", `${canvas.dataset.label}. ${words}`));
     figure.dataset.frame = (performance.now() - began).toFixed(2);
+    took.textContent = `drawn in ${Math.max(1, Math.round(figure.dataset.frame))} ms`;
+    if (scene.more?.(data, values, library)) moved();
+    else figure.live = { values, moved, data }; // it stands still
   };
   const moved = () => {
     if (!waiting) requestAnimationFrame(redraw);
@@ -110,8 +150,8 @@ async function begin(figure) {
   const rows = [...Object.entries(scene.controls ?? {}).map(([name, of]) => control(name, of, values, moved)),
     ...Object.entries(scene.choices ?? {}).map(([name, of]) => choice(name, of, values, moved))];
   const canvases = scene.pictures.map((label, i) => canvasOf(label, i, scene, values, moved));
-  const about = document.createElement("p"), says = document.createElement("p"), pictures = document.createElement("div");
-  const controls = document.createElement("div"), still = document.createElement("button");
+  const about = document.createElement("p"), says = document.createElement("p"), notes = document.createElement("p"), pictures = document.createElement("div");
+  const controls = document.createElement("div"), still = document.createElement("button"), took = document.createElement("output");
   about.textContent = scene.about;
   says.className = "says";
   pictures.className = "pictures";
@@ -123,9 +163,10 @@ async function begin(figure) {
     box.append(title, canvas);
     return box;
   }));
-  controls.append(...rows.map(({ row }) => row));
+  controls.append(...rows.map(({ row }) => row), ...Object.values(scene.buttons ?? {}).map(of => button(of, values, moved)));
   panel.className = "live";
   panel.append(about, controls, pictures, says);
+  if (scene.notes) panel.append(notes);
   Object.assign(still, { type: "button", textContent: "Still picture" });
   still.addEventListener("click", () => {
     still.textContent = figure.classList.toggle("is-live") ? "Still picture" : "Moving picture";
@@ -138,11 +179,11 @@ async function begin(figure) {
   source.href = `source/chapters-live-${figure.dataset.live}.js.html`;
   source.textContent = "its script";
   const c = document.createElement("a");
-  c.href = "source/chapters-live-live.c.html";
+  c.href = `source/${scene.c ?? "chapters-live-live"}.c.html`;
   c.textContent = "its C";
   const links = document.createElement("p");
   links.className = "links";
-  links.append(still, " ", source, " ", c);
+  links.append(still, " ", source, " ", c, " ", took);
   panel.after(links);
   new ResizeObserver(moved).observe(panel);
   addEventListener("themechange", moved);

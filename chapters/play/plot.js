@@ -119,6 +119,13 @@ function picture(canvas, axes) {
       for (let i = 0; i < y.length; i++) pen.lineTo(X(x[i]), Y(y[i]));
       pen.stroke();
     }),
+    // Words to the right of a point, or to its left.
+    text: (x, y, words, name, left = false) => {
+      pen.fillStyle = colours[name];
+      pen.textAlign = left ? "right" : "left";
+      pen.textBaseline = "middle";
+      pen.fillText(words, X(x) + (left ? -8 : 8), Y(y));
+    },
     // A dot of that radius, full or hollow.
     dot: inside((x, y, name, radius, hollow = false) => {
       pen.beginPath();
