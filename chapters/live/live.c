@@ -57,8 +57,8 @@ int EXPORT(live_pole)(double alpha, double rho)
 /* The nodes of (12.6): array 0 gets s, array 1 c; returns how many. */
 int EXPORT(live_nodes)(double order, double N, double tolerance)
 {
-    return (int)fvi_exponentials_nodes(order, N, tolerance, arrays[0],
-                                       arrays[1]);
+    return (int)fvi_exponentials_nodes(order, N, tolerance, arrays[0], arrays[1],
+                                       NULL);
 }
 
 /* Of N + 1 values in array 0, the retarded derivative to array 1, the advanced one to 2,
