@@ -53,14 +53,15 @@ enum {
     THREADS_FROM = 10000,        /* coordinates, where compiled with -fopenmp */
     AHEAD = 4,                   /* tiles: so early a step asks for its rows */
     AREA = FVI_EIGHT * FVI_TILE, /* numbers of eight rows of a tile */
-    SQUARE = FVI_EIGHT * FVI_EIGHT /* of a table between two eights */
+    SQUARE = FVI_EIGHT * FVI_EIGHT, /* of a table between two eights */
+    FARTHEST = 2 * FVI_SLABS - 1    /* so far are two eights apart at most */
 };
 
 struct fvi_tiles {
     size_t d, Q, k, tiles;
     product *times;
     double *w;     /* w_1 to w_63 at their lags */
-    double *lags;  /* lags[8 D + r - j] between eights D apart: (28.3) */
+    double *lags;  /* w_{8 D + r - j} for D from 7 down to 1: (28.3) */
     double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, by eights: (28.1) */
     double *decay; /* e^{-s_q (31 - j)} by eights of modes: (28.2) */
     double *lose;  /* 1 - e^{-32 s_q} */
@@ -72,7 +73,7 @@ struct fvi_tiles {
 /* Numbers of the tables, and of the state. */
 static size_t tables(size_t Q)
 {
-    return 2 * FVI_WINDOW + 7 * SQUARE + 2 * FVI_WINDOW * Q + Q;
+    return 2 * FVI_WINDOW + FARTHEST * SQUARE + 2 * FVI_WINDOW * Q + Q;
 }
 
 static size_t state(size_t d, size_t Q)
@@ -104,7 +105,7 @@ static fvi_tiles *make(size_t d, size_t Q)
         ;
     t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
     t->lags = t->w + 2 * FVI_WINDOW;
-    t->far = t->lags + 7 * SQUARE;
+    t->far = t->lags + FARTHEST * SQUARE;
     t->decay = t->far + FVI_WINDOW * Q;
     t->lose = t->decay + FVI_WINDOW * Q;
     t->z = t->lose + Q;
@@ -117,6 +118,12 @@ static fvi_tiles *make(size_t d, size_t Q)
 static double power(double p, size_t n)
 {
     return n == 0 ? 1 : exp((double)n * log1p(-p));
+}
+
+/* The table between eights D apart; that of the next nearer one follows it. */
+static double *square(const fvi_tiles *t, size_t D)
+{
+    return t->lags + (FARTHEST - D) * SQUARE;
 }
 
 //> tables
@@ -135,11 +142,10 @@ static void fill(fvi_tiles *t, const double *p, const double *c)
         }
         t->lose[q] = p[q] < 1 ? -expm1(FVI_WINDOW * log1p(-p[q])) : 1;
     }
-    for (size_t D = 1; D <= 7; D++)
+    for (size_t D = FARTHEST; D > 0; D--)
         for (size_t j = 0; j < FVI_EIGHT; j++)
             for (size_t r = 0; r < FVI_EIGHT; r++)
-                t->lags[((D - 1) * FVI_EIGHT + j) * FVI_EIGHT + r] =
-                    t->w[D * FVI_EIGHT + r - j];
+                square(t, D)[j * FVI_EIGHT + r] = t->w[D * FVI_EIGHT + r - j];
 }
 //< tables
 
@@ -198,12 +204,13 @@ static size_t columns(const fvi_tiles *t, size_t tile)
     return rest < FVI_TILE ? rest : FVI_TILE;
 }
 
-/* The sums of the eight rows of `to`, with the terms of an eight D of them before. */
-static void between(const fvi_tiles *t, size_t count, size_t D,
+/* To the sums of the eight rows of `to`, what so many eights of terms say, one after the
+ * other, the first of them D before these rows. */
+static void between(const fvi_tiles *t, size_t count, size_t eights, size_t D,
                     const double *terms, double *to)
 {
     static const double none[FVI_EIGHT] = { 0 };
-    t->times(count, FVI_EIGHT, t->lags + (D - 1) * SQUARE, terms, none, to);
+    t->times(count, eights * FVI_EIGHT, square(t, D), terms, none, to);
 }
 
 /* So many numbers of a tile to come are on their way while this one is worked on. */
@@ -229,8 +236,7 @@ static void open_block(fvi_tiles *t, size_t tile)
     for (size_t g = 0; g < FVI_SLABS; g++) { /* (28.1) */
         double *to = t->slab[g] + tile * AREA;
         t->times(count, t->Q, t->far + g * FVI_EIGHT * t->Q, z, none, to);
-        for (size_t s = 0; s < FVI_SLABS; s++)
-            between(t, count, FVI_SLABS + g - s, terms + s * AREA, to);
+        between(t, count, FVI_SLABS, FVI_SLABS + g, terms, to);
     }
     for (size_t q = 0; q < t->Q; q += FVI_EIGHT) { /* (28.2) */
         if (tile + 1 < t->tiles)
@@ -246,7 +252,7 @@ static void open_block(fvi_tiles *t, size_t tile)
 static void open_eight(fvi_tiles *t, size_t tile, size_t g)
 {
     for (size_t s = 0; s < g; s++)
-        between(t, columns(t, tile), g - s, t->slab[s] + tile * AREA,
+        between(t, columns(t, tile), 1, g - s, t->slab[s] + tile * AREA,
                 t->slab[g] + tile * AREA);
 }
 //< eight
@@ -269,28 +275,36 @@ FVI_VECTORS static void next_row(size_t r, const double *restrict w,
 }
 
 //> push
-void fvi_tiles_push(fvi_tiles *t, const double *term, double *H)
+void fvi_tiles_push_part(fvi_tiles *t, size_t first, size_t count,
+                         const double *term, double *H)
 {
     const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
-    const size_t next = ++t->k / FVI_EIGHT % FVI_SLABS;
-#pragma omp parallel for schedule(static) if (t->d >= THREADS_FROM)
-    for (size_t tile = 0; tile < t->tiles; tile++) {
+    const size_t next = (t->k + 1) / FVI_EIGHT % FVI_SLABS;
+#pragma omp parallel for schedule(static) if (count >= THREADS_FROM)
+    for (size_t i = 0; i < count; i += FVI_TILE) {
+        const size_t tile = (first + i) / FVI_TILE;
         double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
         if (tile + AHEAD < t->tiles)
             fetch(rows + AHEAD * AREA, (r + 1) * FVI_TILE);
         next_row(r, t->w, rows, sum);
-        for (size_t i = 0; i < columns(t, tile); i++) {
-            const double new = term[tile * FVI_TILE + i];
-            H[tile * FVI_TILE + i] = new + sum[i];
-            rows[r * FVI_TILE + i] = new;
+        for (size_t j = 0; j < columns(t, tile); j++) {
+            const double new = term[i + j];
+            H[i + j] = new + sum[j];
+            rows[r * FVI_TILE + j] = new;
         }
         if (r + 1 == FVI_EIGHT && next == 0)
             open_block(t, tile);
         else if (r + 1 == FVI_EIGHT)
             open_eight(t, tile, next);
     }
+    t->k += first + count == t->d;
 }
 //< push
+
+void fvi_tiles_push(fvi_tiles *t, const double *term, double *H)
+{
+    fvi_tiles_push_part(t, 0, t->d, term, H);
+}
 
 void fvi_tiles_ahead(const fvi_tiles *t, double *sum)
 {

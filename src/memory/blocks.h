@@ -40,6 +40,11 @@ fvi_tiles *fvi_tiles_copy(const fvi_tiles *from);
  * are the same. Returns 0 if this machine has none so wide, which alloc never takes. */
 int fvi_tiles_width(fvi_tiles *t, size_t lanes);
 
+/* fvi_tiles_push_part -- the push of `count` coordinates from `first` on, as
+ * fvi_memory_push_part (memory_parts.h); term and H are of these alone. */
+void fvi_tiles_push_part(fvi_tiles *t, size_t first, size_t count,
+                         const double *term, double *H);
+
 /* fvi_tiles_push, fvi_tiles_ahead, fvi_tiles_visit, fvi_tiles_free -- as the kinds of
  * memory_kinds.h. H may be term. Every 32nd push does nine tenths of the work. */
 void fvi_tiles_push(fvi_tiles *t, const double *term, double *H);

@@ -19,20 +19,26 @@ TARGET static void PRODUCT(size_t columns, size_t n, const double *table,
 {
     typedef double vector
         __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
-    for (size_t i = 0; i < columns; i += LANES) {
-        vector sum[FVI_EIGHT] = { { 0 } };
-        for (size_t j = 0; j < n; j++) {
-            const vector x = *(const vector *)(in + j * FVI_TILE + i);
-#pragma GCC unroll 8
-            for (size_t r = 0; r < FVI_EIGHT; r++)
-                sum[r] += table[j * FVI_EIGHT + r] * x;
+    enum { ROWS = FVI_EIGHT / 2 };
+    for (size_t i = 0; i < columns; i += 2 * LANES)
+        for (size_t half = 0; half < FVI_EIGHT; half += ROWS) {
+            vector sum[ROWS][2] = { { { 0 } } };
+            for (size_t j = 0; j < n; j++) {
+                const vector *x = (const vector *)(in + j * FVI_TILE + i);
+                const double *row = table + j * FVI_EIGHT + half;
+#pragma GCC unroll 4
+                for (size_t r = 0; r < ROWS; r++) {
+                    sum[r][0] += row[r] * x[0];
+                    sum[r][1] += row[r] * x[1];
+                }
+            }
+#pragma GCC unroll 4
+            for (size_t r = 0; r < ROWS; r++) {
+                vector *to = (vector *)(out + (half + r) * FVI_TILE + i);
+                to[0] += sum[r][0] - lose[half + r] * to[0];
+                to[1] += sum[r][1] - lose[half + r] * to[1];
+            }
         }
-#pragma GCC unroll 8
-        for (size_t r = 0; r < FVI_EIGHT; r++) {
-            vector *to = (vector *)(out + r * FVI_TILE + i);
-            *to += sum[r] - lose[r] * *to;
-        }
-    }
 }
 //< product
 

@@ -1,7 +1,9 @@
 /* src/memory/memory.c -- The history of a fractional derivative.       [Chapter 12] */
 #include <fvi/memory.h>
 
+#include "blocks.h"
 #include "memory_kinds.h"
+#include "memory_parts.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -276,6 +278,26 @@ int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
     return FVI_SUCCESS;
 }
 //< push
+
+int fvi_memory_takes_parts(const fvi_memory *m)
+{
+#if defined(_OPENMP)
+    return (void)m, 0;
+#else
+    return m->exponentials && fvi_exponentials_tiles(m->exponentials);
+#endif
+}
+
+int fvi_memory_push_part(fvi_memory *m, size_t first, size_t count,
+                         const double *x, const double *dx, double *H)
+{
+    if (m->k > m->steps)
+        FVI_FAIL("more terms than were announced", FVI_EINVAL);
+    fvi_tiles_push_part(fvi_exponentials_tiles(m->exponentials), first, count,
+                        m->on_increments ? dx : x, H);
+    m->k += first + count == m->d;
+    return FVI_SUCCESS;
+}
 
 int fvi_memory_push_rate(fvi_memory *m, const double *x, const double *dx,
                          double *H, double *rate)

@@ -335,6 +335,11 @@ void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
         push_each(e, term, H);
 }
 
+fvi_tiles *fvi_exponentials_tiles(const fvi_exponentials *e)
+{
+    return e->tiles;
+}
+
 /* As advance, and the rates in the same pass. Of two sums gcc makes no vectors by itself. */
 FVI_VECTORS static void advance_rated(const fvi_exponentials *e, double *z,
                                       const double *past, double *out)

@@ -122,6 +122,8 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from);
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H);
 void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
                                 double *H, double *rate);
+/* NULL, or the blocks that many coordinates go by (blocks.h). */
+struct fvi_tiles *fvi_exponentials_tiles(const fvi_exponentials *e);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
 int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v);
 void fvi_exponentials_free(fvi_exponentials *e);

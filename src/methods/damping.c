@@ -59,6 +59,12 @@ int fvi_damping_gather(const fvi_damping *d, const double *x,
     const fvi_matrices *m = d->system->matrices;
     if (m)
         return m->remember(d->system->d, x, from, m->params, z);
+    if (d->count == d->system->d) {
+#pragma omp simd
+        for (size_t j = 0; j < d->count; j++)
+            z[j] = x[j] - from[j];
+        return FVI_SUCCESS;
+    }
     for (size_t j = 0; j < d->count; j++)
         z[j] = x[d->index[j]] - from[j];
     return FVI_SUCCESS;
@@ -78,6 +84,12 @@ int fvi_damping_pull(const fvi_damping *d, double share, const double *H,
     const fvi_matrices *m = d->system->matrices;
     if (m)
         return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
+    if (d->count == d->system->d) {
+#pragma omp simd
+        for (size_t j = 0; j < d->count; j++)
+            p[j] -= share * d->factor[j] * H[j];
+        return FVI_SUCCESS;
+    }
     for (size_t j = 0; j < d->count; j++)
         p[d->index[j]] -= share * d->factor[j] * H[j];
     return FVI_SUCCESS;

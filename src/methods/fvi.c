@@ -3,8 +3,11 @@
 
 #include "damping.h"
 #include "loads.h"
+#include "memory/memory_parts.h"
 #include "system/fail.h"
 #include "system/newton.h"
+
+enum { PART = 2048 }; /* coordinates: their numbers stay near the core */
 
 static int start_fractional(fvi_stepper *s)
 {
@@ -55,6 +58,7 @@ static int step_fractional(fvi_stepper *s)
         status = fvi_force_at(s, (double)(s->k + 1) * h);
     if (status)
         return status;
+#pragma omp simd
     for (size_t i = 0; i < s->run.system->d; i++) {
         s->x[i] += s->dx[i];
         s->p[i] += h * (s->F[i] - s->g[i]);
@@ -62,6 +66,63 @@ static int step_fractional(fvi_stepper *s)
     return s->own ? damp(s, s->own) : FVI_SUCCESS; /* (9.4) */
 }
 //< step
+
+/* ---- the same for many coordinates ---- */
+
+/* Is the next position explicit, kappa = 1, and every coordinate damped? */
+static int goes_by_parts(const fvi_stepper *s)
+{
+    const fvi_damping *d = s->own;
+    return d && s->run.kappa == 1 && !s->run.system->matrices
+           && d->count == s->run.system->d && fvi_memory_takes_parts(d->memory);
+}
+
+//> drift
+/* x_{k+1}, the pull on p, and the terms of the memory, of some coordinates from i on. */
+static void drift_part(fvi_stepper *s, fvi_damping *d, size_t i, size_t count)
+{
+    const double h = s->run.h, *mass = s->run.system->mass + i;
+    const double *g = s->g + i, *F = s->F + i;
+    const double *origin = d->origin + i, *drift = d->drift + i;
+    double *x = s->x + i, *p = s->p + i, *dx = s->dx + i;
+#pragma omp simd
+    for (size_t j = 0; j < count; j++) {
+        dx[j] = (p[j] - h * g[j]) / (mass[j] / h);
+        x[j] += dx[j];
+        p[j] += h * (F[j] - g[j]);
+        d->z[j] = x[j] - origin[j];
+        d->dz[j] = dx[j] - drift[j];
+    }
+}
+
+/* The digits of step_fractional, and a tenth less of the time of a million coordinates:
+ * they come from far away once, and go through the whole step. z and dz are those of one
+ * part. */
+static int step_by_parts(fvi_stepper *s)
+{
+    fvi_damping *d = s->own;
+    const size_t dim = s->run.system->d;
+    int status = fvi_gradient(s->run.system, s->x, s->g);
+    if (!status)
+        status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
+    for (size_t i = 0; i < dim && !status; i += PART) {
+        const size_t count = dim - i < PART ? dim - i : PART;
+        const double *factor = d->factor + i;
+        double *p = s->p + i;
+        drift_part(s, d, i, count);
+        status = fvi_memory_push_part(d->memory, i, count, d->z, d->dz, d->z);
+#pragma omp simd
+        for (size_t j = 0; j < count; j++)
+            p[j] -= factor[j] * d->z[j];
+    }
+    return status;
+}
+//< drift
+
+static int step(fvi_stepper *s)
+{
+    return goes_by_parts(s) ? step_by_parts(s) : step_fractional(s);
+}
 
 const fvi_method fvi_fractional = { .name = "fvi",
                                     .order = "1",
@@ -79,7 +140,7 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .load = fvi_load_backward,
                                     .load_grows = 1,
                                     .start = start_fractional,
-                                    .step = step_fractional,
+                                    .step = step,
                                     .copy = copy_fractional,
                                     .visit = visit_fractional,
                                     .stop = stop_fractional };

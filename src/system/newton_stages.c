@@ -14,6 +14,8 @@ static const double *point(fvi_newton *n, const double *x, const double *d,
                            size_t l)
 {
     const size_t dim = n->system->d;
+    if (n->theta == 0)
+        return x;
     for (size_t j = 0; j < dim; j++)
         n->point[j] = x[j] + n->theta * d[l * dim + j];
     return n->point;
@@ -105,12 +107,17 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 
 /* ---- a solver ---- */
 
-/* In the block that begins with A. */
+/* In the block that begins with A: an explicit equation needs A, point and one s. */
 static size_t numbers(const fvi_newton *n)
 {
     const size_t dim = n->system->d, m = n->system->potential.diagonals;
-    return 2 * dim + (n->q + 6) * n->q * dim
-           + (n->implicit ? dim * (n->own ? 1 : m ? m : dim) : 0);
+    return 2 * dim
+           + (n->implicit ? dim
+                                * ((n->q + 6) * n->q
+                                   + (n->own ? 1
+                                      : m    ? m
+                                             : dim))
+                          : 1);
 }
 
 static int allocate(fvi_newton *n)
@@ -123,6 +130,8 @@ static int allocate(fvi_newton *n)
         return FVI_ENOMEM;
     n->point = n->A + dim;
     n->s = n->point + dim;
+    if (!n->implicit)
+        return FVI_SUCCESS;
     n->e = n->s + n->q * rows;
     n->terms = n->e + rows;
     n->moves = n->terms + rows;
@@ -130,9 +139,8 @@ static int allocate(fvi_newton *n)
     n->from = n->step + rows;
     n->before = n->from + rows;
     n->H = n->before + rows;
-    return n->implicit && !n->own
-               ? fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J)
-               : FVI_SUCCESS;
+    return n->own ? FVI_SUCCESS
+                  : fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J);
 }
 
 /* Room for everything, A and s to be filled in. */
@@ -190,10 +198,9 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
     status = make(system, 1, theta, s * theta != 0, &n);
     if (status)
         return status;
-    for (size_t j = 0; j < system->d; j++) {
-        n->A[j] = A[j];
+    memcpy(n->A, A, system->d * sizeof *A);
+    for (size_t j = 0; j < (n->implicit ? system->d : 1); j++)
         n->s[j] = s;
-    }
     return finish(n, newton);
 }
 
@@ -215,7 +222,7 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
         return status;
     for (size_t j = 0; j < system->d; j++)
         n->A[j] = 1;
-    memcpy(n->s, s, system->d * q * q * sizeof *s);
+    memcpy(n->s, s, (n->implicit ? system->d * q * q : 1) * sizeof *s);
     return finish(n, newton);
 }
 
@@ -263,6 +270,7 @@ int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
     int status = s != 0 ? fvi_gradient(n->system, x, g) : FVI_SUCCESS;
     if (status)
         return status;
+#pragma omp simd
     for (size_t i = 0; i < dim; i++)
         d[i] = s != 0 ? r[i] - s * g[i] : r[i];
     status = matrices->solve(dim, n->factors, d); /* (27.3) */

@@ -15,7 +15,7 @@ struct fvi_newton {
     size_t q;     /* stages, 1 in (2.10) */
     size_t reach; /* d^2U / dx_j dx_c = 0 if |j - c| > reach */
     double theta;
-    int implicit, linear;
+    int implicit, linear;       /* explicit: A, point and one s is all */
     int own;                    /* the potential solves: H is the diagonal a */
     double *A;                  /* of each coordinate */
     double *s;                  /* of each q * q numbers; one in (2.10) */

@@ -73,9 +73,102 @@ START_TEST(eq_28_1_every_point_of_a_wave_is_one_oscillator)
 }
 END_TEST
 
+/* A force on mass `at` of a chain, the third step's. */
+typedef struct {
+    size_t at;
+    double value;
+} blow;
+
+static int struck(double t, size_t d, void *params, double *F)
+{
+    const blow *b = params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = i == b->at && t == 3 * step ? b->value : 0;
+    return 0;
+}
+
+/* Eight numbers are looked at together, and the rest one by one. */
+START_TEST(one_number_that_is_not_finite_ends_a_run)
+{
+    enum { MASSES = 19 };
+    double ones[MASSES], none[MASSES] = { 0 };
+    const double cg[] = { 1, 0 }, bad[] = { NAN, INFINITY, -INFINITY };
+    for (size_t i = 0; i < MASSES; i++)
+        ones[i] = 1;
+    for (size_t at = 0; at < 3 * MASSES; at++) {
+        blow b = { at % MASSES, bad[at / MASSES] };
+        const fvi_system system = { .d = MASSES,
+                                    .mass = ones,
+                                    .damping = ones,
+                                    .potential = fvi_potential_chain(cg),
+                                    .force = { .value = struck,
+                                               .params = &b } };
+        fvi_run run = fvi_run_default(&system, ones, none, step, 8);
+        run.kappa = 1;
+        fvi_stepper *s;
+        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_step(s), FVI_EOVRFLW);
+        fvi_stop(s);
+    }
+}
+END_TEST
+
+/* Steps of many coordinates go through everything part by part; with one more coordinate,
+ * which is not damped, they do not. The oscillators are each by itself, so the digits are
+ * the same; orders below and above 1, each past, three parts of which the last is no whole
+ * number of tiles, and a force. */
+START_TEST(eq_9_4_parts_have_the_digits_of_the_whole)
+{
+    enum { MANY = 2 * 2048 + 21, FEW = 70 };
+    static double mass[MANY + 1], damping[MANY + 1], x0[MANY + 1], p0[MANY + 1];
+    const double c = 1.3, aw[] = { 0.5, 2 };
+    for (size_t i = 0; i <= MANY; i++) {
+        mass[i] = 1 + 0.1 * (double)(i % 7);
+        damping[i] = i < MANY ? 0.2 + 0.1 * (double)(i % 5) : 0;
+        x0[i] = cos((double)i);
+        p0[i] = sin((double)i);
+    }
+    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
+                               FVI_PAST_RIEMANN_LIOUVILLE };
+    for (size_t n = 0; n < 7; n++) {
+        fvi_stepper *s[2];
+        for (size_t whole = 0; whole < 2; whole++) {
+            fvi_system *system = malloc(sizeof *system); /* which outlives s */
+            *system = (fvi_system){ .d = MANY + whole,
+                                    .mass = mass,
+                                    .damping = damping,
+                                    .potential = fvi_potential_harmonic(&c),
+                                    .force = fvi_force_cosine(aw) };
+            fvi_run run = fvi_run_default(system, x0, p0, 0.1, FEW);
+            run.kappa = n < 6 ? 1 : 0.5; /* that has no parts */
+            run.alpha = n < 3 ? 0.3 : 0.6;
+            run.memory = FVI_MEMORY_EXPONENTIALS;
+            run.past = pasts[n % 3];
+            ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s[whole]),
+                             FVI_SUCCESS);
+        }
+        while (s[0]->k < FEW) {
+            ck_assert_int_eq(fvi_step(s[0]), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_step(s[1]), FVI_SUCCESS);
+            ck_assert_mem_eq(s[0]->x, s[1]->x, MANY * sizeof *x0);
+            ck_assert_mem_eq(s[0]->p, s[1]->p, MANY * sizeof *p0);
+            ck_assert_mem_eq(s[0]->dx, s[1]->dx, MANY * sizeof *x0);
+        }
+        for (size_t whole = 0; whole < 2; whole++) {
+            free((void *)s[whole]->run.system);
+            fvi_stop(s[whole]);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("28 blocks: a wave");
-    ADD_CASE(suite, "runs", eq_28_1_every_point_of_a_wave_is_one_oscillator);
+    ADD_CASE(suite, "runs", eq_28_1_every_point_of_a_wave_is_one_oscillator,
+             eq_9_4_parts_have_the_digits_of_the_whole,
+             one_number_that_is_not_finite_ends_a_run);
     return run_suite(suite);
 }
