@@ -1,5 +1,5 @@
 /* tests/convergence/order_table.h -- Chapter 20: the table of orders, every method and every
- * past. alpha is neither 0, 1/2 nor 1, kappa = 1/2, v_0 is not 0. */
+ * past. alpha is neither 0 nor 1, kappa = 1/2, v_0 is not 0. */
 #ifndef ORDER_TABLE_H
 #define ORDER_TABLE_H
 
@@ -7,9 +7,10 @@
 
 #include <gsl/gsl_math.h>
 
-enum { METHODS = 16, UP_TO_FOUR = 10, OF_X = 0, OF_P = 1 };
+enum { METHODS = 19, UP_TO_FOUR = 13, OF_X = 0, OF_P = 1 };
 
-typedef enum { ONE, TWO, FORM_M, FORM_D, FAMILIES } kind;
+/* HALF: order 1, for alpha = 1/2 only. */
+typedef enum { HALF, ONE, TWO, FORM_M, FORM_D, FAMILIES } kind;
 
 typedef struct {
     const fvi_method *method;
@@ -17,16 +18,25 @@ typedef struct {
     double s; /* stages */
 } scheme;
 
-static const scheme schemes[METHODS] = {
-    { &fvi_fractional, ONE, 0 },  { &fvi_shifted, TWO, 0 },
-    { &fvi_bdf2, TWO, 0 },        { &fvi_stable, TWO, 0 },
-    { &fvi_lobatto2, FORM_M, 2 }, { &fvi_lobatto2d, FORM_D, 2 },
-    { &fvi_lobatto3, FORM_M, 3 }, { &fvi_lobatto3d, FORM_D, 3 },
-    { &fvi_lobatto4, FORM_M, 4 }, { &fvi_lobatto4d, FORM_D, 4 },
-    { &fvi_lobatto5, FORM_M, 5 }, { &fvi_lobatto5d, FORM_D, 5 },
-    { &fvi_lobatto6, FORM_M, 6 }, { &fvi_lobatto6d, FORM_D, 6 },
-    { &fvi_lobatto8, FORM_M, 8 }, { &fvi_lobatto8d, FORM_D, 8 }
-};
+static const scheme schemes[METHODS] = { { &fvi_lagrange_dalembert, HALF, 0 },
+                                         { &fvi_euler_explicit, HALF, 0 },
+                                         { &fvi_euler_implicit, HALF, 0 },
+                                         { &fvi_fractional, ONE, 0 },
+                                         { &fvi_shifted, TWO, 0 },
+                                         { &fvi_bdf2, TWO, 0 },
+                                         { &fvi_stable, TWO, 0 },
+                                         { &fvi_lobatto2, FORM_M, 2 },
+                                         { &fvi_lobatto2d, FORM_D, 2 },
+                                         { &fvi_lobatto3, FORM_M, 3 },
+                                         { &fvi_lobatto3d, FORM_D, 3 },
+                                         { &fvi_lobatto4, FORM_M, 4 },
+                                         { &fvi_lobatto4d, FORM_D, 4 },
+                                         { &fvi_lobatto5, FORM_M, 5 },
+                                         { &fvi_lobatto5d, FORM_D, 5 },
+                                         { &fvi_lobatto6, FORM_M, 6 },
+                                         { &fvi_lobatto6d, FORM_D, 6 },
+                                         { &fvi_lobatto8, FORM_M, 8 },
+                                         { &fvi_lobatto8d, FORM_D, 8 } };
 
 static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
                                   FVI_PAST_RIEMANN_LIOUVILLE };
@@ -56,10 +66,12 @@ static inline double nonlinear(const duffing *q)
 /* At a fixed t > 0, of x or of p. */
 static inline double at_fixed_t(const scheme *of, const duffing *q, int what)
 {
-    if (of->family == ONE)
+    if (of->family <= ONE)
         return is_kicked(q) ? 1 - 2 * q->alpha : 1;
     if (of->family == TWO)
         return 2;
+    if (q->alpha == 0.5)
+        return 2 * of->s - 2;
     double less = is_kicked(q) ? 1 : 0; /* than s + 2 - 2 alpha */
     if (of->family == FORM_M && what == OF_P)
         less = 1;
@@ -75,13 +87,21 @@ static inline double at_fixed_t(const scheme *of, const duffing *q, int what)
 static inline double at_the_start(const scheme *of, const duffing *q, int what)
 {
     const double a = q->alpha, more = what == OF_X ? 1 : 0;
-    if (of->family == ONE)
+    if (of->family <= ONE)
         return (is_pulled(q) ? 2 - 2 * a : is_kicked(q) ? 1 - 2 * a : 1) + more;
+    if (a == 0.5)
+        return of->method == &fvi_bdf2 ? 1 + more : GSL_POSINF;
     if (a < 0.5)
         return 2 - 2 * a + more;
     return (is_pulled(q) ? 4 - 4 * a : 3 - 2 * a) + more;
 }
 //< start
+
+/* Does the method know such a problem? */
+static inline int takes(const scheme *of, const duffing *q)
+{
+    return of->family != HALF || q->alpha == 0.5;
+}
 
 static inline double table_of(const scheme *of, const duffing *q, int what,
                               int all_t)
