@@ -288,6 +288,60 @@ START_TEST(eq_20_12_a_force_that_is_not_linear_feels_the_past)
 END_TEST
 //< bent
 
+/* A force 8 until t = 1/3, which is a third of a step after a node of 256 steps to 1 and of
+ * 1024: order 1 for every method and past, from t = 1/2 on. Seen: 0.032 off. */
+START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
+{
+    const double jump[] = { 8, 1. / 3 };
+    static double times[1025];
+    for (size_t i = 0; i < GENERIC / 2; i++) {
+        duffing q;
+        if (!generic(i, &q) || is_kicked(&q))
+            continue;
+        for (const scheme *of = schemes; of < schemes + METHODS; of++) {
+            double off[2] = { 0, 0 };
+            if (!takes(of, &q))
+                continue;
+            for (size_t N = 256; N <= 1024; N *= 4) {
+                const double one = 1;
+                const fvi_system system = { .d = 1,
+                                            .mass = &one,
+                                            .damping = &q.rho,
+                                            .potential =
+                                                fvi_potential_harmonic(&q.c),
+                                            .force = fvi_force_step(jump) };
+                const fvi_linear linear = { .m = 1,
+                                            .c = q.c,
+                                            .rho = q.rho,
+                                            .alpha = q.alpha,
+                                            .past = q.past,
+                                            .x0 = q.x0,
+                                            .v0 = q.v0,
+                                            .forcing = FVI_FORCING_STEP,
+                                            .A = jump[0],
+                                            .T = jump[1] };
+                fvi_run run =
+                    fvi_run_default(&system, &q.x0, &q.v0, 1 / (double)N, N);
+                run.alpha = q.alpha;
+                run.past = q.past;
+                for (size_t k = 0; k <= N; k++)
+                    times[k] = (double)k / (double)N;
+                ck_assert_int_eq(fvi_trajectory(of->method, &run, x, p, NULL),
+                                 FVI_SUCCESS);
+                ck_assert_int_eq(
+                    fvi_exact(&linear, N + 1, times, truth[0], truth[1]),
+                    FVI_SUCCESS);
+                for (size_t k = N / 2; k <= N; k++)
+                    off[N > 256] = fmax(off[N > 256], fabs(x[k] - truth[0][k]));
+            }
+            const double got = log2(off[0] / off[1]) / 2;
+            seen_worst(fabs(got - 1), "off");
+            ck_assert_order(&q, of, OF_X, got, 1, 0.1, 0.1);
+        }
+    }
+}
+END_TEST
+
 /* The series is the motion: of a spring that of Chapter 11, to 1e-13. */
 START_TEST(the_series_is_the_motion_of_a_spring)
 {
@@ -322,6 +376,7 @@ int main(void)
     ADD_CASE(suite, "orders", eq_20_11_orders_at_fixed_times,
              eq_20_11_orders_over_all_nodes, eq_20_11_orders_of_the_first_nodes,
              eq_20_12_a_force_that_is_not_linear_feels_the_past,
+             eq_20_11_a_jump_inside_a_step_leaves_order_one,
              the_series_is_the_motion_of_a_spring);
     return run_suite(suite);
 }
