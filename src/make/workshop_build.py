@@ -48,7 +48,10 @@ def rows(text):
         if line.startswith("t "):
             names.append(line)
         elif line and not line.startswith("#"):
-            numbers.append([float(word) for word in line.split()])
+            try:
+                numbers.append([float(word) for word in line.split()])
+            except ValueError:
+                raise ValueError(f"`my figure` prints '{line}', which is not two numbers") from None
     return names, numbers
 
 
@@ -60,7 +63,7 @@ def figure_fails(source, folder):
     except subprocess.TimeoutExpired:
         return "my figure takes longer than 20 s"
     except ValueError as error:
-        return f"a line is not two numbers: {error}"
+        return str(error)
     if done.returncode:
         return f"the program ends with {done.returncode}"
     (folder / "figure.dat").write_text(done.stdout)
