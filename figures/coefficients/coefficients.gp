@@ -8,7 +8,7 @@ set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
 set xrange [2:1e6]
-set yrange [0.1:1e9]
+set yrange [0.1:2e8]
 set xlabel "n"
 set multiplot layout 1,2 margins 0.085,0.985,0.13,0.92 spacing 0.075
 unset key

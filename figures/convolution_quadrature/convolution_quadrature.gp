@@ -22,19 +22,18 @@ unset key
 set title "Bagley-Torvik, α = 3/4, t ≤ 20"
 set ylabel "largest error of x"
 set yrange [1e-8:1]
-set xrange [1e-3:0.15]
-set label 1 label(1, 1) at 1.3e-3,3e-2 tc ls FVI
+set xrange [2.5e-4:0.15]
+set label 1 label(1, 1) at 4e-4,2e-2 tc ls FVI
 set label 2 label(2, 2) at 0.14,1.5e-6 right tc ls SHIFTED
-set label 3 label(3, 3) at 1.3e-3,5e-4 tc ls BDF2
+set label 3 label(3, 3) at 4e-4,2e-4 tc ls BDF2
 plot for [i=1:3] line(i, i, x) with lines ls 10 + i, \
      for [i=1:3] dat index 0 using 1:(column(i + 1)) with points ls 10 + i ps 0.9
 
 set title "Duffing along t⁴, α = 1/4, t ≤ 1"
 unset ylabel
-set xrange [2.5e-4:0.08]
-set label 1 label(4, 1) at 3.5e-4,2e-3
-set label 2 label(5, 2) at 0.075,1.2e-6 right
-set label 3 label(6, 3) at 0.075,2e-7 right
+set label 1 label(4, 1) at 4e-4,2e-3
+set label 2 label(5, 2) at 0.13,1.2e-6 right
+set label 3 label(6, 3) at 0.13,2e-7 right
 plot for [i=1:3] line(3 + i, i, x) with lines ls 10 + i, \
      for [i=1:3] dat index 1 using 1:(column(i + 1)) with points ls 10 + i ps 0.9
 unset multiplot
