@@ -110,7 +110,8 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  *   fitted  output
  *
  * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
- * without a law and constants that fvi_sensitivity_of knows, else with differences, in
+ * and of (24.12) for form M of chapter 17, without a law and with constants that
+ * fvi_sensitivity_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
  * points of Sobol's sequence in the box. A start agrees with the best if all its
  * parameters come within sd / 10 of those, or within 1e-6 of their size, which is
@@ -122,7 +123,7 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * and p / m, or as a method of variable steps has them.
  *
  * The searches are repeatable: the same digits each time. Time: seen 60 to 170 runs a
- * start, two to five parameters, 200 points; each search ends after 60 iterations, P + 1
+ * start, two to five parameters, 200 points, by differences; each search ends after 60 iterations, P + 1
  * runs each if all goes well. The halvings are one search each, the last of up to 2^17
  * steps a run. fit->constants is written to while it works: no other thread may read them.
  *

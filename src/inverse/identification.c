@@ -97,7 +97,7 @@ void fvi_fit_minimise(search *o, place *at)
     at->sum = GSL_POSINF;
     if (gsl_multifit_nlinear_init(&u.vector, &o->fdf, o->solver))
         return;
-    gsl_multifit_nlinear_driver(60, 1e-9, 1e-10, 0, NULL, NULL, &info,
+    gsl_multifit_nlinear_driver(60, o->fine, 1e-10, 0, NULL, NULL, &info,
                                 o->solver);
     gsl_vector_memcpy(&u.vector, gsl_multifit_nlinear_position(o->solver));
     gsl_blas_ddot(o->solver->f, o->solver->f, &at->sum);
@@ -331,7 +331,7 @@ static int search_alloc(search *o, const fvi_fit *fit)
 
 int fvi_fit_work_start(search *o, const fvi_fit *fit, double *low, double *high)
 {
-    *o = (search){ .found = NULL };
+    *o = (search){ .fine = 1e-9 };
     int status = fvi_fit_box(fit, low, high);
     if (status)
         return status;

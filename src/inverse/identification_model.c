@@ -160,7 +160,11 @@ int fvi_fit_model_has_tangents(const fvi_fit_model *m)
     const fvi_fit *fit = m->fit;
     const size_t constants =
         fvi_sensitivity_of(&fit->run->system->potential).count;
-    int known = fit->method->scheme == FVI_SCHEME_ALGORITHM_3 && !fit->run->law;
+    const fvi_method *method = fit->method;
+    const int form_M =
+        method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia;
+    int known =
+        (form_M || method->scheme == FVI_SCHEME_ALGORITHM_3) && !fit->run->law;
     for (size_t j = 0; j < fit->parameters; j++)
         known &= fit->which[j] < FVI_PARAMETER_CONSTANT + constants;
     return known;
@@ -191,7 +195,8 @@ int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope)
     double before[2 * FVI_FIT_MOST] = { 0 }, p_before = 0;
     if (!is_possible(m))
         return FVI_EDOM;
-    int status = fvi_tangent_start(&m->run, P, m->fit->which, &o);
+    int status =
+        fvi_tangent_start(m->fit->method, &m->run, P, m->fit->which, &o);
     for (size_t i = 0; i < m->fit->n && !status; i++, slope += P) {
         const double t = m->fit->t[i];
         while (o.stepper->t < t - 1e-9 * h && o.stepper->k < m->run.steps

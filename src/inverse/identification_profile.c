@@ -17,18 +17,23 @@ typedef struct {
         which[FVI_FIT_MOST]; /* the others, and behind them the fixed one */
     size_t others;
     fvi_fit_work work;
-    fvi_fit_place at;   /* the others, where they were found last */
+    fvi_fit_place at, before; /* the others, where they were found last, */
+    double u, u_before;       /* for these of the fixed one */
     double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
     int is_least;       /* no chi^2 was lower than that */
 } profile;
 
 //> excess
 /* (24.11): the root of what chi^2 grows by if the fixed parameter is u and the others are
- * the best for it, searched from where they were found last. */
+ * the best for it, searched on the line through where they were found last. */
 static double excess(profile *o, double u)
 {
     fvi_fit_model *m = &o->work.model;
+    const double far =
+        o->u != o->u_before ? (u - o->u) / (o->u - o->u_before) : 0;
     fvi_fit_place now = o->at;
+    for (size_t i = 0; i < o->others && fabs(far) < 4; i++)
+        now.u[i] += far * (o->at.u[i] - o->before.u[i]);
     fvi_fit_model_set(m, o->others, fvi_fit_model_bound(m, o->others, u));
     if (o->others > 0) {
         fvi_fit_minimise(&o->work, &now);
@@ -41,7 +46,10 @@ static double excess(profile *o, double u)
         return GSL_POSINF;
     const double chi2 = now.sum * o->unit, more = chi2 - o->least;
     o->is_least &= more >= -LOWER * fmax(1, o->least);
+    o->before = o->at;
+    o->u_before = o->u;
     o->at = now;
+    o->u = u;
     return sqrt(fmax(0, more));
 }
 //< excess
@@ -119,6 +127,7 @@ static int begin(profile *o, const fvi_fit *fit, const fvi_fitted *fitted,
     if (status)
         return status;
     fvi_fit_model_step(m, fitted->h);
+    o->work.fine = 1e-5; /* chi^2 is flat at its least */
     o->unit = gsl_pow_2(m->scale / fitted->sigma);
     o->least = fitted->chi2;
     return FVI_SUCCESS;
@@ -133,9 +142,12 @@ static void both_edges(profile *o, const fvi_fitted *fitted, size_t j,
                  u = fvi_fit_model_free(m, o->others, theta),
                  sd = fitted->sd[j]
                       / fabs(fvi_fit_model_slope(m, o->others, theta));
+    o->before = o->at;
+    o->u = o->u_before = u;
     const fvi_fit_place here = o->at;
     const double down = edge(o, u, -fitted->quantile * sd, fitted->quantile);
-    o->at = here;
+    o->at = o->before = here;
+    o->u = o->u_before = u;
     const double up = edge(o, u, fitted->quantile * sd, fitted->quantile);
     *low = fvi_fit_model_bound(m, o->others, down);
     *high = fvi_fit_model_bound(m, o->others, up);

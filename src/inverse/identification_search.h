@@ -22,6 +22,7 @@ typedef struct {
     double *last, *base;  /* residuals: the last ones, and those of slopes */
     double *ridden;       /* n P slopes; NULL: the run cannot carry them */
     double size[FVI_FIT_MOST]; /* of each u: it is nearly zero far below that */
+    double fine; /* a search ends when its steps are shorter, in parts of u */
 } fvi_fit_work;
 
 /* fvi_fit_work_start -- ready to search.

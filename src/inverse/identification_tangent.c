@@ -106,6 +106,8 @@ static int remember(fvi_tangent_run *o, size_t k, double x, double dx)
 int fvi_tangent_step(fvi_tangent_run *o)
 {
     fvi_stepper *s = o->stepper;
+    if (o->staged)
+        return fvi_tangent_stages_step(o);
     const double before = s->x[0], kappa = o->run->kappa;
     double G;
     int status = fvi_step(s);
@@ -136,12 +138,10 @@ static int check(const fvi_tangent_run *o)
     return status;
 }
 
-static int prepare(fvi_tangent_run *o)
+/* The slopes of the start. */
+static int begin(fvi_tangent_run *o)
 {
-    const fvi_run *r = o->run;
-    int wants_own = 0;
-    o->by = fvi_sensitivity_of(&r->system->potential);
-    o->c = rho(o) * pow(r->h, 1 - 2 * r->alpha);
+    o->by = fvi_sensitivity_of(&o->run->system->potential);
     o->s = calloc(6 * o->P, sizeof *o->s);
     if (!o->s)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
@@ -153,9 +153,18 @@ static int prepare(fvi_tangent_run *o)
     for (size_t j = 0; j < o->P; j++) {
         o->s[j] = o->which[j] == FVI_PARAMETER_X0;
         o->pi[j] = o->which[j] == FVI_PARAMETER_P0;
+    }
+    return FVI_SUCCESS;
+}
+
+static int prepare(fvi_tangent_run *o)
+{
+    const fvi_run *r = o->run;
+    int wants_own = 0;
+    o->c = rho(o) * pow(r->h, 1 - 2 * r->alpha);
+    for (size_t j = 0; j < o->P; j++)
         wants_own |= o->which[j] == FVI_PARAMETER_RHO
                      || (o->which[j] == FVI_PARAMETER_ALPHA && rho(o) > 0);
-    }
     int status = rho(o) > 0
                      ? fvi_memory_alloc(2 * r->alpha, o->P, r->steps, r->memory,
                                         r->tolerance, &o->memory)
@@ -163,24 +172,27 @@ static int prepare(fvi_tangent_run *o)
     if (!status && wants_own)
         status = fvi_memory_alloc_rate(2 * r->alpha, 1, r->steps, r->memory,
                                        r->tolerance, &o->own);
-    return status;
+    return status ? status : remember(o, 0, r->x0[0], r->x0[0]);
 }
 
-int fvi_tangent_start(const fvi_run *run, size_t P, const fvi_parameter *which,
-                      fvi_tangent_run *o)
+int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
+                      const fvi_parameter *which, fvi_tangent_run *o)
 {
     *o = (fvi_tangent_run){ .run = run, .P = P, .which = which };
     int status = check(o);
     if (!status)
-        status = fvi_start(&fvi_fractional, run, &o->stepper);
+        status = fvi_start(method, run, &o->stepper);
     if (!status)
-        status = prepare(o);
-    return status ? status : remember(o, 0, run->x0[0], run->x0[0]);
+        status = begin(o);
+    if (status)
+        return status;
+    return method->stages ? fvi_tangent_stages_start(o, method) : prepare(o);
 }
 
 void fvi_tangent_stop(fvi_tangent_run *o)
 {
     fvi_stop(o->stepper);
+    fvi_tangent_stages_stop(o->staged);
     fvi_memory_free(o->memory);
     fvi_memory_free(o->own);
     free(o->s);
@@ -192,7 +204,7 @@ int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
     fvi_tangent_run o;
     if (!x || !slope)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
-    int status = fvi_tangent_start(run, P, which, &o);
+    int status = fvi_tangent_start(&fvi_fractional, run, P, which, &o);
     for (size_t k = 0; !status; k++) {
         x[k] = o.stepper->x[0];
         memcpy(slope + k * P, o.s, P * sizeof *slope);
