@@ -209,8 +209,13 @@ $B/program.a: $(PROGRAM:src/%.c=$B/%.o)
 	rm -f $@
 	ar rcs $@ $^
 
+# The program has GSL within where that is there as archives: with two libraries less to open
+# a short run takes two thirds of its time.
+archive  = $(if $(findstring /,$2),$2,$1)
+GSL_WITHIN = $(if $(filter -L%,$(GSL_LIBS)),$(GSL_LIBS),$(foreach l,$(GSL_LIBS),$(if $(filter -lgsl%,$l),$(call archive,$l,$(shell $(CC) -print-file-name=$(l:-l%=lib%.a))),$l)))
+
 $B/fvi: $(PROGRAM:src/%.c=$B/%.o) $B/libfvi.a
-	$(CC) $(CFLAGS) $^ $(GSL_LIBS) -o $@
+	$(CC) $(CFLAGS) $^ $(GSL_WITHIN) -o $@
 
 # The installed library: static, shared, headers, pkg-config, program, manual.
 VERSION := $(shell sed -n 's/^\#define FVI_VERSION "\(.*\)"/\1/p' src/fvi/version.h)

@@ -90,6 +90,11 @@ int fvi_band_factorise(fvi_band *J)
 void fvi_band_solve(const fvi_band *J, double *v)
 {
     const size_t n = J->n, w = J->w;
+    if (w == 0) { /* nothing but a diagonal */
+        for (size_t k = 0; k < n; k++)
+            v[k] /= fvi_band_row(J, k)[k];
+        return;
+    }
     for (size_t k = 0; k < n; k++) {
         const size_t below = least(n, k + w + 1), p = J->pivot[k];
         double top = v[p];
