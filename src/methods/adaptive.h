@@ -167,13 +167,15 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
                      double *slope, double *pull);
 
 /* fvi_singular_moment -- sum_n d_n I(a_n, S) of (22.20), S >= 0, from what
- * fvi_singular_sums makes of d_n and a_n > 0, n < count. To 1e-14 of sum |d_n| I(a_n, S). */
+ * fvi_singular_sums makes of d_n and a_n > 0, n < count. To 1e-14 of sum |d_n| I(a_n, S), or
+ * to 1e-8 where that is coarse. */
 enum { FVI_NEAR = 128, FVI_FAR = 36 };
 typedef struct {
+    int coarse;
     double B[FVI_NEAR], D[FVI_FAR];
 } fvi_singular_series;
 void fvi_singular_sums(size_t count, const double *d, const double *a,
-                       fvi_singular_series *f);
+                       int coarse, fvi_singular_series *f);
 double fvi_singular_moment(const fvi_singular_series *f, double S);
 
 /* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over

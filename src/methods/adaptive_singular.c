@@ -25,9 +25,9 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large; more terms
- * where y would not be smooth. */
-enum { MANY = 32, FEW = 16, MOST_TERMS = 256 };
+/* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
+ * six stages; more terms where y would not be smooth. */
+enum { MANY = 32, FEW = 16, FEWEST = 8, MOST_TERMS = 256 };
 
 /* a_n */
 static double power(const fvi_singular *g, size_t n)
@@ -52,7 +52,9 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
     g->gap = 2 - 2 * alpha;
     g->e = alpha > 0.5;
     g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap),
-                             o->wish > FVI_COARSE ? FEW : MANY),
+                             o->rule->s == 6        ? FEWEST
+                             : o->wish > FVI_COARSE ? FEW
+                                                    : MANY),
                         MOST_TERMS);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
@@ -103,9 +105,9 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
  *     B_k = sum_n d_n / (a_n + k) / k!,   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
 //> moments
 FVI_VECTORS static void sum_up(size_t count, const double *d, const double *a,
-                               fvi_singular_series *f)
+                               size_t near, fvi_singular_series *f)
 {
-    for (size_t k = 0; k < FVI_NEAR; k += 4) {
+    for (size_t k = 0; k < near; k += 4) {
         const double l = (double)k;
         const fvi_four at = { l, l + 1, l + 2, l + 3 };
         fvi_four sum = { 0 };
@@ -116,11 +118,13 @@ FVI_VECTORS static void sum_up(size_t count, const double *d, const double *a,
 }
 
 void fvi_singular_sums(size_t count, const double *d, const double *a,
-                       fvi_singular_series *f)
+                       int coarse, fvi_singular_series *f)
 {
+    const size_t near = coarse ? FVI_NEAR / 2 : FVI_NEAR;
     double by = 1;
-    sum_up(count, d, a, f);
-    for (size_t k = 1; k < FVI_NEAR; k++)
+    f->coarse = coarse;
+    sum_up(count, d, a, near, f);
+    for (size_t k = 1; k < near; k++)
         f->B[k] *= by /= (double)k;
     for (size_t k = 0; k < FVI_FAR; k++)
         f->D[k] = 0;
@@ -131,26 +135,35 @@ void fvi_singular_sums(size_t count, const double *d, const double *a,
     }
 }
 
-/* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on; the terms of the second
- * series fall to 35! / 40^35, below rounding, before they grow. */
+/* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on, and below 1e-8 from half of
+ * the first and two thirds of the last. The terms of the second series fall to 35! / 40^35,
+ * below rounding, before they grow, or to 20! / 20^20, 2e-8; of larger S so many are
+ * enough that S^-k is that small. */
 double fvi_singular_moment(const fvi_singular_series *f, double S)
 {
     double sum = 0;
-    if (S < 40) {
-        for (size_t k = (size_t)(12 + S + 9 * sqrt(S)) + 1; k-- > 0;)
+    if (S < (f->coarse ? 20 : 40)) {
+        const double root = sqrt(S),
+                     last = f->coarse ? 6 + S + 6 * root : 12 + S + 9 * root;
+        for (size_t k = (size_t)last + 1; k-- > 0;)
             sum = sum * S + f->B[k];
         return exp(-S) * sum;
     }
+    int octaves; /* 2^(octaves - 1) <= S; 86 = 20 log2 20, 192 = 36 log2 40 */
+    frexp(S, &octaves);
     const double by = 1 / S;
-    for (size_t k = FVI_FAR; k-- > 0;)
-        sum = (sum + f->D[k]) * by;
+    for (int k = (f->coarse ? 86 : 192) / (octaves - 1) + 1; k-- > 0;)
+        if (k < FVI_FAR)
+            sum = (sum + f->D[k]) * by;
     return sum;
 }
 //< moments
 
 //> hand-over
-/* d_n and a_n of (22.20) for coordinate j. */
-static void series(const fvi_singular *g, size_t j, fvi_singular_series *f)
+/* d_n and a_n of (22.20) for coordinate j, and c_0 e^{-S} with them, which is nothing for
+ * the second series. */
+static void series(const fvi_singular *g, size_t j, int coarse,
+                   fvi_singular_series *f)
 {
     const double *c = g->c + j * (g->J + 1);
     double d[MOST_TERMS], a[MOST_TERMS], q = 1;
@@ -160,7 +173,8 @@ static void series(const fvi_singular *g, size_t j, fvi_singular_series *f)
         q *= by;
         d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
     }
-    fvi_singular_sums(g->J, d, a, f);
+    fvi_singular_sums(g->J, d, a, coarse, f);
+    f->B[0] += c[0];
 }
 
 void fvi_singular_hand_over(fvi_adaptive_run *o)
@@ -175,12 +189,10 @@ void fvi_singular_hand_over(fvi_adaptive_run *o)
     fvi_modes_wake_all(o->modes);
     for (size_t l = 0; l < o->damped; l++) {
         fvi_singular_series f;
-        series(g, o->index[l], &f);
-        const double jump = g->c[o->index[l] * (g->J + 1)];
+        series(g, o->index[l], o->wish > FVI_COARSE, &f);
         for (size_t q = 0; q < fvi_modes_count(o->modes); q++) {
-            const double sigma = fvi_modes_rate(o->modes, q), S = sigma * g->t1,
-                         fades = S < 700 ? jump * exp(-S) : 0,
-                         more = fades + fvi_singular_moment(&f, S);
+            const double sigma = fvi_modes_rate(o->modes, q),
+                         more = fvi_singular_moment(&f, sigma * g->t1);
             fvi_modes_add(o->modes, l, q, g->e == 1 ? more : sigma * more);
         }
     }

@@ -72,9 +72,9 @@ START_TEST(eq_22_14_by_eigenvectors)
 END_TEST
 
 /* Form M: two bodies on springs, not damped, one pushed, one displaced, share their steps,
- * 20 of any length. Each step keeps the area between their states, to 64 u for each: it is
+ * 10 of any length. Each step keeps the area between their states, to 64 u for each: it is
  * symplectic. Form D would lose a 1e-8 of it in a step as long as these.
- * Seen: 0.07 of that. */
+ * Seen: 0.12 of that. */
 START_TEST(eq_22_15_form_m_keeps_the_area)
 {
     const double m[] = { 1, 1 }, rho[] = { 0, 0 }, c = 1, x0[] = { 1, 0 },
@@ -185,17 +185,19 @@ START_TEST(eq_22_18_the_next_step_is_guessed)
 }
 END_TEST
 
-/* I(a, S) by its two series, to 64 u. Seen: 0.10 of that. */
+/* I(a, S) by its two series, to 64 u, and coarsely to 1e-8. Seen: 0.10 and 0.04 of that. */
 START_TEST(eq_22_20_what_a_start_did_to_a_mode)
 {
-    for (size_t r = 0; r < LEN(ref_hand_over); r++) {
-        const double one = 1;
-        fvi_singular_series f;
-        fvi_singular_sums(1, &one, &ref_hand_over[r].a, &f);
-        ck_assert_near(fvi_singular_moment(&f, ref_hand_over[r].S),
-                       ref_hand_over[r].want, 64 * U * ref_hand_over[r].want,
-                       "a=%g S=%g", ref_hand_over[r].a, ref_hand_over[r].S);
-    }
+    for (size_t r = 0; r < LEN(ref_hand_over); r++)
+        for (int coarse = 0; coarse < 2; coarse++) {
+            const double one = 1, want = ref_hand_over[r].want;
+            fvi_singular_series f;
+            fvi_singular_sums(1, &one, &ref_hand_over[r].a, coarse, &f);
+            ck_assert_near(fvi_singular_moment(&f, ref_hand_over[r].S), want,
+                           (coarse ? 1e-8 : 64 * U) * want, "a=%g S=%g%s",
+                           ref_hand_over[r].a, ref_hand_over[r].S,
+                           coarse ? ", coarse" : "");
+        }
 }
 END_TEST
 
