@@ -18,7 +18,9 @@ typedef struct {
     double lowest, highest;
 } range;
 static const range ranges[] = {
-    [FVI_MODES_FINE] = { 1, 6.5, 2e4 }, [FVI_MODES_COARSE] = { 2, 4.5, 2e3 }
+    [FVI_MODES_FINE] = { 1, 6.5, 2e4 },
+    [FVI_MODES_MEDIUM] = { 1, 4.5, 1e4 },
+    [FVI_MODES_COARSE] = { 2, 4.5, 2e3 }
 };
 
 /* What is kept of the last step for modes that sleep: see wake. */

@@ -33,8 +33,13 @@ typedef struct {
 
 typedef struct fvi_modes fvi_modes;
 
-/* How many modes: every point of the lattice, or every second one and a narrower range. */
-typedef enum { FVI_MODES_FINE, FVI_MODES_COARSE } fvi_modes_kind;
+/* How many modes: every point of the lattice; those of a narrower range; every second one of
+ * that. */
+typedef enum {
+    FVI_MODES_FINE,
+    FVI_MODES_MEDIUM,
+    FVI_MODES_COARSE
+} fvi_modes_kind;
 
 /* fvi_modes_alloc -- the modes of d coordinates, at rest.
  *
@@ -45,9 +50,9 @@ typedef enum { FVI_MODES_FINE, FVI_MODES_COARSE } fvi_modes_kind;
  *   least  no step is shorter, 1e-250 T at least
  *   modes  output; free it with fvi_modes_free
  *
- * Accuracy of H: 2e-14 of its size without the modes' signs, 1e-7 where they are coarse
- * (no proof; tested against the matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T /
- * least), or 24 + 1.9 ln(T / least).
+ * Accuracy of H: 2e-14 of its size without the modes' signs, 3e-10 and 1e-7 of the other
+ * kinds (no proof; tested against the matrix power). Memory O(d Q), Q about 64 + 3.9 ln(T /
+ * least), 48 + 3.9 ln(T / least) or 24 + 1.9 ln(T / least).
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,

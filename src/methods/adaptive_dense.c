@@ -26,36 +26,63 @@ void fvi_adaptive_powers(size_t s, const double *bend, double *g)
     fvi_square_apply(s, &powers, bend, g);
 }
 
+static const fvi_four integral[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
+                                     { 1. / 5, 1. / 6, 1. / 7, 1. / 8 } },
+                      double_integral[] = {
+                          { 1. / 2, 1. / 6, 1. / 12, 1. / 20 },
+                          { 1. / 30, 1. / 42, 1. / 56, 1. / 72 }
+                      };
+
 /* w_k = first theta^k by_k */
-static void weigh(double first, double theta, const fvi_four by[2], double *w)
+static inline __attribute__((always_inline)) void
+weigh(double first, double theta, const fvi_four by[2], fvi_four *w)
 {
     const double square = theta * theta, cube = square * theta;
     const fvi_four low = { first, first * theta, first * square, first * cube },
                    high = low * (square * square);
-    ((fvi_four *)w)[0] = low * by[0];
-    ((fvi_four *)w)[1] = high * by[1];
+    w[0] = low * by[0];
+    w[1] = high * by[1];
 }
 
 void fvi_adaptive_once(double theta, double *w)
 {
-    static const fvi_four by[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
-                                   { 1. / 5, 1. / 6, 1. / 7, 1. / 8 } };
-    weigh(theta, theta, by, w);
+    weigh(theta, theta, integral, (fvi_four *)w);
 }
 
 void fvi_adaptive_twice(double theta, double *w)
 {
-    static const fvi_four by[] = { { 1. / 2, 1. / 6, 1. / 12, 1. / 20 },
-                                   { 1. / 30, 1. / 42, 1. / 56, 1. / 72 } };
-    weigh(theta * theta, theta, by, w);
+    weigh(theta * theta, theta, double_integral, (fvi_four *)w);
 }
 
-/* One of them has zeros behind the s-th number. */
-static double product(const double *a, const double *b)
+/* The sums of w and g, which has zeros behind the s-th number. */
+static inline __attribute__((always_inline)) double product(const fvi_four *w,
+                                                            const double *g)
 {
-    const fvi_four *x = (const fvi_four *)a, *y = (const fvi_four *)b,
-                   sum = x[0] * y[0] + x[1] * y[1];
+    const fvi_four *x = (const fvi_four *)g, sum = w[0] * x[0] + w[1] * x[1];
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+/* x = x_k + theta h v_k + the double integral of x''. */
+FVI_VECTORS static void positions(const fvi_adaptive_run *o, double h,
+                                  double theta, double *x)
+{
+    fvi_four w[2];
+    weigh(theta * theta, theta, double_integral, w);
+    for (size_t j = 0; j < o->d; j++)
+        x[j] = o->y0[j]
+               + h
+                     * (theta * o->v0[j]
+                        + product(w, o->powers + j * FVI_LANES));
+}
+
+/* v = v_k + the integral of x''. */
+FVI_VECTORS static void velocities(const fvi_adaptive_run *o, double theta,
+                                   double *v)
+{
+    fvi_four w[2];
+    weigh(theta, theta, integral, w);
+    for (size_t j = 0; j < o->d; j++)
+        v[j] = o->v0[j] + product(w, o->powers + j * FVI_LANES);
 }
 
 //> dense
@@ -67,23 +94,16 @@ int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p)
     const double h = s->t - o->t0, theta = (t - o->t0) / h;
     if (!(h > 0 && theta >= 0 && theta <= 1))
         return FVI_EDOM;
-    double once[FVI_LANES], twice[FVI_LANES];
-    if (x)
-        fvi_adaptive_twice(theta, twice);
-    if (p)
-        fvi_adaptive_once(theta, once);
     for (size_t j = 0; j < o->d && !o->powers_known; j++)
         fvi_adaptive_powers(n, o->bend0 + j * FVI_LANES,
                             o->powers + j * FVI_LANES);
     o->powers_known = 1;
-    for (size_t j = 0; x && j < o->d; j++)
-        x[j] = o->y0[j]
-               + h
-                     * (theta * o->v0[j]
-                        + product(o->powers + j * FVI_LANES, twice));
+    if (x)
+        positions(o, h, theta, x);
+    if (p)
+        velocities(o, theta, p);
     for (size_t j = 0; p && j < o->d; j++)
-        p[j] = s->run.system->mass[j]
-               * (o->v0[j] + product(o->powers + j * FVI_LANES, once));
+        p[j] *= s->run.system->mass[j];
     for (size_t j = 0; fvi_singular_is(o, o->t0) && t > 0 && j < o->d; j++) {
         double G, slope;
         fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);

@@ -195,8 +195,9 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
-    const fvi_modes_kind kind =
-        o->wish > FVI_COARSE ? FVI_MODES_COARSE : FVI_MODES_FINE;
+    const fvi_modes_kind kind = o->wish > FVI_COARSE          ? FVI_MODES_COARSE
+                                : o->wish > FVI_COARSE / 1000 ? FVI_MODES_MEDIUM
+                                                              : FVI_MODES_FINE;
     return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
