@@ -163,8 +163,8 @@ valgrind: $(TESTS:%=valgrind-%) ## the tests under valgrind (many minutes)
 $(TESTS:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --leak-check=full --error-exitcode=1 $<
 
-portability: | needs ## the same digits by other compilers, options, C libraries, in threads (ten minutes)
-	+$(PYTHON) src/make/portability.py $B
+portability: | needs ## the same digits by other compilers, options, C libraries, in threads (ten minutes; PARTS=clang)
+	+$(PYTHON) src/make/portability.py $B $(PARTS)
 
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
 	$< $(or $(SEED),1) $(FAMILY) $(CASE)

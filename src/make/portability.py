@@ -1,6 +1,6 @@
 """The same digits everywhere: other compilers, options, C libraries, locales.
 
-    portability.py BUILD     (make portability; some ten minutes)
+    portability.py BUILD [PART ...]     (make portability PARTS="clang san"; all, some ten minutes)
 
 Each build has a folder of its own in BUILD/portability. It runs the tests, or those of
 them that concern it, and tests/portability/trajectories.c, whose runs are compared
@@ -8,7 +8,8 @@ with those of gcc -O2: to the bit where the C library is the same, and where onl
 + - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
 that of another library, or -O3 -march=native may take what follows from them in
 another order (seen: 7 runs of 189, 2 u), a run of 96 steps may differ by LIMIT u of the
-largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. What this machine has not is left out, and said. Only the standard library
+largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. What this machine has not, or was not asked for, is
+left out, and said. Only the standard library
 is used."""
 import os
 import pathlib
@@ -18,6 +19,8 @@ import subprocess
 import sys
 
 HOME = pathlib.Path(sys.argv[1]) / "portability"
+PARTS = "locale O0 native clang san threads valgrind m32 musl".split()
+ASKED = sys.argv[2:] or PARTS
 LIMIT = 256     # seen: 7 with musl, 82 with GSL's LU factors on x87 (i386)
 ENV = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS", "LC_", "LANG"))}
 ENV |= {"CC": "gcc", "CK_TIMEOUT_MULTIPLIER": "10"}     # seconds of a test mean nothing under ASan
@@ -141,6 +144,13 @@ def gsl_of_32_bits():
 
 # ---- the builds ----
 
+def compiled(name, label, words, env, reference):
+    """All tests by another compiler, or with other options."""
+    compiler, options = words[0][3:], [w for w in " ".join(words).split() if w.startswith("-fsanitize=")]
+    if have(compiler, label) and compiles([compiler, *options], label):
+        build_and_compare(name, label, reference, words, ["test"], **env)
+
+
 def german(reference):
     """The tests of the first build where the decimal point is a comma."""
     label, place = "gcc -O2, LC_ALL=de_DE.UTF-8", (HOME / "locale").resolve()
@@ -209,6 +219,9 @@ def memory_errors():
 
 
 def main():
+    unknown = [part for part in ASKED if part not in PARTS]
+    if unknown:
+        sys.exit(f"no part {', '.join(unknown)}; the parts are {', '.join(PARTS)}")
     HOME.mkdir(parents=True, exist_ok=True)
     well, text = make("gcc", [f"{HOME}/gcc/trajectories"], ["CC=gcc"])
     reference, text = trajectories(HOME / "gcc/trajectories") if well else ({}, text)
@@ -219,21 +232,21 @@ def main():
     well, text, words = compare("", reference, HOME / "gcc/trajectories", GLIBC_TUNABLES="glibc.cpu.hwcaps=" + ",".join(
         f"-{v}{end}" for v in ("AVX2", "AVX512F", "FMA", "FMA4") for end in ("", "_Usable")))
     say("gcc -O2 as on a processor without AVX2 and fma", well, text, words)
-    german(reference)
-    for name, label, words, env in (
-            ("O0", "gcc -O0", ["CC=gcc", "CFLAGS=-O0 -g"], {}),
-            ("native", "gcc -O3 -march=native", ["CC=gcc", "CFLAGS=-O3 -march=native -g"], {"free": ("functions",)}),
-            ("clang", "clang -O2", ["CC=clang"], {}),
-            ("san", "gcc AddressSanitizer, UBSan",
-             ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
-             {"ASAN_OPTIONS": "allocator_may_return_null=1"})):
-        compiler, options = words[0][3:], [w for w in " ".join(words).split() if w.startswith("-fsanitize=")]
-        if have(compiler, label) and compiles([compiler, *options], label):
-            build_and_compare(name, label, reference, words, ["test"], **env)
-    threads()
-    memory_errors()
-    thirty_two(reference)
-    musl(reference)
+    builds = {
+        "O0": ("gcc -O0", ["CC=gcc", "CFLAGS=-O0 -g"], {}),
+        "native": ("gcc -O3 -march=native", ["CC=gcc", "CFLAGS=-O3 -march=native -g"], {"free": ("functions",)}),
+        "clang": ("clang -O2", ["CC=clang"], {}),
+        "san": ("gcc AddressSanitizer, UBSan",
+                ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
+                {"ASAN_OPTIONS": "allocator_may_return_null=1"})}
+    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors,
+              "m32": lambda: thirty_two(reference), "musl": lambda: musl(reference)}
+    for part in ASKED:
+        if part in builds:
+            compiled(part, *builds[part], reference)
+        else:
+            others[part]()
+    left_out.extend(f"{part}: not asked for" for part in PARTS if part not in ASKED)
     print("\nportability:", *report, sep="\n  ")
     print("left out:" if left_out else "nothing was left out", *left_out, sep="\n  ")
     sys.exit(f"failed: {', '.join(failed)}" if failed else 0)

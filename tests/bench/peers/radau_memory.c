@@ -179,8 +179,8 @@ FVI_VECTORS static void go_on(int n, int s, int stride,
 {
     const double *restrict R = a + (s - 1) * stride, *restrict g =
                                                          a + s * stride;
-#pragma omp simd
-    for (int q = 0; q < n; q++) {
+    OUTER_SIMD for (int q = 0; q < n; q++)
+    {
         double sum = R[q] * z[q];
         for (int j = 0; j < s; j++)
             sum += g[j * stride + q] * u[j];

@@ -76,8 +76,8 @@ FVI_VECTORS static void combine(int s, size_t d, const double *restrict K,
                                 const double *restrict in, double *restrict out)
 {
     for (int i = 0; i < s; i++)
-#pragma omp simd
-        for (size_t a = 0; a < d; a++) {
+        OUTER_SIMD for (size_t a = 0; a < d; a++)
+        {
             double sum = 0;
             for (int j = 0; j < s; j++)
                 sum += K[i * s + j] * in[(size_t)j * d + a];

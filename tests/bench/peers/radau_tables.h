@@ -4,6 +4,13 @@
 
 enum { RADAU_STAGES = 7 };
 
+/* Over a loop that has a loop inside: clang vectorises innermost loops only, and warns. */
+#ifdef __clang__
+#define OUTER_SIMD
+#else
+#define OUTER_SIMD _Pragma("omp simd")
+#endif
+
 /* radau -- the method with s stages.
  *
  *   c, A    nodes, and the matrix of the method, A[i][j]
