@@ -279,7 +279,10 @@ notebook: $B/python/site | needs ## the notebook, executed: build/python/experim
 # CFLAGS say, and no digit depends on it.
 $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
-	$(COMPILE) -O0 $(CHECK_CFLAGS) -Itests -c $< -o $@
+	$(COMPILE) $(or $(LEVEL_$*),-O0) $(CHECK_CFLAGS) -Itests -c $< -o $@
+
+# This one has the integrators of chapter 14 in itself.
+LEVEL_stability_rounding := -O2
 
 # Of 130 links gold makes a third of the time.
 GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)

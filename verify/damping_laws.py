@@ -97,8 +97,9 @@ def weights(law, delta, h):
         if kind == DISTRIBUTED:
             half, middle = (end - alpha) / 2, (end + alpha) / 2
             for node, weight in ORDERS:
-                w = power(base, 2 * (middle + half * node))
-                total = [a + rho * half * weight * b for a, b in zip(total, w)]
+                nu = 2 * (middle + half * node)         # these powers serve every h
+                share = rho * half * weight * h**-nu
+                total = [a + share * b for a, b in zip(total, power(tuple(delta), nu))]
             continue
         q = power(base, mpf(1) if kind == MAXWELL else 2 * alpha)
         if kind != POWER:

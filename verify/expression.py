@@ -44,7 +44,8 @@ class Number:
 
     def by(self, f, slope):
         """f of it, by the C library to an ulp: two units."""
-        return Number(f(self.v), abs(slope(self.v)) * self.e + 2 * abs(f(self.v)))
+        value = f(self.v)
+        return Number(value, abs(slope(self.v)) * self.e + 2 * abs(value))
 
 
 ONE, TWO = Number(1), Number(2)
@@ -53,13 +54,10 @@ ONE, TWO = Number(1), Number(2)
 def function(name, u):
     """f, f', f'' as src/system/tape.c computes them."""
     m = mpmath
-    sin, cos = u.by(m.sin, m.cos), u.by(m.cos, m.sin)
-    sinh, cosh = u.by(m.sinh, m.cosh), u.by(m.cosh, m.sinh)
     minus = Number(-1)
-    if name == "sin":
-        return sin, cos, minus * sin
-    if name == "cos":
-        return cos, minus * sin, minus * cos
+    if name in ("sin", "cos"):
+        sin, cos = u.by(m.sin, m.cos), u.by(m.cos, m.sin)
+        return (sin, cos, minus * sin) if name == "sin" else (cos, minus * sin, minus * cos)
     if name == "tan":
         f = u.by(m.tan, lambda x: 1 + m.tan(x) ** 2)
         return f, ONE + f * f, TWO * f * (ONE + f * f)
@@ -71,11 +69,11 @@ def function(name, u):
     if name == "atan":
         g = ONE / (ONE + u * u)
         return u.by(m.atan, lambda x: 1 / (1 + x * x)), g, TWO * u * g * g
-    if name == "sinh":
-        return sinh, cosh, sinh
-    if name == "cosh":
-        return cosh, sinh, cosh
+    if name in ("sinh", "cosh"):
+        sinh, cosh = u.by(m.sinh, m.cosh), u.by(m.cosh, m.sinh)
+        return (sinh, cosh, sinh) if name == "sinh" else (cosh, sinh, cosh)
     if name == "tanh":
+        cosh = u.by(m.cosh, m.sinh)
         f, g = u.by(m.tanh, lambda x: 1 / m.cosh(x) ** 2), ONE / (cosh * cosh)
         return f, g, TWO * f * g
     if name == "exp":
