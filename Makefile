@@ -281,8 +281,9 @@ $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) $(or $(LEVEL_$*),-O0) $(CHECK_CFLAGS) -Itests -c $< -o $@
 
-# This one has the integrators of chapter 14 in itself.
+# These have much arithmetic of their own: the forms of chapter 14, the series of 20.
 LEVEL_stability_rounding := -O2
+LEVEL_convergence_orders := -O2
 
 # Of 130 links gold makes a third of the time.
 GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)

@@ -6,10 +6,9 @@
  * be called from Python, or from one of many threads: whether an error is a reason to
  * abort is for the program to decide, so there is no handler until the program sets
  * one, and that of GSL, whose default aborts, is never called: around what may fail in
- * GSL it is switched off, and on again, so a curve
- * whose derivative is wanted is asked for it while GSL's handler is off. While a function
- * of the library runs, neither another thread nor a callback should set GSL's handler:
- * the one from before comes back. The codes are GSL's numbers, so that
+ * GSL it is switched off, and on again. A callback may be called while it is off. While
+ * a function of the library runs, neither another thread nor a callback should set GSL's
+ * handler: the one from before comes back. The codes are GSL's numbers, so that
  * gsl_strerror knows them too. */
 #ifndef FVI_ERROR_H
 #define FVI_ERROR_H

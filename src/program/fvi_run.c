@@ -184,8 +184,9 @@ void fvi_adaptive_head(FILE *out, const fvi_options *o,
 /* How the equation of a step with matrices is solved: in which of them is it implicit? */
 static const char *solver(const fvi_options *o)
 {
-    const int stable = o->method == &fvi_stable,
-              damped = stable || o->method == &fvi_shifted,
+    const fvi_scheme scheme = o->method->scheme;
+    const int stable = scheme == FVI_SCHEME_STABLE,
+              damped = stable || scheme == FVI_SCHEME_SHIFTED,
               pulled = stable || (o->kappa > 0 && o->kappa < 1);
     return fvi_directory_solver(o->directory, 1, damped, pulled);
 }

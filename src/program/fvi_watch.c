@@ -1,7 +1,6 @@
 /* src/program/fvi_watch.c -- A run that gets stiffer on its way. */
 #include "fvi_watch.h"
 
-#include <fvi/discrete_mechanics.h>
 #include <fvi/stability.h>
 #include "fvi_output.h"
 
@@ -15,9 +14,9 @@ fvi_watch fvi_watch_begin(const fvi_options *o, const fvi_system *system,
 {
     const fvi_potential *u = &system->potential;
     const fvi_method *m = o->method;
-    const int depends = m->stages > 0 ? !m->damped_inertia && o->d <= FEW
+    const int depends = m->stages > 0    ? !m->damped_inertia && o->d <= FEW
                         : m->takes_kappa ? o->kappa != 0.5
-                                         : m == &fvi_euler_explicit,
+                                         : !m->implicit,
               worth = depends && !warned && m->load && u->hessian
                       && !(u->quadratic && u->quadratic(u->params));
     return (fvi_watch){ 0, worth ? 1 : SIZE_MAX };
