@@ -41,18 +41,31 @@ static double next_number(void)
  * comes from pow (below 1 ulp, 2 u) and is multiplied in: in all
  * (2 + 1 + t - 1 + 2 + 1) u = (t + 5) u times the sum of absolute values.
  * Seen: 0.32 of that. */
-START_TEST(eq_5_1_5_2_values_match_the_definition)
+START_TEST(eq_5_1_values_match_the_definition)
 {
     const size_t N = LEN(ref_z) - 1;
-    double minus[LEN(ref_z)], plus[LEN(ref_z)];
+    double minus[LEN(ref_z)];
     for (size_t i = 0; i < LEN(ref_values); i++) {
         double alpha = ref_values[i].alpha, h = ref_values[i].h;
         size_t k = ref_values[i].k;
         if (k == 0)
-            both(alpha, h, N, 1, ref_z, minus, plus);
+            both(alpha, h, N, 1, ref_z, minus, NULL);
         ck_assert_near(minus[k], ref_values[i].minus,
                        ((double)k + 6) * U * ref_values[i].size_minus,
                        "minus, alpha=%g h=%g k=%zu", alpha, h, k);
+    }
+}
+END_TEST
+
+START_TEST(eq_5_2_values_match_the_definition)
+{
+    const size_t N = LEN(ref_z) - 1;
+    double plus[LEN(ref_z)];
+    for (size_t i = 0; i < LEN(ref_values); i++) {
+        double alpha = ref_values[i].alpha, h = ref_values[i].h;
+        size_t k = ref_values[i].k;
+        if (k == 0)
+            both(alpha, h, N, 1, ref_z, NULL, plus);
         ck_assert_near(plus[k], ref_values[i].plus,
                        ((double)(N - k) + 6) * U * ref_values[i].size_plus,
                        "plus, alpha=%g h=%g k=%zu", alpha, h, k);
@@ -377,7 +390,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("05 integration by parts");
-    ADD_CASE(suite, "values", eq_5_1_5_2_values_match_the_definition,
+    ADD_CASE(suite, "values", eq_5_1_values_match_the_definition,
+             eq_5_2_values_match_the_definition,
              eq_5_1_integer_orders_are_differences,
              eq_5_1_vectors_are_their_components,
              eq_5_3_sums_run_from_first_to_last);

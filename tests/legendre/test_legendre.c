@@ -18,32 +18,53 @@ static const double start_x[] = { 0.5, -0.75, 1 },
 /* ---- values ---- */
 
 /* Short binary fractions: every operation is exact. 0 ulp by design. */
-START_TEST(eq_8_1_and_8_2_the_momenta)
+static const double mass2[] = { 1, 1.5 }, rho2[] = { 0.5, 0.75 };
+static const double here[] = { 0.5, -0.25 }, there[] = { 0.75, 0.125 };
+
+static fvi_system momentum_system(size_t row)
 {
-    const double mass[] = { 1, 1.5 }, rho[] = { 0.5, 0.75 }, h = 0.25;
-    const double x[] = { 0.5, -0.25 }, y[] = { 0.75, 0.125 };
+    return (fvi_system){
+        2,     mass2,
+        rho2,  potential(ref_momenta[row].kind, ref_momenta[row].cg),
+        { 0 }, NULL
+    };
+}
+
+START_TEST(eq_8_1_the_momentum_that_a_step_begins_with)
+{
+    for (size_t r = 0; r < LEN(ref_momenta); r++) {
+        const fvi_system s = momentum_system(r);
+        double p[2];
+        ck_assert_int_eq(
+            fvi_legendre_minus(&s, ref_momenta[r].kappa, 0.25, here, there, p),
+            0);
+        for (size_t i = 0; i < 2; i++)
+            ck_assert_ulp(p[i], ref_momenta[r].minus[i], 0, "minus %zu", r);
+    }
+}
+END_TEST
+
+START_TEST(eq_8_2_the_momentum_that_a_step_ends_with)
+{
     const double D[] = { 1.25, -0.5 }, F[] = { -0.375, 2 };
     for (size_t r = 0; r < LEN(ref_momenta); r++) {
-        const fvi_system s = {
-            2,     mass, rho, potential(ref_momenta[r].kind, ref_momenta[r].cg),
-            { 0 }, NULL
-        };
-        const double K = ref_momenta[r].kappa;
-        double p[5][2];
-        ck_assert_int_eq(fvi_legendre_minus(&s, K, h, x, y, p[0]), 0);
-        ck_assert_int_eq(fvi_legendre_plus(&s, K, h, x, y, NULL, NULL, p[1]),
-                         0);
-        ck_assert_int_eq(fvi_legendre_plus(&s, K, h, x, y, D, NULL, p[2]), 0);
-        ck_assert_int_eq(fvi_legendre_plus(&s, K, h, x, y, NULL, F, p[3]), 0);
-        ck_assert_int_eq(fvi_legendre_plus(&s, K, h, x, y, D, F, p[4]), 0);
-        for (size_t i = 0; i < 2; i++) {
-            ck_assert_ulp(p[0][i], ref_momenta[r].minus[i], 0, "minus %zu", r);
-            ck_assert_ulp(p[1][i], ref_momenta[r].plus[i], 0, "plus %zu", r);
-            ck_assert_ulp(p[2][i], ref_momenta[r].damped[i], 0, "damped %zu",
-                          r);
-            ck_assert_ulp(p[3][i], ref_momenta[r].forced[i], 0, "forced %zu",
-                          r);
-            ck_assert_ulp(p[4][i], ref_momenta[r].both[i], 0, "both %zu", r);
+        const fvi_system s = momentum_system(r);
+        const struct {
+            const char *name;
+            const double *D, *F, *want;
+        } cases[] = { { "plus", NULL, NULL, ref_momenta[r].plus },
+                      { "damped", D, NULL, ref_momenta[r].damped },
+                      { "forced", NULL, F, ref_momenta[r].forced },
+                      { "both", D, F, ref_momenta[r].both } };
+        for (size_t j = 0; j < LEN(cases); j++) {
+            double p[2];
+            ck_assert_int_eq(fvi_legendre_plus(&s, ref_momenta[r].kappa, 0.25,
+                                               here, there, cases[j].D,
+                                               cases[j].F, p),
+                             0);
+            for (size_t i = 0; i < 2; i++)
+                ck_assert_ulp(p[i], cases[j].want[i], 0, "%s %zu",
+                              cases[j].name, r);
         }
     }
 }
@@ -285,7 +306,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("08 legendre");
-    ADD_CASE(suite, "values", eq_8_1_and_8_2_the_momenta);
+    ADD_CASE(suite, "values", eq_8_1_the_momentum_that_a_step_begins_with,
+             eq_8_2_the_momentum_that_a_step_ends_with);
     ADD_CASE(suite, "identities", eq_8_3_momenta_match_at_every_node,
              eq_8_4_there_and_back,
              eq_8_5_kappa_0_is_the_fractional_symplectic_euler_method,
