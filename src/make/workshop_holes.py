@@ -75,6 +75,8 @@ def cut(lines, hole):
     """The source without the region, but with what it leaves."""
     before, within, after = split(lines, hole.region)
     keep, end = [], []
+    if within.count("{") > 1:
+        raise SystemExit(f"{TABLE}: {hole.source}#{hole.region} holds several functions, and a hole is in one")
     if "{" in within and within[-1] == "}":  # a whole function: its head and braces stay
         start = within.index("{") + 1
         keep, within, end = within[:start], within[start:-1], within[-1:]

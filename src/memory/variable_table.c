@@ -24,6 +24,7 @@ static inline __attribute__((always_inline)) void
 quotients(const size_t s, const fvi_variable_rule *rule, size_t n,
           const double *restrict mu, double *restrict p, double *restrict a)
 {
+    //> quotients
     for (size_t q = 0; q < n; q += FVI_LANES) {
         const fvi_four *m = (const fvi_four *)(mu + q);
         fvi_four by[2], sum[2] = { { 0 }, { 0 } };
@@ -41,6 +42,7 @@ quotients(const size_t s, const fvi_variable_rule *rule, size_t n,
         ((fvi_four *)(p + q))[0] = m[0] * sum[0];
         ((fvi_four *)(p + q))[1] = m[1] * sum[1];
     }
+    //< quotients
 }
 
 FVI_VECTORS static void make_row(const fvi_variable_rule *rule, size_t n,
