@@ -5,14 +5,15 @@ Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), thr
   (23.15) and by the velocities of the stages, form D, with what comes out;
   (23.16) the same on steps h_0, h_1, h_2, s = 2, 3, the memory a polynomial in (22.1).
 Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
-derivatives of chains of five masses by dual numbers of 72 digits, adjoint_chain.py."""
+derivatives of chains of five masses, with a power and with laws of three random terms, by
+dual numbers of 72 digits, adjoint_chain.py."""
 from random import Random
 
 import mpmath
 from mpmath import mp, mpf
 from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
-from shared.adjoint_chain import D5, N, Chain, numbers, points
+from shared.adjoint_chain import D5, N, Chain, LawChain, numbers, points
 from shared.arithmetic import coefficients, dual
 from shared.refgen import header, hexd, prove, table
 
@@ -181,6 +182,50 @@ for s, damped, past, alpha, data in cases():
                    for k in ("x0", "p0", "mass", "rho", "cg")]
                 + ["{ " + ", ".join(map(str, at)) + " }", "{ " + ", ".join(text) + " }"])
 
+# ---- the same with laws, drawn at random ----
+
+KINDS = {
+    "POWER": lambda a, T, b: lambda v: v ** (2 * a),
+    "ZENER": lambda a, T, b: lambda v: v ** (2 * a) / (1 + T * v ** (2 * a)),
+    "MAXWELL": lambda a, T, b: lambda v: v / (1 + T * v),
+    "DISTRIBUTED": lambda a, T, b: lambda v: (v ** (2 * b) - v ** (2 * a)) / (2 * mpmath.log(v)),
+}
+
+
+def law_cases():
+    random = Random(26)
+    uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+    for which in range(9):
+        q = dict(x0=[uniform(-1, 1) for _ in range(D5)], p0=[uniform(-1, 1) for _ in range(D5)],
+                 mass=[uniform(0.5, 2) for _ in range(D5)],
+                 rho=[0.0 if i == which % D5 else uniform(0, 1.5) for i in range(D5)],
+                 cg=[uniform(0.5, 2), uniform(0.2, 1)], terms=[uniform(0.1, 0.6) for _ in range(3)])
+        terms = []
+        for _ in range(3):
+            kind, a = random.choice(list(KINDS)), uniform(0, 0.44)
+            terms.append((kind, a, uniform(0.05, 2), uniform(a + 0.02, 0.5)))
+        yield 2 + which % 3, terms, q
+
+
+laws = []
+for s, terms, data in law_cases():
+    q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
+    nodes = numbers(s)[0]
+    times = [(k + nodes[i]) * mpf(STEP) for k in range(N) for i in range(s - 1)] + [N * mpf(STEP)]
+    q["F"] = [dual(mpmath.cos(1.25 * v) / 5) for v in times for _ in range(D5)]
+    run = LawChain(s, [KINDS[kind](*map(mpf, (a, T, b))) for kind, a, T, b in terms], q, STEP)
+    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+    want += [run.slope("cg", 0), run.slope("cg", 1)]
+    want += [run.slope("terms", i) for i in range(3)]
+    at = [f % len(q["F"]) for f in forces]
+    want += [run.slope("F", i) for i in at]
+    text = [f"{{ FVI_LAW_{kind}, {', '.join(hexd(Rational(v)) for v in (rho, a, T, b))} }}"
+            for (kind, a, T, b), rho in zip(terms, data["terms"])]
+    laws.append([f"&fvi_lobatto{s}d", "{ " + ", ".join(text) + " }"]
+                + ["{ " + ", ".join(hexd(Rational(v)) for v in data[k]) + " }"
+                   for k in ("x0", "p0", "mass", "rho", "cg")]
+                + ["{ " + ", ".join(map(str, at)) + " }", literal(want)])
+
 header("verify/adjoint_stages.py")
 print("\n/* d W_n / d beta, row by row */")
 table("ref_stage_rates", "size_t s; double beta; size_t n; double want[64];", rates)
@@ -189,3 +234,8 @@ print("""
    mass, rho, c, g, alpha, and three entries of F */""")
 table("ref_chains", "const fvi_method *method; fvi_past past; double alpha, x0[5], p0[5], mass[5], "
       "rho[5], cg[2]; size_t force[3]; double want[26];", runs)
+print("""
+/* The same run with a law of three terms; dJ by x0, p0, mass, rho, c, g, the factors of the terms,
+   and three entries of F */""")
+table("ref_law_chains", "const fvi_method *method; fvi_law_term term[3]; double x0[5], p0[5], mass[5], "
+      "rho[5], cg[2]; size_t force[3]; double want[28];", laws)

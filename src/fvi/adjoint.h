@@ -87,7 +87,7 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
  * FVI_EUNSUP if the method has no adjoint, or not this one, or the system matrices, or
- * the run a law and the method stages, or the force impulses and the method a mesh;
+ * the force impulses and the method a mesh;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

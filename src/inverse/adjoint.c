@@ -23,8 +23,6 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (run->law ? want->alpha != NULL : want->terms != NULL)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
-    if (run->law && method->scheme == FVI_SCHEME_STAGES)
-        FVI_FAIL("stages have no adjoint of a law of damping", FVI_EUNSUP);
     if ((method->scheme == FVI_SCHEME_STAGES
          || method->scheme == FVI_SCHEME_MESH)
         && x)

@@ -48,15 +48,22 @@ static int start_memory(fvi_mirror_stages *m)
     m->is_damped = m->want->damping != NULL || m->want->alpha != NULL;
     for (size_t i = 0; i < m->d; i++)
         m->is_damped |= run->system->damping[i] > 0;
-    m->unit = pow(run->h, -beta);
+    m->unit = run->law ? 1 : pow(run->h, -beta);
     for (size_t i = 0; i < s; i++)
         m->W[i][i] = !m->heavy; /* beta = 0; nothing */
-    if (!m->is_damped || m->heavy || (beta == 0 && !m->want->alpha))
+    if (!m->is_damped || m->heavy
+        || (!run->law && beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
-    int status = (m->want->alpha ? fvi_lobatto_memory_alloc_rate
-                                 : fvi_lobatto_memory_alloc)(
-        s, beta, m->d, run->steps, run->memory, fvi_lobatto_finer(run),
-        &m->memory);
+    const double keep = fvi_lobatto_finer(run);
+    int status =
+        run->law
+            ? fvi_lobatto_memory_of_law(s, run->law, run->h, m->d, run->steps,
+                                        run->memory, keep, &m->memory)
+            : (m->want->alpha ? fvi_lobatto_memory_alloc_rate
+                              : fvi_lobatto_memory_alloc)(
+                s, beta, m->d, run->steps, run->memory, keep, &m->memory);
+    if (!status)
+        status = fvi_mirror_terms_start(m);
     for (size_t i = 0; !status && i < s; i++) {
         memcpy(m->W[i], fvi_lobatto_memory_now(m->memory) + i * s,
                s * sizeof(double));
@@ -72,7 +79,8 @@ int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
                             const double *Jp, fvi_mirror_stages *m)
 {
     const size_t s = (size_t)method->stages;
-    *m = (fvi_mirror_stages){ .run = run,
+    *m = (fvi_mirror_stages){ .own = *run,
+                              .run = &m->own,
                               .want = want,
                               .rule = fvi_lobatto(s),
                               .s = s,
@@ -80,6 +88,9 @@ int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
                               .damped_inertia = method->damped_inertia,
                               .heavy =
                                   run->alpha == 1 && !method->damped_inertia };
+    run = m->run;
+    if (run->law) /* as the run does: nothing pulls */
+        m->own.alpha = 0.5;
     int status = allocate(m);
     if (!status)
         status = start_memory(m);
@@ -101,6 +112,7 @@ int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
 void fvi_mirror_stages_stop(fvi_mirror_stages *m)
 {
     fvi_lobatto_memory_free(m->memory);
+    fvi_mirror_terms_stop(m);
     fvi_band_free(&m->J);
     free(m->block);
 }
@@ -177,6 +189,7 @@ static void meet(fvi_mirror_stages *m, const double *rows)
             m->sumdot[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * Tdot;
             m->plain[j] += m->rule->b[i] * T;
         }
+        fvi_mirror_terms_meet(m, j, v);
     }
 }
 
@@ -227,8 +240,9 @@ static int remember(fvi_mirror_stages *m)
     for (size_t j = 0; j < m->d; j++)
         for (size_t i = 0; i < s; i++)
             m->T[j * s + i] = m->Lambda[j * s + s - 1 - i];
-    return fvi_lobatto_memory_push_rate(m->memory, m->T, m->past,
-                                        m->want->alpha ? m->pastdot : NULL);
+    const int status = fvi_lobatto_memory_push_rate(
+        m->memory, m->T, m->past, m->want->alpha ? m->pastdot : NULL);
+    return status ? status : fvi_mirror_terms_remember(m);
 }
 
 int fvi_mirror_stages_step(fvi_mirror_stages *m, size_t k, const double *rows,

@@ -12,13 +12,14 @@ typedef double fvi_stage_matrix[FVI_STAGES][FVI_STAGES];
 
 /* Stage i of coordinate j stands at [j * s + i]. */
 typedef struct {
-    const fvi_run *run;
+    fvi_run own;        /* with a law alpha = 1/2, which then is not read */
+    const fvi_run *run; /* it */
     const fvi_gradients *want;
     const fvi_lobatto_rule *rule;
     size_t s, d;
     int damped_inertia;         /* form D */
     int heavy;                  /* form M, alpha = 1: rho is a mass, (17.17) */
-    double unit;                /* h^(-beta) */
+    double unit;                /* h^(-beta), or 1 of a law */
     fvi_stage_matrix K, E;      /* D^T B D and D^T B P; of form D: A^2 and A */
     fvi_stage_matrix W, rate;   /* W_0, and its derivative by beta */
     double *Lambda, *T;         /* s d numbers each */
@@ -29,6 +30,9 @@ typedef struct {
     double *kinetic, *sum, *sumdot, *plain, *pull, *pulldot; /* d each */
     double *block;                                           /* these; owned */
     fvi_lobatto_memory *memory; /* NULL: nothing is damped, or W is 1 */
+    size_t terms;               /* of a law whose terms are wanted, */
+    fvi_lobatto_memory **each;  /* their memories, with rho = 1, */
+    double *each_past; /* and what these gave, s d numbers each; owned */
     int is_damped, is_pulled;
     fvi_past_pull fading;
     fvi_band J;
@@ -49,6 +53,13 @@ void fvi_mirror_stages_stop(fvi_mirror_stages *m);
 /* fvi_mirror_stages_solve -- the equation of a step, (23.13) or (23.15): Lambda from
  * `after`, Q and what is known of T; and Q of the next. G is there. Errors FVI_ESING. */
 int fvi_mirror_stages_solve(fvi_mirror_stages *m);
+
+/* fvi_mirror_terms_start, _meet, _remember, _stop -- what the terms of a law give: coordinate
+ * j with the velocities v of its stages; T, which goes into all memories. */
+int fvi_mirror_terms_start(fvi_mirror_stages *m);
+void fvi_mirror_terms_meet(fvi_mirror_stages *m, size_t j, const double *v);
+int fvi_mirror_terms_remember(fvi_mirror_stages *m);
+void fvi_mirror_terms_stop(fvi_mirror_stages *m);
 
 /* fvi_mirror_stages_matrices -- what it needs, W and unit being there. */
 void fvi_mirror_stages_matrices(fvi_mirror_stages *m);

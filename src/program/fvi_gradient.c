@@ -71,11 +71,6 @@ static int interpret(request *r, fvi_complaint c)
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
-    if (m->scheme == FVI_SCHEME_STAGES && r->o.text[DAMPING])
-        return fvi_refuse(c,
-                          "--damping: '%s' has no gradient with %s; with fvi "
-                          "and fvi-bdf2 it has",
-                          r->o.text[DAMPING], m->name);
     if (m->scheme == FVI_SCHEME_MESH && fvi_mesh_path_is_pulled(&r->run))
         return fvi_refuse(c,
                           "--method: '%s' has no gradient where the past pulls "

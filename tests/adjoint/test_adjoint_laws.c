@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_laws.c -- Chapter 23: laws of damping.
  *                                        Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
+#include "memory/lobatto_weights.h"
 
 enum { D = 3, N = 300, TERMS = 4 };
 
@@ -51,14 +52,17 @@ static int ends(size_t k, size_t d, const double *x, const double *p,
     return 0;
 }
 
-static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2 };
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
+                                             &fvi_lobatto2d,  &fvi_lobatto3d,
+                                             &fvi_lobatto4d,  &fvi_lobatto5d };
+enum { MOST_ROWS = 4 * N + 1 }; /* of forces */
 static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
                                          FVI_MEMORY_EXPONENTIALS };
 
 static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
                          double *terms)
 {
-    slopes *s = slopes_of(&c->run, N + 1);
+    slopes *s = slopes_of(&c->run, MOST_ROWS);
     const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
     s->to.alpha = NULL;
     s->to.terms = terms;
@@ -89,7 +93,7 @@ START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
         c.run.law = NULL;
         c.run.alpha = 0.3;
         c.system.damping = alone;
-        slopes *same = slopes_of(&c.run, N + 1);
+        slopes *same = slopes_of(&c.run, MOST_ROWS);
         const fvi_objective J = { to_sine, &c.run };
         ck_assert_int_eq(fvi_adjoint(methods[i % LEN(methods)], &c.run, NULL,
                                      NULL, &J, &same->to),
@@ -111,6 +115,23 @@ START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
 }
 END_TEST
 
+/* sum_k dJ/dF_k . F(t_k) over the times of all stages. */
+static double by_forces(const fvi_method *method, const chain *c,
+                        const slopes *s)
+{
+    const size_t per = method->stages ? (size_t)method->stages - 1 : 1;
+    double sum = 0;
+    for (size_t k = 0; k <= N * per; k++) {
+        const double inner =
+            method->stages ? fvi_lobatto((size_t)method->stages)->c[k % per]
+                           : 0;
+        const double t = ((double)(k / per) + inner) * c->run.h;
+        for (size_t i = 0; i < D; i++)
+            sum += s->force[k * D + i] * c->aw[0] * cos(c->aw[1] * t);
+    }
+    return sum;
+}
+
 /* Masses, the terms of the law, springs, forces and momenta times one factor: the same x.
  * J = x_N,1 + p_N,2, of which p_N grows by the factor; for the terms the dampings, too. */
 START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
@@ -125,10 +146,7 @@ START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
         run_of(method, &c, x, p);
         double sum =
             s->to.parameters[0] * c.cg[0] + s->to.parameters[1] * c.cg[1];
-        for (size_t k = 0; k <= N; k++)
-            for (size_t j = 0; j < D; j++)
-                sum += s->force[k * D + j] * c.aw[0]
-                       * cos(c.aw[1] * (double)k * c.run.h);
+        sum += by_forces(method, &c, s);
         for (size_t j = 0; j < D; j++) {
             sum += s->to.p0[j] * c.p0[j] + s->to.mass[j] * c.mass[j];
             by_rho += s->to.damping[j] * c.rho[j];

@@ -212,12 +212,6 @@ START_TEST(stages_refuse_what_they_have_no_derivative_of)
                      FVI_EUNSUP);
     ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3d, &c.run, x, x, &J, &none),
                      FVI_EUNSUP);
-    const fvi_law_term maxwell = { FVI_LAW_MAXWELL, 1, 0, 0.5, 0 };
-    const fvi_law law = { 1, &maxwell };
-    c.run.law = &law;
-    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3d, &c.run, NULL, NULL, &J, &none),
-                     FVI_EUNSUP);
-    c.run.law = NULL;
     c.run.alpha = 1;
     ck_assert_int_eq(
         fvi_adjoint(&fvi_lobatto3, &c.run, NULL, NULL, &J, &by_alpha),

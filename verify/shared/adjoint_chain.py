@@ -174,12 +174,17 @@ class Chain:
                     out.append((pk[j] if a == 0 else ZERO) - S[j][a] + q["mass"][j] * line(self.K[a], V[j]))
         return out, S, speed
 
+    def memory(self, q, turn):
+        """W_n, n < N, and what multiplies them."""
+        beta = 2 * self.alpha0 - 1
+        W = [[[Dual(w.v, turn * w.d) for w in row] for row in u] for u in Tilted.weights(self.s, beta)]
+        return W, dual(self.step ** -mpmath.mpc(beta, turn * TINY))
+
     def run(self, q, tilt):
         """J. tilt None: the run of values, which is kept; else d alpha, 0 or 1."""
         s, h, real, n = self.s, self.h, tilt is None, len(self.unknown)
-        beta, turn = 2 * self.alpha0 - 1, 2 * (tilt or 0)
-        W = [[[Dual(w.v, turn * w.d) for w in row] for row in u] for u in Tilted.weights(s, beta)]
-        scale = dual(self.step ** -mpmath.mpc(beta, turn * TINY))
+        turn = 2 * (tilt or 0)
+        W, scale = self.memory(q, turn)
         rl = self.past == "rl"
         is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
         e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
@@ -232,3 +237,19 @@ class Chain:
         if i is not None:
             q[name][i] = Dual(q[name][i].v, ONE.v)
         return mpmath.ldexp(self.run(q, int(name == "alpha")).d, -BITS)
+
+
+class LawChain(Chain):
+    """Form D with a law of damping, (26.12); q holds the factors of its terms, too."""
+
+    def __init__(self, s, symbols, q, step):
+        around, step = points(s, mpf(1) / 4), mpf(step)
+        self.alone = []
+        for symbol in symbols:
+            w = coefficients(around, lambda v: symbol(v / step) / (v / step), range(N))
+            self.alone.append([[[Dual(fixed(a)) for a in row] for row in w[n].tolist()] for n in range(N)])
+        super().__init__(s, 1, "held", 0.5, q, step)
+
+    def memory(self, q, turn):
+        return [[[dot(q["terms"], [w[n][i][j] for w in self.alone]) for j in range(self.s)]
+                 for i in range(self.s)] for n in range(N)], ONE
