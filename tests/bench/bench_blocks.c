@@ -29,7 +29,7 @@ static void *room(size_t n)
 static size_t modes(void)
 {
     const double delta = fvi_exponentials_delta(STEPS, 0);
-    const size_t Q = fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL);
+    const size_t Q = fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL, NULL);
     return (Q + 7) / 8 * 8;
 }
 
@@ -48,7 +48,8 @@ static fvi_tiles *tiles_of(size_t d, size_t lanes)
     double p[MODES] = { 0 }, c[MODES] = { 0 }, w[FVI_WINDOW + 1];
     double weights[FVI_WINDOW] = { 0 };
     const size_t Q = modes();
-    fvi_exponentials_nodes(0.5, STEPS, fvi_exponentials_delta(STEPS, 0), p, c);
+    fvi_exponentials_nodes(0.5, STEPS, fvi_exponentials_delta(STEPS, 0), p, c,
+                           NULL);
     for (size_t q = 0; q < Q; q++) {
         c[q] *= exp(-FVI_TAIL * p[q]);
         p[q] = -expm1(-p[q]);
