@@ -172,7 +172,7 @@ stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
-petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1 and 2 ranks against build/fvi (PETSc, MPI)
+petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1, 2 and 4 ranks against build/fvi (PETSc, MPI)
 	GSL_LIBS='$(GSL_LIBS)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' sh src/make/petsc.sh $B
 
 mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)

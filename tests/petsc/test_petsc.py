@@ -1,21 +1,28 @@
-"""Ranks against one machine: build/fvi_petsc on 1 and 2 ranks, build/fvi alone.
+"""Ranks against one machine: build/fvi_petsc on 1, 2 and 4 ranks, build/fvi alone.
 
     test_petsc.py BUILD                                       (make petsc)
 
-A membrane of 24 by 17 unknowns: masses that differ, the second difference as K, and
-C = K/20 and a damper more, so that no symmetry hides a row in a wrong place. 300 steps, so
-that the memory is the compressed one, by blocks. x and p at the end agree to 1e-13 of the
+A membrane of 24 by 17 unknowns: masses that differ, the second difference as K, C = K/20
+and a damper more, forces on two unknowns, so that no symmetry hides a row in a wrong place.
+300 steps, so that the memory is the compressed one, by blocks. Then a grid of 17 by 24 that
+PETSc's DMDA cuts, against its matrices in files. x and p at the end agree to 1e-13 of the
 largest: conjugate gradients end at a residual of 1e-15 of the first, the condition of a
-step's matrix is below 10, and fvi-stable lets no error of a step grow. Seen: 4e-15."""
+step's matrix is below 10, and fvi-stable lets no error of a step grow. Seen: 4e-15.
+
+A run that was stopped and goes on gives the same bytes; a state that is not of such a run is
+refused."""
 import pathlib
-import struct
 import subprocess
 import sys
 
+sys.path.insert(0, "src/petsc")
+import petsc_vectors  # noqa: E402
+
 BUILD = pathlib.Path(sys.argv[1])
-FOLDER = BUILD / "petsc"
+FOLDER, GRID = BUILD / "petsc", BUILD / "petsc_grid"
 NX, NY, STEPS = 24, 17, 300
-ARGUMENTS = {"alpha": "0.3", "h": "0.2", "steps": str(STEPS), "x0": "1", "p0": "0.25"}
+WORDS = {"alpha": "0.3", "h": "0.2", "steps": str(STEPS), "x0": "1", "p0": "0.25"}
+OF_GRID = {**WORDS, "h": "0.01"}
 
 
 def matrices():
@@ -35,55 +42,98 @@ def matrices():
     return {"M": M, "K": K, "C": C}
 
 
-def write():
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    for name, entries in matrices().items():
+def grid_matrices():
+    """Those of -grid NY,NX -damping 0.05: NY points in a row, the first index fastest."""
+    a, b = (NY + 1) ** 2, (NX + 1) ** 2
+    M = {(n, n): 1 for n in range(1, NX * NY + 1)}
+    K = {place: 2 * a + 2 * b for place in M}
+    K |= {(n, n - 1): -a for n, _ in M if (n - 1) % NY > 0}
+    K |= {(n, n - NY): -b for n, _ in M if n > NY}
+    return {"M": M, "K": K, "C": {place: 0.05 * entry for place, entry in K.items()}}
+
+
+def write(folder, named):
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, entries in named.items():
         lines = [f"{i} {j} {entry!r}" for (i, j), entry in sorted(entries.items())]
         head = f"%%MatrixMarket matrix coordinate real symmetric\n{NX * NY} {NX * NY} {len(lines)}\n"
-        (FOLDER / f"{name}.mtx").write_text(head + "\n".join(lines) + "\n")
+        (folder / f"{name}.mtx").write_text(head + "\n".join(lines) + "\n")
 
 
-def one_machine():
-    end = FOLDER / "end.tsv"
-    subprocess.run([BUILD / "fvi", "run", "--system", FOLDER, "--method", "fvi-stable", "--every", str(STEPS), "--unknowns", "1",
-                    "--snapshot", end, *(word for name, value in ARGUMENTS.items() for word in (f"--{name}", value))],
+def one_machine(folder, words):
+    end = folder / "end.tsv"
+    subprocess.run([BUILD / "fvi", "run", "--system", folder, "--method", "fvi-stable", "--every", str(STEPS), "--unknowns", "1",
+                    "--snapshot", end, *(word for name, value in words.items() for word in (f"--{name}", value))],
                    check=True, stdout=subprocess.DEVNULL)
     rows = [line.split("\t") for line in end.read_text().splitlines() if not line.startswith("#")]
     return [float(row[1]) for row in rows], [float(row[2]) for row in rows]
 
 
-def ranks(count):
-    """PETSc's binary vectors: big-endian, a mark, the length, the numbers."""
+def start(ranks, *words, **named):
+    return subprocess.run(["mpirun", "-n", str(ranks), BUILD / "fvi_petsc", *words,
+                           *(word for name, value in named.items() for word in (f"-{name}", value))], capture_output=True, text=True)
+
+
+def ranks(count, *words, **named):
+    """The file of the end."""
     end = FOLDER / f"end_{count}.bin"
     end.unlink(missing_ok=True)
-    done = subprocess.run(["mpirun", "-n", str(count), BUILD / "fvi_petsc", "-system", FOLDER, "-o", end,
-                           *(word for name, value in ARGUMENTS.items() for word in (f"-{name}", value))],
-                          check=True, capture_output=True, text=True)
+    done = start(count, *words, "-o", end, **named)
+    if done.returncode:
+        sys.exit(done.stdout + done.stderr)
     print(f"petsc: {done.stdout.strip()}")
-    data, vectors = end.read_bytes(), []
-    while data:
-        mark, n = struct.unpack(">ii", data[:8])
-        assert mark == 1211214 and n == NX * NY
-        vectors.append(struct.unpack(f">{n}d", data[8:8 + 8 * n]))
-        data = data[8 + 8 * n:]
-    assert len(vectors) == 2
-    return vectors
+    return end
 
 
-write()
-want = one_machine()
-for count in (1, 2):
-    apart = max(abs(a - b) / max(map(abs, all)) for got, all in zip(ranks(count), want) for a, b in zip(got, all))
-    print(f"petsc: {count} ranks and one machine are {apart:.1e} apart")
+def compare(what, want, count, end):
+    got = petsc_vectors.read(end)
+    if [len(vector) for vector in got] != [NX * NY, NX * NY]:
+        sys.exit(f"petsc: {what}: not x and p")
+    apart = max(abs(a - b) / max(map(abs, whole)) for vector, whole in zip(got, want) for a, b in zip(vector, whole))
+    print(f"petsc: {what}, {count} ranks and one machine are {apart:.1e} apart")
     if not apart <= 1e-13:
         sys.exit("petsc: too far")
+
+
+def refused(what, said, done):
+    if done.returncode == 0 and "left" not in what or said not in done.stdout + done.stderr:
+        sys.exit(f"petsc: {what}: '{said}' was not said\n{done.stdout}{done.stderr}")
+
+
+write(FOLDER, matrices())
+write(GRID, grid_matrices())
+(FOLDER / "f.tsv").write_text("t f5 f200\n0 0 1\n20 2 -1\n60 -1 0.5\n")
+want, of_grid = one_machine(FOLDER, WORDS), one_machine(GRID, OF_GRID)
+state = FOLDER / "state"
+for count in (1, 2, 4):
+    whole = ranks(count, "-system", FOLDER, **WORDS)
+    compare("a folder", want, count, whole)
+    bytes_of_whole = whole.read_bytes()
+    ranks(count, "-system", FOLDER, "-checkpoint", state, "-stop", "123", **WORDS)
+    if ranks(count, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS).read_bytes() != bytes_of_whole:
+        sys.exit(f"petsc: a run that went on is another one, {count} ranks")
+    compare("a grid", of_grid, count, ranks(count, "-grid", f"{NY},{NX}", "-damping", "0.05", **OF_GRID))
+
+# What stands is the state of step 300, on 4 ranks.
+refused("the end", "has been reached before", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
+refused("fewer ranks", "is not the state of such a run", start(2, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
+refused("another alpha", "is not the state of such a run", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **{**WORDS, "alpha": "0.4"}))
+part = pathlib.Path(f"{state}.2")
+bent = bytearray(part.read_bytes())
+bent[len(bent) // 2] ^= 1
+part.write_bytes(bent)
+refused("a bit that fell over", "state.2 is not the state of such a run", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
+
 # No option is ignored in silence.
-for word, said in (("-stpes", "name:-stpes"), ("-steps", "-steps is less than 1")):
-    done = subprocess.run(["mpirun", "-n", "1", BUILD / "fvi_petsc", "-system", FOLDER, word, "-3"], capture_output=True, text=True)
-    if said not in done.stdout + done.stderr:
-        sys.exit(f"petsc: {word} -3 was taken without a word")
-# What cannot be run is refused by all ranks.
-(FOLDER / "K.mtx").write_text("%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 1 nan\n")
-bad = subprocess.run(["mpirun", "-n", "2", BUILD / "fvi_petsc", "-system", FOLDER], capture_output=True, text=True)
-if bad.returncode == 0 or "K.mtx, line 3" not in bad.stdout + bad.stderr:
-    sys.exit("petsc: a matrix with nan was not refused")
+for words, said in (("-system", FOLDER, "-stpes", "-3"), "name:-stpes"), (("-system", FOLDER, "-steps", "-3"), "-steps is less than 1"), \
+        (("-grid", "3", "-system", FOLDER), "one of -system DIR"), (("-grid", "3", "-stop", "3"), "want -checkpoint"), \
+        (("-grid", "0"), "a length below 1"), (("-system", FOLDER, "-damping", "1"), "is that of a grid"):
+    refused("left over" if "-stpes" in words else str(words), said, start(1, *words, alpha="0.3", steps="9") if "-steps" not in words else start(1, *words))
+# What cannot be run is refused, with file and line.
+for name, text, said in (("f.tsv", "t f5\n0 1\n1 nan\n", "f.tsv:3"), ("M.mtx", "%%MatrixMarket matrix coordinate real symmetric\n408 408 1\n1 1 1\n", "M.mtx"),
+                         ("K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 1 nan\n", "K.mtx:3")):
+    (FOLDER / name).write_text(text)
+    (FOLDER / "end_2.bin").unlink(missing_ok=True)
+    refused(name, said, start(2, "-system", FOLDER, "-o", FOLDER / "end_2.bin"))
+    if (FOLDER / "end_2.bin").exists():
+        sys.exit(f"petsc: {name} was refused, and something written")

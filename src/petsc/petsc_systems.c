@@ -1,0 +1,144 @@
+/* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [Chapter 28] */
+#include "petsc_share.h"
+
+#include <petscdmda.h>
+
+/* ---- from files ---- */
+
+/* The rows of this rank, which are columns, as A is symmetric. */
+static PetscErrorCode rows_of(const fvi_sparse *all, const share *s, Mat *A)
+{
+    const int *start = all->start + s->first;
+    const PetscInt count = start[s->rows] - start[0];
+    PetscInt *begin, *column;
+    PetscFunctionBeginUser;
+    PetscCall(PetscMalloc2(s->rows + 1, &begin, count, &column));
+    for (PetscInt i = 0; i <= s->rows; i++)
+        begin[i] = start[i] - start[0];
+    for (PetscInt i = 0; i < count; i++)
+        column[i] = all->row[start[0] + i];
+    PetscCall(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, s->rows, s->rows,
+                                        s->all, s->all, begin, column,
+                                        all->entry + start[0], A));
+    PetscCall(PetscFree2(begin, column));
+    PetscFunctionReturn(0);
+}
+
+/* Of the forces on all unknowns those of this rank. */
+static int forces_of_rows(double t, size_t d, void *params, double *F)
+{
+    const share *s = params;
+    const fvi_force all = fvi_directory_system(s->directory).force;
+    const int status = all.value(t, (size_t)s->all, all.params, s->forces);
+    for (size_t i = 0; i < d && !status; i++)
+        F[i] = s->forces[(size_t)s->first + i];
+    return status;
+}
+
+PetscErrorCode petsc_of_files(const char *folder, double last, share *s)
+{
+    char text[FVI_COMPLAINT];
+    const fvi_complaint complaint = { text, sizeof text };
+    const fvi_sparse *A[3];
+    int forced = 0;
+    PetscFunctionBeginUser;
+    PetscCheck(
+        !fvi_directory_open(folder, &s->directory, complaint)
+            && !fvi_directory_force(s->directory, last, &forced, complaint),
+        PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED, "%s", text);
+    fvi_directory_matrices(s->directory, A);
+    s->all = (PetscInt)A[0]->n;
+    s->rows = PETSC_DECIDE;
+    PetscCall(PetscSplitOwnership(PETSC_COMM_WORLD, &s->rows, &s->all));
+    PetscCallMPI(MPI_Exscan(&s->rows, &s->first, 1, MPIU_INT, MPI_SUM,
+                            PETSC_COMM_WORLD));
+    Mat *const of[] = { &s->M, &s->K, &s->C };
+    for (int l = 0; l < 3; l++)
+        if (A[l]->n > 0) /* without C.mtx nothing is damped */
+            PetscCall(rows_of(A[l], s, of[l]));
+    PetscCall(VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, s->rows, s->all, NULL,
+                                    &s->x));
+    if (forced) {
+        PetscCall(PetscMalloc1(s->all, &s->forces));
+        s->force = (fvi_force){ .value = forces_of_rows, .params = s };
+    }
+    PetscFunctionReturn(0);
+}
+
+/* ---- of a grid ---- */
+
+/* The row of K of one point, of which `at` are the indices. */
+static PetscErrorCode difference(Mat K, PetscInt count, const PetscInt n[3],
+                                 const PetscInt at[3])
+{
+    MatStencil here = { .i = at[0], .j = at[1], .k = at[2] }, beside[7];
+    double entry[7] = { 0 };
+    PetscInt entries = 1;
+    PetscFunctionBeginUser;
+    beside[0] = here;
+    for (PetscInt a = 0; a < count; a++) {
+        const double k = ((double)n[a] + 1) * ((double)n[a] + 1);
+        entry[0] += 2 * k;
+        for (PetscInt step = -1; step <= 1; step += 2) {
+            if (at[a] + step < 0 || at[a] + step >= n[a])
+                continue;
+            beside[entries] = here;
+            *(a == 0   ? &beside[entries].i
+              : a == 1 ? &beside[entries].j
+                       : &beside[entries].k) += step;
+            entry[entries++] = -k;
+        }
+    }
+    PetscCall(MatSetValuesStencil(K, 1, &here, entries, beside, entry,
+                                  INSERT_VALUES));
+    PetscFunctionReturn(0);
+}
+
+PetscErrorCode petsc_of_grid(PetscInt count, const PetscInt n[3],
+                             double damping, share *s)
+{
+    DM grid;
+    PetscInt from[3], size[3], at[3];
+    PetscFunctionBeginUser;
+    PetscCall(DMDACreate(PETSC_COMM_WORLD, &grid));
+    PetscCall(DMSetDimension(grid, count));
+    PetscCall(DMDASetSizes(grid, n[0], n[1], n[2]));
+    PetscCall(DMDASetDof(grid, 1));
+    PetscCall(DMDASetStencilType(grid, DMDA_STENCIL_STAR));
+    PetscCall(DMDASetStencilWidth(grid, 1));
+    PetscCall(DMSetUp(grid));
+    PetscCall(DMCreateMatrix(grid, &s->K));
+    PetscCall(DMDAGetCorners(grid, &from[0], &from[1], &from[2], &size[0],
+                             &size[1], &size[2]));
+    for (at[2] = from[2]; at[2] < from[2] + size[2]; at[2]++)
+        for (at[1] = from[1]; at[1] < from[1] + size[1]; at[1]++)
+            for (at[0] = from[0]; at[0] < from[0] + size[0]; at[0]++)
+                PetscCall(difference(s->K, count, n, at));
+    PetscCall(MatAssemblyBegin(s->K, MAT_FINAL_ASSEMBLY));
+    PetscCall(MatAssemblyEnd(s->K, MAT_FINAL_ASSEMBLY));
+    PetscCall(DMCreateMatrix(grid, &s->M));
+    PetscCall(MatShift(s->M, 1));
+    if (damping > 0) {
+        PetscCall(MatDuplicate(s->K, MAT_COPY_VALUES, &s->C));
+        PetscCall(MatScale(s->C, damping));
+    }
+    PetscCall(DMCreateGlobalVector(grid, &s->x)); /* which knows the grid */
+    PetscCall(VecGetSize(s->x, &s->all));
+    PetscCall(VecGetLocalSize(s->x, &s->rows));
+    PetscCall(VecGetOwnershipRange(s->x, &s->first, NULL));
+    PetscCall(DMDestroy(&grid));
+    PetscFunctionReturn(0);
+}
+
+PetscErrorCode petsc_forget(share *s)
+{
+    PetscFunctionBeginUser;
+    PetscCall(VecDestroy(&s->x));
+    PetscCall(VecDestroy(&s->y));
+    PetscCall(MatDestroy(&s->M));
+    PetscCall(MatDestroy(&s->K));
+    PetscCall(MatDestroy(&s->C));
+    PetscCall(PetscFree(s->forces));
+    fvi_directory_close(s->directory);
+    PetscFunctionReturn(0);
+}
