@@ -188,16 +188,15 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     if (o->singular.J)
         o->least = fmin(o->least, o->singular.t1 / 16);
     if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
-        o->least = fmin(o->least, o->T
-                                      * pow(1e-4 * fmin(o->wish, 1),
-                                            1 / (1 - o->beta)));
+        o->least = fmin(o->least,
+                        o->T * pow(1e-4 * fmin(o->wish, 1), 1 / (1 - o->beta)));
     if (o->least < 1e-250 * o->T)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
-    const fvi_modes_kind kind = o->wish > FVI_COARSE          ? FVI_MODES_COARSE
-                                : o->wish > FVI_COARSE / 1000 ? FVI_MODES_MEDIUM
-                                                              : FVI_MODES_FINE;
+    const fvi_modes_kind kind = o->wish > FVI_COARSE        ? FVI_MODES_COARSE
+                                : o->wish > FVI_COARSE / 10 ? FVI_MODES_MEDIUM
+                                                            : FVI_MODES_FINE;
     return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
