@@ -26,17 +26,17 @@ typedef struct {
     table c;
 } series;
 
-/* How many entries of row i have an exponent below ROWS. */
-static inline int columns(int i, double gamma)
+/* How many entries of row i have an exponent below `most`. */
+static inline int columns(int i, double gamma, double most)
 {
-    return (int)fmin(COLS, (ROWS - i) / gamma);
+    return (int)fmax(0, fmin(COLS, (most - i) / gamma));
 }
 
 /* Row i of the product of two series, from their rows up to i. */
 static inline void row_of_product(int i, double gamma, table a, table b,
                                   table product)
 {
-    const int most = columns(i, gamma);
+    const int most = columns(i, gamma, ROWS);
     memset(product[i], 0, sizeof product[i]);
     for (int l = 0; l <= i; l++)
         for (int j = 0; j < most; j++)
@@ -63,7 +63,7 @@ static inline void row_of_gradient(const duffing *q, int i, table x,
         row_of_product(i, gamma, x, x, square);
         row_of_product(i, gamma, square, x, cube);
     }
-    for (int j = 0; j < columns(i, gamma); j++)
+    for (int j = 0; j < columns(i, gamma, ROWS); j++)
         gradient[i][j] = q->c * x[i][j] + (q->g != 0 ? q->g * cube[i][j] : 0);
 }
 
@@ -79,7 +79,7 @@ static inline void expand(const duffing *q, series *x)
     double force = q->A; /* A cos(w t) = sum of these times t^i / i! */
     for (int i = 0; i < ROWS; i++) {
         double *row = x->c[i];
-        for (int j = 0; j < columns(i, gamma); j++) {
+        for (int j = 0; j < columns(i, gamma, ROWS); j++) {
             const double e = i + j * gamma, before = e - gamma;
             if (i >= 2)
                 row[j] -= gradient[i - 2][j] / (e * (e - 1));
@@ -95,15 +95,16 @@ static inline void expand(const duffing *q, series *x)
     }
 }
 
-/* x and x' at t >= 0. */
+/* x and x' at t >= 0, without terms whose t^e is below exp(-60). */
 static inline void at(const series *x, double t, double *where, double *speed)
 {
-    const double s = pow(t, x->gamma);
-    double row_of_x, row_of_v, v = 0;
+    const double s = pow(t, x->gamma),
+                 most = t < 1 ? fmin(ROWS, 3 - 60 / log(t)) : ROWS;
+    double v = 0;
     *where = 0;
-    for (int i = ROWS - 1; i >= 0; i--) {
-        row_of_x = row_of_v = 0;
-        for (int j = columns(i, x->gamma) - 1; j >= 0; j--) {
+    for (int i = (int)most; i-- > 0;) {
+        double row_of_x = 0, row_of_v = 0;
+        for (int j = columns(i, x->gamma, most); j-- > 0;) {
             row_of_x = row_of_x * s + x->c[i][j];
             row_of_v = row_of_v * s + (i + j * x->gamma) * x->c[i][j];
         }
@@ -111,6 +112,8 @@ static inline void at(const series *x, double t, double *where, double *speed)
         v = v * t + row_of_v; /* of t x' */
     }
     *speed = t > 0 ? v / t : x->c[1][0];
+    if (t == 0)
+        *where = x->c[0][0];
 }
 
 #endif

@@ -115,7 +115,7 @@ static double turned(const pade *r, const point *q, const double complex *near,
  * of the circle, z = exp(-i phi); and its signs at both ends. */
 static int zeros(const pade *r, const point *q, double ends[2])
 {
-    enum { PARTS = 400 };
+    enum { PARTS = 200 };
     double complex lambda[MOST], near[MOST], S[2];
     double turn = 0, phi[2] = { 0, 0 };
     for (size_t i = 0; i < r->s; i++)
@@ -155,7 +155,7 @@ static double load_at(size_t s, const point *q)
  * z = 1, at which det S has changed its sign, and the library's load says when. */
 START_TEST(eq_14_9_no_mode_grows_but_those_of_the_two_ends)
 {
-    enum { POINTS = 2400 };
+    enum { POINTS = 1200 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     int grow = 0;
     for (int i = 0; i < POINTS; i++) {
