@@ -11,7 +11,7 @@ PLAY = HERE.parent / "play"
 sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
-SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "live.c", HERE / "inverse.c"]
+SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
 MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative", "sensitivity",
            "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]

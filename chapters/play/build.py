@@ -12,7 +12,7 @@ from wasm import MODULES, compile_to, packed
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
-SOURCES = [HERE / f"{name}.c" for name in ("play", "gsl", "malloc")]
+SOURCES = [HERE / f"{name}.c" for name in ("play", "gsl", "malloc", "strtod")]
 
 
 def main():

@@ -54,18 +54,52 @@ function sayCut(high) {
 
 // ---- the body ----
 
-// A wall, a spring, the body at its place, and where it was, as large as that weighs.
+// A wall, a spring above, a springpot below, the body, and where it was, as large as that weighs.
 function drawBody(high) {
   const canvas = element("body"), { x, weights } = result, k = moment();
   const at = picture(canvas, { x: span(x, [0]).map(end => Math.min(Math.max(end, -high), high)), y: [-1, 1], names: ["", ""], bare: true });
-  const wall = at.left, place = Math.min(Math.max(x[k], -high), high), coils = 12;
-  at.curve(Array.from({ length: 2 * coils + 1 }, (_, i) => wall + (place - wall) * i / (2 * coils)),
-    Array.from({ length: 2 * coils + 1 }, (_, i) => (i % 2 ? (i % 4 === 1 ? 0.35 : -0.35) : 0)), "axis", [], 1.3);
+  const wall = at.left, place = Math.min(Math.max(x[k], -high), high), coils = 12, along = share => wall + (place - wall) * share;
+  if (state.potential !== "free")
+    at.curve(Array.from({ length: 2 * coils + 1 }, (_, i) => along(i / 2 / coils)),
+      Array.from({ length: 2 * coils + 1 }, (_, i) => 0.5 + (i % 2 ? (i % 4 === 1 ? 0.3 : -0.3) : 0)), "axis", [], 1.3);
+  if (state.rho > 0) // its sign is a rhomb
+    at.curve([0, 0.4, 0.5, 0.6, 0.5, 0.4, 0.5, 0.6, 1].map(along), [-0.5, -0.5, -0.1, -0.5, -0.9, -0.5, -0.1, -0.5, -0.5], "axis", [], 1.3);
   for (let n = remembers() ? k : 0; n > 0; n--) {
     const radius = 9 * Math.cbrt(Math.abs(weights[n]));
     if (radius > 0.5) at.dot(x[k - n], 0, "past", radius, true);
   }
+  at.curve([place, place], [-0.7, 0.7], "axis", [], 3);
   at.dot(place, 0, "run", 9);
+}
+
+// ---- weight times x ----
+
+function drawParts(t) {
+  const k = moment(), adds = parts(state, result, k), sum = adds.reduce((total, part) => total + part, 0), canvas = element("parts");
+  const at = picture(canvas, { x: t, y: span(adds, [0]), names: ["t", "part"] });
+  adds.forEach((part, j) => at.curve([j * state.h, j * state.h], [0, part], part < 0 ? "negative" : "positive", [], adds.length < 200 ? 2 : 1));
+  if (!remembers()) at.note("no memory");
+  canvas.setAttribute("aria-label", `What each moment adds to the damping at k = ${k}; the sum is ${short(sum)}`);
+  element("parts-sum").textContent = short(Number(sum.toPrecision(3)));
+}
+
+// ---- three pasts ----
+
+let three = false, others = []; // the runs of the other two: { past, x }
+function runOthers() {
+  others = three && !methods[state.method].half ? choices.past.filter(past => past !== state.past)
+    .map(past => ({ past, x: fvi.run({ ...state, past }, 1).x.slice() })) : [];
+}
+function toggleThree() {
+  three = !three;
+  element("three").setAttribute("aria-pressed", three);
+  redraw();
+}
+function drawOthers(at) {
+  others.forEach(({ past, x }, i) => {
+    at.curve(Array.from(x, (_, j) => j * state.h), x, ["positive", "negative"][i], [[2, 3], [9, 3, 2, 3]][i], 1.4);
+    if (x.length) at.text((x.length - 1) * state.h * (0.8 - 0.25 * i), x[Math.round((x.length - 1) * (0.8 - 0.25 * i))], past, ["positive", "negative"][i]);
+  });
 }
 
 let playing = 0; // when the last frame was, or 0
@@ -126,8 +160,61 @@ function saveTable() {
   save("run.csv", URL.createObjectURL(new Blob([["t,x,p,energy", ...rows, ""].join("\n")], { type: "text/csv" })));
 }
 
+// What draws as a canvas's pen does, into the text of an SVG; as much of it as plot.js asks for.
+function svgPen(width, height) {
+  const out = [], round = value => Math.round(value * 100) / 100, pen = { dash: [] };
+  let path = "", box; // box: the last rectangle
+  const known = (...values) => values.every(Number.isFinite); // a canvas, too, leaves out the others
+  const shape = style => out.push(`<path d="${path}" ${style}/>`);
+  return Object.assign(pen, {
+    setTransform() {}, save() {}, setLineDash(dash) { pen.dash = dash; },
+    clearRect(...box) { this.fillStyle = colours.ground; path = ""; this.rect(...box); this.fill(); },
+    beginPath() { path = ""; },
+    moveTo(x, y) { if (known(x, y)) path += `M${round(x)} ${round(y)}`; },
+    lineTo(x, y) { if (known(x, y)) path += `${path ? "L" : "M"}${round(x)} ${round(y)}`; },
+    rect(x, y, w, h) { box = [x, y, w, h]; path += `M${round(x)} ${round(y)}h${round(w)}v${round(h)}h${round(-w)}z`; },
+    arc(x, y, r) { if (known(x, y)) path += `M${round(x - r)} ${round(y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`; },
+    clip() { const [x, y, w, h] = box; out.push(`<svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${x} ${y} ${w} ${h}">`); },
+    restore() { out.push("</svg>"); },
+    stroke() { shape(`fill="none" stroke="${pen.strokeStyle}" stroke-width="${pen.lineWidth}" stroke-linejoin="round" stroke-dasharray="${pen.dash.join(" ")}"`); },
+    fill() { shape(`fill="${pen.fillStyle}"`); },
+    measureText: text => ({ width: 7 * text.length }),
+    fillText(text, x, y) {
+      const anchor = { left: "start", center: "middle", right: "end" }[pen.textAlign], base = { top: "0.8em", middle: "0.35em", bottom: "-0.2em" }[pen.textBaseline];
+      out.push(`<text x="${round(x)}" y="${round(y)}" dy="${base}" text-anchor="${anchor}" fill="${pen.fillStyle}">${text.replaceAll("&", "&amp;").replaceAll("<", "&lt;")}</text>`);
+    },
+    text: () => `<svg xmlns="${"http"}://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" `
+      + `font-family="system-ui, sans-serif" font-size="12">${out.join("\n")}</svg>\n`,
+  });
+}
+
+// The picture that is chosen, as an SVG, a PNG, or a table of what is drawn in it.
+const kinds = {
+  svg(canvas) {
+    canvas.pen = svgPen(canvas.clientWidth, canvas.clientHeight);
+    draw();
+    const text = canvas.pen.text();
+    delete canvas.pen;
+    draw();
+    return new Blob([text], { type: "image/svg+xml" });
+  },
+  png(canvas) {
+    const copy = document.createElement("canvas"), pen = copy.getContext("2d");
+    Object.assign(copy, { width: canvas.width, height: canvas.height });
+    pen.fillStyle = colours.ground;
+    pen.fillRect(0, 0, copy.width, copy.height);
+    pen.drawImage(canvas, 0, 0);
+    return new Promise(done => copy.toBlob(done, "image/png"));
+  },
+  csv: canvas => new Blob([["curve,x,y", ...canvas.series.flatMap(([name, x, y]) => Array.from(y, (value, i) => `${name},${x[i]},${value}`)), ""].join("\n")], { type: "text/csv" }),
+};
+async function savePicture(kind) {
+  const which = element("which").value;
+  save(`${which}.${kind}`, URL.createObjectURL(await kinds[kind](element(which))));
+}
+
 function explain() {
   for (const [id, what] of [["pin", pin], ["play", togglePlay], ["undo", undo], ["save-table", saveTable],
-    ["save-picture", () => save("x.png", element("x").toDataURL())], ["tour-back", () => goTour(-1)], ["tour-next", () => goTour(1)]])
+    ["three", toggleThree], ...Object.keys(kinds).map(kind => [`save-${kind}`, () => savePicture(kind)]), ["tour-back", () => goTour(-1)], ["tour-next", () => goTour(1)]])
     element(id).addEventListener("click", what);
 }

@@ -19,7 +19,7 @@ const methods = {
 // What a run is made of. Names, words and defaults are those of `build/fvi run`.
 const choices = {
   method: Object.keys(methods),
-  potential: ["harmonic", "duffing", "pendulum", "free"],
+  potential: ["harmonic", "duffing", "pendulum", "free", "own"], // own: an expression in x
   force: ["none", "step", "cosine"],
   past: ["held", "caputo", "rl"],
 };
@@ -42,7 +42,7 @@ const fields = ["method", "alpha", "rho", "potential", "c", "g", "force", "a", "
   "kappa", "x0", "p0", "h", "steps"];
 // The parameters that a word takes: harmonic:C, duffing:C,G, step:A,T, cosine:A,W.
 const parameters = {
-  harmonic: ["c"], duffing: ["c", "g"], pendulum: ["c"], free: [],
+  harmonic: ["c"], duffing: ["c", "g"], pendulum: ["c"], free: [], own: [],
   none: [], step: ["a", "b"], cosine: ["a", "b"],
 };
 
@@ -53,7 +53,16 @@ function defaults() {
   const state = {};
   for (const name in choices) state[name] = choices[name][0];
   for (const name in ranges) state[name] = ranges[name][2];
+  state.own = "x^4/4-x^2/2";
   return state;
+}
+
+// Why a text cannot be an expression, at a glance: the C understands it, or says where it does not.
+function strange(text) {
+  if (!text.trim()) return "U: there is nothing";
+  if (text.length > 200) return "U: more than 200 letters";
+  const [letter] = /[^\w\s.+\-*/^()]/.exec(text) ?? [];
+  return letter ? `U: '${letter}' is in no expression` : "";
 }
 
 // A number as the program reads one, or a fraction such as 1/3, or NaN; never "", "0,5",
@@ -99,6 +108,12 @@ function take(state, name, text) {
     return wrong;
   }
   if (!Object.hasOwn(choices, name)) return `${name}: there is no such parameter`;
+  if (name === "potential" && !choices.potential.slice(0, -1).includes(text.split(":")[0])) {
+    const wrong = strange(text);
+    if (wrong) return `potential: '${text}' is none of ${choices.potential.slice(0, -1).join(", ")}, and no expression: ${wrong}`;
+    Object.assign(state, { potential: "own", own: text.replaceAll(/\s/g, "") });
+    return "";
+  }
   const [word, ...rest] = text.split(":"), values = rest.length ? rest.join(":").split(",") : [];
   if (!choices[name].includes(word)) return `${name}: '${text}' is none of ${choices[name].join(", ")}`;
   const wanted = parameters[word] ?? [];
@@ -147,7 +162,7 @@ function parse(hash) {
 
 // name -> value as text, for every number and word of the link.
 function words(state) {
-  const call = word => word + (parameters[word].length ? ":" : "")
+  const call = word => word === "own" ? state.own : word + (parameters[word].length ? ":" : "")
     + parameters[word].map(name => state[name]).join(",");
   return {
     method: state.method, alpha: state.alpha, rho: state.rho, potential: call(state.potential),
@@ -166,8 +181,9 @@ function link(state) {
 }
 function command(state) {
   const option = name => name === "past" ? "derivative" : name;
+  const quoted = value => /[()*^]/.test(value) ? `'${value}'` : value; // from the shell
   const taken = ([name]) => name !== "kappa" || methods[state.method].kappa; // the program refuses it, too
-  return ["build/fvi run", ...changes(state).filter(taken).map(([name, value]) => `--${option(name)} ${value}`),
+  return ["build/fvi run", ...changes(state).filter(taken).map(([name, value]) => `--${option(name)} ${quoted(value)}`),
     ...methods[state.method].stages ? [] : ["--memory direct"]].join(" ");
 }
 
@@ -188,13 +204,22 @@ function before({ past, alpha, rho, x0 }) {
 // Why there is no exact curve; "" if there is one.
 function lacking({ method, potential }, { solvable, exact }) {
   if (solvable)
-    return exact.x.length ? "" : `No exact curve: U of ${potential} is not quadratic, and no formula is known.`;
+    return exact.x.length ? "" : potential === "own" ? "No exact curve: no formula is looked for where U is typed." : `No exact curve: U of ${potential} is not quadratic, and no formula is known.`;
   return "This problem has no solution: for α > 1/2 the damping answers the jump from 0 to x0 with an infinite impulse. "
     + (methods[method].printed ? `${method} runs it, as Algorithm 3 is printed: another h, another curve.`
       : `${method} refuses it.`) + " Take another past, or x0 = 0.";
 }
 
 const short = value => Number.isFinite(value) ? String(Number(value.toPrecision(5))) : String(value);
+
+// What each moment j <= k adds to rho D x at step k: a weight times x_j less what the past makes
+// of it; of stages, times a step's change of x. (5.1), (17.9)
+function parts(state, { x, weights }, k) {
+  const { method, alpha, rho, h, past, x0, p0 } = state, scale = rho * h ** (-2 * alpha);
+  const less = j => past === "rl" ? 0 : x0 + (past === "caputo" && alpha > 0.5 ? j * h * p0 : 0);
+  const of = methods[method].stages ? j => (j > 0 ? x[j] - x[j - 1] : 0) : j => x[j] - less(j);
+  return Array.from({ length: k + 1 }, (_, j) => scale * weights[k - j] * of(j));
+}
 
 // The weight of what was n steps ago falls like n to this power.
 const decay = ({ method, alpha }) => methods[method].stages ? -2 * alpha : -1 - 2 * alpha;
@@ -217,6 +242,8 @@ function stability(state, load, largest, solvable) {
   const local = !linear && (stages || state.kappa !== 0.5), where = local ? ", for small motions about x0" : "";
   if (local && potential === "pendulum" && Math.cos(state.x0) < 0 && !(load > 1))
     return { crossed: false, load: NaN, largest, text: "stability: nothing is said here, as U″ < 0 at x0" };
+  if (local && potential === "own")
+    return { crossed: false, load: NaN, largest, text: "stability: nothing is said here of a U that is typed" };
   const spring = stages && rho > 0 && alpha < 0.5;
   if (spring && stages > 2 && alpha > 0)
     return { crossed: false, load: NaN, largest, text: `stability: no formula is known for ${stages} stages and `
@@ -244,13 +271,26 @@ async function unpack(text) {
 async function kernel(text) {
   const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(text), {});
   const array = (which, length) => new Float64Array(c.memory.buffer, c.play_array(which), length);
+  const write = state => {
+    new Float64Array(c.memory.buffer, c.play_input(), fields.length).set(fields.map(name =>
+      name in choices ? choices[name].indexOf(state[name]) : state[name]));
+    const letters = new TextEncoder().encode(state.own.slice(0, 200) + "\0");
+    new Uint8Array(c.memory.buffer, c.play_text(), letters.length).set(letters);
+  };
   return {
     c,
+    // What is wrong with the expression of a state, "" if nothing.
+    misprint(state) {
+      const glance = strange(state.own);
+      write({ ...state, potential: "own" });
+      const bytes = new Uint8Array(c.memory.buffer, c.play_wrong()), reason = String.fromCharCode(...bytes.slice(0, bytes.indexOf(0)));
+      const rest = state.own.slice(c.play_wrong_at());
+      return glance || (reason && `U: ${reason}${rest ? `, at '${rest}'` : ", at its end"}`);
+    },
     // Everything that the page shows of a state. The arrays are views: read them
     // before the next call.
     run(state, points = 400) {
-      new Float64Array(c.memory.buffer, c.play_input(), fields.length).set(fields.map(name =>
-        name in choices ? choices[name].indexOf(state[name]) : state[name]));
+      write(state);
       const every = Math.ceil(state.steps / points), parts = Math.floor(Math.max(1, points / state.steps));
       const solvable = Boolean(c.play_solvable()), rows = c.play_run(), exact = c.play_exact(every, parts), count = state.steps + 1;
       c.play_weights(count);

@@ -7,6 +7,7 @@
 #include <fvi/convolution_quadrature.h>
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
+#include <fvi/expression.h>
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
@@ -45,6 +46,46 @@ double *EXPORT(play_array)(int which)
     return arrays[which];
 }
 
+/* ---- a potential that is typed ---- */
+
+static char text[256];
+static fvi_expression *own; /* while a call lasts */
+static fvi_misprint wrong;
+
+char *EXPORT(play_text)(void)
+{
+    return text;
+}
+
+/* Nonzero if it is no expression. What is kept has to be given back: free does its work when
+ * the last block has come. */
+static int understand(void)
+{
+    static const fvi_names names = { .variable = "x", .d = 1 };
+    wrong = (fvi_misprint){ 0, "" };
+    return input.potential == 4
+           && fvi_expression_parse(text, &names, NULL, &own, &wrong);
+}
+
+static void forget(void)
+{
+    fvi_expression_free(own);
+    own = NULL;
+}
+
+/* What is wrong with it, "" if nothing; play_wrong_at: at which of its bytes. */
+const char *EXPORT(play_wrong)(void)
+{
+    understand();
+    forget();
+    return wrong.reason;
+}
+
+int EXPORT(play_wrong_at)(void)
+{
+    return (int)wrong.at;
+}
+
 /* ---- from the numbers to a run ---- */
 
 static const double mass = 1;
@@ -76,8 +117,10 @@ static fvi_potential potential(void)
         return fvi_potential_duffing(&input.c); /* c, then g */
     case 2:
         return fvi_potential_pendulum(&input.c);
-    default:
+    case 3:
         return (fvi_potential){ 0 }; /* free */
+    default:
+        return fvi_potential_expression(own);
     }
 }
 
@@ -117,19 +160,18 @@ int EXPORT(play_solvable)(void)
                                  input.x0);
 }
 
-/* Whether U is a multiple of x^2. */
+/* Whether U is a multiple of x^2, as it stands. */
 static int quadratic(void)
 {
-    return !((input.potential == 1 && input.g != 0)
+    return input.potential < 4 && !((input.potential == 1 && input.g != 0)
              || (input.potential == 2 && input.c != 0));
 }
 
 /* How many rows of x, p and energy there are: steps + 1, less if a value stopped
  * being finite or the equation of a step was not solved, 0 if refused. */
-int EXPORT(play_run)(void)
+static int run_of(const fvi_system *system)
 {
-    const fvi_system system = the_system(&input.rho);
-    const fvi_run run = the_run(&system);
+    const fvi_run run = the_run(system);
     fvi_stepper *s;
     if (!(input.steps <= MOST_STEPS) || fvi_start(the_method(), &run, &s))
         return 0;
@@ -137,13 +179,24 @@ int EXPORT(play_run)(void)
     do {
         x[rows] = s->x[0];
         p[rows] = s->p[0];
-        if (fvi_energy(&system, s->x, s->p, energy + rows)
+        if (fvi_energy(system, s->x, s->p, energy + rows)
             || !isfinite(energy[rows])) /* no row, as in build/fvi */
             break;
         rows++;
         status = s->k < run.steps ? fvi_step(s) : FVI_EINVAL;
     } while (!status);
     fvi_stop(s);
+    return rows;
+}
+
+int EXPORT(play_run)(void)
+{
+    int rows = 0;
+    if (!understand()) {
+        const fvi_system system = the_system(&input.rho);
+        rows = run_of(&system);
+    }
+    forget();
     return rows;
 }
 
@@ -235,20 +288,30 @@ int fvi_stability_lobatto(size_t s, const fvi_run *run, double *load)
  * be said. */
 double EXPORT(play_load)(void)
 {
-    const fvi_system system = the_system(&input.rho);
-    const fvi_run run = the_run(&system);
-    double load;
-    return fvi_stability_load(the_method(), &run, &load) ? -1 : load;
+    double load = -1;
+    if (!understand()) {
+        const fvi_system system = the_system(&input.rho);
+        const fvi_run run = the_run(&system);
+        if (fvi_stability_load(the_method(), &run, &load))
+            load = -1;
+    }
+    forget();
+    return load;
 }
 
 /* The h of load 1, the largest stable step: 0 if none is, infinity if all are, -1 if
  * it cannot be said. The load that stands in for that of stages grows with h. */
 double EXPORT(play_step)(void)
 {
-    const fvi_system system = the_system(&input.rho);
-    const fvi_run run = the_run(&system);
-    fvi_method method = *the_method();
-    double h;
-    method.load_grows = 1;
-    return fvi_stability_step(&method, &run, &h) ? -1 : h;
+    double h = -1;
+    if (!understand()) {
+        const fvi_system system = the_system(&input.rho);
+        const fvi_run run = the_run(&system);
+        fvi_method method = *the_method();
+        method.load_grows = 1;
+        if (fvi_stability_step(&method, &run, &h))
+            h = -1;
+    }
+    forget();
+    return h;
 }

@@ -97,8 +97,9 @@ function drawMotion() {
   const t = [0, Math.max(rows - 1, 1) * state.h], high = readable(result);
   const fit = (most, ...arrays) => span(...arrays.map(values => values.map(value => Math.min(Math.max(value, -most), most))));
   sayCut(high);
-  const at = motion = picture(element("x"), { x: t, y: fit(high, x, exact.x, other.x), names: ["t", "x"] });
+  const at = motion = picture(element("x"), { x: t, y: fit(high, x, exact.x, other.x, ...others.map(run => run.x)), names: ["t", "x"] });
   at.curve(other.t, other.x, "pinned", [2, 3]);
+  drawOthers(at);
   at.curve(times, x, "run");
   at.curve(exact.t, exact.x, "exact", dash);
   drawPast(at, times);
@@ -113,6 +114,7 @@ function drawMotion() {
   phase.curve(exact.x, exact.v, "exact", dash, 1.2);
   phase.dot(x[k], p[k], "run", 4);
   drawError(t);
+  drawParts(t);
   drawBody(high);
 }
 
@@ -120,7 +122,7 @@ function drawMotion() {
 function drawNothing() {
   const t = [0, state.steps * state.h], y = [-1, 1];
   sayCut(Infinity);
-  for (const [id, x, names] of [["body", y, ["", ""]], ["error", t, ["t", "error"]], ["energy", t, ["t", "E"]], ["phase", y, ["x", "p"]], ["x", t, ["t", "x"]]]) {
+  for (const [id, x, names] of [["body", y, ["", ""]], ["error", t, ["t", "error"]], ["parts", t, ["t", "part"]], ["energy", t, ["t", "E"]], ["phase", y, ["x", "p"]], ["x", t, ["t", "x"]]]) {
     motion = picture(element(id), { x, y, names }); // that of x is the last
     motion.note("no run");
   }
@@ -155,6 +157,7 @@ function draw() {
   waiting = false;
   const began = performance.now();
   readColours();
+  runOthers(); // before the run: its arrays are views
   result = fvi.run(state);
   sayStability();
   sayExact();
@@ -206,8 +209,8 @@ function set(name, value) {
 // After any change: what belongs to alpha = 1/2, the controls, the link, a picture.
 function change() {
   const wrong = settle(state);
-  if (wrong) say([wrong]);
   show();
+  if (wrong) sayFault("alpha", wrong);
   clearTimeout(linkTimer);
   linkTimer = setTimeout(() => { // the hand rests
     remember();
@@ -243,6 +246,8 @@ function show() {
     slider.disabled = field.disabled = Boolean(unused);
   }
   for (const name in choices) element(name).value = state[name];
+  element("own-row").hidden = state.potential !== "own";
+  if (element("own") !== document.activeElement) element("own").value = state.own;
   element("past").disabled = Boolean(half);
   element("before").textContent = before(state);
   element("command").replaceChildren(...command(state).split(/ (?=--)/).flatMap(words => {
@@ -259,6 +264,17 @@ function build() {
     element(name).append(...choices[name].map(word => new Option(spelled[word] ?? word, word)));
     element(name).addEventListener("input", () => set(name, element(name).value));
   }
+  element("own").addEventListener("input", () => {
+    const own = element("own").value, wrong = fvi.misprint({ ...state, own });
+    element("own").setAttribute("aria-invalid", Boolean(wrong));
+    sayFault("own", wrong && `${wrong}; U stays ${state.own}`);
+    if (!wrong) set("own", own.replaceAll(/\s/g, ""));
+  });
+  element("own").addEventListener("change", () => {
+    element("own").value = state.own;
+    element("own").setAttribute("aria-invalid", false);
+    sayFault("own", "");
+  });
   element("look").addEventListener("input", () => {
     look = Number(element("look").value) / Math.max(result.rows - 1, 1);
     redraw();
@@ -289,6 +305,11 @@ function build() {
 function read() {
   const { state: meant, wrong } = parse(location.hash);
   clearTimeout(linkTimer);
+  const misprint = meant.potential === "own" && fvi.misprint(meant);
+  if (misprint) {
+    wrong.push(misprint);
+    Object.assign(meant, { potential: "harmonic", own: defaults().own });
+  }
   state = meant;
   remember();
   showTour();

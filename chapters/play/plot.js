@@ -4,7 +4,7 @@
 let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ["ink", "soft-ink", "grid", "axis", "run", "exact", "past", "positive", "negative", "pinned"])
+  for (const name of ["ink", "soft-ink", "ground", "grid", "axis", "run", "exact", "past", "positive", "negative", "pinned"])
     colours[name] = style.getPropertyValue(`--${name}`).trim();
 }
 
@@ -52,7 +52,8 @@ function picture(canvas, axes) {
     canvas.width = Math.round(width * dots);
     canvas.height = Math.round(height * dots);
   }
-  const pen = canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
+  const pen = canvas.pen ?? canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
+  canvas.series = []; // [what, x, y] of all that is drawn, for a table
   const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 16, bottom = height - (axes.bare ? 18 : 34);
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
@@ -118,6 +119,7 @@ function picture(canvas, axes) {
       pen.beginPath();
       for (let i = 0; i < y.length; i++) pen.lineTo(X(x[i]), Y(y[i]));
       pen.stroke();
+      canvas.series.push([name, x, y]);
     }),
     // Words to the right of a point, or to its left.
     text: (x, y, words, name, left = false) => {
@@ -134,6 +136,7 @@ function picture(canvas, axes) {
       pen.lineWidth = 1.4;
       if (hollow) pen.stroke();
       else pen.fill();
+      canvas.series.push([name, [x], [y]]);
     }),
   };
 }

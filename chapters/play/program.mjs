@@ -14,7 +14,7 @@ export const [, wasm, source] =
   page.match(/<script>const wasm = "([^"]*)";<\/script>\n<script>\n([^]*?)<\/script>/);
 vm.runInThisContext(source);
 export const model = vm.runInThisContext(`({ methods, choices, ranges, first, defaults, stops, fault, parse, link,
-  command, before, lacking, decay, unpack, kernel })`);
+  command, before, lacking, decay, parts, unpack, kernel })`);
 export const fvi = await model.kernel(wasm);
 
 const heard = new Map(); // the words of a call -> { stdout, said }
@@ -50,7 +50,7 @@ export function rows(words) {
   const number = text => Number(text.replace("inf", "Infinity")); // an energy may overflow
   return { table: lines.map(line => line.split("\t").map(number)), said };
 }
-export const call = state => model.command(state).split(" ").slice(1);
+export const call = state => model.command(state).replaceAll("'", "").split(" ").slice(1);
 export const ran = state => rows(call(state));
 
 // The state of a link that must be understood.

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import * as all from "./program.mjs";
 
 const { ask, call, fvi, meant, model, ran, rows, test, wasm } = all;
-const { methods, choices, defaults, command, before, lacking, decay, unpack } = model;
+const { methods, choices, defaults, command, before, lacking, decay, parts, unpack } = model;
 const U = 2 ** -53;
 const bare = state => fvi.run(state, 1); // of the exact curve, not compared, only two points
 const most = values => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0);
@@ -119,6 +119,70 @@ await test("else to the rounding of pow, exp, sin and cos, all methods, potentia
     console.log(`  ${method.padEnd(14)} ${equal} of ${all} rows to every digit, worst ${worst.toExponential(1)} `
       + `relative, ${share.toExponential(1)} of the bound`);
   }
+});
+
+// ---- a potential that is typed ----
+
+// The tape of an expression is the same C; exp, sin and their like differ as above, and motions
+// part the more, the more U bends: 1e-12 of the largest is allowed. Seen: 6.3e-16.
+await test("a typed potential moves the body as the program does", async () => {
+  const cases = ["x^4/4-x^2/2", "cosh(x)", "x^2/2+0.1*sin(3*x)", "1.25e-1*x^4+exp(-x^2)", "sqrt(1+x^2)", "-cos(x)+atan(x)/7", "abs(x)^3/3", "log(2+x^2)"]
+    .flatMap(U => ["fvi", "lda", "euler-implicit", "fvi-bdf2", "fvi-lobatto3"].map(method =>
+      meant(`#method=${method}&potential=${U}${methods[method].half ? "" : "&alpha=0.3"}&steps=80&h=0.1`)));
+  let worst = 0;
+  await ask(cases.map(call));
+  for (const state of cases) {
+    const { table } = ran(state), run = bare(state), X = most(table.map(row => row[1]));
+    assert.equal(run.rows, 81, command(state));
+    table.forEach((row, k) => [run.x, run.p, run.energy].forEach((of, i) => {
+      const off = Math.abs(of[k] - row[i + 1]) / (i ? most(table.map(r => r[i + 1])) : X);
+      worst = Math.max(worst, off);
+      assert.ok(off < 1e-12, `${command(state)} k=${k}: ${of[k]}, not ${row[i + 1]}`);
+    }));
+  }
+  const typed = bare(meant("#potential=2*x^2/2+0.7*x^4/4")).x.slice(), named = bare(meant("#potential=duffing:2,0.7")).x;
+  typed.forEach((x, k) => assert.ok(Math.abs(x - named[k]) < 1e-13));
+  console.log(`  typed potentials: worst ${worst.toExponential(1)}`);
+});
+
+// p_1 = -h U'(x_0) = -V for U = V x, to the last digit.
+await test("a number that is typed is the nearest double", () => {
+  const numbers = ["0.1", "3.3", "1e22", "1e-22", "123456789012345", "0.000123456789012", "2.5e3", "7.", ".5", "9.99999999999999e-8", "4.35E+2"];
+  for (let i = 1; i < 400; i++) numbers.push(String(Number((i ** 7 * 0.61803).toPrecision(15)) / 10 ** (i % 9)).slice(0, 15));
+  for (const V of numbers)
+    assert.equal(-bare({ ...meant(`#method=euler-explicit&potential=${V}*x&rho=0&p0=0`), h: 1, steps: 1 }).p[1], Number(V), V);
+});
+
+await test("a misprint has the program's reason, and its place", async () => {
+  const texts = ["x^", "x^4+2x", "sinn(x)", "(x", "k*x", "x**", "1e", "sin x"], misprint = own => fvi.misprint({ ...defaults(), own });
+  await ask(texts.map(text => ["run", "--steps", "1", "--potential", text.replaceAll(" ", "")]));
+  for (const text of texts.map(text => text.replaceAll(" ", ""))) {
+    const [, reason] = /^U: (.*), at /.exec(misprint(text));
+    assert.ok(all.asked(["run", "--steps", "1", "--potential", text]).said.includes(reason), `${text}: ${reason}`);
+    assert.equal(fvi.run({ ...meant(""), potential: "own", own: text }).rows, 0);
+  }
+  assert.match(misprint("x^4+2x"), /at 'x'$/);
+  assert.match(misprint("(x"), /at its end$/);
+  assert.equal(misprint("x^4/4"), "");
+  for (const [text, glance] of [["", /nothing/], ["x;x", /';' is in no/], ["x+".repeat(101) + "x", /200 letters/]]) assert.match(misprint(text), glance);
+});
+
+// ---- weight times x ----
+
+// m (x_{k+1} - 2 x_k + x_{k-1})/h + h C (x_{k-1} + 2 x_k + x_{k+1})/4 + h (the sum) = 0.
+await test("what the moments add is the damping of Algorithm 3", () => {
+  for (const rest of ["alpha=0.3", "alpha=0.8&past=caputo", "alpha=0.8&past=held&rho=1", "alpha=0.3&past=rl", "alpha=0.5"]) {
+    const state = meant(`#${rest}&potential=harmonic:2`), run = fvi.run(state), { h } = state, { x } = run;
+    for (const k of [1, 2, 17, 199]) {
+      const adds = parts(state, run, k), sum = adds.reduce((total, part) => total + part, 0);
+      const rests = (x[k + 1] - 2 * x[k] + x[k - 1]) / h + h * 2 * (x[k - 1] + 2 * x[k] + x[k + 1]) / 4;
+      assert.ok(adds.length === k + 1 && Math.abs(rests + h * sum) < 1e-13, `${rest}, ${k}: ${rests}, ${h * sum}`);
+    }
+  }
+  // Of stages it is nearly that: the velocity of a step is taken to be constant.
+  const states = ["fvi", "fvi-lobatto3"].map(method => meant(`#method=${method}&alpha=0.3&h=0.01&steps=1000`));
+  const sums = states.map(state => parts(state, fvi.run(state), 700).reduce((total, part) => total + part, 0));
+  assert.ok(Math.abs(sums[0] - sums[1]) < 0.05 * Math.abs(sums[0]), `${sums}`);
 });
 
 // One explicit Euler step of a pendulum from x0 at rest, h = 1: p = -sin(x0), for x0 in all
