@@ -74,10 +74,13 @@ function drawBody(high) {
 
 // ---- weight times x ----
 
+// The size of each part, on a logarithmic scale: full if it is positive, hollow if negative.
 function drawParts(t) {
   const k = moment(), adds = parts(state, result, k), sum = adds.reduce((total, part) => total + part, 0), canvas = element("parts");
-  const at = picture(canvas, { x: t, y: span(adds, [0]), names: ["t", "part"] });
-  adds.forEach((part, j) => at.curve([j * state.h, j * state.h], [0, part], part < 0 ? "negative" : "positive", [], adds.length < 200 ? 2 : 1));
+  const most = Math.max(1e-9, ...adds.map(Math.abs)), low = 1e-6 * most, every = Math.ceil(adds.length / 500);
+  const at = picture(canvas, { x: t, y: [low, 3 * most], log: "y", names: ["t", "size of weight × x"] });
+  for (let j = k % every; j <= k; j += every)
+    if (Math.abs(adds[j]) > low) at.dot(j * state.h, Math.abs(adds[j]), adds[j] < 0 ? "negative" : "positive", 2.5, adds[j] < 0);
   if (!remembers()) at.note("no memory");
   canvas.setAttribute("aria-label", `What each moment adds to the damping at k = ${k}; the sum is ${short(sum)}`);
   element("parts-sum").textContent = short(Number(sum.toPrecision(3)));
@@ -206,7 +209,13 @@ const kinds = {
     pen.drawImage(canvas, 0, 0);
     return new Promise(done => copy.toBlob(done, "image/png"));
   },
-  csv: canvas => new Blob([["curve,x,y", ...canvas.series.flatMap(([name, x, y]) => Array.from(y, (value, i) => `${name},${x[i]},${value}`)), ""].join("\n")], { type: "text/csv" }),
+  csv(canvas) {
+    canvas.series = [];
+    draw();
+    const rows = canvas.series.flatMap(([name, x, y]) => Array.from(y, (value, i) => `${name},${x[i]},${value}`));
+    delete canvas.series;
+    return new Blob([["curve,x,y", ...rows, ""].join("\n")], { type: "text/csv" });
+  },
 };
 async function savePicture(kind) {
   const which = element("which").value;

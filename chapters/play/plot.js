@@ -44,7 +44,8 @@ function label(value) {
 }
 
 // One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y],
-// bare: without an axis y }.
+// bare: without an axis y }. canvas.pen draws in place of the canvas's own; canvas.series, if it is
+// there, gets [name, x, y] of all that is drawn.
 // Returns what draws into it, in the units of the axes.
 function picture(canvas, axes) {
   const width = canvas.clientWidth, height = canvas.clientHeight, dots = window.devicePixelRatio;
@@ -53,7 +54,6 @@ function picture(canvas, axes) {
     canvas.height = Math.round(height * dots);
   }
   const pen = canvas.pen ?? canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
-  canvas.series = []; // [what, x, y] of all that is drawn, for a table
   const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 16, bottom = height - (axes.bare ? 18 : 34);
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
@@ -119,7 +119,7 @@ function picture(canvas, axes) {
       pen.beginPath();
       for (let i = 0; i < y.length; i++) pen.lineTo(X(x[i]), Y(y[i]));
       pen.stroke();
-      canvas.series.push([name, x, y]);
+      canvas.series?.push([name, x, y]);
     }),
     // Words to the right of a point, or to its left.
     text: (x, y, words, name, left = false) => {
@@ -136,7 +136,7 @@ function picture(canvas, axes) {
       pen.lineWidth = 1.4;
       if (hollow) pen.stroke();
       else pen.fill();
-      canvas.series.push([name, [x], [y]]);
+      canvas.series?.push([name, [x], [y]]);
     }),
   };
 }

@@ -26,6 +26,7 @@ const pause = (ms = 200) => evaluate(`new Promise(done => setTimeout(() =>
 const text = id => evaluate(`document.getElementById("${id}").textContent`);
 const value = id => evaluate(`document.getElementById("${id}").value`);
 const hash = () => evaluate("location.hash");
+const shown = id => evaluate(`document.getElementById("${id}").checkVisibility()`);
 const ink = id => evaluate(`document.getElementById("${id}").toDataURL()`);
 const box = id => evaluate(`(e => {
   e.scrollIntoView({ block: "center" });
@@ -119,6 +120,81 @@ await test("what blows up is cut, and it is said", async () => {
   assert.equal(await evaluate("document.getElementById('cut').hidden"), true);
 });
 
+await test("a potential is typed, and what is wrong with it is said at its field", async () => {
+  await start("#potential=x^4/4");
+  assert.deepEqual([await value("potential"), await value("own"), await shown("own")], ["own", "x^4/4", true]);
+  const type = async text => {
+    await evaluate("document.getElementById('own').focus(); document.getElementById('own').select()");
+    await call("Input.insertText", { text });
+    await pause();
+  };
+  await type("x^4/4 - x^2/2");
+  assert.deepEqual([await hash(), await shown("own-fault")], ["#potential=x^4/4-x^2/2", false]);
+  const x = await evaluate("result.x[200]");
+  await type("x^4/4 - 2x");
+  assert.match(await text("own-fault"), /^U: an operator is wanted here, at 'x'; U stays x\^4\/4-x\^2\/2$/);
+  assert.equal(await evaluate("getComputedStyle(document.getElementById('own')).borderTopStyle"), "dashed");
+  assert.equal(await evaluate("result.x[200]"), x);
+  await evaluate("document.getElementById('own').blur()");
+  assert.deepEqual([await value("own"), await shown("own-fault")], ["x^4/4-x^2/2", false]);
+  await start("#potential=x^");
+  assert.match(await text("message"), /U: it ends too early, at its end/);
+  assert.equal(await value("potential"), "harmonic");
+});
+
+await test("three pasts are shown at once, and are those of three runs", async () => {
+  await start("#alpha=0.75&x0=1");
+  const alone = await ink("x");
+  await evaluate("document.getElementById('three').click()");
+  await pause();
+  assert.notEqual(await ink("x"), alone);
+  const both = await evaluate("others.map(({ past, x }) => [past, x[150], fvi.run({ ...state, past }, 1).x[150]])");
+  assert.deepEqual(both.map(([past]) => past), ["caputo", "rl"]);
+  both.forEach(([past, drawn, run]) => assert.equal(drawn, run, past));
+  assert.equal(await evaluate("document.getElementById('three').getAttribute('aria-pressed')"), "true");
+  await evaluate("document.getElementById('three').click()");
+  await pause();
+  assert.equal(await ink("x"), alone);
+});
+
+await test("each picture is saved as an SVG, a PNG and a table", async () => {
+  await start("#alpha=0.3&steps=100");
+  for (const id of await evaluate("[...document.getElementById('which').options].map(option => option.value)")) {
+    const [paths, words, fault, png, csv] = await evaluate(`(async () => {
+      const canvas = document.getElementById("${id}"), svg = await kinds.svg(canvas).text();
+      const tree = new DOMParser().parseFromString(svg, "image/svg+xml"), image = new Image();
+      await new Promise((done, failed) => Object.assign(image, { onload: done, onerror: failed, src: "data:image/svg+xml," + encodeURIComponent(svg) }));
+      const png = await kinds.png(canvas), csv = await kinds.csv(canvas).text();
+      return [tree.querySelectorAll("path").length, tree.querySelectorAll("text").length, /NaN|undefined/.test(svg), [png.type, png.size], csv];
+    })()`);
+    assert.ok(paths > 5 && words > 2 && !fault, `${id}: ${paths} paths, ${words} texts`);
+    assert.ok(png[0] === "image/png" && png[1] > 1000, `${id}: ${png}`);
+    assert.match(csv, /^curve,x,y\n(\w+(,-?[\d.e+-]+){2}\n)+$/, id);
+    if (id === "x") assert.equal(csv.split("\n").filter(line => line.startsWith("run,")).length, 101 + 1, "the run, and its dot");
+  }
+  await evaluate(`window.saved = []; HTMLAnchorElement.prototype.click = function () { saved.push(this.download); }`);
+  for (const kind of ["svg", "png", "csv"]) await evaluate(`document.getElementById("save-${kind}").click()`);
+  await pause();
+  assert.deepEqual(await evaluate("saved.sort()"), ["x.csv", "x.png", "x.svg"]);
+});
+
+await test("whatever is said, nothing moves under the hand", async () => {
+  for (const [width, height] of [[1200, 1000], [400, 800]]) {
+    await size(width, height);
+    await start("#alpha=0.3");
+    const places = () => evaluate(`["alpha-slider", "h-slider", "x0-slider", "energy"].map(id => Math.round(document.getElementById(id).getBoundingClientRect().top + scrollY))`);
+    const before = await places();
+    for (const change of ["set('rho', 3), set('h', 1)", "set('h', 0.1), set('alpha', 0.75), set('past', 'rl')", "set('past', 'caputo')", "set('method', 'lda')",
+      "set('method', 'fvi-lobatto3'), set('alpha', 0.3)", "document.getElementById('pin').click()", "set('x0', 2)", "document.getElementById('three').click()",
+      "(field => { field.value = '0,5'; field.dispatchEvent(new Event('input')); })(document.getElementById('h'))"]) {
+      await evaluate(`void (${change})`);
+      await pause();
+      assert.deepEqual(await places(), before, `${width}: ${change}`);
+    }
+  }
+  await size(1200, 1000);
+});
+
 await test("undo goes back a step at a time, play moves the moment, a fraction is a number", async () => {
   await start("#rho=0.5");
   await evaluate("set('rho', 0.7)");
@@ -198,7 +274,7 @@ await test("the keyboard reaches and moves every control", async () => {
   }
   const names = ["alpha", "rho", "h", "steps", "kappa", "c", "g", "a", "b", "x0", "p0"];
   for (const id of [...names, ...names.map(name => `${name}-slider`), "method", "potential", "force",
-    "past", "look", "reset", "play", "pin", "save-table", "save-picture"]) assert.ok(seen.includes(id), `${id} is not reached`);
+    "past", "look", "reset", "play", "pin", "three", "save-table", "which", "save-svg", "save-png", "save-csv"]) assert.ok(seen.includes(id), `${id} is not reached`);
   await evaluate("document.getElementById('alpha-slider').focus()");
   await key("ArrowRight");
   assert.equal(await value("alpha"), "0.505");
@@ -221,7 +297,6 @@ await test("each control has a name for those who do not see it", async () => {
   for (const node of named) assert.ok(node.name?.value, `a ${node.role.value} without a name`);
 });
 
-const shown = id => evaluate(`document.getElementById("${id}").checkVisibility()`);
 const lit = id => evaluate(`getComputedStyle(document.getElementById("${id}")).backgroundColor === "rgb(213, 94, 0)"`);
 await test("the exact curve and its word in the legend come and go together, and it is said why", async () => {
   const darkness = () => evaluate(`(() => { // how much ink of the exact curve's colour is in the picture
@@ -262,9 +337,9 @@ await test("a run that is refused leaves no curve of another", async () => {
     draw();
     pen.fillText = write;
     return words.filter(word => word === "no run").length;
-  })()`), 5);
+  })()`), 6);
   await evaluate("draw()");
-  const pictures = () => Promise.all(["x", "energy", "phase", "error", "body"].map(ink));
+  const pictures = () => Promise.all(["x", "energy", "phase", "error", "parts", "body"].map(ink));
   const empty = await pictures();
   await start("#alpha=0.75&past=rl&method=fvi-bdf2");
   assert.deepEqual(await pictures(), empty);
@@ -352,6 +427,10 @@ await test("nonsense is said, and does no harm", async () => {
   assert.equal(await evaluate("document.getElementById('h-fault').hidden"), true);
   await start("#alpha=0.3&method=lda");
   assert.match(await text("message"), /lda knows only 0\.5/);
+  await start("#alpha=0.3");
+  await evaluate("set('method', 'lda')");
+  await pause();
+  assert.match(await text("alpha-fault"), /lda knows only 0\.5, not 0\.3/);
   assert.equal(await evaluate("document.getElementById('alpha-slider').disabled"), true);
 });
 
