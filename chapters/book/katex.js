@@ -9,13 +9,27 @@ function plain(text) {
     .replace(/&amp;/g, '&');
 }
 
+// A display that is wider than the page goes on in a new line: before what stands behind a
+// \quad, and not within it.
+function parts(formula) {
+  const [, body, tag] = /^([^]*?)(\\tag\{[^}]*\}\s*)?$/.exec(formula), out = [''];
+  let depth = 0;
+  for (const token of body.match(/\\[a-zA-Z]+|\\[^]|[^\\]/g)) {
+    depth += /^(\{|\\left|\\begin)$/.test(token) - /^(\}|\\right|\\end)$/.test(token);
+    out[out.length - 1] += token;
+    if (depth === 0 && /^\\q?quad$/.test(token)) out.push('');
+  }
+  return out.map((part, i) => i === 0 ? part : `\\allowbreak{${part}}`).join('') + (tag ?? '');
+}
+
 const equations = {};
 let bad = 0;
 const known = new Map(); // most formulas stand in several places
 function rendered(formula, displayMode) {
   const key = displayMode + formula;
   if (!known.has(key))
-    known.set(key, katex.renderToString(formula, { displayMode, throwOnError: true, strict: false }));
+    known.set(key, katex.renderToString(displayMode ? parts(formula) : formula, { displayMode, throwOnError: true, strict: false })
+      .replace(/<mo>\u2061<\/mo>(?=<\/msub>)/g, '')); // of u_{\max}, a third child where MathML has two
   return known.get(key);
 }
 

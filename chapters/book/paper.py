@@ -49,11 +49,6 @@ def answers_last(page, body):
     return body[:start] + "".join(out) + body[end:] + '<h2 id="answers">Answers</h2>' + "".join(answers)
 
 
-def breakable(table):
-    """A long name in a table may go on in the next line."""
-    return re.sub(r"(?<=\w)_(?=\w[^<]*</(?:a|code)>)", "_<wbr>", table[0])
-
-
 def on_paper(page, body, names):
     """Its places and links, as they are in the one document."""
     body = re.sub(r'<a class="anchor".*?</a>', "", answers_last(page, body), flags=re.S)
@@ -61,7 +56,6 @@ def on_paper(page, body, names):
     body = re.sub(r' data-live="[^"]*"', "", body)
     body = re.sub(r"<details[^>]*>\s*<summary>(.*?)</summary>", r'<div class="more"><p class="summary">\1</p>', body, flags=re.S)
     body = body.replace("</details>", "</div>")  # nothing is folded
-    body = re.sub(r"<table.*?</table>", breakable, body, flags=re.S)
     body = re.sub(r'(<(?!annotation)[^>]*?\bid=")([^"]*)"', rf'\g<1>{page.name}--\g<2>"', body)
     body = re.sub(r'<h1 id="[^"]*"', f'<h1 id="{page.name}"', body, count=1)
 

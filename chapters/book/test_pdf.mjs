@@ -42,6 +42,15 @@ test("the contents name the pages on which chapters begin", () => {
     assert.match(contents, new RegExp(`${number}\\. [^\\n]*?${at[name]}\\b`), `${name} on page ${at[name]}`);
 });
 
+test("no word stands in a margin, and nothing of the screen is on paper", () => {
+  const mm = 72 / 25.4, left = 20 * mm, right = (210 - 20) * mm;
+  ask("pdftotext", "-bbox", book, "-").split("<page ").slice(1).forEach((page, i) => {
+    for (const [, from, to, word] of page.matchAll(/<word xMin="([-\d.]+)" yMin="[-\d.]+" xMax="([-\d.]+)"[^>]*>(.*)<\/word>/g))
+      assert.ok(Number(from) > left - 2 && Number(to) < right + 2, `page ${i + 1}: ${word} from ${from} to ${to}`);
+  });
+  pages.forEach((text, i) => assert.doesNotMatch(text, /[\u25b6\u25b8]|^\s*(Copy|Previous: .*)$/m, `page ${i + 1}`)); // a fold, a button
+});
+
 test("each chapter has a bookmark that leads to it", () => {
   const marks = JSON.parse(ask("qpdf", "--json", "--json-key=outlines", book)).outlines.map(mark => mark.destpageposfrom1);
   for (const { name } of chapters) assert.ok(marks.includes(at[name]), name);

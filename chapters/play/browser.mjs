@@ -11,8 +11,8 @@ export async function open() {
   const child = spawn("chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
     "--disable-extensions", `--user-data-dir=${profile}`, "--remote-debugging-pipe", "about:blank"],
   { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
-  const [, , , out, from] = child.stdio, waiting = new Map(), complaints = [], loaded = [];
-  let last = 0, text = "", session;
+  const [, , , out, from] = child.stdio, waiting = new Map(), complaints = [], loaded = new Set();
+  let last = 0, text = "", session, arrived = () => {};
 
   function hear(message) {
     const { id, method, params, result, error } = message;
@@ -28,7 +28,10 @@ export async function open() {
       complaints.push(`request: ${params.request.url}`);
     if (method === "Inspector.targetCrashed") // nobody would answer
       for (const { reject } of waiting.values()) reject(new Error("the page crashed"));
-    if (method === "Page.loadEventFired") loaded.splice(0).forEach(resolve => resolve());
+    if (method === "Page.lifecycleEvent" && params.name === "load") {
+      loaded.add(params.loaderId);
+      arrived();
+    }
   }
   from.on("data", bytes => {
     const parts = (text + bytes).split("\0");
@@ -47,15 +50,16 @@ export async function open() {
   const targetId = targetInfos.find(target => target.type === "page").targetId;
   session = (await call("Target.attachToTarget", { targetId, flatten: true })).sessionId;
   for (const domain of ["Page", "Runtime", "Log", "Network", "Inspector"]) await call(`${domain}.enable`);
+  await call("Page.setLifecycleEventsEnabled", { enabled: true });
   await call("Emulation.setFocusEmulationEnabled", { enabled: true }); // as if its window were in front
 
   return {
     call, complaints,
     async go(url) {
       for (const there of ["about:blank", url]) { // a new hash alone would load nothing
-        const done = new Promise(resolve => loaded.push(resolve));
-        await call("Page.navigate", { url: there });
-        await done;
+        const { loaderId, errorText } = await call("Page.navigate", { url: there });
+        if (errorText) throw new Error(`${there}: ${errorText}`);
+        while (!loaded.has(loaderId)) await new Promise(resolve => { arrived = resolve; }); // this page, not the one before
       }
     },
     async evaluate(expression) {
