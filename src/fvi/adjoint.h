@@ -72,6 +72,7 @@ typedef struct {
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
  *          steps. By alpha there is none, and where the past pulls the start, (19.3), none
  *          at all. force: the force changes along straight lines between t_k and t_{k+1}
+ *   matrices  M, C, K (structures.h) have x0, p0 and force, for fvi_fractional without a law
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
  *
@@ -86,8 +87,9 @@ typedef struct {
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
- * FVI_EUNSUP if the method has no adjoint, or not this one, or the system matrices, or
- * the force impulses and the method a mesh;
+ * FVI_EUNSUP if the method has no adjoint, or not this one, or
+ * the force impulses and the method a mesh, or the system matrices and this is not what
+ * matrices have;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

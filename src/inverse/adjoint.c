@@ -3,6 +3,7 @@
 
 #include "backward.h"
 #include "mirror.h"
+#include "mirror_matrices.h"
 #include "mirror_mesh.h"
 #include "mirror_stages.h"
 #include "system/fail.h"
@@ -18,8 +19,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
-    if (run->system && run->system->matrices)
-        FVI_FAIL("matrices have no adjoint here", FVI_EUNSUP);
+    if (run->system && run->system->matrices
+        && (method->scheme != FVI_SCHEME_ALGORITHM_3 || run->law || want->mass
+            || want->damping || want->alpha || want->parameters))
+        FVI_FAIL("matrices have the adjoint of fvi, by x0, p0 and forces",
+                 FVI_EUNSUP);
     if (run->law ? want->alpha != NULL : want->terms != NULL)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
@@ -168,6 +172,11 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
     status = fvi_backward_alloc(method, run, x, p, &path);
     if (status)
         return status;
+    if (run->system->matrices) {
+        status = fvi_mirror_matrices(run, path, objective, want);
+        fvi_backward_free(path);
+        return status;
+    }
     double *J = calloc(2 * run->system->d, sizeof *J);
     if (!J) {
         fvi_backward_free(path);

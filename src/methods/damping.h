@@ -17,6 +17,10 @@ typedef struct {
     const fvi_system *system;
 } fvi_damping;
 
+/* fvi_damping_velocity -- v = M^-1 p, of a system with matrices; d numbers each. Returns
+ * FVI_SUCCESS, or what factorise or solve returned. */
+int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
+
 /* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of a system with
  * matrices. Returns FVI_SUCCESS, or what their functions returned. */
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,

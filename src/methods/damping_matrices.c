@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* v = M^-1 p. Returns FVI_SUCCESS, or what factorise or solve returned. */
-static int velocity(const fvi_system *system, const double *p, double *v)
+int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
 {
     const fvi_matrices *m = system->matrices;
     void *factors;
@@ -30,7 +29,7 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
     int status = FVI_SUCCESS;
     if (past == FVI_PAST_CAPUTO && order > 1) {
         double *v = s->dx; /* nothing stands there yet */
-        status = velocity(run->system, s->p, v);
+        status = fvi_damping_velocity(run->system, s->p, v);
         for (size_t i = 0; i < run->system->d; i++)
             v[i] *= run->h;
         if (!status) /* from z, which is still zero */
@@ -59,7 +58,7 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     if (!A || !pull->size)
         status = FVI_ENOMEM;
     else if (run->alpha > 0.5) /* else no velocity is asked for */
-        status = velocity(run->system, s->p, A);
+        status = fvi_damping_velocity(run->system, s->p, A);
     for (size_t i = 0; !status && i < d; i++) {
         A[i] = fvi_past_amplitude(run->past, run->alpha, s->x[i], A[i]);
         any |= A[i] != 0;

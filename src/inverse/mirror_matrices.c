@@ -1,0 +1,200 @@
+/* src/inverse/mirror_matrices.c -- The run that goes backwards, with matrices.
+ *                                                                     [Chapter 23]
+ * K is constant, so that (23.2) can be taken at its word: the mirrored run is a run, by the
+ * same stepper, of the same M, C and K, with 1 - kappa and Riemann-Liouville's past. It
+ * begins at J_p, with J_N less the kick of chapter 9, and the slopes of J are its forces. */
+#include "mirror_matrices.h"
+
+#include <fvi/fvi.h>
+#include "methods/damping.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ARRAYS = 8 };
+
+/* d numbers each. */
+typedef struct {
+    const fvi_run *run;
+    double *start, *push; /* J_p, of the first node; J_N less the kick */
+    double *J, *slope;    /* J_k; J_k / h, the force */
+    double *sum, *moment; /* sum_k J_k, sum_k t_k J_k */
+    double *M, *M_moment; /* sum_k M_k, sum_k (t_k + (1 - kappa) h) M_k */
+    double *block;        /* all these; owned */
+} mirror;
+
+/* What the stepper asks for: J_k / h is there. */
+static int slope_now(double t, size_t d, void *params, double *F)
+{
+    const mirror *m = params;
+    (void)t;
+    memcpy(F, m->slope, d * sizeof *F);
+    return 0;
+}
+
+/* J_k, and what it gives to the sums. */
+static int ask(mirror *m, const fvi_objective *objective, size_t k,
+               const double *x, const double *p, double *Jp)
+{
+    const size_t d = m->run->system->d;
+    const double h = m->run->h, t = (double)k * h;
+    memset(m->J, 0, d * sizeof *m->J);
+    const int status =
+        objective->slopes(k, d, x, p, objective->params, m->J, Jp);
+    for (size_t i = 0; i < d; i++) {
+        m->slope[i] = m->J[i] / h;
+        m->sum[i] += m->J[i];
+        m->moment[i] += t * m->J[i];
+    }
+    return status;
+}
+
+/* p -= share C x. */
+static int kick(const fvi_system *system, double share, const double *x,
+                double *p)
+{
+    const fvi_matrices *C = system->matrices;
+    if (C->remembered == 0)
+        return FVI_SUCCESS;
+    double *z = calloc(2 * C->remembered, sizeof *z);
+    if (!z)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    int status = C->remember(system->d, x, z + C->remembered, C->params, z);
+    if (!status)
+        status = C->damp(system->d, share, z, C->params, p);
+    free(z);
+    return status;
+}
+
+/* From node k + 1 to node k: M_k and the derivative by F_{k+1} on the way. */
+static int step(mirror *m, fvi_stepper *s, size_t k, double *force)
+{
+    const fvi_run *run = m->run;
+    const size_t d = run->system->d;
+    const double h = run->h, after = 1 - run->kappa,
+                 t = ((double)k + after) * h;
+    for (size_t i = 0; i < d; i++) {
+        const double M = after * s->x[i];
+        m->M[i] += M;
+        m->M_moment[i] += t * M;
+        if (force)
+            force[(k + 1) * d + i] = h * s->x[i];
+    }
+    const int status = fvi_step(s);
+    for (size_t i = 0; i < d; i++) {
+        const double M = run->kappa * s->x[i];
+        m->M[i] += M;
+        m->M_moment[i] += t * M;
+    }
+    return status;
+}
+
+//> matrices
+/* The derivatives by x0 and p0 from what they leave alone. The past held, or Caputo's:
+ * x + const changes K x only, and x + t M^-1 p, Caputo's with alpha > 1/2, too. Else
+ * lambda_0 is that by p0, and Riemann-Liouville's by x0 what arrives, of which lambda_0
+ * itself is no part of N_0. (23.6) */
+static int end(mirror *m, const fvi_stepper *s, const fvi_gradients *want)
+{
+    const fvi_run *run = m->run;
+    const fvi_system *system = run->system;
+    const size_t d = system->d;
+    const int line = run->past == FVI_PAST_CAPUTO && run->alpha > 0.5;
+    double *by_x = m->push, *by_p = m->J;
+    int status = fvi_gradient(system, m->M, by_x);
+    for (size_t i = 0; i < d; i++)
+        by_x[i] = m->sum[i] - run->h * by_x[i];
+    if (!status && run->past == FVI_PAST_RIEMANN_LIOUVILLE) {
+        memcpy(by_x, s->p, d * sizeof *by_x);
+        status = kick(system, -pow(run->h, 1 - 2 * run->alpha), s->x, by_x);
+    }
+    memcpy(by_p, s->x, d * sizeof *by_p);
+    if (!status && line) {
+        status = fvi_gradient(system, m->M_moment, m->slope);
+        for (size_t i = 0; i < d; i++)
+            m->slope[i] = m->moment[i] - run->h * m->slope[i];
+        if (!status)
+            status = fvi_damping_velocity(system, m->slope, by_p);
+        for (size_t i = 0; i < d; i++)
+            by_p[i] += m->start[i];
+    }
+    if (want->x0)
+        memcpy(want->x0, by_x, d * sizeof *by_x);
+    if (want->p0)
+        memcpy(want->p0, by_p, d * sizeof *by_p);
+    return status || (fvi_all_finite(d, by_x) && fvi_all_finite(d, by_p))
+               ? status
+               : FVI_EOVRFLW;
+}
+//< matrices
+
+static int walk(mirror *m, fvi_backward *path, const fvi_objective *objective,
+                const fvi_gradients *want, const fvi_run *back)
+{
+    const size_t d = m->run->system->d;
+    fvi_stepper *s;
+    int status = fvi_start(&fvi_fractional, back, &s);
+    if (status)
+        return status;
+    for (size_t k = m->run->steps; !status && k-- > 0;) {
+        const double *rows;
+        status = fvi_backward_step(path, k, &rows);
+        if (!status)
+            status = ask(m, objective, k, rows, NULL, NULL);
+        if (!status)
+            status = step(m, s, k, want->force);
+    }
+    if (!status)
+        status = end(m, s, want);
+    fvi_stop(s);
+    if (want->force)
+        memset(want->force, 0,
+               d * sizeof *want->force); /* F_0 is not asked for */
+    return status;
+}
+
+/* The last node: where the mirrored run begins, and with which momentum. */
+static int begin(mirror *m, fvi_backward *path, const fvi_objective *objective)
+{
+    const fvi_run *run = m->run;
+    const size_t d = run->system->d;
+    const double *rows;
+    int status = fvi_backward_step(path, run->steps - 1, &rows);
+    if (!status)
+        status = ask(m, objective, run->steps, rows + d,
+                     fvi_backward_momentum(path), m->start);
+    memcpy(m->push, m->J, d * sizeof *m->push);
+    return status ? status
+                  : kick(run->system, pow(run->h, 1 - 2 * run->alpha), m->start,
+                         m->push);
+}
+
+int fvi_mirror_matrices(const fvi_run *run, fvi_backward *path,
+                        const fvi_objective *objective,
+                        const fvi_gradients *want)
+{
+    const size_t d = run->system->d;
+    mirror m = { .run = run };
+    double **each[ARRAYS] = { &m.start, &m.push,   &m.J, &m.slope,
+                              &m.sum,   &m.moment, &m.M, &m.M_moment };
+    m.block = calloc(ARRAYS * d, sizeof *m.block);
+    if (!m.block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    for (size_t i = 0; i < ARRAYS; i++)
+        *each[i] = m.block + i * d;
+    fvi_system system = *run->system;
+    system.force = (fvi_force){ .value = slope_now, .params = &m };
+    fvi_run back = *run;
+    back.system = &system;
+    back.x0 = m.start;
+    back.p0 = m.push;
+    back.kappa = 1 - run->kappa;
+    back.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    int status = begin(&m, path, objective);
+    if (!status)
+        status = walk(&m, path, objective, want, &back);
+    free(m.block);
+    return status;
+}
