@@ -15,8 +15,8 @@
 
 /* Of a run, and of no use to its derivatives. */
 static const char *const not_for_gradient[] = {
-    "error",    "columns", "every",    "format",   "plot", "checkpoint",
-    "continue", "system",  "unknowns", "snapshot", NULL
+    "error",      "columns",  "every",    "format",   "plot",
+    "checkpoint", "continue", "unknowns", "snapshot", NULL
 };
 
 enum { OF, FORCES };
@@ -44,7 +44,9 @@ static int interpret_of(request *r, fvi_complaint c)
 {
     static const char *const known[] = { "x", "p", "energy", NULL };
     if (!r->words.own[OF])
-        r->words.own[OF] = r->o.d > 1 ? "energy" : "x";
+        r->words.own[OF] = r->system.matrices ? "x:1"
+                           : r->o.d > 1       ? "energy"
+                                              : "x";
     const char *text = r->words.own[OF], *colon = strchr(text, ':');
     char word[8] = "";
     snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
@@ -55,6 +57,8 @@ static int interpret_of(request *r, fvi_complaint c)
                           word, word, r->o.d);
     if (colon && r->of == 2)
         return fvi_refuse(c, "--of: '%s': there is one energy", text);
+    if (r->of == 2 && r->system.matrices)
+        return fvi_refuse(c, "--of: 'energy' has no gradient with --system");
     int status = colon ? fvi_word_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
     r->i -= colon != NULL;
     return status;
@@ -83,6 +87,12 @@ static int interpret(request *r, fvi_complaint c)
                               "--let: '%s' has no gradient with %s, which "
                               "asks for the force between the rows",
                               r->o.lets.name[j], m->name);
+    if (r->system.matrices
+        && (m->scheme != FVI_SCHEME_ALGORITHM_3 || r->run.law))
+        return fvi_refuse(c,
+                          "--system: '%s' has a gradient with fvi, and without "
+                          "--damping",
+                          r->o.text[SYSTEM]);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
@@ -148,7 +158,7 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
-/* Row k of the forces: t_k, or the time of a stage. */
+/* Of row k of the forces. */
 static double row_time(const request *r, size_t k)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto((size_t)r->o.method->stages);
@@ -232,14 +242,16 @@ static int make_room(request *r)
         return fvi_complain("not enough memory");
     r->to.x0 = r->numbers;
     r->to.p0 = r->to.x0 + d;
+    r->to.force = r->force;
+    r->lets = r->to.p0 + 3 * d + 3; /* behind c and g */
+    if (r->system.matrices)
+        return 0;
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
-    r->lets = r->to.damping + d + 3; /* behind c and g */
     r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
     if (r->run.law)
         r->to.terms = r->lets + r->o.lets.count;
-    r->to.force = r->force;
     return 0;
 }
 
@@ -289,17 +301,9 @@ static void print_law(FILE *f, const request *r)
     }
 }
 
-static int print_answer(const request *r)
+static void print_numbers(FILE *f, const request *r)
 {
     static const char *const c_and_g[] = { "c", "g" };
-    FILE *f = fvi_output_open(r->o.output);
-    if (!f)
-        return fvi_cannot_write(r->o.output);
-    print_head(f, r);
-    fvi_print_number(f, "# value = ", r->value);
-    fprintf(f, "\n# name\tderivative\n");
-    print_each(f, r, "x0", r->to.x0);
-    print_each(f, r, "p0", r->to.p0);
     print_each(f, r, "mass", r->to.mass);
     if (r->run.law)
         print_law(f, r);
@@ -315,6 +319,20 @@ static int print_answer(const request *r)
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
+}
+
+static int print_answer(const request *r)
+{
+    FILE *f = fvi_output_open(r->o.output);
+    if (!f)
+        return fvi_cannot_write(r->o.output);
+    print_head(f, r);
+    fvi_print_number(f, "# value = ", r->value);
+    fprintf(f, "\n# name\tderivative\n");
+    print_each(f, r, "x0", r->to.x0);
+    print_each(f, r, "p0", r->to.p0);
+    if (!r->system.matrices)
+        print_numbers(f, r);
     for (size_t j = 0; j < r->o.lets.count; j++)
         print_row(f, r->o.lets.name[j], "", r->lets[j]);
     return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;

@@ -39,6 +39,60 @@ static size_t compare(const char *a, const char *b, double bound)
     return count;
 }
 
+/* The number of a row of a gradient. */
+static double by(const char *name)
+{
+    char start[40];
+    snprintf(start, sizeof start, "\n%s\t", name);
+    const char *at = strstr(out, start);
+    ck_assert_msg(at, "%s is not in %s", name, out);
+    return strtod(at + strlen(start), NULL);
+}
+
+/* The gradient of a folder, against that of the same masses by words. */
+START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
+{
+    static const char *const names[] = { "x0_1", "x0_2", "x0_3",
+                                         "p0_1", "p0_2", "p0_3" };
+    static const char *const what[] = {
+        "--of x:2 --alpha 0.3",
+        "--of p:3 --alpha 0.8 --derivative "
+        "caputo",
+        "--of x:1 --alpha 0.3 --derivative rl"
+    };
+    write_chain();
+    for (size_t i = 0; i < LEN(what); i++) {
+        char line[300];
+        double want[LEN(names)];
+        snprintf(line, sizeof line,
+                 "gradient %s --x0 1,0,-1 --p0 0.5 --force cosine:1,2 --mass "
+                 "1,2,0.5 --rho 0.3,0,0.1 --potential chain:3,2,0",
+                 what[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t j = 0; j < LEN(names); j++)
+            want[j] = by(names[j]);
+        snprintf(line, sizeof line,
+                 "gradient %s --x0 1,0,-1 --p0 0.5 --force cosine:1,2 --system "
+                 "chain --forces f.tsv",
+                 what[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t j = 0; j < LEN(names); j++)
+            ck_assert_near(by(names[j]), want[j], 1e-12, "%s", names[j]);
+        ck_assert_ptr_null(strstr(out, "\nmass"));
+    }
+    ck_assert_int_eq(fvi("gradient --system chain"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# of = x:1\n"));
+    ck_assert_refused("gradient --system chain --of energy",
+                      "fvi: --of: 'energy' has no gradient with --system");
+    ck_assert_refused("gradient --system chain --method fvi-bdf2",
+                      "fvi: --system: 'chain' has a gradient with fvi, and "
+                      "without --damping");
+    ck_assert_refused("gradient --system chain --damping maxwell:1,1",
+                      "fvi: --system: 'chain' has a gradient with fvi, and "
+                      "without --damping");
+}
+END_TEST
+
 /* The same operations but for the order of sums: as in test_structures.c. A power among the
  * laws of damping is summed another way. */
 START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
@@ -46,15 +100,13 @@ START_TEST(a_folder_of_matrices_is_the_system_that_it_says)
     static char one[1 << 16], other[1 << 16];
     static const struct {
         const char *system, *plain;
-    } words[] = {
-        { "--method fvi --alpha 0.3", "--method fvi --alpha 0.3" },
-        { "--method fvi-shifted --alpha 0.7",
-          "--method fvi-shifted --alpha 0.7" },
-        { "--method fvi-bdf2 --damping power:1,0.3",
-          "--method fvi-bdf2 --alpha 0.3" },
-        { "--method fvi-stable --derivative rl --alpha 0.3",
-          "--method fvi-stable --derivative rl --alpha 0.3" }
-    };
+    } words[] = { { "--method fvi --alpha 0.3", "--method fvi --alpha 0.3" },
+                  { "--method fvi-shifted --alpha 0.7",
+                    "--method fvi-shifted --alpha 0.7" },
+                  { "--method fvi-bdf2 --damping power:1,0.3",
+                    "--method fvi-bdf2 --alpha 0.3" },
+                  { "--method fvi-stable --derivative rl --alpha 0.3",
+                    "--method fvi-stable --derivative rl --alpha 0.3" } };
     write_chain();
     for (size_t i = 0; i < LEN(words); i++) {
         const char *same = "--x0 1,0,-1 --p0 0 --force cosine:1,2 --time 3 "
@@ -100,8 +152,9 @@ START_TEST(forces_come_from_a_table_of_unknowns)
     }
     ck_assert_refused("run --system chain --force step:1,2 --steps 9",
                       "fvi: --force: 'step:1,2': there is chain/f.tsv, too");
-    ck_assert_refused("run --system chain", "fvi: --system: chain/f.tsv: from t = 0 "
-                                            "to 2, the run from 0 to 20");
+    ck_assert_refused("run --system chain",
+                      "fvi: --system: chain/f.tsv: from t = 0 "
+                      "to 2, the run from 0 to 20");
     ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
 }
 END_TEST
@@ -132,17 +185,20 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
     ck_assert(at_end[0][0] == 1 && at_end[2][0] == 3);
     ck_assert(at_end[2][2] == last[1] && at_end[0][2] == last[2]);
     ck_assert(at_end[2][1] == last[3] && at_end[0][1] == last[4]);
-    table("run --potential chain:3,1,0 --columns x --unknowns 2 --steps 1",
-          one, sizeof one);
+    table("run --potential chain:3,1,0 --columns x --unknowns 2 --steps 1", one,
+          sizeof one);
     ck_assert_ptr_nonnull(strstr(out, "# x2\n1\n"));
-    ck_assert_refused("run --unknowns 2", "fvi: --unknowns: '2' is not a list of "
-                                          "numbers from 1 to 1");
-    ck_assert_refused("run --system chain --unknowns 1,4",
-                      "fvi: --unknowns: '1,4' is not a list of numbers from 1 to 3");
+    ck_assert_refused("run --unknowns 2",
+                      "fvi: --unknowns: '2' is not a list of "
+                      "numbers from 1 to 1");
+    ck_assert_refused(
+        "run --system chain --unknowns 1,4",
+        "fvi: --unknowns: '1,4' is not a list of numbers from 1 to 3");
     ck_assert_refused("run --system chain --unknowns 2,2",
                       "fvi: --unknowns: 2 stands twice in '2,2'");
-    ck_assert_refused("run --system chain --unknowns 1,",
-                      "fvi: --unknowns: '1,' is not a list of numbers from 1 to 3");
+    ck_assert_refused(
+        "run --system chain --unknowns 1,",
+        "fvi: --unknowns: '1,' is not a list of numbers from 1 to 3");
     ck_assert_refused("run --snapshot a -o a",
                       "fvi: --snapshot: 'a' is the table's file, too");
     ck_assert_refused("run --snapshot a --checkpoint a",
@@ -167,21 +223,26 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "K.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n1 2 2\n",
           "K.mtx:6: an entry that stands twice; of a symmetric matrix only one "
           "triangle is given" },
-        { "K.mtx", "%%MatrixMarket matrix coordinate real general\n3 3 2\n1 2 "
-                   "1\n2 1 2\n",
+        { "K.mtx",
+          "%%MatrixMarket matrix coordinate real general\n3 3 2\n1 2 "
+          "1\n2 1 2\n",
           "K.mtx:4: the matrix is not symmetric: entry (j, i) is another one" },
-        { "K.mtx", "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 "
-                   "1\n1 1\n",
+        { "K.mtx",
+          "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 "
+          "1\n1 1\n",
           "K.mtx:1: a pattern without numbers" },
         { "C.mtx", HEAD "3 3 1\n2 1 0.5\n",
           "C.mtx: not positive semidefinite: it would feed the motion" },
-        { "f.tsv", "t f4\n0 1\n", "f.tsv:1: a name that is none of the "
-                                  "unknowns'" },
-        { "f.tsv", "t f1 f1\n0 1 1\n", "f.tsv:1: an unknown that is named "
-                                       "twice" },
+        { "f.tsv", "t f4\n0 1\n",
+          "f.tsv:1: a name that is none of the "
+          "unknowns'" },
+        { "f.tsv", "t f1 f1\n0 1 1\n",
+          "f.tsv:1: an unknown that is named "
+          "twice" },
         { "f.tsv", "0 1 2 3\n1 1 2\n", "f.tsv:2: a number is missing" },
-        { "f.tsv", "0 1 2 3\n1 1 2 3 4\n", "f.tsv:2: more numbers than "
-                                           "columns" },
+        { "f.tsv", "0 1 2 3\n1 1 2 3 4\n",
+          "f.tsv:2: more numbers than "
+          "columns" },
         { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2: t does not increase" },
         { "f.tsv", "0 1 2 inf\n", "f.tsv:1: not a finite number" },
         { "f.tsv", "# t\n", "f.tsv: has no rows" },
@@ -226,7 +287,7 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
                       "fvi: --system: not together with --error");
     ck_assert_refused("run --system chain --method fvi-lobatto4",
                       "fvi: --method: 'fvi-lobatto4' is not for --system");
-    ck_assert_refused("gradient --system chain",
+    ck_assert_refused("fit --system chain d.tsv",
                       "fvi: --system: not an option of this command");
     ck_assert_int_eq(fvi("sweep --system chain --vary alpha=0.1:0.9:3 --method "
                          "fvi-stable --columns x"),
@@ -288,7 +349,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: systems of matrices");
-    ADD_CASE(suite, "system", a_folder_of_matrices_is_the_system_that_it_says,
+    ADD_CASE(suite, "system", a_gradient_of_a_folder_is_that_of_its_masses,
+             a_folder_of_matrices_is_the_system_that_it_says,
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
              bad_folders_are_refused_with_file_and_line,
