@@ -3,6 +3,7 @@
 
 #include "damping.h"
 #include "loads.h"
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "memory/memory_parts.h"
 #include "system/fail.h"
 #include "system/newton.h"
@@ -78,38 +79,43 @@ static int goes_by_parts(const fvi_stepper *s)
 }
 
 //> drift
-/* x_{k+1}, the pull on p, and the terms of the memory, of some coordinates from i on. */
-static void drift_part(fvi_stepper *s, fvi_damping *d, size_t i, size_t count)
+/* x_{k+1}, the pull on p, and the terms of the memory, of some coordinates: A is m / h. */
+FVI_VECTORS static void drift_part(double h, size_t count, const double *A,
+                                   const double *g, const double *F,
+                                   const double *origin, const double *drift,
+                                   double *x, double *p, double *z, double *dz)
 {
-    const double h = s->run.h, *mass = s->run.system->mass + i;
-    const double *g = s->g + i, *F = s->F + i;
-    const double *origin = d->origin + i, *drift = d->drift + i;
-    double *x = s->x + i, *p = s->p + i, *dx = s->dx + i;
 #pragma omp simd
     for (size_t j = 0; j < count; j++) {
-        dx[j] = (p[j] - h * g[j]) / (mass[j] / h);
-        x[j] += dx[j];
+        const double dx = (p[j] - h * g[j]) / A[j];
+        x[j] += dx;
         p[j] += h * (F[j] - g[j]);
-        d->z[j] = x[j] - origin[j];
-        d->dz[j] = dx[j] - drift[j];
+        z[j] = x[j] - origin[j];
+        dz[j] = dx - drift[j];
     }
 }
 
 /* The digits of step_fractional, and a tenth less of the time of a million coordinates:
  * they come from far away once, and go through the whole step. z and dz are those of one
- * part. */
+ * part, and dx is kept by nobody. */
 static int step_by_parts(fvi_stepper *s)
 {
+    static const double none[PART];
     fvi_damping *d = s->own;
     const size_t dim = s->run.system->d;
+    const double *A = fvi_newton_diagonal(s->newton);
+    const int increments =
+        s->run.law || 2 * s->run.alpha > 1; /* have a drift */
     int status = fvi_gradient(s->run.system, s->x, s->g);
     if (!status)
         status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
     for (size_t i = 0; i < dim && !status; i += PART) {
         const size_t count = dim - i < PART ? dim - i : PART;
-        const double *factor = d->factor + i;
+        const double *factor = d->factor + i,
+                     *F = s->run.system->force.value ? s->F + i : none;
         double *p = s->p + i;
-        drift_part(s, d, i, count);
+        drift_part(s->run.h, count, A + i, s->g + i, F, d->origin + i,
+                   increments ? d->drift + i : none, s->x + i, p, d->z, d->dz);
         status = fvi_memory_push_part(d->memory, i, count, d->z, d->dz, d->z);
 #pragma omp simd
         for (size_t j = 0; j < count; j++)

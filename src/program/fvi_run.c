@@ -131,7 +131,7 @@ static int load_of(const fvi_options *o, const fvi_run *run, double *load,
     if (o->d > FEW && m->stages > 0) /* the others keep to two diagonals */
         return -1;
     int status = fvi_stability_load(m, run, load);
-    if (!status && *load > 1 && m->load_grows && !o->directory)
+    if (!status && *load > 1 && m->load_grows)
         status = fvi_stability_step(m, run, h);
     return status;
 }
@@ -158,8 +158,11 @@ static void warn(const fvi_options *o, const fvi_run *r, size_t size,
         return;
     char more[80] = "";
     if (h > 0)
-        snprintf(more, sizeof more, "; stable below h = %.4g", h);
-    else if (h == 0 && o->alpha < 1)
+        snprintf(more, sizeof more,
+                 o->directory ? "; stable below some h = %.2g"
+                              : "; stable below h = %.4g",
+                 h);
+    else if (h == 0 && (o->alpha < 1 || o->directory))
         snprintf(more, sizeof more, "; no step is stable");
     else if (h == 0)
         snprintf(more, sizeof more, "; no step is stable: rho / m is %.4g",

@@ -227,6 +227,11 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
     return n->theirs ? n->theirs : status;
 }
 
+const double *fvi_newton_diagonal(const fvi_newton *n)
+{
+    return n->A;
+}
+
 int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
                      double *g)
 {

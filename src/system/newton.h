@@ -91,6 +91,9 @@ int fvi_system_check_any(const fvi_system *system);
 int fvi_newton_solve(fvi_newton *newton, const double *x, const double *r,
                      double *d, double *g);
 
+/* fvi_newton_diagonal -- A of (2.10) without matrices, d numbers that the solver keeps. */
+const double *fvi_newton_diagonal(const fvi_newton *newton);
+
 /* fvi_newton_copy -- a solver of its own for the same equation, factors included.
  * Returns FVI_SUCCESS or FVI_ENOMEM; *to is then untouched. */
 int fvi_newton_copy(const fvi_newton *from, fvi_newton **to);

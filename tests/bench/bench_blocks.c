@@ -29,7 +29,8 @@ static void *room(size_t n)
 static size_t modes(void)
 {
     const double delta = fvi_exponentials_delta(STEPS, 0);
-    const size_t Q = fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL, NULL);
+    const size_t Q =
+        fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL, NULL);
     return (Q + 7) / 8 * 8;
 }
 

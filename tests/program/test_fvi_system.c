@@ -340,6 +340,7 @@ START_TEST(an_unstable_step_is_told_of_a_system_too)
     ck_assert_int_eq(
         strncmp(err, "fvi: warning: this step is unstable (load 1.", 44), 0);
     ck_assert_ptr_nonnull(strstr(out, "# warning = this step is unstable"));
+    ck_assert_ptr_nonnull(strstr(err, "; stable below some h = 0.68\n"));
     ck_assert_int_eq(
         fvi("run --system chain --method fvi-stable --h 70 --steps 3"), 0);
     ck_assert_str_eq(err, "");

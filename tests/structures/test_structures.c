@@ -286,6 +286,11 @@ START_TEST(eq_27_9_the_load_of_matrices)
             OK(fvi_stability_load(method, &run, &load));
             *(load < 1 ? &low : &high) = run.h;
         }
+        double h = 0; /* the same: log2 h to 2^-12, and the 1.0001 of above */
+        OK(fvi_stability_step(method, &run, &h));
+        ck_assert_near(log2(h / low), 0,
+                       0x1p-12 * fmax(1, fabs(log2(low))) + log2(1.0001),
+                       "run %d", i);
         for (int above = 0; above < 2; above++) {
             run.h = low * (above ? 1.1 : 0.95);
             const int status = fvi_trajectory(method, &run, x, NULL, NULL);
@@ -319,7 +324,8 @@ START_TEST(loads_that_are_not_known_are_refused)
     OK(fvi_stability_load(&fvi_stable, &run, &load));
     ck_assert(load == 0);
     double h = 7;
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &h), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_step(&fvi_shifted, &run, &h), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_step(&fvi_lobatto4, &run, &h), FVI_EUNSUP);
     fvi_stepper *s = NULL;
     ck_assert_int_eq(fvi_start(&fvi_lobatto4, &run, &s), FVI_EUNSUP);
     ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_EUNSUP);
