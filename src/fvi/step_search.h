@@ -40,7 +40,9 @@ typedef struct {
  *         (the random times are the same in each search);
  *     if D_{j-1} and D_j are rounding, <= 10 tolerance max |x|, the estimate is
  *         D_j + tolerance max |x| and, in place of (18.5),
- *         h_j^2 max_i sum_j |U_ij| / m_i <= 1 at the rows of the run      (18.6).
+ *         h_j^2 max_i sum_j |U_ij| / m_i <= 1 at the rows of the run      (18.6);
+ *     with matrices (18.6) is 4 times the load of Algorithm 3, kappa = 0, instead
+ *     (fvi_stability_load, from below by some percent).
  *
  * A run that overflows, or does not converge, says only that its step is too long.
  *

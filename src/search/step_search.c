@@ -123,7 +123,8 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
         orders(other, run, &least, &others);
         if (others > most && run->alpha >= other->alpha_least
             && run->alpha <= other->alpha_most
-            && fvi_method_has_memory(other, run->memory)) {
+            && fvi_method_has_memory(other, run->memory)
+            && (other->takes_matrices || !run->system->matrices)) {
             best = other;
             most = others;
         }
@@ -157,11 +158,20 @@ static int stiffness(search *o, double *most)
     return FVI_SUCCESS;
 }
 
-/* Not (18.6): the potential may swing so fast that these steps pass over it. */
+/* Not (18.6): the potential may swing so fast that these steps pass over it. Of matrices the
+ * load of Algorithm 3 says it, damping included, which only asks for more. */
 static int passes_over(search *o, size_t parts, int *still)
 {
     const double h = o->run->h / (double)(o->first * parts);
     double most;
+    if (o->run->system->matrices) {
+        fvi_run trial = *o->run;
+        trial.h = h;
+        trial.kappa = 0;
+        int known = fvi_stability_load(&fvi_fractional, &trial, &most);
+        *still = !(4 * most <= 1);
+        return known;
+    }
     int status = stiffness(o, &most);
     *still = !(h * h * most <= 1);
     return status;

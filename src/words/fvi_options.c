@@ -134,9 +134,7 @@ static int is_replaced(const fvi_options *o, option_index i)
 static int check_system(const fvi_options *o, fvi_complaint c)
 {
     for (int i = 0; i < OPTIONS; i++)
-        if (o->text[i]
-            && (is_replaced(o, (option_index)i)
-                || (o->text[SYSTEM] && i == ERROR)))
+        if (o->text[i] && is_replaced(o, (option_index)i))
             return fvi_refuse(c, "--system: not together with --%s",
                               fvi_option_list[i].name);
     return 0;
@@ -156,7 +154,9 @@ static int fill_in(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "--damping: not together with --%s",
                           o->text[ALPHA] ? "alpha" : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
-        o->text[METHOD] = law ? fvi_bdf2.name : fvi_adaptive.name;
+        o->text[METHOD] = law               ? fvi_bdf2.name
+                          : o->text[SYSTEM] ? fvi_stable.name
+                                            : fvi_adaptive.name;
     const int status = check_system(o, c);
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])

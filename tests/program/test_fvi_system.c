@@ -283,8 +283,8 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
                       "fvi: --system: not together with --potential");
     ck_assert_refused("run --system chain --dimension 3",
                       "fvi: --system: not together with --dimension");
-    ck_assert_refused("run --system chain --error 1e-3",
-                      "fvi: --system: not together with --error");
+    ck_assert_refused("run --system chain --error 1e-3 --method fvi-adaptive",
+                      "fvi: --method: 'fvi-adaptive' is not for --system");
     ck_assert_refused("run --system chain --method fvi-lobatto4",
                       "fvi: --method: 'fvi-lobatto4' is not for --system");
     ck_assert_refused("fit --system chain d.tsv",
@@ -329,6 +329,28 @@ START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
 }
 END_TEST
 
+/* (18.2): all rows are within the error of much finer ones, by the method that is named or by
+ * fvi-stable. A body that is left at rest has no error to look at: (18.6) ends the search
+ * where the steps resolve the fastest mode. */
+START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
+{
+    static char found[4096], fine[4096];
+    write_chain();
+    ck_assert_int_eq(shell("rm -f chain/f.tsv"), 0);
+    table("run --system chain --alpha 0.3 --time 4 --steps 16384 --every 4096 "
+          "--method fvi-stable --columns x",
+          fine, sizeof fine);
+    table("run --system chain --alpha 0.3 --time 4 --steps 4 --error 1e-5 "
+          "--columns x",
+          found, sizeof found);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
+    ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
+    ck_assert_int_eq(fvi("run --system chain --x0 0 --p0 0 --time 4 --steps 4 "
+                         "--error 1e-5"),
+                     0);
+}
+END_TEST
+
 /* (27.9): the largest eigenvalue of M^-1 K is 8.64: h < 0.68 at kappa = 0. */
 START_TEST(an_unstable_step_is_told_of_a_system_too)
 {
@@ -357,6 +379,7 @@ int main(void)
              bad_folders_are_refused_with_file_and_line,
              what_a_system_replaces_or_no_method_takes_is_refused,
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
+             eq_18_2_a_system_is_run_to_a_wanted_error,
              an_unstable_step_is_told_of_a_system_too);
     return run_suite_of_program(suite);
 }
