@@ -10,7 +10,8 @@
 #include "adaptive_band.h"
 #include "memory/variable_modes.h"
 
-/* With a larger wish the modes are coarse, and of a singular start fewer terms are taken. */
+/* With a larger wish equations are solved to fewer digits, and of a singular start fewer
+ * terms are taken; ten times larger, and the modes are coarse. */
 #define FVI_COARSE 1e-6
 
 /* Coordinates with the same mass, damping and spring share their matrices. */

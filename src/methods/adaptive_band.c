@@ -138,11 +138,42 @@ void fvi_adaptive_band_factorise(fvi_adaptive_band *o, const size_t *kind,
     factorise(o, kind, hh, H);
 }
 
+/* All three where coordinates do not know of each other, with s a constant. */
+static inline __attribute__((always_inline)) void
+one_by_one(const size_t s, const fvi_adaptive_band *o, double *r)
+{
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        quad e = { { 0 }, { 0 } };
+#pragma GCC unroll 8
+        for (size_t i = 0; i < s; i++) {
+            e.re += o->in[i].re * r[i];
+            e.im += o->in[i].im * r[i];
+        }
+        e = times(o->factor[j], e);
+        fvi_four low = { 0 }, high = { 0 };
+#pragma GCC unroll 4
+        for (size_t n = 0; n < s / 2; n++) {
+            const fvi_four *re = (const fvi_four *)o->re[n],
+                           *im = (const fvi_four *)o->im[n];
+            low += re[0] * e.re[n] - im[0] * e.im[n];
+            high += re[1] * e.re[n] - im[1] * e.im[n];
+        }
+        ((fvi_four *)r)[0] = low;
+        ((fvi_four *)r)[1] = high;
+    }
+}
+
 FVI_VECTORS static void solve(const fvi_adaptive_band *o, double *r)
 {
-    forwards(o, r);
-    backwards(o, r);
-    join(o, r);
+    if (o->diagonals == 1 && o->s == 8) {
+        one_by_one(8, o, r);
+    } else if (o->diagonals == 1) {
+        one_by_one(6, o, r);
+    } else {
+        forwards(o, r);
+        backwards(o, r);
+        join(o, r);
+    }
 }
 
 void fvi_adaptive_band_solve(fvi_adaptive_band *o, double *r)

@@ -194,7 +194,7 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
-    const fvi_modes_kind kind = o->wish > FVI_COARSE        ? FVI_MODES_COARSE
+    const fvi_modes_kind kind = o->wish > 10 * FVI_COARSE   ? FVI_MODES_COARSE
                                 : o->wish > FVI_COARSE / 10 ? FVI_MODES_MEDIUM
                                                             : FVI_MODES_FINE;
     return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
