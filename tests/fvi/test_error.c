@@ -224,6 +224,15 @@ static int growth(void)
     return fvi_growth(0.75, 0.5, 1, 100, &out);
 }
 
+/* A stack that has been as large as this need not grow under a limit, which would be the end
+ * of the process. */
+static void use_stack(void)
+{
+    volatile char room[1 << 19];
+    for (size_t i = 0; i < sizeof room; i += 1 << 10)
+        room[i] = 1;
+}
+
 /* What a child says that may take so many bytes more than it has. A handler hears of
  * an error once, and of nothing else. */
 static int under(int (*ask)(void), size_t more)
@@ -232,6 +241,7 @@ static int under(int (*ask)(void), size_t more)
     ck_assert(child >= 0);
     if (child == 0) {
         unsigned long pages = 0;
+        use_stack();
         FILE *f = fopen("/proc/self/statm", "r");
         if (!f || fscanf(f, "%lu", &pages) != 1)
             _exit(99);

@@ -81,6 +81,8 @@ static const struct {
     { "found", "100 noisy motions of another program are found", stress_found,
       1 },
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
+    { "halves", "a power in two halves has the exact solution of the power",
+      stress_halves, 5000 },
 };
 
 /* All cases of a family, or one; returns the number of failures. */

@@ -83,6 +83,43 @@ double stress_exact(gsl_rng *random, char *describe, size_t size)
     return used;
 }
 
+/* ---- halves: a law of two halves of a power takes the other road to x ---- */
+
+/* As in test_damping_laws_exact.c: frequencies below 10, and w t below 10^4 where the phase
+ * matters. Both roads promise so much in their headers. */
+double stress_halves(gsl_rng *random, char *describe, size_t size)
+{
+    enum { TIMES = 5 };
+    const double alpha = gsl_rng_uniform(random);
+    const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5, alpha, 0, 0 },
+                                  { FVI_LAW_POWER, 0.5, alpha, 0, 0 } };
+    const fvi_law law = { 2, half };
+    const int free = stress_uniform(random, 0, 10) < 1;
+    fvi_linear p = { .m = 1,
+                     .c = free ? 0 : stress_decades(random, 0.01, 100),
+                     .rho = stress_decades(random, 0.01, 100),
+                     .alpha = alpha,
+                     .x0 = stress_uniform(random, -0.5, 0.5),
+                     .v0 = stress_uniform(random, -0.5, 0.5),
+                     .forcing = (fvi_forcing)gsl_rng_uniform_int(random, 3),
+                     .A = 1,
+                     .T = stress_decades(random, 0.1, 100),
+                     .w = stress_decades(random, 0.1, 10) };
+    double t[TIMES], x[TIMES], y[TIMES];
+    for (size_t j = 0; j < TIMES; j++)
+        t[j] = stress_decades(random, 1e-3, 1e3);
+    snprintf(describe, size, "alpha=%.17g c=%g rho=%g forcing=%d", alpha, p.c,
+             p.rho, (int)p.forcing);
+    if (fvi_exact(&p, TIMES, t, x, NULL))
+        return GSL_POSINF;
+    p.law = &law;
+    p.alpha = 0;
+    if (fvi_exact(&p, TIMES, t, y, NULL))
+        return GSL_POSINF;
+    const double most = fmax(fabs(p.x0), stress_size(TIMES, x));
+    return stress_distance(TIMES, x, y) / (2.4e-13 * most);
+}
+
 /* ---- quadruple: the same operations with 113 bits ---- */
 
 /* Momentum form, d = 1, U = c x^2/2 + g x^4/4 with g = 0 unless kappa = 0. */
