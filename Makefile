@@ -285,7 +285,7 @@ $B/tests/test_%.o: test_%.c | needs
 LEVEL_stability_rounding := -O2
 LEVEL_convergence_orders := -O2
 
-# Of 130 links gold makes a third of the time.
+# Gold takes half the time for these 130 links.
 GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 $B/tests/test_%: $B/tests/test_%.o $B/libfvi.a
 	$(CC) $(CFLAGS) $(GOLD) $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
