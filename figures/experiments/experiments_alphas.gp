@@ -2,7 +2,7 @@
 # Input: figures/experiments/experiments_alphas.c. Output: figures/experiments/experiments_alphas.svg.
 width = 860; height = 500
 load 'figures/style.gp'
-set title "the FVI for seven orders of damping, h = 0.5; black: the exact motion for α = 1/2"
+set title "the FVI for seven orders of damping, h = 0.5; thick: the exact motion for α = 1/2"
 set xlabel "t"
 set ylabel "x"
 set xrange [0:15]
