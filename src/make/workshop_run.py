@@ -40,6 +40,9 @@ ACCIDENTS = [  # what a sanitizer calls it, and a person
 ]
 
 
+ENDLESS = "takes longer than"
+
+
 class NotBuilt(Exception):
     """A sentence that says why there is nothing to run."""
 
@@ -169,7 +172,7 @@ def sentence(message, limit):
         got, want = digits(values[2], values[3])
         return f"{values[1]}: got {got}, want {want}"
     if "timeout" in message.lower() or "signal 24" in message:
-        return f"takes longer than {limit} s: is there a loop without an end?"
+        return f"{ENDLESS} {limit} s: is there a loop without an end?"
     if "Early exit" in message:
         return "ends the process"
     signal = re.search(r"signal (\d+)", message)
