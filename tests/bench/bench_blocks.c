@@ -329,7 +329,7 @@ static double run_of(size_t n, fvi_potential potential, const double *x0,
 //< wave
 
 /* An eigenvector of the second difference, 80 cells long, of n unknowns; how far it is
- * from the oscillator in the end. */
+ * from the oscillator in the end. The least of three times. */
 static void one_wave(size_t n, size_t steps)
 {
     static const double springs[] = { 1, 0 }, one = 1;
@@ -340,8 +340,10 @@ static void one_wave(size_t n, size_t steps)
     double *u0 = room(2 * n), *u = u0 + n, x, apart = 0;
     for (size_t i = 0; i < n; i++) /* an exact multiple of pi / (n + 1) */
         u0[i] = sin(pi * (double)(waves * (i + 1) % period) / (double)(n + 1));
-    const double seconds =
-        run_of(n, fvi_potential_chain(springs), u0, steps, u);
+    double seconds = 1e30;
+    for (int i = 0; i < 3; i++)
+        seconds = fmin(seconds,
+                       run_of(n, fvi_potential_chain(springs), u0, steps, u));
     run_of(1, fvi_potential_harmonic(&c), &one, steps, &x);
     for (size_t i = 0; i < n; i++)
         apart = fmax(apart, fabs(u[i] - x * u0[i]));
