@@ -66,6 +66,11 @@ function nearAll(got, want, tolerance, what) {
   got.forEach((value, i) => near(value, want[i], tolerance, `${what}, ${i}`));
 }
 
+await test("every figure's script and C are pages of the book", () => {
+  for (const [name, { c = "chapters-live-live" }] of scenes)
+    for (const source of [`chapters-live-${name}.js`, `${c}.c`]) assert.ok(existsSync(`${book}/source/${source}.html`), source);
+});
+
 await test("every figure computes, and says what it found in a sentence", () => {
   for (const [name] of scenes) {
     const { said } = moved(name, {});
