@@ -2,7 +2,6 @@
  * control. Numbers go in and out by the arrays of live.c; mass 1, a held past, Algorithm 3.
  *
  * Each function returns 0, or an error of <fvi/error.h>. */
-#include "inverse/identification_tangent.h"
 #include "inverse/mirror_stages.h"
 
 #include <fvi/adjoint.h>
@@ -88,15 +87,10 @@ int EXPORT(live_gradient)(double alpha, double rho, double g, double x0,
     return fvi_trajectory(&fvi_fractional, &run, live_array(3), NULL, NULL);
 }
 
-/* Algorithm 3 has no stages to give back, nor have its slopes. */
+/* Algorithm 3 has no stages to give back. */
 void fvi_mirror_stages_stop(fvi_mirror_stages *m)
 {
     (void)m;
-}
-
-void fvi_tangent_stages_stop(fvi_tangent_stages *staged)
-{
-    (void)staged;
 }
 
 /* ---- chapter 24: a fit ---- */

@@ -30,7 +30,7 @@ async function test(name, body) {
 // What a figure computes when it is moved there, and says.
 function moved(name, values) {
   const scene = scenes.get(name), all = { ...start(scene), ...values };
-  moves.push({ name, values: { ...all } });
+  moves.push({ name, values: structuredClone(all) }); // arrays may be dragged further
   if (shown) {
     const move = shown[moves.length - 1];
     assert.equal(move.name, name);
