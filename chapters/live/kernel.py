@@ -13,7 +13,7 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
 MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative", "sensitivity",
-           "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent", "identification_tangent_stages"]
+           "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
 WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders"
 
