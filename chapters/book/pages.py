@@ -217,7 +217,7 @@ def scrolling_tables(page):
     def box(match):
         rows = [re.sub(r"<[^>]+>", "", row) for row in match[0].split("</tr>")]
         wide = " wide" if match[0].count("<th") > 4 and max(map(len, rows)) > 180 else ""
-        table = re.sub(r"(?<=\w)_(?=\w[^<]*</(?:a|code)>)", "_<wbr>", match[0])  # a long name may break
+        table = re.sub(r"(?<=\w)_(?=\w[^<>]*</(?:a|code)>)", "_<wbr>", match[0])  # a long name may break
         return f'<div class="scroll{wide}" role="region" aria-label="Table">{table}</div>'
 
     page.body = re.sub(r"<table.*?</table>", box, page.body, flags=re.S)
