@@ -2,6 +2,7 @@
  * control. Numbers go in and out by the arrays of live.c; mass 1, a held past, Algorithm 3.
  *
  * Each function returns 0, or an error of <fvi/error.h>. */
+#include "inverse/identification_tangent.h"
 #include "inverse/mirror_stages.h"
 
 #include <fvi/adjoint.h>
@@ -91,6 +92,11 @@ int EXPORT(live_gradient)(double alpha, double rho, double g, double x0,
 void fvi_mirror_stages_stop(fvi_mirror_stages *m)
 {
     (void)m;
+}
+
+void fvi_tangent_stages_stop(fvi_tangent_stages *o)
+{
+    (void)o;
 }
 
 /* ---- chapter 24: a fit ---- */
