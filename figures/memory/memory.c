@@ -71,7 +71,7 @@ int main(void)
     if (!w || fvi_coefficients(nu, N + 1, w))
         return EXIT_FAILURE;
     for (size_t i = 0; i < DELTAS; i++)
-        Q[i] = fvi_exponentials_nodes(nu, N, deltas[i], s[i], c[i]);
+        Q[i] = fvi_exponentials_nodes(nu, N, deltas[i], s[i], c[i], NULL);
     print_weights(w, Q[0], s[0], c[0]);
     print_errors(w, Q, s, c);
     print_modes(Q[0], s[0], c[0]);
