@@ -4,6 +4,8 @@
 
 #include "system/fail.h"
 
+#include <gsl/gsl_machine.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -107,6 +109,33 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->events, old->events, o->event_count * sizeof *o->events);
     return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
 }
+
+/* ---- from outside ---- */
+
+void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
+{
+    fvi_adaptive_run *o = s->own;
+    o->most = (int)floor(log(longest) / fvi_variable_spacing());
+    o->next = o->first = (int)fmin(o->first, o->most);
+    o->growth = growth;
+}
+
+//> strike
+void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
+    memset(o->kick, 0, o->d * sizeof *o->kick);
+    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now;
+         o->hits++)
+        for (size_t j = 0; j < o->d; j++) {
+            const double jump =
+                force->impulses[o->hits].J[j] / o->of_kind[o->kind[j]].mass;
+            o->kick[j] += jump;
+            o->v[j] += jump;
+        }
+}
+//< strike
 
 /* ---- what is saved ---- */
 

@@ -283,23 +283,6 @@ static void show(fvi_stepper *s, fvi_adaptive_run *o)
     s->t = o->t;
 }
 
-//> strike
-void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o)
-{
-    const fvi_force *force = &s->run.system->force;
-    const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
-    memset(o->kick, 0, o->d * sizeof *o->kick);
-    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now;
-         o->hits++)
-        for (size_t j = 0; j < o->d; j++) {
-            const double jump =
-                force->impulses[o->hits].J[j] / o->of_kind[o->kind[j]].mass;
-            o->kick[j] += jump;
-            o->v[j] += jump;
-        }
-}
-//< strike
-
 /* The velocities of coordinate j at the stages, as its memory wants them, to v. */
 FVI_VECTORS static void velocities(const fvi_adaptive_run *o, size_t j,
                                    double *v)
@@ -392,14 +375,6 @@ int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts)
         FVI_FAIL("not a stepper of fvi_adaptive", FVI_EINVAL);
     *counts = ((const fvi_adaptive_run *)s->own)->counts;
     return FVI_SUCCESS;
-}
-
-void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
-{
-    fvi_adaptive_run *o = s->own;
-    o->most = (int)floor(log(longest) / fvi_variable_spacing());
-    o->next = o->first = (int)fmin(o->first, o->most);
-    o->growth = growth;
 }
 
 const fvi_method fvi_adaptive = {

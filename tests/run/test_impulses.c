@@ -2,69 +2,9 @@
 #include <fvi/fvi.h>
 #include <fvi/methods.h>
 #include <fvi/paper/algorithm_3.h>
-#include "harness/ulp.h"
+#include "impulse_runs.h"
 
 #include <stdlib.h>
-
-enum { MOST = 1280 };
-
-/* A spring that is hit once. */
-static const double one = 1, rho = 0.4, cg[2] = { 2, 0 }, x0 = 0.7, p0 = -0.3,
-                    J = 1.3;
-static fvi_impulse hit = { 0, &J };
-static fvi_system spring;
-static double x[MOST + 1], p[MOST + 1];
-
-static fvi_run hit_at(double t, double alpha, size_t steps)
-{
-    hit.t = t;
-    spring = (fvi_system){ .d = 1,
-                           .mass = &one,
-                           .damping = &rho,
-                           .potential = fvi_potential_harmonic(cg),
-                           .force = { .impulses = &hit, .impulse_count = 1 } };
-    fvi_run run =
-        fvi_run_default(&spring, &x0, &p0, 5.0 / (double)steps, steps);
-    run.alpha = alpha;
-    return run;
-}
-
-/* The linear problem from rest at 0 with the velocity J, J t later, is added. */
-static double truth(const fvi_run *run, double t, double at, double *v)
-{
-    double more = 0, more_v = 0, y;
-    fvi_linear q = { .m = 1,
-                     .c = cg[0],
-                     .rho = rho,
-                     .alpha = run->alpha,
-                     .x0 = x0,
-                     .v0 = p0 };
-    ck_assert_int_eq(fvi_exact(&q, 1, &t, &y, v), FVI_SUCCESS);
-    t -= at;
-    q.x0 = 0;
-    q.v0 = J;
-    if (t > 0)
-        ck_assert_int_eq(fvi_exact(&q, 1, &t, &more, &more_v), FVI_SUCCESS);
-    *v += more_v;
-    return y + more;
-}
-
-/* max |x_k - x(t_k)| over all nodes; of p where it does not jump, unless NULL. */
-static double error(const fvi_method *method, const fvi_run *run, double at,
-                    double *of_p)
-{
-    ck_assert_int_eq(fvi_trajectory(method, run, x, p, NULL), FVI_SUCCESS);
-    double worst = 0, worst_p = 0, v;
-    for (size_t k = 1; k <= run->steps; k++) {
-        const double t = (double)k * run->h;
-        worst = fmax(worst, fabs(x[k] - truth(run, t, at, &v)));
-        if (fabs(t - at) > 1e-9)
-            worst_p = fmax(worst_p, fabs(p[k] - v));
-    }
-    if (of_p)
-        *of_p = worst_p;
-    return worst;
-}
 
 /* ---- steps of one length ---- */
 
@@ -225,78 +165,6 @@ START_TEST(impulses_add_on_each_mass)
 }
 END_TEST
 
-/* ---- steps of its own ---- */
-
-/* At its time, to the tolerance of a step times what a few hundred of them add up to, for
- * every order of damping at which it is not refused. */
-START_TEST(eq_22_22_at_its_time_whatever_the_memory)
-{
-    static const double orders[] = { 0,   0.1,  0.3, 0.45, 0.5, 0.55,
-                                     0.7, 0.85, 0.9, 0.95, 1 };
-    for (size_t i = 0; i < LEN(orders); i++)
-        for (int e = -12; e <= -4; e += 4) {
-            fvi_run run = hit_at(1.2837, orders[i], 40);
-            run.step_error = pow(10, e);
-            const double off = error(&fvi_adaptive, &run, 1.2837, NULL);
-            seen_worst(off / run.step_error, "of step_error");
-            ck_assert_msg(off < 10 * run.step_error, "alpha = %g, 1e%d: %g",
-                          orders[i], e, off);
-        }
-    const fvi_run run = hit_at(1.2837, 0.99, 40);
-    fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_EUNSUP);
-}
-END_TEST
-
-/* At t = 0 it is another p0, at the end it is seen in p, at a row in the row itself. */
-START_TEST(eq_22_22_at_the_ends_and_at_a_row)
-{
-    static const double other = p0 + J;
-    double y[41], v;
-    fvi_run run = hit_at(0, 0.3, 40);
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, y, p, NULL),
-                     FVI_SUCCESS);
-    ck_assert_near(p[0], other, U, "p0");
-    spring.force = (fvi_force){ 0 };
-    run.p0 = &other;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL),
-                     FVI_SUCCESS);
-    for (size_t k = 0; k <= 40; k++)
-        ck_assert_near(y[k], x[k], 1e-12, "row %zu", k);
-    for (double at = 2.5; at <= 5; at += 2.5) {
-        run = hit_at(at, 0.3, 40);
-        const size_t k = at > 3 ? 40 : 20;
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL),
-                         FVI_SUCCESS);
-        truth(&run, at, at, &v);
-        ck_assert_near(p[k], v + J, 1e-8, "at %g", at);
-    }
-}
-END_TEST
-
-/* A copy in the step after an impulse goes on with the same digits. */
-START_TEST(eq_22_22_a_copy_remembers_what_has_struck)
-{
-    for (double alpha = 0.25; alpha < 1; alpha += 0.5) {
-        const fvi_run run = hit_at(1.2837, alpha, 40);
-        fvi_stepper *s, *copy;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
-        while (s->t < 1.2837)
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-        ck_assert(s->t == 1.2837);
-        ck_assert_int_eq(fvi_copy(s, &copy), FVI_SUCCESS);
-        while (s->t < 5) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-            ck_assert_int_eq(fvi_step(copy), FVI_SUCCESS);
-            ck_assert(s->t == copy->t && s->x[0] == copy->x[0]
-                      && s->p[0] == copy->p[0]);
-        }
-        fvi_stop(s);
-        fvi_stop(copy);
-    }
-}
-END_TEST
-
 /* ---- what goes on with them ---- */
 
 static int last_x(size_t k, size_t d, const double *at, const double *momentum,
@@ -414,9 +282,6 @@ int main(void)
              eq_2_15_a_free_body_moves_right_after_the_step,
              eq_2_15_at_a_node_it_is_a_force_of_one_node, eq_2_15_orders_at_a_node,
              eq_2_15_order_two_between_nodes, impulses_add_on_each_mass);
-    ADD_CASE(suite, "steps of its own", eq_22_22_at_its_time_whatever_the_memory,
-             eq_22_22_at_the_ends_and_at_a_row,
-             eq_22_22_a_copy_remembers_what_has_struck);
     ADD_CASE(suite, "derivatives", gradients_know_impulses,
              a_control_knows_impulses);
     ADD_CASE(suite, "errors", impulses_that_cannot_be);
