@@ -294,7 +294,7 @@ def row(method, past, alpha, kappa, N, h, x0, force):
             + ["NAN" if v is None else nearest(v) for v in slopes])
 
 
-runs = [row("fvi", past, alpha, kappa, 1000, 1 / 128, 1.0, 777) for past, alpha, kappa in
+runs = [row("fvi", past, alpha, kappa, 2000, 1 / 128, 1.0, 777) for past, alpha, kappa in
         [("caputo", 0.3125, 0.5), ("caputo", 0.75, 0.25), ("rl", 0.75, 0.25), ("held", 0.75, 0.25)]]
 for method in ("fvi", "shifted", "bdf2", "stable"):
     for past in ("held", "caputo", "rl"):

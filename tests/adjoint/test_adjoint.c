@@ -80,11 +80,11 @@ static void ck_assert_row(size_t i, fvi_memory_kind memory, double tolerance)
     free(o);
 }
 
-START_TEST(eq_23_6_every_derivative_of_1000_steps)
+START_TEST(eq_23_6_every_derivative_of_2000_steps)
 {
     size_t count = 0;
     for (size_t i = 0; i < LEN(ref_slopes); i++)
-        if (ref_slopes[i].N == 1000) {
+        if (ref_slopes[i].N == 2000) {
             ck_assert_row(i, FVI_MEMORY_DIRECT, 1e-12);
             ck_assert_row(i, FVI_MEMORY_EXPONENTIALS, 1e-12);
             count++;
@@ -97,7 +97,7 @@ START_TEST(eq_23_6_every_derivative_by_every_method_past_and_alpha)
 {
     size_t count = 0;
     for (size_t i = 0; i < LEN(ref_slopes); i++)
-        if (ref_slopes[i].N < 1000) {
+        if (ref_slopes[i].N < 2000) {
             ck_assert_row(i, FVI_MEMORY_AUTO, 1e-12);
             ck_assert_row(i, FVI_MEMORY_EXPONENTIALS, 1e-12);
             ck_assert_row(i, FVI_MEMORY_FFT, 1e-12);
@@ -110,7 +110,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("adjoint");
-    ADD_CASE(suite, "values", eq_23_6_every_derivative_of_1000_steps,
+    ADD_CASE(suite, "values", eq_23_6_every_derivative_of_2000_steps,
              eq_23_6_every_derivative_by_every_method_past_and_alpha);
     return run_suite(suite);
 }
