@@ -32,6 +32,7 @@ static void slowly(double v, char text[32])
 
 /* ---- by whole numbers, where they have room ---- */
 
+#ifdef __SIZEOF_INT128__ /* processors of 64 bits have them, others go slowly */
 __extension__ typedef unsigned __int128 wide;
 
 static const uint64_t fives[] = { 1U,
@@ -165,6 +166,14 @@ static int quickly(double v, char *text)
     write(v < 0, more ? digits / 10 : digits, 16 - n.k + more, precision, text);
     return 1;
 }
+#else
+static int quickly(double v, char *text)
+{
+    (void)v;
+    (void)text;
+    return 0;
+}
+#endif
 
 int fvi_shortest(double v, char text[32])
 {
