@@ -7,7 +7,7 @@
   (26.7)  the weights of a Maxwell element are geometric sequences;
   (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
   (26.9)  motions of an oscillator, by inversion of its Laplace transform;
-  (26.12) weights on two and three Lobatto nodes, by the cut and by Cauchy's integral;
+  (26.12) weights on two and three Lobatto nodes, by Cauchy's integral and by the cut;
   (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
 
 Inputs are the doubles they are."""
@@ -252,17 +252,22 @@ def nodes(s):
     return b, A_inverse, cut
 
 
-def stages(law, s, n, h):
-    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
-    b, A_inverse, cut = nodes(s)
+def around(s, radius, count, h):
+    """Delta(z)/h on a circle."""
+    b, A_inverse, _ = nodes(s)
 
     def delta(z):
         Delta = A_inverse.copy()
         Delta[0, s - 1] -= z / b[0]
         return Delta / h
 
-    cauchy = coefficients(circle(delta, mpf(2) / 5, 120 + n), lambda v: symbol(law, v) / v, [n])[n]
+    return circle(delta, radius, count)
 
+
+def stages(law, s, n, h):
+    """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
+    cut = nodes(s)[2]
+    cauchy = coefficients(around(s, mpf(2) / 5, 120 + n, h), lambda v: symbol(law, v) / v, [n])[n]
     imaginary = lambda s: symbol(law, mpc(s, mpf(10)**-40)).imag
     along = sum((M * (imaginary(-mu / h) * r**(n - 1)) for mu, r, M in cut), mpmath.zeros(s))
     return mpmath.mnorm(cauchy - along * (h / mpmath.pi / 8)) / mpmath.mnorm(cauchy)
@@ -280,6 +285,15 @@ def nearest(x):
     return "0" if x == 0 else float(mpmath.nstr(x, 20)).hex()
 
 
+# Of these terms and laws the cut is another one: orders above 1, poles near to it and off it.
+STEEP = [
+    [(ZENER, 1, "0.46875", "0.75", 0)],
+    [(ZENER, 2, "0.75", "0.5", 0), (POWER, "0.5", "0.25", 0, 0)],
+    [(ZENER, 1, 1, "0.25", 0)],
+    [(POWER, "0.5", "0.9375", 0, 0), (POWER, "0.25", 1, 0, 0), (MAXWELL, "0.5", 0, "0.75", 0)],
+]
+STEEP = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in STEEP]
+
 header("verify/damping_laws.py")
 print("\n#include <fvi/damping_laws.h>")
 for i, law in enumerate(LAWS):
@@ -288,6 +302,30 @@ for i, law in enumerate(LAWS):
 print("\nstatic const fvi_law ref_laws[] = {")
 for i, law in enumerate(LAWS):
     print(f"    {{ {len(law)}, ref_terms_{i} }},")
+print("};")
+for i, law in enumerate(STEEP):
+    rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
+    print(f"static const fvi_law_term steep_terms_{i}[] = {{ {rows} }};")
+print("\nstatic const fvi_law steep_laws[] = {")
+for i, law in enumerate(STEEP):
+    print(f"    {{ {len(law)}, steep_terms_{i} }},")
+print("};")
+
+LAGS = [0, 3, 4, 33, 150]
+print(f"\nenum {{ REF_LAGS = {len(LAGS)} }};")
+print("static const size_t ref_lag[REF_LAGS] = { %s };" % ", ".join(map(str, LAGS)))
+print("\n/* W_n of (26.12) with h = 1/8, row by row; the law is of ref_laws, or of steep_laws. */")
+print("static const struct { const fvi_law *law; size_t s; double W[REF_LAGS][9]; } ref_stages[] = {")
+with mp.workdps(30):
+    # what comes round again is (15/16)^768 = 3e-22 of the largest
+    rings = [(s, around(s, mpf(15) / 16, 768, mpf(1) / 8)) for s in (2, 3)]
+    for name, laws in (("ref_laws", LAWS), ("steep_laws", STEEP)):
+        for i, law in enumerate(laws):
+            for s, ring in rings:
+                W = coefficients(ring, lambda v: symbol(law, v) / v, LAGS)
+                rows = ", ".join("{ %s }" % ", ".join(nearest(W[n][j, l]) for j in range(s) for l in range(s))
+                                 for n in LAGS)
+                print(f"    {{ &{name}[{i}], {s}, {{ {rows} }} }},")
 print("};")
 
 INDICES = [0, 1, 2, 3, 10, 32, 33, 34, 60, 100, 150]

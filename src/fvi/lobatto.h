@@ -65,8 +65,9 @@ extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
  *     V = DD X,   Y = DD^beta (V - [beta > 0] p_0/m),   DD = Delta / h,
  *     x_{k+1} = X_s,   p_{k+1} = m V_s:
  *
- * or C(DD) (X - x_0) of a law (26.12), of orders up to 1 and without fractions of
- * 0.9 < 2 alpha < 1 (else FVI_EUNSUP).
+ * or C(DD) (X - x_0) of a law (26.12), whatever its orders; nothing is subtracted there, as
+ * the body was held. For EXPONENTIALS a law must have modes, which a fraction with 2 alpha
+ * > 0.9 but for 1 has not (FVI_EUNSUP; AUTO sums its weights as they stand).
  *
  * Lobatto IIIC, with its own quadrature for the damping. Systems, pasts, forces, memory,
  * tolerance and errors as above, and FVI_ESING if the matrix of a step is singular.
@@ -77,8 +78,8 @@ extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
  *     x: min(2s - 2, s + 4 - 2 alpha)      p: min(2s - 2, s + 3 - 2 alpha)   [(17.27)]
  *
  * (proved for quadratic U, measured else); over all t as low as above. That is for Caputo's
- * past, and held with alpha <= 1/2; held with alpha > 1/2 has s + 2 - 2 alpha at most, and
- * Riemann-Liouville with alpha < 1/2, x0 != 0, s + 1 - 2 alpha (measured).
+ * past, and held with alpha <= 1/2; held with alpha > 1/2 has s + 2 - 2 alpha at most (as a
+ * law 2s - 2 for quadratic U, else 3 to 5 for p_0 != 0; measured), and Riemann-Liouville with alpha < 1/2, x0 != 0, s + 1 - 2 alpha (measured).
  * For quadratic convex U, 0 < alpha < 1, every step is stable; with F = 0, and
  * alpha <= 1/2 or p_0 = 0, p^2/2m + U is never above its start (17.26), (17.28). Without
  * damping it is not symplectic: it loses half the squares of the jumps of V.

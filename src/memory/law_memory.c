@@ -86,8 +86,9 @@ static int has_modes(const ready *r)
         const fvi_law_simple *t = &r->term[i];
         if (t->rho == 0 || t->time == 0)
             continue;
-        if (has_cut(t) && (t->alpha > 0.45 || longest(r, 1) > MOST))
-            return 0; /* poles too near, or too low */
+        if ((t->alpha > 0.45 && t->alpha != 0.5)
+            || (has_cut(t) && longest(r, 1) > MOST))
+            return 0; /* poles too near, or off the cut, or too low */
         if (has_cut(t) && t->alpha > 0.4
             && is_short(r, pow(t->time, 0.5 / t->alpha)))
             return 0;
@@ -261,6 +262,16 @@ static int make(const ready *r, size_t d, size_t steps, fvi_memory_kind how,
     if (!status)
         *first = w0;
     return status;
+}
+
+int fvi_law_has_modes(const fvi_law *law, fvi_quadrature kind, double h)
+{
+    ready r = { .kind = kind, .h = h };
+    if (fvi_law_flatten(law, &r.term, &r.terms))
+        return 0;
+    const int modes = has_modes(&r);
+    free(r.term);
+    return modes;
 }
 
 int fvi_law_memory(const fvi_law *law, fvi_quadrature kind, double h, size_t d,

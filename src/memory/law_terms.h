@@ -31,4 +31,8 @@ int fvi_law_flatten(const fvi_law *law, fvi_law_simple **terms, size_t *count);
 void fvi_law_series(const fvi_law_simple *t, fvi_quadrature kind, double h,
                     int increments, size_t count, double *room, double *w);
 
+/* fvi_law_has_modes -- whether the weights of a law by `kind`, with step h, are a sum of
+ * decaying modes after the window; 0 also if there is no memory to see. */
+int fvi_law_has_modes(const fvi_law *law, fvi_quadrature kind, double h);
+
 #endif

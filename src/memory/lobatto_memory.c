@@ -179,12 +179,19 @@ int fvi_lobatto_memory_of_law(size_t s, const fvi_law *law, double h, size_t d,
                               size_t steps, fvi_memory_kind kind,
                               double tolerance, fvi_lobatto_memory **memory)
 {
-    int status = check(s, -0.5, d, steps, kind, 0, tolerance);
     fvi_lobatto_law ready;
-    if (!status)
-        status = fvi_lobatto_law_of(law, h, &ready);
+    int status = fvi_lobatto_law_of(law, h, &ready);
     if (status)
         return status;
+    if (!ready.has_nodes && kind == FVI_MEMORY_AUTO)
+        kind = FVI_MEMORY_DIRECT;
+    status = check(s, -0.5, d, steps, kind, 0, tolerance);
+    if (!status && !ready.has_nodes && kind == FVI_MEMORY_EXPONENTIALS)
+        status = FVI_EUNSUP;
+    if (status) {
+        fvi_lobatto_law_free(&ready);
+        FVI_FAIL("there are no such modes for this law", status);
+    }
     const double N = (double)steps + 1, keep = kept(tolerance);
     const int direct = is_direct(-0.5, steps, kind, 0);
     const size_t Q = direct ? 0

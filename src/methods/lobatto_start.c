@@ -92,8 +92,9 @@ double fvi_lobatto_finer(const fvi_run *run)
                  wish = run->tolerance > 0 ? run->tolerance : 1e-13;
     double Y = pow(beta > 0 ? run->h : T, -beta);
     double worst = 1;
-    if (run->law) /* C(s)/s at s = 1/T: what a velocity of 1 makes */
-        Y = T * fvi_law_symbol(run->law, 1 / T);
+    if (run->law) /* C(s)/s at s = 1/t: what a velocity of 1 makes */
+        Y = fmax(run->h * fvi_law_symbol(run->law, 1 / run->h),
+                 T * fvi_law_symbol(run->law, 1 / T));
     for (size_t j = 0; j < system->d; j++)
         worst = fmax(worst, T * system->damping[j] * Y / system->mass[j]);
     return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
@@ -132,7 +133,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     if (status)
         return status;
     fvi_lobatto_stages *o = s->own;
-    if (s->run.law) /* its orders are 2 alpha <= 1 */
+    if (s->run.law) /* it acts on V as it is: nothing pulls */
         s->run.alpha = 0.5;
     for (size_t j = 0; j < o->d; j++) {
         const double m = system->mass[j], rho = system->damping[j];

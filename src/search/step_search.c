@@ -91,11 +91,13 @@ static int is_kicked(const fvi_method *method, const fvi_run *run)
 
 //> order
 /* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). Of a law the
- * worst on stages, that of its highest order, which is 1 at most. */
+ * worst on stages, that of its highest order, or of 1. */
 static void orders(const fvi_method *method, const fvi_run *run, double *least,
                    double *most)
 {
-    const double alpha = run->law ? 0.5 : run->alpha, s = method->stages;
+    const double alpha = run->law ? fmax(0.5, fvi_law_growth(run->law) / 2)
+                                  : run->alpha,
+                 s = method->stages;
     *least = method->lowest;
     *most = method->highest;
     if (method->stages == 0 && run->kappa != 0.5)

@@ -2,6 +2,7 @@
 #include "fvi_values.h"
 #include "fvi_shared.h"
 #include "fvi_shortest.h"
+#include "memory/law_terms.h"
 
 #include <fvi/fvi.h>
 
@@ -61,20 +62,6 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return status;
 }
 
-/* On stages a law has orders up to 1, and no fraction with poles near its cut. */
-static int is_for_stages(const fvi_law *law)
-{
-    for (size_t i = 0; i < law->count; i++) {
-        const fvi_law_term *t = &law->term[i];
-        const double last = t->kind == FVI_LAW_DISTRIBUTED ? t->end : t->alpha;
-        if (last > 0.5
-            || (t->kind == FVI_LAW_ZENER && t->time > 0 && last > 0.45
-                && last < 0.5))
-            return 0;
-    }
-    return 1;
-}
-
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_complaint c)
 {
@@ -85,13 +72,14 @@ static int check_method(const fvi_options *o, fvi_complaint c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "--damping: '%s' is not known to %s",
                           o->text[DAMPING], m->name);
-    if (o->text[DAMPING] && m->stages > 0 && !is_for_stages(&o->laws.law))
-        return fvi_refuse(c,
-                          "--damping: '%s': %s takes A, B <= 0.5, and a zener "
-                          "with A <= 0.45 or A = 0.5",
-                          o->text[DAMPING], m->name);
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not for --damping");
+    if (o->text[DAMPING] && o->memory == FVI_MEMORY_EXPONENTIALS
+        && !fvi_law_has_modes(&o->laws.law, m->quadrature, o->h))
+        return fvi_refuse(c,
+                          "--memory: 'exponentials': of --damping '%s' there "
+                          "are none with this step; 'auto' sums it all",
+                          o->text[DAMPING]);
     if (o->directory && !m->takes_matrices)
         return fvi_refuse(c, "--method: '%s' is not for --system", m->name);
     if (!m->takes_kappa && o->kappa != 0.5)

@@ -232,6 +232,8 @@ START_TEST(eq_26_6_where_there_are_no_modes)
         { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
         { { FVI_LAW_ZENER, 1, 0.46, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
         { { FVI_LAW_ZENER, 1, 0.8, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
+        { { FVI_LAW_ZENER, 1, 1, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
+        { { FVI_LAW_ZENER, 1, 1, 0, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
         { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_EULER, 0.65, 1 },
         { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_BDF2, 0.25, 1 },
         { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_BDF2, 0.26, 0 },
