@@ -8,6 +8,7 @@
   (26.8)  W = S^2 with S a real power series whenever W(0) > 0;
   (26.9)  motions of an oscillator, by inversion of its Laplace transform;
   (26.12) weights on two and three Lobatto nodes, by Cauchy's integral and by the cut;
+  (26.13) what the memory makes of the alternating path of two stages;
   (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
 
 Inputs are the doubles they are."""
@@ -16,7 +17,7 @@ import functools
 
 import mpmath
 from mpmath import mp, mpc, mpf
-from sympy import I, cos, im, sin, symbols
+from sympy import I, Matrix, cos, eye, im, sin, sqrt, symbols
 
 from shared.arithmetic import circle, coefficients
 from shared.refgen import claim, header, prove
@@ -273,6 +274,15 @@ def stages(law, s, n, h):
     return mpmath.mnorm(cauchy - along * (h / mpmath.pi / 8)) / mpmath.mnorm(cauchy)
 #< stages
 
+
+#> alternating
+# At z = -1 Delta of two stages is 1 + sqrt(3) J with J^2 = -1, so that f(Delta) is Re f + Im f J
+# at 1 + i sqrt(3); on the path (1, -1), with b = 1/2:
+J, u = Matrix([[0, sqrt(3)], [-1 / sqrt(3), 0]]), Matrix([1, -1])
+re_f, im_f = symbols("re_f im_f", real=True)
+prove("(26.13)", (J * J + eye(2)).norm(), (eye(2) + sqrt(3) * J - Matrix([[1, 3], [-1, 1]])).norm(),
+      (u.T * (re_f * eye(2) + im_f * J) * u)[0] / 2 - (re_f - im_f / sqrt(3)))
+#< alternating
 
 mp.dps = 25
 for law in (LAWS[0], LAWS[2]):

@@ -22,6 +22,7 @@ extern "C" {
  * the step solves  p_k [i = 1] + (m/h) (K X)_i = S_i  for i = 1, ..., s - 1, and
  * then p_{k+1} = p_k - (S_1 + ... + S_s).
  *
+ * Or the law of the run, (26.12), for rho Y, with the body held; see form D for its memory.
  * Any system in R^d, any alpha in [0, 1], any past: Y is Caputo's, what another past
  * adds to it is a force that is known beforehand (19.3) and acts by its exact
  * impulses (19.5). kappa is not used. F may jump at nodes t_k, not
@@ -35,7 +36,8 @@ extern "C" {
  *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
  *
  * (x as p for Riemann-Liouville with x0 != 0)
- * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0. p_k is the momentum of the
+ * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0; of a law with its fvi_law_growth for
+ * 2 alpha. p_k is the momentum of the
  * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
  * goes to 1 the order of x goes to s and that of p to s - 1.

@@ -98,7 +98,8 @@ int fvi_stability_along(const fvi_method *method, const fvi_run *run,
  *     load = lambda / 4 of the matrix of (14.3) with 1 for (1 - 2 kappa)^2 and the
  *            number of (17.16) for 4^alpha,  0 if that is negative.
  *
- * For s >= 3 load > 1 is proved to be a growing mode; that there is none
+ * With a law (26.13) is in the place of (17.16); both are proved for s = 2 and laws whose
+ * fractions have 2 alpha <= 1. For s >= 3 load > 1 is proved to be a growing mode; that there is none
  * otherwise is measured, W and R up to 1000; for s >= 5, W up to 10^4 and R up to 30.
  * The stable steps are then not always an interval: where the load first passes 1 it is
  * continuous, further on it jumps.
@@ -106,14 +107,14 @@ int fvi_stability_along(const fvi_method *method, const fvi_run *run,
  * elsewhere. K = Hess U(x0): small motions about x0 if U is not quadratic.
  *
  *   stages  s = 2, ..., 8
- *   run     system, x0, h, alpha are read; the rest may be anything
+ *   run     system, x0, h, and law or alpha are read; the rest may be anything
  *   load    output, >= 0
  *
  * Cost: O(s^5), 17 us for s = 4, 170 us for s = 8, and O(d^3); O(d s^3) without U.
  * Accuracy 1e-12 max(1, load) (no proof; seen 4e-15 for s <= 4, 4e-14 for s = 8).
  * Returns FVI_SUCCESS; what fvi_system_check returns;
  * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if s is another number; FVI_EDOM if h
- * or alpha is out of range; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM;
+ * or alpha is out of range; what fvi_law_check returns; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM;
  * FVI_EMAXITER if eigenvalues were not found; what the Hessian returned. On error
  * *load is untouched. */
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);

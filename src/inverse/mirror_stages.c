@@ -86,8 +86,8 @@ int fvi_mirror_stages_start(const fvi_method *method, const fvi_run *run,
                               .s = s,
                               .d = run->system->d,
                               .damped_inertia = method->damped_inertia,
-                              .heavy =
-                                  run->alpha == 1 && !method->damped_inertia };
+                              .heavy = run->alpha == 1 && !run->law
+                                       && !method->damped_inertia };
     run = m->run;
     if (run->law) /* as the run does: nothing pulls */
         m->own.alpha = 0.5;

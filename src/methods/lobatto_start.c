@@ -205,7 +205,7 @@ static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
         .damped_inertia = damped,                                              \
         .scheme = FVI_SCHEME_STAGES,                                           \
         .alpha_most = 1,                                                       \
-        .takes_laws = damped,                                                  \
+        .takes_laws = 1,                                                  \
         .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
         .implicit = is_implicit,                                               \
         .load = its_load,                                                      \

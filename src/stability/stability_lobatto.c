@@ -1,5 +1,6 @@
 /* src/stability/stability_lobatto.c -- Is this step stable, with stages?  [Chapter 17] */
 #include <fvi/stability.h>
+#include "memory/law_terms.h"
 #include "memory/lobatto_weights.h"
 #include "system/fail.h"
 
@@ -39,11 +40,31 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
     return FVI_SUCCESS;
 }
 
+/* What damps, of an eigenvalue of Delta(z): its power, or C(lambda/h) of the law; of 0 only
+ * what is a spring is left. */
+static double complex damped(const fvi_run *run, double complex lambda)
+{
+    double complex C = 0, slope;
+    const fvi_law *law = run->law;
+    if (lambda != 0)
+        return law ? fvi_law_at(law, lambda / run->h, &slope)
+                   : cpow(lambda, 2 * run->alpha);
+    if (!law)
+        return pow(0, 2 * run->alpha);
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_law_term *t = &law->term[i];
+        if (t->alpha == 0
+            && (t->kind == FVI_LAW_POWER || t->kind == FVI_LAW_ZENER))
+            C += t->rho / (1 + (t->kind == FVI_LAW_ZENER ? t->time : 0));
+    }
+    return C;
+}
+
 //> power
-/* Delta(z)^order, z = 1 or -1, by Lagrange's formula on the eigenvalues, which are
- * distinct:  sum_j lambda_j^order prod_{i != j} (Delta - lambda_i)/(lambda_j -
+/* That of Delta(z), z = 1 or -1, by Lagrange's formula on the eigenvalues, which are
+ * distinct:  sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j -
  * lambda_i). At z = 1 one of them is zero, and is made so. */
-static int power(size_t s, double z, double order,
+static int power(size_t s, double z, const fvi_run *run,
                  double out[FVI_STAGES][FVI_STAGES])
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
@@ -63,7 +84,7 @@ static int power(size_t s, double z, double order,
             lambda[j] = 0;
         for (size_t c = 0; c < s; c++) { /* column c of the j-th term */
             double complex v[FVI_STAGES] = { 0 }, next[FVI_STAGES];
-            v[c] = lambda[j] == 0 ? pow(0, order) : cpow(lambda[j], order);
+            v[c] = damped(run, lambda[j]);
             for (size_t i = 0; i < s; i++) {
                 for (size_t r = 0; i != j && r < s; r++) {
                     next[r] = -lambda[i] * v[r];
@@ -99,7 +120,7 @@ static void project(size_t s, size_t n, double E[FVI_STAGES][FVI_STAGES],
 /* The stages of a step are E times the unknowns. At z = -1 they are X_1, ...,
  * X_{s-1}, with X_s = -X_1. At z = 1, X_s = X_1, the constant path is apart (there
  * S = W) and the others have the mean zero: s - 2 unknowns. */
-static int make_turn(size_t s, double z, double alpha, turn *t)
+static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const double *b = rule->b;
@@ -123,7 +144,7 @@ static int make_turn(size_t s, double z, double alpha, turn *t)
         for (size_t j = 0; j < s; j++)
             X[i][j] = i == j ? b[i] : 0;
     project(s, t->n, E, X, t->B);
-    int status = power(s, z, 2 * alpha, X);
+    int status = power(s, z, run, X);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             X[i][j] *= b[i];
@@ -187,7 +208,7 @@ static int check(size_t stages, const fvi_run *run, const void *load)
         FVI_FAIL("alpha must be in [0, 1]", FVI_EDOM);
     if (!(gsl_finite(run->h) && run->h > 0))
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
-    return FVI_SUCCESS;
+    return run->law ? fvi_law_check(run->law) : FVI_SUCCESS;
 }
 
 /* The larger load of the two ends; NaN and infinity are refused. */
@@ -207,7 +228,7 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
 
 //> modes
 /* The modes are the eigenvectors v of W + share R, W = M^{-1/2} h^2 K M^{-1/2} and
- * R = M^{-1} h^(2 - 2 alpha) rho, which has the d numbers R; v^T W v and v^T R v
+ * R = M^{-1} h^(2 - 2 alpha) rho, of a law M^{-1} h^2 rho, which has the d numbers R; v^T W v and v^T R v
  * take the places of h^2 c / m and R. For s = 2 the share makes that sum 4 times
  * the matrix of (17.16); where W and R commute any share will do. */
 static int load_of_modes(const turn ends[2], double share, size_t d,
@@ -250,9 +271,9 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
     turn ends[2]; /* z = -1 and z = 1 */
     int status = check(stages, run, load);
     if (!status)
-        status = make_turn(stages, -1, run->alpha, ends);
+        status = make_turn(stages, -1, run, ends);
     if (!status)
-        status = make_turn(stages, 1, run->alpha, ends + 1);
+        status = make_turn(stages, 1, run, ends + 1);
     if (status)
         return status;
     const fvi_system *system = run->system;
@@ -263,8 +284,8 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
     if (!R)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
     for (size_t i = 0; i < d; i++) {
-        R[i] = pow(run->h, 2 - 2 * run->alpha) * system->damping[i]
-               / system->mass[i];
+        R[i] = pow(run->h, run->law ? 2 : 2 - 2 * run->alpha)
+               * system->damping[i] / system->mass[i];
         if (!status && !u->hessian)
             status = load_of_mode(ends, 0, R[i], &worst);
     }

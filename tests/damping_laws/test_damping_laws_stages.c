@@ -355,13 +355,13 @@ START_TEST(what_stages_do_not_take_is_refused)
         for (int modes = 0; modes <= 1; modes++) {
             run.memory = modes ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_AUTO;
             const int refused = modes && i < 2;
-            ck_assert_int_eq(fvi_start(&fvi_lobatto4d, &run, &s),
+            ck_assert_int_eq(fvi_start(i % 2 ? &fvi_lobatto4 : &fvi_lobatto4d,
+                                       &run, &s),
                              refused ? FVI_EUNSUP : FVI_SUCCESS);
             ck_assert_int_eq(s == NULL, refused);
             fvi_stop(s);
             s = NULL;
         }
-        ck_assert_int_eq(fvi_start(&fvi_lobatto4, &run, &s), FVI_EUNSUP);
     }
     run.law = &ref_laws[1];
     run.memory = FVI_MEMORY_FFT;

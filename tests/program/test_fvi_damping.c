@@ -114,7 +114,7 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping power:1,0.3 --rho 1", "not together with --rho" },
         { "--damping power:1,0.3 --method fvi-shifted", "is not known to" },
         { "--damping power:1,0.3 --method fvi-adaptive", "is not known to" },
-        { "--damping power:1,0.3 --method fvi-lobatto4", "is not known to" },
+        { "--damping power:1,0.3 --method lda", "is not known to" },
         { "--damping power:1,0.3 --derivative rl", "--derivative: 'rl'" },
         { "--damping power:1,0.3 --derivative caputo", "--derivative: 'cap" },
         { "--damping power:1,0.3 --memory fft", "--memory: 'fft'" },

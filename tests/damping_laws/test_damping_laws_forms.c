@@ -1,0 +1,295 @@
+/* tests/damping_laws/test_damping_laws_forms.c -- Chapter 26: laws on stages, form M and its
+ * load, and the derivatives of both forms. Run alone: make test-damping_laws_forms */
+#include <fvi/fvi.h>
+#include "damping_laws_ref.h"
+#include "harness/ulp.h"
+#include "memory/law_terms.h"
+
+#include <complex.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <stdlib.h>
+
+enum { N = 1000, LAWS = LEN(ref_laws) + LEN(steep_laws) };
+
+static const double one = 1;
+
+static const fvi_law *law_of(size_t l)
+{
+    return l < LEN(ref_laws) ? &ref_laws[l] : &steep_laws[l - LEN(ref_laws)];
+}
+
+static const fvi_method *const form_m[] = { &fvi_lobatto2, &fvi_lobatto3,
+                                            &fvi_lobatto4 };
+
+/* The errors of x and p at t = 4 of a spring that is kicked off. */
+static void errors(const fvi_method *method, const fvi_law *law, size_t steps,
+                   double off[2])
+{
+    static double x[2 * N], p[2 * N];
+    const double p0 = 0.7, t = 4;
+    const fvi_linear exact = {
+        .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = p0, .law = law
+    };
+    const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &one, &p0, t / (double)steps, steps);
+    run.law = law;
+    ck_assert_int_eq(fvi_exact(&exact, 1, &t, &off[0], &off[1]), 0);
+    ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
+    off[0] -= x[steps];
+    off[1] -= p[steps];
+}
+
+/* (17.13) with the highest order of a law for 2 alpha, which is 0 of a fraction: twelve
+ * laws, while the errors are above rounding. */
+START_TEST(eq_26_12_orders_of_form_m)
+{
+    for (size_t l = 0; l < LAWS; l++)
+        for (int m = 0; m < 3; m++) {
+            const fvi_law *law = law_of(l);
+            const double s = m + 2, top = fvi_law_growth(law);
+            double off[2][2];
+            for (int i = 0; i < 2; i++)
+                errors(form_m[m], law, (size_t)(m == 2 ? 80 : 320) << i,
+                       off[i]);
+            for (int i = 0; i < 2; i++) {
+                const double want = fmin(2 * s - 2, s + 2 - i - top),
+                             order = log2(fabs(off[0][i] / off[1][i]));
+                if (fabs(off[1][i]) < 2e-13)
+                    continue;
+                seen(want - order, i ? "p short" : "x short");
+                ck_assert_msg(order > want - 0.4, "law %zu %s %c: %g, %g", l,
+                              form_m[m]->name, "xp"[i], off[0][i], off[1][i]);
+            }
+        }
+}
+END_TEST
+
+/* A Duffing oscillator, kicked off, by the changes of x(4) when steps are halved: the same
+ * orders. */
+START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
+{
+    static double x[8 * N];
+    const double p0 = 0.7, spring[] = { 1, 1 };
+    for (size_t l = 0; l < LAWS; l++)
+        for (int m = 0; m < 2; m++) {
+            const fvi_system system = { 1,     &one, &one,
+                                        fvi_potential_duffing(spring),
+                                        { 0 }, NULL };
+            double end[3];
+            for (int i = 0; i < 3; i++) {
+                const size_t steps = (size_t)160 << i;
+                fvi_run run = fvi_run_default(&system, &one, &p0,
+                                              4 / (double)steps, steps);
+                run.law = law_of(l);
+                ck_assert_int_eq(
+                    fvi_trajectory(form_m[m], &run, x, NULL, NULL), 0);
+                end[i] = x[steps];
+            }
+            const double want =
+                fmin(2 * m + 2, m + 4 - fvi_law_growth(law_of(l)));
+            const double order =
+                log2(fabs((end[1] - end[0]) / (end[2] - end[1])));
+            seen(want - order, "short");
+            ck_assert_msg(order > want - 0.4, "law %zu %s: %g", l,
+                          form_m[m]->name, order);
+        }
+}
+END_TEST
+
+/* A law of two random terms; with no fraction of an order above 1 if it is proper. */
+static fvi_law random_law(gsl_rng *random, int proper, fvi_law_term term[2])
+{
+    for (int i = 0; i < 2; i++) {
+        const fvi_law_kind kind = (fvi_law_kind)gsl_rng_uniform_int(random, 4);
+        double a = 0.01 + 0.97 * gsl_rng_uniform(random);
+        if (proper && kind == FVI_LAW_ZENER)
+            a /= 2;
+        term[i] = (fvi_law_term){ kind, pow(10, 2 * gsl_rng_uniform(random)), a,
+                                  pow(10, 2 * gsl_rng_uniform(random) - 1),
+                                  a + (1 - a) / 2 };
+    }
+    return (fvi_law){ 2, term };
+}
+
+static double load_at(size_t s, const fvi_law *law, double c, double h)
+{
+    const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &one, &one, h, 1);
+    double load = 0;
+    run.law = law;
+    run.alpha = 1; /* is not read */
+    ck_assert_int_eq(fvi_stability_lobatto(s, &run, &load), 0);
+    return load;
+}
+
+/* To the 1e-12 of stability.h. Seen: 2e-15. */
+START_TEST(eq_26_13_the_load_of_two_stages)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+    for (int i = 0; i < 200; i++) {
+        fvi_law_term term[2];
+        const fvi_law law = random_law(random, 0, term);
+        const double c = 4 * gsl_rng_uniform(random),
+                     h = pow(10, 2 * gsl_rng_uniform(random) - 2);
+        double complex slope;
+        const double complex C =
+            fvi_law_at(&law, 2 / h * (0.5 + I * sqrt(0.75)), &slope);
+        const double want =
+            fmax(0, h * h * (c + creal(C) - cimag(C) / sqrt(3)) / 4);
+        ck_assert_near(load_at(2, &law, c, h), want, 1e-12 * fmax(1, want),
+                       "%d", i);
+    }
+    gsl_rng_free(random);
+}
+END_TEST
+
+/* A term of order 0 is a spring, and one more c: the load of three and four stages at both
+ * ends of the circle, to 1e-12. */
+START_TEST(eq_26_13_springs_are_springs)
+{
+    const fvi_law_term spring[] = { { FVI_LAW_POWER, 3, 0.25, 0, 0 },
+                                    { FVI_LAW_POWER, 2, 0, 0, 0 },
+                                    { FVI_LAW_ZENER, 8, 0, 3, 0 } };
+    for (size_t s = 2; s <= 6; s++)
+        for (double h = 0.25; h < 8; h *= 1.3) {
+            const double with = load_at(s, &(fvi_law){ 3, spring }, 1, h),
+                         without = load_at(s, &(fvi_law){ 1, spring }, 5, h);
+            ck_assert_near(with, without, 1e-12 * fmax(1, without), "%zu %g", s,
+                           h);
+        }
+}
+END_TEST
+
+/* The largest |x| of the second half of a run over that of the first. */
+static double growth_of(size_t s, const fvi_law *law, double c, double h)
+{
+    static double x[N + 1];
+    const double x0 = 0.3;
+    const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &x0, &one, h, N);
+    double half[2] = { 0, 0 };
+    run.law = law;
+    const int status = fvi_trajectory(form_m[s - 2], &run, x, NULL, NULL);
+    ck_assert(status == 0 || status == FVI_EOVRFLW);
+    if (status)
+        return INFINITY;
+    for (size_t k = 1; k <= N; k++)
+        half[k > N / 2] = fmax(half[k > N / 2], fabs(x[k]));
+    return half[1] / half[0];
+}
+
+/* Random laws and steps, as eq_17_18_runs_grow_where_the_load_says_so: left out is where
+ * the verdict changes within 5 % of h. Half of the laws have no fraction of an order above
+ * 1, as Theorem 17.3 needs it of two stages. */
+START_TEST(eq_26_13_runs_grow_where_the_load_says_so)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+    size_t counts[2] = { 0 };
+    for (size_t i = 0; i < 500; i++) {
+        fvi_law_term term[2];
+        const size_t s = 2 + i % 3;
+        const fvi_law law = random_law(random, i % 2, term);
+        const double c = 12 * gsl_pow_2(gsl_rng_uniform_pos(random)),
+                     h = pow(10, 1.3 * gsl_rng_uniform(random) - 1);
+        int verdict[3];
+        for (int j = 0; j < 3; j++)
+            verdict[j] = load_at(s, &law, c, (0.95 + 0.05 * j) * h) > 1;
+        if (verdict[0] != verdict[1] || verdict[1] != verdict[2])
+            continue;
+        const double growth = growth_of(s, &law, c, h);
+        counts[verdict[0]]++;
+        seen(fmin(growth, 1e300), verdict[0] ? "above" : "below");
+        ck_assert_msg(verdict[0] ? growth > 5 : growth < 1.1,
+                      "%zu: s=%zu c=%g h=%g: %g", i, s, c, h, growth);
+    }
+    seen((double)counts[1], "unstable runs");
+    ck_assert_uint_ge(counts[0], 100);
+    ck_assert_uint_ge(counts[1], 80);
+    gsl_rng_free(random);
+}
+END_TEST
+
+/* ---- derivatives ---- */
+
+static double end_of(const fvi_method *method, const fvi_law *law,
+                     const double at[4])
+{
+    static double x[N];
+    const double spring[] = { 1, 1 };
+    const fvi_system system = { 1,     &at[2], &at[3],
+                                fvi_potential_duffing(spring),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 40);
+    run.law = law;
+    run.alpha = 1; /* is not read */
+    ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);
+    return x[40];
+}
+
+/* J = x_40 */
+static int to_last(size_t k, size_t d, const double *x, const double *p,
+                   void *params, double *Jx, double *Jp)
+{
+    (void)d;
+    (void)x;
+    (void)p;
+    (void)params;
+    (void)Jp;
+    *Jx += k == 40;
+    return 0;
+}
+
+/* x_40 of a Duffing oscillator by x0, p0, m, rho: against central differences of 1e-4, off
+ * by some 1e-8 of derivatives of the order of 1. Seen: 4e-9. */
+START_TEST(eq_23_15_derivatives_of_steep_laws)
+{
+    const fvi_method *const methods[] = { &fvi_lobatto2,  &fvi_lobatto4,
+                                          &fvi_lobatto2d, &fvi_lobatto4d };
+    const double spring[] = { 1, 1 };
+    const fvi_objective last = { to_last, NULL };
+    for (size_t l = 0; l < LAWS; l++)
+        for (size_t m = 0; m < LEN(methods); m++) {
+            const fvi_law *law = law_of(l);
+            const double at[4] = { 1, 0.7, 1.25, 0.75 };
+            const fvi_system system = { 1,     &at[2], &at[3],
+                                        fvi_potential_duffing(spring),
+                                        { 0 }, NULL };
+            fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 40);
+            double got[4] = { 0 };
+            fvi_gradients to = { .x0 = &got[0],
+                                 .p0 = &got[1],
+                                 .mass = &got[2],
+                                 .damping = &got[3] };
+            run.law = law;
+            run.alpha = 1;
+            ck_assert_int_eq(
+                fvi_adjoint(methods[m], &run, NULL, NULL, &last, &to), 0);
+            for (int i = 0; i < 4; i++) {
+                double to_side[2];
+                for (int j = 0; j < 2; j++) {
+                    double moved[4];
+                    for (int k = 0; k < 4; k++)
+                        moved[k] = at[k] + (k == i ? (j ? 1e-4 : -1e-4) : 0);
+                    to_side[j] = end_of(methods[m], law, moved);
+                }
+                ck_assert_near(got[i], (to_side[1] - to_side[0]) / 2e-4, 1e-7,
+                               "law %zu %s, by %d", l, methods[m]->name, i);
+            }
+        }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("damping_laws, forms");
+    ADD_CASE(suite, "form M", eq_26_12_orders_of_form_m,
+             eq_26_12_orders_of_form_m_on_a_nonlinear_problem,
+             eq_26_13_the_load_of_two_stages, eq_26_13_springs_are_springs,
+             eq_26_13_runs_grow_where_the_load_says_so);
+    ADD_CASE(suite, "derivatives", eq_23_15_derivatives_of_steep_laws);
+    return run_suite(suite);
+}
