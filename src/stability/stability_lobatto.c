@@ -40,24 +40,15 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
     return FVI_SUCCESS;
 }
 
-/* What damps, of an eigenvalue of Delta(z): its power, or C(lambda/h) of the law; of 0 only
- * what is a spring is left. */
+/* What damps, of an eigenvalue of Delta(z): its power, or C(lambda/h) of the law. What of 0
+ * does not matter: it belongs to the constant path, which is apart (make_turn). */
 static double complex damped(const fvi_run *run, double complex lambda)
 {
-    double complex C = 0, slope;
-    const fvi_law *law = run->law;
-    if (lambda != 0)
-        return law ? fvi_law_at(law, lambda / run->h, &slope)
-                   : cpow(lambda, 2 * run->alpha);
-    if (!law)
-        return pow(0, 2 * run->alpha);
-    for (size_t i = 0; i < law->count; i++) {
-        const fvi_law_term *t = &law->term[i];
-        if (t->alpha == 0
-            && (t->kind == FVI_LAW_POWER || t->kind == FVI_LAW_ZENER))
-            C += t->rho / (1 + (t->kind == FVI_LAW_ZENER ? t->time : 0));
-    }
-    return C;
+    double complex slope;
+    if (lambda == 0)
+        return 0;
+    return run->law ? fvi_law_at(run->law, lambda / run->h, &slope)
+                    : cpow(lambda, 2 * run->alpha);
 }
 
 //> power
