@@ -46,7 +46,7 @@ typedef struct {
 } fvi_gradients;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
- *                                              [(23.4), (23.6), (23.13), (23.15), (23.16)]
+ *                                              [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18)]
  *
  *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
  *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
@@ -62,7 +62,7 @@ typedef struct {
  * These are the derivatives of what the program computes, not of the motion it stands
  * for: no step size is small. With a compressed memory they belong to the weights as
  * they are compressed; the derivative by alpha is that of the true weights to (23.11),
- * (23.14).
+ * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18).
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -70,8 +70,7 @@ typedef struct {
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
- *          steps. By alpha there is none, and where the past pulls the start, (19.3), none
- *          at all. force: the force changes along straight lines between t_k and t_{k+1}
+ *          steps. Where the past pulls the start, (19.3), there is none. force: the force changes along straight lines between t_k and t_{k+1}
  *   matrices  M, C, K (structures.h) have x0, p0 and force, for fvi_fractional without a law
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping

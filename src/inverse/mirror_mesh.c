@@ -9,7 +9,7 @@
 
 /* ---- the start ---- */
 
-enum { LANED = 5, PLAIN = 10, STAGED = 2 };
+enum { LANED = 5, PLAIN = 9, STAGED = 2 };
 
 static int allocate(fvi_mirror_mesh_run *m)
 {
@@ -18,9 +18,9 @@ static int allocate(fvi_mirror_mesh_run *m)
     const size_t room =
         system->potential.hessian ? fvi_hessian_room(system) : 0;
     double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
-    double **plain[PLAIN] = { &m->xi,  &m->after, &m->before, &m->area,
-                              &m->Jx,  &m->Jp,    &m->column, &m->kinetic,
-                              &m->sum, &m->plain };
+    double **plain[PLAIN] = { &m->xi,      &m->after, &m->before,
+                              &m->Jx,      &m->Jp,    &m->column,
+                              &m->kinetic, &m->sum,   &m->plain };
     m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d + s * room,
                       sizeof *m->block);
     if (!m->block)
@@ -48,19 +48,23 @@ static int start(fvi_mirror_mesh_run *m)
     m->s = m->rule->s;
     m->row = m->run->steps;
     m->heavy = path->beta == 1;
-    m->is_damped = m->want->damping != NULL;
+    m->remembers = m->want->damping != NULL;
     for (size_t j = 0; j < m->d; j++)
-        m->is_damped |= m->run->system->damping[j] > 0;
-    m->is_damped = m->is_damped && !m->heavy;
+        m->remembers |= m->run->system->damping[j] > 0;
+    m->remembers = m->remembers && (!m->heavy || m->want->alpha);
     int status = allocate(m);
     if (status)
         return status;
     fvi_square_apply(m->s, &path->W0, ones, m->W_1);
-    if (!m->is_damped || path->beta == 0 || path->beta == -1)
+    if (!m->remembers || (path->beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
-    return fvi_modes_alloc(m->rule,
-                           m->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE,
-                           path->beta, m->d, path->T, path->least, &m->modes);
+    status =
+        fvi_modes_alloc(m->rule, m->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE,
+                        path->beta, m->d, path->T, path->least, &m->modes);
+    if (status || !m->want->alpha)
+        return status;
+    fvi_variable_present_rate(m->rule, path->beta, &m->W0_rate);
+    return fvi_modes_add_rate(m->modes);
 }
 
 /* ---- what J has of the rows within a step ---- */
@@ -150,6 +154,30 @@ static void meet(fvi_mirror_mesh_run *m, const double *numbers, double h)
     }
 }
 
+//> alpha
+/* dJ/dalpha, (23.18): what coordinate j has of it in a step. */
+static void meet_alpha(fvi_mirror_mesh_run *m, size_t j, const double *numbers,
+                       double h)
+{
+    const size_t s = m->s;
+    const int above = m->path.beta > 0;
+    const double now = pow(h, -m->path.beta), ln = log(h),
+                 v0 = above ? m->run->p0[j] / m->run->system->mass[j] : 0,
+                 *delta = numbers + 2 * m->d + j * FVI_LANES;
+    double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES],
+           past[FVI_LANES], sum = 0;
+    for (size_t i = 0; i < s; i++)
+        v[i] = m->mu[j * FVI_LANES + i] - (above ? m->before[j] : 0);
+    fvi_square_apply(s, &m->W0_rate, v, rate);
+    fvi_square_apply(s, &m->path.W0, v, same);
+    fvi_modes_history_rate(m->modes, j, past);
+    for (size_t i = 0; i < s; i++)
+        sum += m->rule->b[i] * (numbers[m->d + j] + delta[s - 1 - i] - v0)
+               * (past[i] + now * (rate[i] - ln * same[i]));
+    *m->want->alpha -= 2 * m->run->system->damping[j] * h * sum;
+}
+//< alpha
+
 /* The force acts at the stages; the derivative is by its values at the rows, between which
  * it is changed along lines. */
 static void drive(fvi_mirror_mesh_run *m, const fvi_mesh_step *step)
@@ -186,15 +214,13 @@ static int meet_parameters(fvi_mirror_mesh_run *m, double h)
 }
 
 /* mu goes into the memory. */
-static void remember(fvi_mirror_mesh_run *m, double h)
+static void remember(fvi_mirror_mesh_run *m)
 {
-    for (size_t j = 0; m->is_damped && j < m->d; j++) {
+    for (size_t j = 0; m->remembers && j < m->d; j++) {
         const double *mu = m->mu + j * FVI_LANES;
         double v[FVI_LANES] = { 0 };
-        for (size_t i = 0; i < m->s; i++) {
+        for (size_t i = 0; i < m->s; i++)
             v[i] = mu[i] - (m->path.beta > 0 ? m->before[j] : 0);
-            m->area[j] += h * m->rule->b[i] * mu[i];
-        }
         if (m->modes)
             fvi_modes_advance(m->modes, j, v, m->before[j]);
         m->before[j] = mu[m->s - 1];
@@ -217,8 +243,11 @@ static int step_back(fvi_mirror_mesh_run *m, size_t n)
     if (status)
         return status;
     meet(m, numbers, h);
+    for (size_t j = 0; m->want->alpha && j < m->d; j++)
+        if (m->run->system->damping[j] > 0)
+            meet_alpha(m, j, numbers, h);
     drive(m, step);
-    remember(m, h);
+    remember(m);
     for (size_t j = 0; j < m->d; j++) { /* to x_n and v_n */
         m->after[j] =
             fvi_mirror_mesh_mass(m, j) * m->Lambda[j * FVI_LANES] + by_v[j];

@@ -18,9 +18,10 @@ typedef struct {
     const fvi_variable_rule *rule;
     size_t s, d;
     double W_1[FVI_LANES]; /* W0 1 */
-    int is_damped, heavy; /* something has a memory; alpha = 1: rho is a mass */
+    fvi_square W0_rate;    /* dW0/dbeta, if alpha is wanted */
+    int remembers, heavy; /* something has a memory; alpha = 1: rho is a mass */
     double *Lambda, *mu, *T, *v, *source; /* LANES d numbers each */
-    double *xi, *after, *before, *area;   /* each, see (23.16) */
+    double *xi, *after, *before;          /* each, see (23.16) */
     double *Jx, *Jp, *column;             /* each */
     double *kinetic, *sum, *plain;        /* each */
     double *G, *X, *r;                    /* s Hessians; s d; s d */

@@ -76,19 +76,17 @@ static int factorise(fvi_mirror_mesh_run *m, double h)
     return fvi_band_factorise(&m->J_band);
 }
 
-/* T but for W0 mu: the history. (22.6), (22.7), and the integral for alpha = 0. */
+/* T but for W0 mu: the history. (22.6), (22.7) */
 static void recall(fvi_mirror_mesh_run *m, double h)
 {
     const double now = pow(h, -m->path.beta);
-    for (size_t j = 0; m->is_damped && j < m->d; j++) {
+    for (size_t j = 0; m->remembers && j < m->d; j++) {
         double *T = m->T + j * FVI_LANES;
         memset(T, 0, FVI_LANES * sizeof *T);
         if (m->modes)
             fvi_modes_history(m->modes, j, T);
-        for (size_t i = 0; i < m->s; i++) {
-            T[i] += m->path.beta == -1 ? m->area[j] : 0;
-            T[i] -= m->path.beta > 0 ? now * m->W_1[i] * m->before[j] : 0;
-        }
+        for (size_t i = 0; m->path.beta > 0 && i < m->s; i++)
+            T[i] -= now * m->W_1[i] * m->before[j];
     }
 }
 

@@ -4,6 +4,7 @@
 #include "memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "variable_table.h"
+#include "variable_weights.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -17,16 +18,21 @@ typedef struct {
     size_t every;
     double lowest, highest;
 } range;
-static const range ranges[] = {
-    [FVI_MODES_FINE] = { 1, 6.5, 2e4 },
-    [FVI_MODES_MEDIUM] = { 1, 4.5, 1e4 },
-    [FVI_MODES_COARSE] = { 2, 4.5, 2e3 }
-};
+static const range ranges[] = { [FVI_MODES_FINE] = { 1, 6.5, 2e4 },
+                                [FVI_MODES_MEDIUM] = { 1, 4.5, 1e4 },
+                                [FVI_MODES_COARSE] = { 2, 4.5, 2e3 } };
 
 /* What is kept of the last step for modes that sleep: see wake. */
 typedef struct {
     double u[FVI_LANES], ds, before;
 } last_step;
+
+/* What the modes are read with, or the rates of that by beta; weight NULL: not wanted. */
+typedef struct {
+    double *weight,
+        *closed;          /* of each mode; of this step, its upper end closed */
+    double top[FVI_ENDS]; /* what that adds: see fvi_mode_weights */
+} reading;
 
 struct fvi_modes {
     const fvi_variable_rule *rule;
@@ -34,18 +40,16 @@ struct fvi_modes {
     range range;
     size_t apart; /* nodes of an end */
     double beta;
-    size_t d, Q;         /* coordinates; modes of each, a multiple of LANES */
-    int first;           /* sigma_q = exp(L (first + every q)) */
+    size_t d, Q;  /* coordinates; modes of each, a multiple of LANES */
+    int first;    /* sigma_q = exp(L (first + every q)) */
     double reach; /* the last mode of a step exp(L k) is (reach - k) / every */
     size_t count, awake; /* modes that this step reads; that are up to date */
-    double top
-        [FVI_ENDS]; /* what the upper end adds to its weights, times the last */
     fvi_length now, before; /* this step, the last that was taken */
     fvi_mode_row row;       /* of this step */
-    double *sigma, *weight; /* of each mode */
+    double *sigma;          /* of each mode */
+    reading value, rate;    /* the second, if wanted, owns its numbers */
     double *y;              /* Q for each coordinate */
     last_step *last;        /* of each coordinate */
-    double *closed;         /* weights of this step, its upper end closed */
     double *own;            /* room for rows off the lattice */
 };
 
@@ -176,6 +180,24 @@ void fvi_modes_wake_all(fvi_modes *m)
     m->now = (fvi_length){ 0 }; /* its row may have been written over */
 }
 
+/* (22.12): the last mode that is read stands for those above it. */
+static void close_top(fvi_modes *m, const reading *r)
+{
+    memcpy(r->closed, r->weight, m->count * sizeof *r->closed);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        r->closed[m->count - 1 - m->apart * l] +=
+            r->weight[m->count - 1] * m->value.top[l];
+}
+
+/* The same, differentiated by beta. */
+static void close_top_rate(fvi_modes *m)
+{
+    close_top(m, &m->rate);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        m->rate.closed[m->count - 1 - m->apart * l] +=
+            m->value.weight[m->count - 1] * m->rate.top[l];
+}
+
 void fvi_modes_begin(fvi_modes *m, fvi_length length)
 {
     size_t q = m->apart * FVI_ENDS;
@@ -192,20 +214,30 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     m->now = length;
     wake(m, m->count);
     m->row = row_of(m, length, 0, m->count);
-    memcpy(m->closed, m->weight, m->count * sizeof *m->closed);
-    for (size_t l = 0; l < FVI_ENDS; l++) /* (22.12) */
-        m->closed[m->count - 1 - m->apart * l] +=
-            m->weight[m->count - 1] * m->top[l];
+    close_top(m, &m->value);
+    if (m->rate.weight)
+        close_top_rate(m);
+}
+
+static void read_modes(const fvi_modes *m, const double *closed, size_t j,
+                       double *H)
+{
+    const double *y = m->y + j * m->Q;
+    if (m->rule->s == 8) {
+        gather_eight(m->count, closed, y, &m->row, H);
+    } else {
+        gather_six(m->count, closed, y, &m->row, H);
+    }
 }
 
 void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
 {
-    const double *y = m->y + j * m->Q;
-    if (m->rule->s == 8) {
-        gather_eight(m->count, m->closed, y, &m->row, H);
-    } else {
-        gather_six(m->count, m->closed, y, &m->row, H);
-    }
+    read_modes(m, m->value.closed, j, H);
+}
+
+void fvi_modes_history_rate(const fvi_modes *m, size_t j, double *H)
+{
+    read_modes(m, m->rate.closed, j, H);
 }
 
 void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
@@ -214,10 +246,10 @@ void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
     last_step *last = &m->last[j];
     for (size_t i = 0; i < s; i++) {
         const double u = m->rule->b[s - 1 - i] * v[s - 1 - i];
-        last->u[i] = m->beta < 0 ? u : -u;
+        last->u[i] = m->beta <= 0 ? u : -u;
     }
-    last->ds = m->beta < 0 ? 0 : v[s - 1];
-    last->before = m->beta < 0 ? ve : 0;
+    last->ds = m->beta <= 0 ? 0 : v[s - 1];
+    last->before = m->beta <= 0 ? ve : 0;
     step_on(s, m->count, &m->row, last, m->y + j * m->Q);
     m->before = m->now;
     m->awake = m->count;
@@ -244,44 +276,19 @@ static fvi_modes *make(fvi_modes sizes)
     }
     *m = sizes;
     m->sigma = block;
-    m->weight = m->sigma + m->Q;
-    m->y = m->weight + m->Q;
+    m->value.weight = m->sigma + m->Q;
+    m->rate.weight = NULL;
+    m->y = m->value.weight + m->Q;
     m->last = (last_step *)(m->y + m->d * m->Q);
-    m->closed = block + numbers(m);
-    m->own = m->closed + m->Q;
+    m->value.closed = block + numbers(m);
+    m->own = m->value.closed + m->Q;
     memset(m->y, 0, (numbers(m) - 2 * m->Q) * sizeof *m->y);
     return m;
 }
 
-/* sigma_q and weight_q by the exponentials of 16 and of every 16th: setting up a run is
- * a part of its time. */
-static void weigh(fvi_modes *m)
+static fvi_mode_ladder ladder_of(const fvi_modes *m)
 {
-    enum { BLOCK = 16 };
-    const double L = fvi_variable_spacing() * (double)m->range.every,
-                 first = fvi_variable_spacing() * m->first, beta = m->beta;
-    const double size = sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI * L;
-    double finer[BLOCK], c[FVI_ENDS];
-    const double *fine = m->table->mu - FVI_FIRST / (long)m->range.every;
-    for (size_t l = 0; l < BLOCK; l++)
-        finer[l] = exp(L * beta * (double)l);
-    for (size_t q = 0; q < m->Q; q += BLOCK) {
-        const double ln = first + L * (double)q, sigma = exp(ln),
-                     weight = size * exp(beta * ln);
-        for (size_t l = 0; l < BLOCK && q + l < m->Q; l++) {
-            m->sigma[q + l] = sigma * fine[l];
-            m->weight[q + l] = weight * finer[l];
-        }
-    }
-    const double w0 = m->weight[0], apart = -L * (double)m->apart;
-    fvi_variable_ends(m->range.every, beta > 0 ? beta : 1 + beta, c);
-    for (size_t l = 0; l < FVI_ENDS; l++)
-        m->weight[m->apart * l] +=
-            w0 * c[l] * (beta > 0 ? 1 : exp(apart * (double)l));
-    const double M = beta > 0 ? 2 : 1;
-    fvi_variable_ends(m->range.every, M - beta, c);
-    for (size_t l = 0; l < FVI_ENDS; l++) /* weight_top r^{-3 l M} c_l */
-        m->top[l] = c[l] * exp(apart * (double)l * M);
+    return (fvi_mode_ladder){ m->range.every, m->Q, m->first, m->beta };
 }
 
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
@@ -308,8 +315,21 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
         fvi_modes_free(m);
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     }
-    weigh(m);
+    const fvi_mode_ladder ladder = ladder_of(m);
+    fvi_mode_weights(&ladder, m->sigma, m->value.weight, m->value.top);
     *modes = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_modes_add_rate(fvi_modes *m)
+{
+    const fvi_mode_ladder ladder = ladder_of(m);
+    reading *rate = &m->rate;
+    rate->weight = malloc(2 * m->Q * sizeof *rate->weight);
+    if (!rate->weight)
+        FVI_FAIL("no memory for the rates", FVI_ENOMEM);
+    rate->closed = rate->weight + m->Q;
+    fvi_mode_weights_rate(&ladder, rate->weight, rate->top);
     return FVI_SUCCESS;
 }
 
@@ -349,6 +369,7 @@ void fvi_modes_free(fvi_modes *m)
 {
     if (!m)
         return;
+    free(m->rate.weight);
     free(m->sigma);
     free(m);
 }

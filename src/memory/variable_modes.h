@@ -6,7 +6,7 @@
  *
  *     mu = h sigma,   a(mu) = (mu + A^{-1})^{-1} e_1 / b_1,   p = mu b.a,
  *
- *     beta < 0:  y = sigma w,         y += mu a.u - p y,       u_i = b_i v_i backwards  (22.6)
+ *     beta <= 0: y = sigma w,         y += mu a.u - p y,       u_i = b_i v_i backwards  (22.6)
  *     beta > 0:  z = v_e - sigma w,   z += ds - mu a.u - p z,  v - v_e for v            (22.7)
  *
  * v_e the last velocity of the step before, ds = v_s - v_e; and the history at the
@@ -44,7 +44,8 @@ typedef enum {
 /* fvi_modes_alloc -- the modes of d coordinates, at rest.
  *
  *   rule   of 6 or 8 stages
- *   beta   -1 < beta < 1, not 0
+ *   beta   -1 <= beta <= 1. At 0 and 1 H is 0 but for rounding: only its rate, from
+ *          below, needs modes; at -1 H is the integral of v
  *   d      how many coordinates, >= 1
  *   T      the time of the whole run, > 0; no step is longer
  *   least  no step is shorter, 1e-250 T at least
@@ -57,6 +58,10 @@ typedef enum {
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,
                     fvi_modes **modes);
+
+/* fvi_modes_add_rate -- before the first step: make what fvi_modes_history_rate reads. A
+ * copy has no rate. Memory O(Q). Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_modes_add_rate(fvi_modes *modes);
 
 /* fvi_modes_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
@@ -76,9 +81,14 @@ void fvi_modes_begin(fvi_modes *modes, fvi_length length);
  *   H  output: FVI_LANES numbers, those behind the s-th zero. Cost O(Q s) */
 void fvi_modes_history(const fvi_modes *modes, size_t j, double *H);
 
+/* fvi_modes_history_rate -- dH/dbeta, y or z as they are: a second reading of the modes.
+ * fvi_modes_add_rate must have been called.                                    (23.18)
+ *   H  output, as above. Cost O(Q s) */
+void fvi_modes_history_rate(const fvi_modes *modes, size_t j, double *H);
+
 /* fvi_modes_advance -- the step that has begun is taken: (22.6), (22.7) for coordinate j. All
  * coordinates must be advanced before the next fvi_modes_begin.
- *   v   the stage velocities of the step for beta < 0, v - v_e for beta > 0, s numbers
+ *   v   the stage velocities of the step for beta <= 0, v - v_e for beta > 0, s numbers
  *   ve  v_e, the last velocity of the step before */
 void fvi_modes_advance(fvi_modes *modes, size_t j, const double *v, double ve);
 

@@ -67,9 +67,33 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
 }
 //< present
 
+void fvi_variable_present_rate(const fvi_variable_rule *rule, double beta,
+                               fvi_square *W)
+{
+    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
+    memset(W, 0, sizeof *W);
+    fvi_variable_powers(rule, beta, power_re, power_im);
+    for (size_t n = 0; n < rule->s / 2; n++) { /* times ln lambda */
+        const double re = power_re[n], im = power_im[n],
+                     ln = rule->log_modulus[n], angle = rule->angle[n];
+        power_re[n] = re * ln - im * angle;
+        power_im[n] = re * angle + im * ln;
+    }
+    projectors(rule, power_re, power_im, W);
+}
+
 size_t fvi_variable_apart(size_t every)
 {
     return every == 1 ? 3 : 2;
+}
+
+void fvi_variable_spread(size_t every, const double *sum, double *c)
+{
+    for (size_t l = 0; l < FVI_ENDS; l++) {
+        c[l] = 0;
+        for (size_t n = 0; n < FVI_ENDS; n++)
+            c[l] += ends[every - 1][l][n] * sum[n];
+    }
 }
 
 void fvi_variable_ends(size_t every, double nu, double *c)
@@ -78,11 +102,7 @@ void fvi_variable_ends(size_t every, double nu, double *c)
     double sum[FVI_ENDS]; /* sum_m r^{-m (nu + n)} */
     for (size_t n = 0; n < FVI_ENDS; n++)
         sum[n] = 1 / expm1(L * (nu + (double)n));
-    for (size_t l = 0; l < FVI_ENDS; l++) {
-        c[l] = 0;
-        for (size_t n = 0; n < FVI_ENDS; n++)
-            c[l] += ends[every - 1][l][n] * sum[n];
-    }
+    fvi_variable_spread(every, sum, c);
 }
 
 /* What is compiled several times must be static, or the library would export it. */

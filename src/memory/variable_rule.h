@@ -62,14 +62,21 @@ void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
 void fvi_variable_present(const fvi_variable_rule *rule, double beta,
                           fvi_square *W);
 
+/* fvi_variable_present_rate -- d W0 / d beta = (A^{-1})^beta ln A^{-1}, for any beta in
+ * [-1, 1]; accuracy and cost as above.                                        (23.18) */
+void fvi_variable_present_rate(const fvi_variable_rule *rule, double beta,
+                               fvi_square *W);
+
 /* fvi_variable_ends -- how a sum over all integers is had from one over those >= 0.
  *                                                                            (22.11)
  *     sum_{m>=1} f(-m) = sum_l c_l f(n l),   f(m) = r^{nu m} (1, r^m, ..., r^{5 m}),
  *
  * exactly, l = 0, ..., 5, r = exp(FVI_SPACING every), n = fvi_variable_apart(every).
+ * fvi_variable_spread is the same with any six sums in the place of those of f.
  *
- *   every  1 or 2     nu  > 0     c  output, FVI_ENDS numbers */
+ *   every  1 or 2     nu  > 0     sum  FVI_ENDS numbers     c  output, as many */
 void fvi_variable_ends(size_t every, double nu, double *c);
+void fvi_variable_spread(size_t every, const double *sum, double *c);
 size_t fvi_variable_apart(size_t every);
 
 /* fvi_square_apply -- out = M in, both of FVI_LANES numbers, of which s are read; the rest

@@ -215,12 +215,11 @@ static int differentiate(request *r)
                   : 0;
 }
 
-/* A law has none, nor has a mesh. In form M p is another number at alpha = 1 than below,
- * (17.17). */
+/* A law has none. In form M p is another number at alpha = 1 than below, (17.17). */
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    return !r->run.law && m->scheme != FVI_SCHEME_MESH
+    return !r->run.law
            && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 
@@ -312,10 +311,8 @@ static void print_numbers(FILE *f, const request *r)
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
     else if (!r->run.law)
-        fprintf(f, "# warning = no derivative by alpha: %s\n",
-                r->o.method->scheme == FVI_SCHEME_MESH
-                    ? "none on a mesh yet"
-                    : "p of this method jumps at 1");
+        fprintf(f, "# warning = no derivative by alpha: p of this method "
+                   "jumps at 1\n");
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);

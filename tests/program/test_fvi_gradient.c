@@ -61,7 +61,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
         { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
         { 7, "p0", "--p0", 0.5 },    { 7, "rho", "--rho", 0.4 },
-        { 8, "k", "--let k=", 0.5 },
+        { 7, "alpha", "--alpha", 0.3 }, { 8, "k", "--let k=", 0.5 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {

@@ -36,6 +36,14 @@ def numbers(s):
 
 
 @cache
+def matrices(s, step):
+    """K, D, A and its inverse for steps of such length, in whole numbers."""
+    _, b, D, inverse, A = numbers(s)
+    return [[[fixed(v) for v in row] for row in M.tolist()]
+            for M in (D.T * mpmath.diag(b) * D / step, D / step, A * step, inverse)]
+
+
+@cache
 def points(s, radius):
     _, b, _, base, _ = numbers(s)
 
@@ -97,21 +105,33 @@ def pulls_of_springs(x, k1, g3):
     return [pull[i] - pull[i + 1] for i in range(D5)], stiff
 
 
+def away(x, t, h):
+    """(h/2) |x - sin t|^2"""
+    sine, total = dual(mpmath.sin(t)), ZERO
+    for v in x:
+        total += h * HALF * (v - sine) * (v - sine)
+    return total
+
+
 class Chain:
     """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
+    steps = N
 
     def __init__(self, s, damped, past, alpha, q, step):
-        self.s, self.damped, self.past, self.h = s, damped, past, dual(mpf(step))
-        self.nodes, b, D, inverse, A = numbers(s)
-        self.step, self.b = mpf(step), [dual(v) for v in b]
+        self.s, self.damped, self.past = s, damped, past
+        self.nodes, b = numbers(s)[:2]
+        self.b = [dual(v) for v in b]
         self.side, self.alpha0 = (alpha > 0.5) - (alpha < 0.5), mpf(alpha)
         self.heavy = alpha == 1 and not damped  # form M: (17.17)
-        self.K, self.D, self.A, self.inverse = (
-            [[fixed(v) for v in row] for row in M.tolist()]
-            for M in (D.T * mpmath.diag(b) * D / step, D / step, A * step, inverse))
+        self.hold(mpf(step))
         self.unknown = range(s) if damped else range(1, s)
         self.q, self.path, self.factors = q, [], []
         self.run(q, None)
+
+    def hold(self, step):
+        """The matrices of a step of such length."""
+        self.step, self.h = step, dual(step)
+        self.K, self.D, self.A, self.inverse = matrices(self.s, step)
 
     def matrix(self, V, xk, W0, scale):
         """The equations of a step, differentiated by what is unknown; values only."""
@@ -160,7 +180,7 @@ class Chain:
             grad = pulls_of_springs(self.places(V, xk, i), *q["cg"])[0]
             for j in range(D5):
                 rho = q["rho"][j]
-                force = grad[j] - q["F"][(k * (s - 1) + i) * D5 + j]
+                force = grad[j] - self.force(q, k, i, j)
                 if not self.heavy:
                     force += rho * (history[j][i] + scale * dot(W0[i], moved[j]))
                 S[j][i] = (h * self.b[i] * force + rho * pull[j] * self.impulse[k][i]) * self.share(j, q)
@@ -182,28 +202,31 @@ class Chain:
 
     def run(self, q, tilt):
         """J. tilt None: the run of values, which is kept; else d alpha, 0 or 1."""
-        s, h, real, n = self.s, self.h, tilt is None, len(self.unknown)
+        s, real, n = self.s, tilt is None, len(self.unknown)
         turn = 2 * (tilt or 0)
         W, scale = self.memory(q, turn)
         rl = self.past == "rl"
         is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
         e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
-        self.impulse = impulses(s, e, -turn, self.step) if is_pulled else [[ZERO] * s] * N
+        self.impulse = impulses(s, e, -turn, self.step) if is_pulled else [[ZERO] * s] * self.steps
         v0 = [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
         A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
         pull = A if is_pulled else [ZERO] * D5
         x, p, past, J = list(q["x0"]), list(q["p0"]), [], ZERO
-        for k in range(N):
+        for k in range(self.steps):
+            self.begin(k)
+            W0 = self.block(W, k, k)
             history = [[ZERO] * s for _ in range(D5)]
             for j in range(D5) if k and not self.heavy else ():
                 before = [v - v0[j] for o in range(k) for v in past[o][j]]
-                history[j] = [scale * dot([w for o in range(k) for w in W[k - o][i]], before) for i in range(s)]
+                history[j] = [scale * dot([w for o in range(k) for w in self.block(W, k, o)[i]], before)
+                              for i in range(s)]
             V = [[p[j] / q["mass"][j] * (ONE if self.damped else dual(self.nodes[i] * self.step))
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
             left = 40 if real else 1  # one step is exact for what is linear, the slopes
             while left:
-                rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull)
-                lu = self.matrix(V, x, W[0], scale) if real else self.factors[k]
+                rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
+                lu = self.matrix(V, x, W0, scale) if real else self.factors[k]
                 change = list(map(Dual, solved(lu, [r.v for r in rest]), solved(lu, [r.d for r in rest])))
                 for j in range(D5):
                     for a, i in enumerate(self.unknown):
@@ -213,9 +236,10 @@ class Chain:
                     left = 0
             if real:
                 self.path.append([list(v) for v in V])
-                self.factors.append(self.matrix(V, x, W[0], scale))
-            rest, S, speed = self.step_residual(q, k, V, x, p, history, W[0], scale, v0, pull)
+                self.factors.append(self.matrix(V, x, W0, scale))
+            rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
             past.append(speed)
+            before = list(x), list(p)
             for j in range(D5):
                 if self.damped:
                     x[j] += line(self.A[s - 1], V[j])
@@ -224,12 +248,24 @@ class Chain:
                     x[j] += V[j][s - 1]
                     for v in S[j]:
                         p[j] -= v
-            sine = dual(mpmath.sin((k + 1) * self.step))
-            for v in x:
-                J += h * HALF * (v - sine) * (v - sine)
+            J += self.cost(q, k, before, V, x)
         for v, u in zip(x, p):
             J += HALF * v * (ONE + HALF * u * u)
         return J
+
+    def force(self, q, k, i, j):
+        return q["F"][(k * (self.s - 1) + i) * D5 + j]
+
+    def begin(self, k):
+        """Nothing is another thing in another step."""
+
+    def block(self, W, n, o):
+        """What step n has of the stages of step o."""
+        return W[n - o]
+
+    def cost(self, q, k, before, V, x):
+        """What J has of the rows of a step: of its end."""
+        return away(x, (k + 1) * self.step, self.h)
 
     def slope(self, name, i=None):
         """dJ by one number."""

@@ -1,0 +1,135 @@
+/* src/memory/variable_weights.c -- What the modes are read with.       [Chapter 22] */
+#include "variable_weights.h"
+
+#include "variable_table.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+/* The weights are size sigma^beta; with what they weigh they fall to the lower end like
+ * sigma^nu, and size is L sin(pi nu)/pi. That at beta = -1, 0/0 there, is the limit. */
+static const double tiny = 1e-100;
+
+static double falls(double beta)
+{
+    return fmax(beta > 0 ? beta : 1 + beta, tiny);
+}
+
+static double size_of(double L, double beta)
+{
+    const double least = fmin(fabs(beta), 1 - fabs(beta));
+    return sin(M_PI * fmax(least, tiny)) / M_PI * L;
+}
+
+/* What the modes weigh falls to the upper end like sigma^-M times that. */
+static double rise(double beta)
+{
+    return beta > 0 ? 2 : 1;
+}
+
+static double spacing(const fvi_mode_ladder *ladder)
+{
+    return fvi_variable_spacing() * (double)ladder->every;
+}
+
+/* sigma_q and weight_q by the exponentials of 16 and of every 16th: setting up a run is
+ * a part of its time. */
+void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
+                      double *weight, double *top)
+{
+    enum { BLOCK = 16 };
+    const size_t apart = fvi_variable_apart(ladder->every);
+    const double L = spacing(ladder), beta = ladder->beta,
+                 first = fvi_variable_spacing() * ladder->first,
+                 nu = falls(beta), size = size_of(L, beta);
+    double finer[BLOCK], fine[BLOCK], c[FVI_ENDS];
+    for (size_t l = 0; l < BLOCK; l++) {
+        finer[l] = exp(L * beta * (double)l);
+        fine[l] = exp(L * (double)l);
+    }
+    for (size_t q = 0; q < ladder->Q; q += BLOCK) {
+        const double ln = first + L * (double)q, here = exp(ln),
+                     heavy = size * exp(beta * ln);
+        for (size_t l = 0; l < BLOCK && q + l < ladder->Q; l++) {
+            sigma[q + l] = here * fine[l];
+            weight[q + l] = heavy * finer[l];
+        }
+    }
+    const double w0 = weight[0], step = -L * (double)apart;
+    fvi_variable_ends(ladder->every, nu, c);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        weight[apart * l] += w0 * c[l] * (beta > 0 ? 1 : exp(step * (double)l));
+    const double M = rise(beta);
+    fvi_variable_ends(ladder->every, M - beta, c);
+    for (size_t l = 0; l < FVI_ENDS; l++) /* weight_top r^{-3 l M} c_l */
+        top[l] = c[l] * exp(step * (double)l * M);
+}
+
+/* d/dx of sin(x)/x and of x/(e^x - 1): near 0 by their series, |x| <= 0.1 and 1. */
+static double sinc_rate(double x)
+{
+    const double y = x * x;
+    if (fabs(x) > 0.1)
+        return (cos(x) - sin(x) / x) / x;
+    return -x / 3 * (1 - y / 10 * (1 - y / 28 * (1 - y / 54)));
+}
+
+static double bernoulli_rate(double x)
+{
+    static const double B[] = { 1. / 6,         -1. / 180,
+                                1. / 5040,      -1. / 151200,
+                                1. / 4790016,   -691. / 108972864000,
+                                1. / 5337446400 }; /* 2k B_2k / (2k)! */
+    double sum = 0;
+    for (size_t k = sizeof B / sizeof *B; k-- > 0;)
+        sum = B[k] + x * x * sum;
+    return x * sum - 0.5;
+}
+
+//> lower
+/* d/dnu of what the modes below the first add up to, sum_n c_n: the n-th sum is
+ * L sin(pi nu)/pi / (r^(nu + n) - 1), and the first of them 0/0 at nu = 0. ln: of the
+ * sigma whose power beta stands before it. */
+static void lower(size_t every, double L, double nu, double ln, double *c)
+{
+    const double sinc = sin(M_PI * nu) / (M_PI * nu), size = sinc * nu * L,
+                 slope = cos(M_PI * nu) * L, x = L * nu, share = x / expm1(x);
+    double sum[FVI_ENDS];
+    sum[0] = M_PI * sinc_rate(M_PI * nu) * share + sinc * L * bernoulli_rate(x)
+             + ln * sinc * share;
+    for (size_t n = 1; n < FVI_ENDS; n++) {
+        const double E = 1 / expm1(L * (nu + (double)n));
+        sum[n] = slope * E - size * L * E * (1 + E) + ln * size * E;
+    }
+    fvi_variable_spread(every, sum, c);
+}
+//< lower
+
+//> rate
+void fvi_mode_weights_rate(const fvi_mode_ladder *ladder, double *rate,
+                           double *top_rate)
+{
+    const size_t apart = fvi_variable_apart(ladder->every);
+    const double L = spacing(ladder), beta = ladder->beta, nu = falls(beta),
+                 first = fvi_variable_spacing() * ladder->first,
+                 size = size_of(L, beta), slope = cos(M_PI * nu) * L;
+    for (size_t q = 0; q < ladder->Q; q++) {
+        const double ln = first + L * (double)q;
+        rate[q] = (slope + size * ln) * exp(beta * ln); /* (23.18) */
+    }
+    const double step = -L * (double)apart, power = exp(beta * first);
+    double c[FVI_ENDS], sum[FVI_ENDS];
+    lower(ladder->every, L, nu, first, c);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        rate[apart * l] +=
+            power * c[l] * (beta > 0 ? 1 : exp(step * (double)l));
+    const double M = rise(beta);
+    for (size_t n = 0; n < FVI_ENDS; n++) {
+        const double E = 1 / expm1(L * (M - beta + (double)n));
+        sum[n] = L * E * (1 + E);
+    }
+    fvi_variable_spread(ladder->every, sum, c);
+    for (size_t l = 0; l < FVI_ENDS; l++)
+        top_rate[l] = c[l] * exp(step * (double)l * M);
+}
+//< rate

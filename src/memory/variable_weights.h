@@ -1,0 +1,31 @@
+/* src/memory/variable_weights.h -- What the modes are read with.       [Chapter 22] */
+#ifndef FVI_VARIABLE_WEIGHTS_H
+#define FVI_VARIABLE_WEIGHTS_H
+
+#include "variable_rule.h"
+
+/* Modes sigma_q = exp(L (first + every q)), L the spacing, 0 <= q < Q, and the order of
+ * what they remember, -1 <= beta <= 1; at -1 the weights are the limit of those above. */
+typedef struct {
+    size_t every, Q;
+    int first;
+    double beta;
+} fvi_mode_ladder;
+
+/* fvi_mode_weights -- their rates and their weights.                  (22.10) to (22.12)
+ *
+ *   sigma, weight  outputs, Q numbers each, the lower end of the weights closed
+ *   top            output, FVI_ENDS numbers: what the upper end adds to the weight of the
+ *                  mode l fvi_variable_apart(every) below the last one that is read, times
+ *                  the weight of that */
+void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
+                      double *weight, double *top);
+
+/* fvi_mode_weights_rate -- their derivatives by beta, at beta = 0 and -1 from the side where
+ * y is remembered, (22.6), and not z: from below, and from above.                (23.18)
+ *
+ *   rate, top_rate  outputs, Q and FVI_ENDS numbers */
+void fvi_mode_weights_rate(const fvi_mode_ladder *ladder, double *rate,
+                           double *top_rate);
+
+#endif
