@@ -151,7 +151,10 @@ def cases():
     uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
     todo = [(s, damped, past, order[(2 * which + 2 * s - 4 + damped + s - 2) % 6])
             for s in (2, 3, 4) for damped in (0, 1) for which, past in enumerate(("held", "caputo", "rl"))]
-    for s, damped, past, alpha in todo + [(2, 0, "held", 1.0), (3, 0, "rl", 1.0)]:
+    todo += [(2, 0, "held", 1.0), (3, 0, "rl", 1.0)]
+    todo += [(s, damped, past, order[(2 * which + s + 3 * damped) % 5])
+             for s in (5, 6, 7, 8) for damped in (0, 1) for which, past in enumerate(("held", "caputo", "rl"))]
+    for s, damped, past, alpha in todo:
         zero = past == "rl" and alpha > 0.5
         q = dict(x0=[0.0 if zero else uniform(-1, 1) for _ in range(D5)],
                  p0=[uniform(-1, 1) for _ in range(D5)], mass=[uniform(0.5, 2) for _ in range(D5)],
