@@ -12,8 +12,8 @@ sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
-MODULES = [*wasm.MODULES, "memory_exponentials", "integration_by_parts", "half_derivative", "sensitivity",
-           "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
+MODULES = [*wasm.MODULES, "memory_exponentials", "memory_nodes", "integration_by_parts", "half_derivative",
+           "sensitivity", "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
 WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders"
 

@@ -3,94 +3,10 @@
 #include "blocks.h"
 #include "memory_kinds.h"
 
-#include <gsl/gsl_math.h>
-#include <gsl/gsl_sf_gamma.h>
-#include <gsl/gsl_sf_lambert.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- the nodes ---- */
-
-//> step
-/* The step for which (12.8) promises delta / 2, with eps at its optimum. */
-static double step(double nu, double delta)
-{
-    double h = 0.3;
-    for (int i = 0; i < 15; i++) { /* contracts by 1/5 or less */
-        double eps = (1 + nu) * h / (2 * M_PI);
-        h = 2 * M_PI * (M_PI_2 - eps)
-            / log1p(24 / (delta * pow(sin(eps), 1 + nu)));
-    }
-    return h;
-}
-//< step
-
-/* ln W for W + ln W = A: A - W0(e^A). Beyond e^700 by Newton's method, which gains all
- * digits in three steps. */
-static double log_of_lambert(double A)
-{
-    if (A < 700)
-        return A - gsl_sf_lambert_W0(exp(A));
-    double W = A - log(A);
-    for (int i = 0; i < 3; i++)
-        W -= (W + log(W) - A) * W / (W + 1);
-    return log(W);
-}
-
-//> nodes
-fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip)
-{
-    const double x = FVI_TAIL - nu, L = log(4 / delta);
-    const double h = strip * step(nu, delta);
-    const double A = (L - gsl_sf_lngamma(2 + nu)) / (1 + nu) + 0.04;
-    const double left = -log_of_lambert(A); /* (12.9) */
-    const double X =
-        N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
-    const double right = log(X) + 1 / X;
-    return (fvi_grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
-}
-
-/* s, c and, if it is not NULL, dc / d nu. */
-static void rule(const fvi_grid *g, double nu, double N, double *s, double *c,
-                 double *rate)
-{
-    const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
-    const double cosine = cos(M_PI * nu);
-    //> rule
-    for (size_t q = 0; q < g->Q; q++) {
-        const double t = g->left + (double)q * g->step, e = exp(-t);
-        s[q] = exp(t - e) / N;
-        const double base = expm1(s[q]), power = pow(base, nu);
-        c[q] = -sine * g->step * s[q] * (1 + e) * power; /* (12.7) */
-        if (rate)                                        /* (23.11) */
-            rate[q] =
-                -g->step * s[q] * (1 + e) * power * (cosine + sine * log(base));
-    }
-    //< rule
-}
-//< nodes
-
-size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
-                              double *c, double *rate)
-{
-    const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
-    if (s)
-        rule(&g, nu, N, s, c, rate);
-    return g.Q;
-}
-
-//> delta
-/* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
-double fvi_exponentials_delta(size_t steps, double tolerance)
-{
-    double wish = tolerance == 0 ? 1e-14 : tolerance / 10;
-    return fmin(wish, 16 / fmax((double)steps, 32000));
-}
-//< delta
-
-/* ---- the sums ---- */
 
 enum { LANES = 8 }; /* doubles in the widest vector, and in a cache line */
 
@@ -210,14 +126,15 @@ static fvi_exponentials *finish(fvi_exponentials *e)
 fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
                                          size_t steps, double delta)
 {
-    const fvi_grid g = fvi_exponentials_grid(nu, lags(steps), delta, 1);
-    fvi_exponentials *e = make(padded(g.Q), rated, d);
+    const double N = lags(steps);
+    const size_t Q = fvi_exponentials_nodes(nu, N, delta, NULL, NULL, NULL);
+    fvi_exponentials *e = make(padded(Q), rated, d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
     fvi_coefficients(nu, FVI_WINDOW + 1, w);
     open_window(e, w);
-    rule(&g, nu, lags(steps), e->p, e->c, e->rates);
+    fvi_exponentials_nodes(nu, N, delta, e->p, e->c, e->rates);
     if (rated) {
         fvi_coefficients_rate(nu, FVI_WINDOW + 1, w);
         e->slope1 = w[1];

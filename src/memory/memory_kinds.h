@@ -66,7 +66,7 @@ void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
 int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v);
 void fvi_blocks_free(fvi_blocks *b);
 
-/* ---- a window and decaying exponentials (memory_exponentials.c) ---- */
+/* ---- a window and decaying exponentials (memory_exponentials.c, memory_nodes.c) ---- */
 
 enum {
     FVI_WINDOW = 32, /* lags 1 ... 32 are summed with their own weights */

@@ -127,7 +127,7 @@ static int step_by_parts(fvi_stepper *s)
 
 static int step(fvi_stepper *s)
 {
-    return goes_by_parts(s) ? step_by_parts(s) : step_fractional(s);
+    return (goes_by_parts(s) ? step_by_parts : step_fractional)(s);
 }
 
 const fvi_method fvi_fractional = { .name = "fvi",

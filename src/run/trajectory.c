@@ -155,6 +155,8 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
 static int finite(size_t n, const double *v)
 {
     enum { LANES = 8 };
+    if (n < LANES)
+        return fvi_all_finite(n, v);
     double sum[LANES] = { 0 };
     const size_t whole = n / LANES * LANES;
     for (size_t i = 0; i < whole; i += LANES) {
@@ -174,7 +176,7 @@ int fvi_step(fvi_stepper *s)
     int status = s->method->step(s);
     if (status)
         return status;
-    if (!s->method->dense)
+    if (s->run.system->force.impulse_count && !s->method->dense)
         fvi_impulses_act(s, s->k + 1);
     if (!finite(2 * s->run.system->d, s->x)) /* x, then p */
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */

@@ -9,6 +9,9 @@
 
 enum { NEWTON_STEPS = 50, CAREFUL_STEPS = 1000 };
 
+typedef int solver(fvi_newton *n, const double *x, const double *r, double *d,
+                   double *g);
+
 /* ---- solutions ---- */
 
 /* d becomes d + step. */
@@ -37,28 +40,52 @@ static int look(fvi_newton *n, const double *x, const double *r,
     return n->theirs;
 }
 
-/* n->step = J^-1 n->step; 0, or the status of the factors, or of the potential's own
- * solution, which is in n->theirs too unless it only says that J is singular. */
-static int eliminate(fvi_newton *n, int factorised)
+/* v = J^-1 v; 0, or the status of the factors, or of the potential's own solution
+ * at `point`, which is in n->theirs too unless it only says that J is singular. */
+static int eliminate(fvi_newton *n, int factorised, const double *point,
+                     double *v)
 {
     const fvi_potential *u = &n->system->potential;
     if (n->own) {
-        const int status = u->solve(n->system->d, n->point, n->H,
-                                    n->s[0] * n->theta, u->params, n->step);
+        const int status = u->solve(n->system->d, point, n->H,
+                                    n->s[0] * n->theta, u->params, v);
         if (status != FVI_ESING)
             n->theirs = status;
         return status;
     }
     if (!factorised && fvi_band_factorise(&n->J))
         return FVI_ESING;
-    fvi_band_solve(&n->J, n->step);
+    fvi_band_solve(&n->J, v);
     return FVI_SUCCESS;
 }
 
-/* U quadratic: grad U(x + theta d) = grad U(x) + theta Hess U d, so that
- * (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. */
+/* U quadratic, one stage: grad U(x + theta d) = grad U(x) + theta Hess U d, so that
+ * (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. A diagonal is
+ * divided by on the way: of one coordinate a step is little more than this. */
 static int solve_linear(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
+{
+    const size_t dim = n->system->d;
+    const int diagonal = !n->own && n->reach == 0;
+    n->theirs = fvi_gradient(n->system, x, g);
+    if (n->theirs)
+        return n->theirs;
+    for (size_t j = 0; j < dim; j++) {
+        d[j] = r[j] - n->s[j] * g[j];
+        if (diagonal)
+            d[j] /= fvi_band_row(&n->J, j)[j];
+    }
+    const int status = diagonal ? FVI_SUCCESS : eliminate(n, 1, x, d);
+    if (status)
+        return status;
+    for (size_t j = 0; j < dim; j++)
+        n->point[j] = x[j] + n->theta * d[j];
+    return n->theirs = fvi_gradient(n->system, n->point, g);
+}
+
+/* The same for stages, whose rows stand otherwise than d and r. */
+static int solve_linear_stages(fvi_newton *n, const double *x, const double *r,
+                               double *d, double *g)
 {
     const size_t rows = n->q * n->system->d;
     memset(d, 0, rows * sizeof *d);
@@ -66,7 +93,7 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
         return n->theirs;
     fvi_newton_residual(n, r, d, g);
     memcpy(n->step, n->e, rows * sizeof *n->e);
-    const int status = eliminate(n, 1);
+    const int status = eliminate(n, 1, n->point, n->step);
     if (status)
         return status;
     take(n, d);
@@ -125,7 +152,7 @@ static int is_stuck(const fvi_newton *n)
 static int newton_step(fvi_newton *n, double *d)
 {
     memcpy(n->step, n->e, n->q * n->system->d * sizeof *n->e);
-    const int status = eliminate(n, 0);
+    const int status = eliminate(n, 0, n->point, n->step);
     if (!status)
         take(n, d);
     return status;
@@ -238,10 +265,10 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
     if (!n || !x || !r || !d || !g)
         FVI_FAIL("null pointer", FVI_EFAULT);
     n->theirs = 0;
-    if (n->system->matrices)
-        return fvi_newton_by_matrices(n, x, r, d, g);
-    if (!n->implicit)
-        return solve_explicit(n, x, r, d, g);
-    return n->linear ? solve_linear(n, x, r, d, g)
-                     : solve_nonlinear(n, x, r, d, g);
+    solver *solve = n->system->matrices ? fvi_newton_by_matrices
+                    : !n->implicit      ? solve_explicit
+                    : !n->linear        ? solve_nonlinear
+                    : n->q > 1          ? solve_linear_stages
+                                        : solve_linear;
+    return solve(n, x, r, d, g);
 }

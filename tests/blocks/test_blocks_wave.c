@@ -87,17 +87,19 @@ static int struck(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-/* Eight numbers are looked at together, and the rest one by one. */
+/* Eight numbers are looked at together, and the rest, of which six are all, one by one. */
 START_TEST(one_number_that_is_not_finite_ends_a_run)
 {
-    enum { MASSES = 19 };
+    enum { FEW = 3, MASSES = 19 };
     double ones[MASSES], none[MASSES] = { 0 };
     const double cg[] = { 1, 0 }, bad[] = { NAN, INFINITY, -INFINITY };
     for (size_t i = 0; i < MASSES; i++)
         ones[i] = 1;
-    for (size_t at = 0; at < 3 * MASSES; at++) {
-        blow b = { at % MASSES, bad[at / MASSES] };
-        const fvi_system system = { .d = MASSES,
+    for (size_t i = 0; i < 3 * (FEW + MASSES); i++) {
+        const size_t d = i < 3 * FEW ? FEW : MASSES,
+                     at = i < 3 * FEW ? i : i - 3 * FEW;
+        blow b = { at % d, bad[at / d] };
+        const fvi_system system = { .d = d,
                                     .mass = ones,
                                     .damping = ones,
                                     .potential = fvi_potential_chain(cg),
