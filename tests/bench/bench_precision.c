@@ -4,8 +4,9 @@
  *
  * The error is the largest of |x_k - x(t_k)| over all coordinates and 80 times, evenly
  * between 0 and T, from the first on (or from t = 2 on, where that is said). A time is
- * processor time, the best of 9 runs (of 3, if they take more than 0.1 s), and holds
- * all that the problem, the steps or the tolerance decide. */
+ * processor time and holds all that the problem, the steps or the tolerance decide: of
+ * 15 turns (3, if a run takes more than 0.1 s) the best, where all that is near the front
+ * takes turns; elsewhere of at most 9 runs in a row. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "bench.h"
 #include "precision.h"
@@ -69,6 +70,7 @@ int main(int argc, char **argv)
             if (r.all[i].peer ? r.all[i].peer->takes(problem_number(P)) : 1)
                 sweep(&r.all[i], P, truth, r.best[P][i], r.late[P][i],
                       front[r.all[i].ours], &least[r.all[i].ours]);
+        compare_in_turn(&r, P);
         for (size_t i = 0; i < r.count; i++)
             if (r.all[i].peer && r.all[i].peer->takes(problem_number(P))
                 && r.best[P][i][1].seconds == 0)

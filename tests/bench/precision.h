@@ -37,6 +37,11 @@ size_t gather(contender *all);
 void sweep(const contender *c, int P, const double *truth, timing *best,
            timing *late, double *front, double *least);
 
+/* run_once -- the rows of one run of a contender on p, with N steps and this tolerance.
+ * Returns its status. */
+int run_once(const contender *c, const problem *p, size_t N, double tolerance,
+             double *rows);
+
 /* results -- the fastest runs of all contenders on all problems. */
 typedef struct {
     size_t count;
@@ -44,6 +49,12 @@ typedef struct {
     timing best[PROBLEMS][MOST_CONTENDERS][DECADES + 1],
         late[PROBLEMS][MOST_CONTENDERS][DECADES + 1];
 } results;
+
+/* compare_in_turn -- a processor may be fast for some seconds and slow for others, and the
+ * sweeps are seconds apart. So all runs on problem P that are within twice the least time
+ * of their side at some decade are timed again, in turn: one of each, then all once more.
+ * Their times in r become those. */
+void compare_in_turn(results *r, int P);
 
 /* fastest -- the fastest of ours, or of the peers, whose error is at most 10^-k, and who it
  * is; `from` is best[P] or late[P]. NULL if none is as exact. */
