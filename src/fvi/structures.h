@@ -53,7 +53,7 @@ int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A);
 
 /* fvi_misread -- what is wrong in a file: in which line, from 1, or 0 if the file cannot be
- * read at all or ends too early; and why, a static text. */
+ * read at all or ends before its size; and why, a static text. */
 typedef struct {
     size_t line;
     const char *reason;

@@ -17,7 +17,7 @@ typedef struct {
     char *line;
     size_t room, number; /* of the line, from 1 */
     int general;
-    size_t n, count;
+    size_t n, count, size_line;
     fvi_triplet
         *triplets; /* of a symmetric file twice as many as stand there */
     size_t *lines; /* of each triplet */
@@ -85,6 +85,7 @@ static int read_size(reader *r)
         return refuse(r, r->number, "the matrix is not square");
     if (!(rows >= 1 && rows < INT_MAX && count >= 0 && count < INT_MAX / 2))
         return refuse(r, r->number, "a size from 1 to 2^31 is wanted");
+    r->size_line = r->number;
     r->n = (size_t)rows;
     r->count = (size_t)count;
     const size_t most = 2 * r->count + 1;
@@ -139,7 +140,8 @@ static int read_entries(reader *r)
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < r->count; i++)
         status = next_line(r) ? read_entry(r)
-                              : refuse(r, 0, "has fewer entries than it says");
+                              : refuse(r, r->size_line,
+                                       "fewer entries follow than it says");
     if (!status && next_line(r))
         status = refuse(r, r->number, "more entries than it says");
     return status;
@@ -205,24 +207,45 @@ static int finish(reader *r, fvi_sparse *A)
     return status;
 }
 
+/* What is made of a file, but the matrix; to be given back with end. */
+static int begin(reader *r, const char *file)
+{
+    *r = (reader){ .file = fopen(file, "r") };
+    int status = r->file ? read_head(r) : refuse(r, 0, "cannot be read");
+    if (!status)
+        status = read_size(r);
+    return status ? status : read_entries(r);
+}
+
+static void end(reader *r)
+{
+    if (r->file)
+        fclose(r->file);
+    free(r->line);
+    free(r->triplets);
+    free(r->lines);
+}
+
+size_t fvi_sparse_line(const char *file, int row, int column)
+{
+    reader r;
+    size_t line = 0;
+    if (!begin(&r, file))
+        line = row < 0 ? r.size_line : line_of(&r, row, column);
+    end(&r);
+    return line;
+}
+
 //> read
 int fvi_sparse_read(const char *file, fvi_sparse *A, fvi_misread *wrong)
 {
     if (!file || !A)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    reader r = { .file = fopen(file, "r") };
-    int status = r.file ? read_head(&r) : refuse(&r, 0, "cannot be read");
-    if (!status)
-        status = read_size(&r);
-    if (!status)
-        status = read_entries(&r);
+    reader r;
+    int status = begin(&r, file);
     if (!status)
         status = finish(&r, A);
-    if (r.file)
-        fclose(r.file);
-    free(r.line);
-    free(r.triplets);
-    free(r.lines);
+    end(&r);
     if (status == FVI_EDOM && wrong)
         *wrong = r.wrong;
     if (status == FVI_ENOMEM)

@@ -18,6 +18,10 @@ double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j);
  * Returns FVI_SUCCESS; FVI_EDOM, *place being an entry that has not its like; FVI_ENOMEM. */
 int fvi_sparse_is_symmetric(const fvi_sparse *A, int *place);
 
+/* fvi_sparse_line -- in which line of a file that fvi_sparse_read takes entry (row, column)
+ * stands, or with row < 0 the size; 0 if it does not, or there is no memory to look. */
+size_t fvi_sparse_line(const char *file, int row, int column);
+
 /* fvi_sparse_add -- sum = a_0 A_0 + a_1 A_1 + a_2 A_2, of which some may be NULL; those with
  * a_l = 0 are left out. Zeros off the diagonal are not stored. Free sum with
  * fvi_sparse_free. Returns FVI_SUCCESS or FVI_ENOMEM. */

@@ -14,13 +14,16 @@
 #include <stdlib.h>
 
 /* What the parser let through is in range: FVI_EINVAL is then a number of steps that no
- * memory is made for, FVI_EDOM an m / h. */
-int fvi_complain_of_start(int status)
+ * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive. */
+int fvi_complain_of_start(const fvi_options *o, int status)
 {
-    if (status == FVI_ESING)
+    if (status == FVI_ESING && !o->directory)
         return fvi_stopped_at(1, status);
     return fvi_complain(
         status == FVI_ENOMEM ? "not enough memory"
+        : status == FVI_ESING
+            ? "--system: the matrix of a step is not positive definite: K is "
+              "negative somewhere, and h too long for it"
         : status == FVI_EINVAL
             ? "--steps: the compressed memory reaches back 10^9 steps at most"
         : status == FVI_EUNSUP
@@ -235,7 +238,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
         status = fvi_start(o->method, &r, &s);
-    failed = status          ? fvi_complain_of_start(status)
+    failed = status          ? fvi_complain_of_start(o, status)
              : o->checkpoint ? fvi_checkpoint_begin(o, s, &done)
                              : 0;
     if (!failed && done > 0)

@@ -12,7 +12,7 @@
 double *fvi_run_room(const fvi_table *t);
 
 /* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
-int fvi_complain_of_start(int status);
+int fvi_complain_of_start(const fvi_options *o, int status);
 
 /* fvi_run_row -- take row k, which the run has reached or just passed. Returns what
  * fvi_table_take and fvi_run_to return, or FVI_ENOMEM. */

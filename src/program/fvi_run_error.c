@@ -74,7 +74,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
     else if (status == FVI_EMAXITER || status == FVI_EOVRFLW)
         fvi_complain("--error: no step gives a result that can be trusted");
     else if (status)
-        fvi_complain_of_start(status);
+        fvi_complain_of_start(o, status);
     else if (o->method->dense)
         fprintf(stderr, "fvi: the error of x is about %.2g, in %zu steps\n",
                 found->adaptive.estimate, found->adaptive.counts.steps);

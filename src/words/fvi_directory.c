@@ -2,6 +2,8 @@
 #define _GNU_SOURCE /* getline */
 #include "fvi_directory.h"
 
+#include "matrices/sparse.h"
+
 #include <fvi/error.h>
 
 #include <errno.h>
@@ -64,7 +66,28 @@ static int read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
                   : 0;
 }
 
-/* Three matrices that were read, but do not make a system. */
+/* An entry for which A cannot be positive definite, or not even semidefinite: one of the
+ * diagonal, or one that is too large for those of its row and column. 0 if there is none. */
+static int gives_away(const fvi_sparse *A, int semidefinite, int *row,
+                      int *column)
+{
+    for (size_t j = 0; j < A->n; j++)
+        for (int e = A->start[j]; e < A->start[j + 1]; e++) {
+            const size_t i = (size_t)A->row[e];
+            const double a = A->entry[e], both = fvi_sparse_entry(A, i, i)
+                                                 * fvi_sparse_entry(A, j, j);
+            if (i == j ? (semidefinite ? a < 0 : a <= 0)
+                       : (semidefinite ? a * a > both : a * a >= both)) {
+                *row = (int)i;
+                *column = (int)j;
+                return 1;
+            }
+        }
+    return 0;
+}
+
+/* Three matrices that were read, but do not make a system: with the line of the size, or of
+ * the entry that gives it away, where one does. */
 static int refuse_matrices(const fvi_directory *d, int status, char fault,
                            fvi_complaint c)
 {
@@ -75,7 +98,17 @@ static int refuse_matrices(const fvi_directory *d, int status, char fault,
                        : "not a matrix of a system";
     if (status == FVI_ENOMEM)
         return no_memory(c);
-    return fvi_refuse(c, "--system: %s/%c.mtx: %s", d->name, fault, reason);
+    const char name[] = { fault, '.', 'm', 't', 'x', '\0' };
+    char place[PATH_MAX + 8];
+    int row = -1, column = -1;
+    size_t line = 0;
+    path(d, name, place);
+    if (status == FVI_EINVAL
+        || gives_away(fault == 'M' ? &d->M : &d->C, fault == 'C', &row,
+                      &column))
+        line = fvi_sparse_line(place, row, column);
+    return line ? fvi_refuse(c, "--system: %s:%zu: %s", place, line, reason)
+                : fvi_refuse(c, "--system: %s: %s", place, reason);
 }
 
 static int read_all(fvi_directory *d, fvi_complaint c)

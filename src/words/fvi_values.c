@@ -81,7 +81,10 @@ static int check_method(const fvi_options *o, fvi_complaint c)
                           "are none with this step; 'auto' sums it all",
                           o->text[DAMPING]);
     if (o->directory && !m->takes_matrices)
-        return fvi_refuse(c, "--method: '%s' is not for --system", m->name);
+        return fvi_refuse(c,
+                          "--method: '%s' takes no matrices; fvi, fvi-shifted, "
+                          "fvi-bdf2 and fvi-stable do",
+                          m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);

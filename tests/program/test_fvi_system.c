@@ -215,11 +215,20 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 nan\n3 3 1\n",
           "M.mtx:4: not a finite number" },
         { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 -1\n3 3 1\n",
-          "M.mtx: not positive definite" },
+          "M.mtx:4: not positive definite" },
         { "M.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n3 3 1\n",
+          "M.mtx:5: not positive definite" },
+        { "M.mtx", HEAD "3 3 2\n1 1 1\n3 3 1\n",
           "M.mtx: not positive definite" },
-        { "K.mtx", HEAD "2 2 2\n1 1 1\n2 2 1\n",
-          "K.mtx: not of the size of M.mtx" },
+        { "M.mtx",
+          HEAD "3 3 6\n1 1 1\n2 2 1\n3 3 1\n2 1 .9\n3 2 .9\n3 1 -.9\n",
+          "M.mtx: not positive definite" },
+        { "M.mtx", HEAD "3 3 3\n1 1 1\n3 3 1\n",
+          "M.mtx:2: fewer entries follow than it says" },
+        { "K.mtx", HEAD "% a size\n2 2 2\n1 1 1\n2 2 1\n",
+          "K.mtx:3: not of the size of M.mtx" },
+        { "C.mtx", HEAD "2 2 2\n1 1 1\n2 2 1\n",
+          "C.mtx:2: not of the size of M.mtx" },
         { "K.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n1 2 2\n",
           "K.mtx:6: an entry that stands twice; of a symmetric matrix only one "
           "triangle is given" },
@@ -232,7 +241,7 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
           "1\n1 1\n",
           "K.mtx:1: a pattern without numbers" },
         { "C.mtx", HEAD "3 3 1\n2 1 0.5\n",
-          "C.mtx: not positive semidefinite: it would feed the motion" },
+          "C.mtx:3: not positive semidefinite: it would feed the motion" },
         { "f.tsv", "t f4\n0 1\n",
           "f.tsv:1: a name that is none of the "
           "unknowns'" },
@@ -250,8 +259,10 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "f.tsv", "t f1\n0 1\nt f2\n30 1\n", "f.tsv:3: not a finite number" },
         { "f.tsv", "0 1 2 3\ntrash 1\n30 1 2 3\n",
           "f.tsv:2: not a finite number" },
+        { "C.mtx", HEAD "3 3 3\n1 1 1\n2 2 0\n3 3 -1\n",
+          "C.mtx:5: not positive semidefinite: it would feed the motion" },
         { "C.mtx", HEAD "3 3 2\n1 1 1\n2 2 -1e-15\n",
-          "C.mtx: not positive semidefinite: it would feed the motion" },
+          "C.mtx:4: not positive semidefinite: it would feed the motion" },
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         char name[40], complaint[200];
@@ -269,6 +280,16 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
     }
     ck_assert_refused("run --system nowhere",
                       "fvi: --system: nowhere/M.mtx: cannot be read");
+    write_chain();
+    write_file("chain/K.mtx", HEAD "3 3 1\n2 2 -1e6\n");
+    ck_assert_int_eq(fvi("run --system chain --method fvi-stable -o nothing"),
+                     1);
+    ck_assert_str_eq(err,
+                     "fvi: --system: the matrix of a step is not positive "
+                     "definite: K is negative somewhere, and h too long for "
+                     "it\n");
+    ck_assert(!exists("nothing"));
+    ck_assert_int_eq(shell("rm -r chain"), 0);
 }
 END_TEST
 
@@ -284,9 +305,11 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
     ck_assert_refused("run --system chain --dimension 3",
                       "fvi: --system: not together with --dimension");
     ck_assert_refused("run --system chain --error 1e-3 --method fvi-adaptive",
-                      "fvi: --method: 'fvi-adaptive' is not for --system");
+                      "fvi: --method: 'fvi-adaptive' takes no matrices; fvi, "
+                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
     ck_assert_refused("run --system chain --method fvi-lobatto4",
-                      "fvi: --method: 'fvi-lobatto4' is not for --system");
+                      "fvi: --method: 'fvi-lobatto4' takes no matrices; fvi, "
+                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
     ck_assert_refused("fit --system chain d.tsv",
                       "fvi: --system: not an option of this command");
     ck_assert_int_eq(fvi("sweep --system chain --vary alpha=0.1:0.9:3 --method "

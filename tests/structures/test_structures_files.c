@@ -113,7 +113,7 @@ START_TEST(bad_files_are_refused_with_their_line)
         { HEAD "2 3 0\n", "square", 2 },
         { HEAD "0 0 0\n", "1 to 2^31", 2 },
         { HEAD "1 1 -1\n", "1 to 2^31", 2 },
-        { HEAD "2 2 2\n1 1 1\n", "fewer", 0 },
+        { HEAD "2 2 2\n1 1 1\n", "fewer", 2 },
         { HEAD "2 2 1\n1 1 1\n2 2 1\n", "more", 4 },
         { HEAD "2 2 1\n1 1\n", "a number", 3 },
         { HEAD "2 2 1\n1 1 one\n", "a number", 3 },
