@@ -30,7 +30,8 @@ packages() {
     gnuplot) echo gnuplot-nox ;;
     python) echo python3 ;;
     Python.h) echo python3-dev ;;
-    sympy | numpy | cffi | wheel | pytest) echo "python3-$1" ;;
+    sympy) echo python3-sympy python3-gmpy2 ;; # without the second proofs hold, too, a third more slowly
+    numpy | cffi | wheel | pytest) echo "python3-$1" ;;
     wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 ;;
     node) echo nodejs ;;
     pdfinfo) echo poppler-utils ;;
