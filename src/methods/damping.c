@@ -27,6 +27,7 @@ static int damping_alloc(const fvi_system *system, size_t count,
         FVI_FAIL("no memory for the damping", FVI_ENOMEM);
     d->system = system;
     d->count = count;
+    d->all = count == system->d && !system->matrices;
     d->index = malloc((system->matrices ? 1 : count) * sizeof *d->index);
     d->factor = calloc(5 * count, sizeof *d->factor);
     if (!d->index || !d->factor)
@@ -53,43 +54,52 @@ static int law_of(const fvi_stepper *s, fvi_damping *d)
 
 /* ---- between the d coordinates and those that are damped ---- */
 
+static void subtract(size_t n, const double *x, const double *from, double *z)
+{
+#pragma omp simd
+    for (size_t j = 0; j < n; j++)
+        z[j] = x[j] - from[j];
+}
+
 int fvi_damping_gather(const fvi_damping *d, const double *x,
                        const double *from, double *z)
 {
     const fvi_matrices *m = d->system->matrices;
     if (m)
         return m->remember(d->system->d, x, from, m->params, z);
-    if (d->count == d->system->d) {
-#pragma omp simd
-        for (size_t j = 0; j < d->count; j++)
-            z[j] = x[j] - from[j];
-        return FVI_SUCCESS;
-    }
-    for (size_t j = 0; j < d->count; j++)
+    if (d->all)
+        subtract(d->count, x, from, z);
+    for (size_t j = 0; j < d->count && !d->all; j++)
         z[j] = x[d->index[j]] - from[j];
     return FVI_SUCCESS;
 }
 
 int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
 {
-    int status = fvi_damping_gather(d, s->x, d->origin, d->z);
-    if (status || (!s->run.law && 2 * s->run.alpha < 1)) /* dz is not summed */
-        return status;
-    return fvi_damping_gather(d, s->dx, d->drift, d->dz);
+    if (!d->all) {
+        int status = fvi_damping_gather(d, s->x, d->origin, d->z);
+        return status || !d->increments
+                   ? status
+                   : fvi_damping_gather(d, s->dx, d->drift, d->dz);
+    }
+    subtract(d->count, s->x, d->origin, d->z);
+    if (d->increments)
+        subtract(d->count, s->dx, d->drift, d->dz);
+    return FVI_SUCCESS;
 }
 
 int fvi_damping_pull(const fvi_damping *d, double share, const double *H,
                      double *p)
 {
     const fvi_matrices *m = d->system->matrices;
-    if (m)
-        return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
-    if (d->count == d->system->d) {
+    if (d->all) {
 #pragma omp simd
         for (size_t j = 0; j < d->count; j++)
             p[j] -= share * d->factor[j] * H[j];
         return FVI_SUCCESS;
     }
+    if (m)
+        return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
     for (size_t j = 0; j < d->count; j++)
         p[d->index[j]] -= share * d->factor[j] * H[j];
     return FVI_SUCCESS;
@@ -143,6 +153,7 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
     if (status)
         return status;
     fvi_damping *d = *damping;
+    d->increments = run->law || 2 * run->alpha >= 1;
     if (run->system->matrices)
         status = fvi_damping_begin_matrices(s, past, d);
     else
@@ -166,6 +177,7 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     int status = damping_alloc(from->system, from->count, to);
     if (status)
         return status;
+    (*to)->increments = from->increments;
     if (!from->system->matrices)
         memcpy((*to)->index, from->index, from->count * sizeof *from->index);
     memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);

@@ -8,6 +8,8 @@
 
 typedef struct {
     size_t count;   /* how many coordinates have rho > 0 */
+    int all;        /* is that every one, and are there no matrices? */
+    int increments; /* does the memory sum dz, and not z? */
     size_t *index;  /* which; not used with matrices */
     double *factor; /* rho h^(1 - 2 alpha) of each; with matrices rho is 1 */
     double *origin; /* x_0 of each, 0 for Riemann-Liouville */

@@ -74,8 +74,8 @@ static int step_fractional(fvi_stepper *s)
 static int goes_by_parts(const fvi_stepper *s)
 {
     const fvi_damping *d = s->own;
-    return d && s->run.kappa == 1 && !s->run.system->matrices
-           && d->count == s->run.system->d && fvi_memory_takes_parts(d->memory);
+    return d && s->run.kappa == 1 && d->all
+           && fvi_memory_takes_parts(d->memory);
 }
 
 //> drift
@@ -104,8 +104,6 @@ static int step_by_parts(fvi_stepper *s)
     fvi_damping *d = s->own;
     const size_t dim = s->run.system->d;
     const double *A = fvi_newton_diagonal(s->newton);
-    const int increments =
-        s->run.law || 2 * s->run.alpha > 1; /* have a drift */
     int status = fvi_gradient(s->run.system, s->x, s->g);
     if (!status)
         status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
@@ -115,7 +113,8 @@ static int step_by_parts(fvi_stepper *s)
                      *F = s->run.system->force.value ? s->F + i : none;
         double *p = s->p + i;
         drift_part(s->run.h, count, A + i, s->g + i, F, d->origin + i,
-                   increments ? d->drift + i : none, s->x + i, p, d->z, d->dz);
+                   d->increments ? d->drift + i : none, s->x + i, p, d->z,
+                   d->dz);
         status = fvi_memory_push_part(d->memory, i, count, d->z, d->dz, d->z);
 #pragma omp simd
         for (size_t j = 0; j < count; j++)

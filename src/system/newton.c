@@ -66,21 +66,21 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
     const size_t dim = n->system->d;
+    const fvi_potential *u = &n->system->potential;
     const int diagonal = !n->own && n->reach == 0;
-    n->theirs = fvi_gradient(n->system, x, g);
+    n->theirs = u->gradient(dim, x, u->params, g);
     if (n->theirs)
         return n->theirs;
     for (size_t j = 0; j < dim; j++) {
-        d[j] = r[j] - n->s[j] * g[j];
-        if (diagonal)
-            d[j] /= fvi_band_row(&n->J, j)[j];
+        const double e = r[j] - n->s[j] * g[j];
+        d[j] = diagonal ? e / fvi_band_row(&n->J, j)[j] : e;
     }
     const int status = diagonal ? FVI_SUCCESS : eliminate(n, 1, x, d);
     if (status)
         return status;
     for (size_t j = 0; j < dim; j++)
         n->point[j] = x[j] + n->theta * d[j];
-    return n->theirs = fvi_gradient(n->system, n->point, g);
+    return n->theirs = u->gradient(dim, n->point, u->params, g);
 }
 
 /* The same for stages, whose rows stand otherwise than d and r. */
