@@ -14,13 +14,17 @@ import wasm  # noqa: E402
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
 MODULES = [*wasm.MODULES, "memory_exponentials", "memory_nodes", "integration_by_parts", "half_derivative",
            "sensitivity", "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
+# Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
+ABSENT = [*wasm.ABSENT, *"""fvi_law_poles fvi_tiles_ahead fvi_tiles_alloc fvi_tiles_bytes fvi_tiles_copy
+    fvi_tiles_push fvi_tiles_visit fvi_mirror_matrices fvi_mirror_mesh fvi_mirror_stages_end
+    fvi_mirror_stages_start fvi_mirror_stages_step fvi_tangent_stages_step""".split()]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js"]
 WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders"
 
 
 def write(out):
     out.mkdir(parents=True)
-    code = wasm.compile_to(out / "live.wasm", SOURCES, MODULES)
+    code = wasm.compile_to(out / "live.wasm", SOURCES, MODULES, ABSENT)
     (out / "live.wasm").unlink()
     (out / "kernel.js").write_text(f'const FVI_WASM = "{wasm.packed(code)}";\n')
     shared = "\n".join(path.read_text() for path in SHARED)

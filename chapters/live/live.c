@@ -1,7 +1,7 @@
 /* chapters/live/live.c -- What the figures of the book that move ask of the library,
  * beyond what the live page asks (play.c).
  *
- * Five arrays for numbers in and out; nothing is imported, nothing is printed. What asks for
+ * Five arrays for numbers in and out; nothing is printed. What asks for
  * gradients, fits and controls is in inverse.c. */
 #include "memory/blocks.h"
 #include "memory/memory_kinds.h"

@@ -3,7 +3,7 @@
  * The modules of src/ are compiled for the page with GSL's own headers; what they
  * call is here. In one dimension an eigenvalue is the number itself, and linear
  * equations come from the stages of chapter 17 only: at most four. What neither this nor
- * wasm.py's list of modules has traps if it is called: the page never does. */
+ * wasm.py's modules have is listed there as absent: no page reaches it. */
 #include "memory/memory_kinds.h"
 
 #include <fvi/error.h>

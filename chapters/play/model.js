@@ -267,9 +267,12 @@ async function unpack(text) {
   return new Response(stream).arrayBuffer();
 }
 
+// What wasm.py says to be absent, as no page reaches it.
+const absent = new Proxy({}, { get: (_, name) => () => { throw new Error(`${name} is not in this page`); } });
+
 // The functions of play.c.
 async function kernel(text) {
-  const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(text), {});
+  const { instance: { exports: c } } = await WebAssembly.instantiate(await unpack(text), { env: absent });
   const array = (which, length) => new Float64Array(c.memory.buffer, c.play_array(which), length);
   const write = state => {
     new Float64Array(c.memory.buffer, c.play_input(), fields.length).set(fields.map(name =>

@@ -1,8 +1,8 @@
 /* chapters/play/play.c -- What the live page asks of the library.
  *
  * Compiled to WebAssembly together with modules of src/, as they are. The page
- * writes the numbers of a run to `input`, calls, and reads the arrays. Nothing
- * is imported: no file, no clock, no console. */
+ * writes the numbers of a run to `input`, calls, and reads the arrays. No file,
+ * no clock, no console is imported: only names that say so if they are called (wasm.py). */
 #include <fvi/coefficients.h>
 #include <fvi/convolution_quadrature.h>
 #include <fvi/convolution_quadrature_methods.h>

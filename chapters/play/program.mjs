@@ -14,7 +14,7 @@ export const [, wasm, source] =
   page.match(/<script>const wasm = "([^"]*)";<\/script>\n<script>\n([^]*?)<\/script>/);
 vm.runInThisContext(source);
 export const model = vm.runInThisContext(`({ methods, choices, ranges, first, defaults, stops, fault, parse, link,
-  command, before, lacking, decay, parts, unpack, kernel })`);
+  command, before, lacking, decay, parts, unpack, absent, kernel })`);
 export const fvi = await model.kernel(wasm);
 
 const heard = new Map(); // the words of a call -> { stdout, said }

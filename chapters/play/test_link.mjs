@@ -4,7 +4,7 @@ import { fileURLToPath } from "node:url";
 import assert from "node:assert/strict";
 import { ask, asked, fvi, meant, model, page, test, wasm } from "./program.mjs";
 
-const { methods, choices, ranges, first, defaults, stops, fault, parse, link, command, unpack } = model;
+const { methods, choices, ranges, first, defaults, stops, fault, parse, link, command, unpack, absent } = model;
 const source = name => readFileSync(fileURLToPath(new URL(name, import.meta.url)), "utf8");
 
 await test("alpha = 1/2 is kept for those methods only that know no other", async () => {
@@ -132,7 +132,10 @@ await test("nonsense in a link is named, and has its default", () => {
 // ---- the file ----
 
 await test("the page is one file, up to date, that asks nobody for anything", async () => {
-  assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(await unpack(wasm))), []);
+  for (const { module, name, kind } of WebAssembly.Module.imports(new WebAssembly.Module(await unpack(wasm)))) {
+    assert.match(`${kind} ${module}.${name}`, /^function env\.(fvi|gsl)_/); // what wasm.py says to be absent
+    assert.throws(() => absent[name](), { message: `${name} is not in this page` });
+  }
   let want = source("page.html").replace("{wasm}", () => wasm);
   for (const name of ["model.js", "plot.js", "explain.js", "play.js"])
     want = want.replace(`{${name}}`, () => source(name).trim());

@@ -466,4 +466,4 @@ await test("a run of 2000 steps with all that belongs to it, for every method", 
 await import("./test_link.mjs");
 const { byteLength } = await unpack(wasm);
 console.log(`the live page: ${all.tests} tests passed; ${byteLength} bytes of WebAssembly, `
-  + `${wasm.length} in the page, no imports`);
+  + `${wasm.length} in the page`);
