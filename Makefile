@@ -120,7 +120,6 @@ pdf: book ## the chapters on paper, build/book/fvi.pdf (Chromium, poppler, qpdf;
 # axe-core knows WCAG's rules; where npm does not reach it, the rest is tested.
 AXE := $B/npm/node_modules/axe-core/axe.min.js
 test-book: book $B/fvi | needs ## the pages in a browser: widths, themes, search, figures that move, WCAG (Chromium, Firefox, npm; PAGE=04)
-	node chapters/live/test_live.mjs $B/book $B/fvi
 	test -e $(AXE) || npm install --silent --no-audit --no-fund --prefix $B/npm axe-core@4.14.1 2>/dev/null || true
 	node chapters/book/test_book.mjs $B/book $B/fvi $(AXE) $(PAGE)
 

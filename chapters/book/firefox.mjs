@@ -116,8 +116,10 @@ export async function open() {
     type: press,
     complaints: () => within("return window.heard;"),
     async close() {
-      await call("Marionette:Quit", { flags: ["eForceQuit"] }).catch(() => {});
+      const late = setTimeout(() => child.kill("SIGKILL"), 20000); // it may hang, too
+      call("Marionette:Quit", { flags: ["eForceQuit"] }).catch(() => {});
       await ended;
+      clearTimeout(late);
       socket.destroy();
       left();
     },

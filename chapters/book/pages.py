@@ -184,7 +184,7 @@ def number_figures(page, captions):
         source, alt = match["src"], match["alt"]
         number = f"{int(page.number)}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
-        return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}"></a>\n'
+        return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
                 f'<figcaption><a href="#fig-{number}">Figure {number}</a> <span class="still">{captions(source, alt)}</span></figcaption></figure>')
 
     page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)

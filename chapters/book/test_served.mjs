@@ -35,10 +35,10 @@ export async function testServed({ evaluate, go, name: browser, size }, test, { 
     let most = 0, slowest = 0, crowd = 1;
     await size(1600);
     for (const name of names)
-      await test(`${name} with all that it shows is below ${MOST / 1000} kB, and painted in ${PAINTED} ms`, async () => {
+      await test("served", `${name} with all that it shows is below ${MOST / 1000} kB, and painted in ${PAINTED} ms`, async () => {
         let painted = Infinity;
         crowd = Math.max(1, loadavg()[0] / availableParallelism());
-        for (let tries = 0; tries < 5 && painted > PAINTED; tries++) { // the least: others work on this machine too
+        for (let tries = 0; tries < 5 && painted > PAINTED * crowd; tries++) { // the least: others work on this machine too
           bytes = 0;
           await go(url(name));
           painted = Math.min(painted, await evaluate(`new Promise(done => { const look = () => {

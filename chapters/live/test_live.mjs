@@ -1,6 +1,6 @@
 // chapters/live/test_live.mjs -- The numbers of the figures that move, against build/fvi.
 //
-//   node test_live.mjs BOOK PROGRAM [MOVES]      (part of make test-book)
+//   node test_live.mjs BOOK PROGRAM [MOVES]      (a part of make test-book)
 //
 // MOVES, if it is not there, is written: where each figure was moved to. A browser moves them
 // there, and adds what they show; if it is there, it is this that is compared.

@@ -79,8 +79,10 @@ export async function open() {
     },
     async close() {
       const ended = new Promise(resolve => child.once("exit", resolve));
-      await call("Browser.close").catch(() => {});
+      const late = setTimeout(() => child.kill("SIGKILL"), 20000); // it may hang, too
+      call("Browser.close").catch(() => {});
       await ended;
+      clearTimeout(late);
       rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
     },
   };

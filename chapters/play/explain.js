@@ -194,7 +194,7 @@ function svgPen(width, height) {
 // The picture that is chosen, as an SVG, a PNG, or a table of what is drawn in it.
 const kinds = {
   svg(canvas) {
-    canvas.pen = svgPen(canvas.clientWidth, canvas.clientHeight);
+    canvas.pen = svgPen(canvas.clientWidth / enlarged(), canvas.clientHeight / enlarged());
     draw();
     const text = canvas.pen.text();
     delete canvas.pen;

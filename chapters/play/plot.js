@@ -43,12 +43,16 @@ function label(value) {
   return String(rounded);
 }
 
+// How much larger than usual the letters of the page are: on a wall the pictures are, too.
+const enlarged = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+
 // One picture. axes: { x: [low, high], y: [low, high], log: "", "x", "y" or "xy", names: [x, y],
 // bare: without an axis y }. canvas.pen draws in place of the canvas's own; canvas.series, if it is
 // there, gets [name, x, y] of all that is drawn.
 // Returns what draws into it, in the units of the axes.
 function picture(canvas, axes) {
-  const width = canvas.clientWidth, height = canvas.clientHeight, dots = window.devicePixelRatio;
+  const unit = enlarged(), dots = window.devicePixelRatio * unit;
+  const width = canvas.clientWidth / unit, height = canvas.clientHeight / unit;
   if (canvas.width !== Math.round(width * dots) || canvas.height !== Math.round(height * dots)) {
     canvas.width = Math.round(width * dots);
     canvas.height = Math.round(height * dots);
@@ -108,9 +112,9 @@ function picture(canvas, axes) {
     note,
     left: axes.x[0],
     // Where a pixel is on the axis x: 0 at its left end, 1 at its right.
-    fraction: pixel => (pixel - left) / (right - left),
+    fraction: pixel => (pixel / unit - left) / (right - left),
     // The same up the axis y: 0 at its lower end, 1 at its upper.
-    height: pixel => (bottom - pixel) / (bottom - top),
+    height: pixel => (bottom - pixel / unit) / (bottom - top),
     curve: inside((x, y, name, dash = [], thickness = 1.8) => {
       pen.strokeStyle = colours[name];
       pen.lineWidth = thickness;
