@@ -63,6 +63,12 @@ static size_t pivot_row(const fvi_band *J, size_t k, size_t below)
 //> factorise
 int fvi_band_factorise(fvi_band *J)
 {
+    if (J->w == 0) { /* nothing but a diagonal */
+        for (size_t k = 0; k < J->n; k++)
+            if (fvi_band_row(J, k)[k] == 0)
+                return FVI_ESING;
+        return FVI_SUCCESS;
+    }
     size_t right = 0; /* rows above and at k end before this column */
     for (size_t k = 0; k < J->n; k++) {
         const size_t below = least(J->n, k + J->w + 1);

@@ -79,11 +79,31 @@ static void add_stage(fvi_newton *n, size_t i, const double *z, const double *d)
     }
 }
 
+/* The same for one stage of coordinates that do not see each other, A included: a step of
+ * one coordinate is little more than this. */
+static void fill_diagonal(fvi_newton *n, const double *z, const double *d,
+                          double mu)
+{
+    const size_t m = n->system->potential.diagonals;
+    for (size_t j = 0; j < n->system->d; j++) {
+        const double H = n->H[j * m], s = n->s[j];
+        fvi_band_row(&n->J, j)[j] = s * n->theta * H + (1 + mu) * n->A[j];
+        n->moves[j] = fabs(s) * (fabs(H) * (fabs(z[j]) + fabs(d[j])));
+    }
+}
+
 int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
                         double mu)
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, q = n->q;
+    if (q == 1 && n->reach == 0 && !n->own) {
+        const double *z = point(n, x, d, 0);
+        n->theirs = u->hessian(dim, z, u->params, n->H);
+        if (!n->theirs)
+            fill_diagonal(n, z, d, mu);
+        return n->theirs;
+    }
     memset(n->moves, 0, q * dim * sizeof *n->moves);
     if (n->own) {
         point(n, x, d, 0);
