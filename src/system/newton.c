@@ -74,13 +74,12 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
     for (size_t j = 0; j < dim; j++) {
         const double e = r[j] - n->s[j] * g[j];
         d[j] = diagonal ? e / fvi_band_row(&n->J, j)[j] : e;
-    }
-    const int status = diagonal ? FVI_SUCCESS : eliminate(n, 1, x, d);
-    if (status)
-        return status;
-    for (size_t j = 0; j < dim; j++)
         n->point[j] = x[j] + n->theta * d[j];
-    return n->theirs = u->gradient(dim, n->point, u->params, g);
+    }
+    if (diagonal)
+        return n->theirs = u->gradient(dim, n->point, u->params, g);
+    const int status = eliminate(n, 1, x, d);
+    return status ? status : fvi_newton_gradients(n, x, d, g);
 }
 
 /* The same for stages, whose rows stand otherwise than d and r. */
