@@ -329,6 +329,8 @@ $B/tests/bench_%: tests/bench/bench_%.c $(wildcard tests/bench/*.h) $B/libfvi.a 
 	mkdir -p $(@D)
 	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
+$B/tests/bench_variable_steps $B/tests/bench_prototype: tests/bench/variable.c
+$B/tests/bench_prototype: tests/bench/prototype_random.c
 
 # The peers, the problems and their solutions; they are compiled as the library is.
 PEERS := $(wildcard tests/bench/peers/*.c) tests/bench/problems.c tests/bench/reference.c
@@ -345,6 +347,7 @@ TABLE_memory    := figures/memory/memory_bench.tsv
 TABLE_chain     := figures/memory/chain_bench.tsv
 TABLE_precision := figures/step_search/step_search.tsv
 TABLE_variable_steps := figures/variable_steps/variable_steps.tsv
+TABLE_prototype := figures/variable_steps/prototype.tsv
 TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 TABLE_blocks    := figures/blocks/blocks_bench.tsv
 TABLE_structures := figures/structures/structures_bench.tsv

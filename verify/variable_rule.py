@@ -67,6 +67,14 @@ def constants(s):
     P = matrix([[(2 * n + 1 if n < s - 1 else s - 1) * b[i] * legendre(n, 2 * c[i] - 1) for i in range(s)] for n in range(s)])
     back = matrix([[legendre(n, 2 * c[i] - 1) for n in range(s)] for i in range(s)])
     claim("they give the values back", mp.norm(back * P - eye(s), mp.inf) < mpf(10) ** (20 - mp.dps))
+    # What the last Legendre coefficient of x'' does to V and to X (22.16).
+    top = matrix([legendre(s - 1, 2 * t - 1) for t in c])
+    last, stages = A * top, A * (A * top)
+    claim("(22.16) its integral is 0 at all nodes",
+          all(abs(legendre(s, 2 * t - 1) - legendre(s - 2, 2 * t - 1)) < mpf(10) ** (20 - mp.dps) for t in c))
+    claim("(22.16) no stage of X moves more than the first", abs(stages[0]) == max(abs(t) for t in stages))
+    claim("(22.16) 1/(s - 1) and 1/(2 (s - 1)^2)", abs(abs(last[0]) - mpf(1) / (s - 1))
+          + abs(abs(stages[0]) - mpf(1) / (2 * (s - 1) ** 2)) < mpf(10) ** (20 - mp.dps))
     # M = sum lambda P_lambda, P_lambda = v w^T, w = B (v backwards), w^T v = 1.
     roots = [-z for z in polyroots(det[::-1], maxsteps=500, extraprec=400)]
     upper = sorted((z for z in roots if mp.im(z) > 0), key=mp.im)
@@ -83,10 +91,25 @@ def constants(s):
     claim("the projectors give M^2", mp.norm(square - M * M, mp.inf) < mpf(10) ** (30 - mp.dps))
     columns = lambda Z: [[Z[i, l] for i in range(s)] for l in range(s)]
     return {"c": c, "b": b, "A": columns(A), "inverse": columns(M), "form_m": columns(R * M), "legendre": columns(P * M),
+            "last": list(last), "stage": abs(stages[0]), "alias": alias(6),
             "det": det, "numerator": [[powers[n][i] for n in range(s)] for i in range(s)],
             "lambda_re": [mp.re(z) for z in upper], "lambda_im": [mp.im(z) for z in upper],
             "log_modulus": [log(abs(z)) for z in upper], "angle": [mp.arg(z) for z in upper],
             "re": [[mp.re(t) for t in v] for v in vectors], "im": [[mp.im(t) for t in v] for v in vectors]}
+
+
+def alias(s):
+    """(22.16): what the weights make of P_{2s-2}, whose integral is 0, times how much the
+    Legendre coefficients fall in s - 1 degrees, where each step is exp(4 SPACING) times the
+    one before it and x'' is singular where they began: the Bernstein ellipse of that point
+    has the semi-axes' sum coth(SPACING). Of six stages; eight have a 19th of it."""
+    c, b, _ = rule(s)
+    q = mp.fsum(b[i] * legendre(2 * s - 2, 2 * c[i] - 1) for i in range(s))
+    claim("(22.16) of P_{2s-2}", abs(q - mpf(s) / ((s - 1) * (2 * s - 1)) * mp.binomial(4 * s - 4, 2 * s - 2)
+                                     / mp.binomial(2 * s - 2, s - 1) ** 2) < mpf(10) ** (20 - mp.dps))
+    far = 1 + 2 / (exp(4 * SPACING) - 1)  # of that point from the middle, in half steps
+    claim("(22.16) coth", abs(far + mp.sqrt(far ** 2 - 1) - mp.coth(SPACING)) < mpf(10) ** (20 - mp.dps))
+    return q * mp.tanh(SPACING) ** (s - 1)
 
 
 def ends(every):

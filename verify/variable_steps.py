@@ -9,6 +9,7 @@ DD is block lower bidiagonal on all stages of all steps (k,k): A^(-1)/h_k,
   (22.5)  the resolvent (sigma + DD)^(-1), and its moving forms (22.6), (22.7);
   (22.8)  n(mu), d(mu) in closed form; d is the characteristic polynomial of -A^(-1),
           its coefficients and those of n_s are integers, s = 2 to 8;
+  (22.16) what the last Legendre coefficient of x'' adds (60 digits, s = 2 to 8);
   (22.21) the restricted variation with the inertia as a term of order 1, its powers
           open (two steps, s = 2, 3).
 In 60 digits, s = 2 to 8: the rule, (17.2), (22.8) and (22.9) against A^(-1) itself.
@@ -154,6 +155,20 @@ def power(s, beta, digits):
         twice = 1 if mpmath.im(value) == 0 else 2
         total += (P * value**beta).apply(lambda e: twice * mpmath.re(e))
     return total
+
+
+@precisely
+def last_coefficient(s, beta, digits):
+    """(22.16): A P_{s-1}; |b . W0 A P_{s-1}|, the largest entry of A A P_{s-1}, b . P_{2s-2},
+    and that times tanh(0.26)^(s-1)."""
+    c, b, inverse = rule(s, digits)
+    P = mpmath.matrix([mpmath.legendre(s - 1, 2 * v - 1) for v in c])
+    once = mpmath.lu_solve(inverse, P)
+    twice = mpmath.lu_solve(inverse, once)
+    by_b = lambda v: sum(x * y for x, y in zip(b, v))
+    beyond = by_b([mpmath.legendre(2 * s - 2, 2 * v - 1) for v in c])
+    return list(once) + [abs(by_b(power(s, beta, digits) * once)), max(map(abs, twice)), beyond,
+                         beyond * mpmath.tanh(mpf(26) / 100)**(s - 1)]
 
 
 @precisely
@@ -314,9 +329,35 @@ def prove_all():
         half = power(s, mpf(1) / 2, 60)
         claim("(22.9) projectors", mpmath.mnorm(whole) < 1e-50)
         claim("(22.9) (1/2) + (1/2) = 1", mpmath.mnorm(half * half - inverse) < 1e-45)
+        # (22.16): the integral of P_{s-1} is 0 at the nodes; A P_{s-1} begins with 1/(s-1) and ends
+        # with 0, A A P_{s-1} has nothing above 1/(2 (s-1)^2); what the quadrature makes of P_{2s-2}
+        integral = lambda u: mpmath.legendre(s, 2 * u - 1) - mpmath.legendre(s - 2, 2 * u - 1)
+        ladder = mpf(26) / 100
+        *once, slip, twice, alias, fallen = last_coefficient(s, mpf(0), 60)
+        claim("(22.16) int P_{s-1}", all(abs(integral(v)) < 1e-50 for v in c))
+        claim("(22.16) A P_{s-1}", abs(abs(once[0]) - mpf(1) / (s - 1)) + abs(once[-1]) < 1e-50)
+        claim("(22.16) A A P_{s-1}", s == 2 or abs(twice - mpf(1) / (2 * (s - 1)**2)) < 1e-50)
+        claim("(22.16) b . P_{2s-2}", abs(alias - mpf(s) / ((s - 1) * (2 * s - 1)) * mpmath.binomial(4 * s - 4, 2 * s - 2)
+                                          / mpmath.binomial(2 * s - 2, s - 1)**2) < 1e-50)
+        claim("(22.16) coefficients fall by coth(L) where steps grow by e^(4L)",
+              abs(mpmath.coth(ladder) - (lambda z: z + mpmath.sqrt(z * z - 1))(1 + 2 / mpmath.expm1(4 * ladder))) < 1e-50)
+        claim("(22.16) no memory of a whole order slips", s < 4 or all(
+            last_coefficient(s, mpf(beta), 60)[s] < 1e-45 for beta in (-1, 0, 1)))
     claim("(22.9) traces", all(
         abs(sum(power(s, mpf(-2) / 5, 60)[i, i] for i in range(s)) - mpf(value)) < 1e-14
         for s, value in ((4, "2.1114071119474454"), (6, "2.5765411212565798"), (8, "3.0002105856477434"))))
+    # digits of a prototype, in doubles and long doubles, which shares no line with this
+    near = lambda found, *digits: all(abs(a - mpf(e)) < mpf(10)**-12 for a, e in zip(found, digits, strict=True))
+    values = [value for value, _ in eigen(4, 60)]
+    claim("(22.9) eigenvalues", near(sorted(map(mpmath.re, values)), "2.22098003298981", "3.77901996701019")
+          and near(sorted(map(mpmath.im, values)), "1.38017652427284", "4.16039144550693"))
+    half = power(6, mpf(1) / 2, 60)
+    claim("(22.2) a row of W0", near([half[0, j] for j in range(6)], "4.13564415599623", "3.03377634018549", "-1.64363381560008",
+                                     "1.05494545053200", "-0.68149661796441", "0.25933494404036"))
+    claim("(22.5) a(1)", near(stage_values(4, mpf(1), 60), "0.9985401459854014", "0.7589997884014470", "0.4847958320365092",
+                              "0.3678832116788321"))
+    claim("(22.11) c(1/2)", near(end_correction(mpf(26) / 100, mpf(1) / 2, 60), "15.6936252692711", "-10.8825646077759",
+                                 "2.63163111378275", "-0.248440000367442", "0.00898635862585188", "-0.000100158056912659"))
 
 
 if __name__ == "__main__":
@@ -341,6 +382,11 @@ if __name__ == "__main__":
     table("ref_powers", "size_t s; double beta; double want[64];", [
         [s, hexd(beta), braces(doubles(lambda dg: list(power(s, mpf(beta), dg)))), f"beta = {beta}"]
         for s in (6, 8) for beta in (-1.0, -0.9, -0.4, -1e-6, 0.0, 0.02, 0.5, 0.8, 0.98, 1.0)])
+
+    print("\n/* (22.16): A P_{s-1}, |b . W0 A P_{s-1}|, the largest of A A P_{s-1}, b . P_{2s-2},\n * that times tanh(0.26)^(s-1). */")
+    table("ref_last", "size_t s; double beta; double want[12];", [
+        [s, hexd(beta), braces(doubles(lambda dg: last_coefficient(s, mpf(beta), dg))), f"beta = {beta}"]
+        for s in (6, 8) for beta in (-0.9, -0.4, 0.02, 0.5, 0.8, 0.98)])
 
     print("\n/* (22.5): a(mu), then p = 1 - R = mu b.a. */")
     table("ref_stage_values", "size_t s; double mu; double want[9];", [

@@ -292,6 +292,21 @@ if __name__ == "__main__":
     for form in "DM":
         claim(f"(22.14), (22.15): form {form} ends at the exact motion", all(
             abs(a - e) < 1e-9 for a, e in zip(four_steps(form, 8, 0.75, 100)[2:4], true)))
+    # digits of a prototype, in doubles, by modes on two lattices; it shares no line with this
+    known = [("M", 4, .75, "1.15543276757847", "2.86188734480110", "4.69981683959738", "4.57990364800413"),
+             ("M", 8, .75, "1.15542862981983", "2.86076051985954", "4.69981857242156", "4.57984883723346"),
+             ("M", 8, .30, "1.34177627725210", "3.57782797145093", "5.27400172556916", "4.13514953824375"),
+             ("D", 4, .75, "1.15547215842212", "2.86021012950984", "4.69982621154874", "4.57982157029260"),
+             ("D", 8, .75, "1.15542875545055", "2.86073369172746", "4.69981857247733", "4.57984883609732"),
+             ("D", 8, .30, "1.34177627712922", "3.57782798008120", "5.27400172556884", "4.13514953824866")]
+    for form, s, alpha, *digits in known:
+        claim(f"(22.14), (22.15): form {form} of a prototype, s = {s}", all(
+            abs(a - mpf(e)) < mpf(10)**-12 for a, e in zip(four_steps(form, s, alpha, 100), digits)))
+    claim("the exact motion of a prototype", abs(true[0] - mpf("4.69981857243382")) + abs(true[1] - mpf("4.57984883661288")) < mpf(10)**-12)
+    for alpha, x0, v0, digits in ((Rational(1, 5), 1, .5, "-0.00285877135595053"), (Rational(2, 5), 1, .5, "0.0003661921275045863"),
+                                  (Rational(3, 4), 0, 1, "0.02447587880935065")):
+        claim("Riemann and Liouville's motion of a prototype", abs(
+            exact(alpha, 1, 1, 1, 0, mpf(x0), mpf(v0), "rl", mpf(20), 60)[0] - mpf(digits)) < mpf(10)**-15)
     table("ref_runs", "size_t s; double alpha; double want[6];", [
         [s, hexd(alpha), one.braces(doubles(lambda dg: four_steps("D", s, alpha, dg))), f"alpha = {alpha}"]
         for alpha in (0.1, 0.3, 0.5, 0.75, 0.9) for s in (6, 8)])

@@ -32,6 +32,9 @@ typedef struct {
     fvi_square form_m;
     /* h a_n, a_n the Legendre coefficients of x'' in a step, from delta = h A x'' */
     fvi_square legendre;
+    /* What the last of them does, (22.16): A P_{s-1} at the nodes, where the integral of
+     * P_{s-1} is 0; the largest entry of A A P_{s-1}; and what stands for all beyond */
+    double last[FVI_LANES], stage, alias;
     /* (mu + A^{-1})^{-1} e_1 / b_1: entry i is sum_n numerator[i][n] mu^n by
      * sum_n det[n] mu^n */
     double det[FVI_LANES + 1], numerator[FVI_LANES][FVI_LANES];

@@ -59,6 +59,7 @@ typedef struct {
     const fvi_square *to_x; /* X = base + h to_x delta: A, or that of form M */
     fvi_square W0;          /* (22.2), and W0 1 */
     double W1[FVI_LANES];
+    double slip; /* |b . W0 A P_{s-1}|: what the memory adds to v, (22.16) */
     size_t kinds, *kind; /* how many; which of them has each coordinate */
     fvi_kind *of_kind;
     fvi_length length; /* of the steps for which their matrices are */

@@ -182,6 +182,11 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     fvi_variable_present(o->rule, o->beta, &o->W0);
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
     fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
+    double W_last[FVI_LANES], slip = 0;
+    fvi_square_apply(o->rule->s, &o->W0, o->rule->last, W_last);
+    for (size_t i = 0; i < o->rule->s; i++)
+        slip += o->rule->b[i] * W_last[i];
+    o->slip = fabs(slip);
     int status = fvi_singular_start(s, o);
     if (status || o->damped == 0 || fabs(o->beta) == 1 || o->beta == 0)
         return status;

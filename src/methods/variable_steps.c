@@ -116,23 +116,27 @@ FVI_VECTORS static void remember(fvi_adaptive_run *o)
 
 /* ---- a trial of a step, and its error ---- */
 
-/* What the last Legendre coefficient a of x'' says: x is off by 0.01 h^2 a, and v by
- * 0.0005 h a, which moves x by as much times the reach of a velocity. Both numbers are
- * chosen by trial on random problems, and prove nothing. The largest of all coordinates;
- * NaN if one is not finite.                                                 (22.16) */
+/* What the last Legendre coefficient a of x'' in a step adds by itself, and should not: to
+ * X at the stages, h^2 stage a at most; to v, through what the memory makes of these
+ * stages, h slip (drag/m) a. And the quadrature adds h alias a to v, for the coefficients
+ * of twice the degree. A velocity 1 moves x by its reach. The largest sum of all
+ * coordinates; NaN if one is not finite.                                    (22.16) */
 //> estimate
 static double estimate(fvi_adaptive_run *o)
 {
-    const size_t s = o->rule->s;
+    const fvi_variable_rule *rule = o->rule;
+    const size_t s = rule->s;
     double worst = 0;
     for (size_t j = 0; j < o->d; j++) {
+        const fvi_kind *kind = &o->of_kind[o->kind[j]];
         double *bend = o->bend + j * FVI_LANES;
-        fvi_square_apply(s, &o->rule->legendre, o->delta + j * FVI_LANES, bend);
+        fvi_square_apply(s, &rule->legendre, o->delta + j * FVI_LANES, bend);
         if (!isfinite(bend[s - 1]))
             return GSL_NAN;
-        const double reach = fmin(o->of_kind[o->kind[j]].reach, o->T - o->t);
-        worst = fmax(worst,
-                     (0.01 * o->length.h + 0.0005 * reach) * fabs(bend[s - 1]));
+        const double reach = fmin(kind->reach, o->T - o->t),
+                     of_x = rule->stage * o->length.h,
+                     of_v = o->slip * kind->drag / kind->mass + rule->alias;
+        worst = fmax(worst, (of_x + reach * of_v) * fabs(bend[s - 1]));
     }
     return worst;
 }
@@ -175,12 +179,10 @@ static double next_event(fvi_adaptive_run *o)
 static fvi_length choose(const fvi_adaptive_run *o, double event)
 {
     const double rest = event - o->t;
-    const fvi_length length = {
-        o->next == o->length.k && o->length.h > 0
-            ? o->length.h
-            : exp(fvi_variable_spacing() * o->next),
-        o->next
-    };
+    const fvi_length length = { o->next == o->length.k && o->length.h > 0
+                                    ? o->length.h
+                                    : exp(fvi_variable_spacing() * o->next),
+                                o->next };
     if (length.h < rest / 2)
         return length;
     if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
@@ -215,8 +217,9 @@ static int change(const fvi_adaptive_run *o, double error)
 //< control
 
 /* Where x'' is smooth, a shorter step has an error of order h^s at least. One that hardly
- * falls tells of a jump that is not declared, and what the last coefficient says of it is
- * a hundredth of the truth: until the place is passed it counts so much more. */
+ * falls tells of a jump that is not declared, whose coefficients hardly fall, and what
+ * (22.16) says of it is a hundredth of the truth: until the place is passed it counts so
+ * much more. */
 static double judge(fvi_adaptive_run *o, double error, double error_before,
                     double h_before)
 {
