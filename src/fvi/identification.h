@@ -113,7 +113,9 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * and of (24.12) for form M of chapter 17, without a law and with constants that
  * fvi_sensitivity_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
- * points of Sobol's sequence in the box. A start agrees with the best if all its
+ * points of Sobol's sequence in the box. If sigma is given and the best chi^2 so far is below
+ * its quantile of 0.99, a start whose last ten iterations promise no better one is given up,
+ * and taken up again if fewer than two agree without it. A start agrees with the best if all its
  * parameters come within sd / 10 of those, or within 1e-6 of their size, which is
  * |theta|, but of x0, p0 and constants at least a sixteenth of the box, or of that of
  * fvi_fit_box if it is smaller. Then the step, at first the longest that meets all times

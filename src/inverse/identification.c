@@ -4,107 +4,18 @@
 #include "identification_search.h"
 #include "system/fail.h"
 
-#include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_qrng.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define MANY_STEPS 0x1p17
-#define HOPELESS 1e8 /* the residual where there is no motion */
-#define VAGUE 20     /* sd of a logit or a logarithm that says nothing */
-#define STEP 1e-7    /* of a difference: the memory is smooth to 1e-13 */
+#define ROUGH 1e-6 /* of u: here the starts end, */
+#define FINE 1e-9  /* and here the best of them */
+#define VAGUE 20   /* sd of a logit or a logarithm that says nothing */
 
 typedef fvi_fit_place place;
 typedef fvi_fit_work search;
-
-/* ---- one search ---- */
-
-//> residuals
-/* f_i = (x(t_i) - x_i) / scale. A motion that cannot be had is a bad one. */
-static int residuals(const gsl_vector *u, void *params, gsl_vector *f)
-{
-    search *o = params;
-    fvi_fit_model *m = &o->model;
-    for (size_t j = 0; j < u->size; j++)
-        fvi_fit_model_set(m, j,
-                          fvi_fit_model_bound(m, j, gsl_vector_get(u, j)));
-    const int failed = fvi_fit_model_run(m);
-    for (size_t i = 0; i < f->size; i++) {
-        const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
-        o->last[i] = !failed && fabs(r) < HOPELESS ? r : HOPELESS;
-        gsl_vector_set(f, i, o->last[i]);
-    }
-    return GSL_SUCCESS;
-}
-//< residuals
-
-/* The Jacobian from slopes that ride along with the run; 0 if they cannot be had. */
-static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
-{
-    fvi_fit_model *m = &o->model;
-    const size_t P = u->size;
-    for (size_t j = 0; j < P; j++)
-        fvi_fit_model_set(m, j,
-                          fvi_fit_model_bound(m, j, gsl_vector_get(u, j)));
-    if (!o->ridden || fvi_fit_model_tangents(m, o->ridden)
-        || !fvi_all_finite(J->size1 * P, o->ridden))
-        return 0;
-    for (size_t j = 0; j < P; j++) {
-        const double by =
-            fvi_fit_model_slope(m, j, fvi_fit_model_get(m, j)) / m->scale;
-        for (size_t i = 0; i < J->size1; i++)
-            gsl_matrix_set(J, i, j, by * o->ridden[i * P + j]);
-    }
-    return 1;
-}
-
-//> slopes
-/* The Jacobian, by differences if the run cannot carry it along, at the u of the last residuals, where GSL asks for it. Its
- * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
- * rho = 1, p0 = 0. */
-static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
-{
-    search *o = params;
-    double there[FVI_FIT_MOST];
-    gsl_vector_view v = gsl_vector_view_array(there, u->size);
-    if (ride(u, o, J))
-        return GSL_SUCCESS;
-    memcpy(o->base, o->last, J->size1 * sizeof *o->base);
-    for (size_t j = 0; j < u->size; j++) {
-        gsl_vector_view f = gsl_matrix_column(J, j);
-        const double size = fmax(fabs(gsl_vector_get(u, j)), o->size[j]),
-                     step = STEP * size;
-        gsl_vector_memcpy(&v.vector, u);
-        there[j] += step;
-        residuals(&v.vector, o, &f.vector);
-        for (size_t i = 0; i < J->size1; i++)
-            gsl_vector_set(&f.vector, i, (o->last[i] - o->base[i]) / step);
-    }
-    memcpy(o->last, o->base, J->size1 * sizeof *o->last);
-    return GSL_SUCCESS;
-}
-//< slopes
-
-//> minimise
-/* From at->u downhill. What the driver says is not asked: a false minimum is reached
- * with success, and a good one may be left with a complaint about the last digits. */
-void fvi_fit_minimise(search *o, place *at)
-{
-    const size_t P = o->fdf.p;
-    gsl_vector_view u = gsl_vector_view_array(at->u, P);
-    int info;
-    at->sum = GSL_POSINF;
-    if (gsl_multifit_nlinear_init(&u.vector, &o->fdf, o->solver))
-        return;
-    gsl_multifit_nlinear_driver(60, o->fine, 1e-10, 0, NULL, NULL, &info,
-                                o->solver);
-    gsl_vector_memcpy(&u.vector, gsl_multifit_nlinear_position(o->solver));
-    gsl_blas_ddot(o->solver->f, o->solver->f, &at->sum);
-    if (!(at->sum < HOPELESS * HOPELESS) || !fvi_all_finite(P, at->u))
-        at->sum = GSL_POSINF;
-}
-//< minimise
 
 /* ---- many starts ---- */
 
@@ -130,6 +41,13 @@ static void begin(search *o, const double *low, const double *high,
 }
 //< starts
 
+static void keep(const search *o, size_t k, size_t *best)
+{
+    if (o->found[k].sum < o->found[*best].sum)
+        *best = k;
+}
+
+/* Where the best so far is as good as the truth would be, a start that creeps is given up. */
 static int try_all(search *o, const double *low, const double *high,
                    size_t *best)
 {
@@ -141,16 +59,31 @@ static int try_all(search *o, const double *low, const double *high,
         begin(o, low, high, sobol,
               k); /* while the model has the run's values */
     gsl_qrng_free(sobol);
+    o->fine = ROUGH;
     for (size_t k = 0; k < fit->starts; k++) {
+        const double least = o->found[*best].sum;
         o->found[k].sum = GSL_POSINF;
         if (fvi_all_finite(fit->parameters, o->found[k].u))
-            fvi_fit_minimise(o, &o->found[k]);
-        if (o->found[k].sum < o->found[*best].sum)
-            *best = k;
+            fvi_fit_minimise(o, &o->found[k],
+                             k > 0 && least < o->believed ? least : GSL_POSINF);
+        keep(o, k, best);
     }
     if (!(o->found[*best].sum < GSL_POSINF))
         FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
     return FVI_SUCCESS;
+}
+
+/* With those that were given up; were there any? */
+static int go_on(search *o, size_t *best)
+{
+    int any = 0;
+    for (size_t k = 0; k < o->model.fit->starts; k++)
+        if (o->found[k].gave_up) {
+            any = 1;
+            fvi_fit_minimise(o, &o->found[k], GSL_POSINF);
+            keep(o, k, best);
+        }
+    return any;
 }
 
 /* The size of parameter j, of which small parts do not count: a start or a constant may be
@@ -242,7 +175,7 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
     while (!status && moves && (double)o->model.run.steps <= MANY_STEPS / 2) {
         const fvi_fitted before = *fitted;
         fvi_fit_model_step(&o->model, o->model.run.h / 2);
-        fvi_fit_minimise(o, best);
+        fvi_fit_minimise(o, best, GSL_POSINF);
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
         status = statistics(o, best, fitted);
@@ -268,6 +201,17 @@ static int judge(const search *o, const fvi_fitted *fitted)
                                                                  : FVI_SUCCESS;
 }
 
+/* The place where start `first` ended, to the last digits; who else came there. */
+static int look(search *o, size_t first, place *best, fvi_fitted *fitted)
+{
+    *best = o->found[first];
+    o->fine = FINE;
+    fvi_fit_minimise(o, best, GSL_POSINF);
+    const int status = statistics(o, best, fitted);
+    fitted->agree = agreeing(o, &o->found[first], fitted);
+    return status;
+}
+
 static int whole(search *o, const double *low, const double *high,
                  double *curve, fvi_fitted *fitted)
 {
@@ -278,79 +222,18 @@ static int whole(search *o, const double *low, const double *high,
     int status = try_all(o, low, high, &first);
     if (status)
         return status;
-    place best = o->found[first];
+    place best;
     *fitted = (fvi_fitted){ .bias = GSL_NAN };
-    fvi_fit_minimise(o, &best); /* for the Jacobian there */
-    status = statistics(o, &best, fitted);
-    fitted->agree = agreeing(o, &o->found[first], fitted);
+    status = look(o, first, &best, fitted);
+    if (fitted->agree < 2 && go_on(o, &first))
+        status = look(o, first, &best, fitted);
     if (!status && fit->h == 0)
         status = refine(o, &best, fitted);
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
-    residuals(&u.vector, o, o->solver->f); /* for the motion there */
+    fvi_fit_residuals(&u.vector, o, o->solver->f); /* for the motion there */
     if (curve)
         memcpy(curve, o->model.motion, fit->n * sizeof *curve);
     return status ? status : judge(o, fitted);
-}
-
-/* Of a start or a constant 1/16 of the box, the smaller one if there are two: the unit of a
- * constant is the caller's, and his box may be wide. */
-static void set_sizes(search *o, const fvi_fit *fit, const double *low,
-                      const double *high)
-{
-    for (size_t j = 0; j < fit->parameters; j++) {
-        const double size = fit->which[j] <= FVI_PARAMETER_MASS
-                                ? 0.25 /* of a logit, a logarithm */
-                                : (high[j] - low[j]) / 16;
-        o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;
-    }
-}
-
-static int search_alloc(search *o, const fvi_fit *fit)
-{
-    const gsl_multifit_nlinear_parameters how =
-        gsl_multifit_nlinear_default_parameters();
-    double *motion = malloc(fit->n * sizeof *motion);
-    fvi_fit_model_init(&o->model, fit, motion);
-    o->fdf = (gsl_multifit_nlinear_fdf){ .f = residuals,
-                                         .df = slopes,
-                                         .n = fit->n,
-                                         .p = fit->parameters,
-                                         .params = o };
-    o->last = calloc(2 * fit->n, sizeof *o->last);
-    o->base = o->last ? o->last + fit->n : NULL;
-    o->found = calloc(fit->starts, sizeof *o->found);
-    const int rides = fvi_fit_model_has_tangents(&o->model);
-    o->ridden =
-        rides ? malloc(fit->n * fit->parameters * sizeof *o->ridden) : NULL;
-    o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
-                                           fit->n, fit->parameters);
-    if (!motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
-        FVI_FAIL("no memory for the fit", FVI_ENOMEM);
-    return FVI_SUCCESS;
-}
-
-int fvi_fit_work_start(search *o, const fvi_fit *fit, double *low, double *high)
-{
-    *o = (search){ .fine = 1e-9 };
-    int status = fvi_fit_box(fit, low, high);
-    if (status)
-        return status;
-    set_sizes(o, fit, low, high);
-    if (fit->low) {
-        memcpy(low, fit->low, fit->parameters * sizeof *low);
-        memcpy(high, fit->high, fit->parameters * sizeof *high);
-        set_sizes(o, fit, low, high);
-    }
-    return search_alloc(o, fit);
-}
-
-void fvi_fit_work_stop(search *o)
-{
-    gsl_multifit_nlinear_free(o->solver);
-    free(o->found);
-    free(o->last);
-    free(o->ridden);
-    free(o->model.motion);
 }
 
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)

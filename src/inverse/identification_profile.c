@@ -36,7 +36,7 @@ static double excess(profile *o, double u)
         now.u[i] += far * (o->at.u[i] - o->before.u[i]);
     fvi_fit_model_set(m, o->others, fvi_fit_model_bound(m, o->others, u));
     if (o->others > 0) {
-        fvi_fit_minimise(&o->work, &now);
+        fvi_fit_minimise(&o->work, &now, GSL_POSINF);
     } else {
         now.sum = fvi_fit_model_run(m) ? GSL_POSINF : 0;
         for (size_t i = 0; i < o->fit.n && now.sum < GSL_POSINF; i++)
