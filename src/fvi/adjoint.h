@@ -33,7 +33,8 @@ typedef struct {
  *   x0, p0         by x0 and p0, d numbers each
  *   mass, damping  by each mass and each damping, d numbers each
  *   alpha          by alpha, one number, all dampings together; there is none of a law
- *   terms          by the rho of each term of run->law, law->count numbers
+ *   terms          by the rho of each term of run->law, law->count numbers; there is none by
+ *                  its other numbers
  *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
  *                  of a method with s stages at all their times t_k + c_i h in one row,
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
@@ -78,7 +79,7 @@ typedef struct {
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
  * always one, s - 1 times as large, in form D s times), and no iteration. Measured,
  * fvi_fractional, one coordinate, all derivatives, the rows given: 0.24 to 0.31 of the time
- * of the run (figures/adjoint/adjoint_bench.tsv). fvi_adaptive keeps 10 d numbers a step.
+ * of the run (figures/adjoint/adjoint_bench.tsv). fvi_adaptive keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
  * that is more, N = 2000; with eight stages and alpha near 0 an identity of all derivatives
  * is off by 1e-11.
@@ -87,8 +88,7 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
  * FVI_EUNSUP if the method has no adjoint, or not this one, or
- * the force impulses and the method a mesh, or the system matrices and this is not what
- * matrices have;
+ * the system matrices and this is not what matrices have;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

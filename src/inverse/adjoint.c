@@ -31,9 +31,6 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
          || method->scheme == FVI_SCHEME_MESH)
         && x)
         FVI_FAIL("stages need their own run", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_MESH && run->system
-        && run->system->force.impulse_count)
-        FVI_FAIL("a mesh has no adjoint of impulses", FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);

@@ -23,7 +23,7 @@ static int grow(fvi_mesh_path *m)
     if (step)
         m->step = step;
     double *numbers =
-        realloc(m->numbers, room * (2 + FVI_LANES) * m->d * sizeof *numbers);
+        realloc(m->numbers, room * FVI_MESH_NUMBERS * m->d * sizeof *numbers);
     if (numbers)
         m->numbers = numbers;
     if (!step || !numbers)
@@ -32,18 +32,20 @@ static int grow(fvi_mesh_path *m)
     return FVI_SUCCESS;
 }
 
-/* The step that was done last. */
+/* The step that was done last; o->kick is of its end, m->kick of its beginning. */
 static int record(fvi_mesh_path *m, const fvi_adaptive_run *o)
 {
     const size_t d = m->d;
     int status = m->steps < m->room ? FVI_SUCCESS : grow(m);
     if (status)
         return status;
-    double *to = m->numbers + m->steps * (2 + FVI_LANES) * d;
+    double *to = m->numbers + m->steps * FVI_MESH_NUMBERS * d;
     m->step[m->steps++] = (fvi_mesh_step){ o->t0, o->length };
     memcpy(to, o->y0, d * sizeof *to);
     memcpy(to + d, o->v0, d * sizeof *to);
-    memcpy(to + 2 * d, o->delta, d * FVI_LANES * sizeof *to);
+    memcpy(to + 2 * d, m->kick, d * sizeof *to);
+    memcpy(to + 3 * d, o->delta, d * FVI_LANES * sizeof *to);
+    memcpy(m->kick, o->kick, d * sizeof *to);
     return FVI_SUCCESS;
 }
 
@@ -59,6 +61,7 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_mesh_path *m)
     m->T = o->T;
     m->least = o->least;
     memcpy(m->rows, s->x, d * sizeof *m->rows);
+    memcpy(m->kick, o->kick, d * sizeof *m->kick);
     for (size_t k = 1; k <= run->steps && !status;) {
         status = fvi_step(s);
         if (!status)
@@ -80,12 +83,13 @@ int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *m)
     *m = (fvi_mesh_path){ .d = run->system->d };
     if (fvi_mesh_path_is_pulled(run))
         FVI_FAIL("a start that the past pulls has no adjoint", FVI_EUNSUP);
-    if (run->steps > SIZE_MAX / sizeof(double) / m->d - 2)
+    if (run->steps > SIZE_MAX / sizeof(double) / m->d - 3)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
-    m->rows = malloc((run->steps + 2) * m->d * sizeof *m->rows);
+    m->rows = malloc((run->steps + 3) * m->d * sizeof *m->rows);
     if (!m->rows)
         FVI_FAIL("no memory for the path", FVI_ENOMEM);
     m->p = m->rows + (run->steps + 1) * m->d;
+    m->kick = m->p + m->d;
     int status = fvi_start(&fvi_adaptive, run, &s);
     if (status)
         return status;

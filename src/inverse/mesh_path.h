@@ -10,9 +10,10 @@ typedef struct {
     fvi_length length;
 } fvi_mesh_step;
 
-/* What is kept of a run. Of step n, x and v at its beginning and V - v at its stages
- * stand at numbers[n * (2 + FVI_LANES) * d], those of coordinate j at j, d + j, and
- * 2 d + j FVI_LANES. */
+/* What is kept of a run. Of step n, x and v at its beginning, what an impulse there has
+ * added to v, and V - v at its stages stand at numbers[n * FVI_MESH_NUMBERS * d], those of
+ * coordinate j at j, d + j, 2 d + j, and 3 d + j FVI_LANES. */
+enum { FVI_MESH_NUMBERS = 3 + FVI_LANES };
 typedef struct {
     const fvi_variable_rule *rule;
     const fvi_square *to_x; /* X = x + h c v + h to_x (V - v) */
@@ -22,6 +23,7 @@ typedef struct {
     fvi_mesh_step *step;
     double *numbers;
     double *rows, *p; /* x at the times of the rows; the last p */
+    double *kick;     /* what an impulse at the last time added to v, d numbers */
 } fvi_mesh_path;
 
 /* fvi_mesh_path_is_pulled -- does the run begin with a singular part (22.19), on steps that

@@ -136,13 +136,15 @@ static void meet(fvi_mirror_mesh_run *m, const double *numbers, double h)
     const size_t s = m->s, d = m->d;
     const double now = pow(h, -m->path.beta), *b = m->rule->b;
     for (size_t j = 0; j < d; j++) {
-        const double *delta = numbers + 2 * d + j * FVI_LANES;
+        const double *delta = numbers + 3 * d + j * FVI_LANES;
         const double *Lambda = m->Lambda + j * FVI_LANES,
                      *mu = m->mu + j * FVI_LANES, *T = m->T + j * FVI_LANES;
         const double v0 =
             m->path.beta > 0 ? m->run->p0[j] / m->run->system->mass[j] : 0;
-        double bend[FVI_LANES], present[FVI_LANES];
-        fvi_square_apply(s, &m->rule->inverse, delta, bend);
+        double jump[FVI_LANES] = { 0 }, bend[FVI_LANES], present[FVI_LANES];
+        for (size_t i = 0; i < s; i++) /* V less the last v before an impulse */
+            jump[i] = delta[i] + numbers[2 * d + j];
+        fvi_square_apply(s, &m->rule->inverse, jump, bend);
         fvi_square_apply(s, &m->path.W0, mu, present);
         for (size_t i = 0; i < s; i++) {
             const double V = numbers[d + j] + delta[s - 1 - i] - v0,
@@ -163,7 +165,7 @@ static void meet_alpha(fvi_mirror_mesh_run *m, size_t j, const double *numbers,
     const int above = m->path.beta > 0;
     const double now = pow(h, -m->path.beta), ln = log(h),
                  v0 = above ? m->run->p0[j] / m->run->system->mass[j] : 0,
-                 *delta = numbers + 2 * m->d + j * FVI_LANES;
+                 *delta = numbers + 3 * m->d + j * FVI_LANES;
     double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES],
            past[FVI_LANES], sum = 0;
     for (size_t i = 0; i < s; i++)
@@ -231,7 +233,7 @@ static void remember(fvi_mirror_mesh_run *m)
 static int step_back(fvi_mirror_mesh_run *m, size_t n)
 {
     const fvi_mesh_step *step = &m->path.step[n];
-    const double *numbers = m->path.numbers + n * (2 + FVI_LANES) * m->d;
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     const double h = step->length.h, *b = m->rule->b;
     double *by_v = m->v, *by_x = m->v + m->d;
     memset(m->v, 0, 2 * m->d * sizeof *m->v);
@@ -249,8 +251,9 @@ static int step_back(fvi_mirror_mesh_run *m, size_t n)
     drive(m, step);
     remember(m);
     for (size_t j = 0; j < m->d; j++) { /* to x_n and v_n */
-        m->after[j] =
-            fvi_mirror_mesh_mass(m, j) * m->Lambda[j * FVI_LANES] + by_v[j];
+        const double M = fvi_mirror_mesh_mass(m, j);
+        m->after[j] = M * m->Lambda[j * FVI_LANES] + by_v[j];
+        m->kinetic[j] -= by_v[j] * numbers[2 * m->d + j] / M; /* J / M, by M */
         for (size_t i = 0; i < m->s; i++)
             by_x[j] -= h * b[i] * fvi_mirror_mesh_bent(m, j, i);
         m->xi[j] += by_x[j];
@@ -271,6 +274,8 @@ static int end(fvi_mirror_mesh_run *m)
                                                        * m->plain[j]
                                                  : 0);
         m->xi[j] += m->Jx[j];
+        m->kinetic[j] -=
+            m->Jp[j] * M * m->path.kick[j] / fvi_mirror_mesh_mass(m, j);
         if (want->x0)
             want->x0[j] = m->xi[j];
         if (want->p0)

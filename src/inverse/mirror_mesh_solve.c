@@ -19,7 +19,7 @@ static int look(fvi_mirror_mesh_run *m, const double *numbers, double h)
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < d; j++) {
         double move[FVI_LANES];
-        fvi_square_apply(m->s, m->path.to_x, numbers + 2 * d + j * FVI_LANES,
+        fvi_square_apply(m->s, m->path.to_x, numbers + 3 * d + j * FVI_LANES,
                          move);
         for (size_t i = 0; i < m->s; i++)
             m->X[i * d + j] =
@@ -123,7 +123,7 @@ int fvi_mirror_mesh_solve(fvi_mirror_mesh_run *m, size_t n)
 {
     const fvi_length length = m->path.step[n].length;
     int status =
-        look(m, m->path.numbers + n * (2 + FVI_LANES) * m->d, length.h);
+        look(m, m->path.numbers + n * FVI_MESH_NUMBERS * m->d, length.h);
     if (m->modes)
         fvi_modes_begin(m->modes, length);
     recall(m, length.h);

@@ -298,6 +298,8 @@ static void print_law(FILE *f, const request *r)
             snprintf(number, sizeof number, "_%zu", i + 1);
         print_row(f, "damping", number, r->to.terms[i]);
     }
+    fprintf(f, "# warning = no derivatives by the other numbers of "
+               "--damping\n");
 }
 
 static void print_numbers(FILE *f, const request *r)

@@ -107,6 +107,8 @@ static void rows_of_a_law(const char *method)
     const double got[] = { derivative("damping_1"), derivative("damping_2") };
     ck_assert_ptr_null(strstr(out, "rho"));
     ck_assert_ptr_null(strstr(out, "alpha"));
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivatives by the other"
+                                      " numbers of --damping\n"));
     for (size_t i = 0; i < 2; i++) {
         double v[2];
         for (int side = 0; side < 2; side++) {

@@ -1,0 +1,150 @@
+/* src/program/fvi_fit_answer.c -- What `fvi fit` prints. */
+#include "fvi_fit_answer.h"
+
+#include "fvi_commands.h"
+#include "fvi_format.h"
+#include "fvi_output.h"
+
+#include <math.h>
+#include <stdarg.h>
+
+#define ALIKE 0.9 /* a correlation above this is worth a word */
+
+typedef fvi_fit_request request;
+
+/* What the reader must know before he believes it; to the table and to standard error. */
+static void warn(FILE *out, const char *format, ...)
+{
+    char text[200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    fprintf(stderr, "fvi: warning: %s\n", text);
+    fprintf(out, "# warning = %s\n", text);
+}
+
+/* Pairs that the data can hardly tell apart; how many there are. */
+static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
+{
+    int pairs = 0;
+    for (size_t i = 0; i < r->fit.parameters; i++)
+        for (size_t j = 0; j < i; j++)
+            if (fabs(f->correlation[i][j]) > ALIKE) {
+                warn(out,
+                     "these data can hardly tell %s and %s apart "
+                     "(correlation %.3f)",
+                     r->name[j], r->name[i], f->correlation[i][j]);
+                pairs++;
+            }
+    return pairs;
+}
+
+static void warnings(FILE *out, const request *r, const fvi_fitted *f)
+{
+    if (fabs(f->neighbours) > 5 / sqrt((double)r->fit.n))
+        warn(out,
+             "neighbouring residuals are alike (correlation %.2f): the model, "
+             "its past or its force is not that of the data, or their noise "
+             "is not independent",
+             f->neighbours);
+    if (!(f->bias <= 0.02) && r->fit.h == 0)
+        warn(out,
+             "half the step moved the estimates by %.2g sd: take a method of "
+             "higher order",
+             f->bias);
+}
+
+/* How far each can really go while the others make up for it. */
+static void print_profiles(FILE *out, const request *r, const fvi_fitted *f)
+{
+    for (size_t j = 0; j < r->fit.parameters; j++) {
+        double low, high;
+        const int status = fvi_fit_profile(&r->fit, f, j, &low, &high);
+        if (status == FVI_EMAXITER)
+            warn(out, "on the way along a profile the fit became better: try "
+                      "more --starts");
+        if (status)
+            return;
+        fprintf(out, "# profile %s", r->name[j]);
+        fvi_print_number(out, " = ", low);
+        fvi_print_number(out, " ", high);
+        fputs(" (95 %)\n", out);
+    }
+}
+
+void fvi_fit_print_answer(FILE *out, const request *r, const fvi_fitted *f)
+{
+    fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n",
+            r->words.operand);
+    for (size_t j = 0; j < r->fit.parameters; j++) {
+        const double reach = f->quantile * f->sd[j];
+        fputs(r->name[j], out);
+        fvi_print_number(out, "\t", f->estimate[j]);
+        fvi_print_number(out, "\t", f->sd[j]);
+        fvi_print_number(out, "\t", f->estimate[j] - reach);
+        fvi_print_number(out, "\t", f->estimate[j] + reach);
+        fputc('\n', out);
+    }
+    fvi_print_number(out, "# chi2 = ", f->chi2);
+    if (r->fit.sigma > 0)
+        fprintf(out, "\n# probability = %.3g", f->probability);
+    else
+        fvi_print_number(out, "\n# estimated sigma = ", f->sigma);
+    fprintf(out, "\n# points = %zu\n# starts = %zu, %zu agree", r->fit.n,
+            r->fit.starts, f->agree);
+    fvi_print_number(out, "\n# step = ", f->h);
+    for (size_t j = 0; j < r->fit.parameters; j++)
+        for (size_t i = 0; i < j; i++) {
+            fprintf(out, "\n# correlation %s %s", r->name[i], r->name[j]);
+            fvi_print_number(out, " = ", f->correlation[i][j]);
+        }
+    fputc('\n', out);
+    if (warn_alike(out, r, f))
+        print_profiles(out, r, f);
+    warnings(out, r, f);
+}
+
+int fvi_fit_print_curve(const request *r)
+{
+    if (!r->words.own[CURVE])
+        return 0;
+    FILE *out = fvi_output_open(r->words.own[CURVE]);
+    if (!out)
+        return fvi_cannot_write(r->words.own[CURVE]);
+    fprintf(out, "# t\tdata\tfit\tresidual\n");
+    for (size_t i = 0; i < r->fit.n; i++)
+        fvi_format_row(
+            out, FVI_FORMAT_TSV, i, 4,
+            (double[]){ r->t[i], r->x[i], r->curve[i], r->x[i] - r->curve[i] });
+    return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
+}
+
+int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
+{
+    const double freedom = (double)(r->fit.n - r->fit.parameters);
+    if (status == FVI_EMAXITER)
+        fprintf(stderr,
+                "fvi: %zu of %zu starts agree on the best fit, which is not "
+                "enough to believe it; try more --starts, or begin nearer\n",
+                f->agree, r->fit.starts);
+    else if (status == FVI_ETOL)
+        fprintf(stderr,
+                "fvi: chi2 = %.6g, where about %g is expected (probability "
+                "%.1g): the model, its past, its force or --sigma is not that "
+                "of the data\n",
+                f->chi2, freedom, f->probability);
+    else if (status == FVI_ESING)
+        fprintf(stderr, "fvi: these data do not determine %s together%s\n",
+                r->words.own[FIT],
+                r->o.force == FVI_FORCING_NONE
+                    ? "; without a force mass, rho, c, g and p0 are known but "
+                      "for a common factor"
+                    : "");
+    else
+        fvi_complain(status == FVI_EBADFUNC
+                         ? "no start gives a motion that can be computed"
+                     : status == FVI_ENOMEM ? "not enough memory"
+                                            : fvi_strerror(status));
+    return 1;
+}
