@@ -9,6 +9,7 @@
   (26.9)  motions of an oscillator, by inversion of its Laplace transform;
   (26.12) weights on two and three Lobatto nodes, by Cauchy's integral and by the cut;
   (26.13) what the memory makes of the alternating path of two stages;
+  (26.15) means, and what BDF2 makes of the circle;
   (26.11) zeros of m s^2 + c + C(s), counted along the boundary of the upper half plane.
 
 Inputs are the doubles they are."""
@@ -283,6 +284,14 @@ re_f, im_f = symbols("re_f im_f", real=True)
 prove("(26.13)", (J * J + eye(2)).norm(), (eye(2) + sqrt(3) * J - Matrix([[1, 3], [-1, 1]])).norm(),
       (u.T * (re_f * eye(2) + im_f * J) * u)[0] / 2 - (re_f - im_f / sqrt(3)))
 #< alternating
+
+#> stable
+# On z = e^{-i phi} a mean and the mean taken back are cos^2(phi/2), and delta of BDF2 has the
+# parts (1 - cos phi)^2 and (2 - cos phi) sin phi.
+turn = cos(phi) - I * sin(phi)
+prove("(26.15)", ((1 + turn) * (1 + turn.conjugate()) / 4 - (1 + cos(phi)) / 2).expand().trigsimp(),
+      ((1 - turn) * (3 - turn) / 2 - (1 - cos(phi))**2 - I * (2 - cos(phi)) * sin(phi)).expand().trigsimp())
+#< stable
 
 mp.dps = 25
 for law in (LAWS[0], LAWS[2]):

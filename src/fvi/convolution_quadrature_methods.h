@@ -26,9 +26,10 @@ extern "C" {
  *   fvi_stable   theta = kappa = 1/2 (run->kappa is not used), EULER, of the mean
  *                (1/2 + alpha) z_k + (1/2 - alpha) z_{k-1} in place of z_k: implicit, and
  *                for a quadratic U >= 0 stable for every step and alpha (13.17), but
- *                what alternates from step to step is hardly damped
+ *                what alternates from step to step is hardly damped. Of a law: BDF2 and
+ *                the plain mean (26.15), stable for every step and law without springs
  *
- * All three take matrices (structures.h). D_k is Caputo's: z = x - x0 or, if
+ * All three take matrices (structures.h), the last two laws (damping_laws.h). D_k is Caputo's: z = x - x0 or, if
  * 2 alpha > 1, x - x0 - t v0. What another past adds to it is a force that is known
  * beforehand (19.3) and acts by its exact impulses (19.5). F_k is the mean of both limits
  * of F at t_k, taken 4 ulp away, and each step begins and ends with the

@@ -1,6 +1,7 @@
 /* src/inverse/mirror.c -- The run that goes backwards.                 [Chapter 23] */
 #include "mirror.h"
 
+#include "methods/damping.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -79,7 +80,7 @@ static int start_memories(fvi_mirror *m, const fvi_method *method)
     if (!is_damped)
         return FVI_SUCCESS;
     if (run->law)
-        return start_law(m, method->quadrature);
+        return start_law(m, fvi_damping_quadrature(method));
     const double beta = 2 * run->alpha;
     int status = (m->want->alpha ? fvi_memory_alloc_rate : fvi_memory_alloc)(
         beta, m->d, run->steps, run->memory, run->tolerance, &m->memory);
@@ -105,18 +106,18 @@ static void factor_bdf2(fvi_mirror *m)
 /* (13.16), and its derivative by 2 alpha. */
 static void factor_stable(fvi_mirror *m)
 {
+    const double alpha = m->run->law ? 0 : m->run->alpha; /* (26.15) */
     m->taps = 2;
-    m->g[0] = 0.5 + m->run->alpha;
-    m->g[1] = 0.5 - m->run->alpha;
+    m->g[0] = 0.5 + alpha;
+    m->g[1] = 0.5 - alpha;
     m->gdot[0] = 0.5;
     m->gdot[1] = -0.5;
 }
 
 static int start_factor(fvi_mirror *m, fvi_scheme scheme)
 {
-    const int has_factor =
-        scheme == FVI_SCHEME_BDF2 || scheme == FVI_SCHEME_STABLE;
-    if (!has_factor || m->run->law)
+    if (scheme != FVI_SCHEME_STABLE
+        && (scheme != FVI_SCHEME_BDF2 || m->run->law))
         return FVI_SUCCESS;
     (scheme == FVI_SCHEME_BDF2 ? factor_bdf2 : factor_stable)(m);
     m->sums = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->sums);

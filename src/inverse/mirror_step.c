@@ -51,6 +51,16 @@ static int look_ahead(fvi_mirror *m)
     return status;
 }
 
+/* z_j, times the factor: what of it the weights without that one meet. z_0 is 0. */
+static double met(const fvi_mirror *m, size_t j, const double *x, size_t i)
+{
+    const double number = (double)j, z = term(m, number, x[i], i);
+    if (m->taps == 0 || j == 0)
+        return z;
+    const double *before = x - m->d; /* rows k and k + 1 stand together */
+    return m->g[0] * z + m->g[1] * term(m, number - 1, before[i], i);
+}
+
 /* What each term of the law, alone, gives to its derivative. */
 static int remember_terms(fvi_mirror *m, size_t j, const double *x)
 {
@@ -60,7 +70,7 @@ static int remember_terms(fvi_mirror *m, size_t j, const double *x)
         for (size_t i = 0; i < m->d; i++)
             m->want->terms[l] -= m->run->h * m->first[l]
                                  * m->run->system->damping[i]
-                                 * term(m, (double)j, x[i], i) * m->work[i];
+                                 * met(m, j, x, i) * m->work[i];
     }
     return status;
 }

@@ -21,6 +21,7 @@ typedef struct {
     double *ahead;           /* that of the next step if x stands still */
     double g[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
     size_t taps, place;      /* taps == 0: no factor */
+    int increments;          /* are summed, and stand in past */
     double *past; /* the last terms of each, the latest at [place], twice */
     fvi_pull pull;
     double impulse[2]; /* of this step, at its ends (19.5) */
@@ -69,7 +70,7 @@ static int remember(fvi_stepper *s, second_order *o)
     int status = fvi_damping_terms(d, s);
     if (status)
         return status;
-    filter(o, d->count, 2 * s->run.alpha < 1 ? d->z : d->dz);
+    filter(o, d->count, o->increments ? d->dz : d->z);
     return fvi_memory_push(d->memory, d->z, d->dz, o->H);
 }
 
@@ -114,7 +115,7 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
         status = fvi_memory_ahead(d->memory, d->z, o->ahead);
     for (size_t j = 0; j < count; j++) {
         o->ahead[j] -= first(o) * d->drift[j];
-        if (o->taps && 2 * s->run.alpha > 1) /* g_1 times the last increment */
+        if (o->taps && o->increments) /* g_1 times the last increment */
             o->ahead[j] += o->g[1] * o->past[j * 2 * o->taps + o->place];
     }
     return status ? status : fvi_damping_pull(d, theta, o->ahead, o->r);
@@ -234,7 +235,8 @@ static int solver(fvi_stepper *s, const second_order *o)
 }
 
 /* The factor of (13.16): the mean of the last two, by which D^{2 alpha} becomes half a
- * step earlier than it is, less alpha of a step. Returns how many terms it has. */
+ * step earlier than it is, less alpha of a step; of a law half a step, alpha being 0
+ * (26.15). Returns how many terms it has. */
 static size_t two_taps(double alpha, double *g)
 {
     g[0] = 0.5 + alpha;
@@ -256,6 +258,8 @@ static int start(fvi_stepper *s, double theta, scheme which)
     if (!o->r)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     const int law = s->run.law != NULL;
+    o->increments =
+        law ? fvi_law_growth(s->run.law) > 1 : 2 * s->run.alpha >= 1;
     int status = fvi_damping_start(s, law ? FVI_PAST_HELD : FVI_PAST_CAPUTO,
                                    &o->damping); /* D_0 = 0 */
     if (status)
@@ -265,7 +269,7 @@ static int start(fvi_stepper *s, double theta, scheme which)
         if (which == BDF2 && !law)
             o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
         if (which == STABLE)
-            o->taps = two_taps(s->run.alpha, o->g);
+            o->taps = two_taps(law ? 0 : s->run.alpha, o->g);
         status = make_rows(o, count);
         if (!status && !law)
             status = fvi_pull_start(s, 2, ends, &o->pull); /* (19.3) */
@@ -336,6 +340,7 @@ const fvi_method fvi_stable = { .name = "fvi-stable",
                                 .alpha_most = 1,
                                 .memories = FVI_ALL_MEMORIES,
                                 .scheme = FVI_SCHEME_STABLE,
+                                .takes_laws = 1,
                                 .takes_matrices = 1,
                                 .implicit = 1,
                                 .load = fvi_load_none,

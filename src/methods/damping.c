@@ -39,13 +39,19 @@ static int damping_alloc(const fvi_system *system, size_t count,
     return FVI_SUCCESS;
 }
 
+fvi_quadrature fvi_damping_quadrature(const fvi_method *method)
+{
+    return method->scheme == FVI_SCHEME_STABLE ? FVI_QUADRATURE_BDF2
+                                               : method->quadrature;
+}
+
 /* The memory of a law; its first weight goes into the factors. */
 static int law_of(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     double first = 0;
-    int status = fvi_law_memory(run->law, s->method->quadrature, run->h,
-                                d->count, run->steps, run->memory,
+    int status = fvi_law_memory(run->law, fvi_damping_quadrature(s->method),
+                                run->h, d->count, run->steps, run->memory,
                                 run->tolerance, &first, &d->memory);
     for (size_t j = 0; j < d->count; j++)
         d->factor[j] *= first;

@@ -63,4 +63,8 @@ int fvi_damping_visit(fvi_damping *damping, fvi_visitor *visitor);
 /* fvi_damping_free -- give everything back. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);
 
+/* fvi_damping_quadrature -- of the weights of a law: those of the method, but fvi_stable
+ * takes means of BDF2's (26.15). */
+fvi_quadrature fvi_damping_quadrature(const fvi_method *method);
+
 #endif

@@ -154,9 +154,9 @@ static int fill_in(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "--damping: not together with --%s",
                           o->text[ALPHA] ? "alpha" : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
-        o->text[METHOD] = law               ? fvi_bdf2.name
-                          : o->text[SYSTEM] ? fvi_stable.name
-                                            : fvi_adaptive.name;
+        o->text[METHOD] = o->text[SYSTEM] ? fvi_stable.name
+                          : law           ? fvi_bdf2.name
+                                          : fvi_adaptive.name;
     const int status = check_system(o, c);
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])

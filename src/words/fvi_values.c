@@ -3,6 +3,7 @@
 #include "fvi_shared.h"
 #include "fvi_shortest.h"
 #include "memory/law_terms.h"
+#include "methods/damping.h"
 
 #include <fvi/fvi.h>
 
@@ -75,7 +76,7 @@ static int check_method(const fvi_options *o, fvi_complaint c)
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_FFT)
         return fvi_refuse(c, "--memory: 'fft' is not for --damping");
     if (o->text[DAMPING] && o->memory == FVI_MEMORY_EXPONENTIALS
-        && !fvi_law_has_modes(&o->laws.law, m->quadrature, o->h))
+        && !fvi_law_has_modes(&o->laws.law, fvi_damping_quadrature(m), o->h))
         return fvi_refuse(c,
                           "--memory: 'exponentials': of --damping '%s' there "
                           "are none with this step; 'auto' sums it all",

@@ -114,6 +114,7 @@ START_TEST(eq_27_1_laws_of_damping_take_matrices)
     run.law = &law;
     ck_assert_same_runs(&fvi_fractional, &run, &m.system);
     ck_assert_same_runs(&fvi_bdf2, &run, &m.system);
+    ck_assert_same_runs(&fvi_stable, &run, &m.system);
     drop(&m);
 }
 END_TEST

@@ -1,0 +1,240 @@
+/* tests/damping_laws/test_damping_laws_stable.c -- Chapter 26: laws and fvi-stable.
+ * Run alone: make test-damping_laws_stable */
+#include <fvi/fvi.h>
+#include "damping_laws_ref.h"
+#include "harness/ulp.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <stdlib.h>
+
+enum { LAWS = LEN(ref_laws) + LEN(steep_laws), MOST = 3200 };
+
+static const double one = 1;
+
+static const fvi_law *law_of(size_t l)
+{
+    return l < LEN(ref_laws) ? &ref_laws[l] : &steep_laws[l - LEN(ref_laws)];
+}
+
+/* x and p at t = 4 of a spring c, g, kicked off. */
+static void end_of(const fvi_law *law, const double spring[2], size_t steps,
+                   double end[2])
+{
+    static double x[MOST + 1], p[MOST + 1];
+    const double p0 = 0.7;
+    const fvi_system system = { 1,     &one,
+                                &one,  spring[1] == 0
+                                           ? fvi_potential_harmonic(spring)
+                                           : fvi_potential_duffing(spring),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &one, &p0, 4 / (double)steps, steps);
+    run.law = law;
+    ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x, p, NULL), 0);
+    end[0] = x[steps];
+    end[1] = p[steps];
+}
+
+/* Order 2 against the exact solution, x and p, twelve laws: to 0.1. */
+START_TEST(eq_26_15_the_order_is_two)
+{
+    const double spring[2] = { 1, 0 }, t = 4;
+    for (size_t l = 0; l < LAWS; l++) {
+        const fvi_linear exact = {
+            .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = 0.7, .law = law_of(l)
+        };
+        double want[2], end[2][2];
+        ck_assert_int_eq(fvi_exact(&exact, 1, &t, &want[0], &want[1]), 0);
+        for (int i = 0; i < 2; i++)
+            end_of(law_of(l), spring, (size_t)1600 << i, end[i]);
+        for (int i = 0; i < 2; i++) {
+            const double order = log2(fabs((end[0][i] - want[i])
+                                           / (end[1][i] - want[i])));
+            seen(order, "order");
+            ck_assert_near(order, 2, 0.1, "law %zu, %c", l, "xp"[i]);
+            ck_assert_double_lt(fabs(end[1][i] - want[i]), 1e-5);
+        }
+    }
+}
+END_TEST
+
+/* A Duffing oscillator, by the changes of x and p when steps are halved. */
+START_TEST(eq_26_15_the_order_of_a_nonlinear_problem)
+{
+    const double spring[2] = { 1, 1 };
+    for (size_t l = 0; l < LAWS; l++) {
+        double end[3][2];
+        for (int i = 0; i < 3; i++)
+            end_of(law_of(l), spring, (size_t)800 << i, end[i]);
+        for (int i = 0; i < 2; i++) {
+            const double order = log2(fabs((end[1][i] - end[0][i])
+                                           / (end[2][i] - end[1][i])));
+            seen(order, "order");
+            ck_assert_near(order, 2, 0.1, "law %zu, %c", l, "xp"[i]);
+        }
+    }
+}
+END_TEST
+
+/* Theorem 26.4 on 300 random laws, springs and steps over decades, two masses on a chain:
+ * let go, both alike, in 600 steps |x| is never above the start but for roundings; and no
+ * load is told of. */
+START_TEST(eq_26_15_no_step_is_too_long)
+{
+    enum { STEPS = 600, D = 2 };
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+    static double x[D * (STEPS + 1)];
+    for (int n = 0; n < 300; n++) {
+        fvi_law_term t[2];
+        for (int i = 0; i < 2; i++) {
+            const double a = 0.02 + 0.97 * gsl_rng_uniform(random);
+            t[i] = (fvi_law_term){
+                (fvi_law_kind)gsl_rng_uniform_int(random, 4),
+                pow(10, 8 * gsl_rng_uniform(random) - 2), a,
+                pow(10, 4 * gsl_rng_uniform(random) - 2), a + (1 - a) / 2
+            };
+        }
+        const fvi_law law = { 2, t };
+        const double spring[] = { pow(10, 8 * gsl_rng_uniform(random) - 2), 0 },
+                     mass[D] = { 1, 1 }, x0[D] = { 1, 1 }, p0[D] = { 0, 0 };
+        const fvi_system system = { D,     mass, mass,
+                                    fvi_potential_chain(spring),
+                                    { 0 }, NULL };
+        fvi_run run = fvi_run_default(
+            &system, x0, p0, pow(10, 3 * gsl_rng_uniform(random) - 2), STEPS);
+        run.law = &law;
+        run.memory = FVI_MEMORY_DIRECT;
+        double load = 7, most = 0;
+        ck_assert_int_eq(fvi_stability_load(&fvi_stable, &run, &load), 0);
+        ck_assert_double_eq(load, 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x, NULL, NULL), 0);
+        for (size_t k = 1; k <= STEPS; k++)
+            most = fmax(most, fabs(x[D * k]));
+        ck_assert_msg(most < 1 + 1e-9, "%d: %g", n, most);
+        seen(most, "largest");
+    }
+    gsl_rng_free(random);
+}
+END_TEST
+
+/* By modes and by all weights, and a copy half way: three masses, 1e-11 of a motion of the
+ * order of 1. Seen: 3e-15. */
+START_TEST(modes_and_copies_go_the_same_way)
+{
+    enum { STEPS = 600, D = 3 };
+    static double x[2][D * (STEPS + 1)];
+    const double spring[] = { 2, 0 }, mass[D] = { 1, 2, 0.5 },
+                 rho[D] = { 0.3, 0, 1 }, x0[D] = { 1, 0, -0.5 },
+                 p0[D] = { 0.2, 0.7, 0 };
+    const fvi_system system = { D,     mass, rho, fvi_potential_chain(spring),
+                                { 0 }, NULL };
+    for (size_t l = 0; l < LEN(ref_laws); l++) {
+        fvi_run run = fvi_run_default(&system, x0, p0, 0.02, STEPS);
+        fvi_stepper *s, *copy;
+        run.law = &ref_laws[l];
+        for (int i = 0; i < 2; i++) {
+            run.memory = i ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
+            ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x[i], NULL, NULL),
+                             0);
+        }
+        for (size_t k = 0; k < D * (STEPS + 1); k++)
+            ck_assert_near(x[1][k], x[0][k], 1e-11, "law %zu, %zu", l, k);
+        ck_assert_int_eq(fvi_start(&fvi_stable, &run, &s), 0);
+        while (s->k < STEPS / 2)
+            ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_int_eq(fvi_copy(s, &copy), 0);
+        fvi_stop(s);
+        while (copy->k < STEPS)
+            ck_assert_int_eq(fvi_step(copy), 0);
+        for (size_t i = 0; i < D; i++)
+            ck_assert(copy->x[i] == x[1][D * STEPS + i]);
+        fvi_stop(copy);
+    }
+}
+END_TEST
+
+/* ---- derivatives ---- */
+
+enum { NUMBERS = 6 /* x0, p0, m, rho, the factors of two terms */ };
+
+/* J = x_60 */
+static int to_last(size_t k, size_t d, const double *x, const double *p,
+                   void *params, double *Jx, double *Jp)
+{
+    (void)d;
+    (void)x;
+    (void)p;
+    (void)params;
+    (void)Jp;
+    *Jx += k == 60;
+    return 0;
+}
+
+/* x_60 of a Duffing oscillator, and its derivatives if they are wanted. */
+static double last_of(const fvi_method *method, const fvi_law_term terms[2],
+                      const double at[NUMBERS], double *got)
+{
+    static double x[61];
+    const double spring[] = { 1, 1 };
+    fvi_law_term t[2] = { terms[0], terms[1] };
+    t[0].rho = at[4];
+    t[1].rho = at[5];
+    const fvi_law law = { 2, t };
+    const fvi_system system = { 1,     &at[2], &at[3],
+                                fvi_potential_duffing(spring),
+                                { 0 }, NULL };
+    fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 60);
+    const fvi_objective J = { to_last, NULL };
+    run.law = &law;
+    run.alpha = 1; /* is not read */
+    fvi_gradients to = { .x0 = got,          .p0 = got + 1,
+                         .mass = got + 2,    .damping = got + 3,
+                         .terms = got + 4 };
+    if (got)
+        ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &to), 0);
+    else
+        ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);
+    return x[60];
+}
+
+/* Against central differences of 1e-4, off by some 1e-8. Laws below and above the order 1,
+ * and fractions. Seen: 1e-8. */
+START_TEST(eq_23_6_derivatives_of_laws)
+{
+    const fvi_method *const methods[] = { &fvi_stable, &fvi_bdf2,
+                                          &fvi_fractional };
+    const fvi_law_term terms[][2] = {
+        { { FVI_LAW_POWER, 1, 0.3, 0, 0 }, { FVI_LAW_MAXWELL, 1, 0, 0.5, 0 } },
+        { { FVI_LAW_POWER, 1, 0.8, 0, 0 }, { FVI_LAW_ZENER, 1, 0.3, 0.5, 0 } },
+        { { FVI_LAW_ZENER, 1, 0.7, 0.5, 0 },
+          { FVI_LAW_DISTRIBUTED, 1, 0.1, 0, 0.6 } },
+    };
+    for (size_t l = 0; l < LEN(terms); l++)
+        for (size_t m = 0; m < LEN(methods); m++) {
+            const double at[NUMBERS] = { 1, 0.7, 1.25, 0.75, 0.5, 0.25 };
+            double got[NUMBERS] = { 0 };
+            last_of(methods[m], terms[l], at, got);
+            for (int i = 0; i < NUMBERS; i++) {
+                double side[2];
+                for (int j = 0; j < 2; j++) {
+                    double moved[NUMBERS];
+                    for (int k = 0; k < NUMBERS; k++)
+                        moved[k] = at[k] + (k == i ? (j ? 1e-4 : -1e-4) : 0);
+                    side[j] = last_of(methods[m], terms[l], moved, NULL);
+                }
+                ck_assert_near(got[i], (side[1] - side[0]) / 2e-4, 1e-6,
+                               "law %zu %s, by %d", l, methods[m]->name, i);
+            }
+        }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("damping_laws, fvi-stable");
+    ADD_CASE(suite, "runs", eq_26_15_the_order_is_two,
+             eq_26_15_the_order_of_a_nonlinear_problem,
+             eq_26_15_no_step_is_too_long, modes_and_copies_go_the_same_way);
+    ADD_CASE(suite, "derivatives", eq_23_6_derivatives_of_laws);
+    return run_suite(suite);
+}
