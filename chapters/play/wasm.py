@@ -15,7 +15,7 @@ MODULES = """band error expression expression_parse newton newton_stages system 
 # What they call and no page reaches: other laws of damping, matrices, many masses at once, the
 # stability of the explicit method. It is imported, and says its name if it is called all the same
 # (kernel() of model.js); any other name that is missing stops the link.
-ABSENT = """fvi_law_at fvi_law_check fvi_law_memory fvi_law_symbol
+ABSENT = """fvi_law_at fvi_law_check fvi_law_growth fvi_law_memory fvi_law_symbol
     fvi_lobatto_law_free fvi_lobatto_law_nodes fvi_lobatto_law_of fvi_lobatto_law_weights
     fvi_damping_begin_matrices fvi_pull_of_matrices fvi_stability_of_matrices fvi_tiles_push_part
     fvi_blocks_ahead fvi_blocks_alloc fvi_blocks_bytes fvi_blocks_copy fvi_blocks_push fvi_blocks_visit
