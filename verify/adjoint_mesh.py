@@ -26,6 +26,8 @@ class Mesh(Chain):
     def __init__(self, s, damped, past, alpha, q, h, row):
         self.lengths, self.steps, self.row, self.known = h, len(h), mpf(row), {}
         self.ends = [mpf(sum(h[:k])) for k in range(len(h) + 1)]
+        if alpha <= 0.5:  # above, they are too rough for such steps
+            self.struck = {k: [dual(mpf(v)) for v in I] for k, I in IMPULSES.items()}
         super().__init__(s, damped, past, alpha, q, h[0])
 
     def memory(self, q, turn):
@@ -95,6 +97,8 @@ def powers(s, steps, beta):
 # The first step is shorter than the method's own first one would be, and each is shorter than
 # what the one before allows: so the method takes those that end where it is told to.
 UNITS = [57, 58, 121, 262, 563, 1208, 2600, 5571, 11980, 23000, 40000, 60000, 90000, 130000, 158868]
+# Small impulses at the start, at the beginning of a step with a row in it, and at the end.
+IMPULSES = {k: [(-1) ** (j + k) * (j + 1) * 2.0**-17 for j in range(D5)] for k in (0, 11, 15)}
 ROWS, CASES = 4, [("held", 0.0), ("held", 0.05), ("held", 0.35), ("rl", 0.5),
                   ("caputo", 0.7), ("caputo", 0.95), ("caputo", 1.0)]
 
@@ -135,6 +139,10 @@ header("verify/adjoint_mesh.py")
 print("\n/* Where steps end but for the first, from t = 0, and the last; whole multiples of 2^-20 */")
 print("static const double ref_mesh_ends[] = { "
       + ", ".join(hexd(Rational(sum(UNITS[:k + 1]), 2**20)) for k in range(len(UNITS))) + " };")
+print("""
+/* Where an impulse acts, and what it adds to the momenta; where alpha <= 1/2 */""")
+table("ref_mesh_impulses", "double t, J[5];",
+      [[hexd(Rational(sum(UNITS[:k]), 2**20)), literal(map(mpf, I))] for k, I in IMPULSES.items()])
 print("""
 /* Five masses, F = cos(5t/4)/5 on each, four rows; dJ, J as in to_sine, by x0, p0, mass, rho, c,
    g, alpha, and by F_1 of row 0, F_3 of row 2, F_5 of row 4, the force changed along lines */""")

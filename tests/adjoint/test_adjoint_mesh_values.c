@@ -6,6 +6,8 @@
 
 enum { D = 5, ROWS = 4, STEPS = LEN(ref_mesh_ends), SLOPES = 26 };
 
+static fvi_impulse impulses[LEN(ref_mesh_impulses)];
+
 /* The force does not jump where it says so: steps end there. */
 static void run_of(size_t i, fvi_system *system, fvi_run *run, double *aw)
 {
@@ -21,6 +23,13 @@ static void run_of(size_t i, fvi_system *system, fvi_run *run, double *aw)
                             .force = fvi_force_cosine(aw) };
     system->force.jumps = ref_mesh_ends;
     system->force.jump_count = STEPS;
+    for (size_t k = 0; k < LEN(impulses); k++)
+        impulses[k] =
+            (fvi_impulse){ ref_mesh_impulses[k].t, ref_mesh_impulses[k].J };
+    if (ref_meshes[i].alpha <= 0.5) {
+        system->force.impulses = impulses;
+        system->force.impulse_count = LEN(impulses);
+    }
     *run = fvi_run_default(system, x0, ref_meshes[i].p0,
                            ref_mesh_ends[STEPS - 1] / ROWS, ROWS);
     run->alpha = ref_meshes[i].alpha;

@@ -115,7 +115,7 @@ def away(x, t, h):
 
 class Chain:
     """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
-    steps = N
+    steps, struck = N, {}  # {node: momenta that an impulse adds there}
 
     def __init__(self, s, damped, past, alpha, q, step):
         self.s, self.damped, self.past = s, damped, past
@@ -215,6 +215,7 @@ class Chain:
         x, p, past, J = list(q["x0"]), list(q["p0"]), [], ZERO
         for k in range(self.steps):
             self.begin(k)
+            p = self.hit(k, p)
             W0 = self.block(W, k, k)
             history = [[ZERO] * s for _ in range(D5)]
             for j in range(D5) if k and not self.heavy else ():
@@ -249,12 +250,15 @@ class Chain:
                     for v in S[j]:
                         p[j] -= v
             J += self.cost(q, k, before, V, x)
-        for v, u in zip(x, p):
+        for v, u in zip(x, self.hit(self.steps, p)):
             J += HALF * v * (ONE + HALF * u * u)
         return J
 
     def force(self, q, k, i, j):
         return q["F"][(k * (self.s - 1) + i) * D5 + j]
+
+    def hit(self, k, p):
+        return [a + b for a, b in zip(p, self.struck[k])] if k in self.struck else p
 
     def begin(self, k):
         """Nothing is another thing in another step."""
