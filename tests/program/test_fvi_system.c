@@ -368,6 +368,14 @@ START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
           found, sizeof found);
     ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
     ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
+    table("run --system chain --damping zener:1,0.3,0.5 --damping power:1,0.8 "
+          "--time 4 --steps 16384 --every 4096 --method fvi-bdf2 --columns x",
+          fine, sizeof fine);
+    table("run --system chain --damping zener:1,0.3,0.5 --damping power:1,0.8 "
+          "--time 4 --steps 4 --error 1e-5 --columns x",
+          found, sizeof found);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
+    ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
     ck_assert_int_eq(fvi("run --system chain --x0 0 --p0 0 --time 4 --steps 4 "
                          "--error 1e-5"),
                      0);
