@@ -64,8 +64,9 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
  *
  *   method  as above, with load_grows: all but fvi-adaptive, fvi-lobatto3 to 8
  *   run  as above; its h is not read
- *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none is
- *        (alpha = 1 and strong damping; euler-explicit and a motion without any)
+ *   h    output: finite > 0; GSL_POSINF if every step is stable; 0 if none above 2^-500
+ *        is (alpha = 1, or very near, and strong damping; euler-explicit and a motion
+ *        without any)
  *
  * Bisection of log2 h to 2^-51 max(1, |log2 h|), about 60 loads and one Hessian; a
  * load's own rounding, 8 d u, moves h by 8 d u / (2 - 2 alpha) of it (fvi-lobatto2:
