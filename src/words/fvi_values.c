@@ -177,6 +177,21 @@ static int check_solution(fvi_options *o, fvi_complaint c)
     return 0;
 }
 
+/* At alpha = 1 the momentum of a method with stages is not the one that is hit. (17.17) */
+static int check_impulses(const fvi_options *o, fvi_complaint c)
+{
+    int added_mass = 0;
+    for (size_t i = 0; i < o->d; i++)
+        added_mass |= o->alpha == 1 && o->rho[i] > 0;
+    if (added_mass && o->method && o->method->stages && o->forces
+        && fvi_forces_force(o->forces).impulse_count)
+        return fvi_refuse(c,
+                          "--force: '%s': %s takes no impulse at alpha = 1; "
+                          "fvi-adaptive does",
+                          o->text[FORCE], o->method->name);
+    return 0;
+}
+
 /* "3,17" of x1, ..., xd; all of them where nothing is said. */
 static int interpret_unknowns(fvi_options *o, fvi_complaint c)
 {
@@ -244,6 +259,8 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
         status = check_linear(o, c);
+    if (!status)
+        status = check_impulses(o, c);
     return status ? status : check_solution(o, c);
 }
 

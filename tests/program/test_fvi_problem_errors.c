@@ -45,6 +45,15 @@ START_TEST(a_misprint_is_shown)
     ck_assert_refused("run --force impulse:1,21",
                       "fvi: --force: 'impulse:1,21' is not within the run, "
                       "0 <= T <= 20");
+    ck_assert_refused("run --alpha 1 --method fvi-lobatto3 --force impulse:1,2",
+                      "fvi: --force: 'impulse:1,2': fvi-lobatto3 takes no "
+                      "impulse at alpha = 1; fvi-adaptive does");
+    ck_assert_int_eq(fvi("run --alpha 1 --method fvi-lobatto3 --rho 0 --force "
+                         "impulse:1,2"),
+                     0);
+    ck_assert_int_eq(fvi("run --alpha 1 --method fvi-adaptive --force "
+                         "impulse:1,2"),
+                     0);
     ck_assert_refused("run --force 1+impulse:1",
                       "fvi: --force: '1+impulse:1' is none of none, step:A,T, "
                       "cosine:A,W, impulse:J,T, file:F.tsv; did you mean "
