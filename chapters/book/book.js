@@ -85,12 +85,16 @@ function copyButtons() {
   }
 }
 
-// The keyboard scrolls what has the focus: what is too wide gets it, and nothing else.
+// The keyboard scrolls what has the focus: what is too wide gets it, and nothing else. A formula
+// that takes two lines begins both at the left.
 function wideOnes() {
   const boxes = document.querySelectorAll(".scroll, .formula, pre");
+  const left = part => part.getBoundingClientRect().left;
   const look = () => boxes.forEach(box => {
     if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
     else box.removeAttribute("tabindex");
+    const parts = [...box.querySelectorAll(".katex-display > .katex > .katex-html > .base")];
+    box.classList.toggle("broken", parts.some((part, i) => i > 0 && left(part) < left(parts[i - 1])));
   });
   look();
   addEventListener("resize", look);
@@ -187,7 +191,7 @@ function figures() {
     new IntersectionObserver(async (seen, observer) => {
       if (!seen.some(one => one.isIntersecting)) return;
       observer.disconnect();
-      try { // without it the picture stays
+      try { // without it there is the picture alone
         await load("live/live.js");
         await load("live/kernel.js");
         await load(`live/${figure.dataset.live}.js`);

@@ -185,7 +185,7 @@ def number_figures(page, captions):
         number = f"{int(page.number)}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
         return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
-                f'<figcaption><a href="#fig-{number}">Figure {number}</a> <span class="still">{captions(source, alt)}</span></figcaption></figure>')
+                f'<figcaption><a href="#fig-{number}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
 
     page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)
 
@@ -212,12 +212,19 @@ def colour_code(page):
     page.body = re.sub(r'<pre(?: class="([^"]*)")?><code>(.*?)</code></pre>', block, page.body, flags=re.S)
 
 
+def sentence(cell):
+    """A cell of more than a few words: on a phone it has a width, and the table scrolls."""
+    words = len(re.sub(r"<[^>]+>|\\\w+", "", cell[2]))
+    return f'<td{cell[1]} class="{"sentence" if words > 50 else "words"}">{cell[2]}</td>' if words > 15 else cell[0]
+
+
 def scrolling_tables(page):
     """A table that is too wide scrolls by itself; one of many words may be wider than the text."""
     def box(match):
         rows = [re.sub(r"<[^>]+>", "", row) for row in match[0].split("</tr>")]
         wide = " wide" if match[0].count("<th") > 4 and max(map(len, rows)) > 180 else ""
         table = re.sub(r"(?<=\w)_(?=\w[^<>]*</(?:a|code)>)", "_<wbr>", match[0])  # a long name may break
+        table = re.sub(r"<td([^>]*)>(.*?)</td>", sentence, table, flags=re.S)
         return f'<div class="scroll{wide}" role="region" aria-label="Table">{table}</div>'
 
     page.body = re.sub(r"<table.*?</table>", box, page.body, flags=re.S)

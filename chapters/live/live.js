@@ -123,7 +123,7 @@ function draggable(canvas, to, both) {
   if (both) canvas.style.touchAction = "none";
 }
 
-// The scene of a figure in place of its image, once its first picture is drawn.
+// The scene of a figure below its image, of which the text speaks.
 async function begin(figure) {
   const scene = scenes.get(figure.dataset.live), values = start(scene), panel = document.createElement("div");
   library ??= await open(FVI_WASM);
@@ -151,7 +151,7 @@ async function begin(figure) {
     ...Object.entries(scene.choices ?? {}).map(([name, of]) => choice(name, of, values, moved))];
   const canvases = scene.pictures.map((label, i) => canvasOf(label, i, scene, values, moved));
   const about = document.createElement("p"), says = document.createElement("p"), notes = document.createElement("p"), pictures = document.createElement("div");
-  const controls = document.createElement("div"), still = document.createElement("button"), took = document.createElement("output");
+  const controls = document.createElement("div"), took = document.createElement("output");
   about.textContent = scene.about;
   says.className = "says";
   pictures.className = "pictures";
@@ -167,13 +167,7 @@ async function begin(figure) {
   panel.className = "live";
   panel.append(about, controls, pictures, says);
   if (scene.notes) panel.append(notes);
-  Object.assign(still, { type: "button", textContent: "Still picture" });
-  still.addEventListener("click", () => {
-    still.textContent = figure.classList.toggle("is-live") ? "Still picture" : "Moving picture";
-    moved();
-  });
-  figure.prepend(panel);
-  figure.classList.add("is-live"); // the canvases have sizes from here on
+  figure.append(panel); // the canvases have sizes from here on
   redraw();
   const source = document.createElement("a");
   source.href = `source/chapters-live-${figure.dataset.live}.js.html`;
@@ -183,7 +177,7 @@ async function begin(figure) {
   c.textContent = "its C";
   const links = document.createElement("p");
   links.className = "links";
-  links.append(still, " ", source, " ", c, " ", took);
+  links.append(source, " ", c, " ", took);
   panel.after(links);
   new ResizeObserver(moved).observe(panel);
   addEventListener("themechange", moved);

@@ -179,7 +179,7 @@ await test("each picture is saved as an SVG, a PNG and a table", async () => {
 });
 
 await test("whatever is said, nothing moves under the hand", async () => {
-  for (const [width, height] of [[1200, 1000], [400, 800]]) {
+  for (const [width, height] of [[1200, 1000], [800, 1000], [400, 800]]) {
     await size(width, height);
     await start("#alpha=0.3");
     const places = () => evaluate(`["alpha-slider", "h-slider", "x0-slider", "energy"].map(id => Math.round(document.getElementById(id).getBoundingClientRect().top + scrollY))`);
