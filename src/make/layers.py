@@ -54,12 +54,15 @@ def includes(rooms):
 def symbols(archives):
     """(object, its room, the room of a symbol it uses, that symbol)"""
     room = {path.stem: path.parts[1] for path in SRC.glob("*/*.c")}
-    home, wants = {}, []
+    home, wants, vectors = {}, [], {}
     for line in subprocess.run(["nm", "-A", *archives], capture_output=True, text=True, check=True).stdout.splitlines():
         if line.count(":") < 2:
             continue
         member = line.split(":")[1].removesuffix(".o")
         kind, symbol = line.split()[-2:]
+        if symbol.endswith(".resolver"):   # of a static function for several processors: clang makes it visible
+            if vectors.setdefault(symbol, member) != member:
+                sys.exit(f"clang links no two functions for vectors of one name: {symbol} in {vectors[symbol]}.c, {member}.c")
         if kind == "U":
             wants.append((member, symbol))
         elif kind.isupper():

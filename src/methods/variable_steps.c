@@ -287,7 +287,7 @@ static void show(fvi_stepper *s, fvi_adaptive_run *o)
 }
 
 /* The velocities of coordinate j at the stages, as its memory wants them, to v. */
-FVI_VECTORS static void velocities(const fvi_adaptive_run *o, size_t j,
+FVI_VECTORS static void stage_velocities(const fvi_adaptive_run *o, size_t j,
                                    double *v)
 {
     const double more = o->beta < 0 ? o->v[j] : o->kick[j];
@@ -305,7 +305,7 @@ static void take(fvi_adaptive_run *o, double event)
     for (size_t l = 0; o->modes && l < o->damped; l++) {
         const size_t j = o->index[l];
         double v[FVI_LANES];
-        velocities(o, j, v);
+        stage_velocities(o, j, v);
         fvi_modes_advance(o->modes, l, v, o->v[j] - o->kick[j]);
     }
     for (size_t j = 0; j < o->d; j++) {
