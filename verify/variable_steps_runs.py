@@ -264,6 +264,24 @@ def doubles(make):
     return lists[0]
 
 
+#> falling
+# (22.23): v = v0 E_e(-z), z = (rho/m) t^e, e = 2 - 2 alpha, whose terms are those of (22.19); long
+# after t1, v / v0 = sum_{n>=1} -(-1/z)^n / Gamma(1 - n e), to the first term that is left out. The
+# modes of what it has handed over are those of (22.19): int e^(-S(1-u)) dv by both.
+mp.dps = 120
+into_mode = lambda a, S: mpmath.exp(-S) * mpmath.hyp1f1(a, 1 + a, S) / a   # I(a, S), all a
+for gap, z, J in ((mpf(27) / 100, mpf(3), 60), (mpf(41) / 100, mpf(4), 26)):
+    grown = [(-z)**k * mpmath.rgamma(1 + k * gap) for k in range(1500)]
+    left = [-(-1 / z)**n * mpmath.rgamma(1 - n * gap) for n in range(J + 1)]
+    bound = 4 * z**-(J + 1) * mpmath.gamma((J + 1) * gap)
+    claim("(22.23) falling powers", abs(sum(grown) - sum(left[1:])) < bound < 1e-8)
+    for S in (mpf(1) / 10, mpf(3), mpf(20)):
+        told = mpmath.exp(-S) + sum(d * k * gap * into_mode(k * gap, S) for k, d in enumerate(grown) if k)
+        by_falling = sum(-d * n * gap * into_mode(-n * gap, S) for n, d in enumerate(left) if n)
+        claim("(22.20) for falling powers", abs(told - by_falling) < 1e3 * bound)
+#< falling
+
+
 if __name__ == "__main__":
     header("verify/variable_steps_runs.py")
 

@@ -25,14 +25,19 @@ typedef struct {
     fvi_square inverse; /* its inverse, if one asks for it */
 } fvi_kind;
 
+/* No step, and no t1, is shorter than that part of a run. */
+#define FVI_SHORTEST 1e-248
+
 /* The singular part of a start: x = y + G, y smoother, until t1.            (22.19)
  *
- *     G(t) = sum_{n=1}^{J} c_n (rho/m)^n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha */
+ *     G(t) = sum_{n=1}^{J} c_n (rho/m)^n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha
+ *
+ * or m/rho and gap = 2 alpha - 2, where these powers fall: then A t is a part of G. */
 typedef struct {
     size_t J; /* 0: there is no such part */
     double e, gap, t1;
     double *c; /* c_0, ..., c_J of each coordinate; c_0 = A jumped at t = 0 */
-    double *ratio; /* rho / m of each */
+    double *ratio; /* rho / m of each, or m / rho */
     double *
         pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */
 } fvi_singular;

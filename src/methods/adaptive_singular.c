@@ -9,7 +9,8 @@
  * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
  * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
  * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster;
- * there it is handed over: what G and the
+ * there it is handed over, or, where alpha is near 1 and powers of m / rho are taken,
+ * wherever one likes: what G and the
  * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
  *
  *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
@@ -27,7 +28,7 @@
 
 /* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
  * six stages; more terms where y would not be smooth. */
-enum { MANY = 32, FEW = 16, FEWEST = 8, MOST_TERMS = 256 };
+enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56, MOST_TERMS = 256 };
 
 /* a_n */
 static double power(const fvi_singular *g, size_t n)
@@ -35,17 +36,33 @@ static double power(const fvi_singular *g, size_t n)
     return (double)n * g->gap + g->e;
 }
 
+/* Long after t1 G with A t is
+ *
+ *     sum_{n>=1} -A (-m/rho)^n t^{a_n} / Gamma(1 + a_n),   a_n = 1 - n (2 - 2 alpha),
+ *
+ * which is (22.19) with m/rho for rho/m, falling powers, and nothing for n = 0. With as
+ * many terms as leave 2^-56 at 1e-30 T, before which no stage is, no step has to see t1, and
+ * what they leave as a force is nothing. Their number, if it is not too large; or 0. */
+static size_t falling_terms(const fvi_singular *g, double slowest, double T)
+{
+    const double terms =
+        ceil(ALL * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
+    return g->e == 1 && terms > 0 && terms <= MOST_TERMS ? (size_t)terms : 0;
+}
+
 int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_system *system = s->run.system;
     const double alpha = s->run.alpha;
     fvi_singular *g = &o->singular;
-    double fastest = 0; /* rho / m of those that have such a part */
+    double fastest = 0, slowest = GSL_POSINF; /* rho / m with such a part */
     for (size_t j = 0; j < o->d; j++) {
         const double A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
                                             s->p[j] / system->mass[j]);
-        if (A != 0)
-            fastest = fmax(fastest, system->damping[j] / system->mass[j]);
+        if (A == 0 || system->damping[j] == 0)
+            continue;
+        fastest = fmax(fastest, system->damping[j] / system->mass[j]);
+        slowest = fmin(slowest, system->damping[j] / system->mass[j]);
     }
     if (fastest == 0 || alpha == 0 || alpha == 1)
         return FVI_SUCCESS;
@@ -57,6 +74,12 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
                                                     : MANY),
                         MOST_TERMS);
     g->t1 = pow(2 * fastest, -1 / g->gap);
+    const size_t falling = falling_terms(g, slowest, o->T);
+    if (falling) {
+        g->J = falling;
+        g->gap = -g->gap;
+        g->t1 = 1e-3 * o->T;
+    }
     g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
     if (!g->c)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
@@ -70,11 +93,11 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         const double m = system->mass[j], rho = system->damping[j],
                      A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
                                             s->p[j] / m);
-        double sign = rho > 0 ? A : 0;
-        g->ratio[j] = rho / m;
+        double sign = rho == 0 ? 0 : falling ? -A : A;
+        g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
         for (size_t n = 0; n <= g->J; n++, sign = -sign)
-            g->c[j * (g->J + 1) + n] = sign / gamma[n];
-        g->pull[j] = -sign * m / last;
+            g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
+        g->pull[j] = falling ? 0 : -sign * m / last;
     }
     return FVI_SUCCESS;
 }

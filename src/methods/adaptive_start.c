@@ -195,7 +195,7 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
         o->least = fmin(o->least,
                         o->T * pow(1e-4 * fmin(o->wish, 1), 1 / (1 - o->beta)));
-    if (o->least < 1e-250 * o->T)
+    if (o->least < FVI_SHORTEST / 16 * o->T)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
@@ -269,6 +269,8 @@ int fvi_adaptive_start(fvi_stepper *s)
         o->y[j] = s->x[j];
         o->v[j] =
             s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
+        if (o->singular.gap < 0 && s->run.system->damping[j] > 0)
+            o->v[j] = 0; /* it is a part of G */
         o->centre[j] = s->run.past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
     fvi_adaptive_strike(s, o);

@@ -115,7 +115,7 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
 
 /* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). -1, which the
  * callers count, where nothing can be compared: it was refused, and the error is below 1e-9
- * of that size, or the motion may be chaotic, or alpha is above .95; or the finer run of a
+ * of that size, or the motion may be chaotic, or alpha is above .99; or the finer run of a
  * motion that may be chaotic was refused. Refused without such a reason is a failure, 2; a
  * linear motion without a truth is one too, NaN. */
 static inline double used_by(adaptive_problem *q, int linear)
@@ -135,7 +135,7 @@ static inline double used_by(adaptive_problem *q, int linear)
         fvi_adaptive_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
     if (q->status) /* said in words; is there a reason? */
         return (q->status == FVI_ETOL && (!linear || q->error < 1e-9 * size))
-                       || (q->status == FVI_EUNSUP && q->alpha > 0.95)
+                       || (q->status == FVI_EUNSUP && q->alpha > 0.99)
                    ? -1
                    : 2;
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
