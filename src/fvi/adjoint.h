@@ -72,7 +72,8 @@ typedef struct {
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
  *          steps. Where the past pulls the start, (19.3), there is none. force: the force changes along straight lines between t_k and t_{k+1}
- *   matrices  M, C, K (structures.h) have x0, p0 and force, for fvi_fractional without a law
+ *   matrices  M, C, K (structures.h) have x0, p0 and force, without a law; by another method
+ *          than fvi_fractional not with RIEMANN_LIOUVILLE, and of a J without p_N
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
  *

@@ -20,9 +20,12 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->system && run->system->matrices
-        && (method->scheme != FVI_SCHEME_ALGORITHM_3 || run->law || want->mass
-            || want->damping || want->alpha || want->parameters))
-        FVI_FAIL("matrices have the adjoint of fvi, by x0, p0 and forces",
+        && (run->law || want->mass || want->damping || want->alpha
+            || want->parameters
+            || (method->scheme != FVI_SCHEME_ALGORITHM_3
+                && run->past == FVI_PAST_RIEMANN_LIOUVILLE)))
+        FVI_FAIL("matrices have an adjoint by x0, p0 and forces, without a "
+                 "law, and but for fvi without Riemann-Liouville's past",
                  FVI_EUNSUP);
     if (run->law ? want->alpha != NULL : want->terms != NULL)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
@@ -168,7 +171,7 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
     if (status)
         return status;
     if (run->system->matrices) {
-        status = fvi_mirror_matrices(run, path, objective, want);
+        status = fvi_mirror_matrices(method, run, path, objective, want);
         fvi_backward_free(path);
         return status;
     }

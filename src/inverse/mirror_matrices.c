@@ -1,8 +1,10 @@
 /* src/inverse/mirror_matrices.c -- The run that goes backwards, with matrices.
  *                                                                     [Chapter 23]
  * K is constant, so that (23.2) can be taken at its word: the mirrored run is a run, by the
- * same stepper, of the same M, C and K, with 1 - kappa and Riemann-Liouville's past. It
- * begins at J_p, with J_N less the kick of chapter 9, and the slopes of J are its forces. */
+ * same stepper, of the same M, C and K, with 1 - kappa and Riemann-Liouville's past. By
+ * Algorithm 3 it begins at J_p, with J_N less the kick of chapter 9, and the slopes of J are
+ * its forces. By (13.7), whose past is that only from rest at 0, it begins there, and J_N is
+ * a force as well; p_N, of which (23.7) has another share, is not for these. */
 #include "mirror_matrices.h"
 
 #include <fvi/fvi.h>
@@ -13,24 +15,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ARRAYS = 8 };
+enum { ARRAYS = 10 };
 
 /* d numbers each. */
 typedef struct {
     const fvi_run *run;
+    int printed;          /* Algorithm 3 */
+    double kappa;         /* of the method, or of the run */
+    size_t reached;       /* node N - reached is the last that was asked */
+    fvi_past_pull fading; /* of a past that pulls; the pull is linear in v0 */
+    int is_pulled;
     double *start, *push; /* J_p, of the first node; J_N less the kick */
     double *J, *slope;    /* J_k; J_k / h, the force */
+    double *before;       /* that of the node before, at first 2 J_N / h */
+    double *pull;         /* sum of impulses of the past times lambda */
     double *sum, *moment; /* sum_k J_k, sum_k t_k J_k */
     double *M, *M_moment; /* sum_k M_k, sum_k (t_k + (1 - kappa) h) M_k */
     double *block;        /* all these; owned */
 } mirror;
 
-/* What the stepper asks for: J_k / h is there. */
+/* What the stepper asks for: J_k / h is there, and with two limits at each node that of the
+ * one before, too. */
 static int slope_now(double t, size_t d, void *params, double *F)
 {
     const mirror *m = params;
-    (void)t;
-    memcpy(F, m->slope, d * sizeof *F);
+    const int now = m->printed || t / m->run->h > (double)m->reached - 0.5;
+    memcpy(F, now ? m->slope : m->before, d * sizeof *F);
     return 0;
 }
 
@@ -40,6 +50,9 @@ static int ask(mirror *m, const fvi_objective *objective, size_t k,
 {
     const size_t d = m->run->system->d;
     const double h = m->run->h, t = (double)k * h;
+    m->reached = m->run->steps - k;
+    for (size_t i = 0; i < d; i++)
+        m->before[i] = m->reached == 1 ? 2 * m->slope[i] : m->slope[i];
     memset(m->J, 0, d * sizeof *m->J);
     const int status =
         objective->slopes(k, d, x, p, objective->params, m->J, Jp);
@@ -73,35 +86,40 @@ static int step(mirror *m, fvi_stepper *s, size_t k, double *force)
 {
     const fvi_run *run = m->run;
     const size_t d = run->system->d;
-    const double h = run->h, after = 1 - run->kappa,
-                 t = ((double)k + after) * h;
+    const double h = run->h, after = 1 - m->kappa, t = ((double)k + after) * h;
+    double ends[2] = { 0, 0 };
+    if (m->is_pulled)
+        fvi_past_impulses(&m->fading, k, ends);
     for (size_t i = 0; i < d; i++) {
         const double M = after * s->x[i];
         m->M[i] += M;
         m->M_moment[i] += t * M;
+        m->pull[i] += ends[1] * s->x[i];
         if (force)
             force[(k + 1) * d + i] = h * s->x[i];
     }
     const int status = fvi_step(s);
     for (size_t i = 0; i < d; i++) {
-        const double M = run->kappa * s->x[i];
+        const double M = m->kappa * s->x[i];
         m->M[i] += M;
         m->M_moment[i] += t * M;
+        m->pull[i] += ends[0] * s->x[i];
     }
     return status;
 }
 
 //> matrices
 /* The derivatives by x0 and p0 from what they leave alone. The past held, or Caputo's:
- * x + const changes K x only, and x + t M^-1 p, Caputo's with alpha > 1/2, too. Else
- * lambda_0 is that by p0, and Riemann-Liouville's by x0 what arrives, of which lambda_0
+ * x + const changes K x only, and x + t M^-1 p, Caputo's with alpha > 1/2, too; by (13.7)
+ * and held that changes the pull of the past besides. Else lambda_0 is that by p0, and Riemann-Liouville's by x0 what arrives, of which lambda_0
  * itself is no part of N_0. (23.6) */
 static int end(mirror *m, const fvi_stepper *s, const fvi_gradients *want)
 {
     const fvi_run *run = m->run;
     const fvi_system *system = run->system;
     const size_t d = system->d;
-    const int line = run->past == FVI_PAST_CAPUTO && run->alpha > 0.5;
+    const int line =
+        run->alpha > 0.5 && (run->past == FVI_PAST_CAPUTO || !m->printed);
     double *by_x = m->push, *by_p = m->J;
     int status = fvi_gradient(system, m->M, by_x);
     for (size_t i = 0; i < d; i++)
@@ -115,6 +133,9 @@ static int end(mirror *m, const fvi_stepper *s, const fvi_gradients *want)
         status = fvi_gradient(system, m->M_moment, m->slope);
         for (size_t i = 0; i < d; i++)
             m->slope[i] = m->moment[i] - run->h * m->slope[i];
+        if (!status && m->is_pulled)
+            status =
+                kick(system, pow(run->h, 1 + m->fading.e), m->pull, m->slope);
         if (!status)
             status = fvi_damping_velocity(system, m->slope, by_p);
         for (size_t i = 0; i < d; i++)
@@ -130,12 +151,13 @@ static int end(mirror *m, const fvi_stepper *s, const fvi_gradients *want)
 }
 //< matrices
 
-static int walk(mirror *m, fvi_backward *path, const fvi_objective *objective,
-                const fvi_gradients *want, const fvi_run *back)
+static int walk(mirror *m, const fvi_method *method, fvi_backward *path,
+                const fvi_objective *objective, const fvi_gradients *want,
+                const fvi_run *back)
 {
     const size_t d = m->run->system->d;
     fvi_stepper *s;
-    int status = fvi_start(&fvi_fractional, back, &s);
+    int status = fvi_start(method, back, &s);
     if (status)
         return status;
     for (size_t k = m->run->steps; !status && k-- > 0;) {
@@ -148,10 +170,9 @@ static int walk(mirror *m, fvi_backward *path, const fvi_objective *objective,
     }
     if (!status)
         status = end(m, s, want);
+    for (size_t i = 0; want->force && i < d; i++) /* half of F_0, or none */
+        want->force[i] = m->printed ? 0 : m->run->h / 2 * s->x[i];
     fvi_stop(s);
-    if (want->force)
-        memset(want->force, 0,
-               d * sizeof *want->force); /* F_0 is not asked for */
     return status;
 }
 
@@ -166,19 +187,33 @@ static int begin(mirror *m, fvi_backward *path, const fvi_objective *objective)
         status = ask(m, objective, run->steps, rows + d,
                      fvi_backward_momentum(path), m->start);
     memcpy(m->push, m->J, d * sizeof *m->push);
-    return status ? status
-                  : kick(run->system, pow(run->h, 1 - 2 * run->alpha), m->start,
-                         m->push);
+    for (size_t i = 0; !status && !m->printed && i < d; i++) {
+        m->push[i] = 0;
+        if (m->start[i] != 0)
+            FVI_FAIL("with matrices this method has no adjoint of p",
+                     FVI_EUNSUP);
+    }
+    return status || !m->printed
+               ? status
+               : kick(run->system, pow(run->h, 1 - 2 * run->alpha), m->start,
+                      m->push);
 }
 
-int fvi_mirror_matrices(const fvi_run *run, fvi_backward *path,
-                        const fvi_objective *objective,
+int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
+                        fvi_backward *path, const fvi_objective *objective,
                         const fvi_gradients *want)
 {
+    static const double ends[] = { 0, 1 };
     const size_t d = run->system->d;
-    mirror m = { .run = run };
-    double **each[ARRAYS] = { &m.start, &m.push,   &m.J, &m.slope,
-                              &m.sum,   &m.moment, &m.M, &m.M_moment };
+    mirror m = { .run = run,
+                 .printed = method->scheme == FVI_SCHEME_ALGORITHM_3,
+                 .kappa = method->takes_kappa ? run->kappa : 0.5 };
+    double **each[ARRAYS] = { &m.start,  &m.push,   &m.J, &m.slope,
+                              &m.sum,    &m.moment, &m.M, &m.M_moment,
+                              &m.before, &m.pull };
+    m.is_pulled = !m.printed && fvi_past_pulls(run->past, run->alpha);
+    if (m.is_pulled)
+        fvi_past_prepare(run->alpha, 2, ends, &m.fading);
     m.block = calloc(ARRAYS * d, sizeof *m.block);
     if (!m.block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
@@ -190,11 +225,11 @@ int fvi_mirror_matrices(const fvi_run *run, fvi_backward *path,
     back.system = &system;
     back.x0 = m.start;
     back.p0 = m.push;
-    back.kappa = 1 - run->kappa;
-    back.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    back.kappa = 1 - m.kappa;
+    back.past = m.printed ? FVI_PAST_RIEMANN_LIOUVILLE : FVI_PAST_CAPUTO;
     int status = begin(&m, path, objective);
     if (!status)
-        status = walk(&m, path, objective, want, &back);
+        status = walk(&m, method, path, objective, want, &back);
     free(m.block);
     return status;
 }

@@ -1,13 +1,10 @@
 /* src/program/fvi_gradient.c -- The command `fvi gradient`: derivatives of a last row. */
 #include "fvi_commands.h"
 
-#include <fvi/fvi.h>
-#include "fvi_format.h"
+#include "fvi_gradient_answer.h"
 #include "fvi_output.h"
-#include "fvi_own_words.h"
 #include "fvi_table.h"
 #include "inverse/mesh_path.h"
-#include "memory/lobatto_weights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,23 +16,11 @@ static const char *const not_for_gradient[] = {
     "checkpoint", "continue", "unknowns", "snapshot", NULL
 };
 
-enum { OF, FORCES };
 static const fvi_own_command gradient = {
     "gradient", { "of", "forces" }, not_for_gradient, NULL, 0
 };
 
-/* What the words say, and what comes out. */
-typedef struct {
-    fvi_own_words words;
-    fvi_options o;
-    size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
-    fvi_system system;
-    fvi_run run;
-    double value; /* of what is differentiated */
-    fvi_gradients to;
-    size_t per;                     /* rows of the force in a step */
-    double *numbers, *lets, *force; /* by each --let, by each F */
-} request;
+typedef fvi_gradient_request request;
 
 /* ---- words ---- */
 
@@ -87,12 +72,16 @@ static int interpret(request *r, fvi_complaint c)
                               "--let: '%s' has no gradient with %s, which "
                               "asks for the force between the rows",
                               r->o.lets.name[j], m->name);
-    if (r->system.matrices
-        && (m->scheme != FVI_SCHEME_ALGORITHM_3 || r->run.law))
-        return fvi_refuse(c,
-                          "--system: '%s' has a gradient with fvi, and without "
-                          "--damping",
+    if (r->system.matrices && r->run.law)
+        return fvi_refuse(c, "--system: '%s' has a gradient without --damping",
                           r->o.text[SYSTEM]);
+    const int of_order_2 =
+        r->system.matrices && m->scheme != FVI_SCHEME_ALGORITHM_3;
+    if (of_order_2 && r->run.past == FVI_PAST_RIEMANN_LIOUVILLE)
+        return fvi_refuse(c,
+                          "--derivative: 'rl' has a gradient with --system and "
+                          "fvi, not with %s",
+                          m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
@@ -100,7 +89,13 @@ static int interpret(request *r, fvi_complaint c)
         && strcmp(r->words.own[FORCES], r->o.output) == 0)
         return fvi_refuse(c, "--forces: '%s' is the table's file, too",
                           r->o.output);
-    return interpret_of(r, c);
+    const int status = interpret_of(r, c);
+    if (!status && of_order_2 && r->of == 1)
+        return fvi_refuse(c,
+                          "--of: '%s' has a gradient with --system and fvi, "
+                          "not with %s",
+                          r->words.own[OF], m->name);
+    return status;
 }
 
 /* ---- derivatives ---- */
@@ -158,20 +153,13 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
-/* Of row k of the forces. */
-static double row_time(const request *r, size_t k)
-{
-    const fvi_lobatto_rule *rule = fvi_lobatto((size_t)r->o.method->stages);
-    return ((double)(k / r->per) + (rule ? rule->c[k % r->per] : 0)) * r->o.h;
-}
-
 /* A --let may stand in the force. */
 static void add_forces(request *r)
 {
     for (size_t j = 0; r->o.forces && j < r->o.lets.count; j++)
         for (size_t k = 0; k <= r->o.steps * r->per; k++) {
-            const double by =
-                fvi_forces_by_parameter(r->o.forces, j, row_time(r, k));
+            const double by = fvi_forces_by_parameter(
+                r->o.forces, j, fvi_gradient_row_time(r, k));
             for (size_t i = 0; i < r->o.d; i++)
                 r->lets[j] += by * r->force[k * r->o.d + i];
         }
@@ -219,8 +207,7 @@ static int differentiate(request *r)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    return !r->run.law
-           && (!m->stages || m->damped_inertia || r->o.alpha < 1);
+    return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 
 static int make_room(request *r)
@@ -254,113 +241,6 @@ static int make_room(request *r)
     return 0;
 }
 
-/* ---- the answer ---- */
-
-static void print_head(FILE *f, const request *r)
-{
-    const char *warning = fvi_table_warning(&r->o);
-    fvi_own_words_head(f, &gradient, &r->words, &r->o);
-    if (warning)
-        fprintf(f, "# warning = %s\n", warning);
-}
-
-/* One for each mass: name, or name_1, name_2, ... */
-static void print_row(FILE *f, const char *name, const char *number, double by)
-{
-    fprintf(f, "%s%s", name, number);
-    fvi_print_number(f, "\t", by);
-    fputc('\n', f);
-}
-
-static void print_each(FILE *f, const request *r, const char *name,
-                       const double *by)
-{
-    for (size_t i = 0; i < r->o.d; i++) {
-        char number[24] = "";
-        if (r->o.numbered)
-            snprintf(number, sizeof number, "_%zu", i + 1);
-        if (isnan(by[i]))
-            fprintf(f,
-                    "# warning = no derivative by %s%s: other starts have "
-                    "no solution\n",
-                    name, number);
-        else
-            print_row(f, name, number, by[i]);
-    }
-}
-
-/* By the factor R of each --damping. */
-static void print_law(FILE *f, const request *r)
-{
-    for (size_t i = 0; i < r->run.law->count; i++) {
-        char number[24] = "";
-        if (r->run.law->count > 1)
-            snprintf(number, sizeof number, "_%zu", i + 1);
-        print_row(f, "damping", number, r->to.terms[i]);
-    }
-    fprintf(f, "# warning = no derivatives by the other numbers of "
-               "--damping\n");
-}
-
-static void print_numbers(FILE *f, const request *r)
-{
-    static const char *const c_and_g[] = { "c", "g" };
-    print_each(f, r, "mass", r->to.mass);
-    if (r->run.law)
-        print_law(f, r);
-    else
-        print_each(f, r, "rho", r->to.damping);
-    if (r->to.alpha)
-        print_row(f, "alpha", "", *r->to.alpha);
-    else if (!r->run.law)
-        fprintf(f, "# warning = no derivative by alpha: p of this method "
-                   "jumps at 1\n");
-    const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
-    for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
-        print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
-}
-
-static int print_answer(const request *r)
-{
-    FILE *f = fvi_output_open(r->o.output);
-    if (!f)
-        return fvi_cannot_write(r->o.output);
-    print_head(f, r);
-    fvi_print_number(f, "# value = ", r->value);
-    fprintf(f, "\n# name\tderivative\n");
-    print_each(f, r, "x0", r->to.x0);
-    print_each(f, r, "p0", r->to.p0);
-    if (!r->system.matrices)
-        print_numbers(f, r);
-    for (size_t j = 0; j < r->o.lets.count; j++)
-        print_row(f, r->o.lets.name[j], "", r->lets[j]);
-    return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;
-}
-
-static int print_forces(const request *r)
-{
-    const size_t d = r->o.d;
-    if (!r->words.own[FORCES])
-        return 0;
-    FILE *f = fvi_output_open(r->words.own[FORCES]);
-    if (!f)
-        return fvi_cannot_write(r->words.own[FORCES]);
-    print_head(f, r);
-    fprintf(f, "# t");
-    for (size_t i = 0; i < d; i++)
-        if (r->o.numbered)
-            fprintf(f, "\tF%zu", i + 1);
-        else
-            fprintf(f, "\tF");
-    for (size_t k = 0; k <= r->o.steps * r->per; k++) {
-        fvi_print_number(f, "\n", row_time(r, k));
-        for (size_t i = 0; i < d; i++)
-            fvi_print_number(f, "\t", r->force[k * d + i]);
-    }
-    fputc('\n', f);
-    return fvi_output_close(f, 1) ? fvi_cannot_write(r->words.own[FORCES]) : 0;
-}
-
 /* ---- the command ---- */
 
 static int answer(request *r)
@@ -371,9 +251,9 @@ static int answer(request *r)
     if (!failed)
         failed = differentiate(r);
     if (!failed)
-        failed = print_answer(r);
+        failed = fvi_gradient_print_answer(&gradient, r);
     if (!failed)
-        failed = print_forces(r);
+        failed = fvi_gradient_print_forces(&gradient, r);
     free(r->numbers);
     free(r->force);
     return failed;

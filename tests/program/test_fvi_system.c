@@ -58,7 +58,10 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
         "--of x:2 --alpha 0.3",
         "--of p:3 --alpha 0.8 --derivative "
         "caputo",
-        "--of x:1 --alpha 0.3 --derivative rl"
+        "--of x:1 --alpha 0.3 --derivative rl",
+        "--of x:2 --alpha 0.8 --method fvi-stable",
+        "--of x:1 --alpha 0.3 --method fvi-shifted",
+        "--of x:3 --alpha 0.8 --method fvi-bdf2 --derivative caputo"
     };
     write_chain();
     for (size_t i = 0; i < LEN(what); i++) {
@@ -84,12 +87,16 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
     ck_assert_ptr_nonnull(strstr(out, "# of = x:1\n"));
     ck_assert_refused("gradient --system chain --of energy",
                       "fvi: --of: 'energy' has no gradient with --system");
-    ck_assert_refused("gradient --system chain --method fvi-bdf2",
-                      "fvi: --system: 'chain' has a gradient with fvi, and "
-                      "without --damping");
+    ck_assert_refused("gradient --system chain --method fvi-bdf2 --of p:1",
+                      "fvi: --of: 'p:1' has a gradient with --system and fvi, "
+                      "not with fvi-bdf2");
+    ck_assert_refused("gradient --system chain --method fvi-stable "
+                      "--derivative rl --x0 0",
+                      "fvi: --derivative: 'rl' has a gradient with --system "
+                      "and fvi, not with fvi-stable");
     ck_assert_refused("gradient --system chain --damping maxwell:1,1",
-                      "fvi: --system: 'chain' has a gradient with fvi, and "
-                      "without --damping");
+                      "fvi: --system: 'chain' has a gradient without "
+                      "--damping");
 }
 END_TEST
 

@@ -1,0 +1,124 @@
+/* src/program/fvi_gradient_answer.c -- What `fvi gradient` prints. */
+#include "fvi_gradient_answer.h"
+
+#include "fvi_commands.h"
+#include "fvi_format.h"
+#include "fvi_output.h"
+#include "fvi_table.h"
+#include "memory/lobatto_weights.h"
+
+#include <math.h>
+
+typedef fvi_gradient_request request;
+
+double fvi_gradient_row_time(const request *r, size_t k)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto((size_t)r->o.method->stages);
+    return ((double)(k / r->per) + (rule ? rule->c[k % r->per] : 0)) * r->o.h;
+}
+
+static void print_head(FILE *f, const fvi_own_command *command,
+                       const request *r)
+{
+    const char *warning = fvi_table_warning(&r->o);
+    fvi_own_words_head(f, command, &r->words, &r->o);
+    if (warning)
+        fprintf(f, "# warning = %s\n", warning);
+}
+
+/* One for each mass: name, or name_1, name_2, ... */
+static void print_row(FILE *f, const char *name, const char *number, double by)
+{
+    fprintf(f, "%s%s", name, number);
+    fvi_print_number(f, "\t", by);
+    fputc('\n', f);
+}
+
+static void print_each(FILE *f, const request *r, const char *name,
+                       const double *by)
+{
+    for (size_t i = 0; i < r->o.d; i++) {
+        char number[24] = "";
+        if (r->o.numbered)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        if (isnan(by[i]))
+            fprintf(f,
+                    "# warning = no derivative by %s%s: other starts have "
+                    "no solution\n",
+                    name, number);
+        else
+            print_row(f, name, number, by[i]);
+    }
+}
+
+/* By the factor R of each --damping. */
+static void print_law(FILE *f, const request *r)
+{
+    for (size_t i = 0; i < r->run.law->count; i++) {
+        char number[24] = "";
+        if (r->run.law->count > 1)
+            snprintf(number, sizeof number, "_%zu", i + 1);
+        print_row(f, "damping", number, r->to.terms[i]);
+    }
+    fprintf(f, "# warning = no derivatives by the other numbers of "
+               "--damping\n");
+}
+
+static void print_numbers(FILE *f, const request *r)
+{
+    static const char *const c_and_g[] = { "c", "g" };
+    print_each(f, r, "mass", r->to.mass);
+    if (r->run.law)
+        print_law(f, r);
+    else
+        print_each(f, r, "rho", r->to.damping);
+    if (r->to.alpha)
+        print_row(f, "alpha", "", *r->to.alpha);
+    else if (!r->run.law)
+        fprintf(f, "# warning = no derivative by alpha: p of this method "
+                   "jumps at 1\n");
+    const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
+    for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
+        print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
+}
+
+int fvi_gradient_print_answer(const fvi_own_command *command, const request *r)
+{
+    FILE *f = fvi_output_open(r->o.output);
+    if (!f)
+        return fvi_cannot_write(r->o.output);
+    print_head(f, command, r);
+    fvi_print_number(f, "# value = ", r->value);
+    fprintf(f, "\n# name\tderivative\n");
+    print_each(f, r, "x0", r->to.x0);
+    print_each(f, r, "p0", r->to.p0);
+    if (!r->system.matrices)
+        print_numbers(f, r);
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        print_row(f, r->o.lets.name[j], "", r->lets[j]);
+    return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;
+}
+
+int fvi_gradient_print_forces(const fvi_own_command *command, const request *r)
+{
+    const size_t d = r->o.d;
+    if (!r->words.own[FORCES])
+        return 0;
+    FILE *f = fvi_output_open(r->words.own[FORCES]);
+    if (!f)
+        return fvi_cannot_write(r->words.own[FORCES]);
+    print_head(f, command, r);
+    fprintf(f, "# t");
+    for (size_t i = 0; i < d; i++)
+        if (r->o.numbered)
+            fprintf(f, "\tF%zu", i + 1);
+        else
+            fprintf(f, "\tF");
+    for (size_t k = 0; k <= r->o.steps * r->per; k++) {
+        fvi_print_number(f, "\n", fvi_gradient_row_time(r, k));
+        for (size_t i = 0; i < d; i++)
+            fvi_print_number(f, "\t", r->force[k * d + i]);
+    }
+    fputc('\n', f);
+    return fvi_output_close(f, 1) ? fvi_cannot_write(r->words.own[FORCES]) : 0;
+}

@@ -1,0 +1,33 @@
+/* src/program/fvi_gradient_answer.h -- What `fvi gradient` was asked, and what it prints. */
+#ifndef FVI_GRADIENT_ANSWER_H
+#define FVI_GRADIENT_ANSWER_H
+
+#include <fvi/fvi.h>
+#include "fvi_own_words.h"
+
+/* Its own options, words.own[OF] and so on. */
+enum { OF, FORCES };
+
+/* What the words say, and what comes out. */
+typedef struct {
+    fvi_own_words words;
+    fvi_options o;
+    size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
+    fvi_system system;
+    fvi_run run;
+    double value; /* of what is differentiated */
+    fvi_gradients to;
+    size_t per;                     /* rows of the force in a step */
+    double *numbers, *lets, *force; /* by each --let, by each F */
+} fvi_gradient_request;
+
+/* The time of row k of the forces. */
+double fvi_gradient_row_time(const fvi_gradient_request *r, size_t k);
+
+/* The table; and that of --forces, if it is asked for. Each returns the exit code. */
+int fvi_gradient_print_answer(const fvi_own_command *command,
+                              const fvi_gradient_request *r);
+int fvi_gradient_print_forces(const fvi_own_command *command,
+                              const fvi_gradient_request *r);
+
+#endif
