@@ -72,7 +72,7 @@ static void add_tail(const fvi_law_simple *t, double h, double first,
 /* Orders up to 1, or those above, of which the sign on the cut is the other one: nodes
  * below ln mu = first, as one. */
 static void tail_of(const fvi_lobatto_law *r, int above, double first,
-                   double step, double *S0, double *S1)
+                    double step, double *S0, double *S1)
 {
     *S0 = *S1 = 0;
     for (size_t i = 0; i < r->terms; i++)

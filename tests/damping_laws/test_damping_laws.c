@@ -266,9 +266,8 @@ START_TEST(eq_26_6_every_weight_to_all_its_digits)
                 sums(&ref_laws[l], (fvi_quadrature)kind, h, STEPS,
                      FVI_MEMORY_EXPONENTIALS, x, modes);
                 for (size_t k = 0; k <= STEPS; k++)
-                    ck_assert_near(modes[k], direct[k],
-                                   1e-13 * fabs(direct[k]), "law %zu, n = %zu",
-                                   l, k);
+                    ck_assert_near(modes[k], direct[k], 1e-13 * fabs(direct[k]),
+                                   "law %zu, n = %zu", l, k);
             }
 }
 END_TEST

@@ -74,8 +74,8 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
     const double p0 = 0.7, spring[] = { 1, 1 };
     for (size_t l = 0; l < LAWS; l++)
         for (int m = 0; m < 2; m++) {
-            const fvi_system system = { 1,     &one, &one,
-                                        fvi_potential_duffing(spring),
+            const fvi_system system = { 1,     &one,
+                                        &one,  fvi_potential_duffing(spring),
                                         { 0 }, NULL };
             double end[3];
             for (int i = 0; i < 3; i++) {
@@ -83,8 +83,8 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
                 fvi_run run = fvi_run_default(&system, &one, &p0,
                                               4 / (double)steps, steps);
                 run.law = law_of(l);
-                ck_assert_int_eq(
-                    fvi_trajectory(form_m[m], &run, x, NULL, NULL), 0);
+                ck_assert_int_eq(fvi_trajectory(form_m[m], &run, x, NULL, NULL),
+                                 0);
                 end[i] = x[steps];
             }
             const double want =
@@ -220,9 +220,9 @@ static double end_of(const fvi_method *method, const fvi_law *law,
 {
     static double x[N];
     const double spring[] = { 1, 1 };
-    const fvi_system system = { 1,     &at[2], &at[3],
-                                fvi_potential_duffing(spring),
-                                { 0 }, NULL };
+    const fvi_system system = { 1,      &at[2],
+                                &at[3], fvi_potential_duffing(spring),
+                                { 0 },  NULL };
     fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 40);
     run.law = law;
     run.alpha = 1; /* is not read */
@@ -247,7 +247,7 @@ static int to_last(size_t k, size_t d, const double *x, const double *p,
  * by some 1e-8 of derivatives of the order of 1. Seen: 4e-9. */
 START_TEST(eq_23_15_derivatives_of_steep_laws)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2,  &fvi_lobatto4,
+    const fvi_method *const methods[] = { &fvi_lobatto2, &fvi_lobatto4,
                                           &fvi_lobatto2d, &fvi_lobatto4d };
     const double spring[] = { 1, 1 };
     const fvi_objective last = { to_last, NULL };
@@ -255,9 +255,9 @@ START_TEST(eq_23_15_derivatives_of_steep_laws)
         for (size_t m = 0; m < LEN(methods); m++) {
             const fvi_law *law = law_of(l);
             const double at[4] = { 1, 0.7, 1.25, 0.75 };
-            const fvi_system system = { 1,     &at[2], &at[3],
-                                        fvi_potential_duffing(spring),
-                                        { 0 }, NULL };
+            const fvi_system system = { 1,      &at[2],
+                                        &at[3], fvi_potential_duffing(spring),
+                                        { 0 },  NULL };
             fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 40);
             double got[4] = { 0 };
             fvi_gradients to = { .x0 = &got[0],

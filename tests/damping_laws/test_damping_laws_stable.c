@@ -23,11 +23,13 @@ static void end_of(const fvi_law *law, const double spring[2], size_t steps,
 {
     static double x[MOST + 1], p[MOST + 1];
     const double p0 = 0.7;
-    const fvi_system system = { 1,     &one,
-                                &one,  spring[1] == 0
-                                           ? fvi_potential_harmonic(spring)
-                                           : fvi_potential_duffing(spring),
-                                { 0 }, NULL };
+    const fvi_system system = { 1,
+                                &one,
+                                &one,
+                                spring[1] == 0 ? fvi_potential_harmonic(spring)
+                                               : fvi_potential_duffing(spring),
+                                { 0 },
+                                NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, 4 / (double)steps, steps);
     run.law = law;
     ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x, p, NULL), 0);
@@ -48,8 +50,8 @@ START_TEST(eq_26_15_the_order_is_two)
         for (int i = 0; i < 2; i++)
             end_of(law_of(l), spring, (size_t)1600 << i, end[i]);
         for (int i = 0; i < 2; i++) {
-            const double order = log2(fabs((end[0][i] - want[i])
-                                           / (end[1][i] - want[i])));
+            const double order =
+                log2(fabs((end[0][i] - want[i]) / (end[1][i] - want[i])));
             seen(order, "order");
             ck_assert_near(order, 2, 0.1, "law %zu, %c", l, "xp"[i]);
             ck_assert_double_lt(fabs(end[1][i] - want[i]), 1e-5);
@@ -67,8 +69,8 @@ START_TEST(eq_26_15_the_order_of_a_nonlinear_problem)
         for (int i = 0; i < 3; i++)
             end_of(law_of(l), spring, (size_t)800 << i, end[i]);
         for (int i = 0; i < 2; i++) {
-            const double order = log2(fabs((end[1][i] - end[0][i])
-                                           / (end[2][i] - end[1][i])));
+            const double order =
+                log2(fabs((end[1][i] - end[0][i]) / (end[2][i] - end[1][i])));
             seen(order, "order");
             ck_assert_near(order, 2, 0.1, "law %zu, %c", l, "xp"[i]);
         }
@@ -88,17 +90,16 @@ START_TEST(eq_26_15_no_step_is_too_long)
         fvi_law_term t[2];
         for (int i = 0; i < 2; i++) {
             const double a = 0.02 + 0.97 * gsl_rng_uniform(random);
-            t[i] = (fvi_law_term){
-                (fvi_law_kind)gsl_rng_uniform_int(random, 4),
-                pow(10, 8 * gsl_rng_uniform(random) - 2), a,
-                pow(10, 4 * gsl_rng_uniform(random) - 2), a + (1 - a) / 2
-            };
+            t[i] = (fvi_law_term){ (fvi_law_kind)gsl_rng_uniform_int(random, 4),
+                                   pow(10, 8 * gsl_rng_uniform(random) - 2), a,
+                                   pow(10, 4 * gsl_rng_uniform(random) - 2),
+                                   a + (1 - a) / 2 };
         }
         const fvi_law law = { 2, t };
         const double spring[] = { pow(10, 8 * gsl_rng_uniform(random) - 2), 0 },
                      mass[D] = { 1, 1 }, x0[D] = { 1, 1 }, p0[D] = { 0, 0 };
-        const fvi_system system = { D,     mass, mass,
-                                    fvi_potential_chain(spring),
+        const fvi_system system = { D,     mass,
+                                    mass,  fvi_potential_chain(spring),
                                     { 0 }, NULL };
         fvi_run run = fvi_run_default(
             &system, x0, p0, pow(10, 3 * gsl_rng_uniform(random) - 2), STEPS);
@@ -134,8 +135,8 @@ START_TEST(modes_and_copies_go_the_same_way)
         run.law = &ref_laws[l];
         for (int i = 0; i < 2; i++) {
             run.memory = i ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
-            ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x[i], NULL, NULL),
-                             0);
+            ck_assert_int_eq(
+                fvi_trajectory(&fvi_stable, &run, x[i], NULL, NULL), 0);
         }
         for (size_t k = 0; k < D * (STEPS + 1); k++)
             ck_assert_near(x[1][k], x[0][k], 1e-11, "law %zu, %zu", l, k);
@@ -180,15 +181,17 @@ static double last_of(const fvi_method *method, const fvi_law_term terms[2],
     t[0].rho = at[4];
     t[1].rho = at[5];
     const fvi_law law = { 2, t };
-    const fvi_system system = { 1,     &at[2], &at[3],
-                                fvi_potential_duffing(spring),
-                                { 0 }, NULL };
+    const fvi_system system = { 1,      &at[2],
+                                &at[3], fvi_potential_duffing(spring),
+                                { 0 },  NULL };
     fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, 60);
     const fvi_objective J = { to_last, NULL };
     run.law = &law;
     run.alpha = 1; /* is not read */
-    fvi_gradients to = { .x0 = got,          .p0 = got + 1,
-                         .mass = got + 2,    .damping = got + 3,
+    fvi_gradients to = { .x0 = got,
+                         .p0 = got + 1,
+                         .mass = got + 2,
+                         .damping = got + 3,
                          .terms = got + 4 };
     if (got)
         ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &to), 0);

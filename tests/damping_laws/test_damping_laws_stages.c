@@ -50,8 +50,7 @@ START_TEST(eq_26_12_weights_match_cauchys_integral)
             law->term->kind == FVI_LAW_ZENER && law->term->alpha == 1;
         for (size_t l = 0; l < REF_LAGS; l++) {
             const double *want = ref_stages[i].W[l],
-                         *have = W + ref_lag[l] * s2,
-                         self = largest(s2, want);
+                         *have = W + ref_lag[l] * s2, self = largest(s2, want);
             for (size_t j = 0; j < s2; j++) {
                 const double off = fabs(have[j] - want[j]) / (rings ? 20 : 1);
                 seen(off / (ref_lag[l] < 4 ? largest(s2, W) : self),
@@ -165,10 +164,10 @@ START_TEST(eq_26_12_modes_are_the_weights)
             const fvi_law_kind kind = (fvi_law_kind)((turn + i) % 4);
             const double a =
                 (kind == FVI_LAW_ZENER ? 0.44 : 1) * gsl_rng_uniform(random);
-            t[i] = (fvi_law_term){ kind, gsl_rng_uniform(random),
-                                   turn % 6 ? a : 0,
-                                   pow(10, 4 * gsl_rng_uniform(random) - 2),
-                                   a + (1 - a) / 2 };
+            t[i] =
+                (fvi_law_term){ kind, gsl_rng_uniform(random), turn % 6 ? a : 0,
+                                pow(10, 4 * gsl_rng_uniform(random) - 2),
+                                a + (1 - a) / 2 };
         }
         fvi_lobatto_memory *m[2];
         for (int i = 0; i < 2; i++)
@@ -180,9 +179,9 @@ START_TEST(eq_26_12_modes_are_the_weights)
         /* of v up to 1 the memory makes at most t C(1/t) e, of a term of order above 1
          * in the first step */
         const double time = h * STEPS,
-                     size = 3 * time
-                                * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / time)
-                            + 3 * h * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / h);
+                     size =
+                         3 * time * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / time)
+                         + 3 * h * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / h);
         for (size_t k = 0; k < STEPS; k++) {
             double v[8], H[2][8];
             for (size_t i = 0; i < s; i++)
@@ -281,8 +280,8 @@ START_TEST(eq_26_12_orders_of_a_nonlinear_problem)
     for (size_t l = 0; l < 6; l++)
         for (int m = 0; m < 3; m++) {
             const fvi_law *law = l < 5 ? law_of(l) : &steep_laws[0];
-            const double order = changes(methods[m], law, 1, 0.7,
-                                         (size_t)(m < 2 ? 160 : 80));
+            const double order =
+                changes(methods[m], law, 1, 0.7, (size_t)(m < 2 ? 160 : 80));
             seen(2 * m + 2 - order, "short of the order");
             ck_assert_msg(order > 2 * m + 1.6, "law %zu %s: %g", l,
                           methods[m]->name, order);
@@ -355,9 +354,9 @@ START_TEST(what_stages_do_not_take_is_refused)
         for (int modes = 0; modes <= 1; modes++) {
             run.memory = modes ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_AUTO;
             const int refused = modes && i < 2;
-            ck_assert_int_eq(fvi_start(i % 2 ? &fvi_lobatto4 : &fvi_lobatto4d,
-                                       &run, &s),
-                             refused ? FVI_EUNSUP : FVI_SUCCESS);
+            ck_assert_int_eq(
+                fvi_start(i % 2 ? &fvi_lobatto4 : &fvi_lobatto4d, &run, &s),
+                refused ? FVI_EUNSUP : FVI_SUCCESS);
             ck_assert_int_eq(s == NULL, refused);
             fvi_stop(s);
             s = NULL;
