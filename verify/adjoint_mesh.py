@@ -31,10 +31,7 @@ class Mesh(Chain):
         super().__init__(s, damped, past, alpha, q, h[0])
 
     def memory(self, q, turn):
-        beta = 2 * self.alpha0 - 1
-        W, rate = powers(self.s, tuple(self.lengths), beta)
-        return [{o: [[Dual(w, turn * r) for w, r in zip(*rows)] for rows in zip(W[k][o], rate[k][o])]
-                 for o in range(k + 1)} for k in range(self.steps)], ONE
+        return blocks(self.s, tuple(self.lengths), 2 * self.alpha0 - 1, turn), ONE
 
     def begin(self, k):
         self.hold(mpf(self.lengths[k]))
@@ -92,6 +89,13 @@ def powers(s, steps, beta):
         W, above, below = (dense(s, steps, beta + v, DIGITS) for v in (0, e, -e))
         rate = [{o: (row[o] - below[k][o]) / (2 * e) for o in row} for k, row in enumerate(above)]
         return [[{o: whole(M) for o, M in row.items()} for row in F] for F in (W, rate)]
+
+
+@cache
+def blocks(s, steps, beta, turn):
+    """DD^beta, tilted by turn."""
+    return [{o: [[Dual(w, turn * r) for w, r in zip(*rows)] for rows in zip(W[o], rate[o])] for o in W}
+            for W, rate in zip(*powers(s, steps, beta))]
 
 
 # The first step is shorter than the method's own first one would be, and each is shorter than
