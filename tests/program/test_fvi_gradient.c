@@ -39,6 +39,7 @@ static const char *const runs[] = {
     "--alpha 0.3 --potential duffing:1,0.5 --rho 0.4 --method fvi-adaptive",
     "--alpha 0.3 --method fvi-adaptive --potential 'k*x^4/4+x^2/2' --let k=0.5 "
     "--force 'cos(t)'",
+    "--alpha 0.3 --rho 0.4 --method fvi-adaptive --force impulse:0.7,3.04",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -62,6 +63,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
         { 7, "p0", "--p0", 0.5 },    { 7, "rho", "--rho", 0.4 },
         { 7, "alpha", "--alpha", 0.3 }, { 8, "k", "--let k=", 0.5 },
+        { 9, "mass", "--mass", 1 },  { 9, "alpha", "--alpha", 0.3 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
