@@ -279,6 +279,18 @@ for gap, z, J in ((mpf(27) / 100, mpf(3), 60), (mpf(41) / 100, mpf(4), 26)):
         told = mpmath.exp(-S) + sum(d * k * gap * into_mode(k * gap, S) for k, d in enumerate(grown) if k)
         by_falling = sum(-d * n * gap * into_mode(-n * gap, S) for n, d in enumerate(left) if n)
         claim("(22.20) for falling powers", abs(told - by_falling) < 1e3 * bound)
+# Euler's transformation about P: c_n times w_n, the chance of more than n heads in N + 1 throws.
+for p, N in ((Rational(3, 5), 7), (Rational(1, 3), 12)):
+    for n in range(N + 1):
+        heads = sum(one.binomial(N + 1, k) * (1 - p)**k * p**(N + 1 - k) for k in range(n + 1))
+        claim("(22.23) w_n", sum(one.binomial(k, n) * (1 - p)**(n + 1) * p**(k - n) for k in range(n, N + 1)) == 1 - heads)
+gap, P, N = mpf(1) / 500, mpf(5) / 4, 14
+weight = lambda n: sum(mpmath.binomial(k, n) * (P / (1 + P))**(k - n) for k in range(n, N + 1)) / (1 + P)**(n + 1)
+for t in (mpf(10)**-30, mpf(10)**-12, mpf(1) / 10):
+    z = P * t**gap      # E(-z) is s^(gap - 1) / (s^gap + P), back by Talbot's contour
+    turned = sum((-z)**n * weight(n) * mpmath.rgamma(1 + n * gap) for n in range(N + 1))
+    direct = mpmath.invertlaplace(lambda s: s**(gap - 1) / (s**gap + P), t, method="talbot", degree=60)
+    claim("(22.23) by Euler", abs(turned - direct) < 2 * (P / (1 + P) * (1 - z / P + mpf(1) / 50))**(N + 1) + mpf(10)**-25)
 #< falling
 
 

@@ -67,10 +67,9 @@ extern "C" {
  * O(d^3 s^3). Memory O(d (Q + s^2) + d s b), Q 190, or up to 2300 where a start is
  * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
  * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
- * clear beforehand: a past that the body has to forget, HELD or RIEMANN_LIOUVILLE with
- * p0 != 0, for .9991 < alpha < 1 and rho T^{2 - 2 alpha} / m between 1/2 and 1.32, or
- * beside a weaker damping (22.23); an impulse, for 1 - (4 + n) / 498 < alpha < 1 and a
- * step_error of 10^-n of the size. */
+ * clear beforehand: a past that bodies have to forget, HELD or RIEMANN_LIOUVILLE with
+ * p0 != 0, where alpha < 1 is near 1, one damping strong and another weak (22.23); an
+ * impulse, for 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

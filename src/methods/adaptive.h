@@ -32,11 +32,11 @@ typedef struct {
  *
  *     G(t) = sum_{n=1}^{J} c_n (rho/m)^n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha
  *
- * or m/rho and gap = 2 alpha - 2, where these powers fall: then A t is a part of G. */
+ * or m/rho and gap = 2 alpha - 2, where these powers fall. y begins with c_0 t^e. (22.23) */
 typedef struct {
     size_t J; /* 0: there is no such part */
     double e, gap, t1;
-    double *c; /* c_0, ..., c_J of each coordinate; c_0 = A jumped at t = 0 */
+    double *c; /* c_0, ..., c_J of each coordinate; c_0 jumped at t = 0 */
     double *ratio; /* rho / m of each, or m / rho */
     double *
         pull; /* what is left as a force: -pull ((rho/m) t^gap)^{J+1} t^{e-2} */

@@ -50,6 +50,33 @@ static size_t falling_terms(const fvi_singular *g, double slowest, double T)
     return g->e == 1 && terms > 0 && terms <= MOST_TERMS ? (size_t)terms : 0;
 }
 
+/* Where t1 is short and powers of m/rho do not fall either, alpha is near 1, and
+ * z = (rho/m) t^{2 - 2 alpha} not far from P = (rho/m) T^{2 - 2 alpha} at all times that a
+ * stage sees. Euler's transformation of (22.19) about P, p = P / (1 + P), converges like
+ * (p (1 - z/P))^N: it takes w_n = sum_{k=n}^{N} C(k, n) (1 - p)^{n+1} p^{k-n} of c_n. The
+ * terms cancel by (2 p)^N, so that P is 3/2 at most. N for the largest P, or 0. */
+static size_t euler_terms(const fvi_singular *g, double fastest, double T)
+{
+    const double P = fastest * pow(T, g->gap), p = P / (1 + P),
+                 by = p * (1 - pow(1e-30, g->gap));
+    const double terms = ceil(ALL * M_LN2 / -log(by));
+    return g->e == 1 && g->t1 < 1e-6 * T && P <= 1.5 && terms <= MOST_TERMS / 4
+               ? (size_t)terms
+               : 0;
+}
+
+/* c_n by w_n, n = 0, ..., N: w_n is the chance of more than n heads in N + 1 throws that
+ * show them with 1 - p. */
+static void transform(size_t N, double p, double *c)
+{
+    double chance = pow(p, (double)N + 1), fewer = chance;
+    for (size_t n = 0; n <= N; n++) { /* fewer: n heads or less */
+        c[n] *= 1 - fewer;
+        chance *= (double)(N + 1 - n) / (double)(n + 1) * (1 - p) / p;
+        fewer += chance;
+    }
+}
+
 int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_system *system = s->run.system;
@@ -75,9 +102,11 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
                         MOST_TERMS);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     const size_t falling = falling_terms(g, slowest, o->T);
-    if (falling) {
-        g->J = falling;
+    const size_t euler = falling ? 0 : euler_terms(g, fastest, o->T);
+    if (falling)
         g->gap = -g->gap;
+    if (falling || euler) {
+        g->J = falling + euler;
         g->t1 = 1e-3 * o->T;
     }
     g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
@@ -97,7 +126,10 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
         g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
         for (size_t n = 0; n <= g->J; n++, sign = -sign)
             g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
-        g->pull[j] = falling ? 0 : -sign * m / last;
+        g->pull[j] = falling || euler ? 0 : -sign * m / last;
+        const double P = g->ratio[j] * pow(o->T, g->gap);
+        if (euler && rho > 0)
+            transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
     }
     return FVI_SUCCESS;
 }

@@ -269,8 +269,9 @@ int fvi_adaptive_start(fvi_stepper *s)
         o->y[j] = s->x[j];
         o->v[j] =
             s->p[j] / (struck ? o->of_kind[o->kind[j]].mass : m); /* (19.5) */
-        if (o->singular.gap < 0 && s->run.system->damping[j] > 0)
-            o->v[j] = 0; /* it is a part of G */
+        if (o->singular.J && o->singular.e == 1
+            && s->run.system->damping[j] > 0)
+            o->v[j] = o->singular.c[j * (o->singular.J + 1)];
         o->centre[j] = s->run.past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
     fvi_adaptive_strike(s, o);
