@@ -168,6 +168,31 @@ START_TEST(eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error)
 END_TEST
 //< near
 
+/* One body, alpha from 1/2 to 1 - 5e-10, dampings from 1e-3 to 1e12, T from 1e-3 to 1e6. */
+START_TEST(eq_22_23_a_single_body_is_never_refused)
+{
+    const double one = 1, zero = 0;
+    size_t began = 0;
+    for (double gap = 1e-9; gap < 1; gap *= 1.3)
+        for (double rho = 1e-3; rho < 1e12; rho *= rho < 10 ? 1.2 : 4)
+            for (double T = 1e-3; T < 1e7; T *= 1e3) {
+                const fvi_system system = { .d = 1,
+                                            .mass = &one,
+                                            .damping = &rho };
+                fvi_run run = fvi_run_default(&system, &zero, &one, T, 1);
+                fvi_stepper *s;
+                run.alpha = 1 - gap / 2;
+                run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+                ck_assert_msg(!fvi_start(&fvi_adaptive, &run, &s),
+                              "alpha = 1 - %g, rho = %g, T = %g", gap / 2, rho,
+                              T);
+                fvi_stop(s);
+                began++;
+            }
+    ck_assert_uint_gt(began, 20000);
+}
+END_TEST
+
 /* What is x0 or p0 by rounding only is no size to measure a step by: the rows are those of
  * rest, to what x0 and p0 add to them, which is nothing here. At rest the rows have a say:
  * 1e-3 is above 1e-3 |v0| h or not. */
@@ -210,6 +235,7 @@ int main(void)
     ADD_CASE(suite, "starts",
              eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error,
              eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error,
+             eq_22_23_a_single_body_is_never_refused,
              a_start_that_is_almost_at_rest_is_one_at_rest);
     return run_suite(suite);
 }
