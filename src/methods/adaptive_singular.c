@@ -42,12 +42,15 @@ static double power(const fvi_singular *g, size_t n)
  *
  * which is (22.19) with m/rho for rho/m, falling powers, and nothing for n = 0. With as
  * many terms as leave 2^-56 at 1e-30 T, before which no stage is, no step has to see t1, and
- * what they leave as a force is nothing. Their number, if it is not too large; or 0. */
+ * what they leave as a force is nothing. Their number, if it is not too large, and no a_n
+ * is below 0, where I(a_n - 1, S) of (22.20) has poles; or 0. */
 static size_t falling_terms(const fvi_singular *g, double slowest, double T)
 {
     const double terms =
         ceil(ALL * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
-    return g->e == 1 && terms > 0 && terms <= MOST_TERMS ? (size_t)terms : 0;
+    return g->e == 1 && terms > 0 && terms <= MOST_TERMS && terms * g->gap < 1
+               ? (size_t)terms
+               : 0;
 }
 
 /* Where t1 is short and powers of m/rho do not fall either, alpha is near 1, and

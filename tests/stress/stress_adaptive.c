@@ -5,7 +5,7 @@
 
 /* Three of four linear, against the exact motion; the others against a run with 1e-13 a
  * step. What is allowed is 1.2 of the wanted error; what is refused for a reason says
- * nothing, and is counted. Seen, seeds 1 to 6: 2 of 1000 at most. */
+ * nothing, and is counted. Seen, seeds 1 to 6: 1 of 1000 at most. */
 double stress_adaptive(gsl_rng *random, char *describe, size_t size)
 {
     static adaptive_problem q;

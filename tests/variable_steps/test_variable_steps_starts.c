@@ -113,8 +113,10 @@ static int refused(const bodies *b)
         fastest = fmax(fastest, b->rho[j] / b->mass[j]);
         slowest = fmin(slowest, b->rho[j] / b->mass[j]);
     }
+    const double bits = log2(slowest) + gap * log2(1e-30 * T),
+                 terms = bits > 0 ? 56 / bits : GSL_POSINF;
     return -log10(2 * fastest) / gap < log10(T) - 248
-           && log2(slowest) + gap * log2(1e-30 * T) < 56. / 256
+           && (terms > 256 || ceil(terms) * gap >= 1)
            && fastest * pow(T, gap) > 1.5;
 }
 
