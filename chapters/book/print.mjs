@@ -53,6 +53,8 @@ function fit() {
     box.classList.remove("unbroken");
     if (!fits(0.65)) bad.push(box.textContent.slice(0, 60));
   }
+  for (const code of document.querySelectorAll("pre")) // a quarter of a page at most is not divided
+    if (code.clientHeight < 240) code.style.breakInside = "avoid";
   for (const cell of document.querySelectorAll("td, th")) {
     const texts = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT), range = document.createRange();
     for (let text = texts.nextNode(); text; text = texts.nextNode())
