@@ -237,9 +237,9 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	  'Cflags: -I$${prefix}/include' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
 	cp src/fvi/*.h $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi/paper/*.h $(DESTDIR)$(PREFIX)/include/fvi/paper/
-	cp src/program/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
-	cp src/program/fvi.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/fvi
-	cp src/program/fvi.zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_fvi
+	cp src/program/manual/fvi.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+	cp src/program/manual/fvi.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/fvi
+	cp src/program/manual/fvi.zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_fvi
 	test -n "$(DESTDIR)" || test "$$(id -u)" != 0 || ldconfig 2>/dev/null || true
 
 uninstall: ## remove what install put there

@@ -2,7 +2,7 @@
  * control. Numbers go in and out by the arrays of live.c; mass 1, a held past, Algorithm 3.
  *
  * Each function returns 0, or an error of <fvi/error.h>. */
-#include "inverse/identification_tangent.h"
+#include "fits/identification_tangent.h"
 #include "inverse/mirror_stages.h"
 
 #include <fvi/adjoint.h>

@@ -11,7 +11,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 #include <fvi/past.h>
 #include <fvi/stability.h>
 

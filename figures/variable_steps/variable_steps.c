@@ -7,7 +7,7 @@
 #include <fvi/error.h>
 #include <fvi/variable_steps.h>
 
-#include "memory/variable_rule.h"
+#include "stages/variable_rule.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #define FVI_MIRROR_STAGES_H
 
 #include <fvi/adjoint.h>
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 #include "system/band.h"
 
 typedef double fvi_stage_matrix[FVI_STAGES][FVI_STAGES];

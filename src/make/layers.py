@@ -15,11 +15,11 @@ SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 FLOORS = [
     {"program": "build/fvi: commands, tables, files", "petsc": "build/fvi_petsc: a run on many machines"},
     {"words": "from the command line to values"},
-    {"inverse": "gradients, fits and control"},
+    {"fits": "what is unknown, from what was measured", "inverse": "gradients and control"},
     {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
     {"stability": "the longest step"},
-    {"run": "a start, a step, a whole trajectory"},
+    {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},
 ]

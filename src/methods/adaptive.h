@@ -8,7 +8,7 @@
 
 #include <fvi/variable_steps.h>
 #include "adaptive_band.h"
-#include "memory/variable_modes.h"
+#include "stages/variable_modes.h"
 
 /* With a larger wish equations are solved to fewer digits, and of a singular start fewer
  * terms are taken; ten times larger, and the modes are coarse. */

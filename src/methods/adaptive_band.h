@@ -17,7 +17,7 @@
 #ifndef FVI_ADAPTIVE_BAND_H
 #define FVI_ADAPTIVE_BAND_H
 
-#include "memory/variable_rule.h"
+#include "stages/variable_rule.h"
 
 typedef struct fvi_adaptive_band fvi_adaptive_band;
 

@@ -4,7 +4,7 @@
 #ifndef FVI_LOBATTO_STAGES_H
 #define FVI_LOBATTO_STAGES_H
 
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 #include "pull.h"
 
 /* Stage i of coordinate j stands at [i * d + j]; of the l-th damped coordinate,

@@ -5,7 +5,7 @@
 #include "fvi_format.h"
 #include "fvi_output.h"
 #include "fvi_table.h"
-#include "memory/lobatto_weights.h"
+#include "stages/lobatto_weights.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #include "fvi_table.h"
 #include "fvi_watch.h"
 #include "words/fvi_values.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 
 #include <math.h>
 #include <stdio.h>

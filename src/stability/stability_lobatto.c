@@ -1,7 +1,7 @@
 /* src/stability/stability_lobatto.c -- Is this step stable, with stages?  [Chapter 17] */
 #include <fvi/stability.h>
 #include "memory/law_terms.h"
-#include "memory/lobatto_weights.h"
+#include "stages/lobatto_weights.h"
 #include "system/fail.h"
 
 #include <complex.h>

@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_laws.c -- Chapter 23: laws of damping.
  *                                        Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
-#include "memory/lobatto_weights.h"
+#include "stages/lobatto_weights.h"
 
 enum { D = 3, N = 300, TERMS = 4 };
 

@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_mesh.c -- Chapter 23: steps of any length.
  *                                        Run alone: make test-adjoint_mesh */
 #include "adjoint_runs.h"
-#include "memory/variable_modes.h"
+#include "stages/variable_modes.h"
 
 enum { D = 3, N = 40 };
 

@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_stage_values.c -- Chapter 23: methods with stages, against
  * derivatives of 40 digits.       Run alone: make test-adjoint_stage_values */
 #include "adjoint_runs.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 
 #include "adjoint_stages_ref.h"
 

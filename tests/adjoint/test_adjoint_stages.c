@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_stages.c -- Chapter 23: methods with stages, and identities
  * that every method has to keep.       Run alone: make test-adjoint_stages */
 #include "adjoint_runs.h"
-#include "memory/lobatto_weights.h"
+#include "stages/lobatto_weights.h"
 
 static const fvi_method *const staged[] = { &fvi_lobatto2,  &fvi_lobatto3,
                                             &fvi_lobatto4,  &fvi_lobatto5,

@@ -3,8 +3,8 @@
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
 #include "harness/ulp.h"
-#include "memory/lobatto_law.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_law.h"
+#include "stages/lobatto_memory.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>

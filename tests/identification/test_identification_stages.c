@@ -2,7 +2,7 @@
  *                                        Run alone: make test-identification_stages */
 #include "identification_runs.h"
 
-#include "inverse/identification_tangent.h"
+#include "fits/identification_tangent.h"
 
 enum { N = 90, P = 7 };
 

@@ -2,7 +2,7 @@
  * along with a run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
-#include "inverse/identification_model.h"
+#include "fits/identification_model.h"
 
 static const fvi_parameter SEVEN[] = {
     FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,

@@ -2,7 +2,7 @@
  * Run alone: make test-lobatto */
 #include <fvi/error.h>
 #include "harness/ulp.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 
 #include "lobatto_ref.h"
 

@@ -1,7 +1,7 @@
 /* tests/lobatto/test_lobatto_errors.c -- Chapter 17: corrected momenta, what is not taken
  * and what is refused. Run alone: make test-lobatto_errors */
 #include "lobatto_runs.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 
 #include "lobatto_ref.h"
 

@@ -2,7 +2,7 @@
  * Run alone: make test-lobatto_stages */
 #include "lobatto_runs.h"
 #include "lobatto_stages_ref.h"
-#include "memory/lobatto_memory.h"
+#include "stages/lobatto_memory.h"
 
 #include <fvi/stability.h>
 

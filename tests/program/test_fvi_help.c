@@ -20,7 +20,7 @@ static int stands_in(const char *word, const char *text)
 START_TEST(help_and_manual_know_every_method)
 {
     static char manual[1 << 16];
-    read_file("src/program/fvi.1", manual, sizeof manual);
+    read_file("src/program/manual/fvi.1", manual, sizeof manual);
     ck_assert_int_eq(fvi("run --help"), 0);
     for (size_t i = 0; fvi_methods[i]; i++) {
         const char *name = fvi_methods[i]->name;
@@ -82,7 +82,7 @@ static const char *offered(const char *words)
     snprintf(line, sizeof line,
              "command -v bash > /dev/null || exit 9; mkdir -p bin; "
              "ln -sf \"$FVI\" bin/fvi; PATH=$PWD/bin:$PATH bash -c '. "
-             "\"$SOURCES\"/program/fvi.bash; COMP_WORDS=(%s); "
+             "\"$SOURCES\"/program/manual/fvi.bash; COMP_WORDS=(%s); "
              "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _fvi; "
              "echo \" ${COMPREPLY[*]} \"'",
              words);
@@ -111,7 +111,7 @@ START_TEST(completions_are_what_the_program_says)
         offered("fvi run --");
     }
     ck_assert_int_eq(shell("command -v zsh > /dev/null || exit 0; zsh -n "
-                           "\"$SOURCES\"/program/fvi.zsh"),
+                           "\"$SOURCES\"/program/manual/fvi.zsh"),
                      0);
 }
 END_TEST

@@ -1,8 +1,8 @@
 /* tests/variable_steps/test_variable_steps.c -- Chapter 22: the rule, the modes.
  * Run alone: make test-variable_steps */
 #include "harness/ulp.h"
-#include "memory/variable_modes.h"
-#include "memory/variable_table.h"
+#include "stages/variable_modes.h"
+#include "stages/variable_table.h"
 
 #include "variable_steps_ref.h"
 #include "variable_steps_runs_ref.h"

@@ -1,4 +1,4 @@
-/* src/inverse/identification_box.c -- Where to begin: what the data alone say.
+/* src/fits/identification_box.c -- Where to begin: what the data alone say.
  *                                                                     [Chapter 24] */
 #include "identification_model.h"
 

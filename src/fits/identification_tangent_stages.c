@@ -1,4 +1,4 @@
-/* src/inverse/identification_tangent_stages.c -- A run through stages and its derivatives,
+/* src/fits/identification_tangent_stages.c -- A run through stages and its derivatives,
  * side by side.                                                         [Chapter 24] */
 #include "identification_tangent.h"
 

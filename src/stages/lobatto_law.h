@@ -1,4 +1,4 @@
-/* src/memory/lobatto_law.h -- Laws of damping on Lobatto nodes.          [Chapter 26]
+/* src/stages/lobatto_law.h -- Laws of damping on Lobatto nodes.          [Chapter 26]
  *
  *     C(Delta(z)/h) (Delta(z)/h)^(-1) = sum_n W_n z^n:                    (26.12)
  *
@@ -7,7 +7,7 @@
 #ifndef FVI_LOBATTO_LAW_H
 #define FVI_LOBATTO_LAW_H
 
-#include "law_terms.h"
+#include "memory/law_terms.h"
 #include "lobatto_weights.h"
 
 /* A law's terms at one step; release with fvi_lobatto_law_free. */

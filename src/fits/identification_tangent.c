@@ -1,4 +1,4 @@
-/* src/inverse/identification_tangent.c -- A run and its derivatives, side by side.
+/* src/fits/identification_tangent.c -- A run and its derivatives, side by side.
  *                                                                     [Chapter 24] */
 #include "identification_tangent.h"
 

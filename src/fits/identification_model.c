@@ -1,4 +1,4 @@
-/* src/inverse/identification_model.c -- The motion as a function of its parameters.
+/* src/fits/identification_model.c -- The motion as a function of its parameters.
  *                                                                     [Chapter 24] */
 #include "identification_model.h"
 #include "identification_tangent.h"

@@ -1,4 +1,4 @@
-/* src/inverse/identification_model.h -- The motion as a function of its parameters.
+/* src/fits/identification_model.h -- The motion as a function of its parameters.
  *
  * Internal: nothing is checked here. theta are the parameters as people know them, u
  * those in which the search goes, all of the line: logit of alpha, ln of rho and m. */

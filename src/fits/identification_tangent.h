@@ -1,4 +1,4 @@
-/* src/inverse/identification_tangent.h -- A run with its derivatives, on its way.
+/* src/fits/identification_tangent.h -- A run with its derivatives, on its way.
  *                                                                     [Chapter 24] */
 #ifndef FVI_IDENTIFICATION_TANGENT_H
 #define FVI_IDENTIFICATION_TANGENT_H

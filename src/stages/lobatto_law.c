@@ -1,4 +1,4 @@
-/* src/memory/lobatto_law.c -- Laws of damping on Lobatto nodes.          [Chapter 26] */
+/* src/stages/lobatto_law.c -- Laws of damping on Lobatto nodes.          [Chapter 26] */
 #include "lobatto_law.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/inverse/identification_profile.c -- How far a parameter can go while the others
+/* src/fits/identification_profile.c -- How far a parameter can go while the others
  * make up for it.                                                      [Chapter 24] */
 #include "identification_search.h"
 

@@ -1,4 +1,4 @@
-/* src/memory/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [Chapter 17] */
+/* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [Chapter 17] */
 #include "lobatto_weights.h"
 
 #include <gsl/gsl_linalg.h>

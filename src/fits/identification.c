@@ -1,4 +1,4 @@
-/* src/inverse/identification.c -- Parameters from a measured motion.   [Chapter 24] */
+/* src/fits/identification.c -- Parameters from a measured motion.   [Chapter 24] */
 #include <fvi/identification.h>
 
 #include "identification_search.h"

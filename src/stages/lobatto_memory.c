@@ -1,9 +1,9 @@
-/* src/memory/lobatto_memory.c -- The history of a derivative on Lobatto nodes.
+/* src/stages/lobatto_memory.c -- The history of a derivative on Lobatto nodes.
  *                                                               [Chapter 17] */
 #include "lobatto_memory.h"
 
 #include "lobatto_law.h"
-#include "memory_kinds.h" /* FVI_VECTORS */
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <stdint.h>

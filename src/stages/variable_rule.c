@@ -1,7 +1,7 @@
-/* src/memory/variable_rule.c -- The constants of steps of any length.  [Chapter 22] */
+/* src/stages/variable_rule.c -- The constants of steps of any length.  [Chapter 22] */
 #include "variable_rule.h"
 
-#include "memory_kinds.h" /* FVI_VECTORS */
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include <fvi/error.h>
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* src/memory/lobatto_memory.h -- The history of a derivative on Lobatto nodes.
+/* src/stages/lobatto_memory.h -- The history of a derivative on Lobatto nodes.
  *                                                               [Chapter 17] */
 #ifndef FVI_LOBATTO_MEMORY_H
 #define FVI_LOBATTO_MEMORY_H

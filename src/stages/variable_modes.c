@@ -1,7 +1,7 @@
-/* src/memory/variable_modes.c -- The past of variable steps, as modes. [Chapter 22] */
+/* src/stages/variable_modes.c -- The past of variable steps, as modes. [Chapter 22] */
 #include "variable_modes.h"
 
-#include "memory_kinds.h" /* FVI_VECTORS */
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "variable_table.h"
 #include "variable_weights.h"

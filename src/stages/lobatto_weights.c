@@ -1,4 +1,4 @@
-/* src/memory/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
+/* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
 #include "lobatto_weights.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/inverse/identification_moduli.c -- An order from storage and loss.  [Chapter 24] */
+/* src/fits/identification_moduli.c -- An order from storage and loss.  [Chapter 24] */
 #include "identification_model.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/inverse/identification_search.c -- One search downhill.          [Chapter 24] */
+/* src/fits/identification_search.c -- One search downhill.          [Chapter 24] */
 #include "identification_search.h"
 
 #include "system/fail.h"
