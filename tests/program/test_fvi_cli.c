@@ -260,8 +260,8 @@ START_TEST(coefficients_and_methods_and_help)
                     "fvi-lobatto5\t5 to 8\tfull\n"));
     ck_assert_ptr_nonnull(
         strstr(out, "\nfvi-lobatto8\t8 to 14\tfull\nfvi-lobatto2d\t2\tfull\n"
-                    "fvi-lobatto3d\t4\tfull\nfvi-lobatto4d\t6\tfull\n"
-                    "fvi-lobatto5d\t7 to 8\tfull\n"));
+                    "fvi-lobatto3d\t3 to 4\tfull\nfvi-lobatto4d\t4 to 6\tfull\n"
+                    "fvi-lobatto5d\t5 to 8\tfull\n"));
     ck_assert_uint_eq(count_lines(out), 22);
     ck_assert_int_eq(fvi("--help"), 0);
     ck_assert(strncmp(out, "usage: fvi run", 14) == 0);
