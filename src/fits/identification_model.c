@@ -26,6 +26,7 @@ void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion)
     for (size_t i = 0; i < fit->n; i++)
         size = fmax(size, fabs(fit->x[i]));
     m->scale = fit->sigma > 0 ? fit->sigma : size > 0 ? size : 1;
+    m->hopeless = 1e8 * fmax(1, size / m->scale);
 }
 
 void fvi_fit_model_step(fvi_fit_model *m, double h)

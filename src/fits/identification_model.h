@@ -15,7 +15,9 @@ typedef struct {
     fvi_run
         run; /* of that system; x0, p0, masses and dampings are the next four */
     double mass, damping, x0, p0;
-    double scale;   /* the residuals' unit: sigma, or the size of the data */
+    double scale;    /* the residuals' unit: sigma, or the size of the data */
+    double hopeless; /* the residual where there is no motion, or one a 10^8 times as far
+                        off as the data are from 0 */
     double *motion; /* x(t_i), n numbers, of the last call */
 } fvi_fit_model;
 

@@ -5,12 +5,12 @@
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define HOPELESS 1e8 /* the residual where there is no motion */
-#define STEP 1e-7    /* of a difference: the memory is smooth to 1e-13 */
+#define STEP 1e-7 /* of a difference: the memory is smooth to 1e-13 */
 
 typedef fvi_fit_place place;
 typedef fvi_fit_work search;
@@ -27,7 +27,7 @@ int fvi_fit_residuals(const gsl_vector *u, void *params, gsl_vector *f)
     const int failed = fvi_fit_model_run(m);
     for (size_t i = 0; i < f->size; i++) {
         const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
-        o->last[i] = !failed && fabs(r) < HOPELESS ? r : HOPELESS;
+        o->last[i] = !failed && fabs(r) < m->hopeless ? r : m->hopeless;
         gsl_vector_set(f, i, o->last[i]);
     }
     return GSL_SUCCESS;
@@ -110,7 +110,7 @@ void fvi_fit_minimise(search *o, place *at, double below)
         before = at->sum;
     }
     gsl_vector_memcpy(&u.vector, gsl_multifit_nlinear_position(o->solver));
-    if (!(at->sum < HOPELESS * HOPELESS) || !fvi_all_finite(P, at->u))
+    if (!(at->sum < gsl_pow_2(o->model.hopeless)) || !fvi_all_finite(P, at->u))
         at->sum = GSL_POSINF;
 }
 //< minimise

@@ -207,6 +207,21 @@ START_TEST(eq_24_4_a_chi_squared_out_of_range_is_not_believed)
 }
 END_TEST
 
+/* Where sigma is the less, a start may be off by 1e10 of it and more: it is on its way. */
+START_TEST(eq_24_4_a_start_many_sigma_away_finds_the_same)
+{
+    question q;
+    fvi_fitted f[2];
+    ask(&q, ref_low, 3);
+    for (int i = 0; i < 2; i++) {
+        q.fit.sigma = i ? 1e-13 : 1e-3;
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f[i]), FVI_ETOL);
+    }
+    for (int j = 0; j < 3; j++) /* as 1e-9 of u ends a search */
+        ck_assert_near(f[1].estimate[j], f[0].estimate[j], 4e-9, "%d", j);
+}
+END_TEST
+
 /* Without a force m, rho, c and p0 are known but for a common factor. */
 START_TEST(eq_24_3_what_the_data_do_not_determine_is_said)
 {
@@ -349,6 +364,7 @@ int main(void)
              eq_24_5_starts_that_creep_beside_a_good_one_are_given_up,
              eq_24_5_starts_that_were_given_up_are_asked_again,
              eq_24_4_a_chi_squared_out_of_range_is_not_believed,
+             eq_24_4_a_start_many_sigma_away_finds_the_same,
              eq_24_3_what_the_data_do_not_determine_is_said,
              a_fit_is_repeatable_and_leaves_no_trace);
     ADD_CASE(suite, "questions", fit_refuses_what_cannot_be_asked,
