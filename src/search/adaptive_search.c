@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST = 128, MOST_RUNS = 16 };
+enum { FEWEST = 128, MOST_RUNS = 16, SAME_END = 5 };
 
 /* Rows of a run, `first` times as many as the caller wants, so that few rows do not
  * hide what is between them. */
@@ -19,6 +19,7 @@ typedef struct {
     const fvi_run *run;
     size_t first, length;
     size_t most;            /* no run of more steps */
+    double end;             /* the t that the last run came to */
     double *x, *before, *p; /* this run and the one before */
     fvi_adaptive_counts counts;
 } pair;
@@ -49,6 +50,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
         if (!status)
             status = fvi_run_to(s, t, o->x + k * d, o->p + k * d);
     }
+    o->end = s->t;
     fvi_stop(s);
     return status;
 }
@@ -74,19 +76,26 @@ static double distance(const pair *o, double *largest)
 
 //> search
 /* Every second run is limited, so that no two neighbours have the same steps. Estimates
- * that do not fall end it only where they may be rounding. */
+ * that do not fall end it only where they may be rounding. Where SAME_END runs in a row,
+ * each with a tenth of the tolerance, come to no other end than to a thousandth of it, it is
+ * the motion that ends there: it runs away in a finite time. */
 static int search(pair *o, double error, fvi_adaptive_found *found)
 {
     const double T = o->run->h * (double)o->run->steps;
     double step_error = error, longest = T, last = GSL_POSINF;
     double largest = 0;
-    int failed_before = 1, status = FVI_SUCCESS, worse = 0;
+    double end = 0;
+    int failed_before = 1, status = FVI_SUCCESS, worse = 0, same_end = 0;
     found->estimate = GSL_POSINF;
     for (int i = 0; i < MOST_RUNS && worse < 3; i++, step_error /= 10) {
         status = i % 2 ? trial(o, step_error, longest / 2, 3)
                        : trial(o, step_error, T, 4);
         if (status && !too_long(status))
             return status;
+        same_end = status && fabs(o->end - end) < 1e-3 * end ? same_end + 1 : 0;
+        if (same_end == SAME_END - 1)
+            return status;
+        end = o->end;
         const double estimate =
             status || failed_before ? GSL_POSINF : distance(o, &largest);
         if (estimate < found->estimate)
