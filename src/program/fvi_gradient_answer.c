@@ -30,7 +30,7 @@ static void print_head(FILE *f, const fvi_own_command *command,
 static void print_row(FILE *f, const char *name, const char *number, double by)
 {
     fprintf(f, "%s%s", name, number);
-    fvi_print_number(f, "\t", by);
+    fvi_print_number(f, "\t", by + 0.0); /* no -0 */
     fputc('\n', f);
 }
 

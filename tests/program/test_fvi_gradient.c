@@ -51,19 +51,32 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         const char *name, *option;
         double at;
     } rows[] = {
-        { 0, "x0", "--x0", 1 },      { 0, "p0", "--p0", 0.5 },
-        { 0, "mass", "--mass", 1 },  { 0, "g", "--potential duffing:1,", 0.5 },
-        { 1, "x0", "--x0", 1 },      { 1, "p0", "--p0", 0.5 },
-        { 1, "mass", "--mass", 1 },  { 1, "g", "--potential pendulum:", 1 },
-        { 2, "k", "--let k=", 0.5 }, { 2, "mass", "--mass", 1 },
-        { 3, "k", "--let k=", 0.5 }, { 3, "rho", "--rho", 0.2 },
-        { 3, "alpha", "--alpha", 0.7 }, { 4, "alpha", "--alpha", 0.3 },
-        { 4, "mass", "--mass", 1 },  { 5, "mass", "--mass", 1 },
-        { 5, "rho", "--rho", 0.4 },  { 5, "p0", "--p0", 0.5 },
-        { 6, "p0", "--p0", 0.5 },    { 6, "mass", "--mass", 1 },
-        { 7, "p0", "--p0", 0.5 },    { 7, "rho", "--rho", 0.4 },
-        { 7, "alpha", "--alpha", 0.3 }, { 8, "k", "--let k=", 0.5 },
-        { 9, "mass", "--mass", 1 },  { 9, "alpha", "--alpha", 0.3 },
+        { 0, "x0", "--x0", 1 },
+        { 0, "p0", "--p0", 0.5 },
+        { 0, "mass", "--mass", 1 },
+        { 0, "g", "--potential duffing:1,", 0.5 },
+        { 1, "x0", "--x0", 1 },
+        { 1, "p0", "--p0", 0.5 },
+        { 1, "mass", "--mass", 1 },
+        { 1, "g", "--potential pendulum:", 1 },
+        { 2, "k", "--let k=", 0.5 },
+        { 2, "mass", "--mass", 1 },
+        { 3, "k", "--let k=", 0.5 },
+        { 3, "rho", "--rho", 0.2 },
+        { 3, "alpha", "--alpha", 0.7 },
+        { 4, "alpha", "--alpha", 0.3 },
+        { 4, "mass", "--mass", 1 },
+        { 5, "mass", "--mass", 1 },
+        { 5, "rho", "--rho", 0.4 },
+        { 5, "p0", "--p0", 0.5 },
+        { 6, "p0", "--p0", 0.5 },
+        { 6, "mass", "--mass", 1 },
+        { 7, "p0", "--p0", 0.5 },
+        { 7, "rho", "--rho", 0.4 },
+        { 7, "alpha", "--alpha", 0.3 },
+        { 8, "k", "--let k=", 0.5 },
+        { 9, "mass", "--mass", 1 },
+        { 9, "alpha", "--alpha", 0.3 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -71,9 +84,10 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         char line[1000], options[500], more[100], ends = ' ';
         /* what is varied must not be given twice */
         snprintf(options, sizeof options, "%s", runs[rows[j].run]);
-        char *given = strstr(options, rows[j].name[0] == 'g'   ? "--potential"
-                                      : rows[j].name[0] == 'k' ? "--let k"
-                                                               : rows[j].option);
+        char *given =
+            strstr(options, rows[j].name[0] == 'g'   ? "--potential"
+                            : rows[j].name[0] == 'k' ? "--let k"
+                                                     : rows[j].option);
         if (given) {
             char *end = strchr(strchr(given, ' ') + 1, ' ');
             memset(given, ' ', end ? (size_t)(end - given) : strlen(given));
@@ -159,6 +173,14 @@ START_TEST(the_forces_and_the_start_add_up_to_a_linear_motion)
 }
 END_TEST
 
+/* What is at rest stays at rest, whatever rho: no derivative, and no sign. */
+START_TEST(nothing_has_no_sign)
+{
+    ck_assert_int_eq(fvi("gradient --alpha 0.3 --x0 0 --p0 0"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\nrho\t0\n"));
+}
+END_TEST
+
 START_TEST(bad_words_of_a_gradient_are_refused)
 {
     static const struct {
@@ -167,7 +189,8 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
         { "--method fvi-adaptive --alpha 0.7",
           "--method: 'fvi-adaptive' has no gradient where the past pulls" },
-        { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let b=1,a=1",
+        { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let "
+          "b=1,a=1",
           "--let: 'a' has no gradient with fvi-adaptive" },
         { "--of y", "--of: 'y' is none of x, p, energy" },
         { "--of x:2", "--of: '2' is outside [1, 1]" },
@@ -224,7 +247,7 @@ int main(void)
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
              rows_of_a_law_are_differences_of_runs,
              the_forces_and_the_start_add_up_to_a_linear_motion,
-             bad_words_of_a_gradient_are_refused,
+             nothing_has_no_sign, bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);
     return run_suite_of_program(suite);
 }
