@@ -70,16 +70,6 @@ START_TEST(eq_24_9_moduli_scatter_as_they_say)
 }
 END_TEST
 
-static int handled;
-static void handler(const char *reason, const char *file, int line, int code)
-{
-    (void)reason;
-    (void)file;
-    (void)line;
-    (void)code;
-    handled++;
-}
-
 START_TEST(moduli_refuse_what_is_no_data)
 {
     double w[N], storage[N], loss[N];

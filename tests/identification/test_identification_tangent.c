@@ -152,16 +152,6 @@ START_TEST(eq_24_3_slopes_and_differences_find_the_same)
 }
 END_TEST
 
-static int handled;
-static void handler(const char *reason, const char *file, int line, int code)
-{
-    (void)reason;
-    (void)file;
-    (void)line;
-    (void)code;
-    handled++;
-}
-
 START_TEST(tangents_refuse_what_they_do_not_know)
 {
     static const double ones[] = { 1, 1 };

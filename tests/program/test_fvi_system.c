@@ -2,20 +2,9 @@
  * Run alone: make test-fvi_system */
 #define _GNU_SOURCE
 #include "program.h"
+#include "folder.h"
 
 #include <string.h>
-
-#define HEAD "%%MatrixMarket matrix coordinate real symmetric\n"
-
-/* Three masses between two walls. */
-static void write_chain(void)
-{
-    ck_assert_int_eq(shell("mkdir -p chain"), 0);
-    write_file("chain/M.mtx", HEAD "% masses\n3 3 3\n1 1 1\n2 2 2\n3 3 0.5\n");
-    write_file("chain/K.mtx",
-               HEAD "3 3 5\n1 1 4\n2 1 -2\n2 2 4\n3 2 -2\n3 3 4\n");
-    write_file("chain/C.mtx", HEAD "3 3 2\n1 1 0.3\n3 3 0.1\n");
-}
 
 /* The rows without the head, into `rows`. */
 static void table(const char *words, char *rows, size_t size)
@@ -213,129 +202,6 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
 }
 END_TEST
 
-START_TEST(bad_folders_are_refused_with_file_and_line)
-{
-    static const struct {
-        const char *file, *text, *complaint;
-    } bad[] = {
-        { "M.mtx", "", "M.mtx: cannot be read, or is empty" },
-        { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 nan\n3 3 1\n",
-          "M.mtx:4: not a finite number" },
-        { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 -1\n3 3 1\n",
-          "M.mtx:4: not positive definite" },
-        { "M.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n3 3 1\n",
-          "M.mtx:5: not positive definite" },
-        { "M.mtx", HEAD "3 3 2\n1 1 1\n3 3 1\n",
-          "M.mtx: not positive definite" },
-        { "M.mtx",
-          HEAD "3 3 6\n1 1 1\n2 2 1\n3 3 1\n2 1 .9\n3 2 .9\n3 1 -.9\n",
-          "M.mtx: not positive definite" },
-        { "M.mtx", HEAD "3 3 3\n1 1 1\n3 3 1\n",
-          "M.mtx:2: fewer entries follow than it says" },
-        { "K.mtx", HEAD "% a size\n2 2 2\n1 1 1\n2 2 1\n",
-          "K.mtx:3: not of the size of M.mtx" },
-        { "C.mtx", HEAD "2 2 2\n1 1 1\n2 2 1\n",
-          "C.mtx:2: not of the size of M.mtx" },
-        { "K.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n1 2 2\n",
-          "K.mtx:6: an entry that stands twice; of a symmetric matrix only one "
-          "triangle is given" },
-        { "K.mtx",
-          "%%MatrixMarket matrix coordinate real general\n3 3 2\n1 2 "
-          "1\n2 1 2\n",
-          "K.mtx:4: the matrix is not symmetric: entry (j, i) is another one" },
-        { "K.mtx",
-          "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 "
-          "1\n1 1\n",
-          "K.mtx:1: a pattern without numbers" },
-        { "C.mtx", HEAD "3 3 1\n2 1 0.5\n",
-          "C.mtx:3: not positive semidefinite: it would feed the motion" },
-        { "f.tsv", "t f4\n0 1\n",
-          "f.tsv:1: a name that is none of the "
-          "unknowns'" },
-        { "f.tsv", "t f1 f1\n0 1 1\n",
-          "f.tsv:1: an unknown that is named "
-          "twice" },
-        { "f.tsv", "0 1 2 3\n1 1 2\n", "f.tsv:2: a number is missing" },
-        { "f.tsv", "0 1 2 3\n1 1 2 3 4\n",
-          "f.tsv:2: more numbers than "
-          "columns" },
-        { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2: t does not increase" },
-        { "f.tsv", "0 1 2 inf\n", "f.tsv:1: not a finite number" },
-        { "f.tsv", "# t\n", "f.tsv: has no rows" },
-        { "f.tsv", "t\n0\n30\n", "f.tsv:1: names are t, then f1, f2, ..." },
-        { "f.tsv", "t f1\n0 1\nt f2\n30 1\n", "f.tsv:3: not a finite number" },
-        { "f.tsv", "0 1 2 3\ntrash 1\n30 1 2 3\n",
-          "f.tsv:2: not a finite number" },
-        { "C.mtx", HEAD "3 3 3\n1 1 1\n2 2 0\n3 3 -1\n",
-          "C.mtx:5: not positive semidefinite: it would feed the motion" },
-        { "C.mtx", HEAD "3 3 2\n1 1 1\n2 2 -1e-15\n",
-          "C.mtx:4: not positive semidefinite: it would feed the motion" },
-    };
-    for (size_t i = 0; i < LEN(bad); i++) {
-        char name[40], complaint[200];
-        write_chain();
-        snprintf(name, sizeof name, "chain/%s", bad[i].file);
-        write_file(name, bad[i].text);
-        snprintf(complaint, sizeof complaint, "--system: chain/%s",
-                 bad[i].complaint);
-        ck_assert_msg(fvi("run --system chain -o nothing") == 2, "%s",
-                      bad[i].complaint);
-        ck_assert_msg(strncmp(err + 5, complaint, strlen(complaint)) == 0,
-                      "%s: %s", complaint, err);
-        ck_assert(!exists("nothing"));
-        ck_assert_int_eq(shell("rm -r chain"), 0);
-    }
-    ck_assert_refused("run --system nowhere",
-                      "fvi: --system: nowhere/M.mtx: cannot be read");
-    write_chain();
-    write_file("chain/K.mtx", HEAD "3 3 1\n2 2 -1e6\n");
-    ck_assert_int_eq(fvi("run --system chain --method fvi-stable -o nothing"),
-                     1);
-    ck_assert_str_eq(err,
-                     "fvi: --system: the matrix of a step is not positive "
-                     "definite: K is negative somewhere, and h too long for "
-                     "it\n");
-    ck_assert(!exists("nothing"));
-    ck_assert_int_eq(shell("rm -r chain"), 0);
-}
-END_TEST
-
-START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
-{
-    write_chain();
-    ck_assert_refused("run --system chain --mass 1",
-                      "fvi: --system: not together with --mass");
-    ck_assert_refused("run --system chain --rho 1",
-                      "fvi: --system: not together with --rho");
-    ck_assert_refused("run --system chain --potential free",
-                      "fvi: --system: not together with --potential");
-    ck_assert_refused("run --system chain --dimension 3",
-                      "fvi: --system: not together with --dimension");
-    ck_assert_refused("run --system chain --error 1e-3 --method fvi-adaptive",
-                      "fvi: --method: 'fvi-adaptive' takes no matrices; fvi, "
-                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
-    ck_assert_refused("run --system chain --method fvi-lobatto4",
-                      "fvi: --method: 'fvi-lobatto4' takes no matrices; fvi, "
-                      "fvi-shifted, fvi-bdf2 and fvi-stable do");
-    ck_assert_refused("fit --system chain d.tsv",
-                      "fvi: --system: not an option of this command");
-    ck_assert_int_eq(fvi("sweep --system chain --vary alpha=0.1:0.9:3 --method "
-                         "fvi-stable --columns x"),
-                     0);
-    write_file("chain/C.mtx", HEAD "3 3 0\n");
-    ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
-    ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
-    ck_assert_int_eq(fvi("run --system chain --steps 3"), 0);
-    ck_assert_int_eq(shell("ln -s nowhere chain/C.mtx"), 0);
-    ck_assert_refused("run --system chain --steps 3",
-                      "fvi: --system: chain/C.mtx: cannot be read");
-    ck_assert_int_eq(shell("mv chain/C.mtx chain/f.tsv"), 0);
-    ck_assert_refused("run --system chain --steps 3",
-                      "fvi: --system: chain/f.tsv: No such file or directory");
-    ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
-}
-END_TEST
-
 START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
 {
     static char whole[1 << 16], parts[1 << 16], rest[1 << 16];
@@ -414,8 +280,6 @@ int main(void)
              a_folder_of_matrices_is_the_system_that_it_says,
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
-             bad_folders_are_refused_with_file_and_line,
-             what_a_system_replaces_or_no_method_takes_is_refused,
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
              eq_18_2_a_system_is_run_to_a_wanted_error,
              an_unstable_step_is_told_of_a_system_too);

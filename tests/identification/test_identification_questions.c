@@ -1,0 +1,99 @@
+/* tests/identification/test_identification_questions.c -- Chapter 24: what cannot be asked,
+ * and where the answer is looked for.
+ * Run alone: make test-identification_questions */
+#include "identification_runs.h"
+
+static int code_of(const question *q)
+{
+    fvi_fitted f;
+    return fvi_fit_search(&q->fit, NULL, &f);
+}
+
+static void two_masses(question *q)
+{
+    static const double ones[] = { 1, 1 };
+    q->system.d = 2;
+    q->system.mass = q->system.damping = ones;
+}
+
+#define REFUSED(change, code)                                                  \
+    do {                                                                       \
+        question q;                                                            \
+        ask(&q, ref_low, 3);                                                   \
+        change;                                                                \
+        handled = 0;                                                           \
+        ck_assert_int_eq(code_of(&q), code);                                   \
+        ck_assert_int_eq(handled, 1);                                          \
+    } while (0)
+
+START_TEST(fit_refuses_what_cannot_be_asked)
+{
+    const fvi_parameter twice[] = { FVI_PARAMETER_RHO, FVI_PARAMETER_ALPHA,
+                                    FVI_PARAMETER_RHO };
+    const double box[] = { 0.1, 0.2, 0.3 };
+    const fvi_law_term dashpot = { .kind = FVI_LAW_MAXWELL, .rho = 1 };
+    const fvi_law law = { 1, &dashpot };
+    fvi_fitted f;
+    question right;
+    ask(&right, ref_low, 3);
+    fvi_set_error_handler(handler);
+    REFUSED(q.fit.method = NULL, FVI_EFAULT);
+    REFUSED(q.fit.run = NULL, FVI_EFAULT);
+    REFUSED(q.fit.t = NULL, FVI_EFAULT);
+    REFUSED(q.fit.x = NULL, FVI_EFAULT);
+    REFUSED(q.fit.which = NULL, FVI_EFAULT);
+    REFUSED(q.fit.constants = NULL, FVI_EFAULT);
+    REFUSED(q.fit.low = box, FVI_EFAULT);
+    REFUSED(two_masses(&q), FVI_EINVAL);
+    REFUSED(q.fit.parameters = 0, FVI_EINVAL);
+    REFUSED(q.fit.parameters = FVI_FIT_MOST + 1, FVI_EINVAL);
+    REFUSED(q.fit.n = 3, FVI_EINVAL);
+    REFUSED(q.fit.starts = 1, FVI_EINVAL);
+    REFUSED(q.fit.which = twice, FVI_EINVAL);
+    REFUSED(q.t[7] = q.t[6], FVI_EINVAL);
+    REFUSED(q.t[0] = -1, FVI_EDOM);
+    REFUSED(q.x[9] = NAN, FVI_EDOM);
+    REFUSED(q.fit.sigma = -1, FVI_EDOM);
+    REFUSED(q.fit.h = -1, FVI_EDOM);
+    REFUSED(q.fit.low = q.fit.high = box, FVI_EDOM);
+    REFUSED(q.fit.method = &fvi_lagrange_dalembert, FVI_EUNSUP);
+    REFUSED((q.run.law = &law, q.fit.method = &fvi_bdf2), FVI_EUNSUP);
+    handled = 0;
+    ck_assert_int_eq(fvi_fit_search(NULL, NULL, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_fit_search(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_fit_box(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(handled, 3);
+    fvi_set_error_handler(NULL);
+}
+END_TEST
+
+/* The box of the references: the truth lies in it, and it depends on nothing but the
+ * data and the mass. */
+START_TEST(the_box_holds_the_truth)
+{
+    for (size_t i = 0; i < 2; i++) {
+        question q;
+        double low[5], high[5];
+        ask(&q, i ? ref_high : ref_low, 5);
+        ck_assert_int_eq(fvi_fit_box(&q.fit, low, high), FVI_SUCCESS);
+        for (size_t j = 0; j < 5; j++)
+            ck_assert_msg(low[j] < ref_errors[2 * i].truth[j]
+                              && ref_errors[2 * i].truth[j] < high[j],
+                          "%zu: %g ... %g", j, low[j], high[j]);
+        q.m = 100; /* another unit of mass: all forces grow alike */
+        double low100[5], high100[5];
+        ck_assert_int_eq(fvi_fit_box(&q.fit, low100, high100), FVI_SUCCESS);
+        for (size_t j = 0; j < 5; j++)
+            ck_assert_double_eq_tol(
+                high100[j], high[j] * (j == 0 || j == 3 ? 1 : 100), 1e-9);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("what can be asked");
+    ADD_CASE(suite, "questions", fit_refuses_what_cannot_be_asked,
+             the_box_holds_the_truth);
+    return run_suite(suite);
+}
