@@ -40,7 +40,7 @@ HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))
 BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c))
 # What proofs import, and what proves nothing itself, stands in verify/shared/.
-PROOFS   := $(patsubst verify/%.py,%,$(wildcard verify/*.py))
+PROOFS   := $(patsubst %.py,%,$(notdir $(filter-out verify/shared/%,$(wildcard verify/*/*.py))))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*/*.c))
 DIAGRAMS := $(filter-out $(SCENES),$(patsubst figures/%.gp,%,$(wildcard figures/*/*.gp)))
 CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))

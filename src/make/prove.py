@@ -2,7 +2,7 @@
 
     prove.py BUILD [--accept] STEM...     (make verify, verify-STEM, refs-STEM)
 
-A script verify/STEM.py proves, and prints BUILD/verify/STEM_ref.h, which must be the
+A script verify/ROOM/STEM.py proves, and prints BUILD/verify/STEM_ref.h, which must be the
 committed header to the byte, or with --accept becomes it. BUILD/verify/STEM.ok names the
 modules of verify/ that the script read: while nothing of them or of the header is newer,
 the proof stands. sympy takes half a second to load, so it is loaded once, and each proof
@@ -21,6 +21,10 @@ import sympy
 BUILD = pathlib.Path(sys.argv[1], "verify")
 ACCEPT = "--accept" in sys.argv
 STEMS = [word for word in sys.argv[2:] if word != "--accept"]
+
+
+def script(stem):
+    return next(pathlib.Path("verify").glob(f"*/{stem}.py"))
 
 
 def committed(stem):
@@ -42,7 +46,7 @@ def prove(stem):
     fresh, header = BUILD / f"{stem}_ref.h", committed(stem)
     with open(fresh, "w") as out:
         os.dup2(out.fileno(), sys.stdout.fileno())
-    runpy.run_path(f"verify/{stem}.py", run_name="__main__")
+    runpy.run_path(str(script(stem)), run_name="__main__")
     sys.stdout.flush()
     home = pathlib.Path("verify").resolve()
     read = [pathlib.Path(m.__file__) for m in list(sys.modules.values()) if getattr(m, "__file__", None)]
@@ -50,10 +54,10 @@ def prove(stem):
     if ACCEPT:
         shutil.copy(fresh, header)
     elif not header.exists() or fresh.read_bytes() != header.read_bytes():
-        sys.exit(f"verify/{stem}.py no longer gives {header}; to accept: make refs-{stem}")
-    names = sorted({f"verify/{stem}.py", *(os.path.relpath(path) for path in read)})
+        sys.exit(f"{script(stem)} no longer gives {header}; to accept: make refs-{stem}")
+    names = sorted({str(script(stem)), *(os.path.relpath(path) for path in read)})
     (BUILD / f"{stem}.ok").write_text("\n".join(names) + "\n")
-    print(f"proved: verify/{stem}.py, and {header} is what it gives", file=sys.stderr)
+    print(f"proved: {script(stem)}, and {header} is what it gives", file=sys.stderr)
 
 
 def main():

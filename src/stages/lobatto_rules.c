@@ -3,7 +3,7 @@
 
 #define R 2.23606797749978969641 /* sqrt(5) */
 
-/* From five nodes on, the doubles that are nearest; verify/lobatto_stages.py has them
+/* From five nodes on, the doubles that are nearest; verify/lobatto/lobatto_stages.py has them
  * from the zeros of Legendre's polynomials, and a test compares. */
 static const fvi_lobatto_rule rules[] = {
     //> rules

@@ -6,7 +6,7 @@
  *     A^{-1} = D + e_1 e_1^T / b_1,    A 1 = c,    last row of A: b,        (17.3)
  *
  * everything that does not depend on the step nor on alpha is a constant, and made by
- * verify/variable_rule.py from its definition. */
+ * verify/variable_steps/variable_rule.py from its definition. */
 #ifndef FVI_VARIABLE_RULE_H
 #define FVI_VARIABLE_RULE_H
 

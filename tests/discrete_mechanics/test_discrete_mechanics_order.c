@@ -22,7 +22,7 @@ typedef enum { START, REST } motion;
 
 /* Duffing, c = g = 1: x = A cn(omega t + phase), omega^2 = c + g A^2,
  * k^2 = g A^2 / (2 omega^2). Pendulum, g = 1: sin(x/2) = k sn, p = 2 omega k cn.
- * Proved in verify/discrete_mechanics.py. */
+ * Proved in verify/discrete_mechanics/discrete_mechanics.py. */
 static void exact(int kind, motion from, double t, double *x, double *p)
 {
     double sn, cn, dn, A = 1.25, k = sin(1), phase = -0.5, p0;

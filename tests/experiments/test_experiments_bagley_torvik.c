@@ -66,7 +66,7 @@ static double row_roundings(double N, double h)
 
 /* h = 1/4, h^(3/2) = 1/8. A row of the matrix has the elements 25, -44, 19 and some
  * that add up to 1; |x| < 3.1; so a dozen roundings of numbers below 140. A unit in
- * every row makes less than 3 in x (claimed in verify/experiments_bagley_torvik.py).
+ * every row makes less than 3 in x (claimed in verify/experiments/experiments_bagley_torvik.py).
  * A step of the FVI has less of both. Seen: 4 u. */
 START_TEST(eq_10_9_rational_values_at_h_one_quarter)
 {

@@ -17,7 +17,7 @@ static int ramp(double t, size_t d, void *params, double *F)
 
 /* ---- values ---- */
 
-/* (9.2), (9.6). verify/fvi.py repeats the operations of fvi.c in an arithmetic
+/* (9.2), (9.6). verify/fvi/fvi.py repeats the operations of fvi.c in an arithmetic
  * in which each number carries the rounding errors made so far, every rounding
  * counted at its worst and none against another: that gives the bound of each
  * row, in units of u. Seen: at most 4 u, and 0.67 of the bound. */

@@ -18,7 +18,7 @@ enum { MOST = 4096 };
 /* The paper's problem: m = c = 1, rho = 1/5, x_0 = 1, p_0 = 1/2. */
 static const double c = 1, rho = 0.2, x0 = 1, p0 = 0.5;
 
-/* m x'' + rho x' + c x = 0, x(0) = x0, x'(0) = v0. verify/legendre.py. */
+/* m x'' + rho x' + c x = 0, x(0) = x0, x'(0) = v0. verify/legendre/legendre.py. */
 static void exact(double m, double v0, double t, double *x, double *v)
 {
     const double gamma = rho / (2 * m), omega = sqrt(c / m - gamma * gamma);

@@ -32,7 +32,7 @@ START_TEST(a_power_is_alpha_and_rho)
 END_TEST
 
 /* Each kind means its symbol: x(4) of (26.9), m = c = 1, held at 1, p0 = 0, from
- * verify/damping_laws.py. Order 2: some 0.3 h^2. Seen: 5e-8;
+ * verify/damping_laws/damping_laws.py. Order 2: some 0.3 h^2. Seen: 5e-8;
  * and the exact solution, as its header promises. Seen: 2e-16. */
 START_TEST(each_kind_is_its_symbol)
 {

@@ -1,5 +1,5 @@
 """Runs of one Duffing oscillator by Algorithm 3 and (13.7), in integers: what the
-derivatives of verify/adjoint.py are differences of.
+derivatives of verify/adjoint/adjoint.py are differences of.
 
 A number of a run is an integer times 2^-178, so mpmath must be set to 60 digits or more."""
 from operator import mul

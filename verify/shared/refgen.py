@@ -1,6 +1,6 @@
 """What every proof script shares: exact values to C, and assertions that speak.
 
-A script verify/STEM.py proves the statements of its chapter and prints
+A script verify/ROOM/STEM.py proves the statements of its chapter and prints
 tests/STEM_ref.h on standard output. Inputs are doubles as they are; outputs come
 from the definition and are rounded once, to the nearest double."""
 import re

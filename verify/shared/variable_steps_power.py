@@ -9,7 +9,7 @@ from operator import mul
 import mpmath
 from mpmath import mp, mpf
 
-import variable_steps as one
+from variable_steps import variable_steps as one
 
 
 # Sums of products are taken in integers, units of 2^-(prec + 100): (real, imaginary) lists.

@@ -1,0 +1,148 @@
+"""Chapter 19: what the body did before t = 0. Prints tests/past/past_ref.h.
+
+  (19.3)  on the powers of t, the three derivatives differ by A t^e / Gamma(1 + e);
+  (19.4)  v D^b v - 1/2 D^b v^2 is a sum of squares, on all quadratic v;
+  (19.5)  the impulses, from the integral, at 120 digits;
+  (19.6)  where Caputo jumps at alpha = 1/2, and what alpha = 1 does to a velocity;
+  (19.8)  the first powers of t of the three solutions.
+
+Inputs are the doubles they are; the integrals are taken term by term in powers of
+k + s, which cancels some forty digits at k = 10^9: there are 120."""
+from functools import cache
+
+import mpmath
+from mpmath import mp, mpf
+from sympy import Rational, binomial, expand, gamma, gammasimp, limit, oo, symbols
+
+from shared.refgen import claim, header, hexd, hexd_real, prove, table
+
+t, u = symbols("t u", positive=True)
+beta, b, rho, m, c, v0, x0, s = symbols("beta b rho m c v0 x0 s", positive=True)
+
+
+#> powers
+def of_power(q, order):
+    """D^order t^q / Gamma(q + 1), from -infinity, of a path that is 0 before t = 0:
+    the jumps that the power makes at t = 0 count."""
+    return t ** (q - order) / gamma(q - order + 1)
+
+
+def caputo(q, order, first):
+    """The same with the values at t = 0 taken away, up to the derivative first - 1."""
+    return 0 if q < first else of_power(q, order)
+
+
+for q in range(4):
+    for first, e, A in ((1, -beta, q == 0), (2, 1 - beta, q == 1)):
+        # beta < 1: Riemann-Liouville acts on x, Caputo and held on x - x0.
+        # beta > 1: held acts on x - x0, Caputo on x - x0 - t v0.
+        z = 0 if q == 0 and first == 2 else 1              # held takes x0 away
+        extra = z * of_power(q, beta) - caputo(q, beta, first)
+        prove(f"(19.3) q = {q}, n = {first}",
+              gammasimp(extra - int(A) * t**e / gamma(1 + e)))
+#< powers
+
+#> squares
+a = symbols("a0:3")
+v = sum(a[i] * t**i for i in range(3))
+
+
+def marchaud(difference):
+    """int_0^t difference(u) u^(-b-1) du, a polynomial without constant term in u."""
+    terms = expand(difference).as_poly(u).all_terms()
+    claim("it vanishes at u = 0", all(k > 0 for (k,), _ in terms if _ != 0))
+    return sum(coefficient * t ** (k - b) / (k - b) for (k,), coefficient in terms)
+
+
+def derivative(f):
+    """D^b of a polynomial, b < 1: Gamma(1 - b) is left out."""
+    return sum(k_ * t ** (i - b) * gamma(i + 1) * gamma(1 - b) / gamma(i + 1 - b)
+               for (i,), k_ in f.as_poly(t).all_terms())
+
+
+work = v * derivative(v) - derivative(expand(v**2)) / 2
+squares = (t**-b * v**2 + b * marchaud((v - v.subs(t, t - u)) ** 2)) / 2
+prove("(19.4) v D v - 1/2 D v^2", gammasimp(expand((work - squares) * t**b)))
+#< squares
+
+#> jump
+Q = m * s**2 + c + rho * s**beta
+held = ((m * s + rho * s ** (beta - 1)) * x0 + m * v0) / Q
+Caputo = held + rho * s ** (beta - 2) * v0 / Q
+prove("(19.6) the jump is the answer to the constant force rho v0",
+      ((Caputo - held).subs(beta, 1) - rho * v0 / (s * Q.subs(beta, 1))))
+of_v = (s * held - x0).subs(beta, 2)                       # the transform of x'
+prove("(19.7) alpha = 1: x'(0+) = m v0 / (m + rho)",
+      limit(s * of_v, s, oo) - m * v0 / (m + rho))
+#< jump
+
+#> first
+# The transforms by powers of 1/s, rho s^beta / (m s^2) being small: the first power
+# that is no integer in x = x0 + t v0 - t^2 c x0 / (2 m) + ...
+r = rho / m
+for past, k0, k1, term, power, value in (
+        ("held, beta < 1", 1, 0, -r * v0, 3 - beta, Rational(1, 2)),
+        ("held, beta > 1", 1, 0, -r * v0, 3 - beta, Rational(3, 2)),
+        ("Riemann-Liouville, beta < 1", 0, 0, -r * x0, 2 - beta, Rational(1, 2)),
+        ("Caputo, beta > 1", 1, 1, r * c * x0 / m, 4 - beta, Rational(3, 2))):
+    X = ((m * s + k0 * rho * s ** (beta - 1)) * x0
+         + (m + k1 * rho * s ** (beta - 2)) * v0) / Q
+    rest = X - x0 / s - v0 / s**2 + c * x0 / (m * s**3)
+    of_t = limit((rest * s ** (power + 1)).subs(beta, value), s, oo)
+    prove(f"(19.8) {past}", of_t - term)                   # of t^power / Gamma(power + 1)
+#< first
+
+#> impulses
+@cache
+def lagrange(nodes, i, digits):
+    """l_i by powers of s, at so many digits."""
+    nodes, coefficients = [mpf(node) for node in nodes], [mpf(1)]
+    for j, node in enumerate(nodes):
+        if j != i:
+            scale = nodes[i] - node
+            shifted = [mpf(0)] + coefficients
+            coefficients = [(a_ - node * b_) / scale
+                            for a_, b_ in zip(shifted, coefficients + [mpf(0)])]
+    return coefficients
+
+
+def impulse(alpha, k, nodes, i):
+    """(19.5): int_0^1 l_i(s) (k + s)^e / Gamma(1 + e) ds."""
+    e = -2 * mpf(alpha) if alpha < 0.5 else 1 - 2 * mpf(alpha)
+    if e == -1:                                            # one impulse at t = 0
+        return mpf(i == 0 and k == 0)
+    total, l = mpf(0), lagrange(nodes, i, mp.dps)
+    for degree, coefficient in enumerate(l):               # s = (k + s) - k
+        for j in range(degree + 1):
+            q = e + j + 1
+            total += (coefficient * int(binomial(degree, j)) * mpf(-k) ** (degree - j)
+                      * (mpf(k + 1) ** q - (mpf(k) ** q if k else 0)) / q)
+    return total / mpmath.gamma(1 + e)
+#< impulses
+
+
+mp.dps = 30
+direct = mpmath.quad(lambda y: y * (1 - y) / mpf("0.25") * (3 + y) ** mpf("-0.4"), [0, 1])
+claim("(19.5) by quadrature",
+      abs(direct / mpmath.gamma(mpf("0.6")) - impulse(mpf("0.2"), 3, (0, 0.5, 1), 1))
+      < mpf(10) ** -25)
+
+NODES = {2: (0.0, 1.0), 3: (0.0, 0.5, 1.0), 4: (0.0, (1 - 5**-0.5) / 2, (1 + 5**-0.5) / 2, 1.0)}
+ALPHAS = (0.0, 2.0**-30, 0.1, 0.25, 0.4, 0.5 - 2.0**-30, 0.5 + 2.0**-30, 0.6, 0.75, 0.9,
+          1 - 2.0**-30, 1.0)
+
+
+def text(alpha, k, n, i):
+    def at(digits):
+        mp.dps = 120 + digits
+        return mpmath.nstr(impulse(alpha, k, NODES[n], i), digits)
+    return hexd_real(at, 25)
+
+
+header("verify/past/past.py")
+table("ref_nodes", "double c[4];", [["{ " + ", ".join(hexd(c_) for c_ in NODES.get(n, ()))
+                                     + " }"] for n in range(5) if n in NODES])
+table("ref_impulses", "double alpha; size_t n, k; double b[4];",
+      [[hexd(alpha), n, k, "{ " + ", ".join(text(alpha, k, n, i) for i in range(n)) + " }"]
+       for alpha in ALPHAS for n in NODES
+       for k in (0, 1, 2, 3, 10, 100, 10**5, 10**9)])
