@@ -2,8 +2,8 @@
  * with a law.
  * Run alone: make test-damping_laws_stages_runs */
 #include <fvi/fvi.h>
-#include "damping_laws_ref.h"
 #include "harness/ulp.h"
+#include "law_runs.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
@@ -28,11 +28,6 @@ static double end_of(const fvi_method *method, const fvi_law *law,
     return last;
 }
 
-static const fvi_law *law_of(size_t l)
-{
-    return l < LEN(ref_laws) ? &ref_laws[l] : &steep_laws[l - LEN(ref_laws)];
-}
-
 /* Against the exact solution at t = 4, kicked off: orders 2, 4 and 6 as for a power, and
  * for every law, while the errors are above 1e-14; and with 8 stages 32 steps leave
  * no more than the exact solution may be off. */
@@ -41,7 +36,7 @@ START_TEST(eq_26_12_orders_at_a_fixed_time)
     const fvi_method *const methods[] = { &fvi_lobatto2d, &fvi_lobatto3d,
                                           &fvi_lobatto4d };
     const fvi_potential spring = fvi_potential_harmonic(&one);
-    for (size_t l = 0; l < LEN(ref_laws) + LEN(steep_laws); l++) {
+    for (size_t l = 0; l < LAWS; l++) {
         const fvi_law *law = law_of(l);
         const fvi_linear p = {
             .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = 0.7, .law = law
