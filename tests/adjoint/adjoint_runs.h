@@ -50,6 +50,18 @@ static inline slopes *slopes_of(const fvi_run *run, size_t rows)
     return s;
 }
 
+/* What was asked for, one behind the other: x0, p0, masses, dampings, two parameters, and
+ * alpha, if it was. */
+static inline void slopes_in_order(const slopes *s, size_t d, double *got)
+{
+    for (size_t j = 0; j < 4 * d; j++)
+        got[j] = s->all[j / d * MOST + j % d];
+    got[4 * d] = s->to.parameters[0];
+    got[4 * d + 1] = s->to.parameters[1];
+    if (s->to.alpha)
+        got[4 * d + 2] = *s->to.alpha;
+}
+
 static inline void slopes_free(slopes *s)
 {
     free(s->force);

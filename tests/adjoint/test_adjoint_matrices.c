@@ -15,6 +15,14 @@ static void bar(matrices *m)
     make(m);
 }
 
+static void kick(double *x0, double *p0)
+{
+    for (size_t i = 0; i < D; i++) {
+        x0[i] = sin((double)(i + 1));
+        p0[i] = cos((double)(2 * i));
+    }
+}
+
 /* What J weighs x_k and p_N by: numbers of no order. */
 static double weigh(size_t k, size_t i)
 {
@@ -122,10 +130,7 @@ START_TEST(eq_23_6_matrices_are_their_own_adjoint)
     double x0[D], p0[D];
     matrices m;
     bar(&m);
-    for (size_t i = 0; i < D; i++) {
-        x0[i] = sin((double)(i + 1));
-        p0[i] = cos((double)(2 * i));
-    }
+    kick(x0, p0);
     for (size_t n = 0; n < LEN(alphas) * LEN(pasts) * LEN(kinds) * 2; n++) {
         fvi_run run = run_of(&m.system, alphas[n % LEN(alphas)], h, N, x0, p0);
         run.past = pasts[n / LEN(alphas) % LEN(pasts)];
@@ -172,10 +177,7 @@ START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
     double x0[D], p0[D];
     matrices m;
     bar(&m);
-    for (size_t i = 0; i < D; i++) {
-        x0[i] = sin((double)(i + 1));
-        p0[i] = cos((double)(2 * i));
-    }
+    kick(x0, p0);
     for (size_t n = 0; n < LEN(alphas) * LEN(pasts) * LEN(methods); n++) {
         const fvi_method *method = methods[n / LEN(alphas) / LEN(pasts)];
         fvi_run run = run_of(&m.system, alphas[n % LEN(alphas)], h, N, x0, p0);

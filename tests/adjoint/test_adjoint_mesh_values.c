@@ -72,11 +72,7 @@ static void slopes_by(size_t i, double *got)
     const fvi_objective J = { to_sine, &run };
     ck_assert_int_eq(fvi_adjoint(&fvi_adaptive, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
-    for (size_t j = 0; j < 4 * D; j++)
-        got[j] = s->all[j / D * MOST + j % D];
-    got[20] = s->to.parameters[0];
-    got[21] = s->to.parameters[1];
-    got[22] = *s->to.alpha;
+    slopes_in_order(s, D, got);
     got[23] = s->force[0];
     got[24] = s->force[2 * D + 2];
     got[25] = s->force[ROWS * D + D - 1];

@@ -27,11 +27,7 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
     ck_assert_int_eq(
         fvi_adjoint(ref_nodes[i].method, &run, NULL, NULL, &J, &s->to),
         FVI_SUCCESS);
-    for (size_t j = 0; j < 4 * D; j++)
-        got[j] = s->all[j / D * MOST + j % D];
-    got[20] = s->to.parameters[0];
-    got[21] = s->to.parameters[1];
-    got[22] = *s->to.alpha;
+    slopes_in_order(s, D, got);
     for (size_t j = 0; j < LEN(ref_node_forces); j++)
         got[23 + j] = s->force[ref_node_forces[j]];
     slopes_free(s);

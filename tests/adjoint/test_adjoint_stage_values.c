@@ -119,16 +119,12 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
     run.memory = memory;
     slopes *s = slopes_of(&run, N * ((size_t)method->stages - 1) + 1);
     const fvi_objective J = { to_sine, &run };
-    const int no_alpha = isnan(ref_chains[i].want[22]);
-    if (no_alpha)
+    if (isnan(ref_chains[i].want[22]))
         s->to.alpha = NULL;
     ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
-    for (size_t j = 0; j < 4 * D; j++)
-        got[j] = s->all[j / D * MOST + j % D];
-    got[20] = s->to.parameters[0];
-    got[21] = s->to.parameters[1];
-    got[22] = no_alpha ? NAN : *s->to.alpha;
+    got[22] = NAN;
+    slopes_in_order(s, D, got);
     for (size_t j = 0; j < 3; j++)
         got[23 + j] = s->force[ref_chains[i].force[j]];
     slopes_free(s);
@@ -189,10 +185,7 @@ static void law_slopes_by(size_t i, fvi_memory_kind memory, double alpha,
     s->to.terms = got + 22;
     ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
-    for (size_t j = 0; j < 4 * D; j++)
-        got[j] = s->all[j / D * MOST + j % D];
-    got[20] = s->to.parameters[0];
-    got[21] = s->to.parameters[1];
+    slopes_in_order(s, D, got);
     for (size_t j = 0; j < 3; j++)
         got[25 + j] = s->force[ref_law_chains[i].force[j]];
     slopes_free(s);

@@ -115,15 +115,11 @@ void prototype_random(void)
 static double limited(const bench_problem *P, double tolerance, double longest,
                       int growth, double *x)
 {
-    fvi_run run = P->run;
-    fvi_stepper *s;
+    fvi_stepper *s = bench_start(P, tolerance);
     fvi_adaptive_counts counts;
-    run.system = &P->system;
-    run.step_error = tolerance;
-    bench_need(fvi_start(&fvi_adaptive, &run, &s));
     fvi_adaptive_limit(s, longest, growth);
     for (size_t k = 0; k <= ROWS; k++)
-        bench_need(fvi_run_to(s, (double)k * run.h, x + k, NULL));
+        bench_need(fvi_run_to(s, (double)k * P->run.h, x + k, NULL));
     bench_need(fvi_adaptive_look(s, &counts));
     fvi_stop(s);
     return counts.longest;

@@ -43,23 +43,25 @@ void bench_linear(bench_problem *P, const char *name, double alpha,
                              .v0 = of[4] };
 }
 
+/* The two numbers of a force, where they stay. */
+static double *kept(bench_problem *P, double A, double T_or_w)
+{
+    P->fixed[6] = P->exact.A = A;
+    P->fixed[7] = T_or_w;
+    return P->fixed + 6;
+}
+
 void bench_step(bench_problem *P, double A, double T)
 {
-    P->fixed[6] = A;
-    P->fixed[7] = T;
-    P->system.force = fvi_force_step(P->fixed + 6);
+    P->system.force = fvi_force_step(kept(P, A, T));
     P->exact.forcing = FVI_FORCING_STEP;
-    P->exact.A = A;
     P->exact.T = T;
 }
 
 void bench_cosine(bench_problem *P, double A, double w)
 {
-    P->fixed[6] = A;
-    P->fixed[7] = w;
-    P->system.force = fvi_force_cosine(P->fixed + 6);
+    P->system.force = fvi_force_cosine(kept(P, A, w));
     P->exact.forcing = FVI_FORCING_COSINE;
-    P->exact.A = A;
     P->exact.w = w;
 }
 
@@ -121,16 +123,22 @@ void bench_rows(const bench_problem *P, double tolerance, double *x, double *v)
             v[k * P->system.d + j] /= P->system.mass[j];
 }
 
-fvi_adaptive_counts bench_steps(const bench_problem *P, double tolerance,
-                                double *t, double *x)
+fvi_stepper *bench_start(const bench_problem *P, double tolerance)
 {
     fvi_run run = P->run;
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
     run.system = &P->system;
     run.step_error = tolerance;
     bench_need(fvi_start(&fvi_adaptive, &run, &s));
-    for (size_t n = 0; s->k < run.steps; n++) {
+    return s;
+}
+
+fvi_adaptive_counts bench_steps(const bench_problem *P, double tolerance,
+                                double *t, double *x)
+{
+    fvi_stepper *s = bench_start(P, tolerance);
+    fvi_adaptive_counts counts;
+    for (size_t n = 0; s->k < P->run.steps; n++) {
         bench_need(fvi_step(s) || n == MOST);
         if (t) {
             t[n] = s->t;

@@ -47,6 +47,9 @@ void bench_truth(bench_problem *P);
 /* Its rows, by dense output; v may be NULL. */
 void bench_rows(const bench_problem *P, double tolerance, double *x, double *v);
 
+/* A stepper at its start, to be stopped. */
+fvi_stepper *bench_start(const bench_problem *P, double tolerance);
+
 /* Its steps: how many, their ends, and x there if it is asked for. */
 fvi_adaptive_counts bench_steps(const bench_problem *P, double tolerance,
                                 double *t, double *x);

@@ -81,8 +81,10 @@ static inline void ck_assert_law_slopes(const fvi_method *method,
             moved[i] += j ? 1e-4 : -1e-4;
             side[j] = last_of(method, law, steps, moved, NULL);
         }
-        ck_assert_near(got[i], (side[1] - side[0]) / 2e-4, bound, "%s, by %zu",
-                       method->name, i);
+        ck_assert_near(got[i], (side[1] - side[0]) / 2e-4, bound,
+                       "%s, %zu terms, the first of kind %d, alpha %g, by %zu",
+                       method->name, law->count, (int)law->term[0].kind,
+                       law->term[0].alpha, i);
     }
 }
 

@@ -26,28 +26,33 @@ START_TEST(eq_24_5_one_start_alone_is_not_believed)
 }
 END_TEST
 
-/* Little damping, many swings of the frequency 1, rho known. The order 1 - alpha with
- * c + 2 rho cos(pi alpha) damps that frequency as much and pulls as hard (24.8): a false
- * minimum, in which all starts that begin near it agree, and chi^2 does not refuse it. From
- * the whole box the truth is found. */
-START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
+/* Little damping, many swings of the frequency 1, rho known: alpha = 0.3 and c = 1. */
+static void ask_of_many_swings(question *q, gsl_rng *r)
 {
-    const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
-                                    FVI_PARAMETER_CONSTANT };
-    const double low[] = { 0.65, 1.05 }, high[] = { 0.69, 1.06 };
+    static const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
+                                           FVI_PARAMETER_CONSTANT };
     const fvi_linear exact = {
         .m = 1, .c = 1, .rho = 0.05, .alpha = 0.3, .x0 = 1, .v0 = 0.25
     };
+    ask(q, NULL, LEN(which));
+    for (size_t i = 0; i < REF_POINTS; i++)
+        q->t[i] = 0.3 * (double)(i + 1);
+    ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q->t, q->x, NULL), 0);
+    add_noise(q, 0.02, r);
+    q->fit.which = which;
+    q->rho = 0.05;
+}
+
+/* The order 1 - alpha with c + 2 rho cos(pi alpha) damps that frequency as much and pulls as
+ * hard (24.8): a false minimum, in which all starts that begin near it agree, and chi^2 does
+ * not refuse it. From the whole box the truth is found. */
+START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
+{
+    const double low[] = { 0.65, 1.05 }, high[] = { 0.69, 1.06 };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
     fvi_fitted twin, f;
-    ask(&q, NULL, 2);
-    for (size_t i = 0; i < REF_POINTS; i++)
-        q.t[i] = 0.3 * (double)(i + 1);
-    ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
-    add_noise(&q, 0.02, r);
-    q.fit.which = which;
-    q.rho = 0.05;
+    ask_of_many_swings(&q, r);
     q.run.alpha = 0.68;
     q.constants[0] = 1.055;
     q.fit.low = low;
@@ -137,23 +142,12 @@ START_TEST(eq_24_5_starts_that_were_given_up_are_asked_again)
                                         { 0.3102, 0.7801 },
                                         { 0.8367, 0.7041 },
                                         { 0.2398, 0.7510 } };
-    const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
-                                    FVI_PARAMETER_CONSTANT };
-    const fvi_linear exact = {
-        .m = 1, .c = 1, .rho = 0.05, .alpha = 0.3, .x0 = 1, .v0 = 0.25
-    };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
     size_t agree = 0;
-    ask(&q, NULL, 2);
-    for (size_t i = 0; i < REF_POINTS; i++)
-        q.t[i] = 0.3 * (double)(i + 1);
-    ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
-    add_noise(&q, 0.02, r);
-    q.fit.which = which;
+    ask_of_many_swings(&q, r);
     q.fit.starts = 2;
     q.run.alpha = 0.3;
-    q.rho = 0.05;
     q.constants[0] = 1;
     for (size_t i = 0; i < LEN(places); i++) {
         const double low[] = { places[i][0] - 1e-6, places[i][1] - 1e-6 },

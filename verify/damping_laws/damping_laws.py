@@ -315,20 +315,14 @@ STEEP = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in STEEP
 
 header("verify/damping_laws/damping_laws.py")
 print("\n#include <fvi/damping_laws.h>")
-for i, law in enumerate(LAWS):
-    rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
-    print(f"static const fvi_law_term ref_terms_{i}[] = {{ {rows} }};")
-print("\nstatic const fvi_law ref_laws[] = {")
-for i, law in enumerate(LAWS):
-    print(f"    {{ {len(law)}, ref_terms_{i} }},")
-print("};")
-for i, law in enumerate(STEEP):
-    rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
-    print(f"static const fvi_law_term steep_terms_{i}[] = {{ {rows} }};")
-print("\nstatic const fvi_law steep_laws[] = {")
-for i, law in enumerate(STEEP):
-    print(f"    {{ {len(law)}, steep_terms_{i} }},")
-print("};")
+for name, laws in (("ref", LAWS), ("steep", STEEP)):
+    for i, law in enumerate(laws):
+        rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
+        print(f"static const fvi_law_term {name}_terms_{i}[] = {{ {rows} }};")
+    print(f"\nstatic const fvi_law {name}_laws[] = {{")
+    for i, law in enumerate(laws):
+        print(f"    {{ {len(law)}, {name}_terms_{i} }},")
+    print("};")
 
 LAGS = [0, 3, 4, 33, 150]
 print(f"\nenum {{ REF_LAGS = {len(LAGS)} }};")
