@@ -4,6 +4,7 @@
 #include "fvi_fit_answer.h"
 #include "fvi_output.h"
 #include "words/fvi_data.h"
+#include "words/fvi_files.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -124,17 +125,17 @@ static int interpret(request *r, fvi_complaint c)
                             r->words.own[STARTS]);
     if (!status && r->words.own[CURVE] && !*r->words.own[CURVE])
         status = fvi_refuse(c, "--curve: '' is not a file's name");
-    if (!status && r->words.own[CURVE] && o->output
-        && strcmp(r->words.own[CURVE], o->output) == 0)
-        status =
-            fvi_refuse(c, "--curve: '%s' is the table's file, too", o->output);
+    if (!status && r->words.own[CURVE]
+        && fvi_same_file(r->words.own[CURVE], o->output))
+        status = fvi_refuse(c, "--curve: '%s' is the table's file, too",
+                            r->words.own[CURVE]);
     return status;
 }
 
 /* Is this file, that is to be written, the one that is read? */
 static int is_data(const request *r, const char *name)
 {
-    return name && strcmp(name, r->words.operand) == 0;
+    return name && fvi_same_file(name, r->words.operand);
 }
 
 static int read_data(request *r, fvi_complaint c)

@@ -5,6 +5,7 @@
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "inverse/mesh_path.h"
+#include "words/fvi_files.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -85,10 +86,10 @@ static int interpret(request *r, fvi_complaint c)
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
-    if (r->words.own[FORCES] && r->o.output
-        && strcmp(r->words.own[FORCES], r->o.output) == 0)
+    if (r->words.own[FORCES]
+        && fvi_same_file(r->words.own[FORCES], r->o.output))
         return fvi_refuse(c, "--forces: '%s' is the table's file, too",
-                          r->o.output);
+                          r->words.own[FORCES]);
     const int status = interpret_of(r, c);
     if (!status && of_order_2 && r->of == 1)
         return fvi_refuse(c,

@@ -1,5 +1,6 @@
 /* src/words/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
+#include "fvi_files.h"
 #include "fvi_shared.h"
 #include "fvi_shortest.h"
 #include "memory/law_terms.h"
@@ -276,18 +277,18 @@ static int is_picture(const char *name)
                || strcasecmp(name + length - 4, ".png") == 0);
 }
 
-/* Of two files with one name the later would take the place of the other. */
+/* Of two outputs in one file the later would take the place of the other. */
 static int check_files(const fvi_options *o, fvi_complaint c)
 {
     static const option_index files[] = { PLOT, SNAPSHOT, CHECKPOINT };
     for (int i = 0; i < 3; i++) {
         const char *name = fvi_option_list[files[i]].name,
                    *text = o->text[files[i]];
-        if (text && o->output && strcmp(text, o->output) == 0)
+        if (text && fvi_same_file(text, o->output))
             return fvi_refuse(c, "--%s: '%s' is the table's file, too", name,
                               text);
         for (int j = 0; text && j < i; j++)
-            if (o->text[files[j]] && strcmp(text, o->text[files[j]]) == 0)
+            if (o->text[files[j]] && fvi_same_file(text, o->text[files[j]]))
                 return fvi_refuse(c, "--%s: '%s' is the file of --%s, too",
                                   name, text, fvi_option_list[files[j]].name);
     }

@@ -193,6 +193,38 @@ START_TEST(a_file_keeps_all_its_names)
 }
 END_TEST
 
+/* By whatever names: in a folder, through a link, as a second name, or as standard output. */
+START_TEST(two_outputs_in_one_file_are_refused)
+{
+    ck_assert_int_eq(shell("mkdir twice; ln -s . same; echo kept > there; "
+                           "ln there theirs"),
+                     0);
+    ck_assert_refused("run -o t --snapshot ./t",
+                      "fvi: --snapshot: './t' is the table's file, too");
+    ck_assert_refused("run -o \"$PWD/t\" --checkpoint twice/../same/t",
+                      "fvi: --checkpoint: 'twice/../same/t' is the table's file, too");
+    ck_assert_refused("run -o there --plot theirs.svg --snapshot theirs",
+                      "fvi: --snapshot: 'theirs' is the table's file, too");
+    ck_assert_refused("run --snapshot t --checkpoint same/t",
+                      "fvi: --checkpoint: 'same/t' is the file of --snapshot, too");
+    ck_assert_refused("gradient --forces ./t -o t",
+                      "fvi: --forces: './t' is the table's file, too");
+    ck_assert_refused("fit --curve ./t -o t there",
+                      "fvi: --curve: './t' is the table's file, too");
+    ck_assert_refused("fit -o theirs there",
+                      "fvi: -o: 'there' is the file of the data, too");
+    ck_assert_int_eq(fvi("run --steps 2 --snapshot out"), 2);
+    ck_assert_int_eq(shell("cat there; test ! -e t"), 0);
+    ck_assert_str_eq(out, "kept\n");
+    ck_assert_int_eq(fvi("run --steps 2 -o u --snapshot v"), 0);
+    ck_assert_int_eq(fvi("run --steps 2 -o t --snapshot twice/t"), 0);
+    ck_assert_int_eq(fvi("run --steps 2 -o t --snapshot there"), 0);
+    ck_assert_int_eq(fvi("run --steps 2 -o /dev/null --snapshot /dev/null/.."
+                         "/null; test $? = 1"),
+                     0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: where it writes");
@@ -201,6 +233,6 @@ int main(void)
              a_killed_run_leaves_no_file, progress_is_shown_on_a_terminal,
              the_rows_before_a_failure_are_kept_on_standard_output_alone,
              an_open_file_is_written_to_where_it_stands,
-             a_file_keeps_all_its_names);
+             a_file_keeps_all_its_names, two_outputs_in_one_file_are_refused);
     return run_suite_of_program(suite);
 }

@@ -1,0 +1,36 @@
+/* src/words/fvi_files.c -- Which file does a name stand for? */
+#define _GNU_SOURCE /* PATH_MAX */
+#include "fvi_files.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* The ordinary file of this name, `last` being ""; if there is none, the folder in which it
+ * would be made, and its last name. Returns 0 if there is neither. */
+static int find(const char *name, struct stat *file, const char **last)
+{
+    char folder[PATH_MAX];
+    *last = "";
+    if ((name ? stat(name, file) : fstat(STDOUT_FILENO, file)) == 0)
+        return S_ISREG(file->st_mode);
+    if (!name)
+        return 0;
+    const char *slash = strrchr(name, '/');
+    *last = slash ? slash + 1 : name;
+    snprintf(folder, sizeof folder, "%.*s.", (int)(*last - name), name);
+    return stat(folder, file) == 0;
+}
+
+int fvi_same_file(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    const char *last_a, *last_b;
+    if (a && b && strcmp(a, b) == 0)
+        return 1;
+    return find(a, &of_a, &last_a) && find(b, &of_b, &last_b)
+           && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino
+           && strcmp(last_a, last_b) == 0;
+}
