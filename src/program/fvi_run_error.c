@@ -71,7 +71,8 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
     int status = search(o, r, x, p, found);
     if (status == FVI_ETOL)
         say_how_near(o, r, found);
-    else if (status == FVI_EMAXITER || status == FVI_EOVRFLW)
+    else if (status == FVI_EMAXITER || status == FVI_EOVRFLW
+             || (status == FVI_ESING && !o->directory))
         fvi_complain("--error: no step gives a result that can be trusted");
     else if (status)
         fvi_complain_of_start(o, status);

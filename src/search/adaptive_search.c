@@ -87,14 +87,13 @@ static int search(pair *o, double error, fvi_adaptive_found *found)
     double end = 0;
     int failed_before = 1, status = FVI_SUCCESS, worse = 0, same_end = 0;
     found->estimate = GSL_POSINF;
-    for (int i = 0; i < MOST_RUNS && worse < 3; i++, step_error /= 10) {
+    for (int i = 0; i < MOST_RUNS && worse < 3 && same_end < SAME_END - 1;
+         i++, step_error /= 10) {
         status = i % 2 ? trial(o, step_error, longest / 2, 3)
                        : trial(o, step_error, T, 4);
         if (status && !too_long(status))
             return status;
         same_end = status && fabs(o->end - end) < 1e-3 * end ? same_end + 1 : 0;
-        if (same_end == SAME_END - 1)
-            return status;
         end = o->end;
         const double estimate =
             status || failed_before ? GSL_POSINF : distance(o, &largest);

@@ -28,6 +28,12 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
     ck_assert_str_eq(
         err, "fvi: --error: no step gives a result that can be trusted\n");
     ck_assert(!exists("none"));
+    ck_assert_int_eq(
+        fvi("run --error 1e-3 --rho 0 --potential '-sqrt(1.0000001 - x^2)' "
+            "--x0 -0.4 --p0 -1 --force impulse:50,0.3"), /* not in step 1 */
+        1);
+    ck_assert_str_eq(
+        err, "fvi: --error: no step gives a result that can be trusted\n");
     ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
     ck_assert_str_eq(err, "fvi: not enough memory\n");
     ck_assert_int_eq(
