@@ -3,14 +3,13 @@
 #include "lobatto_memory.h"
 
 #include "lobatto_law.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = 8, SHORT = 64 /* runs that AUTO sums directly */ };
+enum { LANES = FVI_MODE_LANES, SHORT = 64 /* runs that AUTO sums directly */ };
 
 struct fvi_lobatto_memory {
     size_t s, d, steps, k;
@@ -29,20 +28,17 @@ static size_t padded(size_t n)
     return (n + LANES - 1) / LANES * LANES;
 }
 
-/* Whether all W_n are summed as they are, and whether modes stand for most of them;
- * beta = 0 and beta = -1 are neither, as they need no history, but for its rates. */
+/* Without rates, beta = 0 and beta = -1 need no history. */
+static int has_history(double beta, int rated)
+{
+    return rated || (beta != 0 && beta != -1);
+}
+
+/* Are all W_n summed as they are? Or modes stand for most of them. */
 static int is_direct(double beta, size_t steps, fvi_memory_kind kind, int rated)
 {
     const int few = kind == FVI_MEMORY_AUTO && steps <= SHORT;
-    return (few || kind == FVI_MEMORY_DIRECT)
-           && (rated || (beta != 0 && beta != -1));
-}
-
-static int is_compressed(double beta, size_t steps, fvi_memory_kind kind,
-                         int rated)
-{
-    return !is_direct(beta, steps, kind, rated)
-           && (rated || (beta != 0 && beta != -1));
+    return (few || kind == FVI_MEMORY_DIRECT) && has_history(beta, rated);
 }
 
 static int check(size_t s, double beta, size_t d, size_t steps,
@@ -62,7 +58,8 @@ static int check(size_t s, double beta, size_t d, size_t steps,
     const size_t most = SIZE_MAX / sizeof(double) / 1024;
     if (d > most || (direct && steps > most / d))
         FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
-    if (is_compressed(beta, steps, kind, rated) && tolerance > 0 && tolerance < 1e-14)
+    if (!direct && has_history(beta, rated) && tolerance > 0
+        && tolerance < 1e-14)
         FVI_FAIL("no tolerance below 1e-14", FVI_ETOL);
     return FVI_SUCCESS;
 }
@@ -101,8 +98,7 @@ static size_t numbers(const fvi_lobatto_memory *m)
 {
     const size_t rates = m->rated ? 1 : 0;
     return (2 + m->s + m->d + rates) * m->Q
-           + (1 + rates) * (m->lags + 1) * m->s * m->s
-           + m->lags * m->s * m->d;
+           + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d;
 }
 
 /* Zeros of such sizes, and nothing else; or NULL. */
@@ -127,6 +123,17 @@ static fvi_lobatto_memory *make(fvi_lobatto_memory sizes)
     return m;
 }
 
+/* The lag FVI_LAGS + 1 is the first that the modes stand for. */
+static void skip_near_lags(fvi_lobatto_memory *m)
+{
+    for (size_t j = 0; j < m->Q; j++)
+        for (size_t l = 0; l < FVI_LAGS; l++) {
+            m->q[j] -= m->p[j] * m->q[j];
+            if (m->rated)
+                m->r[j] -= m->p[j] * m->r[j];
+        }
+}
+
 static int allocate(size_t s, double beta, size_t d, size_t steps,
                     fvi_memory_kind kind, int rated, double tolerance,
                     fvi_lobatto_memory **memory)
@@ -143,20 +150,15 @@ static int allocate(size_t s, double beta, size_t d, size_t steps,
         .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .rated = rated });
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    status = fvi_lobatto_weights_rate(s, beta, lags + 1, m->W,
-                                      rated ? m->R : NULL);
+    status =
+        fvi_lobatto_weights_rate(s, beta, lags + 1, m->W, rated ? m->R : NULL);
     if (status) {
         fvi_lobatto_memory_free(m);
         return status;
     }
     if (Q > 0)
         fvi_lobatto_nodes(s, beta, N, keep, rated, m->q, m->r, m->p, m->a, Q);
-    for (size_t j = 0; j < Q; j++) /* the lag FVI_LAGS + 1 is the first */
-        for (size_t l = 0; l < FVI_LAGS; l++) {
-            m->q[j] -= m->p[j] * m->q[j];
-            if (rated)
-                m->r[j] -= m->p[j] * m->r[j];
-        }
+    skip_near_lags(m);
     *memory = m;
     return FVI_SUCCESS;
 }
@@ -186,27 +188,31 @@ int fvi_lobatto_memory_of_law(size_t s, const fvi_law *law, double h, size_t d,
     if (!ready.has_nodes && kind == FVI_MEMORY_AUTO)
         kind = FVI_MEMORY_DIRECT;
     status = check(s, -0.5, d, steps, kind, 0, tolerance);
-    if (!status && !ready.has_nodes && kind == FVI_MEMORY_EXPONENTIALS)
-        status = FVI_EUNSUP;
-    if (status) {
+    const int without =
+        !status && !ready.has_nodes && kind == FVI_MEMORY_EXPONENTIALS;
+    if (status || without) {
         fvi_lobatto_law_free(&ready);
-        FVI_FAIL("there are no such modes for this law", status);
+        if (without)
+            FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
+        return status;
     }
     const double N = (double)steps + 1, keep = kept(tolerance);
     const int direct = is_direct(-0.5, steps, kind, 0);
     const size_t Q = direct ? 0
-                            : padded(fvi_lobatto_law_nodes(s, &ready, N, keep,
-                                                           NULL, NULL, NULL, 0));
+                            : padded(fvi_lobatto_law_nodes(
+                                s, &ready, N, keep, NULL, NULL, NULL, 0));
     fvi_lobatto_memory *m = make((fvi_lobatto_memory){
-        .s = s, .d = d, .steps = steps,
-        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS, .Q = Q });
+        .s = s,
+        .d = d,
+        .steps = steps,
+        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+        .Q = Q });
     if (m && Q > 0)
         fvi_lobatto_law_nodes(s, &ready, N, keep, m->q, m->p, m->a, Q);
-    for (size_t j = 0; m && j < Q; j++) /* as above */
-        for (size_t l = 1; l <= FVI_LAGS; l++)
-            m->q[j] -= m->p[j] * m->q[j];
-    status = m ? fvi_lobatto_law_weights(s, &ready, m->lags + 1, m->W)
-               : FVI_ENOMEM;
+    if (m)
+        skip_near_lags(m);
+    status =
+        m ? fvi_lobatto_law_weights(s, &ready, m->lags + 1, m->W) : FVI_ENOMEM;
     fvi_lobatto_law_free(&ready);
     if (status) {
         fvi_lobatto_memory_free(m);
@@ -262,88 +268,23 @@ const double *fvi_lobatto_memory_now_rate(const fvi_lobatto_memory *m)
     return m->R;
 }
 
-enum { FEW = 4 }; /* stages, for which there is a loop of their own */
-
-/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
- * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
- * make the digits independent of the width of the vectors. */
-FVI_VECTORS static void advance_few(size_t s, size_t Q,
-                                    const double *restrict q,
-                                    const double *restrict p,
-                                    const double *restrict a, const double *u,
-                                    double *restrict z, double *H)
+/* sum += sum_n W_n v_{k-n} over the near lags. (17.9) */
+static void sum_near(const fvi_lobatto_memory *m, const double *W,
+                     const double *past, double *sum)
 {
-    const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
-    double sum[FEW][LANES] = { { 0 } };
-    for (size_t j = 0; j < Q; j += LANES) {
-#pragma GCC unroll 8
-        //> modes
-        for (size_t l = 0; l < LANES; l++) {
-            const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
-                         x3 = a3[j + l];
-            z[j + l] += (u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
-                        - p[j + l] * z[j + l]; /* (17.12) */
-            const double y = q[j + l] * z[j + l];
-            sum[0][l] += x0 * y;
-            sum[1][l] += x1 * y;
-            sum[2][l] += x2 * y;
-            sum[3][l] += x3 * y;
-        }
-        //< modes
-    }
-    for (size_t i = 0; i < s; i++)
-        for (size_t l = 0; l < LANES; l++)
-            H[i] += sum[i][l];
-}
-
-/* The same for s = 8, and 5, 6, 7 in its place. */
-FVI_VECTORS static void advance_many(size_t s, size_t Q,
-                                     const double *restrict q,
-                                     const double *restrict p,
-                                     const double *restrict a, const double *u,
-                                     double *restrict z, double *H)
-{
-    const double *row[FVI_STAGES];
-    double sum[FVI_STAGES][LANES] = { { 0 } };
-    for (size_t i = 0; i < FVI_STAGES; i++)
-        row[i] = a + (i < s ? i : s - 1) * Q;
-    for (size_t j = 0; j < Q; j += LANES) {
-        double in[LANES], y[LANES];
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++)
-            in[l] = -p[j + l] * z[j + l];
-#pragma GCC unroll 8
-        for (size_t i = 0; i < FVI_STAGES; i++)
-#pragma GCC unroll 8
-            for (size_t l = 0; l < LANES; l++)
-                in[l] += u[i] * row[i][j + l];
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++) {
-            z[j + l] += in[l];
-            y[l] = q[j + l] * z[j + l];
-        }
-#pragma GCC unroll 8
-        for (size_t i = 0; i < FVI_STAGES; i++)
-#pragma GCC unroll 8
-            for (size_t l = 0; l < LANES; l++)
-                sum[i][l] += row[i][j + l] * y[l];
-    }
-    for (size_t i = 0; i < s; i++)
-        for (size_t l = 0; l < LANES; l++)
-            H[i] += sum[i][l];
-}
-
-/* sum += sum_n W_n v_{k-n} over the near lags, and over the modes as they are. */
-static void sum_rates(const fvi_lobatto_memory *m, size_t k, const double *past,
-                      const double *z, double *sum)
-{
-    const size_t s = m->s;
-    for (size_t n = 1; n <= m->lags && n <= k; n++)
+    const size_t s = m->s, k = m->k;
+    for (size_t n = 1; n <= m->lags && n <= k; n++) {
+        const double *Wn = W + n * s * s, *v = past + (k - n) % m->lags * s;
         for (size_t l = 0; l < s; l++)
             for (size_t j = 0; j < s; j++)
-                sum[l] += m->R[(n * s + l) * s + j]
-                          * past[(k - n) % m->lags * s + j];
-    for (size_t l = 0; l < s; l++) {
+                sum[l] += Wn[l * s + j] * v[j];
+    }
+}
+
+/* The rates of the modes as they are. */
+static void sum_rates(const fvi_lobatto_memory *m, const double *z, double *sum)
+{
+    for (size_t l = 0; l < m->s; l++) {
         double part[LANES] = { 0 };
         const double *a = m->a + l * m->Q;
         for (size_t j = 0; j < m->Q; j += LANES)
@@ -380,21 +321,15 @@ int fvi_lobatto_memory_push_rate(fvi_lobatto_memory *m, const double *v,
             u[s - 1 - l] = b[l] * place[l];
             place[l] = v[l];
         }
-        for (size_t n = 1; n <= lags && n <= k; n++) { /* (17.9) */
-            const double *W = m->W + n * s * s,
-                         *term = past + (k - n) % lags * s;
-            for (size_t l = 0; l < s; l++)
-                for (size_t j = 0; j < s; j++)
-                    sum[l] += W[l * s + j] * term[j];
-        }
+        sum_near(m, m->W, past, sum);
         if (m->Q > 0)
-            (s > FEW ? advance_many : advance_few)(s, m->Q, m->q, m->p, m->a, u,
-                                                   z, sum);
+            fvi_lobatto_advance(s, m->Q, m->q, m->p, m->a, u, z, sum);
         memcpy(H, sum, s * sizeof *H);
         if (!Hdot)
             continue;
         memset(sum, 0, sizeof sum);
-        sum_rates(m, k, past, z, sum);
+        sum_near(m, m->R, past, sum);
+        sum_rates(m, z, sum);
         memcpy(Hdot + i * s, sum, s * sizeof *H);
     }
     return FVI_SUCCESS;

@@ -68,6 +68,21 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
                          int rated, double *q, double *rate, double *p,
                          double *a, size_t stride);
 
+/* ---- lobatto_modes.c; for lobatto_memory.c: nothing is checked ---- */
+
+enum { FVI_MODE_LANES = 8 }; /* Q below is a multiple of it */
+
+/* fvi_lobatto_advance -- one coordinate's modes a step on, and what they say.  [(17.12)]
+ *
+ *     z_j += u.a_j - p_j z_j,   H += sum_j q_j a_j z_j
+ *
+ *   q, p, a    as fvi_lobatto_nodes made them with stride Q
+ *   u          FVI_STAGES numbers, the velocities of the stages backwards, each times
+ *              its b_i, and zeros
+ *   z          Q numbers, changed;   H  s numbers, added to */
+void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
+                         const double *a, const double *u, double *z, double *H);
+
 /* ---- for lobatto_law.c: nothing is checked ---- */
 
 /* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of rho s^(2 alpha - 1) /

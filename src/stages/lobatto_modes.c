@@ -1,0 +1,84 @@
+/* src/stages/lobatto_modes.c -- The modes of a memory on Lobatto nodes, a step on.
+ *                                                               [Chapter 17] */
+#include "lobatto_weights.h"
+
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
+
+enum { LANES = FVI_MODE_LANES };
+
+enum { FEW = 4 }; /* stages, for which there is a loop of their own */
+
+/* All modes one step on: z += a~.v - p z, and H += sum_j q_j a_j z_j. Written for
+ * s = 4; a rule of fewer stages repeats its last row with u = 0. The partial sums
+ * make the digits independent of the width of the vectors. */
+FVI_VECTORS static void advance_few(size_t s, size_t Q,
+                                    const double *restrict q,
+                                    const double *restrict p,
+                                    const double *restrict a, const double *u,
+                                    double *restrict z, double *H)
+{
+    const double *a2 = a + (s > 2 ? 2 : 1) * Q, *a3 = a + (s - 1) * Q;
+    double sum[FEW][LANES] = { { 0 } };
+    for (size_t j = 0; j < Q; j += LANES) {
+#pragma GCC unroll 8
+        //> modes
+        for (size_t l = 0; l < LANES; l++) {
+            const double x0 = a[j + l], x1 = a[Q + j + l], x2 = a2[j + l],
+                         x3 = a3[j + l];
+            z[j + l] += (u[0] * x0 + u[1] * x1) + (u[2] * x2 + u[3] * x3)
+                        - p[j + l] * z[j + l]; /* (17.12) */
+            const double y = q[j + l] * z[j + l];
+            sum[0][l] += x0 * y;
+            sum[1][l] += x1 * y;
+            sum[2][l] += x2 * y;
+            sum[3][l] += x3 * y;
+        }
+        //< modes
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += sum[i][l];
+}
+
+/* The same for s = 8, and 5, 6, 7 in its place. */
+FVI_VECTORS static void advance_many(size_t s, size_t Q,
+                                     const double *restrict q,
+                                     const double *restrict p,
+                                     const double *restrict a, const double *u,
+                                     double *restrict z, double *H)
+{
+    const double *row[FVI_STAGES];
+    double sum[FVI_STAGES][LANES] = { { 0 } };
+    for (size_t i = 0; i < FVI_STAGES; i++)
+        row[i] = a + (i < s ? i : s - 1) * Q;
+    for (size_t j = 0; j < Q; j += LANES) {
+        double in[LANES], y[LANES];
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++)
+            in[l] = -p[j + l] * z[j + l];
+#pragma GCC unroll 8
+        for (size_t i = 0; i < FVI_STAGES; i++)
+#pragma GCC unroll 8
+            for (size_t l = 0; l < LANES; l++)
+                in[l] += u[i] * row[i][j + l];
+#pragma GCC unroll 8
+        for (size_t l = 0; l < LANES; l++) {
+            z[j + l] += in[l];
+            y[l] = q[j + l] * z[j + l];
+        }
+#pragma GCC unroll 8
+        for (size_t i = 0; i < FVI_STAGES; i++)
+#pragma GCC unroll 8
+            for (size_t l = 0; l < LANES; l++)
+                sum[i][l] += row[i][j + l] * y[l];
+    }
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < LANES; l++)
+            H[i] += sum[i][l];
+}
+
+void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
+                         const double *a, const double *u, double *z, double *H)
+{
+    (s > FEW ? advance_many : advance_few)(s, Q, q, p, a, u, z, H);
+}
