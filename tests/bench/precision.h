@@ -37,10 +37,10 @@ size_t gather(contender *all);
 void sweep(const contender *c, int P, const double *truth, timing *best,
            timing *late, double *front, double *least);
 
-/* run_once -- the rows of one run of a contender on p, with N steps and this tolerance.
- * Returns its status. */
-int run_once(const contender *c, const problem *p, size_t N, double tolerance,
-             double *rows);
+/* timed_run -- the rows of one run of a contender on p, with N steps and this tolerance, and
+ * its seconds, > 0 if it went well. Returns its status. */
+int timed_run(const contender *c, const problem *p, size_t N, double tolerance,
+              double *rows, double *seconds);
 
 /* results -- the fastest runs of all contenders on all problems. */
 typedef struct {

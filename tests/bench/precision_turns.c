@@ -1,7 +1,5 @@
 /* tests/bench/precision_turns.c -- The runs near the front, timed in turn: precision.h.
  *                                                                       [Chapter 18] */
-#define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
-#include "bench.h"
 #include "precision.h"
 
 #include <gsl/gsl_sort.h>
@@ -53,9 +51,9 @@ static double turn(const results *r, const entrant *e, const problem *p,
 {
     double least = 0;
     for (int i = 0; i < 2; i++) {
-        const double start = now();
-        run_once(&r->all[e->who], p, e->is.N, e->is.tolerance, rows);
-        const double seconds = now() - start;
+        double seconds;
+        timed_run(&r->all[e->who], p, e->is.N, e->is.tolerance, rows,
+                  &seconds);
         least = i && least < seconds ? least : seconds;
     }
     return least;

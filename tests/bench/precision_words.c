@@ -50,10 +50,10 @@ static void print_sentence(const results *r, int P)
     if (a + b == 0)
         printf("nobody has a digit.\n");
     else if (b == 0)
-        printf("ours is ahead at every error that anybody reached, %s.\n",
+        printf("ours is ahead at each of these errors that anybody reached, %s.\n",
                mine);
     else if (a == 0)
-        printf("a peer is ahead at every error that anybody reached, %s",
+        printf("a peer is ahead at each of these errors that anybody reached, %s",
                theirs);
     else
         printf("ours is ahead at %s, a peer at %s", mine, theirs);
