@@ -33,8 +33,8 @@ extern "C" {
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
  *                    the size so far, max |x_i|. p is off by more
  *   run->memory      AUTO or EXPONENTIALS; the others are refused (FVI_EUNSUP)
- *   run->tolerance   not read: the modes are right to 2e-14, or to 1e-7 where step_error
- *                    is above 1e-6 of the size
+ *   run->tolerance   not read: the modes are right to 2e-14, or where step_error is above
+ *                    1e-7 of the size to 3e-10, above 1e-5 to 1e-7
  *   run->kappa       not read
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
@@ -60,7 +60,7 @@ extern "C" {
  * shorter; but others then take Newton's method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
- * each decade below, or, above 1e-6 of the size, 30 and 4; s gradients for each
+ * each decade below, or, above 1e-5 of the size, 30 and 4; s gradients for each
  * iteration, mostly 2 to 6 of them; O(d s^2), and O(s^3) for each mass, damping and
  * spring where h changes. Newton's method is O(d s b^2) more for a Hessian of b
  * diagonals, O(d s^3) coordinate by coordinate, and for all together O(d s^3 b^2) or
@@ -68,8 +68,8 @@ extern "C" {
  * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
  * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
  * clear beforehand: a past that bodies have to forget, HELD or RIEMANN_LIOUVILLE with
- * p0 != 0, where alpha < 1 is near 1, one damping strong and another weak (22.23); an
- * impulse, for 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
+ * p0 != 0, where alpha < 1 is near 1, one damping strong and another weak (22.23), or
+ * RIEMANN_LIOUVILLE with alpha < 1/2 and a damping above 1e248 of the mass; an impulse, for 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

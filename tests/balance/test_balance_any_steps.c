@@ -52,6 +52,14 @@ static void draw(gsl_rng *random, double damping, random_run *r)
     r->run.step_error = decades(random, -9, 2);
 }
 
+static double lightest(const random_run *r)
+{
+    double least = r->mass[0];
+    for (size_t i = 1; i < D; i++)
+        least = fmin(least, r->mass[i]);
+    return least;
+}
+
 /* (21.13): no run gains energy, though steps are as long as a tolerance of up to 100
  * allows, in every other run hardly damped, so that the jumps are all that is lost. What
  * is left is rounding: delta is solved for to about 16 u of the velocities, in each of n
@@ -81,6 +89,7 @@ START_TEST(eq_21_13_no_step_sequence_gains_energy)
                           i, s->t, E - start, start);
         }
         seen_worst(longest, "longest step");
+        seen_worst(longest * sqrt(r.spring / lightest(&r)), "h omega");
         steps += n;
         fvi_stop(s);
     }
