@@ -43,6 +43,15 @@ FVI_VECTORS static void what_is_left(const fvi_adaptive_run *o, double *eps)
     }
 }
 
+void fvi_adaptive_factorise(fvi_adaptive_run *o)
+{
+    const double h = o->length.h;
+    for (size_t n = 0; n < o->kinds; n++)
+        fvi_adaptive_band_kind(o->band, n, o->of_kind[n].mass,
+                               o->of_kind[n].drag);
+    fvi_adaptive_band_factorise(o->band, o->kind, h * h, o->hessian);
+}
+
 /* The factors are right to 1e-12 of delta, of eight stages: what is left is solved for
  * again. eps stands where bend will. */
 static void by_pairs(fvi_adaptive_run *o)

@@ -90,15 +90,6 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
  * Hessian for all stages, none. */
 typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
 
-void fvi_adaptive_factorise(fvi_adaptive_run *o)
-{
-    const double h = o->length.h;
-    for (size_t n = 0; n < o->kinds; n++)
-        fvi_adaptive_band_kind(o->band, n, o->of_kind[n].mass,
-                               o->of_kind[n].drag);
-    fvi_adaptive_band_factorise(o->band, o->kind, h * h, o->hessian);
-}
-
 /* ---- coordinate by coordinate ---- */
 
 /* left -= L delta of coordinate j */

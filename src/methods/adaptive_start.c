@@ -3,7 +3,6 @@
 
 #include <fvi/discrete_mechanics.h>
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
@@ -11,50 +10,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- matrices ---- */
-
-//> matrices
-/* M = a A + b B + c C */
-FVI_VECTORS static void combine(double a, const fvi_square *A, double b,
-                                const fvi_square *B, double c,
-                                const fvi_square *C, fvi_square *M)
-{
-    for (size_t l = 0; l < FVI_LANES; l++)
-        for (size_t i = 0; i < FVI_LANES; i += 4)
-            *(fvi_four *)(M->column[l] + i) =
-                a * *(const fvi_four *)(A->column[l] + i)
-                + b * *(const fvi_four *)(B->column[l] + i)
-                + c * *(const fvi_four *)(C->column[l] + i);
-}
-
-int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
-{
-    const double h = length.h;
-    if (h == o->length.h)
-        return FVI_SUCCESS;
-    const double power = pow(h, 1 - o->beta);
-    const int inverse = o->solve == FVI_SOLVE_TOGETHER /* who asks for it? */
-                        || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
-    o->length.h = 0; /* until all of them are there */
-    for (size_t n = 0; n < o->kinds; n++) {
-        fvi_kind *kind = &o->of_kind[n];
-        kind->drag = o->beta == 1 ? 0 : kind->damping * power;
-        combine(kind->mass, &o->rule->inverse, kind->drag, &o->W0,
-                kind->spring * h * h, o->to_x, &kind->L);
-        if (!inverse)
-            continue;
-        kind->inverse = kind->L;
-        int status = fvi_square_invert(o->rule->s, &kind->inverse);
-        if (status)
-            return status;
-    }
-    o->length = length;
-    return FVI_SUCCESS;
-}
-//< matrices
-
-/* ---- the start ---- */
 
 /* About how far a velocity 1 more moves a body of mass m in the time T: t without forces; with a
  * damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after
