@@ -15,6 +15,7 @@ SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 FLOORS = [
     {"program": "build/fvi: commands, tables, files", "petsc": "build/fvi_petsc: a run on many machines"},
     {"words": "from the command line to values"},
+    {"input": "what stands in files, and what is wrong with it"},
     {"fits": "what is unknown, from what was measured", "inverse": "gradients and control"},
     {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"methods": "the integrators", "exact": "the exact solution of the linear problem"},

@@ -3,8 +3,8 @@
 
 #include "fvi_fit_answer.h"
 #include "fvi_output.h"
-#include "words/fvi_data.h"
-#include "words/fvi_files.h"
+#include "input/fvi_data.h"
+#include "input/fvi_files.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "fvi_output.h"
 #include "fvi_table.h"
 #include "inverse/mesh_path.h"
-#include "words/fvi_files.h"
+#include "input/fvi_files.h"
 
 #include <math.h>
 #include <stdlib.h>

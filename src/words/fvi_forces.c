@@ -2,7 +2,7 @@
 #define _GNU_SOURCE /* strdup */
 #include "fvi_forces.h"
 
-#include "fvi_data.h"
+#include "input/fvi_data.h"
 #include <fvi/error.h>
 
 #include <math.h>

@@ -4,7 +4,7 @@
 
 #include <fvi/expression.h>
 #include <fvi/trajectory.h>
-#include "fvi_directory.h"
+#include "input/fvi_directory.h"
 #include "fvi_forces.h"
 #include "fvi_laws.h"
 #include "fvi_lets.h"

@@ -1,6 +1,6 @@
 /* src/words/fvi_problem.c -- From the words of the command line to a system. */
 #include "fvi_problem.h"
-#include "fvi_shared.h"
+#include "input/fvi_shared.h"
 
 #include <fvi/error.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* src/words/fvi_values.c -- From the words of the command line to values. */
 #include "fvi_values.h"
-#include "fvi_files.h"
-#include "fvi_shared.h"
+#include "input/fvi_files.h"
+#include "input/fvi_shared.h"
 #include "fvi_shortest.h"
 #include "memory/law_terms.h"
 #include "methods/damping.h"

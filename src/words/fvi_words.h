@@ -3,8 +3,8 @@
 #ifndef FVI_WORDS_H
 #define FVI_WORDS_H
 
+#include "input/fvi_refuse.h"
 #include <fvi/exact_solution.h>
-#include <fvi/expression.h>
 #include <stddef.h>
 
 /* The potentials, in the order of their words in fvi_word_potential. */
@@ -36,23 +36,6 @@ typedef struct {
     fvi_column at[FVI_ALL_COLUMNS];
 } fvi_columns;
 
-enum { FVI_COMPLAINT = 400 /* bytes that are enough for a complaint */ };
-
-typedef struct {
-    char *text; /* one line, two with a caret, without the newline */
-    size_t size;
-} fvi_complaint;
-
-/* Write the complaint, as printf would; control characters become '?', and of what is
- * too long for its place the middle becomes "...". */
-__attribute__((format(printf, 2, 3))) int fvi_refuse(fvi_complaint c,
-                                                     const char *format, ...);
-
-/* Refuse a misprint in the text of --name: what is wrong, and in a second line, which
- * is not ended, a caret below the place, when the complaint is printed behind "fvi: ". */
-int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
-                  fvi_misprint wrong);
-
 /* A finite number between low and high. brackets is "[]", "(]", "[)" or "()":
  * a round one keeps its end out of the range. */
 int fvi_word_number(const char *name, const char *text, double low, double high,
@@ -61,16 +44,6 @@ int fvi_word_number(const char *name, const char *text, double low, double high,
 /* A whole number from 1 to `most`, at most 2^53; "1e6" is one too. */
 int fvi_word_whole(const char *name, const char *text, size_t most,
                    size_t *value, fvi_complaint c);
-
-/* The word, of those ended by NULL, that is nearest to the first `length` letters
- * of text, if a slip of the finger leads from the one to the other; else NULL. */
-const char *fvi_word_nearest(const char *text, size_t length,
-                             const char *const *words);
-
-/* Refuse an option that is none of these, "--apha=1" of "alpha": with the nearest one, if
- * one is near. */
-int fvi_refuse_option(fvi_complaint c, const char *given,
-                      const char *const *names);
 
 /* Which of the words, ended by NULL. */
 int fvi_word_choice(const char *name, const char *text,

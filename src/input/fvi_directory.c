@@ -1,4 +1,4 @@
-/* src/words/fvi_directory.c -- A system from the files of a folder. */
+/* src/input/fvi_directory.c -- A system from the files of a folder. */
 #define _GNU_SOURCE /* getline */
 #include "fvi_directory.h"
 

@@ -1,8 +1,8 @@
-/* src/words/fvi_shared.h -- A potential from a shared object, or from a file of C. */
+/* src/input/fvi_shared.h -- A potential from a shared object, or from a file of C. */
 #ifndef FVI_SHARED_H
 #define FVI_SHARED_H
 
-#include "fvi_words.h"
+#include "fvi_refuse.h"
 
 /* fvi_shared_name -- nonzero if the text of --potential is such a file: it ends with .so or .c. */
 int fvi_shared_name(const char *text);

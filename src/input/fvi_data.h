@@ -1,8 +1,8 @@
-/* src/words/fvi_data.h -- Numbers from files. */
+/* src/input/fvi_data.h -- Numbers from files. */
 #ifndef FVI_DATA_H
 #define FVI_DATA_H
 
-#include "fvi_words.h"
+#include "fvi_refuse.h"
 
 /* fvi_data_numbers -- all numbers of a file, parted by commas, spaces or lines, as the value
  * of --option. What stands behind # in a line is not read.

@@ -1,4 +1,4 @@
-/* src/words/fvi_files.c -- Which file does a name stand for? */
+/* src/input/fvi_files.c -- Which file does a name stand for? */
 #define _GNU_SOURCE /* PATH_MAX */
 #include "fvi_files.h"
 

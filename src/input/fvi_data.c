@@ -1,4 +1,4 @@
-/* src/words/fvi_data.c -- Numbers from files. */
+/* src/input/fvi_data.c -- Numbers from files. */
 #define _GNU_SOURCE /* getline */
 #include "fvi_data.h"
 

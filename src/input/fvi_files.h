@@ -1,4 +1,4 @@
-/* src/words/fvi_files.h -- Which file does a name stand for? */
+/* src/input/fvi_files.h -- Which file does a name stand for? */
 #ifndef FVI_FILES_H
 #define FVI_FILES_H
 

@@ -1,4 +1,4 @@
-/* src/words/fvi_compile.c -- A file of C becomes a shared object. */
+/* src/input/fvi_compile.c -- A file of C becomes a shared object. */
 #define _GNU_SOURCE
 #include "fvi_compile.h"
 

@@ -1,9 +1,9 @@
-/* src/words/fvi_directory.h -- A system from the files of a folder. */
+/* src/input/fvi_directory.h -- A system from the files of a folder. */
 #ifndef FVI_DIRECTORY_H
 #define FVI_DIRECTORY_H
 
 #include <fvi/structures.h>
-#include "fvi_words.h"
+#include "fvi_refuse.h"
 
 typedef struct fvi_directory fvi_directory;
 

@@ -1,4 +1,4 @@
-/* src/words/fvi_shared.c -- A potential from a shared object, or from a file of C. */
+/* src/input/fvi_shared.c -- A potential from a shared object, or from a file of C. */
 #define _GNU_SOURCE
 #include "fvi_shared.h"
 #include "fvi_compile.h"
