@@ -34,7 +34,7 @@ CHECK_LIBS   := $(shell pkg-config --libs check 2>/dev/null || echo -lcheck_pic 
 CERF_LIBS    := $(shell pkg-config --libs libcerf 2>/dev/null || echo -lcerf)
 COMPILE       = $(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP
 
-PROGRAM  := $(wildcard src/program/*.c src/words/*.c src/input/*.c)
+PROGRAM  := $(wildcard src/program/*.c src/output/*.c src/words/*.c src/input/*.c)
 LIBRARY  := $(filter-out $(PROGRAM) src/petsc/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))

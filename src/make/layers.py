@@ -13,7 +13,8 @@ import sys
 SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
-    {"program": "build/fvi: commands, tables, files", "petsc": "build/fvi_petsc: a run on many machines"},
+    {"program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},
+    {"output": "tables, pictures, complaints; files are whole or absent"},
     {"words": "from the command line to values"},
     {"input": "what stands in files, and what is wrong with it"},
     {"fits": "what is unknown, from what was measured", "inverse": "gradients and control"},

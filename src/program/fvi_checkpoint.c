@@ -2,7 +2,7 @@
 #define _GNU_SOURCE
 #include "fvi_checkpoint.h"
 
-#include "fvi_commands.h"
+#include "output/fvi_complain.h"
 #include <fvi/error.h>
 #include <fvi/version.h>
 

@@ -1,13 +1,14 @@
 /* src/program/fvi_cli.c -- The program build/fvi. */
 #define _GNU_SOURCE
+#include "output/fvi_complain.h"
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
 #include <fvi/methods.h>
 #include "fvi_commands.h"
-#include "fvi_format.h"
-#include "fvi_output.h"
-#include "fvi_table.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
+#include "output/fvi_table.h"
 #include "fvi_usage.h"
 #include "words/fvi_options.h"
 

@@ -25,17 +25,4 @@ int fvi_command_fit(int argc, char **argv);
 /* fvi_command_gradient -- `fvi gradient`: derivatives of a last row. Likewise. */
 int fvi_command_gradient(int argc, char **argv);
 
-/* What went wrong, as a line on standard error; each returns 1. */
-int fvi_complain(const char *what);
-int fvi_cannot_write(
-    const char *name); /* as errno says; NULL: standard output */
-int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
-
-/* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
- * to the help. A caret below the complaint stands at the beginning of the second. */
-void fvi_refused(const char *complaint, const char *help);
-
-/* fvi_reason -- such a code, in the words of a user. */
-const char *fvi_reason(int status);
-
 #endif

@@ -2,7 +2,8 @@
 #include "fvi_commands.h"
 
 #include "fvi_fit_answer.h"
-#include "fvi_output.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_output.h"
 #include "input/fvi_data.h"
 #include "input/fvi_files.h"
 

@@ -1,9 +1,9 @@
 /* src/program/fvi_fit_answer.c -- What `fvi fit` prints. */
 #include "fvi_fit_answer.h"
 
-#include "fvi_commands.h"
-#include "fvi_format.h"
-#include "fvi_output.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -2,8 +2,9 @@
 #include "fvi_commands.h"
 
 #include "fvi_gradient_answer.h"
-#include "fvi_output.h"
-#include "fvi_table.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_output.h"
+#include "output/fvi_table.h"
 #include "inverse/mesh_path.h"
 #include "input/fvi_files.h"
 

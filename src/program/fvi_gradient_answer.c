@@ -1,10 +1,10 @@
 /* src/program/fvi_gradient_answer.c -- What `fvi gradient` prints. */
 #include "fvi_gradient_answer.h"
 
-#include "fvi_commands.h"
-#include "fvi_format.h"
-#include "fvi_output.h"
-#include "fvi_table.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
+#include "output/fvi_table.h"
 #include "stages/lobatto_weights.h"
 
 #include <math.h>

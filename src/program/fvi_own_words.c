@@ -1,7 +1,7 @@
 /* src/program/fvi_own_words.c -- Commands with options of their own beside those of run. */
 #include "fvi_own_words.h"
-#include "fvi_commands.h"
-#include "fvi_format.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,11 +1,12 @@
 /* src/program/fvi_run.c -- The command `fvi run`, step by step. */
+#include "output/fvi_complain.h"
 #include <fvi/fvi.h>
 #include "fvi_checkpoint.h"
-#include "fvi_format.h"
+#include "output/fvi_format.h"
 #include "fvi_run.h"
-#include "fvi_output.h"
-#include "fvi_table.h"
-#include "fvi_watch.h"
+#include "output/fvi_output.h"
+#include "output/fvi_table.h"
+#include "output/fvi_watch.h"
 #include "words/fvi_values.h"
 #include "stages/lobatto_memory.h"
 

@@ -5,7 +5,7 @@
 
 #include <fvi/variable_steps.h>
 #include "fvi_commands.h"
-#include "fvi_table.h"
+#include "output/fvi_table.h"
 
 /* fvi_run_room -- room for the rows that are kept; NULL if what is surely asked for is more
  * than the machine has. */

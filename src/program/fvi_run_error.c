@@ -1,9 +1,10 @@
 /* src/program/fvi_run_error.c -- The command `fvi run --error`. */
+#include "output/fvi_complain.h"
 #include <fvi/error.h>
 #include <fvi/step_search.h>
 
-#include "fvi_output.h"
-#include "fvi_format.h"
+#include "output/fvi_output.h"
+#include "output/fvi_format.h"
 #include "fvi_run.h"
 #include "words/fvi_shortest.h"
 #include "words/fvi_values.h"

@@ -1,7 +1,7 @@
 /* src/program/fvi_snapshot.c -- All unknowns at the end of a run. */
-#include "fvi_commands.h"
-#include "fvi_format.h"
-#include "fvi_output.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+#include "output/fvi_output.h"
 #include "fvi_run.h"
 
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s)

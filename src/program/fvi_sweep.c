@@ -1,12 +1,13 @@
 /* src/program/fvi_sweep.c -- The command `fvi sweep`: a grid of runs, a row each. */
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
+#include "output/fvi_complain.h"
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
-#include "fvi_format.h"
+#include "output/fvi_format.h"
 #include "fvi_grid.h"
-#include "fvi_output.h"
+#include "output/fvi_output.h"
 #include "fvi_run.h"
-#include "fvi_table.h"
+#include "output/fvi_table.h"
 #include "words/fvi_options.h"
 #include "words/fvi_shortest.h"
 

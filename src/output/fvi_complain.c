@@ -1,5 +1,5 @@
-/* src/program/fvi_complain.c -- How the commands of build/fvi fail. */
-#include "fvi_commands.h"
+/* src/output/fvi_complain.c -- What the program says when something cannot be done. */
+#include "fvi_complain.h"
 #include "fvi_output.h"
 #include <fvi/error.h>
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_watch.c -- A run that gets stiffer on its way. */
+/* src/output/fvi_watch.c -- A run that gets stiffer on its way. */
 #include "fvi_watch.h"
 
 #include <fvi/stability.h>

@@ -1,4 +1,4 @@
-/* src/program/fvi_output.c -- A file that is complete or not there at all. */
+/* src/output/fvi_output.c -- A file that is complete or not there at all. */
 #define _GNU_SOURCE
 #include "fvi_output.h"
 

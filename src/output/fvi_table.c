@@ -1,7 +1,7 @@
-/* src/program/fvi_table.c -- The table that the program prints. */
+/* src/output/fvi_table.c -- The table that the program prints. */
 #define _GNU_SOURCE /* _SC_PHYS_PAGES */
 #include "fvi_table.h"
-#include "fvi_commands.h"
+#include "fvi_complain.h"
 #include "fvi_format.h"
 #include "fvi_output.h"
 #include "fvi_plot.h"

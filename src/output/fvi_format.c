@@ -1,4 +1,4 @@
-/* src/program/fvi_format.c -- A table as text: tsv, csv, json. */
+/* src/output/fvi_format.c -- A table as text: tsv, csv, json. */
 #include "fvi_format.h"
 
 #include <fvi/version.h>

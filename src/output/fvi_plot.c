@@ -1,8 +1,8 @@
-/* src/program/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
+/* src/output/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
 #define _GNU_SOURCE /* popen */
 #include "fvi_plot.h"
 
-#include "fvi_commands.h"
+#include "fvi_complain.h"
 
 #include <errno.h>
 #include <limits.h>

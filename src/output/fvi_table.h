@@ -1,4 +1,4 @@
-/* src/program/fvi_table.h -- The table that the program prints. */
+/* src/output/fvi_table.h -- The table that the program prints. */
 #ifndef FVI_TABLE_H
 #define FVI_TABLE_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_output.h -- A file that is complete or not there at all. */
+/* src/output/fvi_output.h -- A file that is complete or not there at all. */
 #ifndef FVI_OUTPUT_H
 #define FVI_OUTPUT_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_plot.h -- A picture of a table, drawn by gnuplot. */
+/* src/output/fvi_plot.h -- A picture of a table, drawn by gnuplot. */
 #ifndef FVI_PLOT_H
 #define FVI_PLOT_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_format.h -- A table as text: tsv, csv, json. */
+/* src/output/fvi_format.h -- A table as text: tsv, csv, json. */
 #ifndef FVI_FORMAT_H
 #define FVI_FORMAT_H
 

@@ -1,4 +1,4 @@
-/* src/program/fvi_watch.h -- A run that gets stiffer on its way. */
+/* src/output/fvi_watch.h -- A run that gets stiffer on its way. */
 #ifndef FVI_WATCH_H
 #define FVI_WATCH_H
 
@@ -7,7 +7,7 @@
 
 typedef struct {
     double stiffest; /* so far, see fvi_stability_along */
-    size_t next;     /* the step of the next look; no look where it is SIZE_MAX */
+    size_t next; /* the step of the next look; no look where it is SIZE_MAX */
 } fvi_watch;
 
 /* fvi_watch_begin -- before the first step. Nothing will be looked at if U is quadratic,

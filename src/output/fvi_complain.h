@@ -1,0 +1,20 @@
+/* src/output/fvi_complain.h -- What the program says when something cannot be done. */
+#ifndef FVI_COMPLAIN_H
+#define FVI_COMPLAIN_H
+
+#include <stddef.h>
+
+/* What went wrong, as a line on standard error; each returns 1. */
+int fvi_complain(const char *what);
+int fvi_cannot_write(
+    const char *name); /* as errno says; NULL: standard output */
+int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
+
+/* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
+ * to the help. A caret below the complaint stands at the beginning of the second. */
+void fvi_refused(const char *complaint, const char *help);
+
+/* fvi_reason -- such a code, in the words of a user. */
+const char *fvi_reason(int status);
+
+#endif
