@@ -6,7 +6,7 @@
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "memory/memory_parts.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "system/newton_stages.h"
 
 enum { PART = 2048 }; /* coordinates: their numbers stay near the core */
 
@@ -68,6 +68,45 @@ static int step_fractional(fvi_stepper *s)
 }
 //< step
 
+/* ---- the same for one coordinate ---- */
+
+/* Is there one coordinate, damped, whose equation is a division? */
+static int is_alone(const fvi_stepper *s)
+{
+    const fvi_damping *d = s->own;
+    const fvi_newton *n = s->newton;
+    return d && d->all && d->count == 1 && n->implicit && n->linear && !n->own;
+}
+
+//> alone
+/* The digits of step_fractional, and less than half of its instructions, which one
+ * coordinate waits for: no loop has to find out that it runs once. */
+static int step_alone(fvi_stepper *s)
+{
+    const fvi_damping *d = s->own;
+    const fvi_newton *n = s->newton;
+    const fvi_potential *u = &s->run.system->potential;
+    const double h = s->run.h, t = (double)(s->k + 1) * h;
+    double g, H;
+    int status = u->gradient(1, s->x, u->params, &g);
+    const double dx = (*s->p - *n->s * g) / *fvi_band_row(&n->J, 0);
+    const double point = *s->x + n->theta * dx;
+    if (!status)
+        status = u->gradient(1, &point, u->params, &g);
+    if (!status)
+        status = fvi_force_at(s, t);
+    if (status)
+        return status;
+    const double x = *s->x + dx, z = x - *d->origin, dz = dx - *d->drift;
+    status = fvi_memory_push(d->memory, &z, &dz, &H);
+    *s->x = x;
+    *s->dx = dx;
+    *s->g = g;
+    *s->p = *s->p + h * (*s->F - g) - *d->factor * H;
+    return status;
+}
+//< alone
+
 /* ---- the same for many coordinates ---- */
 
 /* Is the next position explicit, kappa = 1, and every coordinate damped? */
@@ -126,7 +165,9 @@ static int step_by_parts(fvi_stepper *s)
 
 static int step(fvi_stepper *s)
 {
-    return (goes_by_parts(s) ? step_by_parts : step_fractional)(s);
+    return is_alone(s)        ? step_alone(s)
+           : goes_by_parts(s) ? step_by_parts(s)
+                              : step_fractional(s);
 }
 
 const fvi_method fvi_fractional = { .name = "fvi",

@@ -151,12 +151,10 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
     return FVI_SUCCESS;
 }
 
-/* fvi_all_finite for many numbers: 0 v is 0, or NaN, and eight sums wait for nobody. */
+/* fvi_all_finite of x and p, of many: 0 v is 0, or NaN, and eight sums wait for nobody. */
 static int finite(size_t n, const double *v)
 {
     enum { LANES = 8 };
-    if (n < LANES)
-        return fvi_all_finite(n, v);
     double sum[LANES] = { 0 };
     const size_t whole = n / LANES * LANES;
     for (size_t i = 0; i < whole; i += LANES) {
@@ -165,6 +163,14 @@ static int finite(size_t n, const double *v)
             sum[l] += 0 * v[i + l];
     }
     return fvi_all_finite(LANES, sum) && fvi_all_finite(n - whole, v + whole);
+}
+
+static int is_finite(const fvi_stepper *s)
+{
+    const size_t d = s->run.system->d;
+    return d == 1  ? isfinite(*s->x) && isfinite(*s->p)
+           : d < 4 ? fvi_all_finite(2 * d, s->x)
+                   : finite(2 * d, s->x); /* x, then p */
 }
 
 int fvi_step(fvi_stepper *s)
@@ -178,7 +184,7 @@ int fvi_step(fvi_stepper *s)
         return status;
     if (s->run.system->force.impulse_count && !s->method->dense)
         fvi_impulses_act(s, s->k + 1);
-    if (!finite(2 * s->run.system->d, s->x)) /* x, then p */
+    if (!is_finite(s))
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */
     if (!s->method->dense) {
         s->k++;

@@ -175,8 +175,8 @@ START_TEST(eq_9_4_without_damping_it_is_algorithm_1)
 }
 END_TEST
 
-/* Two masses that do not feel each other, one damped: each does what it does
- * alone, bit for bit, and the undamped one does not feel alpha. */
+/* Two masses that do not feel each other, one damped: each does what it does alone, where
+ * a step has a shorter way, bit for bit, and the undamped one does not feel alpha. */
 START_TEST(eq_9_4_only_damped_coordinates_remember)
 {
     const double mass[] = { 1, 2 }, rho[] = { 0.5, 0 }, x0[] = { 1, -0.5 },
@@ -188,23 +188,29 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
                                 fvi_potential_harmonic(&c),
                                 { .value = ramp, .params = (void *)slope },
                                 NULL };
+    const fvi_past pasts[] = { FVI_PAST_RIEMANN_LIOUVILLE, FVI_PAST_HELD,
+                               FVI_PAST_CAPUTO };
     double undamped[51] = { 0 };
-    for (size_t i = 0; i < LEN(alphas) * LEN(kappas); i++) {
-        double both[102], alone[51];
+    for (size_t i = 0; i < LEN(alphas) * LEN(kappas) * LEN(pasts); i++) {
+        double both[102], alone[51], p_both[102], p_alone[51];
         for (size_t j = 0; j < 2; j++) {
             setup a = { .h = 0.125, .steps = 50, .cg = { c, 0 } };
             a.alpha = alphas[i % 2];
-            a.kappa = kappas[i / 2];
+            a.kappa = kappas[i / 2 % 3];
+            a.past = pasts[i / 6];
             a.mass = mass[j];
             a.rho = rho[j];
             a.x0 = x0[j];
             a.p0 = p0[j];
             a.force = (fvi_force){ .value = ramp, .params = (void *)(slope + j) };
-            run(&fvi_fractional, &a, &system, x0, p0, both, NULL);
-            solve(&fvi_fractional, &a, alone, NULL);
-            for (size_t k = 0; k <= 50; k++)
+            run(&fvi_fractional, &a, &system, x0, p0, both, p_both);
+            solve(&fvi_fractional, &a, alone, p_alone);
+            for (size_t k = 0; k <= 50; k++) {
                 ck_assert_ulp(both[2 * k + j], alone[k], 0, "mass %zu, k = %zu",
                               j, k);
+                ck_assert_ulp(p_both[2 * k + j], p_alone[k], 0,
+                              "p of mass %zu, k = %zu", j, k);
+            }
         }
         if (i % 2 == 0)
             memcpy(undamped, alone, sizeof undamped);
