@@ -28,7 +28,9 @@ typedef struct {
     void *params;
 } fvi_objective;
 
-/* fvi_gradients -- where the derivatives go; what is NULL is not wanted.
+/* fvi_gradients -- where the derivatives go; what is NULL is not wanted. Of a system with
+ * matrices mass, damping and parameters are one number each: by a factor of M, of C and of
+ * K, at 1; the sensitivity is not read.
  *
  *   x0, p0         by x0 and p0, d numbers each
  *   mass, damping  by each mass and each damping, d numbers each
@@ -47,7 +49,7 @@ typedef struct {
 } fvi_gradients;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
- *                                              [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18)]
+ *                                              [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19)]
  *
  *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
  *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
@@ -72,8 +74,8 @@ typedef struct {
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
  *          steps. Where the past pulls the start, (19.3), there is none. force: the force changes along straight lines between t_k and t_{k+1}
- *   matrices  M, C, K (structures.h) have x0, p0 and force, without a law; by another method
- *          than fvi_fractional not with RIEMANN_LIOUVILLE, and of a J without p_N
+ *   matrices  M, C, K (structures.h) without a law; by another method than fvi_fractional not
+ *          with RIEMANN_LIOUVILLE, and of a J without p_N. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
  *
@@ -89,7 +91,8 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
  * FVI_EUNSUP if the method has no adjoint, or not this one, or
- * the system matrices and this is not what matrices have;
+ * the system matrices and this is not what matrices have, or mass is wanted and they have
+ * no inertia;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

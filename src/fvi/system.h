@@ -102,6 +102,7 @@ typedef struct {
  *   remember   writes B^T x - from to z, r numbers each; none is another
  *   damp       takes a S z away from the d numbers p
  *   stiffness  writes K x to y
+ *   inertia    writes M x to y; NULL: there is no derivative by a factor of M (adjoint.h)
  *   factorise  what solve needs to know of m M + c C + k K, into *factors; m, c >= 0.
  *              FVI_ESING if that is not positive definite
  *   solve      r becomes (m M + c C + k K)^-1 r. The factors belong to one run
@@ -117,6 +118,7 @@ typedef struct {
     int (*damp)(size_t d, double a, const double *z, const void *params,
                 double *p);
     int (*stiffness)(size_t d, const double *x, const void *params, double *y);
+    int (*inertia)(size_t d, const double *x, const void *params, double *y);
     int (*factorise)(size_t d, double m, double c, double k, const void *params,
                      void **factors);
     int (*solve)(size_t d, void *factors, double *r);

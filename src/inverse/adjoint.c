@@ -20,12 +20,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
     if (run->system && run->system->matrices
-        && (run->law || want->mass || want->damping || want->alpha
-            || want->parameters
+        && (run->law
             || (method->scheme != FVI_SCHEME_ALGORITHM_3
                 && run->past == FVI_PAST_RIEMANN_LIOUVILLE)))
-        FVI_FAIL("matrices have an adjoint by x0, p0 and forces, without a "
-                 "law, and but for fvi without Riemann-Liouville's past",
+        FVI_FAIL("matrices have an adjoint without a law, and but for fvi "
+                 "without Riemann-Liouville's past",
                  FVI_EUNSUP);
     if (run->law ? want->alpha != NULL : want->terms != NULL)
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
@@ -38,7 +37,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
-        && !want->sensitivity.column)
+        && !(run->system && run->system->matrices) && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
     fvi_stepper
         *s; /* knows what a run may be; one of a step has no long memory */
@@ -71,12 +70,14 @@ static void clear(const fvi_run *run, const fvi_gradients *want, size_t per)
         *want->alpha = 0;
     for (size_t i = 0; want->terms && i < run->law->count; i++)
         want->terms[i] = 0;
-    if (want->damping)
+    if (want->damping && !run->system->matrices)
         memset(want->damping, 0, d * sizeof *want->damping);
     if (want->force)
         memset(want->force, 0,
                (run->steps * per + 1) * d * sizeof *want->force);
-    for (size_t j = 0; want->parameters && j < want->sensitivity.count; j++)
+    for (size_t j = 0; want->parameters && !run->system->matrices
+                       && j < want->sensitivity.count;
+         j++)
         want->parameters[j] = 0;
 }
 

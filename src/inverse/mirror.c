@@ -91,27 +91,31 @@ static int start_memories(fvi_mirror *m, const fvi_method *method)
 }
 
 /* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
-static void factor_bdf2(fvi_mirror *m)
+static size_t factor_bdf2(double beta, double *g, double *gdot)
 {
     double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
-    fvi_bdf2_factor(2 * m->run->alpha, m->g);
-    m->taps = FVI_BDF2_TAPS;
+    fvi_bdf2_factor(beta, g);
     for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
         l[n] = -(power /= 3) / (double)n;
     for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
         for (size_t j = 0; j <= n; j++)
-            m->gdot[n] += l[j] * m->g[n - j];
+            gdot[n] += l[j] * g[n - j];
+    return FVI_BDF2_TAPS;
 }
 
-/* (13.16), and its derivative by 2 alpha. */
-static void factor_stable(fvi_mirror *m)
+size_t fvi_mirror_factor(fvi_scheme scheme, double alpha, double *g,
+                         double *gdot)
 {
-    const double alpha = m->run->law ? 0 : m->run->alpha; /* (26.15) */
-    m->taps = 2;
-    m->g[0] = 0.5 + alpha;
-    m->g[1] = 0.5 - alpha;
-    m->gdot[0] = 0.5;
-    m->gdot[1] = -0.5;
+    if (scheme == FVI_SCHEME_BDF2)
+        return factor_bdf2(2 * alpha, g, gdot);
+    g[0] = 1;
+    if (scheme != FVI_SCHEME_STABLE)
+        return 1;
+    g[0] = 0.5 + alpha; /* (13.16) */
+    g[1] = 0.5 - alpha;
+    gdot[0] = 0.5;
+    gdot[1] = -0.5;
+    return 2;
 }
 
 static int start_factor(fvi_mirror *m, fvi_scheme scheme)
@@ -119,7 +123,8 @@ static int start_factor(fvi_mirror *m, fvi_scheme scheme)
     if (scheme != FVI_SCHEME_STABLE
         && (scheme != FVI_SCHEME_BDF2 || m->run->law))
         return FVI_SUCCESS;
-    (scheme == FVI_SCHEME_BDF2 ? factor_bdf2 : factor_stable)(m);
+    m->taps = fvi_mirror_factor(scheme, m->run->law ? 0 : m->run->alpha, m->g,
+                                m->gdot); /* (26.15) */
     m->sums = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->sums);
     if (!m->sums)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);

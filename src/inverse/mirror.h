@@ -48,6 +48,16 @@ typedef struct {
     int is_quadratic, is_ready; /* U is, and J and G stay as they are */
 } fvi_mirror;
 
+/* fvi_mirror_factor -- what the weights of a power have besides (1 - z)^(2 alpha).
+ *
+ *   scheme   as below
+ *   g, gdot  output, zeros, FVI_BDF2_TAPS numbers each: the factor by powers of z, (13.11)
+ *            or (13.16), and its derivative by 2 alpha
+ *
+ * Returns how many of them there are; 1 if there is no factor. */
+size_t fvi_mirror_factor(fvi_scheme scheme, double alpha, double *g,
+                         double *gdot);
+
 /* fvi_mirror_start -- at node N, where lambda_N = J_p.
  *
  *   method  its scheme is FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE

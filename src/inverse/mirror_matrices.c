@@ -9,13 +9,14 @@
 
 #include <fvi/fvi.h>
 #include "methods/damping.h"
+#include "mirror_factors.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ARRAYS = 10 };
+enum { ARRAYS = 12 };
 
 /* d numbers each. */
 typedef struct {
@@ -28,10 +29,13 @@ typedef struct {
     double *start, *push; /* J_p, of the first node; J_N less the kick */
     double *J, *slope;    /* J_k; J_k / h, the force */
     double *before;       /* that of the node before, at first 2 J_N / h */
-    double *pull;         /* sum of impulses of the past times lambda */
+    double *pull,
+        *pull_rate;       /* impulses of the past times lambda; slope by e */
+    double *right;        /* lambda_{k+1} */
     double *sum, *moment; /* sum_k J_k, sum_k t_k J_k */
     double *M, *M_moment; /* sum_k M_k, sum_k (t_k + (1 - kappa) h) M_k */
     double *block;        /* all these; owned */
+    fvi_mirror_factors factors;
 } mirror;
 
 /* What the stepper asks for: J_k / h is there, and with two limits at each node that of the
@@ -81,31 +85,40 @@ static int kick(const fvi_system *system, double share, const double *x,
     return status;
 }
 
-/* From node k + 1 to node k: M_k and the derivative by F_{k+1} on the way. */
-static int step(mirror *m, fvi_stepper *s, size_t k, double *force)
+/* lambda at one end of a step, which has this share in M_k and meets it at time t. */
+static void meet(mirror *m, const double *lambda, double share, double t,
+                 double impulse, double rate)
 {
+    for (size_t i = 0; i < m->run->system->d; i++) {
+        m->M[i] += share * lambda[i];
+        m->M_moment[i] += t * share * lambda[i];
+        m->pull[i] += impulse * lambda[i];
+        m->pull_rate[i] += rate * lambda[i];
+    }
+}
+
+/* From node k + 1 to node k: M_k and the derivative by F_{k+1} on the way. */
+static int step(mirror *m, fvi_stepper *s, size_t k, const double *rows,
+                double *force)
+{
+    static const double nodes[] = { 0, 1 };
     const fvi_run *run = m->run;
     const size_t d = run->system->d;
     const double h = run->h, after = 1 - m->kappa, t = ((double)k + after) * h;
-    double ends[2] = { 0, 0 };
+    double at[2] = { 0, 0 }, slope[2] = { 0, 0 };
     if (m->is_pulled)
-        fvi_past_impulses(&m->fading, k, ends);
-    for (size_t i = 0; i < d; i++) {
-        const double M = after * s->x[i];
-        m->M[i] += M;
-        m->M_moment[i] += t * M;
-        m->pull[i] += ends[1] * s->x[i];
-        if (force)
-            force[(k + 1) * d + i] = h * s->x[i];
-    }
+        fvi_past_impulses(&m->fading, k, at);
+    if (m->is_pulled && m->factors.want->alpha)
+        fvi_past_impulses_rate(&m->fading, nodes, k, slope);
+    memcpy(m->right, s->x, d * sizeof *m->right);
+    meet(m, s->x, after, t, at[1], slope[1]);
+    for (size_t i = 0; force && i < d; i++)
+        force[(k + 1) * d + i] = h * s->x[i];
     const int status = fvi_step(s);
-    for (size_t i = 0; i < d; i++) {
-        const double M = m->kappa * s->x[i];
-        m->M[i] += M;
-        m->M_moment[i] += t * M;
-        m->pull[i] += ends[0] * s->x[i];
-    }
-    return status;
+    meet(m, s->x, m->kappa, t, at[0], slope[0]);
+    return status
+               ? status
+               : fvi_mirror_factors_step(&m->factors, k, rows, m->right, s->x);
 }
 
 //> matrices
@@ -145,6 +158,13 @@ static int end(mirror *m, const fvi_stepper *s, const fvi_gradients *want)
         memcpy(want->x0, by_x, d * sizeof *by_x);
     if (want->p0)
         memcpy(want->p0, by_p, d * sizeof *by_p);
+    for (size_t i = 0; i < d; i++)
+        m->right[i] = by_p[i] - s->x[i];
+    if (!status)
+        status = fvi_mirror_factors_end(
+            &m->factors, m->right,
+            m->is_pulled ? pow(run->h, 1 + m->fading.e) : 0, m->pull,
+            m->pull_rate);
     return status || (fvi_all_finite(d, by_x) && fvi_all_finite(d, by_p))
                ? status
                : FVI_EOVRFLW;
@@ -166,7 +186,7 @@ static int walk(mirror *m, const fvi_method *method, fvi_backward *path,
         if (!status)
             status = ask(m, objective, k, rows, NULL, NULL);
         if (!status)
-            status = step(m, s, k, want->force);
+            status = step(m, s, k, rows, want->force);
     }
     if (!status)
         status = end(m, s, want);
@@ -208,9 +228,9 @@ int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
     mirror m = { .run = run,
                  .printed = method->scheme == FVI_SCHEME_ALGORITHM_3,
                  .kappa = method->takes_kappa ? run->kappa : 0.5 };
-    double **each[ARRAYS] = { &m.start,  &m.push,   &m.J, &m.slope,
-                              &m.sum,    &m.moment, &m.M, &m.M_moment,
-                              &m.before, &m.pull };
+    double **each[ARRAYS] = { &m.start,  &m.push,   &m.J,         &m.slope,
+                              &m.sum,    &m.moment, &m.M,         &m.M_moment,
+                              &m.before, &m.pull,   &m.pull_rate, &m.right };
     m.is_pulled = !m.printed && fvi_past_pulls(run->past, run->alpha);
     if (m.is_pulled)
         fvi_past_prepare(run->alpha, 2, ends, &m.fading);
@@ -227,9 +247,12 @@ int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
     back.p0 = m.push;
     back.kappa = 1 - m.kappa;
     back.past = m.printed ? FVI_PAST_RIEMANN_LIOUVILLE : FVI_PAST_CAPUTO;
-    int status = begin(&m, path, objective);
+    int status = fvi_mirror_factors_start(method, run, want, &m.factors);
+    if (!status)
+        status = begin(&m, path, objective);
     if (!status)
         status = walk(&m, method, path, objective, want, &back);
+    fvi_mirror_factors_stop(&m.factors);
     free(m.block);
     return status;
 }

@@ -8,14 +8,15 @@
 
 #include <fvi/adjoint.h>
 
-/* fvi_mirror_matrices -- from node N to node 0: x0, p0 and force of `want`.
+/* fvi_mirror_matrices -- from node N to node 0. mass, damping and parameters of
+ * `want` are one number each, by a factor of M, C and K.
  *
  *   method  its scheme is FVI_SCHEME_ALGORITHM_3; or SHIFTED, BDF2 or STABLE, the past HELD
  *           or CAPUTO, and J without p_N
  *   path    of the run, not yet read
  *
- * Returns FVI_EUNSUP if J has p_N and the method none of it; what fvi_start, fvi_step, fvi_backward_step and the slopes return; FVI_ENOMEM;
- * FVI_EOVRFLW if a derivative is not finite. */
+ * Returns FVI_EUNSUP if J has p_N and the method none of it; what
+ * fvi_mirror_factors_start, fvi_start, fvi_step, fvi_backward_step and the slopes return; FVI_EOVRFLW if a derivative is not finite. */
 int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
                         fvi_backward *path, const fvi_objective *objective,
                         const fvi_gradients *want);

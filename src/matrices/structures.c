@@ -26,6 +26,14 @@ static int stiffness(size_t d, const double *x, const void *params, double *y)
     return FVI_SUCCESS;
 }
 
+static int inertia(size_t d, const double *x, const void *params, double *y)
+{
+    const fvi_structure *s = params;
+    (void)d;
+    fvi_sparse_product(s->M, x, y);
+    return FVI_SUCCESS;
+}
+
 static int remember(size_t d, const double *x, const double *from,
                     const void *params, double *z)
 {
@@ -161,6 +169,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
     s->matrices = (fvi_matrices){ .remember = remember,
                                   .damp = damp,
                                   .stiffness = stiffness,
+                                  .inertia = inertia,
                                   .factorise = factorise,
                                   .solve = solve,
                                   .forget = forget,

@@ -7,6 +7,7 @@
 #include "output/fvi_table.h"
 #include "inverse/mesh_path.h"
 #include "input/fvi_files.h"
+#include "methods/damping.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,8 +45,6 @@ static int interpret_of(request *r, fvi_complaint c)
                           word, word, r->o.d);
     if (colon && r->of == 2)
         return fvi_refuse(c, "--of: '%s': there is one energy", text);
-    if (r->of == 2 && r->system.matrices)
-        return fvi_refuse(c, "--of: 'energy' has no gradient with --system");
     int status = colon ? fvi_word_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
     r->i -= colon != NULL;
     return status;
@@ -92,7 +91,7 @@ static int interpret(request *r, fvi_complaint c)
         return fvi_refuse(c, "--forces: '%s' is the table's file, too",
                           r->words.own[FORCES]);
     const int status = interpret_of(r, c);
-    if (!status && of_order_2 && r->of == 1)
+    if (!status && of_order_2 && r->of > 0)
         return fvi_refuse(c,
                           "--of: '%s' has a gradient with --system and fvi, "
                           "not with %s",
@@ -121,9 +120,12 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
         (r->of ? Jp : Jx)[r->i] = 1;
         return 0;
     }
-    for (size_t i = 0; i < d; i++)
+    int status = 0;
+    if (r->system.matrices)
+        status = fvi_damping_velocity(&r->system, p, Jp);
+    for (size_t i = 0; !r->system.matrices && i < d; i++)
         Jp[i] = p[i] / r->system.mass[i];
-    return fvi_gradient(&r->system, x, Jx);
+    return status ? status : fvi_gradient(&r->system, x, Jx);
 }
 
 /* dU/dtheta_j at x: U is linear in the parameters of what is ready to use. */
@@ -139,9 +141,26 @@ static int energy_by(const request *r, size_t j, const double *x, double *value)
     return fvi_potential_value(&system, x, value);
 }
 
+/* p^T M^-1 p / 2 by a factor of M, x^T K x / 2 by one of K: the energy less what is left
+ * of it without p. */
+static int add_energy_of_matrices(request *r, const double *x)
+{
+    const size_t d = r->o.d;
+    double still = 0, *none = calloc(d, sizeof *none);
+    if (!none)
+        return FVI_ENOMEM;
+    const int status = fvi_energy(&r->system, x, none, &still);
+    *r->to.mass -= r->value - still;
+    *r->to.parameters += still;
+    free(none);
+    return status;
+}
+
 /* What the last energy has of masses and parameters besides x_N and p_N. */
 static int add_energy(request *r, const double *x, const double *p)
 {
+    if (r->system.matrices)
+        return add_energy_of_matrices(r, x);
     for (size_t i = 0; i < r->o.d; i++) {
         const double v = p[i] / r->o.mass[i];
         r->to.mass[i] -= v * v / 2;
@@ -232,8 +251,6 @@ static int make_room(request *r)
     r->to.p0 = r->to.x0 + d;
     r->to.force = r->force;
     r->lets = r->to.p0 + 3 * d + 3; /* behind c and g */
-    if (r->system.matrices)
-        return 0;
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;

@@ -64,9 +64,22 @@ static void print_law(FILE *f, const request *r)
                "--damping\n");
 }
 
+/* By one factor of each matrix. */
+static void print_matrices(FILE *f, const request *r)
+{
+    print_row(f, "mass", "", *r->to.mass);
+    print_row(f, "rho", "", *r->to.damping);
+    print_row(f, "alpha", "", *r->to.alpha);
+    print_row(f, "c", "", *r->to.parameters);
+}
+
 static void print_numbers(FILE *f, const request *r)
 {
     static const char *const c_and_g[] = { "c", "g" };
+    if (r->system.matrices) {
+        print_matrices(f, r);
+        return;
+    }
     print_each(f, r, "mass", r->to.mass);
     if (r->run.law)
         print_law(f, r);
@@ -92,8 +105,7 @@ int fvi_gradient_print_answer(const fvi_own_command *command, const request *r)
     fprintf(f, "\n# name\tderivative\n");
     print_each(f, r, "x0", r->to.x0);
     print_each(f, r, "p0", r->to.p0);
-    if (!r->system.matrices)
-        print_numbers(f, r);
+    print_numbers(f, r);
     for (size_t j = 0; j < r->o.lets.count; j++)
         print_row(f, r->o.lets.name[j], "", r->lets[j]);
     return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;

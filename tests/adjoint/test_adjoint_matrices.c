@@ -239,14 +239,6 @@ START_TEST(matrices_refuse_what_they_have_no_derivative_of)
     bar(&m);
     fvi_run run = run_of(&m.system, 0.35, h, N, x0, p0);
     const fvi_objective J = { square, NULL };
-    const fvi_gradients wants[] = { { .mass = number },
-                                    { .damping = number },
-                                    { .alpha = number },
-                                    { .parameters = number } };
-    for (size_t i = 0; i < LEN(wants); i++)
-        ck_assert_int_eq(
-            fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &wants[i]),
-            FVI_EUNSUP);
     const fvi_gradients plain = { .x0 = number };
     const fvi_method *const others[] = { &fvi_bdf2, &fvi_shifted, &fvi_stable };
     for (size_t i = 0; i < LEN(others); i++) /* J has p_N */

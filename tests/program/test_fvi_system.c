@@ -38,11 +38,28 @@ static double by(const char *name)
     return strtod(at + strlen(start), NULL);
 }
 
-/* The gradient of a folder, against that of the same masses by words. */
+/* The gradient of a folder, against that of the same masses by words: a factor of M changes
+ * each mass by as much as it is large. */
+static void ck_assert_factors(const double *want)
+{
+    const double mass[] = { 1, 2, 0.5 }, rho[] = { 0.3, 0, 0.1 };
+    double by_mass = 0, by_rho = 0;
+    for (size_t i = 0; i < 3; i++) {
+        by_mass += mass[i] * want[i];
+        by_rho += rho[i] * want[3 + i];
+    }
+    ck_assert_near(by("mass"), by_mass, 1e-12, "M");
+    ck_assert_near(by("rho"), by_rho, 1e-12, "C");
+    ck_assert_near(by("alpha"), want[6], 1e-12, "alpha");
+    ck_assert_near(by("c"), 2 * want[7], 1e-12, "K");
+}
+
 START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
 {
-    static const char *const names[] = { "x0_1", "x0_2", "x0_3",
-                                         "p0_1", "p0_2", "p0_3" };
+    static const char *const names[] = { "x0_1",   "x0_2",  "x0_3",   "p0_1",
+                                         "p0_2",   "p0_3",  "mass_1", "mass_2",
+                                         "mass_3", "rho_1", "rho_2",  "rho_3",
+                                         "alpha",  "c" };
     static const char *const what[] = {
         "--of x:2 --alpha 0.3",
         "--of p:3 --alpha 0.8 --derivative "
@@ -50,7 +67,9 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
         "--of x:1 --alpha 0.3 --derivative rl",
         "--of x:2 --alpha 0.8 --method fvi-stable",
         "--of x:1 --alpha 0.3 --method fvi-shifted",
-        "--of x:3 --alpha 0.8 --method fvi-bdf2 --derivative caputo"
+        "--of x:3 --alpha 0.8 --method fvi-bdf2 --derivative caputo",
+        "--of energy --alpha 0.3",
+        "--of energy --alpha 0.8 --derivative caputo"
     };
     write_chain();
     for (size_t i = 0; i < LEN(what); i++) {
@@ -68,14 +87,15 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
                  "chain --forces f.tsv",
                  what[i]);
         ck_assert_int_eq(fvi(line), 0);
-        for (size_t j = 0; j < LEN(names); j++)
+        for (size_t j = 0; j < 6; j++)
             ck_assert_near(by(names[j]), want[j], 1e-12, "%s", names[j]);
-        ck_assert_ptr_null(strstr(out, "\nmass"));
+        ck_assert_factors(want + 6);
     }
     ck_assert_int_eq(fvi("gradient --system chain"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# of = x:1\n"));
-    ck_assert_refused("gradient --system chain --of energy",
-                      "fvi: --of: 'energy' has no gradient with --system");
+    ck_assert_refused("gradient --system chain --method fvi-stable --of energy",
+                      "fvi: --of: 'energy' has a gradient with --system and "
+                      "fvi, not with fvi-stable");
     ck_assert_refused("gradient --system chain --method fvi-bdf2 --of p:1",
                       "fvi: --of: 'p:1' has a gradient with --system and fvi, "
                       "not with fvi-bdf2");

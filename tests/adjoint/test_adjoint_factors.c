@@ -1,0 +1,210 @@
+/* tests/adjoint/test_adjoint_factors.c -- Chapter 23: derivatives by factors of matrices.
+ *                                        Run alone: make test-adjoint_factors */
+#include "structures/structures_runs.h"
+
+#include "adjoint_matrices_ref.h"
+
+enum { D = 3, N = 12 };
+
+static const double h = 1. / 16;
+static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
+                                         FVI_MEMORY_EXPONENTIALS };
+
+static void full(const double *entries, double factor, fvi_sparse *A)
+{
+    fvi_triplet list[D * D];
+    for (int i = 0; i < D * D; i++)
+        list[i] = (fvi_triplet){ i / D, i % D, factor * entries[i] };
+    OK(fvi_sparse_sum(D, D * D, list, A));
+}
+
+static int cosine(double t, size_t d, void *params, double *F)
+{
+    (void)params;
+    for (size_t i = 0; i < d; i++)
+        F[i] = (double)(i + 1) * cos(1.25 * t) / 5;
+    return 0;
+}
+
+/* The J of adjoint_matrices.py; params NULL: |p_N|^2/2 is no part of it. */
+static int to_sine(size_t k, size_t d, const double *x, const double *p,
+                   void *params, double *Jx, double *Jp)
+{
+    for (size_t i = 0; i < d; i++) {
+        Jx[i] += k > 0 ? h * (x[i] - sin((double)k * h)) : 0;
+        if (p && params)
+            Jp[i] += p[i];
+    }
+    return 0;
+}
+
+/* By factors of M and C, by alpha, by a factor of K; then by x0 and p0. */
+typedef struct {
+    double by[4], start[2 * D], force[(N + 1) * D];
+    fvi_gradients want;
+} answers;
+
+static answers *answers_of(void)
+{
+    answers *a = calloc(1, sizeof *a);
+    ck_assert_ptr_nonnull(a);
+    a->want = (fvi_gradients){ .x0 = a->start,
+                               .p0 = a->start + D,
+                               .mass = a->by,
+                               .damping = a->by + 1,
+                               .alpha = a->by + 2,
+                               .parameters = a->by + 3,
+                               .force = a->force };
+    return a;
+}
+
+static fvi_run set_up(size_t i, fvi_memory_kind memory, matrices *m)
+{
+    full(ref_matrices[i].M, 1, &m->M);
+    full(ref_matrices[i].C, 1, &m->C);
+    full(ref_matrices[i].K, 1, &m->K);
+    make(m);
+    m->system.force.value = cosine;
+    fvi_run run = run_of(&m->system, ref_matrices[i].alpha, h, N,
+                         ref_matrices[i].x0, ref_matrices[i].p0);
+    run.past = ref_matrices[i].past;
+    run.kappa = ref_matrices[i].kappa;
+    run.memory = memory;
+    return run;
+}
+
+/* Twelve steps of terms of order 1 that are at most h^-2 apart, as the weights are; the
+ * compressed memory keeps 1e-14 of each weight. */
+START_TEST(eq_23_19_every_factor_of_matrices_to_40_digits)
+{
+    answers *a = answers_of();
+    for (size_t i = 0; i < LEN(ref_matrices) * LEN(kinds); i++) {
+        const size_t row = i / LEN(kinds);
+        const fvi_method *method = ref_matrices[row].method;
+        matrices m;
+        fvi_run run = set_up(row, kinds[i % LEN(kinds)], &m);
+        const fvi_objective J = { to_sine,
+                                  method == &fvi_fractional ? a : NULL };
+        OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
+        for (size_t j = 0; j < 4; j++) {
+            const double want = ref_matrices[row].want[j];
+            seen(fabs(a->by[j] - want) / fmax(1, fabs(want)), "worst");
+            ck_assert_near(a->by[j], want, 2e-13 * fmax(1, fabs(want)),
+                           "%s alpha %g past %d memory %zu number %zu",
+                           method->name, run.alpha, run.past, i % LEN(kinds),
+                           j);
+        }
+        drop(&m);
+    }
+    free(a);
+}
+END_TEST
+
+/* M, C, K, forces and momenta times one factor: the same x, and p_N times it. So the
+ * derivatives by all of these add up to J_p . p_N. */
+START_TEST(eq_23_20_a_factor_of_everything_changes_no_position)
+{
+    answers *a = answers_of();
+    for (size_t i = 0; i < LEN(ref_matrices); i++) {
+        const fvi_method *method = ref_matrices[i].method;
+        const int printed = method == &fvi_fractional;
+        double x[(N + 1) * D], p[(N + 1) * D], size = 1;
+        matrices m;
+        fvi_run run = set_up(i, FVI_MEMORY_AUTO, &m);
+        const fvi_objective J = { to_sine, printed ? a : NULL };
+        OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
+        OK(fvi_trajectory(method, &run, x, p, NULL));
+        double sum = a->by[0] + a->by[1] + a->by[3];
+        for (size_t k = 0; k < 4; k++)
+            size = fmax(size, fabs(a->by[k]));
+        for (size_t k = 0; k < (N + 1) * D; k++)
+            sum += a->force[k] * (double)(k % D + 1)
+                   * cos(1.25 * (double)(k / D) * h) / 5;
+        for (size_t k = 0; k < D; k++) {
+            sum += a->start[D + k] * run.p0[k];
+            sum -= printed ? p[N * D + k] * p[N * D + k] : 0;
+        }
+        seen(fabs(sum) / size, "off");
+        ck_assert_near(sum, 0, 1e-13 * size, "%s alpha %g past %d",
+                       method->name, run.alpha, run.past);
+        drop(&m);
+    }
+    free(a);
+}
+END_TEST
+
+/* Each alone, and none at all: the same digits, and nothing else is written. */
+START_TEST(a_factor_may_be_asked_for_alone)
+{
+    answers *all = answers_of(), *one = answers_of();
+    matrices m;
+    fvi_run run = set_up(LEN(ref_matrices) - 3, FVI_MEMORY_AUTO, &m);
+    const fvi_objective J = { to_sine, NULL };
+    OK(fvi_adjoint(&fvi_stable, &run, NULL, NULL, &J, &all->want));
+    for (size_t i = 0; i < 4; i++) {
+        const fvi_gradients want = { .mass = i == 0 ? one->by : NULL,
+                                     .damping = i == 1 ? one->by + 1 : NULL,
+                                     .alpha = i == 2 ? one->by + 2 : NULL,
+                                     .parameters =
+                                         i == 3 ? one->by + 3 : NULL };
+        OK(fvi_adjoint(&fvi_stable, &run, NULL, NULL, &J, &want));
+        ck_assert_near(one->by[i], all->by[i], 0, "number %zu", i);
+    }
+    drop(&m);
+    free(all);
+    free(one);
+}
+END_TEST
+
+/* Without C nothing is remembered: no derivative by a factor of it, or by alpha. */
+START_TEST(a_body_without_damping_has_slopes_of_zero)
+{
+    answers *a = answers_of();
+    matrices m = { .structure = NULL };
+    const double *x0 = ref_matrices[0].x0, *p0 = ref_matrices[0].p0;
+    full(ref_matrices[0].M, 1, &m.M);
+    full(ref_matrices[0].K, 1, &m.K);
+    OK(fvi_structure_alloc(&m.M, &m.K, NULL, &m.structure, NULL));
+    m.system = fvi_structure_system(m.structure);
+    fvi_run run = run_of(&m.system, 0.7, h, N, x0, p0);
+    const fvi_objective J = { to_sine, NULL };
+    a->by[1] = a->by[2] = 1;
+    OK(fvi_adjoint(&fvi_bdf2, &run, NULL, NULL, &J, &a->want));
+    ck_assert_near(a->by[1], 0, 0, "C");
+    ck_assert_near(a->by[2], 0, 0, "alpha");
+    drop(&m);
+    free(a);
+}
+END_TEST
+
+START_TEST(no_products_with_M_no_slope_by_its_factor)
+{
+    answers *a = answers_of();
+    matrices m;
+    fvi_run run = set_up(0, FVI_MEMORY_AUTO, &m);
+    fvi_matrices blind = *m.system.matrices;
+    fvi_system system = m.system;
+    blind.inertia = NULL;
+    system.matrices = &blind;
+    run.system = &system;
+    const fvi_objective J = { to_sine, a };
+    ck_assert_int_eq(
+        fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &a->want),
+        FVI_EUNSUP);
+    a->want.mass = NULL;
+    OK(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &a->want));
+    drop(&m);
+    free(a);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, factors of matrices");
+    ADD_CASE(suite, "values", eq_23_19_every_factor_of_matrices_to_40_digits,
+             eq_23_20_a_factor_of_everything_changes_no_position);
+    ADD_CASE(suite, "what is asked for", a_factor_may_be_asked_for_alone,
+             a_body_without_damping_has_slopes_of_zero,
+             no_products_with_M_no_slope_by_its_factor);
+    return run_suite(suite);
+}

@@ -1,0 +1,189 @@
+"""Chapter 23. Systems of matrices: derivatives by factors of M, C and K, and by the order.
+
+Proved here:
+  (23.19) what the factors give, with a shift, a drift and the pull of a past, for d = 2 and
+          N = 3, all numbers symbols;
+  (23.20) that the factors of everything add up.
+Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they stand, by
+complex steps of 10^-45 with 100 digits."""
+from functools import cache
+from random import Random
+
+import mpmath
+from mpmath import mp, mpc, mpf
+from sympy import Matrix, Rational, diff, expand, simplify, symbols
+
+from shared.refgen import header, hexd, prove, table
+
+# ---- what the factors give ----
+
+h, kappa, c, theta, end, unit = symbols("h kappa c theta end unit")
+sM, sC, sK = symbols("s_M s_C s_K")
+N3 = 3
+
+
+def vectors(name):
+    return [Matrix(symbols(f"{name}{k}_0:2")) for k in range(N3 + 1)]
+
+
+def symmetric(name):
+    a, b, e = symbols(f"{name}0:3")
+    return Matrix([[a, b], [b, e]])
+
+
+x, lam, F = vectors("x"), vectors("lambda"), vectors("F")
+M, C, K = symmetric("m"), symmetric("c"), symmetric("k")
+p0, pN = Matrix(symbols("p0_0:2")), Matrix(symbols("pN_0:2"))
+w3, pull = symbols("w0:4"), symbols("b0:6")
+
+
+def product(a, A, b):
+    return (a.T * A * b)[0]
+
+
+#> factors
+v0 = M.inv() * p0 / sM
+L = (lam[0].T * p0)[0] - (lam[N3].T * pN)[0]
+for k in range(N3):
+    S = kappa * x[k] + (1 - kappa) * x[k + 1]
+    Mk = kappa * lam[k] + (1 - kappa) * lam[k + 1]
+    L += sM / h * product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) - h * sK * product(S, K, Mk)
+    L -= unit * sC * product(pull[2 * k] * lam[k] + pull[2 * k + 1] * lam[k + 1], C, v0)
+z = [x[j] - x[0] - j * h * v0 for j in range(N3 + 1)]
+nu = [0 * x[0], (1 - theta) * lam[1] + theta * lam[0], (1 - theta) * lam[2] + theta * lam[1],
+      end * lam[3] + theta * lam[2]]
+for k in range(1, N3 + 1):
+    H = sum((w3[n] * z[k - n] for n in range(k + 1)), 0 * x[0])
+    L += -c * sC * product(nu[k], C, H) + h * (lam[k].T * F[k])[0]
+n = [sum((w3[k - j] * nu[k] for k in range(j, N3 + 1)), 0 * x[0]) for j in range(N3 + 1)]
+ones = {sM: 1, sC: 1, sK: 1}
+v, zz = v0.subs(ones), [a.subs(ones) for a in z]
+by_p0 = Matrix([diff(L.subs(ones), p) for p in p0])
+steps = range(N3)
+all_pulls = sum((pull[2 * k] * lam[k] + pull[2 * k + 1] * lam[k + 1] for k in steps), 0 * x[0])
+prove("(23.19) by a factor of K", expand(diff(L, sK) + h * sum(
+    product(kappa * x[k] + (1 - kappa) * x[k + 1], K, kappa * lam[k] + (1 - kappa) * lam[k + 1]) for k in steps)))
+by_C = -c * sum(product(zz[j], C, n[j]) for j in range(N3 + 1)) - unit * product(all_pulls, C, v)
+prove("(23.19) by a factor of C", simplify(expand(diff(L, sC).subs(ones) - by_C)))
+by_M = (sum(product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) for k in steps) / h
+        - (p0.T * (by_p0 - lam[0]))[0])
+prove("(23.19) by a factor of M", simplify(expand(diff(L, sM).subs(ones) - by_M)))
+#< factors
+# L is a sum of these, of the forces, and of p0 and p_N, each times one of them; of the
+# first the derivative by p0 has all that a run's M^-1 p0 does
+prove("(23.20)", simplify(expand(
+    (L - diff(L, sC) - diff(L, sK)).subs(ones) - by_M - (p0.T * by_p0)[0] + (lam[N3].T * pN)[0]
+    - h * sum((lam[k].T * F[k])[0] for k in range(1, N3 + 1)))))
+
+# ---- derivatives of runs ----
+
+mp.dps = 100
+TINY = mpf(10) ** -45
+D, N, STEP = 3, 12, mpf(1) / 16
+METHODS = {"fvi": "fractional", "shifted": "shifted", "bdf2": "bdf2", "stable": "stable"}
+
+
+@cache
+def weights(method, alpha):
+    beta = 2 * alpha
+    plain, g = [mpc(1)], [mpf(3) / 2]
+    g = [g[0] ** beta]
+    for k in range(1, N + 1):
+        plain.append(plain[-1] * (k - 1 - beta) / k)
+        g.append(g[-1] * (k - 1 - beta) / k / 3)
+    if method == "stable":
+        return [(mpf(1) / 2 + alpha) * a + (mpf(1) / 2 - alpha) * b for a, b in zip(plain, [0] + plain)]
+    if method == "bdf2":
+        return [sum(g[j] * plain[k - j] for j in range(k + 1)) for k in range(N + 1)]
+    return plain
+
+
+@cache
+def impulses(alpha):
+    """h^(1 + e) times the integrals of (1 - s) and s times (k + s)^e / Gamma(1 + e), (19.5)."""
+    e, out = 1 - 2 * (alpha if alpha != 1 else mpc(1, TINY**2)), []  # 0 / 0 at e = -1
+    power = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)]
+    for k in range(N):
+        whole = ((k + 1) * power[k + 1] - k * power[k]) / (1 + e)
+        moment = ((k + 1) ** 2 * power[k + 1] - k**2 * power[k]) / (2 + e)
+        scale = mpmath.rgamma(1 + e) * STEP ** (1 + e)
+        out.append((scale * (whole - moment + k * whole), scale * (moment - k * whole)))
+    return out
+
+
+def run(method, past, alpha, kappa, M, C, K, x0, p0):
+    """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2, and for Algorithm 3 + |p_N|^2 / 2."""
+    h, printed, above = STEP, method == "fvi", mpmath.re(alpha) > 0.5
+    drifts = above and (not printed or past == "caputo")
+    w, unit = weights(method, alpha), h ** (1 - 2 * alpha)
+    theta = dict(shifted=alpha, stable=mpf(1) / 2).get(method, mpf(0))
+    v0 = mpmath.lu_solve(M, p0)
+    b = impulses(alpha) if past == "held" and above and not printed else [(0, 0)] * N
+    origin = 0 * x0 if printed and past == "rl" else x0
+    A = M / h + theta * unit * w[0] * C + kappa * (1 - kappa) * h * K
+    x, p, z, J = x0, p0, [x0 - origin], mpf(0)
+    H = w[0] * z[0]
+    for k in range(N):
+        force = [mpmath.matrix([mpmath.cos(5 * t / 4) * (i + 1) / 5 for i in range(D)])
+                 for t in (k * h, (k + 1) * h)]
+        if not printed:
+            p = p + h / 2 * force[0] - (mpf(1) / 2 - theta) * unit * (C * H) - b[k][0] * (C * v0)
+        known = w[0] * (x - origin - (k + 1) * h * v0 * drifts)
+        for i in range(1, k + 2):
+            known += w[i] * z[k + 1 - i]
+        d = mpmath.lu_solve(A, p - theta * unit * (C * known) - kappa * h * (K * x))
+        grad = K * (x + (1 - kappa) * d)
+        x = x + d
+        H = known + w[0] * d
+        z.append(x - origin - (k + 1) * h * v0 * drifts)
+        if printed:
+            p = p + h * force[1] - h * grad - unit * (C * H)
+        else:
+            p = p + h / 2 * force[1] - h * grad - (mpf(1) / 2 + theta) * unit * (C * H) - b[k][1] * (C * v0)
+        J += h / 2 * sum((a - mpmath.sin((k + 1) * h)) ** 2 for a in x)
+    return J + sum(a * a for a in p) / 2 if printed else J
+
+
+def nearest(value):
+    return hexd(Rational(mpmath.nstr(value, 30, min_fixed=0, max_fixed=0)))
+
+
+def positive(random, rank):
+    """A sum of squares, to 2^-20, as exact doubles."""
+    rows = [[random.randrange(-2**10, 2**10) for _ in range(D)] for _ in range(rank)]
+    return [[sum(r[i] * r[j] for r in rows) / 2**20 for j in range(D)] for i in range(D)]
+
+
+def problem(random, method, past, alpha):
+    uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+    M, C, K = positive(random, D), positive(random, random.choice([1, D])), positive(random, D)
+    for i in range(D):
+        M[i][i] += 1.0
+    x0, p0 = ([uniform(-1, 1) for _ in range(D)] for _ in range(2))
+    kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
+    q = [mpmath.matrix(A) for A in (M, C, K)] + [mpmath.matrix(v) for v in (x0, p0)]
+    want = []
+    for i in range(4):  # by M, C, alpha, K
+        tilt = [mpf(1)] * 4
+        tilt[i] = mpc(1, TINY)
+        order = mpc(alpha, TINY) if i == 2 else mpf(alpha)
+        J = run(method, past, order, mpf(kappa), tilt[0] * q[0], tilt[1] * q[1], tilt[3] * q[2], *q[3:])
+        want.append(mpmath.im(J) / TINY)
+    flat = lambda A: "{ " + ", ".join(hexd(Rational(v)) for row in A for v in row) + " }"
+    line = lambda v: "{ " + ", ".join(v) + " }"
+    return [f"&fvi_{METHODS[method]}", f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}",
+            repr(alpha), hexd(Rational(kappa)), flat(M), flat(C), flat(K),
+            line(hexd(Rational(v)) for v in x0), line(hexd(Rational(v)) for v in p0),
+            line(nearest(v) for v in want)]
+
+
+random = Random(2319)
+runs = [problem(random, method, past, alpha) for method in METHODS for past in ("held", "caputo", "rl")
+        for alpha in (0.0, 0.05, 0.35, 0.5, 0.7, 0.95, 1.0) if past != "rl" or method == "fvi"]
+header("verify/adjoint/adjoint_matrices.py")
+print("""
+/* Three unknowns, F_i = (i + 1) cos(5t/4)/5, h = 1/16, twelve steps;
+   J = (h/2) sum_{k>=1} |x_k - sin t_k|^2, for fvi + |p_N|^2/2, by factors of M and C, by alpha
+   (at 1/2 from below) and by a factor of K */""")
+table("ref_matrices", "const fvi_method *method; fvi_past past; double alpha, kappa, M[9], C[9], K[9], "
+      "x0[3], p0[3], want[4];", runs)
