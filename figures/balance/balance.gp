@@ -10,7 +10,7 @@ set yrange [-0.1:1.45]
 unset key
 set label 1 "forward with backward, C_n" at 19.6,0.66 right tc rgb BLUE
 set label 2 "the same without its sum over the past" at 19.6,1.35 right tc rgb GREEN
-set label 3 "forward with forward: the area" at 3.6,0.55 left tc rgb RED
+set label 3 "forward with forward: the area" at 4.1,0.55 left tc rgb RED
 plot dat index 0 using 1:3 with lines ls 1 lw 2.6, \
      '' index 0 using 1:4 with lines ls 3, \
      '' index 0 using 1:2 with lines ls 2 lw 2.2

@@ -31,8 +31,7 @@ eval box(0, 64, 32, 32, blue, 0.75)
 eval box(0, 96, 64, 32, blue, 0.75)
 do for [g=0:3] { do for [s=0:g-1] { eval box(8*s, 8*g, 8, 8, green, 0.75) }; eval half(8*g, 8*g) }
 set label 1 "by modes" at 20,104 center textcolor rgb "white"
-set label 2 "block\nbefore" at 48,76 center textcolor rgb "white"
-set label 3 "own block: green\nown eight: grey" at 126,22 right
+set label 2 "own block: green\nown eight: grey\nblock before: orange" at 126,18 right
 plot NaN notitle
 
 # Falk's scheme: the factor on the left, the factor above, the product at the corner.

@@ -30,7 +30,7 @@ set format x "%g"
 set xrange [0.1:20]
 set yrange [1:100]
 set key right bottom # two marks stand alone
-set label 1 sprintf("%.0f GFLOP/s", peak) at 5,peak * 1.12
+set label 1 sprintf("%.0f GFLOP/s", peak) at 5,peak * 1.25
 set label 2 sprintf("%.0f GB/s", wide) at 0.5,wide * 0.5 * 1.5 right
 plot (x * wide < peak ? x * wide : peak) with lines ls 7 title "no program is above", \
      tsv index 3 every ::0::0 using 4:6 with points ls 2 ps 1.4 title "one by one", \

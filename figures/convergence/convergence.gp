@@ -26,7 +26,7 @@ set format x "%g"
 unset label
 set label 1 "(20.8)" at 2.2,300 right tc rgb RED
 set label 2 "(20.7), run" at 2.9,9 right tc rgb GREEN
-set label 3 "errors for h = 3/64, 3/256, 3/1024" at 2.9,0.09 right tc rgb BLUE
+set label 3 "errors for h = 3/64, 3/256, 3/1024" at 2.9,0.06 right tc rgb BLUE
 set title "α = 3/4: error of x over h"
 set xlabel "t"
 set xrange [0:3]

@@ -16,7 +16,7 @@ set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
 set xlabel "h"
-set multiplot layout 1,2 margins 0.085,0.985,0.14,0.92 spacing 0.085
+set multiplot layout 1,2 margins 0.085,0.985,0.14,0.91 spacing 0.085
 unset key
 
 set title "Bagley-Torvik, α = 3/4, t ≤ 20"

@@ -14,9 +14,9 @@ set yrange [1e-13:1e2]
 set xtics 100
 set ytics 1e2
 unset key
-set label 3 "their sum and |w_n|" at 2e4,1e-4 tc rgb BLUE
-set label 4 "each mode" at 60,1e-11 tc rgb SKY
-set arrow 1 from 33, graph 0 to 33, 1e2 nohead ls 8
+set label 3 "thick: their sum and |w_n|" at 1e4,1e-3 tc rgb BLUE
+set label 4 "thin: each mode" at 1e4,6e-5 tc rgb SKY
+set arrow 1 from 33, graph 0 to 33, graph 1 nohead ls 8
 set arrow 2 from 1e6, graph 0 to 1e6, graph 0.5 nohead ls 8
 set label 1 "window" at 1.5, 1e1
 set label 2 "33 ≤ n ≤ N" at 60, 1e1
@@ -28,9 +28,9 @@ set title "Relative error of the sum, and what was promised"
 set xrange [1:1e6]
 set yrange [1e-15:3]
 unset label
-set label 1 "δ = 10^{−4}, promised" at 200,4e-4 tc rgb "#222222"
-set label 2 "δ = 10^{−8}" at 200,4e-8 tc rgb "#222222"
-set label 3 "δ = 10^{−12}" at 200,4e-12 tc rgb "#222222"
+set label 1 "δ = 10^{−4}, promised" at 200,2.5e-5 tc rgb "#222222"
+set label 2 "δ = 10^{−8}" at 200,2.5e-9 tc rgb "#222222"
+set label 3 "δ = 10^{−12}" at 200,2.5e-13 tc rgb "#222222"
 set label 4 "window" at 1.5,1e-9
 unset arrow 2
 set ytics 1e3
