@@ -58,7 +58,7 @@ function picture(canvas, axes) {
     canvas.height = Math.round(height * dots);
   }
   const pen = canvas.pen ?? canvas.getContext("2d"), logs = ["x", "y"].map(name => (axes.log ?? "").includes(name));
-  const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 16, bottom = height - (axes.bare ? 18 : 34);
+  const left = axes.bare ? 20 : 52, right = width - 10, top = axes.bare ? 2 : 20, bottom = height - (axes.bare ? 18 : 34);
   const place = ([low, high], from, to, log) => {
     const scale = log ? Math.log10 : value => value, a = scale(low), by = (to - from) / (scale(high) - a);
     return value => from + (scale(value) - a) * by;
@@ -84,14 +84,15 @@ function picture(canvas, axes) {
       pen.textBaseline = along ? "top" : "middle";
       if (along) line(at(value), top, at(value), bottom);
       else line(left, at(value), right, at(value));
-      pen.fillText(label(value), along ? at(value) : left - 5, along ? bottom + 4 : at(value));
+      const words = label(value), wide = pen.measureText(words).width; // none is cut by the edge
+      pen.fillText(words, along ? Math.min(at(value), width - wide / 2) : Math.max(left - 5, wide), along ? bottom + 4 : at(value));
     }
   pen.fillStyle = colours["soft-ink"];
   pen.textAlign = "right";
   pen.textBaseline = "bottom";
   pen.fillText(axes.names[0], right, height);
   pen.textAlign = "left";
-  pen.fillText(axes.names[1], 4, top - 2);
+  pen.fillText(axes.names[1], 4, top - 6); // above a number at the upper end
 
   const note = text => {
     const wide = pen.measureText(text).width + 8;

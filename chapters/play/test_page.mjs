@@ -233,18 +233,18 @@ await test("a drag of alpha moves the curves and the link", async () => {
   assert.equal(await text("moment"), said);
 });
 
-// The canvas of x(t) has its axes 52 pixels from the left, 10 from the right, 16 from
+// The canvas of x(t) has its axes 52 pixels from the left, 10 from the right, 20 from
 // the top, 34 from the bottom (plot.js). Nothing lies over the curve in this run.
 await test("the curve is where the numbers are", async () => {
   await start("#potential=pendulum:1&rho=0&x0=2");
   const off = await evaluate(`(() => {
     const canvas = document.getElementById("x"), pen = canvas.getContext("2d");
-    const [low, high] = span(result.x), height = canvas.height - 50, run = colours.run;
+    const [low, high] = span(result.x), height = canvas.height - 54, run = colours.run;
     const wanted = [1, 3, 5].map(i => parseInt(run.slice(i, i + 2), 16));
     const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
     return [10, 40, 77, 100, 150, 190].filter(k => {
       const at = Math.round(52 + (canvas.width - 62) * k / state.steps);
-      const from = Math.round(16 + height * (high - result.x[k]) / (high - low)) - 2;
+      const from = Math.round(20 + height * (high - result.x[k]) / (high - low)) - 2;
       return ![0, 1, 2, 3, 4].some(i => wanted.every((c, j) =>
         Math.abs(data[4 * ((from + i) * canvas.width + at) + j] - c) < 8));
     });
