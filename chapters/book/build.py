@@ -229,6 +229,7 @@ def main():
         page.plain, page.plain_title = page.body, page.title
         pages.colour_code(page)
         pages.scrolling_tables(page)
+        pages.unbroken(page)
     found = pages.render(all_pages)
     for page in all_pages:
         pages.link_equations(page, found)

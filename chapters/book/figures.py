@@ -17,7 +17,7 @@ DARK = {"255,255,255": "#17181a", "#ffffff": "#17181a", "221,221,221": "#34383d"
         "230,159,0": "#e69f00", "86,180,233": "#a5d8f5", "148,0,211": "#c58af9", "212,0,0": "#ff7b72"}
 # Two of Okabe and Ito's colours are too light for a line on white.
 LIGHT = {"230,159,0": "#b87a00", "86,180,233": "#2b8cc4"}
-KEPT = {"identification_landscape"}  # a map whose valley is dark, as its text says
+KEPT = {"identification_landscape", "structures_membrane"}  # a map is the same by night, and so is its scale, of polygons
 COLOUR = re.compile(r"""\b(stroke|fill|color|flood-color) ?= ?['"]([^'"]*)['"]""")
 
 
@@ -44,7 +44,7 @@ def themed(path):
     for name, value in sorted(set(COLOUR.findall(svg))):
         if value in ("none", "currentColor"):
             continue
-        rule = f'[{name}="{value}"]{{{name}:%s}}'
+        rule = f'{":not(polygon)" if path.stem in KEPT and value.startswith("rgb") else ""}[{name}="{value}"]{{{name}:%s}}'
         if key(value) in LIGHT:
             light.append(rule % LIGHT[key(value)])
         if key(value) in DARK or path.stem not in KEPT:

@@ -33,14 +33,24 @@ function rendered(formula, displayMode) {
   return known.get(key);
 }
 
+// No line begins with a stop, or with the box that ends a proof: a browser would break behind any
+// formula. So these are set as the end of the formula; behind a word the box is kept with the word.
+const BOX = String.raw`<span class="math inline">\\\(\\square\\\)</span>`;
+const FORMULA = new RegExp(String.raw`<span class="math (inline|display)">\\[(\[]([^]*?)\\[)\]]</span>([.,;:!?)]*)(\s+${BOX})?`, 'g');
+const WORD = new RegExp(String.raw`(?<=\s)([^\s<>]+\s+${BOX})`, 'g');
+
 function render(html, page) {
-  return html.replace(/<span class="math (inline|display)">\\[(\[]([\s\S]*?)\\[)\]]<\/span>([.,;:!?)]*)/g,
-    (whole, kind, escaped, stop) => {
+  return html.replace(WORD, '<span class="keep">$1</span>').replace(FORMULA,
+    (whole, kind, escaped, stop, box) => {
       const formula = plain(escaped).trim(), display = kind === 'display';
       try {
-        const tag = /\\tag\{([\d.]+)\}/.exec(formula), done = rendered(formula, display);
-        if (!display) return stop && formula.length < 25 ? `<span class="keep">${done}${stop}</span>` : done + stop;
-        if (!tag) return `<span class="formula">${done}</span>${stop}`;
+        if (!display) {
+          if (!box && stop && formula.length < 25) return `<span class="keep">${rendered(formula, false)}${stop}</span>`;
+          const end = box ? `${stop}~` : stop;
+          return rendered(end ? `${formula}\\text{${end}}${box ? '\\square' : ''}` : formula, false);
+        }
+        const tag = /\\tag\{([\d.]+)\}/.exec(formula), done = rendered(formula, true);
+        if (!tag) return `<span class="formula">${done}</span>${stop}${box ?? ''}`;
         if (equations[tag[1]]) throw new Error(`there is another equation (${tag[1]})`);
         equations[tag[1]] = [page, done];
         return `<span class="formula" id="eq-${tag[1]}" role="group" aria-label="Equation (${tag[1]})">${done}</span>`

@@ -20,7 +20,8 @@ from links import heading_id  # noqa: E402
 
 # The pages that are no chapter, and what they are called in the site.
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
-          "chapters/workshop/README.md": "workshop", "chapters/book/glossary.md": "glossary",
+          "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
+          "chapters/workshop/lectures.md": "lectures", "chapters/book/glossary.md": "glossary",
           "chapters/what_the_principle_buys.md": "what_the_principle_buys"}
 CUT = "page-ends-here"
 
@@ -96,7 +97,7 @@ def to_html(pages):
     """One call of pandoc for all: its start takes longer than a chapter."""
     text = f"\n\n<!-- {CUT} -->\n\n".join(map(markdown, pages))
     run = subprocess.run(["pandoc", "-f", "gfm+tex_math_dollars-gfm_auto_identifiers", "-t", "html5",
-                          "--mathjax", "--wrap=preserve", "--no-highlight"],
+                          "--mathjax", "--wrap=preserve", "--preserve-tabs", "--no-highlight"],
                          input=text, capture_output=True, text=True, check=True)
     bodies = run.stdout.split(f"<!-- {CUT} -->")
     assert len(bodies) == len(pages)
@@ -204,12 +205,31 @@ def size_of(page, source):
     return re.search(r'viewBox="0 0 (\d+) (\d+)"', svg.read_text()).groups()
 
 
+def columns(code):
+    """A table of columns with tabs between them: each as wide as its widest entry."""
+    rows = [line.split("\t") for line in code.split("\n")]
+    widths = [max((len(row[i]) for row in rows if i < len(row) - 1), default=0) for i in range(max(map(len, rows)))]
+    return "\n".join("".join(cell.ljust(width + 2) for cell, width in zip(row[:-1], widths)) + row[-1] for row in rows)
+
+
 def colour_code(page):
     def block(match):
         language, code = match[1] or "", html.unescape(match[2])
+        code = columns(code) if language == "text" else code
         return f'<pre class="code"><code>{colour(code, language)}</code></pre>'
 
     page.body = re.sub(r'<pre(?: class="([^"]*)")?><code>(.*?)</code></pre>', block, page.body, flags=re.S)
+
+
+def unbroken(page):
+    """No line of the text ends within a short command or name, with -- or fvi-, say; a long name may end one behind a _."""
+    def kept(code):
+        if len(code) <= 16:
+            return f'<span class="keep">{code}</span>' if re.search("[- ]", code) else code
+        code = re.sub(r"\w{25,}", lambda word: re.sub(r"(?<=\w)_(?=\w)", "_<wbr>", word[0]), code)
+        return re.sub(r"[^\s<-]*-[^\s<]*", lambda word: f'<span class="keep">{word[0]}</span>' if len(word[0]) <= 24 else word[0], code)
+
+    page.body = re.sub(r'(?<!<pre class="code">)<code>([^<]*)</code>', lambda code: f"<code>{kept(code[1])}</code>", page.body)
 
 
 def sentence(cell):
@@ -267,4 +287,6 @@ def link_equations(page, found):
             out.append(piece)
         else:
             out.append(piece if inside else re.sub(r"\((\d+\.\d+)\)", link, piece))
-    page.body = "".join(out)
+    # in a table a link is a block of its own, beside which a line could break: between it and a comma, too
+    page.body = re.sub(r"<td.*?</td>", lambda cell: re.sub(r"(\(?<a\b[^>]*>[^<]{1,24}</a>[.,;:)]+)", r'<span class="keep">\1</span>', cell[0]),
+                       "".join(out), flags=re.S)

@@ -6,7 +6,26 @@ import { lookWithAxe } from "./test_axe.mjs";
 
 const WIDTHS = [320, 800, 1600, 3840];
 
-// Run in the page: what is beyond the column and does not scroll, cut in height, or on top of its neighbour.
+// Run in the page, before its figures are drawn: gathers the words on canvases that an edge cuts.
+function watchWords() {
+  const write = CanvasRenderingContext2D.prototype.fillText;
+  window.cut = [];
+  CanvasRenderingContext2D.prototype.fillText = function (words, x, y) {
+    const wide = this.measureText(words).width, from = x - wide * { left: 0, center: 0.5, right: 1 }[this.textAlign];
+    if (from < -0.5 || from + wide > this.canvas.width / this.getTransform().a + 0.5) window.cut.push(words);
+    write.call(this, words, x, y);
+  };
+}
+
+// Run in the page: the text, without code and formulas, that is none: marks of Markdown's mathematics.
+function unread() {
+  const text = document.querySelector("main").cloneNode(true);
+  text.querySelectorAll("code, pre, .katex").forEach(e => e.remove());
+  return text.textContent.match(/.{0,30}(\$|\\[a-z]{2}).{0,30}/g) ?? [];
+}
+
+// Run in the page: what is beyond the column and does not scroll, cut in height, on top of its neighbour, or
+// a stop that begins a line.
 function misplaced() {
   const out = [], say = (what, e) => out.push(`${what}: ${e.outerHTML.replace(/\s+/g, " ").slice(0, 90)}`);
   const main = document.querySelector("main").getBoundingClientRect();
@@ -19,8 +38,18 @@ function misplaced() {
   }
   for (const e of document.querySelectorAll("main .scroll, main pre"))
     if (e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX !== "auto") say("cut at the right", e);
-  for (const e of document.querySelectorAll("main .formula"))
+  for (const e of document.querySelectorAll("main .formula")) {
     if (e.scrollHeight > e.clientHeight + 2) say(`cut by ${e.scrollHeight - e.clientHeight} in height`, e);
+    if ([1, 2].includes(e.scrollWidth - e.clientWidth)) say("with a scroll bar for nothing", e);
+  }
+  const texts = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT), range = document.createRange();
+  for (let text; (text = texts.nextNode());) {
+    const before = text.previousSibling?.getClientRects?.();
+    if (!/^[.,;:]/.test(text.data) || !before?.length) continue;
+    range.setStart(text, 0);
+    range.setEnd(text, 1);
+    if (range.getBoundingClientRect().top > before[before.length - 1].bottom) say(`${text.data.slice(0, 9)} begins a line after`, text.previousSibling);
+  }
   const over = (a, b, slack) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > slack && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > slack;
   const inFlow = e => {
     const { position, float, display } = getComputedStyle(e);
@@ -45,10 +74,12 @@ export async function testPages(browser, test, { names, url, read, moves, axe })
   for (const name of names) {
     const figures = [...read(name).matchAll(/data-live="([^"]*)"/g)].map(match => match[1]);
 
-    await test("widths", `${name} does not scroll sideways, cuts no table or formula, puts nothing on another, from a phone to a wall`, async () => {
+    await test("widths", `${name} does not scroll sideways, cuts no table or formula, puts nothing on another, begins no line with a stop, from a phone to a wall`, async () => {
       const faults = [];
       await size(WIDTHS[0]);
       await go(url(name));
+      assert.deepEqual(await evaluate(`(${unread})()`), []);
+      await evaluate(`(${watchWords})()`);
       for (const live of figures) {
         await evaluate(`${figure(live)}.scrollIntoView()`);
         await until(`${figure(live)}.live`);
@@ -60,6 +91,7 @@ export async function testPages(browser, test, { names, url, read, moves, axe })
         if (wide > width) faults.push(`at ${width}: ${wide} wide`);
         faults.push(...(await evaluate(`(${misplaced})()`)).map(fault => `at ${width}: ${fault}`));
       }
+      faults.push(...(await evaluate("window.cut")).map(words => `cut by the edge of its picture: ${words}`));
       assert.ok(faults.length === 0, faults.join("\n"));
     });
 

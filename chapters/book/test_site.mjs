@@ -1,11 +1,11 @@
 // chapters/book/test_site.mjs -- What the pages share, in one browser: theme, search, previews.      (a part of make test-book)
-import { mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import assert from "node:assert/strict";
 
-export async function testSite({ evaluate, go, key, scheme, scripts, size, type, until }, test, { out, url }) {
+export async function testSite({ evaluate, go, key, name: browser, scheme, scripts, size, type, until }, test, { out, url }) {
   await test("site", "a theme lasts over a click, and into the folder of the sources; figures follow it", async () => {
     await size(1600);
     await scheme("light");
@@ -23,6 +23,23 @@ export async function testSite({ evaluate, go, key, scheme, scripts, size, type,
     await evaluate("document.getElementById('theme').click()");
     assert.equal(await evaluate("document.documentElement.dataset.theme"), "light");
     assert.equal(await ground(), light);
+  });
+
+  // A line of letters is up to 3.2 pixels higher than they are, as Chromium measures it.
+  if (browser === "Chromium") await test("site", "no word of a figure is cut by its edge", async () => {
+    await go(url("04-coefficients.html"));
+    for (const name of readdirSync(join(out, "figures"))) {
+      const svg = readFileSync(join(out, "figures", name), "utf8").replace(/^[^]*?(?=<svg)/, "");
+      assert.deepEqual(await evaluate(`(() => {
+        const main = document.querySelector("main");
+        main.innerHTML = ${JSON.stringify(svg)};
+        const svg = main.querySelector("svg"), scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width, edge = svg.getBoundingClientRect();
+        return [...svg.querySelectorAll("text")].filter(text => {
+          const { left, right, top, bottom } = text.getBoundingClientRect();
+          return text.textContent.trim() && Math.min(left - edge.left, edge.right - right, top - edge.top, edge.bottom - bottom) < -3.3 * scale;
+        }).map(text => text.textContent);
+      })()`), [], name);
+    }
   });
 
   await test("site", "the search field answers, with the keyboard", async () => {
