@@ -124,9 +124,9 @@ def chain(random, past, alpha):
     q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
     q["F"] = [ZERO] * ((ROWS + 1) * D5)
     run = Mesh(8, 1, past, alpha, q, [u * UNIT for u in UNITS], sum(UNITS) * UNIT / ROWS)
-    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
-    want += [run.slope("cg", 0), run.slope("cg", 1), run.slope("alpha")]
-    want += [run.slope("F", i) for i in (0, 12, len(q["F"]) - 1)]
+    want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+                      + [("cg", 0), ("cg", 1), ("alpha", 0)]
+                      + [("F", i) for i in (0, 12, len(q["F"]) - 1)])
     return ([f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha)]
             + [literal(map(mpf, data[k])) for k in ("x0", "p0", "mass", "rho", "cg")] + [literal(want)])
 

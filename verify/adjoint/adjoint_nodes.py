@@ -1,7 +1,7 @@
 """Chapter 23. Methods without stages: derivatives of chains of five masses.
 
-Algorithm 3 and (13.7) as they stand, in dual numbers of 72 digits: one number has a slope of
-1, and what comes out has a slope, the derivative. All four methods, three pasts, five orders."""
+Algorithm 3 and (13.7) as they stand, in dual numbers of 72 digits: each number has a slope
+of 1 by itself, and what comes out has slopes, the derivatives. All four methods, three pasts, five orders."""
 from random import Random
 
 import mpmath
@@ -9,7 +9,7 @@ from mpmath import mp, mpc, mpf
 from sympy import Rational
 
 from shared.adjoint_chain import D5, away, pulls_of_springs
-from shared.arithmetic import HALF, ONE, TINY, ZERO, Dual, dual, factorised, fixed, solved
+from shared.arithmetic import HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
 from shared.refgen import header, hexd, table
 
 mp.dps = 72
@@ -19,14 +19,14 @@ METHODS = {"fvi": "fractional", "shifted": "shifted", "bdf2": "bdf2", "stable": 
 
 def by(v, n):
     """v / n, n whole"""
-    return Dual(v.v // n, v.d // n)
+    return v / Dual(n * ONE.v)
 
 
 def weights(method, alpha, turn):
     """w_n(2 alpha): of (1 - z)^order; BDF2: that times ((3 - z)/2)^order; stable: times
     (1 + order)/2 + z (1 - order)/2."""
-    order = dual(mpc(2 * alpha, 2 * turn * TINY))
-    plain, g = [ONE], [dual(mpf(1.5) ** mpc(2 * alpha, 2 * turn * TINY))]
+    order = dual(mpc(2 * alpha, 2 * TINY), turn)
+    plain, g = [ONE], [dual(mpf(1.5) ** mpc(2 * alpha, 2 * TINY), turn)]
     for n in range(1, N + 1):
         factor = Dual((n - 1) * ONE.v) - order
         plain.append(by(plain[-1] * factor, n))
@@ -47,14 +47,14 @@ def total(terms):
 
 def impulses(e, turn):
     """h^(1 + e) times the integrals over a step k of (1 - s) and of s, times
-    (k + s)^e / Gamma(1 + e): (19.5) at both ends. e is tilted by turn."""
-    e, out = mpc(e, turn * TINY), []
+    (k + s)^e / Gamma(1 + e): (19.5) at both ends. e is tilted by -2 turn."""
+    e, out = mpc(e, -2 * TINY), []
     unit = mpmath.rgamma(1 + e) * STEP ** (1 + e)
     power = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)]
     for k in range(N):
         whole = ((k + 1) * power[k + 1] - k * power[k]) / (1 + e)
         moment = ((k + 1) ** 2 * power[k + 1] - k**2 * power[k]) / (2 + e)
-        out.append((dual(unit * (whole - moment + k * whole)), dual(unit * (moment - k * whole))))
+        out.append((dual(unit * (whole - moment + k * whole), turn), dual(unit * (moment - k * whole), turn)))
     return out
 
 
@@ -86,7 +86,7 @@ class Nodes:
             else:
                 lu = self.factors[k]
             e = [r - a * b - share * g for r, a, b, g in zip(right, inertia, dx, grad)]
-            step = list(map(Dual, solved(lu, [v.v for v in e]), solved(lu, [v.d for v in e])))
+            step = solved(lu, e)
             dx = [a + b for a, b in zip(dx, step)]
             if not real or max(abs(v.v) for v in step) < 1 << 110:  # once more is exact
                 break
@@ -96,14 +96,14 @@ class Nodes:
         return dx, pulls_of_springs([a + rest * b for a, b in zip(x, dx)], *cg)[0]
 
     def run(self, q, turn):
-        """J. turn None: the run of values, which is kept; else d alpha, 0 or 1."""
+        """J. turn None: the run of values, which is kept; else d alpha."""
         turn = turn or 0
         h, printed = dual(STEP), self.printed
         w = weights(self.method, self.alpha, turn)
-        unit = dual(STEP ** mpc(1 - 2 * self.alpha, -2 * turn * TINY))
-        theta = dict(shifted=dual(mpc(self.alpha, turn * TINY)), stable=HALF).get(self.method, ZERO)
+        unit = dual(STEP ** mpc(1 - 2 * self.alpha, -2 * TINY), turn)
+        theta = dict(shifted=dual(mpc(self.alpha, TINY), turn), stable=HALF).get(self.method, ZERO)
         e = (1 if self.above else 0) - 2 * self.alpha
-        pull = impulses(e, -2 * turn) if self.is_pulled else [(ZERO, ZERO)] * N
+        pull = impulses(e, turn) if self.is_pulled else [(ZERO, ZERO)] * N
         c = [r * unit for r in q["rho"]]
         x, p, J = list(q["x0"]), list(q["p0"]), ZERO
         A = [a / m if self.above else b for a, m, b in zip(p, q["mass"], x)]
@@ -133,12 +133,6 @@ class Nodes:
             J += away(x, (k + 1) * STEP, h)
         return J + total(HALF * v * (ONE + HALF * u * u) for v, u in zip(x, p))
 
-    def slope(self, name, i=None):
-        q = {k: list(v) for k, v in self.q.items()}
-        if i is not None:
-            q[name][i] = Dual(q[name][i].v, ONE.v)
-        return mpmath.ldexp(self.run(q, int(name == "alpha")).d, -240)
-
 
 def nearest(v):
     return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
@@ -158,9 +152,8 @@ def chain(random, method, past, alpha):
     q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
     q["F"] = [dual(mpmath.cos(1.25 * k * STEP) / 5) for k in range(N + 1) for _ in range(D5)]
     run = Nodes(method, past, alpha, kappa, q)
-    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
-    want += [run.slope("cg", 0), run.slope("cg", 1), run.slope("alpha")]
-    want += [run.slope("F", i) for i in FORCES]
+    want = slopes(run.run, q, [(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+                  + [("cg", 0), ("cg", 1), ("alpha", 0)] + [("F", i) for i in FORCES])
     text = ["NAN" if no and i < D5 and data["rho"][i] > 0 else nearest(v) for i, v in enumerate(want)]
     return ([f"&fvi_{METHODS[method]}", f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}",
              repr(alpha), hexd(Rational(kappa))]

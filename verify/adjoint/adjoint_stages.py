@@ -171,10 +171,9 @@ for s, damped, past, alpha, data in cases():
     times = [(k + nodes[i]) * mpf(STEP) for k in range(N) for i in range(s - 1)] + [N * mpf(STEP)]
     q["F"] = [dual(mpmath.cos(1.25 * v) / 5) for v in times for _ in range(D5)]
     run = Chain(s, damped, past, alpha, q, STEP)
-    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
-    want += [run.slope("cg", 0), run.slope("cg", 1), run.slope("alpha")]
     at = [f % len(q["F"]) for f in forces]
-    want += [run.slope("F", i) for i in at]
+    want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+                      + [("cg", 0), ("cg", 1), ("alpha", 0)] + [("F", i) for i in at])
     no = (past == "rl" and alpha > 0.5)
     text = [("NAN" if no and i < D5 and data["rho"][i] > 0 else nearest(v)) for i, v in enumerate(want)]
     if alpha == 1 and not damped:
@@ -217,11 +216,9 @@ for s, terms, data in law_cases():
     times = [(k + nodes[i]) * mpf(STEP) for k in range(N) for i in range(s - 1)] + [N * mpf(STEP)]
     q["F"] = [dual(mpmath.cos(1.25 * v) / 5) for v in times for _ in range(D5)]
     run = LawChain(s, [KINDS[kind](*map(mpf, (a, T, b))) for kind, a, T, b in terms], q, STEP)
-    want = [run.slope(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
-    want += [run.slope("cg", 0), run.slope("cg", 1)]
-    want += [run.slope("terms", i) for i in range(3)]
     at = [f % len(q["F"]) for f in forces]
-    want += [run.slope("F", i) for i in at]
+    want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+                      + [("cg", 0), ("cg", 1)] + [("terms", i) for i in range(3)] + [("F", i) for i in at])
     text = [f"{{ FVI_LAW_{kind}, {', '.join(hexd(Rational(v)) for v in (rho, a, T, b))} }}"
             for (kind, a, T, b), rho in zip(terms, data["terms"])]
     laws.append([f"&fvi_lobatto{s}d", "{ " + ", ".join(text) + " }"]

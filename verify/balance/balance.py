@@ -19,7 +19,7 @@ from sympy import (I, Function, Matrix, Rational, Symbol, arg, binomial, conjuga
                    exp, expand, expand_complex, gamma, im, pi, re, simplify, sin, sqrt, symbols,
                    trigsimp, zeros)
 
-from shared.arithmetic import factorised, solved
+from shared.arithmetic import factorised, substituted
 from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 
 Q = Rational
@@ -309,7 +309,7 @@ def masses_response(kind, theta, alpha, steps):
     for j in range(n):
         b = [0] * dim
         b[j] = -1 << bits
-        solution = solved(lu, b, bits)
+        solution = substituted(lu, b, lambda v: v >> bits)
         out.append([mpmath.ldexp(solution[(steps - 1) * n + i], -bits) for i in range(n)])
     return out
 

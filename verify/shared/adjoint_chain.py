@@ -1,5 +1,5 @@
 """Chains of five masses by the equations (17.8) and (17.24) as they stand, in dual
-numbers: one number has a slope of 1, and what comes out has a slope, the derivative.
+numbers: each number has a slope of 1 by itself, and what comes out has slopes, the derivatives.
 
 What is real is taken at the precision of whoever imports this."""
 from functools import cache
@@ -9,7 +9,7 @@ import mpmath
 from mpmath import mpf
 
 from shared.arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
-                              factorised, fixed, line, solved)
+                              factorised, fixed, line, slopes, solved)
 
 CIRCLE = 96
 
@@ -70,9 +70,10 @@ class Tilted:
 
 
 @cache
-def impulses(s, e, rate, h):
-    """h^(1 + e) int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, e tilted by rate."""
-    e, nodes = mpmath.mpc(e, rate * TINY), numbers(s)[0]
+def impulses(s, e, h):
+    """h^(1 + e) int l_i(s) (k + s)^e ds / Gamma(1 + e), i = 1, ..., s, k < N, and their slopes
+    as e falls."""
+    e, nodes = mpmath.mpc(e, -TINY), numbers(s)[0]
     out, size = [], len(nodes)
     poly = []
     for j in range(size):  # l_j by powers of s
@@ -198,17 +199,18 @@ class Chain:
         """W_n, n < N, and what multiplies them."""
         beta = 2 * self.alpha0 - 1
         W = [[[Dual(w.v, turn * w.d) for w in row] for row in u] for u in Tilted.weights(self.s, beta)]
-        return W, dual(self.step ** -mpmath.mpc(beta, turn * TINY))
+        return W, dual(self.step ** -mpmath.mpc(beta, TINY), turn)
 
     def run(self, q, tilt):
-        """J. tilt None: the run of values, which is kept; else d alpha, 0 or 1."""
+        """J. tilt None: the run of values, which is kept; else d alpha."""
         s, real, n = self.s, tilt is None, len(self.unknown)
         turn = 2 * (tilt or 0)
         W, scale = self.memory(q, turn)
         rl = self.past == "rl"
         is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
         e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
-        self.impulse = impulses(s, e, -turn, self.step) if is_pulled else [[ZERO] * s] * self.steps
+        self.impulse = ([[Dual(v.v, turn * v.d) for v in row] for row in impulses(s, e, self.step)]
+                        if is_pulled else [[ZERO] * s] * self.steps)
         v0 = [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
         A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
         pull = A if is_pulled else [ZERO] * D5
@@ -228,7 +230,7 @@ class Chain:
             while left:
                 rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
                 lu = self.matrix(V, x, W0, scale) if real else self.factors[k]
-                change = list(map(Dual, solved(lu, [r.v for r in rest]), solved(lu, [r.d for r in rest])))
+                change = solved(lu, rest)
                 for j in range(D5):
                     for a, i in enumerate(self.unknown):
                         V[j][i] -= change[j * n + a]
@@ -271,12 +273,9 @@ class Chain:
         """What J has of the rows of a step: of its end."""
         return away(x, (k + 1) * self.step, self.h)
 
-    def slope(self, name, i=None):
-        """dJ by one number."""
-        q = {k: list(v) for k, v in self.q.items()}
-        if i is not None:
-            q[name][i] = Dual(q[name][i].v, ONE.v)
-        return mpmath.ldexp(self.run(q, int(name == "alpha")).d, -BITS)
+    def slopes(self, wanted):
+        """dJ by each wanted (name, i)."""
+        return slopes(self.run, self.q, wanted)
 
 
 class LawChain(Chain):

@@ -113,11 +113,27 @@ def real_function(M, f):
 
 # -- dual numbers -----------------------------------------------------------------------
 BITS, TINY = 240, mpmath.mpf(10) ** -45
+# Slopes by up to 28 numbers stand side by side in one whole number, with ROOM bits for each:
+# one run gives them all, and a product by a value is one product.
+ROOM = 600
+UNITS = [1 << ROOM * i for i in range(28)]
+MIDDLE = sum(unit << ROOM - 1 for unit in UNITS)
+KEPT = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS)
+
+
+def down(d):
+    """Each slope over 2^BITS, rounded down: what falls out of one is not its neighbour's."""
+    return (d + MIDDLE >> BITS & KEPT) - (MIDDLE >> BITS) if d else 0
+
+
+def apart(d, count):
+    """The first slopes, each as a number."""
+    return [mpmath.ldexp((d + MIDDLE >> ROOM * i) % UNITS[1] - (1 << ROOM - 1), -BITS) for i in range(count)]
 
 
 class Dual:
-    """v + d eps, eps^2 = 0, both in units of 2^-BITS: d is the derivative, with no error of
-    a difference."""
+    """v + d eps, eps^2 = 0, both in units of 2^-BITS: d holds the derivatives, with no error
+    of a difference."""
     __slots__ = "v", "d"
 
     def __init__(self, v, d=0):
@@ -130,20 +146,32 @@ class Dual:
         return Dual(self.v - o.v, self.d - o.d)
 
     def __mul__(self, o):
-        return Dual(self.v * o.v >> BITS, self.v * o.d + self.d * o.v >> BITS)
+        return Dual(self.v * o.v >> BITS, down(self.v * o.d + self.d * o.v))
 
     def __truediv__(self, o):
         q = (self.v << BITS) // o.v
-        return Dual(q, ((self.d << BITS) - q * o.d) // o.v)
+        return Dual(q, down((self.d - down(q * o.d)) * ((1 << 2 * BITS) // o.v)))
 
 
 def fixed(v):
     return int(mpmath.ldexp(v, BITS))
 
 
-def dual(v):
+def dual(v, unit=1):
     """Of a number with an imaginary part TINY times the slope; (TINY)^2 is nothing."""
-    return Dual(fixed(mpmath.re(v)), fixed(mpmath.im(v) / TINY))
+    return Dual(fixed(mpmath.re(v)), unit * fixed(mpmath.im(v) / TINY))
+
+
+def slopes(run, q, wanted):
+    """The derivatives of run(q, turn) by each wanted (name, i), q[name][i], or alpha, which is
+    tilted by turn; at most 28."""
+    q, turn = {name: list(v) for name, v in q.items()}, 0
+    for unit, (name, i) in zip(UNITS, wanted):
+        if name == "alpha":
+            turn = unit
+        else:
+            q[name][i] += Dual(0, unit << BITS)
+    return apart(run(q, turn).d, len(wanted))
 
 
 ZERO, ONE, HALF = Dual(0), Dual(1 << BITS), Dual(1 << BITS - 1)
@@ -153,16 +181,17 @@ def dot(a, b):
     """The sum of the products of two lists of dual numbers."""
     av, bv = [x.v for x in a], [x.v for x in b]
     slopes = sum(map(mul, av, [x.d for x in b])) + sum(map(mul, [x.d for x in a], bv))
-    return Dual(sum(map(mul, av, bv)) >> BITS, slopes >> BITS)
+    return Dual(sum(map(mul, av, bv)) >> BITS, down(slopes))
 
 
 def line(row, b):
     """The same, of a row of whole numbers."""
-    return Dual(sum(map(mul, row, [x.v for x in b])) >> BITS, sum(map(mul, row, [x.d for x in b])) >> BITS)
+    return Dual(sum(map(mul, row, [x.v for x in b])) >> BITS, down(sum(map(mul, row, [x.d for x in b]))))
 
 
 def factorised(M, bits=BITS):
-    """L below, U above the diagonal, by the largest pivots, and the order of the rows."""
+    """L below, U above the diagonal, by the largest pivots, the order of the rows, and 1 over U's
+    diagonal."""
     order = list(range(len(M)))
     for k in order[:]:
         best = max(range(k, len(M)), key=lambda i: abs(M[i][k]))
@@ -171,15 +200,21 @@ def factorised(M, bits=BITS):
             row[k] = f = (row[k] << bits) // M[k][k]
             if f:
                 row[k + 1:] = [a - (f * b >> bits) for a, b in zip(row[k + 1:], M[k][k + 1:])]
-    return M, order
+    return M, order, [(1 << 2 * bits) // M[k][k] for k in range(len(M))]
 
 
-def solved(lu, right, bits=BITS):
-    """x of M x = right, lu = factorised(M)."""
-    M, order = lu
+def substituted(lu, right, down):
+    """x of M x = right, in whole numbers; down takes a product to the units of its factors."""
+    M, order, over = lu
     y, x = [], []
     for row, at in zip(M, order):
-        y.append(right[at] - (sum(map(mul, row, y)) >> bits))
+        y.append(right[at] - down(sum(map(mul, row, y))))
     for i in range(len(M) - 1, -1, -1):
-        x.insert(0, (y[i] - (sum(map(mul, M[i][i + 1:], x)) >> bits) << bits) // M[i][i])
+        x.insert(0, down((y[i] - down(sum(map(mul, M[i][i + 1:], x)))) * over[i]))
     return x
+
+
+def solved(lu, right):
+    """x of M x = right, of dual numbers, where M has no slopes; lu = factorised(M)."""
+    return list(map(Dual, substituted(lu, [r.v for r in right], lambda v: v >> BITS),
+                    substituted(lu, [r.d for r in right], down)))
