@@ -35,8 +35,8 @@ typedef struct {
  *   x0, p0         by x0 and p0, d numbers each
  *   mass, damping  by each mass and each damping, d numbers each
  *   alpha          by alpha, one number, all dampings together; there is none of a law
- *   terms          by the rho of each term of run->law, law->count numbers; there is none by
- *                  its other numbers
+ *   terms, orders, times, ends  by rho, alpha, time and end of each term of run->law,
+ *                  law->count numbers each; 0 where its kind has no such number
  *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
  *                  of a method with s stages at all their times t_k + c_i h in one row,
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,
@@ -44,12 +44,13 @@ typedef struct {
  *   sensitivity    of the potential (sensitivity.h)
  *   parameters     by its parameters, sensitivity.count numbers; NULL if count is 0 */
 typedef struct {
-    double *x0, *p0, *mass, *damping, *alpha, *terms, *force, *parameters;
+    double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
+        *force, *parameters;
     fvi_sensitivity sensitivity;
 } fvi_gradients;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
- *                                              [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19)]
+ *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21)]
  *
  *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
  *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
@@ -65,7 +66,8 @@ typedef struct {
  * These are the derivatives of what the program computes, not of the motion it stands
  * for: no step size is small. With a compressed memory they belong to the weights as
  * they are compressed; the derivative by alpha is that of the true weights to (23.11),
- * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18).
+ * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18); those by the
+ * orders and times of a law are products of sums, (23.21), each compressed by itself.
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
@@ -73,7 +75,8 @@ typedef struct {
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
- *          steps. Where the past pulls the start, (19.3), there is none. force: the force changes along straight lines between t_k and t_{k+1}
+ *          steps. Where the past pulls the start, (19.3), there is none. force: the force
+ *          changes along straight lines between t_k and t_{k+1}
  *   matrices  M, C, K (structures.h) without a law; by another method than fvi_fractional not
  *          with RIEMANN_LIOUVILLE, and of a J without p_N. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
@@ -89,10 +92,10 @@ typedef struct {
  *
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
- * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms of none;
- * FVI_EUNSUP if the method has no adjoint, or not this one, or
- * the system matrices and this is not what matrices have, or mass is wanted and they have
- * no inertia;
+ * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
+ * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or the
+ * system matrices and this is not what matrices have, or mass is wanted and they have no
+ * inertia;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

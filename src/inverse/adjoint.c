@@ -26,7 +26,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("matrices have an adjoint without a law, and but for fvi "
                  "without Riemann-Liouville's past",
                  FVI_EUNSUP);
-    if (run->law ? want->alpha != NULL : want->terms != NULL)
+    if (run->law ? want->alpha != NULL : fvi_mirror_law_asks(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);
     if ((method->scheme == FVI_SCHEME_STAGES
@@ -68,8 +68,11 @@ static void clear(const fvi_run *run, const fvi_gradients *want, size_t per)
     const size_t d = run->system->d;
     if (want->alpha)
         *want->alpha = 0;
-    for (size_t i = 0; want->terms && i < run->law->count; i++)
-        want->terms[i] = 0;
+    double *const of_law[] = { want->terms, want->orders, want->times,
+                               want->ends };
+    for (size_t l = 0; l < sizeof of_law / sizeof *of_law; l++)
+        for (size_t i = 0; of_law[l] && i < run->law->count; i++)
+            of_law[l][i] = 0;
     if (want->damping && !run->system->matrices)
         memset(want->damping, 0, d * sizeof *want->damping);
     if (want->force)

@@ -38,18 +38,7 @@ static int allocate(fvi_mirror *m)
     return FVI_SUCCESS;
 }
 
-/* The memory of one term of the law, with rho = 1. */
-static int start_term(fvi_mirror *m, fvi_quadrature kind, size_t i)
-{
-    const fvi_run *run = m->run;
-    fvi_law_term term = run->law->term[i];
-    const fvi_law alone = { 1, &term };
-    term.rho = 1;
-    return fvi_law_memory(&alone, kind, run->h, m->d, run->steps, run->memory,
-                          run->tolerance, &m->first[i], &m->each[i]);
-}
-
-/* That of the law, and one of each term if its derivative is asked for. */
+/* That of the law, and those of each term if its derivatives are asked for. */
 static int start_law(fvi_mirror *m, fvi_quadrature kind)
 {
     const fvi_run *run = m->run;
@@ -58,14 +47,14 @@ static int start_law(fvi_mirror *m, fvi_quadrature kind)
         fvi_law_memory(run->law, kind, run->h, m->d, run->steps, run->memory,
                        run->tolerance, &first, &m->memory);
     m->unit = run->h * first;
-    if (status || !m->want->terms)
+    if (status || !fvi_mirror_law_asks(m->want))
         return status;
     m->each = calloc(run->law->count, sizeof *m->each);
-    m->first = calloc(run->law->count, sizeof *m->first);
-    if (!m->each || !m->first)
+    if (!m->each)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (; !status && m->terms < run->law->count; m->terms += !status)
-        status = start_term(m, kind, m->terms);
+    for (; !status && m->terms < run->law->count; m->terms++)
+        status = fvi_mirror_term_start(run, m->want, kind, m->terms, m->d,
+                                       &m->each[m->terms]);
     return status;
 }
 
@@ -195,9 +184,8 @@ void fvi_mirror_stop(fvi_mirror *m)
     fvi_memory_free(m->memory);
     fvi_memory_free(m->slope);
     for (size_t i = 0; i < m->terms; i++)
-        fvi_memory_free(m->each[i]);
+        fvi_mirror_term_stop(&m->each[i]);
     free(m->each);
-    free(m->first);
     fvi_band_free(&m->J);
     free(m->block);
     free(m->sums);

@@ -6,6 +6,7 @@
 
 #include <fvi/adjoint.h>
 #include <fvi/convolution_quadrature.h>
+#include "mirror_law.h"
 #include "system/band.h"
 
 /* One mirrored run. Where the comment says "each", d numbers. */
@@ -35,8 +36,7 @@ typedef struct {
     double unit;                /* h^(1 - 2 alpha), or h w_0 of a law */
     fvi_memory *memory, *slope; /* of nu; of d nu/d theta. NULL: not needed */
     size_t terms;               /* of a law whose terms are wanted, */
-    double *first;              /* the w_0 of each with rho = 1, */
-    fvi_memory **each;          /* and their memories; owned */
+    fvi_mirror_term *each;      /* their memories; owned */
     size_t taps;                /* of a factor of the weights; 0: none */
     double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS]; /* (13.11), (13.16) */
     double *sums, *rates; /* its last terms, FVI_BDF2_TAPS each; owned */

@@ -15,8 +15,9 @@
  *           or CAPUTO, and J without p_N
  *   path    of the run, not yet read
  *
- * Returns FVI_EUNSUP if J has p_N and the method none of it; what
- * fvi_mirror_factors_start, fvi_start, fvi_step, fvi_backward_step and the slopes return; FVI_EOVRFLW if a derivative is not finite. */
+ * Returns FVI_EUNSUP if J has p_N and the method none of it; FVI_ENOMEM; what
+ * fvi_mirror_factors_start, fvi_start, fvi_step, fvi_backward_step and the slopes return;
+ * FVI_EOVRFLW if a derivative is not finite. */
 int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
                         fvi_backward *path, const fvi_objective *objective,
                         const fvi_gradients *want);

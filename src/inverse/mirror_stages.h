@@ -5,8 +5,11 @@
 #define FVI_MIRROR_STAGES_H
 
 #include <fvi/adjoint.h>
+#include "mirror_law.h"
 #include "stages/lobatto_memory.h"
 #include "system/band.h"
+
+typedef struct fvi_mirror_stage_term fvi_mirror_stage_term;
 
 typedef double fvi_stage_matrix[FVI_STAGES][FVI_STAGES];
 
@@ -29,10 +32,9 @@ typedef struct {
     double *last;               /* d numbers: J_p p_N */
     double *kinetic, *sum, *sumdot, *plain, *pull, *pulldot; /* d each */
     double *block;                                           /* these; owned */
-    fvi_lobatto_memory *memory; /* NULL: nothing is damped, or W is 1 */
-    size_t terms;               /* of a law whose terms are wanted, */
-    fvi_lobatto_memory **each;  /* their memories, with rho = 1, */
-    double *each_past; /* and what these gave, s d numbers each; owned */
+    fvi_lobatto_memory *memory;  /* NULL: nothing is damped, or W is 1 */
+    size_t terms;                /* of a law whose terms are wanted, */
+    fvi_mirror_stage_term *each; /* their memories; owned */
     int is_damped, is_pulled;
     fvi_past_pull fading;
     fvi_band J;

@@ -61,17 +61,16 @@ static double met(const fvi_mirror *m, size_t j, const double *x, size_t i)
     return m->g[0] * z + m->g[1] * term(m, number - 1, before[i], i);
 }
 
-/* What each term of the law, alone, gives to its derivative. */
+/* What each term of the law, alone, gives to its derivatives. */
 static int remember_terms(fvi_mirror *m, size_t j, const double *x)
 {
     int status = FVI_SUCCESS;
-    for (size_t l = 0; !status && l < m->terms; l++) {
-        status = fvi_memory_push(m->each[l], m->nu, m->dnu, m->work);
-        for (size_t i = 0; i < m->d; i++)
-            m->want->terms[l] -= m->run->h * m->first[l]
-                                 * m->run->system->damping[i]
-                                 * met(m, j, x, i) * m->work[i];
-    }
+    for (size_t i = 0; m->terms && i < m->d; i++)
+        m->work[i] =
+            m->run->h * m->run->system->damping[i] * met(m, j, x, i);
+    for (size_t l = 0; !status && l < m->terms; l++)
+        status = fvi_mirror_term_meet(&m->each[l], m->nu, m->dnu, m->work,
+                                      m->want, l);
     return status;
 }
 

@@ -242,7 +242,8 @@ static int make_room(request *r)
     const int wanted =
         r->words.own[FORCES] || (r->o.forces && r->o.lets.count > 0);
     const size_t terms = r->run.law ? r->run.law->count : 0;
-    r->numbers = calloc(4 * d + 3 + r->o.lets.count + terms, sizeof(double));
+    r->numbers =
+        calloc(4 * d + 3 + r->o.lets.count + 4 * terms, sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
         r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
     if (!r->numbers || (wanted && !r->force))
@@ -255,8 +256,12 @@ static int make_room(request *r)
     r->to.damping = r->to.mass + d;
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
     r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
-    if (r->run.law)
-        r->to.terms = r->lets + r->o.lets.count;
+    if (!r->run.law)
+        return 0;
+    r->to.terms = r->lets + r->o.lets.count;
+    r->to.orders = r->to.terms + terms;
+    r->to.times = r->to.orders + terms;
+    r->to.ends = r->to.times + terms;
     return 0;
 }
 

@@ -51,17 +51,23 @@ static void print_each(FILE *f, const request *r, const char *name,
     }
 }
 
-/* By the factor R of each --damping. */
-static void print_law(FILE *f, const request *r)
+/* By each number of one --damping, R without a letter. */
+static void print_term(FILE *f, const request *r, size_t i)
 {
-    for (size_t i = 0; i < r->run.law->count; i++) {
-        char number[24] = "";
-        if (r->run.law->count > 1)
-            snprintf(number, sizeof number, "_%zu", i + 1);
-        print_row(f, "damping", number, r->to.terms[i]);
-    }
-    fprintf(f, "# warning = no derivatives by the other numbers of "
-               "--damping\n");
+    const fvi_law_kind kind = r->run.law->term[i].kind;
+    const int is_maxwell = kind == FVI_LAW_MAXWELL,
+              is_range = kind == FVI_LAW_DISTRIBUTED;
+    char number[24] = "", name[32];
+    if (r->run.law->count > 1)
+        snprintf(number, sizeof number, "_%zu", i + 1);
+    snprintf(name, sizeof name, "damping%s", number);
+    print_row(f, name, "", r->to.terms[i]);
+    if (!is_maxwell)
+        print_row(f, name, "_A", r->to.orders[i]);
+    if (is_range)
+        print_row(f, name, "_B", r->to.ends[i]);
+    if (is_maxwell || kind == FVI_LAW_ZENER)
+        print_row(f, name, "_T", r->to.times[i]);
 }
 
 /* By one factor of each matrix. */
@@ -82,7 +88,8 @@ static void print_numbers(FILE *f, const request *r)
     }
     print_each(f, r, "mass", r->to.mass);
     if (r->run.law)
-        print_law(f, r);
+        for (size_t i = 0; i < r->run.law->count; i++)
+            print_term(f, r, i);
     else
         print_each(f, r, "rho", r->to.damping);
     if (r->to.alpha)

@@ -23,10 +23,12 @@ static void chain_at(chain *c, fvi_memory_kind memory, double t)
         .rho = { 1 + 0.4 * t, 0, 0.5 - 0.2 * t },
         .cg = { 1 + 0.5 * t, 0.5 + 0.4 * t },
         .aw = { 0.2, 1.3 },
-        .term = { { FVI_LAW_POWER, 0.2 - 0.1 * t, 0.3, 0, 0 },
-                  { FVI_LAW_ZENER, 0.4 + 0.2 * t, 0.35, 0.6, 0 },
-                  { FVI_LAW_MAXWELL, 0.3 + 0.3 * t, 0, 0.5, 0 },
-                  { FVI_LAW_DISTRIBUTED, 0.2 - 0.2 * t, 0.1, 0, 0.45 } },
+        .term = { { FVI_LAW_POWER, 0.2 - 0.1 * t, 0.3 + 0.2 * t, 0, 0 },
+                  { FVI_LAW_ZENER, 0.4 + 0.2 * t, 0.35 - 0.3 * t, 0.6 + 0.5 * t,
+                    0 },
+                  { FVI_LAW_MAXWELL, 0.3 + 0.3 * t, 0, 0.5 - 0.4 * t, 0 },
+                  { FVI_LAW_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0,
+                    0.45 - 0.2 * t } },
     };
     c->law = (fvi_law){ TERMS, c->term };
     c->system = (fvi_system){ .d = D,
@@ -52,13 +54,18 @@ static int ends(size_t k, size_t d, const double *x, const double *p,
     return 0;
 }
 
+/* The first six have the digits of the tests before Taylor's. */
 static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
                                              &fvi_lobatto2d,  &fvi_lobatto3d,
-                                             &fvi_lobatto4d,  &fvi_lobatto5d };
+                                             &fvi_lobatto4d,  &fvi_lobatto5d,
+                                             &fvi_stable,     &fvi_lobatto3,
+                                             &fvi_lobatto4 };
+enum { FIRST = 6 };
 enum { MOST_ROWS = 4 * N + 1 }; /* of forces */
 static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
                                          FVI_MEMORY_EXPONENTIALS };
 
+/* terms: by rho, alpha, time and end of each, as many as the law has. */
 static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
                          double *terms)
 {
@@ -66,6 +73,9 @@ static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
     const fvi_objective J = { of_ends ? ends : to_sine, &c->run };
     s->to.alpha = NULL;
     s->to.terms = terms;
+    s->to.orders = terms + c->run.law->count;
+    s->to.times = terms + 2 * c->run.law->count;
+    s->to.ends = terms + 3 * c->run.law->count;
     ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     return s;
@@ -81,23 +91,23 @@ static void run_of(const fvi_method *method, const chain *c, double *x,
  * from its own quadrature, to 60 u; N of them, 1e-12 in all. Seen: 3e-14. */
 START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
 {
-    for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
+    for (size_t i = 0; i < FIRST * LEN(kinds); i++) {
         const fvi_law_term term = { FVI_LAW_POWER, 0.4, 0.3, 0, 0 };
         const fvi_law law = { 1, &term };
         chain c;
-        double by_term;
-        chain_at(&c, kinds[i / LEN(methods)], 0);
+        double by_term[4];
+        chain_at(&c, kinds[i / FIRST], 0);
         c.run.law = &law;
-        slopes *s = slopes_by(methods[i % LEN(methods)], &c, 0, &by_term);
+        slopes *s = slopes_by(methods[i % FIRST], &c, 0, by_term);
         double alone[D] = { 0.4, 0, 0.2 }, sum = 0;
         c.run.law = NULL;
         c.run.alpha = 0.3;
         c.system.damping = alone;
         slopes *same = slopes_of(&c.run, MOST_ROWS);
         const fvi_objective J = { to_sine, &c.run };
-        ck_assert_int_eq(fvi_adjoint(methods[i % LEN(methods)], &c.run, NULL,
-                                     NULL, &J, &same->to),
-                         FVI_SUCCESS);
+        ck_assert_int_eq(
+            fvi_adjoint(methods[i % FIRST], &c.run, NULL, NULL, &J, &same->to),
+            FVI_SUCCESS);
         for (size_t j = 0; j < D; j++) {
             ck_assert_near(s->to.x0[j], same->to.x0[j], 1e-12, "x0");
             ck_assert_near(s->to.p0[j], same->to.p0[j], 1e-12, "p0");
@@ -108,7 +118,10 @@ START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
                            "force");
             sum += alone[j] / 0.4 * same->to.damping[j];
         }
-        ck_assert_near(by_term, sum, 1e-12, "the factor of the term");
+        ck_assert_near(by_term[0], sum, 1e-12, "the factor of the term");
+        ck_assert_near(by_term[1], *same->to.alpha, 1e-12, "its order");
+        ck_assert_near(by_term[2], 0, 0, "it has no time");
+        ck_assert_near(by_term[3], 0, 0, "it has no end");
         slopes_free(s);
         slopes_free(same);
     }
@@ -137,11 +150,11 @@ static double by_forces(const fvi_method *method, const chain *c,
 START_TEST(eq_23_6_a_factor_of_all_forces_and_of_a_law_changes_no_position)
 {
     static double x[(N + 1) * D], p[(N + 1) * D];
-    for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
+    for (size_t i = 0; i < FIRST * LEN(kinds); i++) {
         chain c;
-        double terms[TERMS], by_terms = 0, by_rho = 0, size = 0;
-        chain_at(&c, kinds[i / LEN(methods)], 0);
-        const fvi_method *method = methods[i % LEN(methods)];
+        double terms[4 * TERMS], by_terms = 0, by_rho = 0, size = 0;
+        chain_at(&c, kinds[i / FIRST], 0);
+        const fvi_method *method = methods[i % FIRST];
         slopes *s = slopes_by(method, &c, 1, terms);
         run_of(method, &c, x, p);
         double sum =
@@ -186,7 +199,7 @@ START_TEST(eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2)
         const fvi_memory_kind memory = kinds[i / LEN(methods)];
         const double t = 1e-3;
         chain c;
-        double terms[TERMS];
+        double terms[4 * TERMS];
         chain_at(&c, memory, 0);
         slopes *s = slopes_by(method, &c, 0, terms);
         const fvi_gradients *g = &s->to;
@@ -194,7 +207,9 @@ START_TEST(eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2)
             -0.3 * g->x0[0] + g->x0[2] + g->p0[0] - g->p0[2] + 0.2 * g->mass[0]
             - 0.3 * g->mass[2] + 0.4 * g->damping[0] - 0.2 * g->damping[2]
             + 0.5 * g->parameters[0] + 0.4 * g->parameters[1] - 0.1 * terms[0]
-            + 0.2 * terms[1] + 0.3 * terms[2] - 0.2 * terms[3];
+            + 0.2 * terms[1] + 0.3 * terms[2] - 0.2 * terms[3]
+            + 0.2 * g->orders[0] - 0.3 * g->orders[1] + 0.1 * g->orders[3]
+            + 0.5 * g->times[1] - 0.4 * g->times[2] - 0.2 * g->ends[3];
         const double J = objective(method, &c);
         chain_at(&c, memory, t);
         const double whole = objective(method, &c) - J - t * slope;
@@ -212,13 +227,18 @@ START_TEST(a_law_has_no_alpha_and_a_power_no_terms)
     double number;
     chain_at(&c, FVI_MEMORY_AUTO, 0);
     const fvi_objective J = { ends, NULL };
-    const fvi_gradients by_alpha = { .alpha = &number },
-                        by_terms = { .terms = &number };
+    const fvi_gradients by_alpha = { .alpha = &number };
+    const fvi_gradients by_terms[] = { { .terms = &number },
+                                       { .orders = &number },
+                                       { .times = &number },
+                                       { .ends = &number } };
     ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_alpha),
                      FVI_EINVAL);
     c.run.law = NULL;
-    ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_terms),
-                     FVI_EINVAL);
+    for (size_t i = 0; i < LEN(by_terms); i++)
+        ck_assert_int_eq(
+            fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_terms[i]),
+            FVI_EINVAL);
 }
 END_TEST
 

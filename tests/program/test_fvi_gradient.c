@@ -112,29 +112,43 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
 }
 END_TEST
 
-/* The rows of a law's factors, against central differences as above. */
+/* The rows of a law's numbers, against central differences as above. */
 static void rows_of_a_law(const char *method)
 {
-    const char *laws = "--damping maxwell:%.17g,1 --damping zener:%.17g,0.4,1 ";
+    static const char *const names[] = { "damping_1",   "damping_1_T",
+                                         "damping_2",   "damping_2_A",
+                                         "damping_2_T", "damping_3",
+                                         "damping_3_A", "damping_3_B" };
+    enum { COUNT = LEN(names) };
+    const double at[COUNT] = { 0.2, 1, 0.3, 0.4, 1.5, 0.1, 0.2, 0.45 };
     char options[300], line[400];
-    snprintf(options, sizeof options, laws, 0.2, 0.3);
-    snprintf(line, sizeof line, "gradient %s %s", options, method);
-    ck_assert_int_eq(fvi(line), 0);
-    const double got[] = { derivative("damping_1"), derivative("damping_2") };
-    ck_assert_ptr_null(strstr(out, "rho"));
-    ck_assert_ptr_null(strstr(out, "alpha"));
-    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivatives by the other"
-                                      " numbers of --damping\n"));
-    for (size_t i = 0; i < 2; i++) {
-        double v[2];
+    double got[COUNT];
+    for (size_t i = 0; i <= COUNT; i++) { /* at first all as they are */
+        double v[2] = { 0, 0 };
         for (int side = 0; side < 2; side++) {
-            const double more = side ? 1e-5 : -1e-5;
-            snprintf(options, sizeof options, laws, 0.2 + (i == 0 ? more : 0),
-                     0.3 + (i == 1 ? more : 0));
-            v[side] = last(options, "x", method);
+            double n[COUNT];
+            for (size_t j = 0; j < COUNT; j++)
+                n[j] = at[j] + (j + 1 == i ? (side ? 1e-5 : -1e-5) : 0);
+            snprintf(options, sizeof options,
+                     "--damping maxwell:%.17g,%.17g --damping "
+                     "zener:%.17g,%.17g,%.17g --damping "
+                     "distributed:%.17g,%.17g,%.17g ",
+                     n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
+            v[side] = i > 0 ? last(options, "x", method) : 0;
         }
-        ck_assert_near(got[i], (v[1] - v[0]) / 2e-5, 1e-6, "damping_%zu",
-                       i + 1);
+        if (i > 0) {
+            ck_assert_near(got[i - 1], (v[1] - v[0]) / 2e-5, 1e-6, "%s",
+                           names[i - 1]);
+            continue;
+        }
+        snprintf(line, sizeof line, "gradient %s %s", options, method);
+        ck_assert_int_eq(fvi(line), 0);
+        for (size_t j = 0; j < COUNT; j++)
+            got[j] = derivative(names[j]);
+        ck_assert_ptr_null(strstr(out, "rho"));
+        ck_assert_ptr_null(strstr(out, "alpha"));
+        ck_assert_ptr_null(strstr(out, "damping_1_A"));
+        ck_assert_ptr_null(strstr(out, "damping_3_T"));
     }
 }
 
@@ -142,8 +156,11 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
 {
     rows_of_a_law("--method fvi-bdf2");
     rows_of_a_law("--method fvi-lobatto4d");
-    ck_assert_int_eq(fvi("gradient --damping maxwell:0.2,1"), 0);
+    rows_of_a_law("--method fvi-stable");
+    ck_assert_int_eq(fvi("gradient --damping power:0.2,0.7"), 0);
     derivative("damping");
+    derivative("damping_A");
+    ck_assert_ptr_null(strstr(out, "warning"));
 }
 END_TEST
 

@@ -1,0 +1,194 @@
+/* tests/adjoint/test_adjoint_law_numbers.c -- Chapter 23: derivatives by the exponents and
+ * times of a law.                 Run alone: make test-adjoint_law_numbers */
+#include "adjoint_runs.h"
+#include "harness/seen.h"
+
+#include "adjoint_laws_ref.h"
+
+enum { TERMS = 3, NUMBERS_OF_A_LAW = 4 * TERMS };
+
+static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
+                                         FVI_MEMORY_EXPONENTIALS };
+
+/* Of a law of three terms: by rho, alpha, time and end. */
+typedef struct {
+    double by[NUMBERS_OF_A_LAW];
+    fvi_gradients want;
+} answers;
+
+static void ask(answers *a)
+{
+    for (size_t i = 0; i < NUMBERS_OF_A_LAW; i++)
+        a->by[i] = NAN;
+    a->want = (fvi_gradients){ .terms = a->by,
+                               .orders = a->by + TERMS,
+                               .times = a->by + 2 * TERMS,
+                               .ends = a->by + 3 * TERMS };
+}
+
+/* Some laws have no modes with some steps: the compressed memory then says so. */
+static int adjoint_by(const fvi_method *method, fvi_run *run,
+                      fvi_memory_kind memory, answers *a)
+{
+    const fvi_objective J = { to_sine, run };
+    run->memory = memory;
+    ask(a);
+    return fvi_adjoint(method, run, NULL, NULL, &J, &a->want);
+}
+
+static double aw[] = { 0.2, 1.25 };
+
+/* Row i of those without stages. law stays the caller's. */
+static fvi_run run_of_row(size_t i, fvi_system *system, fvi_law *law)
+{
+    *law = (fvi_law){ TERMS, ref_law_numbers[i].term };
+    *system =
+        (fvi_system){ .d = 2,
+                      .mass = ref_law_numbers[i].mass,
+                      .damping = ref_law_numbers[i].rho,
+                      .potential = fvi_potential_duffing(ref_law_numbers[i].cg),
+                      .force = fvi_force_cosine(aw) };
+    fvi_run run = fvi_run_default(system, ref_law_numbers[i].x0,
+                                  ref_law_numbers[i].p0, 1. / 16, 12);
+    run.law = law;
+    run.kappa = ref_law_numbers[i].kappa;
+    return run;
+}
+
+/* Twelve steps, weights to 60 u of the largest, h^-2 at most; the square of a law with a
+ * short time has h^-4. Each of itself, or of 1 where that is more. */
+START_TEST(eq_23_21_every_number_of_a_law_to_40_digits)
+{
+    size_t compressed = 0;
+    for (size_t n = 0; n < LEN(ref_law_numbers) * LEN(kinds); n++) {
+        const size_t i = n / LEN(kinds);
+        fvi_system system;
+        fvi_law law;
+        answers a;
+        fvi_run run = run_of_row(i, &system, &law);
+        const int status = adjoint_by(ref_law_numbers[i].method, &run,
+                                      kinds[n % LEN(kinds)], &a);
+        if (kinds[n % LEN(kinds)] == FVI_MEMORY_EXPONENTIALS
+            && status == FVI_EUNSUP)
+            continue;
+        ck_assert_int_eq(status, FVI_SUCCESS);
+        compressed += n % LEN(kinds);
+        for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++) {
+            const double want = ref_law_numbers[i].want[j];
+            seen_worst(fabs(a.by[j] - want) / fmax(1, fabs(want)), "worst");
+            ck_assert_near(a.by[j], want, 2e-13 * fmax(1, fabs(want)),
+                           "%s law %zu memory %zu number %zu",
+                           ref_law_numbers[i].method->name, i, n % LEN(kinds),
+                           j);
+        }
+    }
+    ck_assert_uint_ge(compressed, LEN(ref_law_numbers) / 2);
+}
+END_TEST
+
+/* Five masses, form D, six steps. */
+START_TEST(eq_23_21_every_number_of_a_law_with_stages)
+{
+    for (size_t n = 0; n < LEN(ref_stage_law_numbers) * LEN(kinds); n++) {
+        const size_t i = n / LEN(kinds);
+        const fvi_method *method = ref_stage_law_numbers[i].method;
+        const fvi_law law = { TERMS, ref_stage_law_numbers[i].term };
+        const fvi_system system = { .d = 5,
+                                    .mass = ref_stage_law_numbers[i].mass,
+                                    .damping = ref_stage_law_numbers[i].rho,
+                                    .potential = fvi_potential_chain(
+                                        ref_stage_law_numbers[i].cg),
+                                    .force = fvi_force_cosine(aw) };
+        fvi_run run = fvi_run_default(&system, ref_stage_law_numbers[i].x0,
+                                      ref_stage_law_numbers[i].p0, 1. / 16, 6);
+        answers a;
+        run.law = &law;
+        const int status = adjoint_by(method, &run, kinds[n % LEN(kinds)], &a);
+        if (kinds[n % LEN(kinds)] == FVI_MEMORY_EXPONENTIALS
+            && status == FVI_EUNSUP)
+            continue;
+        ck_assert_int_eq(status, FVI_SUCCESS);
+        for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++) {
+            const double want = ref_stage_law_numbers[i].want[j];
+            seen_worst(fabs(a.by[j] - want) / fmax(1, fabs(want)), "worst");
+            ck_assert_near(a.by[j], want, 2e-13 * fmax(1, fabs(want)),
+                           "%s law %zu memory %zu number %zu", method->name, i,
+                           n % LEN(kinds), j);
+        }
+    }
+}
+END_TEST
+
+/* A thousand steps, all weights or modes: of the largest of them. */
+START_TEST(eq_23_21_modes_give_the_numbers_of_all_weights)
+{
+    size_t compressed = 0;
+    for (size_t i = 0; i < LEN(ref_law_numbers); i++) {
+        const fvi_method *method = ref_law_numbers[i].method;
+        fvi_system system;
+        fvi_law law;
+        answers direct, modes;
+        double most = 1;
+        fvi_run run = run_of_row(i, &system, &law);
+        run.h = 1. / 64;
+        run.steps = 1000;
+        const int status = adjoint_by(method, &run, kinds[0], &direct);
+        if (status == FVI_EOVRFLW) /* too stiff for what is explicit */
+            continue;
+        ck_assert_int_eq(status, FVI_SUCCESS);
+        if (adjoint_by(method, &run, kinds[1], &modes) == FVI_EUNSUP)
+            continue;
+        compressed++; /* of each method some */
+        for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++)
+            most = fmax(most, fabs(direct.by[j]));
+        for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++) {
+            seen_worst(fabs(direct.by[j] - modes.by[j]) / most, "off");
+            ck_assert_near(modes.by[j], direct.by[j], 1e-11 * most,
+                           "%s law %zu number %zu", method->name, i, j);
+        }
+    }
+    ck_assert_uint_ge(compressed, LEN(ref_law_numbers) / 2);
+}
+END_TEST
+
+/* Each alone: the digits that it has among the others, and nothing else is written. */
+START_TEST(a_number_of_a_law_may_be_asked_for_alone)
+{
+    static const fvi_method *const methods[] = { &fvi_stable, &fvi_lobatto3d };
+    for (size_t i = 0; i < 4 * LEN(methods) * 4; i++) {
+        const size_t number = i % 4;
+        fvi_system system;
+        fvi_law law;
+        answers all, one;
+        fvi_run run = run_of_row(3 * (i / 4 % 4) + 2, &system, &law);
+        const fvi_method *method = methods[i / 16];
+        const fvi_objective J = { to_sine, &run };
+        ck_assert_int_eq(adjoint_by(method, &run, FVI_MEMORY_AUTO, &all),
+                         FVI_SUCCESS);
+        ask(&one);
+        const fvi_gradients want = {
+            .terms = number == 0 ? one.want.terms : NULL,
+            .orders = number == 1 ? one.want.orders : NULL,
+            .times = number == 2 ? one.want.times : NULL,
+            .ends = number == 3 ? one.want.ends : NULL
+        };
+        ck_assert_int_eq(fvi_adjoint(method, &run, NULL, NULL, &J, &want),
+                         FVI_SUCCESS);
+        for (size_t j = 0; j < NUMBERS_OF_A_LAW; j++)
+            if (j / TERMS == number)
+                ck_assert_near(one.by[j], all.by[j], 0, "number %zu", j);
+            else
+                ck_assert(isnan(one.by[j]));
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("adjoint, the numbers of a law");
+    ADD_CASE(suite, "values", eq_23_21_every_number_of_a_law_to_40_digits,
+             eq_23_21_every_number_of_a_law_with_stages,
+             eq_23_21_modes_give_the_numbers_of_all_weights,
+             a_number_of_a_law_may_be_asked_for_alone);
+    return run_suite(suite);
+}

@@ -1,0 +1,245 @@
+"""Chapter 23. Derivatives by the exponents and times of a law of damping.
+
+Proved here:
+  (23.21) the derivatives of each symbol by its numbers, in the symbol and ln s; and that a
+          power series of delta(z)/h has its coefficients differentiated by the same products:
+          Euler's and BDF2's delta, up to z^5, all numbers symbols;
+  (23.22) the series of ln(delta(z)/h), up to z^6.
+Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by
+complex steps of 10^-45 with 100 digits; and of five masses with stages, form D, by dual
+numbers of 72 digits, the symbol differentiated by a difference of 10^-20."""
+from random import Random
+
+import mpmath
+from mpmath import mp, mpc, mpf
+from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify, symbols
+
+from shared.adjoint_chain import D5, N as N6, LawChain, numbers
+from shared.arithmetic import dual
+from shared.refgen import claim, header, hexd, prove, table
+
+# ---- the symbols ----
+
+#> symbols
+a, e, T, L, x, z, h = symbols("a e T L x z h", positive=True)
+q = exp(2 * a * L)  # s^{2a}, L = ln s
+C = q / (1 + T * q)
+prove("(23.21) a fraction by its order", diff(C, a) - 2 * L * C * (1 - T * C))
+prove("(23.21) by its time", diff(C, T) + C**2)
+maxwell = exp(L) / (1 + T * exp(L))
+prove("(23.21) a Maxwell element by its time", diff(maxwell, T) + maxwell**2)
+span = integrate(exp(2 * x * L), (x, a, e))
+prove("(23.21) a range by its ends", diff(span, a) + exp(2 * a * L), diff(span, e) - exp(2 * e * L))
+#< symbols
+
+
+def truncated(f, n):
+    return series(f, z, 0, n).removeO().expand()
+
+
+for delta in (1 - z, (1 - z) * (3 - z) / 2):
+    rational = (delta / h) / (1 + T * delta / h)  # 2 a = 1, where all is rational
+    weights = [cancel(truncated(rational, 6).coeff(z, n)) for n in range(6)]
+    squares = [sum(weights[j] * weights[n - j] for j in range(n + 1)) for n in range(6)]
+    for n in range(6):
+        prove(f"(23.21) the weights, z^{n}", simplify(diff(weights[n], T) + squares[n]))
+    power = truncated((delta / h) ** (2 * a), 5)
+    logarithm = truncated(log(delta / h), 5)
+    for n in range(5):
+        product = sum(power.coeff(z, j) * logarithm.coeff(z, n - j) for j in range(n + 1))
+        prove(f"(23.21) the weights of a power, z^{n}", simplify(diff(power.coeff(z, n), a) - 2 * product))
+logarithm = truncated(log((1 - z) * (3 - z) / 2 / h), 7)
+claim("(23.22)", simplify(logarithm.coeff(z, 0) - log(Rational(3, 2)) + log(h)) == 0 and all(
+    logarithm.coeff(z, n) == -Rational(1, n) * (1 + Rational(1, 3) ** n) for n in range(1, 7)))
+
+# ---- runs without stages ----
+
+mp.dps = 100
+TINY = mpf(10) ** -45
+N, D, STEP = 12, 2, mpf(1) / 16
+
+
+def times(u, v):
+    return [sum(u[j] * v[n - j] for j in range(n + 1)) for n in range(N + 1)]
+
+
+def over(u, v):
+    out = []
+    for n in range(N + 1):
+        out.append((u[n] - sum(v[j] * out[n - j] for j in range(1, n + 1))) / v[0])
+    return out
+
+
+def power(order, bdf2):
+    """The coefficients of (delta(z)/h)^order."""
+    w, g = [STEP**-order], [mpf(1.5) ** order if bdf2 else mpc(1)]
+    for n in range(1, N + 1):
+        w.append(w[-1] * (n - 1 - order) / n)
+        g.append(g[-1] * (n - 1 - order) / n / 3 if bdf2 else mpc(0))
+    return times(w, g)
+
+
+def symbol(kind, a, T, e, bdf2):
+    if kind == "DISTRIBUTED":
+        ln = [-mpmath.log(STEP / (1.5 if bdf2 else 1))]
+        ln += [-(1 + (mpf(3) ** -n if bdf2 else 0)) / n for n in range(1, N + 1)]
+        return over([u - v for u, v in zip(power(2 * e, bdf2), power(2 * a, bdf2))], [2 * v for v in ln])
+    top = power(mpf(1) if kind == "MAXWELL" else 2 * a, bdf2)
+    if kind == "POWER":
+        return top
+    return over(top, [(n == 0) + T * v for n, v in enumerate(top)])
+
+
+def weights(method, terms):
+    """V_n of all terms; of stable (26.15)."""
+    w = [mpf(0)] * (N + 1)
+    for kind, factor, a, T, e in terms:
+        w = [u + factor * v for u, v in zip(w, symbol(kind, a, T, e, method != "fvi"))]
+    return [(u + v) / 2 for u, v in zip(w, [mpf(0)] + w)] if method == "stable" else w
+
+
+def run(method, kappa, terms, data):
+    """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + sum_i x_N,i/2 + x_N,i p_N,i^2/4, U = sum c x^2/2 +
+    g x^4/4, F = cos(5t/4)/5."""
+    h, w, J = STEP, weights(method, terms), mpf(0)
+    theta = mpf(1) / 2 if method == "stable" else mpf(0)
+    c, g = data["cg"]
+    grad = lambda S: c * S + g * S**3
+    F = [mpmath.cos(5 * k * h / 4) / 5 for k in range(N + 1)]
+    for x0, p0, m, rho in zip(data["x0"], data["p0"], data["mass"], data["rho"]):
+        x, p, z, H = x0, p0, [mpf(0)], mpf(0)
+        inertia = m / h + theta * rho * h * w[0]
+        for k in range(N):
+            if method != "fvi":
+                p = p + h / 2 * F[k] - (mpf(1) / 2 - theta) * rho * h * H
+            known = w[0] * (x - x0) + sum(w[i] * z[k + 1 - i] for i in range(1, k + 2))
+            d, right = mpf(0), p - theta * rho * h * known
+            for _ in range(9):
+                S = x + (1 - kappa) * d
+                d -= ((inertia * d + kappa * h * grad(S) - right)
+                      / (inertia + kappa * (1 - kappa) * h * (c + 3 * g * S * S)))
+            pull, x, H = grad(x + (1 - kappa) * d), x + d, known + w[0] * d
+            z.append(x - x0)
+            p = p + (h if method == "fvi" else h / 2) * F[k + 1] - h * pull
+            p = p - (1 if method == "fvi" else mpf(1) / 2 + theta) * rho * h * H
+            J += h / 2 * (x - mpmath.sin((k + 1) * h)) ** 2
+        J += x / 2 + x * p * p / 4
+    return J
+
+
+KINDS = ["POWER", "ZENER", "MAXWELL", "DISTRIBUTED"]
+HAS = {"POWER": (1, 0, 0), "ZENER": (1, 1, 0), "MAXWELL": (0, 1, 0), "DISTRIBUTED": (1, 0, 1)}
+EDGES = [[("POWER", 0.0, 1.0, 1.0), ("POWER", 0.5, 1.0, 1.0), ("POWER", 1.0, 1.0, 1.0)],
+         [("ZENER", 0.0, 0.75, 1.0), ("ZENER", 0.5, 0.75, 1.0), ("ZENER", 0.75, 0.0, 1.0)],
+         [("ZENER", 0.875, 0.5, 1.0), ("MAXWELL", 0.25, 0.0, 1.0), ("DISTRIBUTED", 0.0, 1.0, 1.0)],
+         [("DISTRIBUTED", 0.5, 1.0, 0.75), ("MAXWELL", 0.25, 0.0625, 1.0), ("POWER", 0.75, 1.0, 1.0)]]
+
+
+def nearest(v):
+    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
+
+
+def literal(values):
+    return "{ " + ", ".join(values) + " }"
+
+
+def doubles(values):
+    return literal(hexd(Rational(v)) for v in values)
+
+
+def law(terms):
+    return literal(f"{{ FVI_LAW_{kind}, {', '.join(hexd(Rational(v)) for v in numbers)} }}"
+                   for kind, *numbers in terms)
+
+
+def drawn(random, which, most):
+    """Three terms: (kind, rho, alpha, time, end)."""
+    uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+    if which < len(EDGES):
+        return [(kind, uniform(0.1, 0.6), a, T, e) for kind, a, T, e in EDGES[which]]
+    out = []
+    for l in range(3):
+        kind, a = KINDS[(which + l) % 4], uniform(0, most)
+        out.append((kind, uniform(0.1, 0.6), a, uniform(0.05, 2), uniform(a + 0.02, 1)))
+    return out
+
+
+def derivatives(method, kappa, terms, data):
+    """By the factors, orders, times and ends of all terms, one after another."""
+    out = []
+    for number in range(4):  # behind the kind
+        for l, term in enumerate(terms):
+            if number and not HAS[term[0]][number - 1]:
+                out.append(mpf(0))
+                continue
+            tilted = [list(map(lambda v: v if isinstance(v, str) else mpf(v), t)) for t in terms]
+            tilted[l][1 + number] += mpc(0, TINY)
+            out.append(mpmath.im(run(method, kappa, tilted, data)) / TINY)
+    return out
+
+
+random, rows = Random(2321), []
+uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+for which in range(12):
+    for method, name in (("fvi", "fractional"), ("bdf2", "bdf2"), ("stable", "stable")):
+        terms = drawn(random, which, 0.97)
+        data = dict(x0=[uniform(-1, 1) for _ in range(D)], p0=[uniform(-1, 1) for _ in range(D)],
+                    mass=[uniform(0.5, 2) for _ in range(D)], rho=[uniform(0.2, 1.5), 0.5],
+                    cg=[uniform(0.5, 2), uniform(0.2, 1)])
+        kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
+        want = derivatives(method, mpf(kappa), terms, {k: list(map(mpf, v)) for k, v in data.items()})
+        rows.append([f"&fvi_{name}", hexd(Rational(kappa)), law(terms)]
+                    + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
+                    + [literal(map(nearest, want))])
+
+# ---- runs with stages ----
+
+mp.dps = 60
+SYMBOLS = {
+    "POWER": lambda v, a, T, e: v ** (2 * a),
+    "ZENER": lambda v, a, T, e: v ** (2 * a) / (1 + T * v ** (2 * a)),
+    "MAXWELL": lambda v, a, T, e: v / (1 + T * v),
+    "DISTRIBUTED": lambda v, a, T, e: (v ** (2 * e) - v ** (2 * a)) / (2 * mpmath.log(v)),
+}
+SMALL = mpf(10) ** -20
+
+
+def slope_of(kind, numbers, which):
+    """The symbol's derivative by a number; its error is of the square of SMALL."""
+    up, down = ([v + (sign if i == which else 0) for i, v in enumerate(numbers)] for sign in (SMALL, -SMALL))
+    return lambda v: (SYMBOLS[kind](v, *up) - SYMBOLS[kind](v, *down)) / (2 * SMALL)
+
+
+staged = []
+for which in range(10):
+    s, terms = 2 + which % 3, drawn(random, which, 0.97)
+    data = dict(x0=[uniform(-1, 1) for _ in range(D5)], p0=[uniform(-1, 1) for _ in range(D5)],
+                mass=[uniform(0.5, 2) for _ in range(D5)],
+                rho=[0.0 if i == which % D5 else uniform(0, 1.5) for i in range(D5)],
+                cg=[uniform(0.5, 2), uniform(0.2, 1)])
+    plain = [lambda v, k=kind, n=tuple(map(mpf, rest)): SYMBOLS[k](v, *n) for kind, _, *rest in terms]
+    slopes = [(3 * number + l, slope_of(kind, list(map(mpf, rest)), number), mpf(factor))
+              for number in range(3) for l, (kind, factor, *rest) in enumerate(terms) if HAS[kind][number]]
+    q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
+    q["terms"] = [dual(mpf(t[1])) for t in terms] + [dual(mpf(0))] * len(slopes)
+    nodes = numbers(s)[0]
+    at = [(k + nodes[i]) * STEP for k in range(N6) for i in range(s - 1)] + [N6 * STEP]
+    q["F"] = [dual(mpmath.cos(5 * v / 4) / 5) for v in at for _ in range(D5)]
+    chain = LawChain(s, plain + [f for _, f, _ in slopes], q, STEP)  # a slope is a term of factor 0
+    want = [chain.slope("terms", i) for i in range(3)] + [mpf(0)] * 9
+    for i, (place, _, factor) in enumerate(slopes):
+        want[3 + place] = factor * chain.slope("terms", 3 + i)
+    staged.append([f"&fvi_lobatto{s}d", law(terms)]
+                  + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
+                  + [literal(map(nearest, want))])
+
+header("verify/adjoint/adjoint_laws.py")
+print("""
+/* Two Duffing springs, F = cos(5t/4)/5, h = 1/16, twelve steps, a law of three terms; dJ, J as in
+   to_sine, by rho, alpha, time and end of each term, 0 where it has none */""")
+table("ref_law_numbers", "const fvi_method *method; double kappa; fvi_law_term term[3]; double x0[2], p0[2], "
+      "mass[2], rho[2], cg[2], want[12];", rows)
+print("""
+/* The same of a chain of five masses, form D, six steps */""")
+table("ref_stage_law_numbers", "const fvi_method *method; fvi_law_term term[3]; double x0[5], p0[5], mass[5], "
+      "rho[5], cg[2], want[12];", staged)
