@@ -63,7 +63,7 @@ endif
 .SECONDARY:
 .SUFFIXES:
 
-all: $B/fvi ## build the program build/fvi (bare `make` does this)
+all: $B/fvi $B/libfvi.a ## build the program build/fvi and the library (bare `make` does this)
 	echo 'built $B/fvi; "make help" lists the targets'
 	test -e /usr/include/suitesparse/cholmod.h || echo 'without CHOLMOD (libsuitesparse-dev): wide sparse matrices are solved more slowly'
 
@@ -214,8 +214,7 @@ $B/program.a: $(PROGRAM:src/%.c=$B/%.o)
 archive  = $(if $(findstring /,$2),$2,$1)
 GSL_WITHIN = $(if $(filter -L%,$(GSL_LIBS)),$(GSL_LIBS),$(foreach l,$(GSL_LIBS),$(if $(filter -lgsl%,$l),$(call archive,$l,$(shell $(CC) -print-file-name=$(l:-l%=lib%.a))),$l)))
 
-# It asks nothing of the room of the paper, which need not be compiled for it.
-$B/fvi: $(patsubst src/%.c,$B/%.o,$(PROGRAM) $(filter-out src/paper/%,$(LIBRARY)))
+$B/fvi: $(PROGRAM:src/%.c=$B/%.o) $B/libfvi.a
 	$(CC) $(CFLAGS) $^ $(GSL_WITHIN) -o $@
 
 # The installed library: static, shared, headers, pkg-config, program, manual.
