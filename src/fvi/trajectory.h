@@ -185,7 +185,7 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * s->t to a later s->t, the last of them to steps h.
  *
  * Cost: of the memory, and of the equation of an implicit step. If U is quadratic that
- * is two gradients and O(d w), else mostly two to five gradients, Hessians and
+ * is at most two gradients and O(d w), else mostly two to five gradients, Hessians and
  * factorisations of O(d w^2), O(d^3) if the Hessian is full; up to 1050, and twice as
  * many gradients, where Newton's method fails. Which solution is found where there are
  * several is not said.

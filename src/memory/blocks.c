@@ -150,14 +150,12 @@ static void fill(fvi_tiles *t, const double *p, const double *c)
 //< tables
 
 fvi_tiles *fvi_tiles_alloc(size_t d, size_t Q, const double *p, const double *c,
-                           const double *weights, double w1)
+                           const double *w)
 {
     fvi_tiles *t = make(d, Q);
     if (!t)
         return NULL;
-    t->w[1] = w1;
-    for (size_t n = 2; n <= FVI_WINDOW; n++)
-        t->w[n] = weights[FVI_WINDOW + 1 - n];
+    memcpy(t->w + 1, w + 1, FVI_WINDOW * sizeof *w);
     fill(t, p, c);
     return t;
 }

@@ -22,13 +22,12 @@ typedef struct fvi_tiles fvi_tiles;
  *   d        how many coordinates, >= 1
  *   Q        how many modes, a multiple of FVI_EIGHT
  *   p, c     what a mode loses in a step, and what it is worth at lag 33; 0 <= p <= 1
- *   weights  0, w_32, w_31, ..., w_2: FVI_WINDOW numbers
- *   w1       w_1; that of lag 0 is 1
+ *   w        1, w_1, ..., w_32
  *
  * Memory 8 (Q + 32) bytes a coordinate, d made up to a multiple of FVI_TILE, and two
  * tables of 32 Q numbers. Cost 32 Q exponentials. Returns NULL if there is no memory. */
 fvi_tiles *fvi_tiles_alloc(size_t d, size_t Q, const double *p, const double *c,
-                           const double *weights, double w1);
+                           const double *w);
 
 /* fvi_tiles_bytes -- what that takes from the heap; SIZE_MAX if it cannot be addressed. */
 size_t fvi_tiles_bytes(size_t d, size_t Q);

@@ -8,20 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = 8 }; /* doubles in the widest vector, and in a cache line */
+enum {
+    LANES = 8, /* doubles in the widest vector, and in a cache line */
+    PAIR = 2   /* steps that are done at once */
+};
 
 struct fvi_exponentials {
-    size_t d, Q, k;  /* Q padded to a multiple of LANES */
-    double w1;       /* of lag 1; that of lag 0 is 1 */
-    double slope1;   /* its rate */
-    double *p, *c;   /* Q numbers: z += x - p z, worth c z */
-    double *weights; /* 0, w_32, w_31, ..., w_2 */
-    double *z;       /* Q modes for each coordinate */
-    double *past;    /* the last 32 terms of each, twice over: a ring */
-    double *far;     /* d sums over the lags >= 1, one step ahead */
-    double *rates;   /* NULL, or dc/d nu: Q numbers, */
-    double *slopes;  /* 0, those of w_32, w_31, ..., w_2, */
-    double *further; /* and d such sums with them */
+    size_t d, Q, k;      /* Q padded to a multiple of LANES */
+    double near[PAIR];   /* w_1 and w_2; that of lag 0 is 1 */
+    double slopes[PAIR]; /* their rates */
+    double *p, *c;       /* Q numbers: z += x - p z, worth c z */
+    double *window;      /* 0, 0, w_32, w_31, ..., w_3 */
+    double *z;           /* Q modes for each coordinate */
+    double *past;        /* the last 32 terms of each, twice over: a ring */
+    double *far;         /* of each, two sums to come, over the lags >= 1 */
+    double *rates; /* NULL, or dc/d nu: Q numbers; the rates of the window;
+                                  and two sums of each with them, as far */
     fvi_tiles
         *tiles; /* NULL, or what stands for z, past and far (chapter 28) */
 };
@@ -47,8 +49,8 @@ static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
 {
     if (tiled(rated, d))
         d = 0;
-    return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(d)
-           + (rated ? Q + FVI_WINDOW + padded(d) : 0);
+    return 2 * Q + FVI_WINDOW + d * (Q + 2 * FVI_WINDOW) + padded(PAIR * d)
+           + (rated ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
 }
 
 size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
@@ -76,26 +78,29 @@ static fvi_exponentials *make(size_t Q, int rated, size_t d)
     }
     memset(block, 0, n * sizeof *block);
     *e = (fvi_exponentials){ .d = d, .Q = Q, .p = block, .c = block + Q };
-    e->weights = e->c + Q;
+    e->window = e->c + Q;
     if (tiled(rated, d))
         return e;
-    e->z = e->weights + FVI_WINDOW;
+    e->z = e->window + FVI_WINDOW;
     e->past = e->z + d * Q;
     e->far = e->past + d * 2 * FVI_WINDOW;
-    if (rated) {
-        e->rates = e->far + padded(d);
-        e->slopes = e->rates + Q;
-        e->further = e->slopes + FVI_WINDOW;
-    }
+    if (rated)
+        e->rates = e->far + padded(PAIR * d);
     return e;
 }
 
-/* The weights of the lags 1 to 32. */
-static void open_window(fvi_exponentials *e, const double *w)
+/* Of a rated memory. */
+static double *further(const fvi_exponentials *e)
 {
-    e->w1 = w[1];
-    for (size_t n2 = 2; n2 <= FVI_WINDOW; n2++)
-        e->weights[FVI_WINDOW + 1 - n2] = w[n2];
+    return e->rates + e->Q + FVI_WINDOW;
+}
+
+/* w_1 to w_32, or their rates: those of the nearest, and the window of the others. */
+static void open_window(const double *w, double *near, double *window)
+{
+    memcpy(near, w + 1, PAIR * sizeof *w);
+    for (size_t n = PAIR + 1; n <= FVI_WINDOW; n++)
+        window[FVI_WINDOW + PAIR - n] = w[n];
 }
 
 /* p holds s, and becomes what a mode loses in a step; padding ends as c = 0. */
@@ -111,12 +116,13 @@ static void decays(fvi_exponentials *e)
 }
 
 /* e, or NULL if there is no memory for many coordinates. */
-static fvi_exponentials *finish(fvi_exponentials *e)
+static fvi_exponentials *finish(fvi_exponentials *e, const double *w)
 {
+    open_window(w, e->near, e->window);
     decays(e);
     if (!tiled(e->rates != NULL, e->d))
         return e;
-    e->tiles = fvi_tiles_alloc(e->d, e->Q, e->p, e->c, e->weights, e->w1);
+    e->tiles = fvi_tiles_alloc(e->d, e->Q, e->p, e->c, w);
     if (e->tiles)
         return e;
     fvi_exponentials_free(e);
@@ -132,16 +138,13 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
-    fvi_coefficients(nu, FVI_WINDOW + 1, w);
-    open_window(e, w);
-    fvi_exponentials_nodes(nu, N, delta, e->p, e->c, e->rates);
     if (rated) {
         fvi_coefficients_rate(nu, FVI_WINDOW + 1, w);
-        e->slope1 = w[1];
-        for (size_t n = 2; n <= FVI_WINDOW; n++)
-            e->slopes[FVI_WINDOW + 1 - n] = w[n];
+        open_window(w, e->slopes, e->rates + e->Q);
     }
-    return finish(e);
+    fvi_coefficients(nu, FVI_WINDOW + 1, w);
+    fvi_exponentials_nodes(nu, N, delta, e->p, e->c, e->rates);
+    return finish(e, w);
 }
 
 fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
@@ -151,10 +154,9 @@ fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
     fvi_exponentials *e = make(padded(Q), 0, d);
     if (!e)
         return NULL;
-    open_window(e, w);
     memcpy(e->p, s, Q * sizeof *s);
     memcpy(e->c, c, Q * sizeof *c);
-    return finish(e);
+    return finish(e, w);
 }
 
 fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
@@ -163,8 +165,8 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
     if (!e)
         return NULL;
     memcpy(e->p, from->p, numbers(e->Q, e->rates != NULL, e->d) * sizeof *e->p);
-    e->w1 = from->w1;
-    e->slope1 = from->slope1;
+    memcpy(e->near, from->near, sizeof e->near);
+    memcpy(e->slopes, from->slopes, sizeof e->slopes);
     e->k = from->k;
     e->tiles = from->tiles ? fvi_tiles_copy(from->tiles) : NULL;
     if (!e->tiles == !from->tiles)
@@ -186,11 +188,11 @@ int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
         status = v->visit(v, &e->k, sizeof e->k, 0);
     if (!status)
         status = v->visit(
-            v, e->z, (e->d * (e->Q + 2 * FVI_WINDOW) + padded(e->d)) * number,
-            0);
-    return status || !e->further
+            v, e->z,
+            (e->d * (e->Q + 2 * FVI_WINDOW) + padded(PAIR * e->d)) * number, 0);
+    return status || !e->rates
                ? status
-               : v->visit(v, e->further, padded(e->d) * number, 0);
+               : v->visit(v, further(e), padded(PAIR * e->d) * number, 0);
 }
 
 void fvi_exponentials_free(fvi_exponentials *e)
@@ -202,43 +204,89 @@ void fvi_exponentials_free(fvi_exponentials *e)
     free(e);
 }
 
-/* All modes one step on, and their sum; then the window. Partial sum l takes
- * every eighth term, from the l-th on, on every machine: vectors of 2, 4 or 8
- * doubles change the time and not one digit. Nothing here waits for the term
- * that has just come in. */
-FVI_VECTORS static double advance(size_t Q, const double *restrict p,
-                                  const double *restrict c, double *restrict z,
-                                  const double *restrict weights,
-                                  const double *restrict past)
+typedef double four
+    __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
+
+#define WITHIN static inline __attribute__((always_inline))
+
+/* The sum of the eight lanes of v[0] and v[1]. */
+WITHIN double across(const four *v)
 {
-    double sum[LANES] = { 0 }, x = past[0];
+    const four u = v[0] + v[1];
+    return (u[0] + u[2]) + (u[1] + u[3]);
+}
+
+/* All modes two steps on, the terms at past + 1 coming in, and the next two sums of what
+ * is known: of the modes after each step, of the window, and of `new` and of the term
+ * before it, which stands at past. Partial sum l takes every eighth term, from the l-th
+ * on, on every machine: vectors of 2 or 4 doubles change the time and not one digit. No
+ * vector waits for the two terms that came in last. */
+WITHIN void sweep(const fvi_exponentials *e, double *modes, const double *past,
+                  double new, int rated, double *far, double *slope)
+{
+    const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
+    const four *w = (four *)e->window, *wdot = by + e->Q / 4;
+    four *z = (four *)modes, sum[PAIR][2] = { 0 }, rate[PAIR][2] = { 0 };
+    const four none = { 0 }, x[] = { none + past[1], none + past[2] };
     //> modes
-    for (size_t q = 0; q < Q; q += LANES) {
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++) {
-            z[q + l] += x - p[q + l] * z[q + l]; /* (12.12) */
-            sum[l] += c[q + l] * z[q + l];
-        }
+    for (size_t q = 0, Q = e->Q / 4; q < Q; q += 2) {
+        four now[] = { z[q], z[q + 1] };
+#pragma GCC unroll 2
+        for (size_t n = 0; n < PAIR; n++)
+#pragma GCC unroll 2
+            for (size_t l = 0; l < 2; l++) {
+                now[l] += x[n] - p[q + l] * now[l]; /* (12.12) */
+                sum[n][l] += c[q + l] * now[l];
+                if (rated)
+                    rate[n][l] += by[q + l] * now[l];
+            }
+        z[q] = now[0];
+        z[q + 1] = now[1];
     }
     //< modes
-    for (size_t j = 0; j < FVI_WINDOW; j += LANES) {
-#pragma GCC unroll 8
-        for (size_t l = 0; l < LANES; l++)
-            sum[l] += weights[j + l] * past[j + l];
-    }
-    return ((sum[0] + sum[4]) + (sum[2] + sum[6]))
-           + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    for (size_t j = 0; j < FVI_WINDOW / 4; j += 2)
+#pragma GCC unroll 2
+        for (size_t n = 0; n < PAIR; n++)
+#pragma GCC unroll 2
+            for (size_t l = 0; l < 2; l++) {
+                const four then = *(const four *)(past + n + 4 * (j + l));
+                sum[n][l] += w[j + l] * then;
+                if (rated)
+                    rate[n][l] += wdot[j + l] * then;
+            }
+    far[0] = across(sum[0]) + e->near[1] * past[0] + e->near[0] * new;
+    far[1] = across(sum[1]) + e->near[1] * new;
+    if (!rated)
+        return;
+    slope[0] = across(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
+    slope[1] = across(rate[1]) + e->slopes[1] * new;
+}
+
+FVI_VECTORS static void advance(const fvi_exponentials *e, double *modes,
+                                const double *past, double new, double *far)
+{
+    sweep(e, modes, past, new, 0, far, NULL);
+}
+
+FVI_VECTORS static void advance_rated(const fvi_exponentials *e, double *modes,
+                                      const double *past, double new,
+                                      double *far, double *slope)
+{
+    sweep(e, modes, past, new, 1, far, slope);
 }
 
 //> push
 static void push_each(fvi_exponentials *e, const double *term, double *H)
 {
-    const size_t place = e->k++ % FVI_WINDOW;
+    const size_t place = e->k % FVI_WINDOW, now = e->k++ % PAIR;
     for (size_t i = 0; i < e->d; i++) {
         double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
-        H[i] = new + e->far[i];
-        e->far[i] = advance(e->Q, e->p, e->c, e->z + i * e->Q, e->weights, past)
-                    + e->w1 * new;
+        double *far = e->far + PAIR * i;
+        H[i] = new + far[now];
+        if (now == 0)
+            far[1] += e->near[0] * new;
+        else
+            advance(e, e->z + i * e->Q, past - 1, new, far);
         past[0] = past[FVI_WINDOW] = new;
     }
 }
@@ -257,54 +305,22 @@ fvi_tiles *fvi_exponentials_tiles(const fvi_exponentials *e)
     return e->tiles;
 }
 
-/* As advance, and the rates in the same pass. Of two sums gcc makes no vectors by itself. */
-FVI_VECTORS static void advance_rated(const fvi_exponentials *e, double *z,
-                                      const double *past, double *out)
-{
-    typedef double half
-        __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
-    const half *p = (half *)e->p, *c = (half *)e->c, *by = (half *)e->rates;
-    const half *w = (half *)e->weights, *wdot = (half *)e->slopes;
-    half sum[2] = { { 0 } }, rate[2] = { { 0 } };
-    const double x = past[0];
-    for (size_t q = 0, Q = e->Q / 4; q < Q; q += 2) {
-#pragma GCC unroll 2
-        for (size_t l = 0; l < 2; l++) {
-            half now = ((half *)z)[q + l];
-            now += x - p[q + l] * now;
-            ((half *)z)[q + l] = now;
-            sum[l] += c[q + l] * now;
-            rate[l] += by[q + l] * now;
-        }
-    }
-    for (size_t j = 0; j < FVI_WINDOW / 4; j += 2) {
-#pragma GCC unroll 2
-        for (size_t l = 0; l < 2; l++) {
-            const half then = ((const half *)past)[j + l];
-            sum[l] += w[j + l] * then;
-            rate[l] += wdot[j + l] * then;
-        }
-    }
-    sum[0] += sum[1];
-    rate[0] += rate[1];
-    out[0] = (sum[0][0] + sum[0][2]) + (sum[0][1] + sum[0][3]);
-    out[1] = (rate[0][0] + rate[0][2]) + (rate[0][1] + rate[0][3]);
-}
-
 //> push-rate
 void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
                                 double *H, double *rate)
 {
-    const size_t place = e->k++ % FVI_WINDOW;
+    const size_t place = e->k % FVI_WINDOW, now = e->k++ % PAIR;
     for (size_t i = 0; i < e->d; i++) {
         double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
-        double next[2];
-        H[i] = new + e->far[i];
-        rate[i] = e->further[i];
-        advance_rated(e, e->z + i * e->Q, past, next);
-        e->far[i] = next[0] + e->w1 * new;
-        e->further[i] = next[1] + e->slope1 * new;
-        past[FVI_WINDOW] = past[0] = new;
+        double *far = e->far + PAIR * i, *slope = further(e) + PAIR * i;
+        H[i] = new + far[now];
+        rate[i] = slope[now];
+        if (now == 0) {
+            far[1] += e->near[0] * new;
+            slope[1] += e->slopes[0] * new;
+        } else
+            advance_rated(e, e->z + i * e->Q, past - 1, new, far, slope);
+        past[0] = past[FVI_WINDOW] = new;
     }
 }
 //< push-rate
@@ -316,5 +332,5 @@ void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum)
         return;
     }
     for (size_t i = 0; i < e->d; i++)
-        sum[i] += e->far[i];
+        sum[i] += e->far[PAIR * i + e->k % PAIR];
 }

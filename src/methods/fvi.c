@@ -74,8 +74,7 @@ static int step_fractional(fvi_stepper *s)
 static int is_alone(const fvi_stepper *s)
 {
     const fvi_damping *d = s->own;
-    const fvi_newton *n = s->newton;
-    return d && d->all && d->count == 1 && n->implicit && n->linear && !n->own;
+    return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
 }
 
 //> alone
@@ -90,9 +89,7 @@ static int step_alone(fvi_stepper *s)
     double g, H;
     int status = u->gradient(1, s->x, u->params, &g);
     const double dx = (*s->p - *n->s * g) / *fvi_band_row(&n->J, 0);
-    const double point = *s->x + n->theta * dx;
-    if (!status)
-        status = u->gradient(1, &point, u->params, &g);
+    g += n->theta * *n->H * dx;
     if (!status)
         status = fvi_force_at(s, t);
     if (status)

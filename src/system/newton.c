@@ -60,26 +60,34 @@ static int eliminate(fvi_newton *n, int factorised, const double *point,
 }
 
 /* U quadratic, one stage: grad U(x + theta d) = grad U(x) + theta Hess U d, so that
- * (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. A diagonal is
- * divided by on the way: of one coordinate a step is little more than this. */
+ * (A + s theta Hess U) d = r - s grad U(x) is exact, without iteration. */
 static int solve_linear(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
-    const size_t dim = n->system->d;
     const fvi_potential *u = &n->system->potential;
-    const int diagonal = !n->own && n->reach == 0;
-    n->theirs = u->gradient(dim, x, u->params, g);
+    n->theirs = u->gradient(n->system->d, x, u->params, g);
     if (n->theirs)
         return n->theirs;
-    for (size_t j = 0; j < dim; j++) {
-        const double e = r[j] - n->s[j] * g[j];
-        d[j] = diagonal ? e / fvi_band_row(&n->J, j)[j] : e;
-        n->point[j] = x[j] + n->theta * d[j];
-    }
-    if (diagonal)
-        return n->theirs = u->gradient(dim, n->point, u->params, g);
+    for (size_t j = 0; j < n->system->d; j++)
+        d[j] = r[j] - n->s[j] * g[j];
     const int status = eliminate(n, 1, x, d);
     return status ? status : fvi_newton_gradients(n, x, d, g);
+}
+
+/* The same for coordinates that do not see each other: a division each, and the Hessian
+ * says what the gradient becomes. */
+static int solve_diagonal(fvi_newton *n, const double *x, const double *r,
+                          double *d, double *g)
+{
+    const fvi_potential *u = &n->system->potential;
+    n->theirs = u->gradient(n->system->d, x, u->params, g);
+    if (n->theirs)
+        return n->theirs;
+    for (size_t j = 0; j < n->system->d; j++) {
+        d[j] = (r[j] - n->s[j] * g[j]) / fvi_band_row(&n->J, j)[j];
+        g[j] += n->theta * n->H[j * u->diagonals] * d[j];
+    }
+    return FVI_SUCCESS;
 }
 
 /* The same for stages, whose rows stand otherwise than d and r. */
@@ -264,10 +272,11 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
     if (!n || !x || !r || !d || !g)
         FVI_FAIL("null pointer", FVI_EFAULT);
     n->theirs = 0;
-    solver *solve = n->system->matrices ? fvi_newton_by_matrices
-                    : !n->implicit      ? solve_explicit
-                    : !n->linear        ? solve_nonlinear
-                    : n->q > 1          ? solve_linear_stages
-                                        : solve_linear;
+    solver *solve = n->system->matrices         ? fvi_newton_by_matrices
+                    : !n->implicit              ? solve_explicit
+                    : !n->linear                ? solve_nonlinear
+                    : n->q > 1                  ? solve_linear_stages
+                    : fvi_newton_is_diagonal(n) ? solve_diagonal
+                                                : solve_linear;
     return solve(n, x, r, d, g);
 }

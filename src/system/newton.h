@@ -77,11 +77,11 @@ int fvi_system_check_any(const fvi_system *system);
  * again at d = 0 and goes down A d' = r - A d - s grad U(x + theta d) with steps as
  * long as they may be. Which solution is found where there are several is not said.
  *
- * Cost: explicit or quadratic, two gradients and the solution with the factors, O(d w)
- * for a Hessian of 2 w - 1 diagonals, O(d^2) for a full one. Else mostly two to five
- * gradients, Hessians and factorisations, O(d w^2) or O(d^3) each, or as many solutions
- * by the potential itself; up to 1050, and
- * twice as many gradients, where Newton's method fails.
+ * Cost: explicit or quadratic, two gradients, or one if the Hessian is constant and diagonal,
+ * and the solution with the factors, O(d w) for 2 w - 1 diagonals, O(d^2) for a full one.
+ * Else mostly two to five gradients, Hessians and factorisations, O(d w^2) or O(d^3) each,
+ * or as many solutions by the potential itself; up to 1050, and twice as many gradients,
+ * where Newton's method fails.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EMAXITER, or FVI_ESING if
  * it was a singular Jacobian that made it begin again, if no solution was found; what

@@ -30,6 +30,13 @@ struct fvi_newton {
     void *factors;              /* and what they made of them */
 };
 
+/* fvi_newton_is_diagonal -- is one stage of a quadratic U all, and the coordinates do not
+ * see each other? Then J is a number for each, and H is Hess U, [j * diagonals]. */
+static inline int fvi_newton_is_diagonal(const fvi_newton *n)
+{
+    return n->implicit && n->linear && n->q == 1 && n->reach == 0 && !n->own;
+}
+
 /* fvi_newton_by_matrices -- the solution of (27.3); arguments and codes as fvi_newton_solve. */
 int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
                            double *d, double *g);

@@ -47,7 +47,6 @@ static fvi_exponentials *plain_of(size_t d)
 static fvi_tiles *tiles_of(size_t d, size_t lanes)
 {
     double p[MODES] = { 0 }, c[MODES] = { 0 }, w[FVI_WINDOW + 1];
-    double weights[FVI_WINDOW] = { 0 };
     const size_t Q = modes();
     fvi_exponentials_nodes(0.5, STEPS, fvi_exponentials_delta(STEPS, 0), p, c,
                            NULL);
@@ -56,9 +55,7 @@ static fvi_tiles *tiles_of(size_t d, size_t lanes)
         p[q] = -expm1(-p[q]);
     }
     fvi_coefficients(0.5, FVI_WINDOW + 1, w);
-    for (size_t n = 2; n <= FVI_WINDOW; n++)
-        weights[FVI_WINDOW + 1 - n] = w[n];
-    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, weights, w[1]);
+    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, w);
     if (!t || (lanes && !fvi_tiles_width(t, lanes))) {
         fvi_tiles_free(t);
         return NULL;

@@ -37,14 +37,12 @@ static void push(fvi_memory *m, const double *x, double *H)
 static fvi_tiles *tiles_of(size_t d, size_t lanes)
 {
     enum { Q = FVI_EIGHT };
-    double p[Q] = { 0 }, c[Q] = { 0 }, weights[FVI_WINDOW] = { 0 };
+    double p[Q] = { 0 }, c[Q] = { 0 };
     for (size_t q = 0; q < LEN(ref_modes); q++) {
         p[q] = ref_modes[q].p;
         c[q] = ref_modes[q].c;
     }
-    for (size_t n = 2; n <= FVI_WINDOW; n++)
-        weights[FVI_WINDOW + 1 - n] = ref_window[n];
-    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, weights, ref_window[1]);
+    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, ref_window);
     ck_assert_ptr_nonnull(t);
     if (fvi_tiles_width(t, lanes))
         return t;

@@ -159,7 +159,7 @@ START_TEST(eq_9_3_kappa_and_1_minus_kappa_differ_beyond_quadratic_potentials)
 }
 END_TEST
 
-/* Seen: 0.002 of the bound. */
+/* Seen: 0.003 of the bound. */
 START_TEST(eq_9_4_without_damping_it_is_algorithm_1)
 {
     for (size_t i = 0; i < LEN(one_dimensional); i++) {
