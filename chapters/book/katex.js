@@ -37,7 +37,7 @@ function rendered(formula, displayMode) {
 // formula. So these are set as the end of the formula; behind a word the box is kept with the word.
 const BOX = String.raw`<span class="math inline">\\\(\\square\\\)</span>`;
 const FORMULA = new RegExp(String.raw`<span class="math (inline|display)">\\[(\[]([^]*?)\\[)\]]</span>([.,;:!?)]*)(\s+${BOX})?`, 'g');
-const WORD = new RegExp(String.raw`(?<=\s)([^\s<>]+\s+${BOX})`, 'g');
+const WORD = new RegExp(String.raw`(?<=\s)((?:<a\b[^>]*>[^<]{1,24}</a>)?[^\s<>]+\s+${BOX})`, 'g');
 
 function render(html, page) {
   return html.replace(WORD, '<span class="keep">$1</span>').replace(FORMULA,

@@ -169,10 +169,16 @@ def row_of_files(page):
     """The table below a title -> a list, which a narrow screen can break."""
     def row(match):
         names, cells = (re.findall(rf"<{tag}[^>]*>(.*?)</{tag}>", match[2], re.S) for tag in ("th", "td"))
+        cells = [beside_stops(re.sub(r"(?<=\w)_(?=\w[^<>]*</a>)", "_<wbr>", cell)) for cell in cells]
         rows = "".join(f"<div><dt>{n}</dt><dd>{c}</dd></div>" for n, c in zip(names, cells) if c.strip())
         return f'{match[1]}<dl class="files">{rows}</dl>'
 
     page.body = re.sub(r"(</h1>\s*)<table[^>]*>(\s*<thead>.*?)</table>", row, page.body, count=1, flags=re.S)
+
+
+def beside_stops(cell):
+    """In a table a link is a block of its own, beside which a line could break: between it and a comma, too."""
+    return re.sub(r"(\(?<a\b[^>]*>[^<]{1,24}</a>[.,;:)]+)", r'<span class="keep">\1</span>', cell)
 
 
 def number_figures(page, captions):
@@ -226,7 +232,7 @@ def unbroken(page):
     def kept(code):
         if len(code) <= 16:
             return f'<span class="keep">{code}</span>' if re.search("[- ]", code) else code
-        code = re.sub(r"\w{25,}", lambda word: re.sub(r"(?<=\w)_(?=\w)", "_<wbr>", word[0]), code)
+        code = re.sub(r"\w{25,}", lambda word: re.sub(r"(?<=\w{9})_(?=\w{4})", "_<wbr>", word[0]), code)
         return re.sub(r"[^\s<-]*-[^\s<]*", lambda word: f'<span class="keep">{word[0]}</span>' if len(word[0]) <= 24 else word[0], code)
 
     page.body = re.sub(r'(?<!<pre class="code">)<code>([^<]*)</code>', lambda code: f"<code>{kept(code[1])}</code>", page.body)
@@ -287,6 +293,4 @@ def link_equations(page, found):
             out.append(piece)
         else:
             out.append(piece if inside else re.sub(r"\((\d+\.\d+)\)", link, piece))
-    # in a table a link is a block of its own, beside which a line could break: between it and a comma, too
-    page.body = re.sub(r"<td.*?</td>", lambda cell: re.sub(r"(\(?<a\b[^>]*>[^<]{1,24}</a>[.,;:)]+)", r'<span class="keep">\1</span>', cell[0]),
-                       "".join(out), flags=re.S)
+    page.body = re.sub(r"<td.*?</td>", lambda cell: beside_stops(cell[0]), "".join(out), flags=re.S)
