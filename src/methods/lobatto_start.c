@@ -56,6 +56,18 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
 }
 //< linear
 
+/* What multiplies X_j; of a mass like the one before it is the same. */
+static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
+{
+    const double *m = s->run.system->mass, *rho = s->run.system->damping;
+    const size_t size = o->n * o->n;
+    double *M = o->M + j * size;
+    if (j == 0 || m[j] != m[j - 1] || rho[j] != rho[j - 1])
+        return invert(o, m[j], rho[j], s->run.h, M);
+    memcpy(M, M - size, size * sizeof *M);
+    return FVI_SUCCESS;
+}
+
 /* n is the number of stages that a step solves for. */
 static int allocate(fvi_stepper *s, size_t stages, size_t n)
 {
@@ -149,8 +161,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     if (!status && damped)
         return fvi_lobatto_damped_prepare(s, o);
     for (size_t j = 0; !status && j < o->d; j++)
-        status = invert(o, system->mass[j], system->damping[j], s->run.h,
-                        o->M + j * o->n * o->n);
+        status = invert_for(s, o, j);
     return status ? status : fvi_lobatto_prepare(s, o);
 }
 
