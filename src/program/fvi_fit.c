@@ -88,6 +88,14 @@ static int interpret_names(request *r, fvi_complaint c)
             && r->o.method->alpha_least == r->o.method->alpha_most)
             return fvi_refuse(c, "--fit: 'alpha' is %g for %s, and no other",
                               r->o.method->alpha_least, r->o.method->name);
+        const size_t constant = (size_t)r->which[n] - FVI_PARAMETER_CONSTANT;
+        if (r->which[n] >= FVI_PARAMETER_CONSTANT && r->o.expression
+            && r->o.lets.used[constant] & 4)
+            return fvi_refuse(c,
+                              "--fit: another --let was made of '%s', and "
+                              "would stay as it is; write it out in the "
+                              "expressions",
+                              at);
         r->name[n] = at;
         at = comma;
     }

@@ -38,7 +38,7 @@ int fvi_lets_parse(fvi_lets *lets, const char *variable, size_t d,
     const fvi_names names = { variable, d, lets->name, lets->count };
     int status = fvi_expression_parse(text, &names, lets->value, e, wrong);
     if (!status)
-        note(lets, text, variable && *variable == 't' ? 2 : 1);
+        note(lets, text, !variable ? 4 : *variable == 't' ? 2 : 1);
     return status;
 }
 

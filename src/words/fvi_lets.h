@@ -15,7 +15,8 @@ typedef struct {
     char names[1024]; /* the same in pieces */
     const char *name[FVI_MOST_LETS];
     double value[FVI_MOST_LETS];
-    unsigned char used[FVI_MOST_LETS]; /* bit 2: a force speaks of it; 1: others */
+    unsigned char used[FVI_MOST_LETS]; /* bit 1: a potential speaks of it; 2: a
+                                          force; 4: the value of another */
 } fvi_lets;
 
 /* fvi_lets_add -- one more "k=3", or several; understood by fvi_lets_interpret.

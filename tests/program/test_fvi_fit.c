@@ -220,6 +220,8 @@ static const char *const refused[][2] = {
     { "fit --fit g d.tsv", "'g'" },
     { "fit --potential pendulum:1 --fit c d.tsv", "'c'" },
     { "fit --potential free --fit c d.tsv", "'c'" },
+    { "fit --potential 'k*x^2+q*x^4' --let k=1,q=k --fit rho,k d.tsv",
+      "--fit: another --let was made of 'k'" },
     { "fit --potential chain:2,1,0 d.tsv", "--potential: 'chain:2,1,0'" },
     { "fit --dimension 2 d.tsv", "--dimension: '2'" },
     { "fit --method lda d.tsv", "lda" },
