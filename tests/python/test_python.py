@@ -308,6 +308,11 @@ def test_what_a_function_raises_comes_out():
         fvi.run(fvi.potential(fails, fails, fails))
     with pytest.raises(ValueError, match="gave 2 numbers"):
         fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1), x0=[1, 2, 3])
+    with pytest.raises(ValueError, match="gave 1 numbers, not 4"):  # no matrix is a number
+        fvi.run(fvi.potential(lambda x: x @ x / 2, lambda x: x, lambda x: 1.0, quadratic=True), x0=[1, 2])
+    band = fvi.potential(lambda x: x @ x / 2, lambda x: x, lambda x: np.eye(2, 3), diagonals=2)
+    with pytest.raises(ValueError, match=r"an array \(2, 3\), not \(3, 2\)"):
+        fvi.run(band, x0=[1, 2, 3])
     with pytest.raises(TypeError):
         fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1))
     with pytest.raises(ZeroDivisionError):

@@ -1,6 +1,7 @@
 """From what a user writes to the library's structs: potentials, forces, starts, errors."""
 from __future__ import annotations
 
+import math
 import numbers
 import re
 from typing import Any, Callable, Optional, Sequence, Union
@@ -84,15 +85,17 @@ class Asked:
         array.flags.writeable = False
         return array
 
-    def answer(self, out: Any, n: int, function: Callable[[Any], Any], argument: Any) -> int:
+    def answer(self, out: Any, shape: tuple, function: Callable[[Any], Any], argument: Any) -> int:
         try:
             if self.scalar:
                 out[0] = function(argument)
                 return 0
-            given = np.asarray(function(argument), dtype=float)
-            if given.ndim and given.size != n:
+            given, n = np.asarray(function(argument), dtype=float), math.prod(shape)
+            if given.size != n and (given.ndim or len(shape) > 1 and shape[1] > 1):
                 raise ValueError(f"a function gave {given.size} numbers, not {n}")
-            self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere
+            if given.ndim > 1 and len(shape) > 1 and given.shape != shape:
+                raise ValueError(f"a function gave an array {given.shape}, not {shape}")
+            self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere but in a matrix
             return 0
         except BaseException as error:  # an interrupt, too, ends the run
             self.raised = error
@@ -102,25 +105,25 @@ class Asked:
 @ffi.def_extern(error=-1)
 def ask_value(d, x, params, value):
     asked = ffi.from_handle(params)
-    return asked.answer(value, 1, asked.U.value, asked.at(x, d))
+    return asked.answer(value, (1,), asked.U.value, asked.at(x, d))
 
 
 @ffi.def_extern(error=-1)
 def ask_gradient(d, x, params, grad):
     asked = ffi.from_handle(params)
-    return asked.answer(grad, d, asked.U.gradient, asked.at(x, d))
+    return asked.answer(grad, (d,), asked.U.gradient, asked.at(x, d))
 
 
 @ffi.def_extern(error=-1)
 def ask_hessian(d, x, params, H):
     asked = ffi.from_handle(params)
-    return asked.answer(H, d * (asked.U.diagonals or d), asked.U.hessian, asked.at(x, d))
+    return asked.answer(H, (d, asked.U.diagonals or d), asked.U.hessian, asked.at(x, d))
 
 
 @ffi.def_extern(error=-1)
 def ask_force(t, d, params, F):
     asked = ffi.from_handle(params)
-    return asked.answer(F, d, asked.F, t)
+    return asked.answer(F, (d,), asked.F, t)
 
 
 @ffi.def_extern(error=0)
