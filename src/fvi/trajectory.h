@@ -38,7 +38,8 @@ extern "C" {
  *   tolerance  of the compressed memory, relative to the direct sum, in [0, 1); 0
  *              means the default 1e-13; of no effect where nothing is remembered
  *   step_error  for methods that choose their steps: what the estimated error of x
- *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far.
+ *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far,
+ *              and below 1e-17 of that it means 1e-17.
  *              h and steps say where the rows are, then, and not how long a step is
  *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
  *            not read, and the body was held before t = 0; must outlive the run. For

@@ -14,6 +14,9 @@
  * terms are taken; ten times larger, and the modes are coarse. */
 #define FVI_COARSE 1e-6
 
+/* The least tolerance, of the size: rounding hides what is less. */
+#define FVI_FINEST 1e-17
+
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */

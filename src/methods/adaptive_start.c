@@ -87,7 +87,9 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
 {
     const fvi_run *run = &s->run;
     const double L = fvi_variable_spacing(), T = run->h * (double)run->steps,
-                 wish = run->step_error > 0 ? run->step_error / scale : 1e-10;
+                 wish = run->step_error > 0
+                            ? fmax(run->step_error / scale, FVI_FINEST)
+                            : 1e-10;
     int damped = 0;
     for (size_t j = 0; j < o->d; j++)
         damped |= run->system->damping[j] > 0;

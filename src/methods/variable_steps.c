@@ -155,7 +155,8 @@ static int trial(fvi_stepper *s, fvi_adaptive_run *o, fvi_length length,
     if (status)
         return status;
     remember(o);
-    o->allowed = s->run.step_error > 0 ? s->run.step_error : 1e-10 * o->scale;
+    const double part = s->run.step_error > 0 ? FVI_FINEST : 1e-10;
+    o->allowed = fmax(s->run.step_error, part * o->scale);
     status = fvi_adaptive_solve(s, o);
     if (!status)
         *error = estimate(o);

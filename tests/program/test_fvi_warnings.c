@@ -34,6 +34,22 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
         1);
     ck_assert_str_eq(
         err, "fvi: --error: no step gives a result that can be trusted\n");
+    /* below all rounding, fvi-adaptive says what it can reach */
+    static const char *const absurd[] = {
+        "run --error 1e-30 --alpha 0.3 --steps 3",
+        "run --error 1e-20 --alpha 0.99 --x0 0 --p0 0 --force cosine:1,1 "
+        "--steps 3"
+    };
+    for (size_t i = 0; i < LEN(absurd); i++) {
+        ck_assert_int_eq(fvi(absurd[i]), 1);
+        ck_assert_msg(sscanf(err,
+                             "fvi: --error: %*s is out of reach; the smallest "
+                             "estimate was %lg, in %lg steps",
+                             &best, &step)
+                          == 2,
+                      "%s", err);
+        ck_assert(best < 1e-12 && step < 1e4);
+    }
     ck_assert_int_eq(fvi("run --error 1 --steps 1e14"), 1);
     ck_assert_str_eq(err, "fvi: not enough memory\n");
     ck_assert_int_eq(
