@@ -66,22 +66,26 @@ static int remember_terms(fvi_mirror *m, size_t j, const double *x)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; m->terms && i < m->d; i++)
-        m->work[i] =
-            m->run->h * m->run->system->damping[i] * met(m, j, x, i);
+        m->work[i] = m->run->h * m->run->system->damping[i] * met(m, j, x, i);
     for (size_t l = 0; !status && l < m->terms; l++)
         status = fvi_mirror_term_meet(&m->each[l], m->nu, m->dnu, m->work,
                                       m->want, l);
     return status;
 }
 
+/* N_j, and its derivative if it is wanted; nu_j is there. */
+static int push(fvi_mirror *m)
+{
+    return m->want->alpha
+               ? fvi_memory_push_rate(m->memory, m->nu, m->dnu, m->N, m->Ndot)
+               : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
+}
+
 /* (23.7): nu_j is there; N_j, and what it gives to the sums and, but for N_0, to q.
  * x: x_j. */
 static int remember(fvi_mirror *m, size_t j, const double *x)
 {
-    int status =
-        m->want->alpha
-            ? fvi_memory_push_rate(m->memory, m->nu, m->dnu, m->N, m->Ndot)
-            : fvi_memory_push(m->memory, m->nu, m->dnu, m->N);
+    int status = push(m);
     const double number = (double)j;
     if (m->taps > 0)
         filter(m);
@@ -280,6 +284,44 @@ static void enter(fvi_mirror *m, size_t k, const double *rows, const double *Jx)
     }
 }
 
+/* Algorithm 3, and each coordinate alone? */
+static int is_straight(const fvi_mirror *m)
+{
+    return m->printed && m->memory && !m->J.block && !m->terms;
+}
+
+//> straight
+/* remember, solve and pass in one: what the next line wants stays in a register, where the
+ * step of one coordinate would wait for what is written and read again. */
+static int pass_straight(fvi_mirror *m, size_t k, const double *rows)
+{
+    const double h = m->run->h, kappa = m->kappa, after = (1 - kappa) * h;
+    const size_t d = m->d;
+    double *force = m->want->force ? m->want->force + k * d : NULL;
+    int status = push(m);
+    for (size_t i = 0; i < d; i++) {
+        const double z = term(m, (double)(k + 1), rows[d + i], i), N = m->N[i];
+        const double G = m->G ? m->G[i] : 0, lambda = m->lambda[i];
+        const double q = m->q[i] - m->c[i] * N;
+        const double J = m->inertia[i] + kappa * after * G;
+        const double delta = (q - after * G * lambda) / J;
+        const double M = lambda + kappa * delta;
+        status = J == 0 ? FVI_ESING : status;
+        m->lambda[i] = lambda + delta;
+        m->q[i] = q - h * (G * M);
+        m->M[i] = M;
+        m->sum[i] += z * N;
+        m->rate[i] += z * m->Ndot[i];
+        m->plain[i] += N;
+        m->linear[i] += (double)(k + 1) * N;
+        m->kinetic[i] -= (rows[d + i] - rows[i]) * delta;
+        if (force)
+            force[d + i] += h * lambda;
+    }
+    return status ? status : meet_parameters(m);
+}
+//< straight
+
 //> step
 int fvi_mirror_step(fvi_mirror *m, size_t k, const double *rows,
                     const double *Jx)
@@ -290,6 +332,8 @@ int fvi_mirror_step(fvi_mirror *m, size_t k, const double *rows,
     enter(m, k, rows, Jx);
     if (!status)
         status = look(m);
+    if (!status && is_straight(m))
+        return pass_straight(m, k, rows);
     if (!status && m->memory && !shifted)
         status = remember(m, k + 1, x);
     if (shifted)

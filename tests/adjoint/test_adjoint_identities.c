@@ -275,12 +275,15 @@ START_TEST(a_singular_step_backwards_is_told)
 {
     const double one = 1, none = 0, c = -4;
     const double x[2] = { 0, 0 };
-    double out;
+    double out, by_rho;
     const fvi_system system =
         oscillator(&one, &none, fvi_potential_duffing((double[]){ c, 1 }));
     fvi_run run = fvi_run_default(&system, &none, &none, 1, 1);
     const fvi_objective J = { to_sine, &run };
-    const fvi_gradients g = { .p0 = &out };
+    fvi_gradients g = { .p0 = &out };
+    ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, x, &J, &g),
+                     FVI_ESING);
+    g.damping = &by_rho; /* with a memory */
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, x, &J, &g),
                      FVI_ESING);
 }
