@@ -88,12 +88,12 @@ static int step_alone(fvi_stepper *s)
     const double h = s->run.h, t = (double)(s->k + 1) * h;
     double g, H;
     int status = u->gradient(1, s->x, u->params, &g);
-    const double dx = (*s->p - *n->s * g) / *fvi_band_row(&n->J, 0);
-    g += n->theta * *n->H * dx;
     if (!status)
         status = fvi_force_at(s, t);
     if (status)
         return status;
+    const double dx = (*s->p - *n->s * g) / *fvi_band_row(&n->J, 0);
+    g += n->theta * *n->H * dx;
     const double x = *s->x + dx, z = x - *d->origin, dz = dx - *d->drift;
     status = fvi_memory_push(d->memory, &z, &dz, &H);
     *s->x = x;
