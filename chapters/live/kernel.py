@@ -13,7 +13,7 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
 MODULES = [*wasm.MODULES, "memory_exponentials", "memory_nodes", "integration_by_parts", "half_derivative",
-           "sensitivity", "adjoint", "backward", "mirror", "mirror_step", "control", "identification_tangent"]
+           "sensitivity", "adjoint", "backward", "mirror", "mirror_law", "mirror_step", "control", "identification_tangent"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_law_poles fvi_tiles_ahead fvi_tiles_alloc fvi_tiles_bytes fvi_tiles_copy
     fvi_tiles_push fvi_tiles_visit fvi_mirror_matrices fvi_mirror_mesh fvi_mirror_stages_end
