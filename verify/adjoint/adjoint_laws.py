@@ -226,9 +226,10 @@ for which in range(10):
     at = [(k + nodes[i]) * STEP for k in range(N6) for i in range(s - 1)] + [N6 * STEP]
     q["F"] = [dual(mpmath.cos(5 * v / 4) / 5) for v in at for _ in range(D5)]
     chain = LawChain(s, plain + [f for _, f, _ in slopes], q, STEP)  # a slope is a term of factor 0
-    want = [chain.slope("terms", i) for i in range(3)] + [mpf(0)] * 9
-    for i, (place, _, factor) in enumerate(slopes):
-        want[3 + place] = factor * chain.slope("terms", 3 + i)
+    want = chain.slopes([("terms", i) for i in range(3 + len(slopes))])
+    own, want = want[3:], want[:3] + [mpf(0)] * 9
+    for (place, _, factor), slope in zip(slopes, own):
+        want[3 + place] = factor * slope
     staged.append([f"&fvi_lobatto{s}d", law(terms)]
                   + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
                   + [literal(map(nearest, want))])
