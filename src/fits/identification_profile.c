@@ -7,9 +7,15 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
-enum { OUTWARD = 30, INWARD = 60 };
+enum { OUTWARD = 40, INWARD = 60 };
 #define FARTHEST 16 /* a logit or a logarithm beyond this tells nothing more */
 #define LOWER 1e-6  /* of chi^2: a least that is lower by this is another one */
+
+/* Where the others were found last, for these values of the fixed one. */
+typedef struct {
+    fvi_fit_place at, before;
+    double u, u_before;
+} trail;
 
 typedef struct {
     fvi_fit fit; /* of the others */
@@ -17,8 +23,7 @@ typedef struct {
         which[FVI_FIT_MOST]; /* the others, and behind them the fixed one */
     size_t others;
     fvi_fit_work work;
-    fvi_fit_place at, before; /* the others, where they were found last, */
-    double u, u_before;       /* for these of the fixed one */
+    trail on;
     double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
     int is_least;       /* no chi^2 was lower than that */
 } profile;
@@ -29,11 +34,12 @@ typedef struct {
 static double excess(profile *o, double u)
 {
     fvi_fit_model *m = &o->work.model;
-    const double far =
-        o->u != o->u_before ? (u - o->u) / (o->u - o->u_before) : 0;
-    fvi_fit_place now = o->at;
+    const double far = o->on.u != o->on.u_before
+                           ? (u - o->on.u) / (o->on.u - o->on.u_before)
+                           : 0;
+    fvi_fit_place now = o->on.at;
     for (size_t i = 0; i < o->others && fabs(far) < 4; i++)
-        now.u[i] += far * (o->at.u[i] - o->before.u[i]);
+        now.u[i] += far * (o->on.at.u[i] - o->on.before.u[i]);
     fvi_fit_model_set(m, o->others, fvi_fit_model_bound(m, o->others, u));
     if (o->others > 0) {
         fvi_fit_minimise(&o->work, &now, GSL_POSINF);
@@ -46,10 +52,10 @@ static double excess(profile *o, double u)
         return GSL_POSINF;
     const double chi2 = now.sum * o->unit, more = chi2 - o->least;
     o->is_least &= more >= -LOWER * fmax(1, o->least);
-    o->before = o->at;
-    o->u_before = o->u;
-    o->at = now;
-    o->u = u;
+    o->on.before = o->on.at;
+    o->on.u_before = o->on.u;
+    o->on.at = now;
+    o->on.u = u;
     return sqrt(fmax(0, more));
 }
 //< excess
@@ -83,20 +89,29 @@ static double between(profile *o, double a, double b, double below,
 }
 
 /* From u outward by `step`, then by longer ones, until the excess is beyond reach; then
- * where it is reached. Where it never is, the infinity of that side. */
+ * where it is reached. Where it never is, the infinity of that side. A step by which the
+ * excess jumps may have lost the valley, and is made shorter, but not without end. */
 static double edge(profile *o, double u, double step, double reach)
 {
     const int bounded = o->fit.which[o->others] <= FVI_PARAMETER_MASS;
+    const double least = fabs(step) / 1024;
     double before = u, below = 0;
-    for (int i = 0; i < OUTWARD; i++, step *= 1.5) {
+    for (int i = 0; i < OUTWARD; i++) {
         const double there = before + step;
+        const trail here = o->on;
         if (bounded && fabs(there - u) > FARTHEST)
             break;
         const double now = excess(o, there);
+        if (now > below + reach / 2 && fabs(step) > least) {
+            o->on = here;
+            step /= 4;
+            continue;
+        }
         if (now >= reach)
             return between(o, before, there, below, now, reach);
         before = there;
         below = now;
+        step *= 1.5;
     }
     return step > 0 ? GSL_POSINF : GSL_NEGINF;
 }
@@ -122,7 +137,7 @@ static int begin(profile *o, const fvi_fit *fit, const fvi_fitted *fitted,
     for (size_t i = 0; !status && i <= o->others; i++) {
         were[i] = fvi_fit_model_get(m, i);
         fvi_fit_model_set(m, i, found[i]);
-        o->at.u[i] = fvi_fit_model_free(m, i, found[i]);
+        o->on.at.u[i] = fvi_fit_model_free(m, i, found[i]);
     }
     if (status)
         return status;
@@ -142,13 +157,12 @@ static void both_edges(profile *o, const fvi_fitted *fitted, size_t j,
                  u = fvi_fit_model_free(m, o->others, theta),
                  sd = fitted->sd[j]
                       / fabs(fvi_fit_model_slope(m, o->others, theta));
-    o->before = o->at;
-    o->u = o->u_before = u;
-    const fvi_fit_place here = o->at;
-    const double down = edge(o, u, -fitted->quantile * sd, fitted->quantile);
-    o->at = o->before = here;
-    o->u = o->u_before = u;
-    const double up = edge(o, u, fitted->quantile * sd, fitted->quantile);
+    const trail here = { o->on.at, o->on.at, u, u };
+    const double step = fitted->quantile * sd / 4;
+    o->on = here;
+    const double down = edge(o, u, -step, fitted->quantile);
+    o->on = here;
+    const double up = edge(o, u, step, fitted->quantile);
     *low = fvi_fit_model_bound(m, o->others, down);
     *high = fvi_fit_model_bound(m, o->others, up);
 }

@@ -168,6 +168,65 @@ START_TEST(eq_24_11_what_has_no_end_has_that_of_the_parameter)
 }
 END_TEST
 
+/* chi^2 of (1 + rho) x'' + c x = 0 from x0 and p0, w^2 = c / (1 + rho). */
+static double chi2_of_swing(const question *q, double sigma, double w,
+                            double rho)
+{
+    double sum = 0;
+    for (size_t i = 0; i < q->fit.n; i++) {
+        const double x = q->x0 * cos(w * q->t[i])
+                         + q->p0 / ((1 + rho) * w) * sin(w * q->t[i]);
+        sum += (x - q->x[i]) * (x - q->x[i]);
+    }
+    return sum / (sigma * sigma);
+}
+
+/* The least over w near that of the fit, rho or c being fixed, by thirds. */
+static double least_over_swings(const question *q, const fvi_fitted *f,
+                                double rho, double c)
+{
+    double a = 0.97 * sqrt(f->estimate[1] / (1 + f->estimate[0])),
+           b = a * 1.03 / 0.97, least = INFINITY;
+    while (b - a > 1e-8) {
+        const double w[] = { (2 * a + b) / 3, (a + 2 * b) / 3 };
+        double at[2];
+        for (size_t i = 0; i < 2; i++)
+            at[i] = chi2_of_swing(q, f->sigma, w[i],
+                                  c > 0 ? c / (w[i] * w[i]) - 1 : rho);
+        least = fmin(at[0], at[1]);
+        *(at[0] < at[1] ? &b : &a) = w[at[0] < at[1]];
+    }
+    return least;
+}
+
+/* At alpha = 1, where rho is a mass, data of a damped swing tell of rho and c little but
+ * their ratio. The valley is narrow and long, with others beside it, and has no end: as rho
+ * grows the velocity p0/(1 + rho) goes to 0, and chi^2 grows by 1.2 at most. Its lower ends
+ * are those of the motion in closed form. */
+START_TEST(eq_24_11_a_profile_stays_in_its_valley)
+{
+    question q;
+    fvi_fitted f;
+    double low[2], high[2];
+    ask(&q, ref_low, 2);
+    q.fit.which = FIVE + 1;
+    q.run.alpha = 1;
+    q.constants[0] = 1.2;
+    q.fit.starts = 20;
+    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    for (size_t j = 0; j < 2; j++)
+        ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, j, low + j, high + j),
+                         FVI_SUCCESS);
+    const double reach = f.quantile * f.quantile;
+    ck_assert_double_lt(least_over_swings(&q, &f, 1e6, 0) - f.chi2, reach / 2);
+    ck_assert(isinf(high[0]) && isinf(high[1]));
+    ck_assert_near(least_over_swings(&q, &f, low[0], 0) - f.chi2, reach,
+                   3e-4 * reach, "the least rho");
+    ck_assert_near(least_over_swings(&q, &f, 0, low[1]) - f.chi2, reach,
+                   3e-4 * reach, "the least c");
+}
+END_TEST
+
 START_TEST(a_profile_refuses_what_is_no_answer)
 {
     question q;
@@ -200,6 +259,7 @@ int main(void)
     ADD_CASE(suite, "profiles", eq_24_11_a_profile_is_what_a_dense_scan_finds,
              eq_24_11_without_bends_a_profile_is_the_standard_deviation,
              eq_24_11_what_has_no_end_has_that_of_the_parameter,
+             eq_24_11_a_profile_stays_in_its_valley,
              a_profile_refuses_what_is_no_answer);
     return run_suite(suite);
 }
