@@ -270,8 +270,8 @@ static int make_room(request *r)
 static int answer(request *r)
 {
     int failed = make_room(r);
-    if (!failed && fvi_table_warning(&r->o))
-        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(&r->o));
+    if (!failed)
+        fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
     if (!failed)
         failed = differentiate(r);
     if (!failed)

@@ -24,6 +24,8 @@ static void print_head(FILE *f, const fvi_own_command *command,
     fvi_own_words_head(f, command, &r->words, &r->o);
     if (warning)
         fprintf(f, "# warning = %s\n", warning);
+    if (*r->unstable)
+        fprintf(f, "# warning = %s\n", r->unstable);
 }
 
 /* One for each mass: name, or name_1, name_2, ... */

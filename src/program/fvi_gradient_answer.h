@@ -4,6 +4,7 @@
 
 #include <fvi/fvi.h>
 #include "fvi_own_words.h"
+#include "fvi_run.h"
 
 /* Its own options, words.own[OF] and so on. */
 enum { OF, FORCES };
@@ -19,6 +20,7 @@ typedef struct {
     fvi_gradients to;
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
+    char unstable[FVI_UNSTABLE];    /* what is said of the step */
 } fvi_gradient_request;
 
 /* The time of row k of the forces. */

@@ -149,18 +149,14 @@ static double most(const fvi_options *o)
     return ratio;
 }
 
-/* Warnings before a run that has no limit, or must blow up; it goes on all the
- * same. What is said of the step goes into text, for the head. */
-static void warn(const fvi_options *o, const fvi_run *r, size_t size,
-                 char *text)
+int fvi_run_is_unstable(const fvi_options *o, const fvi_run *r, size_t size,
+                        char *text)
 {
     double load = 0, h = 0;
-    *text = '\0';
-    if (fvi_table_warning(o))
-        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
-    if (load_of(o, r, &load, &h) != 0 || load <= 1)
-        return;
     char more[80] = "";
+    *text = '\0';
+    if (load_of(o, r, &load, &h) != 0 || load <= 1)
+        return 0;
     if (h > 0)
         snprintf(more, sizeof more,
                  o->directory ? "; stable below some h = %.2g"
@@ -173,7 +169,24 @@ static void warn(const fvi_options *o, const fvi_run *r, size_t size,
                  most(o));
     snprintf(text, size, "this step is unstable (load %.4g, above 1)%s", load,
              more);
-    fprintf(stderr, "fvi: warning: %s\n", text);
+    return 1;
+}
+
+void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
+                  char *text)
+{
+    if (fvi_table_warning(o))
+        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
+    if (fvi_run_is_unstable(o, r, size, text))
+        fprintf(stderr, "fvi: warning: %s\n", text);
+}
+
+void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
+{
+    if (*unstable)
+        fvi_format_parameter(
+            out, o->format,
+            fvi_table_warning(o) ? "warning of the step" : "warning", unstable);
 }
 
 void fvi_adaptive_head(FILE *out, const fvi_options *o,
@@ -206,11 +219,10 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
         return 1;
     if (o->checkpoint)
         fvi_checkpoint_watch();
-    char unstable[160];
-    warn(o, r, sizeof unstable, unstable);
+    char unstable[FVI_UNSTABLE];
+    fvi_run_warn(o, r, sizeof unstable, unstable);
     fvi_table_head(t->out, o);
-    if (*unstable)
-        fvi_format_parameter(t->out, o->format, "warning", unstable);
+    fvi_run_head(t->out, o, unstable);
     if (o->directory)
         fvi_format_parameter(t->out, o->format, "solver", solver(o));
     fvi_watch watch = fvi_watch_begin(o, t->system, *unstable != '\0');

@@ -1,5 +1,5 @@
 /* src/program/fvi_run.h -- What the two ways of `fvi run` share: by a given step, and to a
- * wanted error. */
+ * wanted error; and the commands that make runs. */
 #ifndef FVI_RUN_H
 #define FVI_RUN_H
 
@@ -13,6 +13,21 @@ double *fvi_run_room(const fvi_table *t);
 
 /* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
 int fvi_complain_of_start(const fvi_options *o, int status);
+
+/* fvi_run_is_unstable -- nonzero if a mode of the run grows by its step, as far as that is known;
+ * text says so then, and is empty else. Room for FVI_UNSTABLE. */
+enum { FVI_UNSTABLE = 160 };
+int fvi_run_is_unstable(const fvi_options *o, const fvi_run *r, size_t size,
+                        char *text);
+
+/* fvi_run_warn -- on standard error, before a run that has no limit, or must blow up; it goes on
+ * all the same. What is said of the step is left in text, for the head. */
+void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
+                  char *text);
+
+/* fvi_run_head -- that text in the head of a table, if it is one, under a name that no other
+ * warning has: what is read as JSON keeps one of two. */
+void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);
 
 /* fvi_run_row -- take row k, which the run has reached or just passed. Returns what
  * fvi_table_take and fvi_run_to return, or FVI_ENOMEM. */

@@ -20,10 +20,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. */
+/* What became of a run: 0, or a code, and the step in which it failed; 0 is its start. Does a
+ * mode of it grow by its step? */
 typedef struct {
     int status;
     size_t step;
+    int unstable;
 } verdict;
 
 /* What the processes share. Each takes the next run that nobody has taken, and writes its
@@ -43,9 +45,11 @@ typedef struct {
 static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
-    verdict v = { fvi_start(o->method, r, &s), 0 };
+    verdict v = { .status = fvi_start(o->method, r, &s) };
+    char unstable[FVI_UNSTABLE];
     if (v.status)
         return v;
+    v.unstable = fvi_run_is_unstable(o, r, sizeof unstable, unstable);
     v.status = fvi_table_take(t, 0, s->x, s->p);
     while (!v.status && s->k < o->steps) {
         v.step = s->k + 1;
@@ -64,7 +68,7 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
     double *x = malloc(2 * (last + o->d) * sizeof *x), *p = x + last + o->d;
     fvi_step_found found;
     fvi_adaptive_found of_steps;
-    verdict v = { FVI_ENOMEM, 0 };
+    verdict v = { .status = FVI_ENOMEM };
     if (x && o->method->dense)
         v.status =
             fvi_adaptive_search(r, o->error, (size_t)1 << 24, x, p, &of_steps);
@@ -84,7 +88,7 @@ static verdict one_run(const fvi_grid *g, size_t i, double *row)
 {
     char complaint[FVI_COMPLAINT];
     fvi_options o;
-    verdict v = { FVI_ENOMEM, 0 };
+    verdict v = { .status = FVI_ENOMEM };
     if (fvi_grid_options(g, i, &o, complaint, sizeof complaint))
         return v; /* it was understood before */
     const fvi_system system = fvi_options_system(&o);
@@ -149,8 +153,38 @@ static int work_together(const fvi_grid *g, board *shared)
 
 /* ---- the table ---- */
 
+/* The varied values of run i of the whole grid, "h = 10, rho = 1". */
+static void name_run(FILE *out, const fvi_grid *g, size_t i)
+{
+    for (size_t n = 0; n < g->count; n++) {
+        char text[32];
+        fvi_shortest(fvi_grid_value(g, i, n), text);
+        fprintf(out, "%s%s = %s", n ? ", " : "", g->axis[n].name, text);
+    }
+}
+
+/* How many steps are unstable, and the first of them; on standard error, and left in text. */
+static void warn_of_unstable(const fvi_grid *g, const board *b, size_t size,
+                             char *text)
+{
+    size_t many = 0, first = 0;
+    *text = '\0';
+    for (size_t i = b->count; i-- > 0;)
+        if (b->verdicts[i].unstable) {
+            many++;
+            first = i;
+        }
+    if (many == 0)
+        return;
+    snprintf(text, size, "rows with an unstable step: %zu of %zu", many,
+             b->count);
+    fprintf(stderr, "fvi: warning: %s, the first with ", text);
+    name_run(stderr, g, g->first + first);
+    fputc('\n', stderr);
+}
+
 static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
-                       int no_solution)
+                       int no_solution, const char *unstable)
 {
     const char *name, *value;
     fvi_format_begin(out, o->format);
@@ -167,6 +201,10 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
         fvi_format_parameter(out, o->format, "part", g->part_text);
     if (no_solution)
         fvi_format_parameter(out, o->format, "warning", FVI_NO_SOLUTION);
+    if (*unstable)
+        fvi_format_parameter(out, o->format,
+                             no_solution ? "warning of the step" : "warning",
+                             unstable);
     size_t at = 0;
     for (; at < g->count; at++)
         fvi_format_name(out, o->format, at, g->axis[at].name, 0);
@@ -176,12 +214,8 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
 /* Which run failed, and how. */
 static int complain_of(const fvi_grid *g, size_t i, verdict v)
 {
-    fputs("fvi: with", stderr);
-    for (size_t n = 0; n < g->count; n++) {
-        char text[32];
-        fvi_shortest(fvi_grid_value(g, i, n), text);
-        fprintf(stderr, "%s %s = %s", n ? "," : "", g->axis[n].name, text);
-    }
+    fputs("fvi: with ", stderr);
+    name_run(stderr, g, i);
     if (v.step > 0)
         fprintf(stderr, ": step %zu", v.step);
     fprintf(stderr, ": %s\n", fvi_reason(v.status));
@@ -197,7 +231,9 @@ static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
     if (!out)
         return fvi_cannot_write(o->output);
     int failed = 0;
-    print_head(out, g, o, no_solution);
+    char unstable[FVI_UNSTABLE];
+    warn_of_unstable(g, b, sizeof unstable, unstable);
+    print_head(out, g, o, no_solution, unstable);
     for (size_t i = 0; i < b->count && !failed && !ferror(out); i++) {
         if (b->verdicts[i].status)
             failed = complain_of(g, g->first + i, b->verdicts[i]);

@@ -73,6 +73,17 @@ START_TEST(an_unstable_step_is_warned_of)
     ck_assert_ptr_nonnull(strstr(err, "unstable"));
     ck_assert_int_eq(fvi("run --alpha 1 --rho 1.5 --h 1e-3 --steps 3"), 0);
     ck_assert_ptr_nonnull(strstr(err, "no step is stable"));
+    /* the derivatives of such a run are no better, and two warnings are two */
+    ck_assert_int_eq(fvi("gradient --rho 2.02 --h 1 --steps 3"), 0);
+    ck_assert_str_eq(
+        err, "fvi: warning: this step is unstable (load 1.01, above 1); "
+             "stable below h = 0.9901\n");
+    ck_assert_ptr_nonnull(strstr(out, "\n# warning = this step is unstable"));
+    ck_assert_int_eq(fvi("run --rho 9 --h 9 --alpha 0.7 --steps 2 "
+                         "--derivative rl --format json"),
+                     0);
+    ck_assert(strstr(out, "\"warning\": \"rl") && count_lines(err) == 2
+              && strstr(out, "\"warning of the step\": \"this step"));
     /* alpha = 1/2: R < 1 for BDF2 weights, no bound for the shifted ones */
     ck_assert_int_eq(fvi("run --method fvi-bdf2 --rho 1.01 --h 1 --steps 3"),
                      0);
