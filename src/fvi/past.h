@@ -41,10 +41,11 @@ double fvi_past_amplitude(fvi_past past, double alpha, double x0, double v0);
 int fvi_past_pulls(fvi_past past, double alpha);
 
 /* fvi_past_pull -- the impulses of the pull, to be prepared once a run. */
-enum { FVI_PAST_NODES = 8 };
+enum { FVI_PAST_NODES = 8, FVI_PAST_TERMS = 37 };
 typedef struct {
     double e;                                     /* its exponent */
     double size;                                  /* 1 / Gamma(1 + e) */
+    double binomial[FVI_PAST_TERMS];              /* e over j */
     size_t nodes;                                 /* n */
     double first[FVI_PAST_NODES];                 /* the impulses of step 0 */
     double basis[FVI_PAST_NODES][FVI_PAST_NODES]; /* l_i by powers of s - 1/2 */

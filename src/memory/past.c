@@ -49,7 +49,12 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
 {
     const double e = alpha < 0.5 ? -2 * alpha : 1 - 2 * alpha;
     const double whole = 1 / tgamma(2 + e); /* int_0^1 s^e / Gamma(1 + e) ds */
-    *pull = (fvi_past_pull){ .e = e, .size = (1 + e) * whole, .nodes = n };
+    *pull = (fvi_past_pull){
+        .e = e, .size = (1 + e) * whole, .binomial = { 1 }, .nodes = n
+    };
+    for (size_t j = 0; j + 1 < FVI_PAST_TERMS; j++)
+        pull->binomial[j + 1] =
+            pull->binomial[j] * (e - (double)j) / (double)(j + 1);
     for (size_t i = 0; i < n; i++) {
         double l[FVI_PAST_NODES];
         lagrange(n, c, i, 0, l);
@@ -63,20 +68,21 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
 //> impulses
 /* moments[degree] = int (k + 1/2 + x)^e x^degree dx over |x| <= 1/2, k > 0, by the
  * binomial series. Its terms fall at least like (2 k + 1)^-j; the first that is left
- * out is below u / 8. */
-static void power_moments(double e, size_t k, size_t count, double *moments)
+ * out is below u / 8, and it is the 37th at most. No term waits for a division. */
+static void power_moments(const fvi_past_pull *pull, size_t k, double *moments)
 {
-    const double middle = (double)k + 0.5, power = pow(middle, e);
-    double term = 1; /* binomial(e, j) (2 middle)^-j */
-    for (size_t degree = 0; degree < count; degree++)
-        moments[degree] = 0;
-    for (size_t j = 0; fabs(term) > GSL_DBL_EPSILON / 16; j++) {
-        for (size_t degree = j % 2; degree < count; degree += 2)
+    const double middle = (double)k + 0.5, x = 0.5 / middle;
+    double term = 1, x_j = 1, scale = pow(middle, pull->e);
+    for (size_t j = 0; fabs(term) > GSL_DBL_EPSILON / 16;) {
+        for (size_t degree = j % 2; degree < pull->nodes; degree += 2)
             moments[degree] += term / (double)(j + degree + 1);
-        term *= (e - (double)j) / ((double)(j + 1) * 2 * middle);
+        if (++j == FVI_PAST_TERMS)
+            break;
+        x_j *= x;
+        term = pull->binomial[j] * x_j;
     }
-    for (size_t degree = 0; degree < count; degree++)
-        moments[degree] *= power * exp2(-(double)degree);
+    for (size_t degree = 0; degree < pull->nodes; degree++, scale /= 2)
+        moments[degree] *= scale;
 }
 
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
@@ -87,7 +93,7 @@ void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
     }
     double moments[FVI_PAST_NODES] = { 0 };
     if (pull->size != 0) /* alpha = 1: all was at t = 0 */
-        power_moments(pull->e, k, pull->nodes, moments);
+        power_moments(pull, k, moments);
     for (size_t i = 0; i < pull->nodes; i++) {
         impulse[i] = 0;
         for (size_t degree = 0; degree < pull->nodes; degree++)
