@@ -77,8 +77,7 @@ typedef struct {
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
  *          steps. Where the past pulls the start, (19.3), there is none. force: the force
  *          changes along straight lines between t_k and t_{k+1}
- *   matrices  M, C, K (structures.h) without a law; by another method than fvi_fractional not
- *          with RIEMANN_LIOUVILLE, and of a J without p_N. (23.19)
+ *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
  *
@@ -93,9 +92,8 @@ typedef struct {
  * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
- * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or the
- * system matrices and this is not what matrices have, or mass is wanted and they have no
- * inertia;
+ * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
+ * is wanted of matrices that have no inertia;
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

@@ -19,13 +19,6 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_OTHER)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
-    if (run->system && run->system->matrices
-        && (run->law
-            || (method->scheme != FVI_SCHEME_ALGORITHM_3
-                && run->past == FVI_PAST_RIEMANN_LIOUVILLE)))
-        FVI_FAIL("matrices have an adjoint without a law, and but for fvi "
-                 "without Riemann-Liouville's past",
-                 FVI_EUNSUP);
     if (run->law ? want->alpha != NULL : fvi_mirror_law_asks(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);

@@ -1,45 +1,56 @@
 /* src/inverse/mirror_factors.h -- Derivatives by factors of M, C and K. [Chapter 23]
  *
- * Internal: what mirror_matrices.c sums up on its way back for mass, damping, alpha and
- * parameters, (23.19): x0, p0 and forces it has without. */
+ * Internal: what mirror_matrices.c sums up on its way back for mass, damping, alpha,
+ * parameters and the numbers of a law, (23.19): x0, p0 and forces it has without. */
 #ifndef FVI_MIRROR_FACTORS_H
 #define FVI_MIRROR_FACTORS_H
+
+#include "mirror_law.h"
 
 #include <fvi/adjoint.h>
 #include <fvi/convolution_quadrature.h>
 
-enum { FVI_FACTOR_TAPS = FVI_BDF2_TAPS + 1 };
+/* What goes into a memory, r numbers each: as it is and its increment, and what comes out,
+ * with its derivative by 2 alpha. */
+typedef struct {
+    fvi_memory *memory; /* NULL: not asked for */
+    double *in, *change, *out, *rate;
+} fvi_mirror_sum;
 
 /* Where the comment says "each", d numbers; r of them are remembered. */
 typedef struct {
     const fvi_run *run;
-    const fvi_gradients *want;
+    fvi_gradients want; /* with room of its own for the terms of a law */
     size_t d, r;
-    double kappa; /* of the method, or of the run */
-    int is_late;  /* nu_j has lambda_{j-1}, (23.7): not so in Algorithm 3 */
+    double kappa, theta; /* of the method, or of the run; (23.7) */
+    int printed;         /* Algorithm 3 */
     int has_drift;
-    double *v0;           /* each: M^-1 p0; 0 where no velocity is asked for */
-    double *z;            /* each: z_j */
-    double *work;         /* each */
-    double *entered;      /* r: B^T lambda as it came into the memory last */
-    double *change;       /* r: how it changed */
-    double *N, *dN;       /* r: N_j, and its derivative by alpha */
-    double *sums, *rates; /* r each of FVI_FACTOR_TAPS: what the memory gave */
-    double *block;        /* all these; owned */
-    fvi_memory *memory;   /* of B^T lambda; NULL: not asked for */
-    size_t taps, place;   /* the latest sums are at [place] */
-    double f[FVI_FACTOR_TAPS], df[FVI_FACTOR_TAPS]; /* and by alpha */
+    double *v0;          /* each: M^-1 p0; 0 where no velocity is asked for */
+    double *z;           /* each: z_j */
+    double *work, *room; /* each */
+    double *nu, *tilt;   /* each: nu_j, its derivative by alpha */
+    double *behind;      /* each: nu_{j+1}, or the mean of both and its */
+    double *change;      /* each: increment */
+    double *N, *dN;      /* r: N_j, and its derivative by alpha */
+    double *past, *past_rate; /* r each of FVI_BDF2_TAPS: the last sums */
+    double *block;            /* all these; owned */
+    fvi_mirror_sum sum, tilted;
+    size_t taps, place; /* of the factor; the latest sums are at [place] */
+    double g[FVI_BDF2_TAPS], dg[FVI_BDF2_TAPS];
+    fvi_mirror_term *each; /* of a law; owned */
+    size_t terms;
+    double *by_terms; /* room for want.terms; owned */
     double by_M, by_C, by_alpha, by_K;
 } fvi_mirror_factors;
 
 /* fvi_mirror_factors_start -- at node N.
  *
  *   method  its scheme is FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE
- *   run, want  stay the caller's
+ *   run     stays the caller's
  *   f       output; in any case to be given back by fvi_mirror_factors_stop
  *
  * Returns FVI_SUCCESS; FVI_EUNSUP if mass is wanted and the matrices have no inertia;
- * FVI_ENOMEM; what factorise, solve and fvi_memory_alloc returned. */
+ * FVI_ENOMEM; what factorise, solve, fvi_memory_alloc and fvi_mirror_term_start returned. */
 int fvi_mirror_factors_start(const fvi_method *method, const fvi_run *run,
                              const fvi_gradients *want, fvi_mirror_factors *f);
 

@@ -1,6 +1,6 @@
 /* src/inverse/mirror_matrices.h -- The run that goes backwards, with matrices. [Chapter 23]
  *
- * Internal: of runs with M, C and K, without a law. */
+ * Internal: of runs with M, C and K. */
 #ifndef FVI_MIRROR_MATRICES_H
 #define FVI_MIRROR_MATRICES_H
 
@@ -11,13 +11,11 @@
 /* fvi_mirror_matrices -- from node N to node 0. mass, damping and parameters of
  * `want` are one number each, by a factor of M, C and K.
  *
- *   method  its scheme is FVI_SCHEME_ALGORITHM_3; or SHIFTED, BDF2 or STABLE, the past HELD
- *           or CAPUTO, and J without p_N
+ *   method  its scheme is FVI_SCHEME_ALGORITHM_3, SHIFTED, BDF2 or STABLE
  *   path    of the run, not yet read
  *
- * Returns FVI_EUNSUP if J has p_N and the method none of it; FVI_ENOMEM; what
- * fvi_mirror_factors_start, fvi_start, fvi_step, fvi_backward_step and the slopes return;
- * FVI_EOVRFLW if a derivative is not finite. */
+ * Returns FVI_SUCCESS; FVI_ENOMEM; what fvi_mirror_factors_start, fvi_start, fvi_step,
+ * fvi_backward_step and the slopes return; FVI_EOVRFLW if a derivative is not finite. */
 int fvi_mirror_matrices(const fvi_method *method, const fvi_run *run,
                         fvi_backward *path, const fvi_objective *objective,
                         const fvi_gradients *want);

@@ -73,16 +73,6 @@ static int interpret(request *r, fvi_complaint c)
                               "--let: '%s' has no gradient with %s, which "
                               "asks for the force between the rows",
                               r->o.lets.name[j], m->name);
-    if (r->system.matrices && r->run.law)
-        return fvi_refuse(c, "--system: '%s' has a gradient without --damping",
-                          r->o.text[SYSTEM]);
-    const int of_order_2 =
-        r->system.matrices && m->scheme != FVI_SCHEME_ALGORITHM_3;
-    if (of_order_2 && r->run.past == FVI_PAST_RIEMANN_LIOUVILLE)
-        return fvi_refuse(c,
-                          "--derivative: 'rl' has a gradient with --system and "
-                          "fvi, not with %s",
-                          m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
         return fvi_refuse(c, "--forces: '' is not a file's name");
@@ -90,13 +80,7 @@ static int interpret(request *r, fvi_complaint c)
         && fvi_same_file(r->words.own[FORCES], r->o.output))
         return fvi_refuse(c, "--forces: '%s' is the table's file, too",
                           r->words.own[FORCES]);
-    const int status = interpret_of(r, c);
-    if (!status && of_order_2 && r->of > 0)
-        return fvi_refuse(c,
-                          "--of: '%s' has a gradient with --system and fvi, "
-                          "not with %s",
-                          r->words.own[OF], m->name);
-    return status;
+    return interpret_of(r, c);
 }
 
 /* ---- derivatives ---- */

@@ -76,8 +76,12 @@ static void print_term(FILE *f, const request *r, size_t i)
 static void print_matrices(FILE *f, const request *r)
 {
     print_row(f, "mass", "", *r->to.mass);
-    print_row(f, "rho", "", *r->to.damping);
-    print_row(f, "alpha", "", *r->to.alpha);
+    for (size_t i = 0; r->run.law && i < r->run.law->count; i++)
+        print_term(f, r, i);
+    if (!r->run.law) {
+        print_row(f, "rho", "", *r->to.damping);
+        print_row(f, "alpha", "", *r->to.alpha);
+    }
     print_row(f, "c", "", *r->to.parameters);
 }
 

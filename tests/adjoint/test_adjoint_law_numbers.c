@@ -56,7 +56,7 @@ static fvi_run run_of_row(size_t i, fvi_system *system, fvi_law *law)
 }
 
 /* Twelve steps, weights to 60 u of the largest, h^-2 at most; the square of a law with a
- * short time has h^-4. Each of itself, or of 1 where that is more. */
+ * short time has h^-4. Each of itself, or of 1 where that is more. Seen: 2.9e-14. */
 START_TEST(eq_23_21_every_number_of_a_law_to_40_digits)
 {
     size_t compressed = 0;
@@ -86,7 +86,7 @@ START_TEST(eq_23_21_every_number_of_a_law_to_40_digits)
 }
 END_TEST
 
-/* Five masses, form D, six steps. */
+/* Five masses, form D, six steps. Seen: 2.5e-15. */
 START_TEST(eq_23_21_every_number_of_a_law_with_stages)
 {
     for (size_t n = 0; n < LEN(ref_stage_law_numbers) * LEN(kinds); n++) {
@@ -119,7 +119,8 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
 }
 END_TEST
 
-/* A thousand steps, all weights or modes: of the largest of them. */
+/* A thousand steps, all weights or modes, which keep 1e-14 of each weight, three of them one
+ * behind another: of the largest. Seen: 9.2e-15. */
 START_TEST(eq_23_21_modes_give_the_numbers_of_all_weights)
 {
     size_t compressed = 0;

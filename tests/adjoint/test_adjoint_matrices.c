@@ -29,32 +29,25 @@ static double weigh(size_t k, size_t i)
     return cos((double)(3 * k + 5 * i + 1)) / (k == N ? 1 : 8);
 }
 
-/* params: may J have p_N? NULL: it may. */
 static int linear(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
 {
     (void)x;
+    (void)params;
     for (size_t i = 0; i < d; i++) {
         Jx[i] += weigh(k, i);
-        if (p && !params)
+        if (p)
             Jp[i] += weigh(N + 2, i);
     }
     return 0;
 }
 
-static double positions_of(const double *x, const double *p)
+static double linear_of(const double *x, const double *p)
 {
-    (void)p;
     double J = 0;
     for (size_t k = 0; k <= N; k++)
         for (size_t i = 0; i < D; i++)
             J += weigh(k, i) * x[k * D + i];
-    return J;
-}
-
-static double linear_of(const double *x, const double *p)
-{
-    double J = positions_of(x, p);
     for (size_t i = 0; i < D; i++)
         J += weigh(N + 2, i) * p[N * D + i];
     return J;
@@ -165,34 +158,40 @@ START_TEST(eq_23_6_matrices_are_their_own_adjoint)
 }
 END_TEST
 
-/* The methods of order 2 likewise, J without p_N, the past held or Caputo's. Roundings as
- * above. Seen: 1.9e-13. */
+/* The methods of order 2 likewise. With Riemann-Liouville's past and alpha > 1/2 they begin
+ * at 0 alone. Roundings as above. Seen: 1.5e-13. */
 START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
 {
     const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2,
                                           &fvi_stable };
     const double alphas[] = { 0.05, 0.3, 0.5, 0.75, 0.95 };
-    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO };
+    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
+                               FVI_PAST_RIEMANN_LIOUVILLE };
     static double by[2 * D], force[(N + 1) * D];
     double x0[D], p0[D];
     matrices m;
     bar(&m);
-    kick(x0, p0);
     for (size_t n = 0; n < LEN(alphas) * LEN(pasts) * LEN(methods); n++) {
         const fvi_method *method = methods[n / LEN(alphas) / LEN(pasts)];
         fvi_run run = run_of(&m.system, alphas[n % LEN(alphas)], h, N, x0, p0);
         run.past = pasts[n / LEN(alphas) % LEN(pasts)];
         run.memory = n % 2 ? FVI_MEMORY_DIRECT : FVI_MEMORY_EXPONENTIALS;
         run.kappa = 0.3;
-        const fvi_objective J = { linear, &run };
+        const int at_0 =
+            run.past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5;
+        kick(x0, p0);
+        for (size_t i = 0; at_0 && i < D; i++)
+            x0[i] = 0;
+        const fvi_objective J = { linear, NULL };
         const fvi_gradients want = { .x0 = by, .p0 = by + D, .force = force };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &want));
         double largest = 1;
-        for (size_t i = 0; i < 2 * D; i++)
+        for (size_t i = 0; at_0 && i < D; i++)
+            ck_assert(isnan(by[i]));
+        for (size_t i = at_0 ? D : 0; i < 2 * D; i++)
             largest = fmax(largest, fabs(by[i]));
-        for (size_t i = 0; i < 2 * D; i++) {
-            const double slope =
-                difference(method, &run, positions_of, i, NULL);
+        for (size_t i = at_0 ? D : 0; i < 2 * D; i++) {
+            const double slope = difference(method, &run, linear_of, i, NULL);
             seen(fabs(by[i] - slope) / largest, "off");
             ck_assert_near(by[i], slope, 1e-12 * largest,
                            "%s alpha %g past %d number %zu", method->name,
@@ -201,7 +200,7 @@ START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
         for (size_t k = 0; k <= N; k += 35) {
             size_t at[] = { k, k % D };
             ck_assert_near(force[k * D + k % D],
-                           difference(method, &run, positions_of, 2 * D, at),
+                           difference(method, &run, linear_of, 2 * D, at),
                            1e-12 * largest, "%s force %zu", method->name, k);
         }
     }
@@ -232,41 +231,11 @@ START_TEST(a_path_of_matrices_given_or_not)
 }
 END_TEST
 
-START_TEST(matrices_refuse_what_they_have_no_derivative_of)
-{
-    double x0[D] = { 1 }, p0[D] = { 0 }, number[D];
-    matrices m;
-    bar(&m);
-    fvi_run run = run_of(&m.system, 0.35, h, N, x0, p0);
-    const fvi_objective J = { square, NULL };
-    const fvi_gradients plain = { .x0 = number };
-    const fvi_method *const others[] = { &fvi_bdf2, &fvi_shifted, &fvi_stable };
-    for (size_t i = 0; i < LEN(others); i++) /* J has p_N */
-        ck_assert_int_eq(fvi_adjoint(others[i], &run, NULL, NULL, &J, &plain),
-                         FVI_EUNSUP);
-    const fvi_objective positions = { linear, &run };
-    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
-    x0[0] = 0;
-    for (size_t i = 0; i < LEN(others); i++)
-        ck_assert_int_eq(
-            fvi_adjoint(others[i], &run, NULL, NULL, &positions, &plain),
-            FVI_EUNSUP);
-    run.past = FVI_PAST_HELD;
-    const fvi_law_term term = { FVI_LAW_MAXWELL, 1, 0, 1, 0 };
-    const fvi_law law = { 1, &term };
-    run.law = &law;
-    ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &plain),
-                     FVI_EUNSUP);
-    drop(&m);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("adjoint, matrices");
     ADD_CASE(suite, "matrices", eq_23_6_matrices_are_their_own_adjoint,
              eq_23_7_matrices_are_their_own_adjoint_to_order_2,
-             a_path_of_matrices_given_or_not,
-             matrices_refuse_what_they_have_no_derivative_of);
+             a_path_of_matrices_given_or_not);
     return run_suite(suite);
 }

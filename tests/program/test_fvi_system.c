@@ -69,7 +69,10 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
         "--of x:1 --alpha 0.3 --method fvi-shifted",
         "--of x:3 --alpha 0.8 --method fvi-bdf2 --derivative caputo",
         "--of energy --alpha 0.3",
-        "--of energy --alpha 0.8 --derivative caputo"
+        "--of energy --alpha 0.8 --derivative caputo",
+        "--of energy --alpha 0.8 --method fvi-stable",
+        "--of p:1 --alpha 0.3 --method fvi-bdf2 --derivative rl",
+        "--of x:3 --alpha 0.3 --method fvi-shifted --derivative rl"
     };
     write_chain();
     for (size_t i = 0; i < LEN(what); i++) {
@@ -93,19 +96,36 @@ START_TEST(a_gradient_of_a_folder_is_that_of_its_masses)
     }
     ck_assert_int_eq(fvi("gradient --system chain"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# of = x:1\n"));
-    ck_assert_refused("gradient --system chain --method fvi-stable --of energy",
-                      "fvi: --of: 'energy' has a gradient with --system and "
-                      "fvi, not with fvi-stable");
-    ck_assert_refused("gradient --system chain --method fvi-bdf2 --of p:1",
-                      "fvi: --of: 'p:1' has a gradient with --system and fvi, "
-                      "not with fvi-bdf2");
-    ck_assert_refused("gradient --system chain --method fvi-stable "
-                      "--derivative rl --x0 0",
-                      "fvi: --derivative: 'rl' has a gradient with --system "
-                      "and fvi, not with fvi-stable");
-    ck_assert_refused("gradient --system chain --damping maxwell:1,1",
-                      "fvi: --system: 'chain' has a gradient without "
-                      "--damping");
+    ck_assert_int_eq(fvi("gradient --system chain --method fvi-stable --alpha "
+                         "0.7 --derivative rl --x0 0"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by x0_1"));
+    by("x0_2"); /* of which C knows nothing */
+}
+END_TEST
+
+/* A row of a law against a difference of two runs, as in test_fvi_gradient.c. */
+START_TEST(a_law_of_a_folder_has_its_rows)
+{
+    const char *law = "--system chain --method fvi-stable --damping "
+                      "zener:1,0.3,%.17g --damping distributed:0.5,0.1,0.4";
+    char options[200], line[300];
+    double v[2];
+    write_chain();
+    for (int side = 0; side < 2; side++) {
+        snprintf(options, sizeof options, law, 0.5 + (side ? 1e-5 : -1e-5));
+        snprintf(line, sizeof line, "run %s --columns x --unknowns 1", options);
+        ck_assert_int_eq(fvi(line), 0);
+        v[side] = cell(count_rows() - 1, 0);
+    }
+    snprintf(options, sizeof options, law, 0.5);
+    snprintf(line, sizeof line, "gradient %s", options);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_near(by("damping_1_T"), (v[1] - v[0]) / 2e-5, 1e-6, "T");
+    by("mass");
+    by("damping_2_B");
+    by("c");
+    ck_assert_ptr_null(strstr(out, "\nrho"));
 }
 END_TEST
 
@@ -297,6 +317,7 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: systems of matrices");
     ADD_CASE(suite, "system", a_gradient_of_a_folder_is_that_of_its_masses,
+             a_law_of_a_folder_has_its_rows,
              a_folder_of_matrices_is_the_system_that_it_says,
              forces_come_from_a_table_of_unknowns,
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
