@@ -5,9 +5,9 @@ Proved here:
           power series of delta(z)/h has its coefficients differentiated by the same products:
           Euler's and BDF2's delta, up to z^5, all numbers symbols;
   (23.22) the series of ln(delta(z)/h), up to z^6.
-Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by
-complex steps of 10^-45 with 100 digits; and of five masses with stages, form D, by dual
-numbers of 72 digits, the symbol differentiated by a difference of 10^-20."""
+Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by dual
+numbers of 72 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
+with stages, form D, the symbol differentiated by a difference of 10^-20."""
 from random import Random
 
 import mpmath
@@ -15,7 +15,7 @@ from mpmath import mp, mpc, mpf
 from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify, symbols
 
 from shared.adjoint_chain import D5, N as N6, LawChain, numbers
-from shared.arithmetic import dual
+from shared.arithmetic import HALF, TINY, UNITS, ZERO, Dual, apart, dot, dual
 from shared.refgen import claim, header, hexd, prove, table
 
 # ---- the symbols ----
@@ -55,7 +55,6 @@ claim("(23.22)", simplify(logarithm.coeff(z, 0) - log(Rational(3, 2)) + log(h)) 
 # ---- runs without stages ----
 
 mp.dps = 100
-TINY = mpf(10) ** -45
 N, D, STEP = 12, 2, mpf(1) / 16
 
 
@@ -91,39 +90,48 @@ def symbol(kind, a, T, e, bdf2):
 
 
 def weights(method, terms):
-    """V_n of all terms; of stable (26.15)."""
-    w = [mpf(0)] * (N + 1)
-    for kind, factor, a, T, e in terms:
-        w = [u + factor * v for u, v in zip(w, symbol(kind, a, T, e, method != "fvi"))]
-    return [(u + v) / 2 for u, v in zip(w, [mpf(0)] + w)] if method == "stable" else w
+    """V_n of all terms; of stable (26.15). terms: (kind, factor, order, time, end), each number
+    with a slope of its own."""
+    w = [ZERO] * (N + 1)
+    for l, (kind, *numbers) in enumerate(terms):
+        for i, v in enumerate(numbers):
+            if i and not HAS[kind][i - 1]:
+                continue
+            factor, *tilted = [v + mpc(0, TINY) if j == i else v for j, v in enumerate(numbers)]
+            found = symbol(kind, *tilted, method != "fvi")
+            found = [dual(factor * u, UNITS[3 * i + l]) for u in found]
+            w = [u + (v if i == 0 else Dual(0, v.d)) for u, v in zip(w, found)]  # the values once
+    return [HALF * (u + v) for u, v in zip(w, [ZERO] + w)] if method == "stable" else w
 
 
 def run(method, kappa, terms, data):
     """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + sum_i x_N,i/2 + x_N,i p_N,i^2/4, U = sum c x^2/2 +
     g x^4/4, F = cos(5t/4)/5."""
-    h, w, J = STEP, weights(method, terms), mpf(0)
-    theta = mpf(1) / 2 if method == "stable" else mpf(0)
+    h, w, J, printed = dual(STEP), weights(method, terms), ZERO, method == "fvi"
+    theta = HALF if method == "stable" else ZERO
     c, g = data["cg"]
-    grad = lambda S: c * S + g * S**3
-    F = [mpmath.cos(5 * k * h / 4) / 5 for k in range(N + 1)]
+    rest, whole, three = dual(1 - kappa), dual(mpf(1)), dual(mpf(3))
+    grad = lambda S: (c + g * S * S) * S
+    F = [dual(mpmath.cos(5 * k * STEP / 4) / 5) for k in range(N + 1)]
     for x0, p0, m, rho in zip(data["x0"], data["p0"], data["mass"], data["rho"]):
-        x, p, z, H = x0, p0, [mpf(0)], mpf(0)
+        x, p, z, H = x0, p0, [ZERO], ZERO
         inertia = m / h + theta * rho * h * w[0]
         for k in range(N):
-            if method != "fvi":
-                p = p + h / 2 * F[k] - (mpf(1) / 2 - theta) * rho * h * H
-            known = w[0] * (x - x0) + sum(w[i] * z[k + 1 - i] for i in range(1, k + 2))
-            d, right = mpf(0), p - theta * rho * h * known
+            if not printed:
+                p = p + HALF * h * F[k] - (HALF - theta) * rho * h * H
+            known = w[0] * (x - x0) + dot(w[1:k + 2], z[::-1])
+            d, right = ZERO, p - theta * rho * h * known
             for _ in range(9):
-                S = x + (1 - kappa) * d
-                d -= ((inertia * d + kappa * h * grad(S) - right)
-                      / (inertia + kappa * (1 - kappa) * h * (c + 3 * g * S * S)))
-            pull, x, H = grad(x + (1 - kappa) * d), x + d, known + w[0] * d
+                S = x + rest * d
+                d -= ((inertia * d + dual(kappa) * h * grad(S) - right)
+                      / (inertia + dual(kappa) * rest * h * (c + three * g * S * S)))
+            pull, x, H = grad(x + rest * d), x + d, known + w[0] * d
             z.append(x - x0)
-            p = p + (h if method == "fvi" else h / 2) * F[k + 1] - h * pull
-            p = p - (1 if method == "fvi" else mpf(1) / 2 + theta) * rho * h * H
-            J += h / 2 * (x - mpmath.sin((k + 1) * h)) ** 2
-        J += x / 2 + x * p * p / 4
+            p = p + (h if printed else HALF * h) * F[k + 1] - h * pull
+            p = p - (whole if printed else HALF + theta) * rho * h * H
+            off = x - dual(mpmath.sin((k + 1) * STEP))
+            J += HALF * h * off * off
+        J += HALF * x * (whole + HALF * p * p)
     return J
 
 
@@ -166,16 +174,8 @@ def drawn(random, which, most):
 
 def derivatives(method, kappa, terms, data):
     """By the factors, orders, times and ends of all terms, one after another."""
-    out = []
-    for number in range(4):  # behind the kind
-        for l, term in enumerate(terms):
-            if number and not HAS[term[0]][number - 1]:
-                out.append(mpf(0))
-                continue
-            tilted = [list(map(lambda v: v if isinstance(v, str) else mpf(v), t)) for t in terms]
-            tilted[l][1 + number] += mpc(0, TINY)
-            out.append(mpmath.im(run(method, kappa, tilted, data)) / TINY)
-    return out
+    terms = [(kind, *map(mpf, numbers)) for kind, *numbers in terms]
+    return apart(run(method, kappa, terms, {k: [dual(mpf(v)) for v in u] for k, u in data.items()}).d, 12)
 
 
 random, rows = Random(2321), []
@@ -187,7 +187,7 @@ for which in range(12):
                     mass=[uniform(0.5, 2) for _ in range(D)], rho=[uniform(0.2, 1.5), 0.5],
                     cg=[uniform(0.5, 2), uniform(0.2, 1)])
         kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
-        want = derivatives(method, mpf(kappa), terms, {k: list(map(mpf, v)) for k, v in data.items()})
+        want = derivatives(method, mpf(kappa), terms, data)
         rows.append([f"&fvi_{name}", hexd(Rational(kappa)), law(terms)]
                     + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
                     + [literal(map(nearest, want))])
