@@ -5,8 +5,8 @@ Proved here:
           N = 3, all numbers symbols;
   (23.20) that the factors of everything add up;
   (23.23) what the mirrored memory has besides that of mu - J_p, six nodes, all weights symbols.
-Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they stand, by
-complex steps of 10^-45 with 100 digits."""
+Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they stand, in dual
+numbers of 72 digits, what depends on the order by complex steps of 10^-45 with 100 digits."""
 from functools import cache
 from random import Random
 
@@ -14,6 +14,7 @@ import mpmath
 from mpmath import mp, mpc, mpf
 from sympy import Matrix, Rational, diff, expand, simplify, symbols
 
+from shared.arithmetic import HALF, ONE, TINY, UNITS, ZERO, Dual, apart, dot, dual, fixed
 from shared.refgen import header, hexd, prove, table
 
 # ---- what the factors give ----
@@ -92,71 +93,95 @@ for shift, share in ((theta, half), (0, 1)):  # (13.7); Algorithm 3
 # ---- derivatives of runs ----
 
 mp.dps = 100
-TINY = mpf(10) ** -45
 D, N, STEP = 3, 12, mpf(1) / 16
 METHODS = {"fvi": "fractional", "shifted": "shifted", "bdf2": "bdf2", "stable": "stable"}
+BY_M, BY_C, BY_ALPHA, BY_K = UNITS[:4]
+
+
+def tilted(value):
+    """A function of alpha at alpha + i TINY, as a dual number."""
+    return dual(value, BY_ALPHA)
 
 
 @cache
 def weights(method, alpha):
-    beta = 2 * alpha
-    plain, g = [mpc(1)], [mpf(3) / 2]
-    g = [g[0] ** beta]
+    beta = 2 * mpc(alpha, TINY)
+    plain, g = [mpc(1)], [(mpf(3) / 2) ** beta]
     for k in range(1, N + 1):
         plain.append(plain[-1] * (k - 1 - beta) / k)
         g.append(g[-1] * (k - 1 - beta) / k / 3)
+    w = plain
     if method == "stable":
-        return [(mpf(1) / 2 + alpha) * a + (mpf(1) / 2 - alpha) * b for a, b in zip(plain, [0] + plain)]
+        w = [(1 + beta) / 2 * a + (1 - beta) / 2 * b for a, b in zip(plain, [0] + plain)]
     if method == "bdf2":
-        return [sum(g[j] * plain[k - j] for j in range(k + 1)) for k in range(N + 1)]
-    return plain
+        w = [mpmath.fdot(g[:k + 1], plain[k::-1]) for k in range(N + 1)]
+    return list(map(tilted, w))
 
 
 @cache
 def impulses(alpha):
     """h^(1 + e) times the integrals of (1 - s) and s times (k + s)^e / Gamma(1 + e), (19.5)."""
-    e, out = (1 if mpmath.re(alpha) > 0.5 else 0) - 2 * (alpha if alpha != 1 else mpc(1, TINY**2)), []  # 0 / 0 at e = -1
+    e, out = (1 if alpha > 0.5 else 0) - 2 * mpc(alpha, TINY), []
     power = [mpf(0)] + [mpf(k) ** e for k in range(1, N + 1)]
     for k in range(N):
         whole = ((k + 1) * power[k + 1] - k * power[k]) / (1 + e)
         moment = ((k + 1) ** 2 * power[k + 1] - k**2 * power[k]) / (2 + e)
         scale = mpmath.rgamma(1 + e) * STEP ** (1 + e)
-        out.append((scale * (whole - moment + k * whole), scale * (moment - k * whole)))
+        out.append((tilted(scale * (whole - moment + k * whole)), tilted(scale * (moment - k * whole))))
     return out
+
+
+def times(A, v):
+    return [dot(row, v) for row in A]
+
+
+def solve(A, right):
+    """x of A x = right, A positive definite, all dual numbers."""
+    rows = [[*row, r] for row, r in zip(A, right)]
+    for k in range(D):
+        for i in range(k + 1, D):
+            f = rows[i][k] / rows[k][k]
+            rows[i] = [a - f * b for a, b in zip(rows[i], rows[k])]
+    x = []
+    for i in reversed(range(D)):
+        x.insert(0, (rows[i][D] - dot(rows[i][i + 1:D], x)) / rows[i][i])
+    return x
 
 
 def run(method, past, alpha, kappa, M, C, K, x0, p0):
     """J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2."""
-    h, printed, above = STEP, method == "fvi", mpmath.re(alpha) > 0.5
+    h, printed, above, each = dual(STEP), method == "fvi", alpha > 0.5, range(D)
     drifts = above and (not printed or past == "caputo")
-    w, unit = weights(method, alpha), h ** (1 - 2 * alpha)
-    theta = dict(shifted=alpha, stable=mpf(1) / 2).get(method, mpf(0))
-    v0 = mpmath.lu_solve(M, p0)
-    pulled = not printed and (past == "held" and above or past == "rl" and mpmath.re(alpha) != 0.5)
-    b, pull = impulses(alpha) if pulled else [(0, 0)] * N, v0 if above else x0
-    origin = 0 * x0 if printed and past == "rl" else x0
-    A = M / h + theta * unit * w[0] * C + kappa * (1 - kappa) * h * K
-    x, p, z, J = x0, p0, [x0 - origin], mpf(0)
-    H = w[0] * z[0]
+    w, unit = weights(method, alpha), tilted(STEP ** (1 - 2 * mpc(alpha, TINY)))
+    theta = dict(shifted=tilted(mpc(alpha, TINY)), stable=HALF).get(method, ZERO)
+    v0 = solve(M, p0)
+    drift = [h * v if drifts else ZERO for v in v0]
+    is_pulled = not printed and (past == "held" and above or past == "rl" and alpha != 0.5)
+    b, pulled = impulses(alpha) if is_pulled else [(ZERO, ZERO)] * N, times(C, v0 if above else x0)
+    origin = [ZERO] * D if printed and past == "rl" else x0
+    rest = (ONE - kappa) * h
+    A = [[M[i][j] / h + theta * unit * w[0] * C[i][j] + kappa * rest * K[i][j] for j in each] for i in each]
+    x, p, z, J = x0, p0, [[a - o for a, o in zip(x0, origin)]], ZERO
+    H = [w[0] * v for v in z[0]]
+    force = [[dual(mpmath.cos(5 * k * STEP / 4) * (i + 1) / 5) for i in each] for k in range(N + 1)]
     for k in range(N):
-        force = [mpmath.matrix([mpmath.cos(5 * t / 4) * (i + 1) / 5 for i in range(D)])
-                 for t in (k * h, (k + 1) * h)]
         if not printed:
-            p = p + h / 2 * force[0] - (mpf(1) / 2 - theta) * unit * (C * H) - b[k][0] * (C * pull)
-        known = w[0] * (x - origin - (k + 1) * h * v0 * drifts)
-        for i in range(1, k + 2):
-            known += w[i] * z[k + 1 - i]
-        d = mpmath.lu_solve(A, p - theta * unit * (C * known) - kappa * h * (K * x))
-        grad = K * (x + (1 - kappa) * d)
-        x = x + d
-        H = known + w[0] * d
-        z.append(x - origin - (k + 1) * h * v0 * drifts)
-        if printed:
-            p = p + h * force[1] - h * grad - unit * (C * H)
-        else:
-            p = p + h / 2 * force[1] - h * grad - (mpf(1) / 2 + theta) * unit * (C * H) - b[k][1] * (C * pull)
-        J += h / 2 * sum((a - mpmath.sin((k + 1) * h)) ** 2 for a in x)
-    return J + sum(a * a for a in p) / 2
+            CH = times(C, H)
+            p = [p[i] + HALF * h * force[k][i] - (HALF - theta) * unit * CH[i] - b[k][0] * pulled[i] for i in each]
+        moved = [v + Dual((k + 1) * ONE.v) * u for v, u in zip(origin, drift)]
+        known = [w[0] * (x[i] - moved[i]) + dot(w[1:k + 2], [z[k - n][i] for n in range(k + 1)]) for i in each]
+        before, at = times(C, known), times(K, x)
+        d = solve(A, [p[i] - theta * unit * before[i] - kappa * h * at[i] for i in each])
+        grad = times(K, [a + (ONE - kappa) * v for a, v in zip(x, d)])
+        x = [a + v for a, v in zip(x, d)]
+        H = [a + w[0] * v for a, v in zip(known, d)]
+        z.append([a - v for a, v in zip(x, moved)])
+        CH = times(C, H)
+        for_p = [h * (f - g) if printed else h * (HALF * f - g) for f, g in zip(force[k + 1], grad)]
+        p = [p[i] + for_p[i] - (ONE if printed else HALF + theta) * unit * CH[i] - b[k][1] * pulled[i] for i in each]
+        off = [v - dual(mpmath.sin((k + 1) * STEP)) for v in x]
+        J += HALF * h * dot(off, off)
+    return J + HALF * dot(p, p)
 
 
 def nearest(value):
@@ -178,14 +203,11 @@ def problem(random, method, past, alpha):
     if past == "rl" and alpha > 0.5 and method != "fvi":  # it begins at 0 alone
         x0 = [0.0] * D
     kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
-    q = [mpmath.matrix(A) for A in (M, C, K)] + [mpmath.matrix(v) for v in (x0, p0)]
-    want = []
-    for i in range(4):  # by M, C, alpha, K
-        tilt = [mpf(1)] * 4
-        tilt[i] = mpc(1, TINY)
-        order = mpc(alpha, TINY) if i == 2 else mpf(alpha)
-        J = run(method, past, order, mpf(kappa), tilt[0] * q[0], tilt[1] * q[1], tilt[3] * q[2], *q[3:])
-        want.append(mpmath.im(J) / TINY)
+    # a matrix times a factor has itself as its slope
+    q = [[[Dual(fixed(v), unit * fixed(v)) for v in row] for row in A]
+         for A, unit in zip((M, C, K), (BY_M, BY_C, BY_K))]
+    start = [[dual(mpf(v)) for v in u] for u in (x0, p0)]
+    want = apart(run(method, past, mpf(alpha), dual(mpf(kappa)), *q, *start).d, 4)
     flat = lambda A: "{ " + ", ".join(hexd(Rational(v)) for row in A for v in row) + " }"
     line = lambda v: "{ " + ", ".join(v) + " }"
     return [f"&fvi_{METHODS[method]}", f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}",
