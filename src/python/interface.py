@@ -155,7 +155,7 @@ int fvi_coefficients(double alpha, size_t count, double *w);
 const char *fvi_strerror(int code);
 const char *fvi_version(void);
 
-const char *why(void);
+const char *why(int code);
 void listen(void);
 extern "Python" int ask_value(size_t d, const double *x, void *params, double *value);
 extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
@@ -174,20 +174,23 @@ ffi.set_source(
     "fvi._fvi",
     """
     #include <fvi/fvi.h>
-    /* The last error's reason, of this thread: for the text of the exception. */
+    /* The last error's reason and code, of this thread: for the text of the exception. */
     static _Thread_local const char *reason;
+    static _Thread_local int reason_of;
     static void note(const char *text, const char *file, int line, int code)
     {
-        (void)file, (void)line, (void)code;
+        (void)file, (void)line;
         reason = text;
+        reason_of = code;
     }
     static void listen(void)
     {
         fvi_set_error_handler(note);
     }
-    static const char *why(void)
+    /* The reason of this code, or NULL; no reason is given twice, or for another code. */
+    static const char *why(int code)
     {
-        const char *text = reason;
+        const char *text = reason_of == code ? reason : NULL;
         reason = NULL;
         return text;
     }

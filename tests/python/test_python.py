@@ -293,7 +293,7 @@ def test_a_parameter_that_would_be_ignored_is_refused(potential, let, why):
     (dict(alfa=0.3), TypeError), (dict(damping="power:1"), ValueError), (dict(damping="zenr:1,2,3"), ValueError),
     (dict(damping=LAW, alpha=0.3), ValueError), (dict(damping=LAW, rho=0.3), ValueError),
     (dict(damping="power:1,2"), fvi.Error), (dict(damping=[]), fvi.Error), (dict(error=1e-6, h=0.1), ValueError),
-    (dict(error=-1), fvi.Error),
+    (dict(error=-1), fvi.Error), (dict(steps=float("inf")), ValueError), (dict(steps=float("nan")), ValueError),
 ])
 def test_bad_input_is_named(options, what):
     with pytest.raises(what):
@@ -322,6 +322,38 @@ def test_what_a_function_raises_comes_out():
     with pytest.raises(TypeError):
         fvi.potential(1, 2, lambda x: x)
     assert fvi.run(steps=1).x[0] == 1  # and nothing is left of all that
+
+
+def test_what_a_function_raises_comes_out_of_a_fit():
+    """From whichever motion; an interrupt at once. And the next error has its own words."""
+    t = np.arange(1, 41) * 0.1
+    asked = []
+
+    def beyond(edge, what):
+        def gradient(x):
+            asked.append(x)
+            if abs(x) > edge:
+                raise what
+            return x
+        return fvi.potential(lambda x: x * x / 2, gradient, lambda x: 1.0)
+
+    with pytest.raises(ValueError, match="starts: -1 is no whole number >= 2"):
+        fvi.fit(t, np.cos(t), starts=-1)
+    for edge in (0.3, 1.2):  # the first of the starts, or one far away
+        with pytest.raises(KeyError, match="far"):
+            fvi.fit(t, np.cos(t), beyond(edge, KeyError("far")), p0=0, rho=0.1, which="rho,x0,p0", starts=8)
+    with pytest.raises(fvi.Error, match="did not converge|no longer finite|stopped being finite"):
+        fvi.run("x^2", h=1e200, alpha=0.3, method="fvi-lobatto4")
+
+    def interrupted(x):
+        asked.append(x)
+        if len(asked) == 500:
+            raise KeyboardInterrupt
+        return x
+    asked.clear()
+    with pytest.raises(KeyboardInterrupt):
+        fvi.fit(t, np.cos(t), fvi.potential(lambda x: x * x / 2, interrupted, lambda x: 1.0), p0=0, which="rho")
+    assert len(asked) == 500
 
 
 def test_a_start_that_is_refused_says_why():

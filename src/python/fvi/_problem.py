@@ -18,7 +18,7 @@ class Error(Exception):
     """The library returned a code. `code` is its number (fvi/error.h), and the text says why."""
 
     def __init__(self, code: int, where: str = ""):
-        why = lib.why()
+        why = lib.why(code)
         words = ffi.string(lib.fvi_strerror(code)).decode()
         reason = ffi.string(why).decode() if why != ffi.NULL else words
         super().__init__(f"{reason}{where}")
@@ -86,6 +86,8 @@ class Asked:
         return array
 
     def answer(self, out: Any, shape: tuple, function: Callable[[Any], Any], argument: Any) -> int:
+        if self.raised is not None and not isinstance(self.raised, Exception):
+            return -1  # an interrupt: a search of many runs has to end, too
         try:
             if self.scalar:
                 out[0] = function(argument)
@@ -289,7 +291,8 @@ class Problem:
     def check(self, status: int, where: str = "") -> None:
         """Raise what the library, or a function that it asked, has to say."""
         raised, self.asked.raised = self.asked.raised, None
+        if raised is None and status:
+            raise Error(status, where)
+        lib.why(0)  # what the library got over, or a function of the caller's made of it
         if raised is not None:
             raise raised
-        if status:
-            raise Error(status, where)

@@ -52,6 +52,11 @@ def choice(what: str, given: str, known: dict) -> Any:
     return known[given]
 
 
+def whole(what: str, n: Any, least: int) -> None:
+    if not least <= n < 2**53 or n != int(n):
+        raise ValueError(f"{what}: {n} is no whole number >= {least}")
+
+
 class Stepper:
     """One trajectory, step by step. Arguments as `run`, but for `columns`.
 
@@ -119,8 +124,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
         raise ValueError("damping: not together with alpha or rho")
     default = 0.2 if damping is None else 1.0  # a law has its own
     problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let)
-    if steps != int(steps) or steps < 1:
-        raise ValueError(f"steps: {steps} is no whole number >= 1")
+    whole("steps", steps, 1)
     if h is not None and time is not None:
         raise ValueError("h: not together with time")
     if time is not None:
@@ -260,8 +264,10 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
 
     Raises fvi.Error where fewer than two starts agree on the best (code 11), chi^2 is out of
     range for the given sigma (14) or the data do not determine the parameters (21); the
-    exception's `fit` has what was found all the same.
+    exception's `fit` has what was found all the same. What a function of yours raised comes out,
+    from whichever motion of the search; where it has no value, let it give nan.
     """
+    whole("starts", starts, 2)
     times, xs = (np.ascontiguousarray(a, dtype=float) for a in (t, x))
     if times.ndim != 1 or times.shape != xs.shape:
         raise ValueError("t and x are two arrays of one length")
@@ -281,7 +287,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         question.constants = problem.pointer(problem.constants)
     question.sigma = 0.0 if sigma is None else sigma
     question.parameters, question.which = len(names), chosen
-    question.starts, question.h = starts, h
+    question.starts, question.h = int(starts), h
     box = np.empty((2, len(names)))
     low, high = (problem.pointer(side) for side in box)
     problem.check(lib.fvi_fit_box(question, low, high))
@@ -292,8 +298,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     question.low, question.high = low, high
     curve, f = np.empty_like(times), ffi.new("fvi_fitted *")
     status = lib.fvi_fit_search(question, ffi.from_buffer("double[]", curve), f)
-    if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
-        problem.check(status)
+    problem.check(0 if status in (lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING) else status)
     P = range(len(names))
     answer = Fit({n: f.estimate[j] for j, n in enumerate(names)}, {n: f.sd[j] for j, n in enumerate(names)},
                  {n: (f.estimate[j] - f.quantile * f.sd[j], f.estimate[j] + f.quantile * f.sd[j])
@@ -304,7 +309,6 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         error = Error(status)
         error.fit = answer
         raise error
-    problem.check(0)
     return answer
 
 
