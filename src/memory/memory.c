@@ -16,12 +16,11 @@
 enum { FEW_STEPS = 256 };
 
 struct fvi_memory {
-    double order; /* of the weights: beta, or beta - 1 on increments */
-    double delta; /* relative error of a compressed weight */
+    double order;   /* of the weights: beta, or beta - 1 on increments */
+    fvi_grid nodes; /* of a compressed memory */
     int on_increments;
     fvi_memory_kind kind; /* never AUTO */
     size_t d, steps, k;   /* k terms have come in */
-    size_t bytes;         /* what all this takes */
     double *last;         /* d numbers: the last term, if order is 0 or 1 */
     int rated;            /* dH/d beta is wanted, too */
     fvi_direct *direct;   /* of these one, or last */
@@ -53,9 +52,10 @@ static int needs_no_past(const fvi_memory *m)
     return is_local(m->order) && !m->rated;
 }
 
-/* All that is known before anything is allocated. */
+/* All that is known before anything is allocated, and the bytes that this will be. */
 static int plan(double beta, int rated, size_t d, size_t steps,
-                fvi_memory_kind kind, double tolerance, fvi_memory *m)
+                fvi_memory_kind kind, double tolerance, fvi_memory *m,
+                size_t *bytes)
 {
     if (kind != FVI_MEMORY_AUTO && kind != FVI_MEMORY_DIRECT
         && kind != FVI_MEMORY_FFT && kind != FVI_MEMORY_EXPONENTIALS)
@@ -75,11 +75,11 @@ static int plan(double beta, int rated, size_t d, size_t steps,
               : rated ? fvi_memory_choose(0.5, steps) /* no beta is local */
                       : fvi_memory_choose(beta, steps);
     if (needs_no_past(m)) {
-        m->bytes = d * sizeof(double);
+        *bytes = d * sizeof(double);
     } else if (m->kind == FVI_MEMORY_DIRECT) {
-        m->bytes = fvi_direct_bytes(d, steps);
+        *bytes = fvi_direct_bytes(d, steps);
     } else if (m->kind == FVI_MEMORY_FFT) {
-        m->bytes = fvi_blocks_bytes(d, steps);
+        *bytes = fvi_blocks_bytes(d, steps);
     } else {
         if (steps > FVI_LONGEST)
             FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
@@ -87,20 +87,22 @@ static int plan(double beta, int rated, size_t d, size_t steps,
         if (tolerance != 0 && tolerance < FVI_LEAST_TOLERANCE)
             FVI_FAIL("the compressed memory keeps tolerances from 1e-14 on",
                      FVI_ETOL);
-        m->delta = fvi_exponentials_delta(steps, tolerance);
-        m->bytes = fvi_exponentials_bytes(m->order, rated, d, steps, m->delta);
+        m->nodes = fvi_exponentials_plan(
+            m->order, steps, fvi_exponentials_delta(steps, tolerance));
+        *bytes = fvi_exponentials_bytes(&m->nodes, rated, d);
     }
-    if (m->bytes > SIZE_MAX - sizeof *m)
+    if (*bytes > SIZE_MAX - sizeof *m)
         FVI_FAIL("so many steps cannot be addressed", FVI_EINVAL);
-    m->bytes += sizeof *m;
+    *bytes += sizeof *m;
     return FVI_SUCCESS;
 }
 
 size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
                         fvi_memory_kind kind, double tolerance)
 {
-    fvi_memory m = { 0 };
-    return plan(beta, 0, d, steps, kind, tolerance, &m) ? 0 : m.bytes;
+    fvi_memory m;
+    size_t bytes;
+    return plan(beta, 0, d, steps, kind, tolerance, &m, &bytes) ? 0 : bytes;
 }
 
 static int alloc_blocks(fvi_memory *m)
@@ -124,7 +126,7 @@ static int alloc_kind(fvi_memory *m)
     if (m->kind == FVI_MEMORY_FFT)
         return alloc_blocks(m);
     m->exponentials =
-        fvi_exponentials_alloc(m->order, m->rated, m->d, m->steps, m->delta);
+        fvi_exponentials_alloc(&m->nodes, m->order, m->rated, m->d, m->steps);
     return m->exponentials != NULL;
 }
 
@@ -134,7 +136,8 @@ static int alloc(double beta, int rated, size_t d, size_t steps,
     if (!memory)
         FVI_FAIL("memory is a null pointer", FVI_EFAULT);
     fvi_memory m;
-    int status = plan(beta, rated, d, steps, kind, tolerance, &m);
+    size_t bytes;
+    int status = plan(beta, rated, d, steps, kind, tolerance, &m, &bytes);
     if (status)
         return status;
     fvi_memory *out = malloc(sizeof *out);

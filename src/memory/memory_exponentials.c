@@ -53,11 +53,14 @@ static size_t numbers(size_t Q, int rated, size_t d) /* a multiple of 8 */
            + (rated ? Q + FVI_WINDOW + padded(PAIR * d) : 0);
 }
 
-size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
-                              double delta)
+fvi_grid fvi_exponentials_plan(double nu, size_t steps, double delta)
 {
-    const size_t Q = padded(
-        fvi_exponentials_nodes(nu, lags(steps), delta, NULL, NULL, NULL));
+    return fvi_exponentials_grid(nu, lags(steps), delta, 1);
+}
+
+size_t fvi_exponentials_bytes(const fvi_grid *g, int rated, size_t d)
+{
+    const size_t Q = padded(g->Q);
     if (d > SIZE_MAX / sizeof(double) / 2 / (Q + 2 * FVI_WINDOW))
         return SIZE_MAX;
     const size_t bytes =
@@ -129,12 +132,10 @@ static fvi_exponentials *finish(fvi_exponentials *e, const double *w)
     return NULL;
 }
 
-fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
-                                         size_t steps, double delta)
+fvi_exponentials *fvi_exponentials_alloc(const fvi_grid *g, double nu,
+                                         int rated, size_t d, size_t steps)
 {
-    const double N = lags(steps);
-    const size_t Q = fvi_exponentials_nodes(nu, N, delta, NULL, NULL, NULL);
-    fvi_exponentials *e = make(padded(Q), rated, d);
+    fvi_exponentials *e = make(padded(g->Q), rated, d);
     if (!e)
         return NULL;
     double w[FVI_WINDOW + 1];
@@ -143,7 +144,7 @@ fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
         open_window(w, e->slopes, e->rates + e->Q);
     }
     fvi_coefficients(nu, FVI_WINDOW + 1, w);
-    fvi_exponentials_nodes(nu, N, delta, e->p, e->c, e->rates);
+    fvi_exponentials_rule(g, nu, lags(steps), e->p, e->c, e->rates);
     return finish(e, w);
 }
 

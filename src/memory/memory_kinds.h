@@ -104,16 +104,23 @@ typedef struct {
  * strip narrower than theirs by the factor `strip` (26.6). */
 fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip);
 
+/* fvi_exponentials_rule -- the sum at the nodes of a grid: s, c and rate as above, of
+ * which rate alone may be NULL. */
+void fvi_exponentials_rule(const fvi_grid *g, double nu, double N, double *s,
+                           double *c, double *rate);
+
 typedef struct fvi_exponentials fvi_exponentials;
 
 /* delta of (12.6) for a run: see (12.11). */
 double fvi_exponentials_delta(size_t steps, double tolerance);
 
+/* The nodes of a run, which the next two want. */
+fvi_grid fvi_exponentials_plan(double nu, size_t steps, double delta);
+
 /* `rated`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
-size_t fvi_exponentials_bytes(double nu, int rated, size_t d, size_t steps,
-                              double delta);
-fvi_exponentials *fvi_exponentials_alloc(double nu, int rated, size_t d,
-                                         size_t steps, double delta);
+size_t fvi_exponentials_bytes(const fvi_grid *g, int rated, size_t d);
+fvi_exponentials *fvi_exponentials_alloc(const fvi_grid *g, double nu,
+                                         int rated, size_t d, size_t steps);
 /* Modes and the weights 1, w_1, ..., w_32 of another's making. */
 fvi_exponentials *fvi_exponentials_of(size_t Q, const double *s,
                                       const double *c, const double *w,

@@ -37,8 +37,9 @@ static size_t modes(void)
 /* Rated memories push the plain way, whatever d. */
 static fvi_exponentials *plain_of(size_t d)
 {
-    fvi_exponentials *e = fvi_exponentials_alloc(
-        0.5, 1, d, STEPS, fvi_exponentials_delta(STEPS, 0));
+    const fvi_grid g =
+        fvi_exponentials_plan(0.5, STEPS, fvi_exponentials_delta(STEPS, 0));
+    fvi_exponentials *e = fvi_exponentials_alloc(&g, 0.5, 1, d, STEPS);
     if (!e)
         exit(EXIT_FAILURE);
     return e;

@@ -188,7 +188,8 @@ static void against_batch(void)
 /* Seconds of N pushes, x_{k+1} made from H_k as a step would. */
 static double pushes(size_t N, double delta)
 {
-    fvi_exponentials *e = fvi_exponentials_alloc(0.5, 0, 1, N, delta);
+    const fvi_grid g = fvi_exponentials_plan(0.5, N, delta);
+    fvi_exponentials *e = fvi_exponentials_alloc(&g, 0.5, 0, 1, N);
     double x = 1, v = 0, H;
     const double start = now();
     for (size_t k = 0; e && k <= N; k++) {
