@@ -67,7 +67,8 @@ typedef struct {
  * for: no step size is small. With a compressed memory they belong to the weights as
  * they are compressed; the derivative by alpha is that of the true weights to (23.11),
  * (23.14), and on a mesh that of the weights (22.10) as they are, (23.18); those by the
- * orders and times of a law are products of sums, (23.21), each compressed by itself.
+ * orders and times of a law are sums of sums, (23.21), each compressed by itself: up to
+ * three memories a term.
  *
  *   past   alpha > 1/2, CAPUTO: the memory knows p0/m; at alpha = 1/2 it begins to, and
  *          x jumps if p0 != 0: the derivative by alpha is that from below. The other
