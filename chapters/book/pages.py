@@ -169,7 +169,7 @@ def row_of_files(page):
     """The table below a title -> a list, which a narrow screen can break."""
     def row(match):
         names, cells = (re.findall(rf"<{tag}[^>]*>(.*?)</{tag}>", match[2], re.S) for tag in ("th", "td"))
-        cells = [beside_stops(re.sub(r"(?<=\w)_(?=\w[^<>]*</a>)", "_<wbr>", cell)) for cell in cells]
+        cells = [re.sub(r"(?<=\w)_(?=\w[^<>]*</a>)", "_<wbr>", beside_stops(cell)) for cell in cells]
         rows = "".join(f"<div><dt>{n}</dt><dd>{c}</dd></div>" for n, c in zip(names, cells) if c.strip())
         return f'{match[1]}<dl class="files">{rows}</dl>'
 
