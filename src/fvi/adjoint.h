@@ -50,7 +50,7 @@ typedef struct {
 } fvi_gradients;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
- *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21)]
+ *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21), (23.25)]
  *
  *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
  *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
@@ -76,8 +76,11 @@ typedef struct {
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
  *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
- *          steps. Where the past pulls the start, (19.3), there is none. force: the force
- *          changes along straight lines between t_k and t_{k+1}
+ *          steps. Where the past pulls the start, (19.3), so does the singular part of it,
+ *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by
+ *          A is wanted, steps end where it would; and there is none by alpha at 1, nor at 0
+ *          of RIEMANN_LIOUVILLE. force: the force changes along straight lines between t_k
+ *          and t_{k+1}
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
@@ -94,7 +97,8 @@ typedef struct {
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
  * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
- * is wanted of matrices that have no inertia;
+ * is wanted of matrices that have no inertia, or no step is short enough
+ * for a body whose A is 0 (22.23);
  * FVI_ESING if the equation of a step backwards has no unique solution; FVI_EOVRFLW if a
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,

@@ -29,6 +29,12 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_STAGES && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_MESH && want->alpha
+        && (run->alpha == 0 || run->alpha == 1)
+        && fvi_past_pulls(run->past, run->alpha))
+        FVI_FAIL("where the past pulls, a mesh has no derivative by alpha at 0 "
+                 "and at 1",
+                 FVI_EUNSUP);
     if (want->parameters && want->sensitivity.count > 0
         && !(run->system && run->system->matrices) && !want->sensitivity.column)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);

@@ -8,14 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_mesh_path_is_pulled(const fvi_run *run)
-{
-    int is_damped = 0;
-    for (size_t i = 0; i < run->system->d; i++)
-        is_damped |= run->system->damping[i] > 0;
-    return is_damped && fvi_past_pulls(run->past, run->alpha);
-}
-
 static int grow(fvi_mesh_path *m)
 {
     const size_t room = m->room ? 2 * m->room : 64;
@@ -60,6 +52,8 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_mesh_path *m)
     m->beta = o->beta;
     m->T = o->T;
     m->least = o->least;
+    m->singular = o->singular;
+    m->singular.c = m->singular.ratio = m->singular.pull = NULL;
     memcpy(m->rows, s->x, d * sizeof *m->rows);
     memcpy(m->kick, o->kick, d * sizeof *m->kick);
     for (size_t k = 1; k <= run->steps && !status;) {
@@ -77,12 +71,12 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_mesh_path *m)
     return status;
 }
 
-int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *m)
+int fvi_mesh_path_run(const fvi_run *run, int open, fvi_mesh_path *m)
 {
+    fvi_method method = fvi_adaptive;
     fvi_stepper *s;
+    method.start = open ? fvi_adaptive_start_open : fvi_adaptive_start;
     *m = (fvi_mesh_path){ .d = run->system->d };
-    if (fvi_mesh_path_is_pulled(run))
-        FVI_FAIL("a start that the past pulls has no adjoint", FVI_EUNSUP);
     if (run->steps > SIZE_MAX / sizeof(double) / m->d - 3)
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
     m->rows = malloc((run->steps + 3) * m->d * sizeof *m->rows);
@@ -90,7 +84,7 @@ int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *m)
         FVI_FAIL("no memory for the path", FVI_ENOMEM);
     m->p = m->rows + (run->steps + 1) * m->d;
     m->kick = m->p + m->d;
-    int status = fvi_start(&fvi_adaptive, run, &s);
+    int status = fvi_start(&method, run, &s);
     if (status)
         return status;
     status = run_all(run, s, m);

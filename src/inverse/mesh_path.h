@@ -19,6 +19,7 @@ typedef struct {
     const fvi_square *to_x; /* X = x + h c v + h to_x (V - v) */
     fvi_square W0;
     double beta, T, least;
+    fvi_singular singular; /* as it begins, without its arrays */
     size_t d, steps, room;
     fvi_mesh_step *step;
     double *numbers;
@@ -26,14 +27,11 @@ typedef struct {
     double *kick;     /* what an impulse at the last time added to v, d numbers */
 } fvi_mesh_path;
 
-/* fvi_mesh_path_is_pulled -- does the run begin with a singular part (22.19), on steps that
- * end where it does? Such a run is not recorded. */
-int fvi_mesh_path_is_pulled(const fvi_run *run);
-
 /* fvi_mesh_path_run -- the run, recorded. path: output; fvi_mesh_path_free it in any case.
- * Returns what fvi_start and fvi_step return; FVI_EUNSUP if the start is singular (22.19);
- * FVI_EINVAL if the rows cannot be addressed; FVI_ENOMEM. */
-int fvi_mesh_path_run(const fvi_run *run, fvi_mesh_path *path);
+ *   open  as fvi_adaptive_start_open
+ * Returns what fvi_start and fvi_step return; FVI_EINVAL if the rows cannot be addressed;
+ * FVI_ENOMEM. */
+int fvi_mesh_path_run(const fvi_run *run, int open, fvi_mesh_path *path);
 void fvi_mesh_path_free(fvi_mesh_path *path);
 
 #endif

@@ -9,7 +9,7 @@
 
 /* ---- the start ---- */
 
-enum { LANED = 5, PLAIN = 9, STAGED = 2 };
+enum { LANED = 5, PLAIN = 11, STAGED = 2 };
 
 static int allocate(fvi_mirror_mesh_run *m)
 {
@@ -18,9 +18,9 @@ static int allocate(fvi_mirror_mesh_run *m)
     const size_t room =
         system->potential.hessian ? fvi_hessian_room(system) : 0;
     double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
-    double **plain[PLAIN] = { &m->xi,      &m->after, &m->before,
-                              &m->Jx,      &m->Jp,    &m->column,
-                              &m->kinetic, &m->sum,   &m->plain };
+    double **plain[PLAIN] = { &m->xi,    &m->after,  &m->before,  &m->Jx,
+                              &m->Jp,    &m->column, &m->kinetic, &m->sum,
+                              &m->plain, &m->push,   &m->still };
     m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d + s * room,
                       sizeof *m->block);
     if (!m->block)
@@ -123,6 +123,10 @@ static int read_rows(fvi_mirror_mesh_run *m, size_t n, double *by_v,
             by_x[j] += m->Jx[j];
             if (m->row == m->run->steps) /* p_N = m v_N */
                 m->after[j] = m->run->system->mass[j] * m->Jp[j];
+            if (fvi_mirror_mesh_pulls(m, n))
+                fvi_mirror_pull_meet(&m->pull, j, t, m->Jx[j],
+                                     m->row == m->run->steps ? m->after[j] : 0,
+                                     0);
         }
     }
     return status;
@@ -139,19 +143,18 @@ static void meet(fvi_mirror_mesh_run *m, const double *numbers, double h)
         const double *delta = numbers + 3 * d + j * FVI_LANES;
         const double *Lambda = m->Lambda + j * FVI_LANES,
                      *mu = m->mu + j * FVI_LANES, *T = m->T + j * FVI_LANES;
-        const double v0 =
-            m->path.beta > 0 ? m->run->p0[j] / m->run->system->mass[j] : 0;
         double jump[FVI_LANES] = { 0 }, bend[FVI_LANES], present[FVI_LANES];
         for (size_t i = 0; i < s; i++) /* V less the last v before an impulse */
             jump[i] = delta[i] + numbers[2 * d + j];
         fvi_square_apply(s, &m->rule->inverse, jump, bend);
         fvi_square_apply(s, &m->path.W0, mu, present);
         for (size_t i = 0; i < s; i++) {
-            const double V = numbers[d + j] + delta[s - 1 - i] - v0,
+            const double V = numbers[d + j] + delta[s - 1 - i] - m->still[j],
                          all = T[i] + now * present[i];
             m->kinetic[j] -= b[i] * Lambda[i] * bend[i];
             m->sum[j] += h * b[i] * V * all;
             m->plain[j] += h * b[i] * all;
+            m->push[j] += h * b[i] * Lambda[i];
         }
     }
 }
@@ -164,7 +167,6 @@ static void meet_alpha(fvi_mirror_mesh_run *m, size_t j, const double *numbers,
     const size_t s = m->s;
     const int above = m->path.beta > 0;
     const double now = pow(h, -m->path.beta), ln = log(h),
-                 v0 = above ? m->run->p0[j] / m->run->system->mass[j] : 0,
                  *delta = numbers + 3 * m->d + j * FVI_LANES;
     double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES],
            past[FVI_LANES], sum = 0;
@@ -174,7 +176,8 @@ static void meet_alpha(fvi_mirror_mesh_run *m, size_t j, const double *numbers,
     fvi_square_apply(s, &m->path.W0, v, same);
     fvi_modes_history_rate(m->modes, j, past);
     for (size_t i = 0; i < s; i++)
-        sum += m->rule->b[i] * (numbers[m->d + j] + delta[s - 1 - i] - v0)
+        sum += m->rule->b[i]
+               * (numbers[m->d + j] + delta[s - 1 - i] - m->still[j])
                * (past[i] + now * (rate[i] - ln * same[i]));
     *m->want->alpha -= 2 * m->run->system->damping[j] * h * sum;
 }
@@ -236,6 +239,9 @@ static int step_back(fvi_mirror_mesh_run *m, size_t n)
     const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     const double h = step->length.h, *b = m->rule->b;
     double *by_v = m->v, *by_x = m->v + m->d;
+    if (fvi_mirror_mesh_pulls(m, n) && n + 1 < m->path.steps
+        && !fvi_mirror_mesh_pulls(m, n + 1))
+        fvi_mirror_mesh_hand_back(m);
     memset(m->v, 0, 2 * m->d * sizeof *m->v);
     int status = read_rows(m, n, by_v, by_x);
     if (!status)
@@ -245,6 +251,8 @@ static int step_back(fvi_mirror_mesh_run *m, size_t n)
     if (status)
         return status;
     meet(m, numbers, h);
+    if (fvi_mirror_mesh_pulls(m, n))
+        fvi_mirror_mesh_meet_pull(m, n);
     for (size_t j = 0; m->want->alpha && j < m->d; j++)
         if (m->run->system->damping[j] > 0)
             meet_alpha(m, j, numbers, h);
@@ -263,31 +271,55 @@ static int step_back(fvi_mirror_mesh_run *m, size_t n)
 
 /* ---- the end ---- */
 
+/* Riemann-Liouville's damping of order 0 is a spring about 0, that of order 2 strikes, and so
+ * does the held one of order 2: v begins with p0 over m + rho. */
 static int end(fvi_mirror_mesh_run *m)
 {
     const fvi_gradients *want = m->want;
+    const fvi_run *run = m->run;
+    const int liouville = run->past == FVI_PAST_RIEMANN_LIOUVILLE,
+              struck = m->heavy && run->past != FVI_PAST_CAPUTO;
     int status = ask(m, 0);
     for (size_t j = 0; j < m->d; j++) {
-        const double M = m->run->system->mass[j], v0 = m->run->p0[j] / M,
+        const double M = run->system->mass[j], rho = run->system->damping[j],
+                     first = struck ? M + rho : M, v0 = run->p0[j] / first,
+                     spring = liouville && run->alpha == 0 ? m->push[j] : 0,
                      by_v0 = m->after[j]
                              + (m->path.beta > 0 ? fvi_mirror_mesh_damping(m, j)
                                                        * m->plain[j]
                                                  : 0);
-        m->xi[j] += m->Jx[j];
+        m->xi[j] += m->Jx[j] - rho * spring;
         m->kinetic[j] -=
             m->Jp[j] * M * m->path.kick[j] / fvi_mirror_mesh_mass(m, j);
         if (want->x0)
             want->x0[j] = m->xi[j];
         if (want->p0)
-            want->p0[j] = by_v0 / M;
+            want->p0[j] = by_v0 / first;
         if (want->mass)
-            want->mass[j] =
-                m->kinetic[j] - by_v0 * v0 / M + m->Jp[j] * m->path.p[j] / M;
+            want->mass[j] = m->kinetic[j] - by_v0 * v0 / first
+                            + m->Jp[j] * m->path.p[j] / M;
         if (want->damping)
-            want->damping[j] = m->heavy ? m->kinetic[j] : -m->sum[j];
+            want->damping[j] =
+                m->heavy ? m->kinetic[j] - (struck ? by_v0 * v0 / first : 0)
+                         : -m->sum[j] - spring * run->x0[j];
+        if (m->pull.is)
+            fvi_mirror_mesh_end_pull(m, j, by_v0);
+        if (want->x0 && liouville && run->alpha > 0.5 && rho > 0)
+            want->x0[j] = NAN; /* (19.2): no run begins elsewhere */
     }
+    if (want->alpha)
+        *want->alpha += m->pull.by_alpha;
     return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
 }
+
+//> open
+/* A derivative by A needs steps that end at t1, also where A = 0 and the run's own do not. */
+static int needs_open(const fvi_run *run, const fvi_gradients *want)
+{
+    return fvi_past_pulls(run->past, run->alpha)
+           && (run->alpha > 0.5 ? want->p0 : want->x0) != NULL;
+}
+//< open
 
 int fvi_mirror_mesh(const fvi_run *run, const fvi_objective *J,
                     const fvi_gradients *want)
@@ -295,14 +327,20 @@ int fvi_mirror_mesh(const fvi_run *run, const fvi_objective *J,
     fvi_mirror_mesh_run m = {
         .run = run, .J = J, .want = want, .d = run->system->d
     };
-    int status = fvi_mesh_path_run(run, &m.path);
+    int status = fvi_mesh_path_run(run, needs_open(run, want), &m.path);
     if (!status)
         status = start(&m);
+    if (!status)
+        status = fvi_mirror_pull_start(
+            run, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.pull);
+    if (!status)
+        fvi_mirror_mesh_rest(&m);
     for (size_t n = m.path.steps; !status && n-- > 0;)
         status = step_back(&m, n);
     if (!status)
         status = end(&m);
     fvi_modes_free(m.modes);
+    fvi_mirror_pull_stop(&m.pull);
     fvi_band_free(&m.J_band);
     free(m.block);
     fvi_mesh_path_free(&m.path);

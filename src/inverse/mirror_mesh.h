@@ -6,6 +6,7 @@
 
 #include <fvi/adjoint.h>
 #include "mesh_path.h"
+#include "mirror_pull.h"
 #include "system/band.h"
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i]. Where the comment says "each",
@@ -23,10 +24,12 @@ typedef struct {
     double *Lambda, *mu, *T, *v, *source; /* LANES d numbers each */
     double *xi, *after, *before;          /* each, see (23.16) */
     double *Jx, *Jp, *column;             /* each */
-    double *kinetic, *sum, *plain;        /* each */
-    double *G, *X, *r;                    /* s Hessians; s d; s d */
-    double *block;                        /* all these; owned */
-    fvi_modes *modes;                     /* NULL: none is needed */
+    double *kinetic, *sum, *plain, *push; /* each */
+    double *still; /* each: what the memory takes from V, (23.26) */
+    fvi_mirror_pull pull;
+    double *G, *X, *r; /* s Hessians; s d; s d */
+    double *block;     /* all these; owned */
+    fvi_modes *modes;  /* NULL: none is needed */
     fvi_band J_band;
     size_t row; /* the next row that is asked for its slopes */
 } fvi_mirror_mesh_run;
@@ -43,6 +46,29 @@ int fvi_mirror_mesh_solve(fvi_mirror_mesh_run *m, size_t n);
 
 /* fvi_mirror_mesh_bent -- (G Lambda)_i of coordinate j. */
 double fvi_mirror_mesh_bent(const fvi_mirror_mesh_run *m, size_t j, size_t i);
+
+/* What mirror_mesh_pull.c has of the singular part of a start, (23.24) to (23.26):
+ * _rest       before the first step: still
+ * _meet_pull  step n begins before t1, and Lambda is there
+ * _hand_back  at t1, before the first step that begins there
+ * _end_pull   at t = 0, where J has by_v0 of v: to the derivatives by x0, p0, mass, damping */
+void fvi_mirror_mesh_rest(fvi_mirror_mesh_run *m);
+void fvi_mirror_mesh_meet_pull(fvi_mirror_mesh_run *m, size_t n);
+void fvi_mirror_mesh_hand_back(fvi_mirror_mesh_run *m);
+void fvi_mirror_mesh_end_pull(fvi_mirror_mesh_run *m, size_t j, double by_v0);
+
+/* Has x a singular part in step n? And the time of stage i there. */
+static inline int fvi_mirror_mesh_pulls(const fvi_mirror_mesh_run *m, size_t n)
+{
+    return m->pull.is && fvi_singular_before(&m->pull.bare, m->path.step[n].t);
+}
+
+static inline double fvi_mirror_mesh_time(const fvi_mirror_mesh_run *m,
+                                          size_t n, size_t i)
+{
+    const fvi_mesh_step *step = &m->path.step[n];
+    return fvi_adaptive_stage_time(m->rule, step->t, step->length.h, i);
+}
 
 /* The inertia and the damping of coordinate j: alpha = 1 makes rho a mass. */
 static inline double fvi_mirror_mesh_mass(const fvi_mirror_mesh_run *m,

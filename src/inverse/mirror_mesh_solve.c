@@ -12,8 +12,9 @@ static double entry(const fvi_square *M, size_t i, size_t l)
     return M->column[l][i];
 }
 
-static int look(fvi_mirror_mesh_run *m, const double *numbers, double h)
+static int look(fvi_mirror_mesh_run *m, size_t n, double h)
 {
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     const fvi_potential *u = &m->run->system->potential;
     const size_t d = m->d, room = m->G ? fvi_hessian_room(m->run->system) : 0;
     int status = FVI_SUCCESS;
@@ -24,6 +25,9 @@ static int look(fvi_mirror_mesh_run *m, const double *numbers, double h)
         for (size_t i = 0; i < m->s; i++)
             m->X[i * d + j] =
                 numbers[j] + h * (m->rule->c[i] * numbers[d + j] + move[i]);
+        for (size_t i = 0; fvi_mirror_mesh_pulls(m, n) && i < m->s; i++)
+            m->X[i * d + j] += fvi_mirror_pull_at(
+                &m->pull, j, fvi_mirror_mesh_time(m, n, i), NULL);
     }
     for (size_t i = 0; m->G && !status && i < m->s; i++)
         status = u->hessian(d, m->X + i * d, u->params, m->G + i * room);
@@ -122,8 +126,7 @@ static int solve(fvi_mirror_mesh_run *m, double h)
 int fvi_mirror_mesh_solve(fvi_mirror_mesh_run *m, size_t n)
 {
     const fvi_length length = m->path.step[n].length;
-    int status =
-        look(m, m->path.numbers + n * FVI_MESH_NUMBERS * m->d, length.h);
+    int status = look(m, n, length.h);
     if (m->modes)
         fvi_modes_begin(m->modes, length);
     recall(m, length.h);

@@ -10,6 +10,9 @@
 #include "adaptive_band.h"
 #include "stages/variable_modes.h"
 
+#include <gsl/gsl_machine.h>
+#include <math.h>
+
 /* With a larger wish equations are solved to fewer digits, and of a singular start fewer
  * terms are taken; ten times larger, and the modes are coarse. */
 #define FVI_COARSE 1e-6
@@ -36,9 +39,11 @@ typedef struct {
  *     G(t) = sum_{n=1}^{J} c_n (rho/m)^n t^{a_n},   a_n = n gap + e,   gap = 2 - 2 alpha
  *
  * or m/rho and gap = 2 alpha - 2, where these powers fall. y begins with c_0 t^e. (22.23) */
+enum { FVI_SINGULAR_MOST = 256 };
 typedef struct {
-    size_t J; /* 0: there is no such part */
+    size_t J; /* 0: there is no such part; SINGULAR_MOST at most */
     double e, gap, t1;
+    int turned; /* by Euler's transformation */
     double *c; /* c_0, ..., c_J of each coordinate; c_0 jumped at t = 0 */
     double *ratio; /* rho / m of each, or m / rho */
     double *
@@ -77,6 +82,7 @@ typedef struct {
     size_t damped, *index; /* the coordinates that have modes */
     double *centre; /* alpha = 0: where the springs of the damping rest */
     fvi_singular singular;
+    int open; /* it is there where A = 0, too, for a derivative by A */
     /* the state at t, compensated; y is x without its singular part */
     double *y, *y_less, *v, *v_less, t, t_less;
     double *kick; /* what the impulses at t have added to v */
@@ -117,6 +123,21 @@ void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth);
 
 /* fvi_adaptive_strike -- let the impulses at o->t act that have not: v jumps, (22.22). */
 void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_adaptive_start_open -- as fvi_adaptive_start; steps end at t1 where the past could pull a
+ * damped coordinate, though none of them moves so far. */
+int fvi_adaptive_start_open(fvi_stepper *s);
+
+/* fvi_adaptive_stage_time -- of stage i of a step from t on, of length h, from within the
+ * step at its ends: a jump of the force at a node belongs to neither side. */
+static inline double fvi_adaptive_stage_time(const fvi_variable_rule *rule,
+                                             double t, double h, size_t i)
+{
+    const double in = 4 * GSL_DBL_EPSILON, end = t + h;
+    return i == 0            ? t + in * fmax(t, h)
+           : i + 1 < rule->s ? t + rule->c[i] * h
+                             : end - in * end;
+}
 
 /* fvi_adaptive_start, _stop, _copy, _visit -- as fvi_method has them. */
 int fvi_adaptive_start(fvi_stepper *s);
@@ -161,15 +182,35 @@ void fvi_adaptive_shapes(size_t s, const double *theta, fvi_square *R);
 /* fvi_adaptive_dense -- as fvi_method has it.                               (22.18) */
 int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p);
 
-/* fvi_singular_is -- is x = y + G in a step that begins at t? */
+/* fvi_singular_power -- a_n of (22.19) and (22.23). */
+static inline double fvi_singular_power(const fvi_singular *g, size_t n)
+{
+    return (double)n * g->gap + g->e;
+}
+
+/* fvi_singular_before -- does a step that begins at t begin before t1? Where steps end at another
+ * event a rounding before t1, they do not end at t1 itself.
+ * fvi_singular_is -- is x = y + G in such a step? */
+static inline int fvi_singular_before(const fvi_singular *g, double t)
+{
+    return g->J > 0 && t * (1 + 8 * GSL_DBL_EPSILON) < g->t1;
+}
+
 static inline int fvi_singular_is(const fvi_adaptive_run *o, double t)
 {
-    return o->singular.J > 0 && t < o->singular.t1;
+    return fvi_singular_before(&o->singular, t);
 }
 
 /* fvi_singular_start -- finds J, t1 and the coefficients; FVI_ENOMEM. The arrays of
  * o->singular are there, or NULL, after it: give c back with free. */
 int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_singular_allocate -- c, ratio and pull of d coordinates and g->J terms, zeros; give c
+ * back with free. FVI_ENOMEM.
+ * fvi_singular_fill -- what stands there, for these A, one of each coordinate. */
+int fvi_singular_allocate(size_t d, fvi_singular *g);
+void fvi_singular_fill(const fvi_system *system, double alpha, double T,
+                       const double *A, fvi_singular *g);
 
 /* fvi_singular_at -- of coordinate j at t > 0: G, G', and t^{a_J - 2 alpha} times pull.
  * Any of the outputs may be NULL. */
@@ -186,6 +227,10 @@ typedef struct {
 } fvi_singular_series;
 void fvi_singular_sums(size_t count, const double *d, const double *a,
                        int coarse, fvi_singular_series *f);
+
+/* fvi_singular_rates -- the same for sum_n rate_n I(a_n, S) + d_n dI/da (a_n, S). */
+void fvi_singular_rates(size_t count, const double *d, const double *rate,
+                        const double *a, fvi_singular_series *f);
 double fvi_singular_moment(const fvi_singular_series *f, double S);
 
 /* fvi_singular_hand_over -- at o->t = t1: y and v become x and x', the modes take over

@@ -28,13 +28,7 @@
 
 /* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
  * six stages; more terms where y would not be smooth. */
-enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56, MOST_TERMS = 256 };
-
-/* a_n */
-static double power(const fvi_singular *g, size_t n)
-{
-    return (double)n * g->gap + g->e;
-}
+enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56 };
 
 /* Long after t1 G with A t is
  *
@@ -48,7 +42,8 @@ static size_t falling_terms(const fvi_singular *g, double slowest, double T)
 {
     const double terms =
         ceil(ALL * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
-    return g->e == 1 && terms > 0 && terms <= MOST_TERMS && terms * g->gap < 1
+    return g->e == 1 && terms > 0 && terms <= FVI_SINGULAR_MOST
+                   && terms * g->gap < 1
                ? (size_t)terms
                : 0;
 }
@@ -63,7 +58,8 @@ static size_t euler_terms(const fvi_singular *g, double fastest, double T)
     const double P = fastest * pow(T, g->gap), p = P / (1 + P),
                  by = p * (1 - pow(1e-30, g->gap));
     const double terms = ceil(ALL * M_LN2 / -log(by));
-    return g->e == 1 && g->t1 < 1e-6 * T && P <= 1.5 && terms <= MOST_TERMS / 4
+    return g->e == 1 && g->t1 < 1e-6 * T && P <= 1.5
+                   && terms <= FVI_SINGULAR_MOST / 4
                ? (size_t)terms
                : 0;
 }
@@ -80,20 +76,62 @@ static void transform(size_t N, double p, double *c)
     }
 }
 
-int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
+/* The largest and the least rho/m of the coordinates that need such a part: A is not 0; or
+ * any, if its derivative is asked for. */
+static void survey(const fvi_stepper *s, fvi_adaptive_run *o, double *fastest,
+                   double *slowest)
 {
     const fvi_system *system = s->run.system;
+    *fastest = 0;
+    *slowest = GSL_POSINF;
+    for (size_t j = 0; j < o->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j],
+                     A = fvi_past_amplitude(s->run.past, s->run.alpha, s->x[j],
+                                            s->p[j] / m);
+        if ((A == 0 && !o->open) || rho == 0)
+            continue;
+        *fastest = fmax(*fastest, rho / m);
+        *slowest = fmin(*slowest, rho / m);
+    }
+}
+
+int fvi_singular_allocate(size_t d, fvi_singular *g)
+{
+    g->c = calloc(d * (g->J + 3), sizeof *g->c);
+    if (!g->c)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    g->ratio = g->c + d * (g->J + 1);
+    g->pull = g->ratio + d;
+    return FVI_SUCCESS;
+}
+
+void fvi_singular_fill(const fvi_system *system, double alpha, double T,
+                       const double *A, fvi_singular *g)
+{
+    const int falling = g->gap < 0;
+    double gamma[FVI_SINGULAR_MOST + 1];
+    for (size_t n = 0; n <= g->J; n++)
+        gamma[n] = tgamma(1 + fvi_singular_power(g, n));
+    const double last = tgamma(1 + fvi_singular_power(g, g->J) - 2 * alpha);
+    for (size_t j = 0; j < system->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j];
+        double sign = rho == 0 ? 0 : falling ? -A[j] : A[j];
+        g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
+        for (size_t n = 0; n <= g->J; n++, sign = -sign)
+            g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
+        g->pull[j] = falling || g->turned ? 0 : -sign * m / last;
+        const double P = g->ratio[j] * pow(T, g->gap);
+        if (g->turned && rho > 0)
+            transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
+    }
+}
+
+int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
+{
     const double alpha = s->run.alpha;
     fvi_singular *g = &o->singular;
-    double fastest = 0, slowest = GSL_POSINF; /* rho / m with such a part */
-    for (size_t j = 0; j < o->d; j++) {
-        const double A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
-                                            s->p[j] / system->mass[j]);
-        if (A == 0 || system->damping[j] == 0)
-            continue;
-        fastest = fmax(fastest, system->damping[j] / system->mass[j]);
-        slowest = fmin(slowest, system->damping[j] / system->mass[j]);
-    }
+    double fastest, slowest, *A = o->v; /* where nothing is yet */
+    survey(s, o, &fastest, &slowest);
     if (fastest == 0 || alpha == 0 || alpha == 1)
         return FVI_SUCCESS;
     g->gap = 2 - 2 * alpha;
@@ -102,7 +140,7 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
                              o->rule->s == 6        ? FEWEST
                              : o->wish > FVI_COARSE ? FEW
                                                     : MANY),
-                        MOST_TERMS);
+                        FVI_SINGULAR_MOST);
     g->t1 = pow(2 * fastest, -1 / g->gap);
     const size_t falling = falling_terms(g, slowest, o->T);
     const size_t euler = falling ? 0 : euler_terms(g, fastest, o->T);
@@ -111,29 +149,15 @@ int fvi_singular_start(const fvi_stepper *s, fvi_adaptive_run *o)
     if (falling || euler) {
         g->J = falling + euler;
         g->t1 = 1e-3 * o->T;
+        g->turned = euler > 0;
     }
-    g->c = calloc(o->d * (g->J + 3), sizeof *g->c);
-    if (!g->c)
-        FVI_FAIL("no memory for the start", FVI_ENOMEM);
-    g->ratio = g->c + o->d * (g->J + 1);
-    g->pull = g->ratio + o->d;
-    double gamma[MOST_TERMS + 1];
-    for (size_t n = 0; n <= g->J; n++)
-        gamma[n] = tgamma(1 + power(g, n));
-    const double last = tgamma(1 + power(g, g->J) - 2 * alpha);
-    for (size_t j = 0; j < o->d; j++) {
-        const double m = system->mass[j], rho = system->damping[j],
-                     A = fvi_past_amplitude(s->run.past, alpha, s->x[j],
-                                            s->p[j] / m);
-        double sign = rho == 0 ? 0 : falling ? -A : A;
-        g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
-        for (size_t n = 0; n <= g->J; n++, sign = -sign)
-            g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
-        g->pull[j] = falling || euler ? 0 : -sign * m / last;
-        const double P = g->ratio[j] * pow(o->T, g->gap);
-        if (euler && rho > 0)
-            transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
-    }
+    int status = fvi_singular_allocate(o->d, g);
+    if (status)
+        return status;
+    for (size_t j = 0; j < o->d; j++)
+        A[j] = fvi_past_amplitude(s->run.past, alpha, s->x[j],
+                                  s->p[j] / s->run.system->mass[j]);
+    fvi_singular_fill(s->run.system, alpha, o->T, A, g);
     return FVI_SUCCESS;
 }
 
@@ -145,7 +169,7 @@ void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
     double value = 0, first = 0, last = 1;
     for (size_t n = g->J; n > 0; n--) {
         value = value * q + c[n];
-        first = first * q + c[n] * power(g, n);
+        first = first * q + c[n] * fvi_singular_power(g, n);
         last *= q;
     }
     if (G)
@@ -193,6 +217,27 @@ void fvi_singular_sums(size_t count, const double *d, const double *a,
     }
 }
 
+void fvi_singular_rates(size_t count, const double *d, const double *rate,
+                        const double *a, fvi_singular_series *f)
+{
+    double by = 1;
+    *f = (fvi_singular_series){ 0 };
+    for (size_t k = 0; k < FVI_NEAR; k++, by /= (double)k)
+        for (size_t n = 0; n < count; n++) {
+            const double at = 1 / (a[n] + (double)k);
+            f->B[k] += by * at * (rate[n] - d[n] * at);
+        }
+    for (size_t n = 0; n < count; n++) {
+        double term = d[n], slope = rate[n];
+        for (size_t k = 0; k < FVI_FAR; k++) {
+            f->D[k] += slope;
+            const double next = (double)(k + 1) - a[n];
+            slope = slope * next - term;
+            term *= next;
+        }
+    }
+}
+
 /* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on, and below 1e-8 from half of
  * the first and two thirds of the last. The terms of the second series fall to 35! / 40^35,
  * below rounding, before they grow, or to 20! / 20^20, 2e-8; of larger S so many are
@@ -224,12 +269,13 @@ static void series(const fvi_singular *g, size_t j, int coarse,
                    fvi_singular_series *f)
 {
     const double *c = g->c + j * (g->J + 1);
-    double d[MOST_TERMS], a[MOST_TERMS], q = 1;
+    double d[FVI_SINGULAR_MOST], a[FVI_SINGULAR_MOST], q = 1;
     const double by = g->ratio[j] * pow(g->t1, g->gap);
     for (size_t n = 1; n <= g->J; n++) {
-        a[n - 1] = power(g, n) - g->e;
+        a[n - 1] = fvi_singular_power(g, n) - g->e;
         q *= by;
-        d[n - 1] = c[n] * power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
+        d[n - 1] =
+            c[n] * fvi_singular_power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
     }
     fvi_singular_sums(g->J, d, a, coarse, f);
     f->B[0] += c[0];

@@ -193,7 +193,7 @@ static int find_events(const fvi_stepper *s, fvi_adaptive_run *o)
     return FVI_SUCCESS;
 }
 
-int fvi_adaptive_start(fvi_stepper *s)
+static int start(fvi_stepper *s, int open)
 {
     const size_t d = s->run.system->d;
     double scale, *springs = NULL;
@@ -201,6 +201,7 @@ int fvi_adaptive_start(fvi_stepper *s)
     if (!o)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
+    o->open = open;
     int status = first_scale(s, &scale);
     if (!status)
         status = find_springs(s, o, &springs);
@@ -238,4 +239,14 @@ int fvi_adaptive_start(fvi_stepper *s)
     o->first = (int)fmax(o->first, o->fewest);
     o->next = o->first;
     return FVI_SUCCESS;
+}
+
+int fvi_adaptive_start(fvi_stepper *s)
+{
+    return start(s, 0);
+}
+
+int fvi_adaptive_start_open(fvi_stepper *s)
+{
+    return start(s, 1);
 }

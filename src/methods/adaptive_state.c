@@ -97,12 +97,10 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->of_kind, old->of_kind, o->kinds * sizeof *o->of_kind);
     if (old->singular.c) {
         const size_t n = o->d * (old->singular.J + 3);
-        o->singular.c = malloc(n * sizeof *o->singular.c);
-        if (!o->singular.c)
-            FVI_FAIL("no memory for the start", FVI_ENOMEM);
+        status = fvi_singular_allocate(o->d, &o->singular);
+        if (status)
+            return status;
         memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
-        o->singular.ratio = o->singular.c + o->d * (old->singular.J + 1);
-        o->singular.pull = o->singular.ratio + o->d;
     }
     o->events = malloc(o->event_count * sizeof *o->events);
     if (!o->events)

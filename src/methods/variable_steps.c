@@ -24,14 +24,9 @@
 
 /* ---- the equation ---- */
 
-/* The times of the stages, from within the step at its ends: a jump of the force at a
- * node belongs to neither side. */
 static double stage_time(const fvi_adaptive_run *o, size_t i)
 {
-    const double in = 4 * GSL_DBL_EPSILON, h = o->length.h, end = o->t + h;
-    return i == 0               ? o->t + in * fmax(o->t, h)
-           : i + 1 < o->rule->s ? o->t + o->rule->c[i] * h
-                                : end - in * end;
+    return fvi_adaptive_stage_time(o->rule, o->t, o->length.h, i);
 }
 
 /* Eight stages of a coordinate as two times four numbers; those beyond the s-th are of no

@@ -5,7 +5,6 @@
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
-#include "inverse/mesh_path.h"
 #include "input/fvi_files.h"
 #include "methods/damping.h"
 
@@ -60,12 +59,6 @@ static int interpret(request *r, fvi_complaint c)
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
-                          m->name);
-    if (m->scheme == FVI_SCHEME_MESH && fvi_mesh_path_is_pulled(&r->run))
-        return fvi_refuse(c,
-                          "--method: '%s' has no gradient where the past pulls "
-                          "the start (--derivative held and alpha > 1/2, or "
-                          "rl); take fvi-lobatto8d, or --derivative caputo",
                           m->name);
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (m->scheme == FVI_SCHEME_MESH && r->o.lets.used[j] & 2)
@@ -208,10 +201,14 @@ static int differentiate(request *r)
                   : 0;
 }
 
-/* A law has none. In form M p is another number at alpha = 1 than below, (17.17). */
+/* A law has none. In form M p is another number at alpha = 1 than below, (17.17); a mesh that
+ * was made without a singular start has none by it. */
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
+    if (m->scheme == FVI_SCHEME_MESH
+        && (r->run.alpha == 0 || r->run.alpha == 1))
+        return !fvi_past_pulls(r->run.past, r->run.alpha);
     return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 

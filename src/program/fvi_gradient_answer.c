@@ -101,8 +101,11 @@ static void print_numbers(FILE *f, const request *r)
     if (r->to.alpha)
         print_row(f, "alpha", "", *r->to.alpha);
     else if (!r->run.law)
-        fprintf(f, "# warning = no derivative by alpha: p of this method "
-                   "jumps at 1\n");
+        fprintf(f, "# warning = no derivative by alpha: %s\n",
+                r->o.method->scheme == FVI_SCHEME_MESH
+                    ? "there x has a logarithm at 0, for which these "
+                      "steps are not made"
+                    : "p of this method jumps at 1");
     const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
     for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);

@@ -157,7 +157,7 @@ static const char usage_gradient[] =
     "many]\n"
     "  --forces FILE    t, and the derivative by the force at t\n"
     "and of run: --method (all with memory; of --damping not fvi-shifted\n"
-    "and fvi-adaptive, which is not where the past pulls)\n"
+    "and fvi-adaptive)\n"
     "--alpha --rho --damping --mass --potential --let --dimension --system\n"
     "--force --derivative --kappa --x0 --p0 --h --steps --time --memory\n"
     "--tolerance -o\n"

@@ -388,3 +388,36 @@ void fvi_modes_add(fvi_modes *m, size_t j, size_t q, double more)
 {
     m->y[j * m->Q + q] += more;
 }
+
+//> meet
+/* w is y / sigma, or (v_e - z) / sigma; and where it is y / sigma, more is by sigma too
+ * small. */
+static double term(const fvi_modes *m, size_t j, const double *more, double ve,
+                   size_t q)
+{
+    const double y = m->y[j * m->Q + q];
+    return more[q] * (m->beta <= 0 ? y : (ve - y) / m->sigma[q]);
+}
+
+double fvi_modes_meet(const fvi_modes *m, size_t j, const double *more,
+                      double ve, double *rate)
+{
+    double sum = 0, slope = 0;
+    for (size_t q = 0; q < m->Q; q++) {
+        const double w = term(m, j, more, ve, q);
+        sum += m->value.weight[q] * w;
+        slope += rate ? m->rate.weight[q] * w : 0;
+    }
+    for (size_t l = 0; l < FVI_ENDS; l++) { /* (22.12) */
+        const double w = term(m, j, more, ve, m->Q - 1 - m->apart * l);
+        sum += m->value.weight[m->Q - 1] * m->value.top[l] * w;
+        slope += rate ? (m->rate.weight[m->Q - 1] * m->value.top[l]
+                         + m->value.weight[m->Q - 1] * m->rate.top[l])
+                            * w
+                      : 0;
+    }
+    if (rate)
+        *rate = slope;
+    return sum;
+}
+//< meet

@@ -102,4 +102,13 @@ size_t fvi_modes_count(const fvi_modes *modes);
 double fvi_modes_rate(const fvi_modes *modes, size_t q);
 void fvi_modes_add(fvi_modes *modes, size_t j, size_t q, double more);
 
+/* fvi_modes_meet -- of a mirrored run, when all modes are awake: what a run that remembers `more`
+ * besides would do to what mu multiplies, sum_q weight_q more_q w_q.           (23.25)
+ *   more   for each mode: what y would be more, over sigma; or z
+ *   ve     the last mu
+ *   rate   output, its derivative by beta; fvi_modes_add_rate must have been called.
+ *          NULL: not wanted */
+double fvi_modes_meet(const fvi_modes *modes, size_t j, const double *more,
+                      double ve, double *rate);
+
 #endif

@@ -40,6 +40,9 @@ static const char *const runs[] = {
     "--alpha 0.3 --method fvi-adaptive --potential 'k*x^4/4+x^2/2' --let k=0.5 "
     "--force 'cos(t)'",
     "--alpha 0.3 --rho 0.4 --method fvi-adaptive --force impulse:0.7,3.04",
+    "--alpha 0.7 --potential duffing:1,0.5 --rho 0.4 --method fvi-adaptive",
+    "--alpha 0.3 --rho 0.4 --derivative rl --method fvi-adaptive",
+    "--alpha 1 --rho 0.4 --method fvi-adaptive",
 };
 
 /* Each row against a central difference of two runs, 2e-5 wide: its own error is some
@@ -77,6 +80,14 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 8, "k", "--let k=", 0.5 },
         { 9, "mass", "--mass", 1 },
         { 9, "alpha", "--alpha", 0.3 },
+        { 10, "p0", "--p0", 0.5 },
+        { 10, "mass", "--mass", 1 },
+        { 10, "rho", "--rho", 0.4 },
+        { 10, "alpha", "--alpha", 0.7 },
+        { 11, "x0", "--x0", 1 },
+        { 11, "alpha", "--alpha", 0.3 },
+        { 12, "p0", "--p0", 0.5 },
+        { 12, "rho", "--rho", 0.4 },
     };
     static const char *const of[] = { "x", "p", "energy" };
     for (size_t i = 0; i < 3 * LEN(rows); i++) {
@@ -204,8 +215,6 @@ START_TEST(bad_words_of_a_gradient_are_refused)
         const char *words, *complaint;
     } bad[] = {
         { "--method lda", "--method: 'lda' has no gradient; fvi, " },
-        { "--method fvi-adaptive --alpha 0.7",
-          "--method: 'fvi-adaptive' has no gradient where the past pulls" },
         { "--method fvi-adaptive --potential b*x --force 'a*cos(t)' --let "
           "b=1,a=1",
           "--let: 'a' has no gradient with fvi-adaptive" },
@@ -255,6 +264,10 @@ START_TEST(a_gradient_that_cannot_be_had_says_why)
         0);
     ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by x0"));
     ck_assert_ptr_null(strstr(out, "nan"));
+    ck_assert_int_eq(
+        fvi("gradient --method fvi-adaptive --derivative rl --alpha 0"), 0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# warning = no derivative by alpha: there x has"));
 }
 END_TEST
 

@@ -231,6 +231,31 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
 }
 END_TEST
 
+/* Steps that end at a jump a rounding away from t1 = 1/16 begin as those do that end there: x of
+ * all rows to 10 tolerances of a step. The force does not jump. */
+START_TEST(a_jump_next_to_the_end_of_a_singular_start_is_that_end)
+{
+    const double t1 = 0.0625, one = 1, two = 2, push[] = { 0.1, 1 };
+    const double jumps[] = { 0.05, nextafter(t1, 0), t1, nextafter(t1, 1) };
+    double x[LEN(jumps)][ROWS + 1];
+    for (size_t i = 0; i < LEN(jumps); i++) {
+        fvi_system system = {
+            1,   &one, &two, fvi_potential_harmonic(&one),
+            fvi_force_cosine(push), NULL
+        };
+        system.force.jumps = &jumps[i];
+        system.force.jump_count = 1;
+        fvi_run run = fvi_run_default(&system, &one, &one, 0.1, ROWS);
+        run.alpha = 0.75;
+        run.step_error = 1e-12;
+        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x[i], NULL, NULL),
+                         0);
+        for (size_t k = 0; k <= ROWS; k++)
+            ck_assert_double_le(fabs(x[i][k] - x[0][k]), 1e-11);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("variable_steps: starts");
@@ -238,6 +263,7 @@ int main(void)
              eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error,
              eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error,
              eq_22_23_a_single_body_is_never_refused,
-             a_start_that_is_almost_at_rest_is_one_at_rest);
+             a_start_that_is_almost_at_rest_is_one_at_rest,
+             a_jump_next_to_the_end_of_a_singular_start_is_that_end);
     return run_suite(suite);
 }

@@ -117,6 +117,7 @@ def away(x, t, h):
 class Chain:
     """A run of form M or D; q holds x0, p0, mass, rho (lists), alpha, cg (a list), F."""
     steps, struck = N, {}  # {node: momenta that an impulse adds there}
+    by_impulses = True     # the past pulls by those of its integral over a step
 
     def __init__(self, s, damped, past, alpha, q, step):
         self.s, self.damped, self.past = s, damped, past
@@ -166,7 +167,8 @@ class Chain:
         return factorised(M)
 
     def places(self, V, xk, i):
-        return [xk[j] + (line(self.A[i], V[j]) if self.damped else V[j][i]) for j in range(D5)]
+        return [xk[j] + (line(self.A[i], V[j]) if self.damped else V[j][i]) + self.beside(i, j)
+                for j in range(D5)]
 
     def share(self, j, q):
         return q["mass"][j] / (q["mass"][j] + q["rho"][j]) if self.heavy else ONE
@@ -207,23 +209,24 @@ class Chain:
         turn = 2 * (tilt or 0)
         W, scale = self.memory(q, turn)
         rl = self.past == "rl"
-        is_pulled = self.side and (rl or (self.past == "held" and self.side > 0))
+        is_pulled = self.by_impulses and self.side and (rl or (self.past == "held" and self.side > 0))
         e = -2 * self.alpha0 + (1 if self.side > 0 else 0)
         self.impulse = ([[Dual(v.v, turn * v.d) for v in row] for row in impulses(s, e, self.step)]
                         if is_pulled else [[ZERO] * s] * self.steps)
-        v0 = [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
         A = [p / m if self.side > 0 else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
         pull = A if is_pulled else [ZERO] * D5
         x, p, past, J = list(q["x0"]), list(q["p0"]), [], ZERO
+        self.prepare(q, turn)
         for k in range(self.steps):
             self.begin(k)
-            p = self.hit(k, p)
+            x, p = self.enter(q, k, x, p)
+            v0 = self.taken(q, k)
             W0 = self.block(W, k, k)
             history = [[ZERO] * s for _ in range(D5)]
             for j in range(D5) if k and not self.heavy else ():
-                before = [v - v0[j] for o in range(k) for v in past[o][j]]
+                before = [v for o in range(k) for v in past[o][j]]
                 history[j] = [scale * dot([w for o in range(k) for w in self.block(W, k, o)[i]], before)
-                              for i in range(s)]
+                              + self.told(k, i, j) for i in range(s)]
             V = [[p[j] / q["mass"][j] * (ONE if self.damped else dual(self.nodes[i] * self.step))
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
             left = 40 if real else 1  # one step is exact for what is linear, the slopes
@@ -241,7 +244,7 @@ class Chain:
                 self.path.append([list(v) for v in V])
                 self.factors.append(self.matrix(V, x, W0, scale))
             rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
-            past.append(speed)
+            past.append([[v - v0[j] for v in speed[j]] for j in range(D5)])
             before = list(x), list(p)
             for j in range(D5):
                 if self.damped:
@@ -252,7 +255,7 @@ class Chain:
                     for v in S[j]:
                         p[j] -= v
             J += self.cost(q, k, before, V, x)
-        for v, u in zip(x, self.hit(self.steps, p)):
+        for v, u in zip(*self.enter(q, self.steps, x, p)):
             J += HALF * v * (ONE + HALF * u * u)
         return J
 
@@ -264,6 +267,25 @@ class Chain:
 
     def begin(self, k):
         """Nothing is another thing in another step."""
+
+    def prepare(self, q, turn):
+        """Nothing is known beforehand."""
+
+    def enter(self, q, k, x, p):
+        """x and p with which step k begins."""
+        return x, self.hit(k, p)
+
+    def taken(self, q, k):
+        """What the memory takes from the velocities of step k."""
+        return [p / m if self.side > 0 else ZERO for p, m in zip(q["p0"], q["mass"])]
+
+    def told(self, k, i, j):
+        """What the memory was told besides of the past."""
+        return ZERO
+
+    def beside(self, i, j):
+        """What x has besides, at stage i of this step."""
+        return ZERO
 
     def block(self, W, n, o):
         """What step n has of the stages of step o."""

@@ -1,0 +1,415 @@
+"""Chapter 23. Steps of any length, where the past pulls the start.
+
+Proved: (23.24) term by term, with what (22.20) sums; (23.25) for three steps, two and three stages, two
+modes, all else symbols; (23.26) for the modes of (22.7). Printed: derivatives of chains of five
+masses in dual numbers of 72 digits, adjoint_steps.py. There the memory after t1 is told of V
+itself, and the integrals over its modes, which know the singular part by (22.20), are sums of
+25 digits, by the double exponential at the lower end."""
+from functools import cache
+from operator import mul
+from random import Random
+
+import mpmath
+from mpmath import mp, mpf
+from sympy import (Matrix, Rational, diag, diff, digamma, expand, eye, gamma, log, ones, simplify,
+                   symbols, zeros)
+
+from shared.adjoint_chain import D5, numbers
+from shared.adjoint_steps import Mesh, literal
+from shared.arithmetic import BITS, TINY, ZERO, Dual, dot, dual, fixed, real_function
+from shared.refgen import claim, header, hexd, prove, table
+from variable_steps import variable_steps as one
+
+mp.dps = 72
+
+# ---- the derivatives of the singular part ----
+
+t, r, m, A, alpha, J = symbols("t r m A alpha J", positive=True)
+for n in (1, 2, 5):
+    for e in (0, 1):
+        for turn in (1, -1):     # rising powers, falling ones
+            a = n * turn * (2 - 2 * alpha) + e
+            g = r**n * t**a / gamma(1 + a)
+            prove("(23.24) by r", r * diff(g, r) - n * g)
+            prove("(23.24) by alpha", diff(g, alpha) / g + 2 * turn * n * (log(t) - digamma(1 + a)))
+            slope = diff(g, t)
+            prove("(23.24), G' by alpha", diff(slope, alpha) * t / g + 2 * turn * n * (a * (log(t) - digamma(1 + a)) + 1))
+            told = (g * a if e == 0 else slope * (a - 1)).subs(gamma(1 + a), a * (a - 1) * gamma(a - 1) if e else a * gamma(a))
+            prove("(22.20), what multiplies I", simplify(told - r**n * t**(a - e) / gamma(a - e)))
+b = J * (2 - 2 * alpha) + 1 - 2 * alpha
+P = A * m * r**(J + 1) * t**b / gamma(1 + b)
+prove("(23.24), P by r", r * diff(P, r) / P - J - 1)
+prove("(23.24), P by m", m * diff(P, m) - P)
+prove("(23.24), P by alpha", diff(P, alpha) / P + 2 * (J + 1) * (log(t) - digamma(1 + b)))
+
+#> told
+# (23.26): what z is after three steps, where v and z were told of a jump before the second; and
+# what it is of V - u, plus eta, which falls by 1 - p. p and L are those of each step.
+L, p, V = ([symbols(f"{name}{k}_0:2") for k in range(3)] for name in "LpV")
+c0, jump, eta = symbols("c_0 jump eta")
+
+
+def moved(k, z, ve, v):
+    """(22.7), s = 2: z and v_e after step k."""
+    return (1 - p[k][0]) * z + (v[1] - ve) - sum(l * (f - ve) for l, f in zip(L[k], v)), v[1]
+
+
+z, ve, less, le = 0, c0, 0, 0
+for k in range(3):
+    if k == 1:
+        z, ve = z + eta, ve + jump
+    u = c0 + (jump if k else 0)
+    z, ve = moved(k, z, ve, V[k])
+    less, le = moved(k, less, le, [v - u for v in V[k]])
+    fallen = eta * (1 - p[1][0]) * (1 - p[2][0] if k == 2 else 1) if k else 0
+    prove("(23.26) the modes", expand(z - less - fallen))
+    prove("(23.26) the velocities", expand(ve - u - le))
+#< told
+
+#> pulled
+# (23.25), s = 2 and 3, K = 1, two modes: DD^beta is a polynomial in (22.1), all else symbols.
+for s in (2, 3):
+    b, D = one.exact_rule(s)
+    e1, es, Pi, B = eye(s)[:, 0], eye(s)[:, s - 1], eye(s)[::-1, :], diag(*b)
+    inverse = (D + e1 * e1.T / b[0]).applyfunc(expand)
+    stages, A = inverse.inv(), symbols("A")
+    h, Jp, rho, x0, row_slope, G_row, G1 = symbols("h0:3"), *symbols("Jp rho x0 Jrow Grow G1")
+    Lam, V = ([Matrix(symbols(f"{name}{k}_0:{s}")) for k in range(3)] for name in ("L", "V"))
+    U = [diag(*symbols(f"U{k}_0:{s}")) for k in range(3)]
+    G, P, shape = (Matrix(symbols(f"{name}_0:{s}")) for name in ("G", "P", "shape"))
+    weight, told = symbols("omega0:2"), symbols("eta0:2")
+    a = [[Matrix(symbols(f"a{q}_{k}_0:{s}")) for k in range(3)] for q in (0, 1)]
+    fall = [symbols(f"f{q}_0:3") for q in (0, 1)]
+    xi = symbols("xi1:4")
+
+    def memory_of(steps):
+        DD = zeros(3 * s, 3 * s)
+        for k, step in enumerate(steps):
+            DD[k * s:(k + 1) * s, k * s:(k + 1) * s] = inverse / step
+            if k:
+                DD[k * s:(k + 1) * s, (k - 1) * s:k * s] = -e1 * es.T / b[0] / step
+        return DD * DD + 3 * DD
+
+    u = [c0, c0 + jump, c0 + jump]
+    Y = memory_of(h) * Matrix.vstack(*[v - w * ones(s, 1) for v, w in zip(V, u)])
+    T = memory_of(h[::-1]) * Matrix.vstack(*[Pi * l for l in reversed(Lam)])
+    T = [T[(2 - k) * s:(3 - k) * s, 0] for k in range(3)]
+    x, total = [x0, *symbols("x1 x2")], 0
+    for k in range(3):
+        before = V[k - 1][s - 1] + (jump if k == 1 else 0) if k else c0
+        past = Y[k * s:(k + 1) * s, 0]
+        for q in (0, 1):
+            past += weight[q] * told[q] * a[q][k] * ((1 - fall[q][1] if k == 2 else 1) if k else 0)
+        X = x[k] * ones(s, 1) + h[k] * stages * V[k] + (zeros(s, 1) if k else G)
+        R = m * (inverse * V[k] - e1 / b[0] * before) + h[k] * (rho * past + U[k] * X + (zeros(s, 1) if k else P))
+        total -= (Lam[k].T * B * R)[0]
+        if k < 2:
+            total += xi[k] * (x[k] + h[k] * (es.T * stages * V[k])[0] + (0 if k else G1) - x[k + 1])
+    total = expand(total + Jp * m * V[2][s - 1] + row_slope * (x0 + (shape.T * V[0])[0] + G_row))
+    for i in range(s):
+        prove("(23.25) by G at a stage", diff(total, G[i]) + h[0] * b[i] * U[0][i, i] * Lam[0][i])
+        prove("(23.25) by P", diff(total, P[i]) + h[0] * b[i] * Lam[0][i])
+    prove("(23.25) by G in a row", diff(total, G_row) - row_slope)
+    prove("(23.25) by G at t1", diff(total, G1) - xi[0])
+    plain = [h[k] * (ones(1, s) * B * Pi * T[k])[0] for k in range(3)]
+    prove("(23.25) by G' at t1", expand(diff(total, jump) - m * Lam[1][0] - rho * (plain[1] + plain[2])))
+    prove("(23.25) by c_0", expand(diff(total, c0) - m * Lam[0][0] - rho * sum(plain)))
+    by_rho = sum(h[k] * ((V[k] - u[k] * ones(s, 1)).T * B * Pi * T[k])[0] for k in range(3))
+    for q in (0, 1):
+        w = 0
+        for k in (2, 1):         # (22.5) for mu, backwards to t1
+            w = (1 - fall[q][k]) * w + h[k] * (a[q][k].T * Pi * B * Pi * Lam[k])[0]
+        prove("(23.25) by what a mode is told", expand(diff(total, told[q]) + rho * weight[q] * w))
+        by_rho += weight[q] * told[q] * w
+    prove("(23.25) by rho", expand(diff(total, rho) + by_rho))
+    first = [Lam[1][0], Lam[2][0], Jp]
+    for k in range(3):
+        row = (m * (inverse * Pi * Lam[k] - e1 / b[0] * first[k]) + h[k] * rho * T[k]
+               + h[k] * (h[k] * stages * Pi * U[k] * Lam[k] - (xi[k] if k < 2 else 0) * ones(s, 1)))
+        row -= Pi * B.inv() * shape * row_slope if k == 0 else zeros(s, 1)
+        prove("(23.16) as it was", *(Matrix([diff(total, v) for v in V[k]]) + B * Pi * row).applyfunc(expand))
+#< pulled
+
+# ---- what modes take over at t1, and what a step reads of it ----
+
+@cache
+def rational(s):
+    """a(mu) of (22.5) and p by partial fractions: lambda, P_lambda e_1 / b_1, over all lambda."""
+    b, parts = numbers(s)[1], []
+    for value, P in one.eigen(s, 100):
+        twice = 2 if mpmath.im(value) > 0 else 1
+        parts.append((value, [twice * P[i, 0] / b[0] for i in range(s)]))
+    return b, parts
+
+
+@cache
+def reading(s, mu):
+    b, parts = rational(s)
+    a = [mpf(0)] * s
+    for value, v in parts:
+        by = 1 / (mu + value)
+        a = [x + mpmath.re(y * by) for x, y in zip(a, v)]
+    return a, mu * mpmath.fdot(a, b)
+
+
+FINE, FINER = 200, 900   # bits behind the point
+
+
+def whole(values, bits):
+    return [int(mpmath.ldexp(v, bits)) for v in values]
+
+
+class Moments:
+    """I(a, S) for many a, by the series of (22.20) for S < 110, else by that for large S."""
+
+    def __init__(self, exponents):
+        self.near = [whole([1 / (a + k) for k in range(320)], FINE) for a in exponents]
+        self.far = []
+        for a in exponents:
+            row = [mpf(1)]
+            for k in range(1, 100):
+                row.append(row[-1] * (k - a))
+            self.far.append(whole(row, FINE))
+
+    def at(self, S):
+        """In units of 2^-FINE."""
+        near, weights = S < 110, []
+        term = mpmath.exp(-S) if near else 1 / S
+        for k in range(320 if near else 100):
+            weights.append(term)
+            if k > S and term < mpf(10) ** -50:
+                break
+            term *= S / (k + 1) if near else 1 / S
+        bits = FINE if near else FINER
+        weights = whole(weights, bits)
+        return [sum(map(mul, row, weights)) >> bits for row in (self.near if near else self.far)]
+
+
+SPACING, HIGHEST = mpf(1) / 8, 70
+
+
+def kernels(s, alpha, gap, J, t1, lengths):
+    """For each step after t1, entry by entry of its stages, the integral over sigma of what it
+    reads of modes that are e^{-S}, of those that are t1^b I(b, S) / Gamma(b), b = n gap, and, for
+    beta > 0, of those that are -1; of these the first step has -h^{-beta} (A^{-1})^beta 1."""
+    beta = 2 * alpha - 1
+    b = [n * gap for n in range(1, J + 1)]
+    moments, sizes = Moments(b), whole([t1**v * mpmath.rgamma(v) for v in b], FINE)
+    modes, readings = [[] for _ in range(J + 2)], [[[] for _ in range(s)] for _ in lengths]
+    lowest = mpmath.log((1 + beta if beta < 0 else beta) / 60)
+    for l in range(int(lowest / SPACING), int(HIGHEST / SPACING)):
+        u = SPACING * l
+        tail = mpmath.exp(-u)
+        sigma = mpmath.exp(u - tail)
+        weight = SPACING * (1 + tail) * sigma ** (beta if beta > 0 else 1 + beta)
+        told = whole([mpmath.exp(-sigma * t1)], FINE)
+        told += [v * w >> FINE for v, w in zip(moments.at(sigma * t1), sizes)]
+        for column, v in zip(modes, told + [-1 << FINE if beta > 0 else 0]):
+            column.append(v)
+        for h, rows in zip(lengths, readings):
+            a, p = reading(s, h * sigma)
+            for row, v in zip(rows, a):
+                row.append(int(mpmath.ldexp(weight * v, FINE)))
+            weight *= 1 - p
+    size = mpmath.sinpi(abs(beta)) / mpmath.pi
+    out = [[[size * mpmath.ldexp(sum(map(mul, row, column)), -2 * FINE) for column in modes] for row in rows]
+           for rows in readings]
+    if beta > 0:
+        own = real_function(numbers(s)[3], lambda v: v**beta)
+        for i in range(s):
+            out[0][i][-1] = -lengths[0] ** -beta * sum(own[i, j] for j in range(s))
+    return out
+
+
+@cache
+def tilted(s, alpha, falls, J, t1, lengths):
+    """The same, and their derivatives by alpha: differences, 2 10^-14 apart."""
+    with mp.workdps(50):
+        e, turn = mpf(10) ** -14, -1 if falls else 1
+        middle, above, below = (kernels(s, v, turn * (2 - 2 * v), J, t1, lengths)
+                                for v in (alpha, alpha + e, alpha - e))
+        return [[[(w, (p - m) / (2 * e)) for w, p, m in zip(*rows)] for rows in zip(*stages)]
+                for stages in zip(middle, above, below)]
+
+
+class Pulled(Mesh):
+    """x = y + G until t1, the end of step K, of these terms; kind: rising, falling or euler."""
+    by_impulses = False
+
+    def __init__(self, s, past, alpha, q, h, row, impulses, K, t1, J, kind):
+        self.last, self.t1, self.J, self.kind, self.e = K, t1, J, kind, int(alpha > 0.5)
+        self.falls = kind == "falling"
+        self.T, self.at = sum(h), {}
+        super().__init__(s, 1, past, alpha, q, h, row, impulses)
+
+    def heads(self, j):
+        """k_n; w_n of (22.23) is held."""
+        rho, m = (mpmath.ldexp(self.q0[name][j].v, -BITS) for name in ("rho", "mass"))
+        falls = self.falls and rho > 0
+        signs = [(-1) ** n * (-1 if falls else 1) for n in range(self.J + 2)]
+        if self.kind == "euler" and rho > 0:
+            P, N = rho / m * self.T ** (2 - 2 * self.alpha0), self.J
+            p = P / (1 + P)
+            w = [sum(mpmath.binomial(k, n) * (1 - p) ** (n + 1) * p ** (k - n) for k in range(n, N + 1))
+                 for n in range(N + 1)]
+            return [dual(v * u) for v, u in zip(signs, w)] + [ZERO]
+        return [dual(mpf(0 if falls and n == 0 else v)) for n, v in enumerate(signs)]
+
+    def prepare(self, q, turn):
+        """A, c_n r^n, G at all stages and rows, and what is left as a force."""
+        self.q0, self.turn = getattr(self, "q0", q), turn
+        alpha = mpmath.mpc(self.alpha0, TINY / 2)
+        self.gap = (2 * alpha - 2) if self.falls else (2 - 2 * alpha)
+        self.size = [p / m if self.e else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
+        self.c = []
+        for j in range(D5):
+            rho, m, bare = q["rho"][j], q["mass"][j], self.q0["rho"][j].v == 0
+            r = m / rho if self.falls and not bare else rho / m
+            power, c = self.size[j], []
+            for k in self.heads(j):
+                c.append(power * k)
+                power = power * r
+            self.c.append(c)
+        self.G, self.P, self.rows = {}, {}, {}
+        for k in range(min(self.last, self.steps)):
+            for i in range(self.s):
+                t = self.ends[k] + self.nodes[i] * mpf(self.lengths[k])
+                self.G[k, i] = self.singular(t)
+                self.P[k, i] = self.left(q, t, alpha)
+        for n in range(1, ROWS + 1):
+            self.rows[n] = self.singular(n * self.row)
+        self.told_of = None
+        if self.last < self.steps:
+            rows = tilted(self.s, self.alpha0, self.falls, self.J, self.t1, tuple(map(mpf, self.lengths[self.last:])))
+            self.told_of = [[[Dual(fixed(v), turn * fixed(d / 2)) for v, d in row] for row in stages] for stages in rows]
+
+    def powers(self, t, falls):
+        """t^a / Gamma(1 + a), and its derivative by t, of all terms."""
+        if (t, falls, self.turn) not in self.at:
+            gap = self.gap if falls == self.falls else -self.gap
+            a = [n * gap + self.e for n in range(1, self.J + 1)]
+            value = [t**v * mpmath.rgamma(1 + v) for v in a]
+            self.at[t, falls, self.turn] = [[dual(v, self.turn) for v in value],
+                                            [dual(v * u / t, self.turn) for v, u in zip(a, value)]]
+        return self.at[t, falls, self.turn]
+
+    def singular(self, t, slope=0):
+        """G of all bodies, or G'."""
+        if t == 0:
+            return [ZERO] * D5
+        powers = [self.powers(t, self.falls and self.q0["rho"][j].v != 0)[slope] for j in range(D5)]
+        return [dot(c[1:self.J + 1], row) for c, row in zip(self.c, powers)]
+
+    def left(self, q, t, alpha):
+        if self.kind != "rising" or t == 0:
+            return [ZERO] * D5
+        if (t, self.turn) not in self.at:
+            a = self.J * self.gap + self.e - 2 * alpha
+            self.at[t, self.turn] = dual(t**a * mpmath.rgamma(1 + a), self.turn)
+        by = self.at[t, self.turn]
+        return [ZERO - q["mass"][j] * self.c[j][self.J + 1] * by for j in range(D5)]
+
+    def taken(self, q, k):
+        """Until t1 what v begins with, then nothing."""
+        return [c[0] if self.e and k < self.last else ZERO for c in self.c]
+
+    def told(self, k, i, j):
+        if k < self.last:
+            return ZERO
+        row = self.told_of[k - self.last][i]
+        one_less = self.c[j][0] + self.slope_at_t1[j]
+        return dot(self.c[j][:self.J + 1], row[:-1]) + one_less * row[-1]
+
+    def enter(self, q, k, x, p):
+        if k == 0 and self.e:
+            p = [c[0] * m for c, m in zip(self.c, q["mass"])]
+        if k == min(self.last, self.steps):
+            G, slope = (self.singular(min(self.t1, self.ends[k]), i) for i in (0, 1))
+            x = [a + b for a, b in zip(x, G)]
+            p = [a + m * b for a, m, b in zip(p, q["mass"], slope)]
+            self.slope_at_t1 = slope
+        return x, self.hit(k, p)
+
+    def begin(self, k):
+        super().begin(k)
+        self.now = k
+
+    def beside(self, i, j):
+        return self.G[self.now, i][j] if self.now < self.last else ZERO
+
+    def besides(self, n):
+        return self.rows[n] if self.now < self.last else [ZERO] * D5
+
+    def force(self, q, k, i, j):
+        given = super().force(q, k, i, j)
+        return given - self.P[k, i][j] if k < self.last else given
+
+
+# ---- chains ----
+
+# Steps that the method takes if they end where it is told to: shorter than what those before
+# allow. One ends at T/1000, nearly.
+UNIT, ROWS = 2**-21, 4
+UNITS = [30, 31, 65, 130, 165, 250, 420, 700, 1200, 2000, 3400, 5800, 10200, 18500, 30000, 42000, 60000, 80000]
+IMPULSES = {k: [(-1) ** (j + k) * (j + 1) * 2.0**-17 for j in range(D5)] for k in (0, 15, 18)}
+
+
+def expansion(past, alpha, s, kind, ratios, T):
+    """The number of terms, and t1, as chapter 22 has them."""
+    gap, e = 2 - 2 * alpha, int(alpha > 0.5)
+    fastest, slowest = max(ratios), min(r for r in ratios if r > 0)
+    if kind == "rising":
+        return max(mpmath.ceil((1 + 2 * alpha - e) / gap), 8 if s == 6 else 32), (2 * fastest) ** (-1 / gap)
+    if kind == "falling":
+        return mpmath.ceil(56 * mpmath.log(2) / mpmath.log(slowest * (1e-30 * T) ** gap)), None
+    P = fastest * T**gap
+    return mpmath.ceil(-56 * mpmath.log(2) / mpmath.log(P / (1 + P) * (1 - mpf(1e-30) ** gap))), None
+
+
+# past, alpha, stages, kind, K; with K 0 the singular part lasts
+CASES = [("held", 0.55, 8, "rising", 15), ("held", 0.9, 8, "rising", 16), ("held", 0.75, 6, "rising", 16),
+         ("held", 0.7, 8, "rising", 0), ("held", 0.995, 8, "falling", 4), ("held", 0.995, 8, "euler", 4),
+         ("rl", 0.05, 8, "rising", 16), ("rl", 0.35, 8, "rising", 17), ("rl", 0.75, 8, "rising", 15)]
+
+
+def chain(random, past, alpha, s, kind, K):
+    uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
+    ends = [sum(UNITS[:k + 1]) * UNIT for k in range(len(UNITS))]
+    T = ends[-1]
+    if kind != "rising":
+        ends[K - 1] = 1e-3 * T
+    h = [mpf(b) - mpf(a) for a, b in zip([0.0, *ends], ends)]
+    e, none = alpha > 0.5, past == "rl" and alpha > 0.5
+    t1 = ends[K - 1] if K else 2 * T
+    most = {"rising": mpf(t1) ** (2 * alpha - 2) / 2, "falling": mpf(12), "euler": mpf(1.25)}[kind]
+    least = {"rising": 0.1, "falling": 0.5, "euler": 0.8}[kind]
+    mass = [uniform(0.5, 2) for _ in range(D5)]
+    rho = [float(most * mass[0])] + [0.0 if i == 2 else uniform(least, 0.9) * float(most) * mass[i] for i in range(1, D5)]
+    data = dict(x0=[0.0 if none else uniform(-1, 1) for _ in range(D5)], p0=[uniform(-1, 1) for _ in range(D5)],
+                mass=mass, rho=rho, cg=[uniform(0.5, 2), uniform(0.2, 1) if s == 8 else 0.0])
+    J, natural = expansion(past, mpf(alpha), s, kind, [mpf(r) / m for r, m in zip(rho, mass)], mpf(T))
+    claim("t1 is the end of a step", natural is None or abs(natural / t1 - 1) < 1e-14)
+    q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
+    q["F"] = [ZERO] * ((ROWS + 1) * D5)
+    run = Pulled(s, past, alpha, q, h, mpf(T) / ROWS, {} if e else IMPULSES, K or len(h) + 1, mpf(t1), int(J), kind)
+    want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
+                      + [("cg", 0), ("cg", 1), ("alpha", 0)] + [("F", i) for i in (0, 12, len(q["F"]) - 1)])
+    want = [mpf(0)] * D5 + want[D5:] if none else want
+    return ([f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha), s, int(J), hexd(Rational(t1)),
+             "{ " + ", ".join(hexd(Rational(v)) for v in ends) + " }"]
+            + [literal(map(mpf, data[k])) for k in ("x0", "p0", "mass", "rho", "cg")] + [literal(want)])
+
+
+if __name__ == "__main__":
+    random = Random(2320)
+    runs = [chain(random, *case) for case in CASES]
+    header("verify/adjoint/adjoint_mesh_pull.py")
+    print("""
+/* Where an impulse acts, and what it adds to the momenta; where alpha < 1/2 */""")
+    table("ref_pull_impulses", "double t, J[5];",
+          [[hexd(Rational(sum(UNITS[:k])) * Rational(UNIT)), literal(map(mpf, I))] for k, I in IMPULSES.items()])
+    print("""
+/* Five masses whose past pulls, stages, terms and t1, where steps end, F = cos(5t/4)/5 on each, four
+   rows; dJ, J as in to_sine, by x0, p0, mass, rho, c, g, alpha, and by F_1 of row 0, F_3 of row 2, F_5 of
+   row 4, the force changed along lines */""")
+    table("ref_pulls", "fvi_past past; double alpha; size_t s, J; double t1, ends[18], x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)

@@ -1,0 +1,106 @@
+"""Chains of five masses, adjoint_chain.py, on a given mesh.
+
+The memory is the power of one matrix, (22.1), by Parlett's recurrence, variable_steps_power.py,
+and its derivative by the order a difference of two such powers, 2 10^-30 apart, in 130 digits;
+rows are within the steps, (22.18), and a force is changed along lines between the rows."""
+from functools import cache
+
+import mpmath
+from mpmath import mp, mpf
+from sympy import Rational
+
+from shared.adjoint_chain import D5, Chain, away, numbers
+from shared.arithmetic import ONE, ZERO, Dual, dual, fixed, line
+from shared.refgen import hexd
+from shared.variable_steps_power import dense
+
+DIGITS, APART = 100, 30
+
+
+class Mesh(Chain):
+    """A run over steps of given lengths, h; rows at every `row`."""
+
+    def __init__(self, s, damped, past, alpha, q, h, row, impulses):
+        self.lengths, self.steps, self.row, self.known = h, len(h), mpf(row), {}
+        self.ends = [mpf(sum(h[:k])) for k in range(len(h) + 1)]
+        self.struck = {k: [dual(mpf(v)) for v in I] for k, I in impulses.items()}
+        super().__init__(s, damped, past, alpha, q, h[0])
+
+    def memory(self, q, turn):
+        return blocks(self.s, tuple(self.lengths), 2 * self.alpha0 - 1, turn), ONE
+
+    def begin(self, k):
+        self.hold(mpf(self.lengths[k]))
+
+    def block(self, W, n, o):
+        return W[n][o]
+
+    def force(self, q, k, i, j):
+        if (k, i) not in self.known:
+            at = (self.ends[k] + self.nodes[i] * self.step) / self.row
+            n = min(int(at), len(q["F"]) // D5 - 2)
+            self.known[k, i] = n, dual(n + 1 - at), dual(at - n), dual(mpmath.cos(1.25 * at * self.row) / 5)
+        n, left, right, given = self.known[k, i]
+        return given + q["F"][n * D5 + j] * left + q["F"][(n + 1) * D5 + j] * right
+
+    def cost(self, q, k, before, V, x):
+        """The rows in the step, by (22.18)."""
+        total = ZERO
+        for n in range(1, int(self.ends[-1] / self.row) + 1):
+            theta = (n * self.row - self.ends[k]) / self.step
+            if 0 < theta <= 1:
+                r, at = [fixed(v) for v in shape(self.s, theta, self.step)], []
+                for x0, p, mass, stages, more in zip(*before, q["mass"], V, self.besides(n)):
+                    v = p / mass
+                    at.append(x0 + dual(theta * self.step) * v + line(r, [u - v for u in stages]) + more)
+                total += away(at, n * self.row, dual(self.row))
+        return total
+
+    def besides(self, n):
+        """What x has besides in row n, which is of this step."""
+        return [ZERO] * D5
+
+
+@cache
+def shape(s, theta, step):
+    """h^2 int_0^theta (theta - u) x''(u) du by V - v = h A x'', (22.18)."""
+    nodes, inverse, q = numbers(s)[0], numbers(s)[3], []
+    for j in range(s):
+        l = [mpf(1)]                    # by powers of u
+        for i in range(s):
+            if i != j:
+                f = nodes[j] - nodes[i]
+                l = [((l[k - 1] if k else 0) - (nodes[i] * l[k] if k < len(l) else 0)) / f
+                     for k in range(len(l) + 1)]
+        q.append(sum(c * theta ** (n + 2) / ((n + 1) * (n + 2)) for n, c in enumerate(l)))
+    return [step * sum(q[j] * inverse[j, i] for j in range(s)) for i in range(s)]
+
+
+def whole(M):
+    return [[fixed(v) for v in row] for row in M.tolist()]
+
+
+@cache
+def powers(s, steps, beta):
+    """DD^beta, and its derivative by beta."""
+    with mp.workdps(mp.dps):
+        mp.dps = DIGITS
+        e = mpf(10) ** -APART
+        W, above, below = (dense(s, steps, beta + v, DIGITS) for v in (0, e, -e))
+        rate = [{o: (row[o] - below[k][o]) / (2 * e) for o in row} for k, row in enumerate(above)]
+        return [[{o: whole(M) for o, M in row.items()} for row in F] for F in (W, rate)]
+
+
+@cache
+def blocks(s, steps, beta, turn):
+    """DD^beta, tilted by turn."""
+    return [{o: [[Dual(w, turn * r) for w, r in zip(*rows)] for rows in zip(W[o], rate[o])] for o in W}
+            for W, rate in zip(*powers(s, steps, beta))]
+
+
+def nearest(v):
+    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
+
+
+def literal(values):
+    return "{ " + ", ".join(nearest(v) for v in values) + " }"
