@@ -57,14 +57,22 @@ def points(s, radius):
 D5, N = 5, 6
 
 
+log = cache(mpmath.log)
+
+
+@cache
+def power(v, beta):
+    return mpmath.exp(beta * log(v))
+
+
 class Tilted:
     """w_k + w'_k eps, of the order beta + eps."""
     @staticmethod
     @cache
     def weights(s, beta):
         around = points(s, mpf(1) / 4)
-        w = coefficients(around, lambda v: v**beta, range(N))
-        r = coefficients(around, lambda v: v**beta * mpmath.log(v), range(N))
+        w = coefficients(around, lambda v: power(v, beta), range(N))
+        r = coefficients(around, lambda v: power(v, beta) * log(v), range(N))
         return [[[Dual(fixed(a), fixed(b)) for a, b in zip(x, y)]
                  for x, y in zip(w[n].tolist(), r[n].tolist())] for n in range(N)]
 

@@ -57,11 +57,13 @@ def spectrum(M):
     for k in range(1, s + 1):
         chi.append(-sum(chi[k - i] * traces[i - 1] for i in range(1, k + 1)) / k)
     roots = rough_roots([complex(c) for c in chi])
+    steps, small = [1], mpmath.mpf(10)**(20 - mp.dps)
     for _ in range(5):                          # Newton's method doubles the digits
+        if max(map(abs, steps)) < small:
+            break
         steps = [mpmath.fdiv(*mpmath.polyval(chi, root, derivative=True)) for root in roots]
         roots = [root - step for root, step in zip(roots, steps)]
-    claim("the eigenvalues have converged, to different numbers",
-          max(map(abs, steps)) < mpmath.mpf(10)**(20 - mp.dps) and
+    claim("the eigenvalues have converged, to different numbers", max(map(abs, steps)) < small and
           min(abs(a - b) for i, a in enumerate(roots) for b in roots[:i] or [a + 1]) > mpmath.mpf(10)**-6)
     basis = []
     for root in roots:
