@@ -12,7 +12,8 @@ extern "C" {
 /* fvi_controlled -- what was found.
  *
  *   cost        (h/2) sum_k |u_k|^2
- *   miss        the largest |x_N - x| and |p_N - p| of the run with this u
+ *   miss        the largest |x_N - x| and |p_N - p| of the run with this u: look at it, as
+ *               a step that is unstable (stability.h) makes anything of the roundings of u
  *   change      the largest change of u in the last iteration, relative to the largest u
  *   iterations  each of one run and 2 d mirrored ones */
 typedef struct {

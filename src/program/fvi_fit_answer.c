@@ -120,6 +120,14 @@ int fvi_fit_print_curve(const request *r)
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 
+static int fits_mass(const request *r)
+{
+    for (size_t j = 0; j < r->fit.parameters; j++)
+        if (r->which[j] == FVI_PARAMETER_MASS)
+            return 1;
+    return 0;
+}
+
 int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
 {
     const double freedom = (double)(r->fit.n - r->fit.parameters);
@@ -137,7 +145,7 @@ int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
     else if (status == FVI_ESING)
         fprintf(stderr, "fvi: these data do not determine %s together%s\n",
                 r->words.own[FIT],
-                r->o.force == FVI_FORCING_NONE
+                r->o.force == FVI_FORCING_NONE && fits_mass(r)
                     ? "; without a force mass, rho, c, g and p0 are known but "
                       "for a common factor"
                     : "");

@@ -183,7 +183,15 @@ START_TEST(fit_says_what_is_not_to_be_believed)
     ck_assert(strstr(err, "fvi: warning: neighbouring residuals are alike"));
     ck_assert_int_eq(fvi("fit --fit mass,rho,c,p0 --starts 2 d.tsv"), 1);
     ck_assert(strstr(err, "do not determine mass,rho,c,p0"));
+    ck_assert_ptr_nonnull(strstr(err, "known but for a common factor"));
     ck_assert_str_eq(out, "");
+    FILE *f = file_in_folder("rest.tsv");
+    for (int i = 0; i < 9; i++)
+        fprintf(f, "%d 1\n", i);
+    fclose(f);
+    ck_assert_int_eq(fvi("fit --potential free --p0 0 rest.tsv"), 1);
+    ck_assert_str_eq(err,
+                     "fvi: these data do not determine alpha,rho together\n");
 }
 END_TEST
 
