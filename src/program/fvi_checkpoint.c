@@ -86,7 +86,8 @@ static int load_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
 /* What may be another one when a run goes on. */
 static int is_free(const char *name)
 {
-    static const char *const names[] = { "steps", "time", "columns", "every" };
+    static const char *const names[] = { "steps", "time", "columns", "unknowns",
+                                         "every" };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)
             return 1;
@@ -140,6 +141,23 @@ static int refuse(const fvi_options *o, const char *why)
     return 2;
 }
 
+/* How the line of a saved head differs from the wanted one, "name = value" both: by its value,
+ * or because one of the two heads has no such name. */
+static void tell_apart(const char *line, const char *want, const char *head,
+                       size_t size, char *why)
+{
+    const size_t name = strcspn(line, " "), length = strcspn(want, "\n");
+    char known[100];
+    snprintf(known, sizeof known, "\n%.*s = ", (int)name, line);
+    if (strncmp(line, want, name + 1) == 0)
+        snprintf(why, size, "a run with %.150s, not %.*s", line, (int)length,
+                 want);
+    else if (name > 0 && !strstr(head, known))
+        snprintf(why, size, "a run with %.150s, which is not given here", line);
+    else
+        snprintf(why, size, "a run without %.*s", (int)length, want);
+}
+
 /* The head, line by line: the first that differs is said. */
 static int compare_heads(const fvi_options *o, state *f, const char *head)
 {
@@ -164,8 +182,7 @@ static int compare_heads(const fvi_options *o, state *f, const char *head)
                          ? "a checkpoint of another version"
                          : "not a checkpoint");
         else
-            snprintf(why, sizeof why, "a run with %.150s, not %.*s",
-                     got > 1 ? line : "less", (int)length - 1, want);
+            tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
         status = refuse(o, why);
     }
     free(line);

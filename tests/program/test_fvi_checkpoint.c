@@ -90,6 +90,17 @@ START_TEST(a_run_that_is_over_can_be_made_longer)
               "--columns t | tail -4"),
         0);
     ck_assert_str_eq(out, "\"rows\": [\n [2.1],\n [2.2]\n]}\n");
+    /* which unknowns are columns is no matter of the state */
+    ck_assert_int_eq(fvi("run --potential chain:3,1,0 --steps 4 --checkpoint "
+                         "c --columns x"),
+                     0);
+    ck_assert_int_eq(fvi("run --potential chain:3,1,0 --steps 5 --checkpoint "
+                         "c --columns x --unknowns 2 --continue"),
+                     0);
+    const double one = cell(0, 0);
+    ck_assert_int_eq(fvi("run --potential chain:3,1,0 --steps 5 --columns x"),
+                     0);
+    ck_assert_double_eq(cell(5, 1), one);
 }
 END_TEST
 
@@ -109,6 +120,11 @@ START_TEST(another_problem_version_or_file_is_refused)
             "fvi: --continue: c: a run with alpha = 0.3, not alpha = 0.4\n");
     refused("run --alpha 0.3 --steps 1000 --checkpoint c --continue --rho 1",
             "fvi: --continue: c: a run with rho = 0.2, not rho = 1\n");
+    refused("run --alpha 0.3 --steps 1000 --checkpoint c --continue --let k=1 "
+            "--force k",
+            "fvi: --continue: c: a run without let = k=1\n");
+    refused("run --damping power:1,0.3 --steps 1000 --checkpoint c --continue",
+            "fvi: --continue: c: a run with alpha = 0.3, which is not given");
     refused("run --alpha 0.3 --steps 900 --checkpoint c --continue",
             "fvi: --continue: c: it is further than --steps\n");
     refused("run --alpha 0.3 --checkpoint nowhere --continue",
