@@ -77,12 +77,13 @@ extern const fvi_method fvi_adaptive;
  *   steps, rejected  steps taken; trials that were given up
  *   stages           s
  *   form             'D' or 'M'
- *   longest          the longest step, 0 before the first */
+ *   longest          the longest step, 0 before the first
+ *   memory           what part of the size coarser modes may be off by: 1e-7, 3e-10; else 0 */
 typedef struct {
     size_t steps, rejected;
     int stages;
     char form;
-    double longest;
+    double longest, memory;
 } fvi_adaptive_counts;
 
 /* fvi_adaptive_look -- of a stepper of fvi_adaptive, at any time.
@@ -100,7 +101,8 @@ typedef struct {
  *
  * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
  * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
- * largest difference in the rows, and 3e-14 max |x| for the rounding, is the estimate;
+ * largest difference in the rows, and 3e-14 max |x| for the rounding, or what their modes
+ * may be off by, is the estimate;
  * the rows are those of the second run. While the estimate is above `error`, a run with
  * a tenth again is compared with the last.
  *

@@ -159,6 +159,9 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     const fvi_modes_kind kind = o->wish > 10 * FVI_COARSE   ? FVI_MODES_COARSE
                                 : o->wish > FVI_COARSE / 10 ? FVI_MODES_MEDIUM
                                                             : FVI_MODES_FINE;
+    o->counts.memory = kind == FVI_MODES_COARSE   ? 1e-7
+                       : kind == FVI_MODES_MEDIUM ? 3e-10
+                                                  : 0;
     return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }

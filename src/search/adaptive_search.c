@@ -62,7 +62,8 @@ static int too_long(int status)
            || status == FVI_ESING;
 }
 
-/* max |x - before|, and what rounding may be of it; max |x|. */
+/* max |x - before|, and what rounding may be of it, and modes that were chosen for the size at
+ * the start, where the motion became larger; max |x|. */
 static double distance(const pair *o, double *largest)
 {
     double D = 0;
@@ -71,7 +72,7 @@ static double distance(const pair *o, double *largest)
         D = fmax(D, fabs(o->x[i] - o->before[i]));
         *largest = fmax(*largest, fabs(o->x[i]));
     }
-    return D + 3e-14 * *largest;
+    return D + (3e-14 + o->counts.memory) * *largest;
 }
 
 //> search
