@@ -87,7 +87,8 @@ static void clear(const fvi_run *run, const fvi_gradients *want, size_t per)
 static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
                   const double *p, double *Jx, double *Jp)
 {
-    for (size_t i = 0; i < d; i++)
+    *Jx = 0;
+    for (size_t i = 1; i < d; i++)
         Jx[i] = 0;
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }

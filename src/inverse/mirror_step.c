@@ -233,9 +233,9 @@ static int meet_parameters(fvi_mirror *m)
     void *params = m->run->system->potential.params;
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < count; j++) {
-        double sum = 0;
         status = by->column(j, d, m->S, params, m->column);
-        for (size_t i = 0; i < d; i++)
+        double sum = column[0] * M[0];
+        for (size_t i = 1; i < d; i++)
             sum += column[i] * M[i];
         want->parameters[j] -= h * sum;
     }
