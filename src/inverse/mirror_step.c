@@ -290,7 +290,6 @@ static int is_straight(const fvi_mirror *m)
     return m->printed && m->memory && !m->J.block && !m->terms;
 }
 
-//> straight
 /* remember, solve and pass in one: what the next line wants stays in a register, where the
  * step of one coordinate would wait for what is written and read again. */
 static int pass_straight(fvi_mirror *m, size_t k, const double *rows)
@@ -320,7 +319,6 @@ static int pass_straight(fvi_mirror *m, size_t k, const double *rows)
     }
     return status ? status : meet_parameters(m);
 }
-//< straight
 
 //> step
 int fvi_mirror_step(fvi_mirror *m, size_t k, const double *rows,

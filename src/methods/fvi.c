@@ -77,7 +77,6 @@ static int is_alone(const fvi_stepper *s)
     return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
 }
 
-//> alone
 /* The digits of step_fractional, and less than half of its instructions, which one
  * coordinate waits for: no loop has to find out that it runs once. */
 static int step_alone(fvi_stepper *s)
@@ -102,7 +101,6 @@ static int step_alone(fvi_stepper *s)
     *s->p = *s->p + h * (*s->F - g) - *d->factor * H;
     return status;
 }
-//< alone
 
 /* ---- the same for many coordinates ---- */
 
