@@ -36,25 +36,25 @@ function rendered(formula, displayMode) {
 // No line begins with a stop, or with the box that ends a proof: a browser would break behind any
 // formula. So these are set as the end of the formula; behind a word the box is kept with the word.
 const BOX = String.raw`<span class="math inline">\\\(\\square\\\)</span>`;
-const FORMULA = new RegExp(String.raw`<span class="math (inline|display)">\\[(\[]([^]*?)\\[)\]]</span>([.,;:!?)]*)(\s+${BOX})?`, 'g');
+const FORMULA = new RegExp(String.raw`<span class="math (inline|display)">\\[(\[]([^]*?)\\[)\]]</span>(</em>|</strong>)?([.,;:!?)]*)(\s+${BOX})?`, 'g');
 const WORD = new RegExp(String.raw`(?<=\s)((?:<a\b[^>]*>[^<]{1,24}</a>)?[^\s<>]+\s+${BOX})`, 'g');
 
 function render(html, page) {
   return html.replace(WORD, '<span class="keep">$1</span>').replace(FORMULA,
-    (whole, kind, escaped, stop, box) => {
+    (whole, kind, escaped, close = '', stop, box) => {
       const formula = plain(escaped).trim(), display = kind === 'display';
       try {
         if (!display) {
-          if (!box && stop && formula.length < 25) return `<span class="keep">${rendered(formula, false)}${stop}</span>`;
+          if (!box && stop && formula.length < 25) return `<span class="keep">${rendered(formula, false)}${stop}</span>${close}`;
           const end = box ? `${stop}~` : stop;
-          return rendered(end ? `${formula}\\text{${end}}${box ? '\\square' : ''}` : formula, false);
+          return rendered(end ? `${formula}\\text{${end}}${box ? '\\square' : ''}` : formula, false) + close;
         }
         const tag = /\\tag\{([\d.]+)\}/.exec(formula), done = rendered(formula, true);
-        if (!tag) return `<span class="formula">${done}</span>${stop}${box ?? ''}`;
+        if (!tag) return `<span class="formula">${done}</span>${close}${stop}${box ?? ''}`;
         if (equations[tag[1]]) throw new Error(`there is another equation (${tag[1]})`);
         equations[tag[1]] = [page, done];
         return `<span class="formula" id="eq-${tag[1]}" role="group" aria-label="Equation (${tag[1]})">${done}</span>`
-          + `<a class="anchor" href="#eq-${tag[1]}" aria-label="Link to equation (${tag[1]})">#</a>${stop}`;
+          + `<a class="anchor" href="#eq-${tag[1]}" aria-label="Link to equation (${tag[1]})">#</a>${close}${stop}${box ?? ''}`;
       } catch (error) {
         console.error(`the book: bad formula: ${formula}\n  ${error.message}`);
         bad++;

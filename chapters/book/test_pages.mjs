@@ -40,7 +40,7 @@ function misplaced() {
     if (e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX !== "auto") say("cut at the right", e);
   for (const e of document.querySelectorAll("main .formula")) {
     if (e.scrollHeight > e.clientHeight + 2) say(`cut by ${e.scrollHeight - e.clientHeight} in height`, e);
-    if ([1, 2].includes(e.scrollWidth - e.clientWidth)) say("with a scroll bar for nothing", e);
+    if (innerWidth > 400 && [1, 2].includes(e.scrollWidth - e.clientWidth)) say("with a scroll bar for nothing", e);
   }
   const texts = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT), range = document.createRange();
   for (let text; (text = texts.nextNode());) {
