@@ -312,14 +312,12 @@ static int end(fvi_mirror_mesh_run *m)
     return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
 }
 
-//> open
 /* A derivative by A needs steps that end at t1, also where A = 0 and the run's own do not. */
 static int needs_open(const fvi_run *run, const fvi_gradients *want)
 {
     return fvi_past_pulls(run->past, run->alpha)
            && (run->alpha > 0.5 ? want->p0 : want->x0) != NULL;
 }
-//< open
 
 int fvi_mirror_mesh(const fvi_run *run, const fvi_objective *J,
                     const fvi_gradients *want)

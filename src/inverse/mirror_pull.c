@@ -123,7 +123,6 @@ double fvi_mirror_pull_at(const fvi_mirror_pull *p, size_t j, double t,
     return A * G;
 }
 
-//> slopes
 /* G over q = r t^gap, by A, r/q and a_n; and G'. */
 typedef struct {
     double value[3], slope[3];
@@ -171,7 +170,6 @@ void fvi_mirror_pull_meet(fvi_mirror_pull *p, size_t j, double t, double by_G,
     p->by_mass[j] += A * force * q;
     p->by_alpha += A * force * q * (J * p->turn - 2) * (log(t) - p->left);
 }
-//< slopes
 
 /* ---- what the memory takes over ---- */
 
@@ -217,7 +215,6 @@ static double remember(fvi_mirror_pull *p, const fvi_singular_series *f,
     return fvi_modes_meet(modes, j, p->moment, mu, rate);
 }
 
-//> remember
 double fvi_mirror_pull_remember(fvi_mirror_pull *p, size_t j, double rho,
                                 const fvi_modes *modes, double mu, int by_alpha)
 {
@@ -235,7 +232,6 @@ double fvi_mirror_pull_remember(fvi_mirror_pull *p, size_t j, double rho,
                           + 2 * p->A[j] * rate);
     return p->A[j] * all;
 }
-//< remember
 
 void fvi_mirror_pull_ratio(const fvi_mirror_pull *p, double m, double rho,
                            double *by_rho, double *by_m)

@@ -389,7 +389,6 @@ void fvi_modes_add(fvi_modes *m, size_t j, size_t q, double more)
     m->y[j * m->Q + q] += more;
 }
 
-//> meet
 /* w is y / sigma, or (v_e - z) / sigma; and where it is y / sigma, more is by sigma too
  * small. */
 static double term(const fvi_modes *m, size_t j, const double *more, double ve,
@@ -420,4 +419,3 @@ double fvi_modes_meet(const fvi_modes *m, size_t j, const double *more,
         *rate = slope;
     return sum;
 }
-//< meet
