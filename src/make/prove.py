@@ -7,6 +7,7 @@ committed header to the byte, or with --accept becomes it. BUILD/verify/STEM.ok 
 modules of verify/ that the script read: while nothing of them or of the header is newer,
 the proof stands. sympy takes half a second to load, so it is loaded once, and each proof
 is a child of that process."""
+import gc
 import multiprocessing
 import os
 import pathlib
@@ -63,6 +64,7 @@ def prove(stem):
 def main():
     BUILD.mkdir(parents=True, exist_ok=True)
     sys.path.insert(0, "verify")
+    gc.freeze()  # what is loaded by now stays: the children need not look through it for what is not used
     context, running, failed = multiprocessing.get_context("fork"), {}, []
     todo = [stem for stem in STEMS if ACCEPT or not stands(stem)]
     while todo or running:
