@@ -20,6 +20,9 @@
 /* The least tolerance, of the size: rounding hides what is less. */
 #define FVI_FINEST 1e-17
 
+/* With this run->tolerance, which is not read else, modes are fine whatever the wish. */
+#define FVI_FINE_MODES 1e-300
+
 /* Coordinates with the same mass, damping and spring share their matrices. */
 typedef struct {
     double mass, damping; /* m, or m + rho for alpha = 1; rho */

@@ -156,9 +156,10 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
-    const fvi_modes_kind kind = o->wish > 10 * FVI_COARSE   ? FVI_MODES_COARSE
-                                : o->wish > FVI_COARSE / 10 ? FVI_MODES_MEDIUM
-                                                            : FVI_MODES_FINE;
+    const double wish = s->run.tolerance == FVI_FINE_MODES ? 0 : o->wish;
+    const fvi_modes_kind kind = wish > 10 * FVI_COARSE   ? FVI_MODES_COARSE
+                                : wish > FVI_COARSE / 10 ? FVI_MODES_MEDIUM
+                                                         : FVI_MODES_FINE;
     o->counts.memory = kind == FVI_MODES_COARSE   ? 1e-7
                        : kind == FVI_MODES_MEDIUM ? 3e-10
                                                   : 0;

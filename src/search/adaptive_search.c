@@ -19,6 +19,7 @@ typedef struct {
     const fvi_run *run;
     size_t first, length;
     size_t most;            /* no run of more steps */
+    int fine;               /* are only the finest modes good enough? */
     double end;             /* the t that the last run came to */
     double *x, *before, *p; /* this run and the one before */
     fvi_adaptive_counts counts;
@@ -34,6 +35,8 @@ static int trial(pair *o, double step_error, double longest, int growth)
     run.h /= (double)o->first; /* a power of two: exact */
     run.steps *= o->first;
     run.step_error = step_error;
+    if (o->fine)
+        run.tolerance = FVI_FINE_MODES;
     fvi_stepper *s;
     int status = fvi_start(&fvi_adaptive, &run, &s);
     if (status)
@@ -77,7 +80,8 @@ static double distance(const pair *o, double *largest)
 
 //> search
 /* Every second run is limited, so that no two neighbours have the same steps. Estimates
- * that do not fall end it only where they may be rounding. Where SAME_END runs in a row,
+ * that do not fall end it only where they may be rounding. Where coarse modes are too coarse for
+ * what the motion has become, the next runs take the finest. Where SAME_END runs in a row,
  * each with a tenth of the tolerance, come to no other end than to a thousandth of it, it is
  * the motion that ends there: it runs away in a finite time. */
 static int search(pair *o, double error, fvi_adaptive_found *found)
@@ -102,8 +106,9 @@ static int search(pair *o, double error, fvi_adaptive_found *found)
             *found = (fvi_adaptive_found){ estimate, o->counts };
         if (estimate <= error)
             return FVI_SUCCESS;
-        worse +=
-            estimate > last / 2 && estimate <= GSL_SQRT_DBL_EPSILON * largest;
+        o->fine |= o->counts.memory * largest > error / 4;
+        worse += estimate > last / 2 && o->counts.memory == 0
+                 && estimate <= GSL_SQRT_DBL_EPSILON * largest;
         last = estimate;
         failed_before = status != 0;
         longest = status ? T : o->counts.longest;
