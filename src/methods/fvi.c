@@ -77,7 +77,7 @@ static int is_alone(const fvi_stepper *s)
     return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
 }
 
-/* The digits of step_fractional, and less than half of its instructions, which one
+/* The digits of step_fractional, and about half of its instructions, which one
  * coordinate waits for: no loop has to find out that it runs once. */
 static int step_alone(fvi_stepper *s)
 {
