@@ -239,7 +239,7 @@ class Pulled(Mesh):
     def __init__(self, s, past, alpha, q, h, row, impulses, K, t1, J, kind):
         self.last, self.t1, self.J, self.kind, self.e = K, t1, J, kind, int(alpha > 0.5)
         self.falls = kind == "falling"
-        self.T, self.at = sum(h), {}
+        self.T, self.at, self.over = sum(h), {}, {}
         super().__init__(s, 1, past, alpha, q, h, row, impulses)
 
     def heads(self, j):
@@ -285,13 +285,18 @@ class Pulled(Mesh):
 
     def powers(self, t, falls):
         """t^a / Gamma(1 + a), and its derivative by t, of all terms."""
-        if (t, falls, self.turn) not in self.at:
+        if (t, falls) not in self.at:
             gap = self.gap if falls == self.falls else -self.gap
             a = [n * gap + self.e for n in range(1, self.J + 1)]
-            value = [t**v * mpmath.rgamma(1 + v) for v in a]
-            self.at[t, falls, self.turn] = [[dual(v, self.turn) for v in value],
-                                            [dual(v * u / t, self.turn) for v, u in zip(a, value)]]
-        return self.at[t, falls, self.turn]
+            if falls not in self.over:
+                self.over[falls] = [mpmath.rgamma(1 + v) for v in a]
+            by, power, value, slope = t**gap, t**self.e, [], []
+            for v, over in zip(a, self.over[falls]):
+                power *= by
+                value.append(dual(power * over))
+                slope.append(dual(power * over * v / t))
+            self.at[t, falls] = value, slope
+        return [[Dual(v.v, self.turn * v.d) for v in row] for row in self.at[t, falls]]
 
     def singular(self, t, slope=0):
         """G of all bodies, or G'."""
@@ -303,10 +308,10 @@ class Pulled(Mesh):
     def left(self, q, t, alpha):
         if self.kind != "rising" or t == 0:
             return [ZERO] * D5
-        if (t, self.turn) not in self.at:
+        if t not in self.at:
             a = self.J * self.gap + self.e - 2 * alpha
-            self.at[t, self.turn] = dual(t**a * mpmath.rgamma(1 + a), self.turn)
-        by = self.at[t, self.turn]
+            self.at[t] = dual(t**a * mpmath.rgamma(1 + a))
+        by = Dual(self.at[t].v, self.turn * self.at[t].d)
         return [ZERO - q["mass"][j] * self.c[j][self.J + 1] * by for j in range(D5)]
 
     def taken(self, q, k):
