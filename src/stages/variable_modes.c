@@ -1,8 +1,8 @@
 /* src/stages/variable_modes.c -- The past of variable steps, as modes. [Chapter 22] */
 #include "variable_modes.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "variable_loops.h"
 #include "variable_table.h"
 #include "variable_weights.h"
 
@@ -21,11 +21,6 @@ typedef struct {
 static const range ranges[] = { [FVI_MODES_FINE] = { 1, 6.5, 2e4 },
                                 [FVI_MODES_MEDIUM] = { 1, 4.5, 1e4 },
                                 [FVI_MODES_COARSE] = { 2, 4.5, 2e3 } };
-
-/* What is kept of the last step for modes that sleep: see wake. */
-typedef struct {
-    double u[FVI_LANES], ds, before;
-} last_step;
 
 /* What the modes are read with, or the rates of that by beta; weight NULL: not wanted. */
 typedef struct {
@@ -49,91 +44,9 @@ struct fvi_modes {
     double *sigma;          /* of each mode */
     reading value, rate;    /* the second, if wanted, owns its numbers */
     double *y;              /* Q for each coordinate */
-    last_step *last;        /* of each coordinate */
+    fvi_last_step *last;    /* of each coordinate */
     double *own;            /* room for rows off the lattice */
 };
-
-/* ---- the two loops over the modes ---- */
-
-/* H = sum over the modes, for all s stages in one reading. Partial sum l takes every fourth
- * mode from the l-th on, whatever the machine: no digit depends on the width of its
- * vectors. s is a constant where these are called, and no loop over it is left. */
-#define AT(x, q) (*(const fvi_four *)((x) + (q)))
-
-/* The sums of four times four numbers. */
-static inline __attribute__((always_inline)) void total(const fvi_four *x,
-                                                        double *H)
-{
-    const fvi_four a = x[0], b = x[1], c = x[2], d = x[3];
-    *(fvi_four *)H = ((fvi_four){ a[0], b[0], c[0], d[0] }
-                      + (fvi_four){ a[2], b[2], c[2], d[2] })
-                     + ((fvi_four){ a[1], b[1], c[1], d[1] }
-                        + (fvi_four){ a[3], b[3], c[3], d[3] });
-}
-
-//> history
-static inline __attribute__((always_inline)) void
-gather(const size_t s, size_t Q, const double *restrict weight,
-       const double *restrict y, const fvi_mode_row *row, double *restrict H)
-{
-    fvi_four sum[FVI_LANES];
-#pragma GCC unroll 8
-    for (size_t i = 0; i < s; i++)
-        sum[i] = (fvi_four){ 0 };
-    for (size_t q = 0; q < Q; q += 4) {
-        const fvi_four part = AT(weight, q) * AT(y, q); /* (22.10) */
-#pragma GCC unroll 8
-        for (size_t i = 0; i < s; i++)
-            sum[i] += AT(row->a + i * row->stride, q) * part;
-    }
-#pragma GCC unroll 8
-    for (size_t i = s; i < FVI_LANES; i++)
-        sum[i] = (fvi_four){ 0 };
-#pragma GCC unroll 2
-    for (size_t i = 0; i < FVI_LANES; i += 4)
-        total(sum + i, H + i);
-}
-//< history
-
-FVI_VECTORS static void gather_six(size_t Q, const double *restrict weight,
-                                   const double *restrict y,
-                                   const fvi_mode_row *row, double *restrict H)
-{
-    gather(6, Q, weight, y, row, H);
-}
-
-FVI_VECTORS static void gather_eight(size_t Q, const double *restrict weight,
-                                     const double *restrict y,
-                                     const fvi_mode_row *row,
-                                     double *restrict H)
-{
-    gather(8, Q, weight, y, row, H);
-}
-
-//> advance
-static inline __attribute__((always_inline)) void
-advance(const size_t s, size_t n, const fvi_mode_row *row,
-        const last_step *last, double *restrict y)
-{
-    for (size_t q = 0; q < n; q += 4) {
-        fvi_four sum = { 0 }, *z = (fvi_four *)(y + q);
-#pragma GCC unroll 8
-        for (size_t i = 0; i < s; i++)
-            sum += AT(row->a + i * row->stride, q) * last->u[i];
-        *z += (AT(row->mu, q) * sum + last->ds) /* (22.6), (22.7) */
-              - AT(row->p, q) * *z;
-    }
-}
-//< advance
-
-FVI_VECTORS static void step_on(size_t s, size_t n, const fvi_mode_row *row,
-                                const last_step *last, double *restrict y)
-{
-    if (s == 8)
-        advance(8, n, row, last, y);
-    else
-        advance(6, n, row, last, y);
-}
 
 /* ---- lengths, rows, sleep ---- */
 
@@ -169,7 +82,8 @@ static void wake(fvi_modes *m, size_t to)
         double *y = m->y + j * m->Q;
         for (size_t q = m->awake; q < to; q++)
             y[q] = m->last[j].before;
-        step_on(m->rule->s, to - m->awake, &row, &m->last[j], y + m->awake);
+        fvi_loop_advance(m->rule->s, to - m->awake, &row, &m->last[j],
+                         y + m->awake);
     }
     m->awake = to;
 }
@@ -222,12 +136,7 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
 static void read_modes(const fvi_modes *m, const double *closed, size_t j,
                        double *H)
 {
-    const double *y = m->y + j * m->Q;
-    if (m->rule->s == 8) {
-        gather_eight(m->count, closed, y, &m->row, H);
-    } else {
-        gather_six(m->count, closed, y, &m->row, H);
-    }
+    fvi_loop_gather(m->rule->s, m->count, closed, m->y + j * m->Q, &m->row, H);
 }
 
 void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
@@ -243,14 +152,14 @@ void fvi_modes_history_rate(const fvi_modes *m, size_t j, double *H)
 void fvi_modes_advance(fvi_modes *m, size_t j, const double *v, double ve)
 {
     const size_t s = m->rule->s;
-    last_step *last = &m->last[j];
+    fvi_last_step *last = &m->last[j];
     for (size_t i = 0; i < s; i++) {
         const double u = m->rule->b[s - 1 - i] * v[s - 1 - i];
         last->u[i] = m->beta <= 0 ? u : -u;
     }
     last->ds = m->beta <= 0 ? 0 : v[s - 1];
     last->before = m->beta <= 0 ? ve : 0;
-    step_on(s, m->count, &m->row, last, m->y + j * m->Q);
+    fvi_loop_advance(s, m->count, &m->row, last, m->y + j * m->Q);
     m->before = m->now;
     m->awake = m->count;
 }
@@ -279,7 +188,7 @@ static fvi_modes *make(fvi_modes sizes)
     m->value.weight = m->sigma + m->Q;
     m->rate.weight = NULL;
     m->y = m->value.weight + m->Q;
-    m->last = (last_step *)(m->y + m->d * m->Q);
+    m->last = (fvi_last_step *)(m->y + m->d * m->Q);
     m->value.closed = block + numbers(m);
     m->own = m->value.closed + m->Q;
     memset(m->y, 0, (numbers(m) - 2 * m->Q) * sizeof *m->y);
