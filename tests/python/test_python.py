@@ -1,4 +1,4 @@
-"""The Python package against the program, the exact solution and bad input."""
+"""The Python package against the program and the exact solution."""
 import ctypes
 import gc
 import json
@@ -265,101 +265,6 @@ def test_the_examples_of_the_readme_give_the_same_numbers():
     tables = [[[float(word) for word in line.split()] for line in text.splitlines() if line[0] != "#"]
               for text in (shell.stdout, python.stdout, open(EXAMPLE).read())]
     assert len(tables[0]) == 201 and tables[0] == tables[1] == tables[2]
-
-
-@pytest.mark.parametrize("potential, let, why", [
-    ("harmonic:1", {"k": 2}, "'k' is in no expression"), ("kk*x^2", {"kk": 2, "k": 1}, "'k' is in no expression"),
-    ("1e3*x^2", {"e3": 2}, "'e3' is in no expression"), ("x^2", {"x": 2}, "'x' is not a name"),
-    ("pi*x^2", {"pi": 3}, "'pi' is not a name"),
-])
-def test_a_parameter_that_would_be_ignored_is_refused(potential, let, why):
-    with pytest.raises(ValueError, match=why):
-        fvi.run(potential, let=let)
-    assert fvi.run("x^2/2", force="k*t", let={"k": 2}, steps=9).x[9] > fvi.run("x^2/2", steps=9).x[9]
-
-
-@pytest.mark.parametrize("options, what", [
-    (dict(potential="harmonics:1"), ValueError), (dict(potential="harmonic:"), ValueError),
-    (dict(potential="duffing:1"), ValueError), (dict(potential="chain:2.5,1,0"), ValueError),
-    (dict(potential="chain:3,1,0", x0=[1, 2]), ValueError),
-    (dict(force="push"), ValueError), (dict(method="rk4"), ValueError),
-    (dict(memory="none"), ValueError), (dict(derivative="weyl"), ValueError),
-    (dict(columns="t,y"), ValueError), (dict(steps=2.5), ValueError), (dict(steps=0), ValueError),
-    (dict(h=0.1, time=20), ValueError), (dict(x0=[1, 2], p0=[1, 2, 3]), ValueError), (dict(x0=[[1, 2]]), ValueError),
-    (dict(alpha=1.5), fvi.Error), (dict(alpha=float("nan")), fvi.Error), (dict(h=-1), fvi.Error),
-    (dict(mass=0), fvi.Error), (dict(rho=-1), fvi.Error), (dict(x0=float("inf")), fvi.Error),
-    (dict(kappa=0.3, method="fvi-lobatto3"), ValueError),
-    (dict(derivative="rl", alpha=0.8, method="fvi-shifted"), fvi.Error),
-    (dict(alfa=0.3), TypeError), (dict(damping="power:1"), ValueError), (dict(damping="zenr:1,2,3"), ValueError),
-    (dict(damping=LAW, alpha=0.3), ValueError), (dict(damping=LAW, rho=0.3), ValueError),
-    (dict(damping="power:1,2"), fvi.Error), (dict(damping=[]), fvi.Error), (dict(error=1e-6, h=0.1), ValueError),
-    (dict(error=-1), fvi.Error), (dict(steps=float("inf")), ValueError), (dict(steps=float("nan")), ValueError),
-])
-def test_bad_input_is_named(options, what):
-    with pytest.raises(what):
-        fvi.run(**options)
-
-
-def test_what_a_function_raises_comes_out():
-    def fails(x):
-        raise KeyError("no such spring")
-
-    with pytest.raises(KeyError, match="no such spring"):
-        fvi.run(fvi.potential(fails, fails, fails))
-    with pytest.raises(ValueError, match="gave 2 numbers"):
-        fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1), x0=[1, 2, 3])
-    with pytest.raises(ValueError, match="gave 1 numbers, not 4"):  # no matrix is a number
-        fvi.run(fvi.potential(lambda x: x @ x / 2, lambda x: x, lambda x: 1.0, quadratic=True), x0=[1, 2])
-    band = fvi.potential(lambda x: x @ x / 2, lambda x: x, lambda x: np.eye(2, 3), diagonals=2)
-    with pytest.raises(ValueError, match=r"an array \(2, 3\), not \(3, 2\)"):
-        fvi.run(band, x0=[1, 2, 3])
-    with pytest.raises(TypeError):
-        fvi.run(fvi.potential(lambda x: 0, lambda x: [1, 2], lambda x: 1))
-    with pytest.raises(ZeroDivisionError):
-        fvi.run(force=lambda t: 1 / 0)
-    with pytest.raises(KeyboardInterrupt):
-        fvi.run(force=lambda t: (_ for _ in ()).throw(KeyboardInterrupt()))
-    with pytest.raises(TypeError):
-        fvi.potential(1, 2, lambda x: x)
-    assert fvi.run(steps=1).x[0] == 1  # and nothing is left of all that
-
-
-def test_what_a_function_raises_comes_out_of_a_fit():
-    """From whichever motion; an interrupt at once. And the next error has its own words."""
-    t = np.arange(1, 41) * 0.1
-    asked = []
-
-    def beyond(edge, what):
-        def gradient(x):
-            asked.append(x)
-            if abs(x) > edge:
-                raise what
-            return x
-        return fvi.potential(lambda x: x * x / 2, gradient, lambda x: 1.0)
-
-    with pytest.raises(ValueError, match="starts: -1 is no whole number >= 2"):
-        fvi.fit(t, np.cos(t), starts=-1)
-    for edge in (0.3, 1.2):  # the first of the starts, or one far away
-        with pytest.raises(KeyError, match="far"):
-            fvi.fit(t, np.cos(t), beyond(edge, KeyError("far")), p0=0, rho=0.1, which="rho,x0,p0", starts=8)
-    with pytest.raises(fvi.Error, match="did not converge|no longer finite|stopped being finite"):
-        fvi.run("x^2", h=1e200, alpha=0.3, method="fvi-lobatto4")
-
-    def interrupted(x):
-        asked.append(x)
-        if len(asked) == 500:
-            raise KeyboardInterrupt
-        return x
-    asked.clear()
-    with pytest.raises(KeyboardInterrupt):
-        fvi.fit(t, np.cos(t), fvi.potential(lambda x: x * x / 2, interrupted, lambda x: 1.0), p0=0, which="rho")
-    assert len(asked) == 500
-
-
-def test_a_start_that_is_refused_says_why():
-    with pytest.raises(fvi.Error) as caught:
-        fvi.run(alpha=1.5)
-    assert caught.value.code == 1 and "alpha" in str(caught.value)
 
 
 def test_gsl_travels_along():
