@@ -278,7 +278,7 @@ static void roofs(const double *ns)
 {
     const double Q = (double)modes(), top = peak(), wide = bandwidth();
     const double flops[] = { 5 * Q + 64, 4 * Q + 96 };
-    const double bytes[] = { 16 * Q + 296, Q / 2 + 108 };
+    const double bytes[] = { 8 * Q + 192, Q / 2 + 108 };
     static const char *const names[] = { "plain", "blocks" };
     printf("# the roofs\n#> roofs\n# of what\tis\nGFLOP/s, not fused\t%.1f\n"
            "GB/s, read and written\t%.1f\n#< roofs\n\n\n",
