@@ -14,8 +14,8 @@ set format x "10^{%L}"
 set xrange [10:2e6]
 set yrange [5:200]
 unset key
-set label 1 "one by one" at 2e4,75 right tc ls 2
-set label 2 "by blocks" at 2e4,12 right tc ls 1
+set label 1 "one by one" at 1.5e4,32 right tc ls 2
+set label 2 "by blocks" at 1.5e4,10.5 right tc ls 1
 plot tsv index 1 using 1:2 with linespoints ls 2, \
      '' index 1 using 1:3 with linespoints ls 1
 unset label

@@ -20,9 +20,9 @@ set xrange [20:2e7]
 set yrange [1e-6:1e3]
 set label 1 "direct sum" at 1.2e4,2e-1 right tc ls 2
 set label 2 "FFT blocks" at 1.9e7,2e1 right tc ls 3
-set label 3 "exponentials" at 1.9e7,6e-4 right tc ls 1
+set label 3 "exponentials" at 1.9e7,2e-4 right tc ls 1
 set label 4 "slope 2" at 6e4,2e1 right tc rgb "#606060"
-set label 5 "slope 1" at 1.9e7,5e-2 right tc rgb "#606060"
+set label 5 "slope 1" at 1.9e7,6e-3 right tc rgb "#606060"
 plot tsv index 0 using 2:3 with linespoints ls 2, \
      '' index 1 using 2:3 with linespoints ls 3, \
      '' index 2 using 2:3 with linespoints ls 1, \
