@@ -1,7 +1,7 @@
 """Chains of five masses, adjoint_chain.py, on a given mesh.
 
 The memory is the power of one matrix, (22.1), by Parlett's recurrence, variable_steps_power.py,
-and its derivative by the order a difference of two such powers, 2 10^-30 apart, in 130 digits;
+and its derivative by the order: mean and difference of two such powers, 2 10^-30 apart, in 130 digits;
 rows are within the steps, (22.18), and a force is changed along lines between the rows."""
 from functools import cache
 
@@ -86,7 +86,8 @@ def powers(s, steps, beta):
     with mp.workdps(mp.dps):
         mp.dps = DIGITS
         e = mpf(10) ** -APART
-        W, above, below = (dense(s, steps, beta + v, DIGITS) for v in (0, e, -e))
+        above, below = (dense(s, steps, beta + v, DIGITS) for v in (e, -e))
+        W = [{o: (row[o] + below[k][o]) / 2 for o in row} for k, row in enumerate(above)]
         rate = [{o: (row[o] - below[k][o]) / (2 * e) for o in row} for k, row in enumerate(above)]
         return [[{o: whole(M) for o, M in row.items()} for row in F] for F in (W, rate)]
 
