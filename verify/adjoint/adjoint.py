@@ -20,7 +20,7 @@ from sympy import (Matrix, Rational, cos, diff, exp, expand, log, pi,
                    series, simplify, sin, symbols)
 
 from shared.adjoint_runs import BITS, fixed, in_step, real
-from shared.refgen import claim, header, hexd, hexd_real, prove, short, table
+from shared.refgen import claim, header, hexd, hexd_real, nearest, prove, short, table
 
 # ---- the transpose ----
 
@@ -270,10 +270,6 @@ def derivatives(q, names, force):
 
 
 NAMES = ["x0", "p0", "mass", "rho", "alpha", "k", "g"]
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
 
 
 def row(method, past, alpha, kappa, N, h, x0, force):

@@ -16,7 +16,7 @@ from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify,
 
 from shared.adjoint_chain import D5, N as N6, LawChain, numbers
 from shared.arithmetic import HALF, TINY, UNITS, ZERO, Dual, apart, dot, dual
-from shared.refgen import claim, header, hexd, prove, table
+from shared.refgen import claim, header, hexd, nearest, prove, table
 
 # ---- the symbols ----
 
@@ -141,10 +141,6 @@ EDGES = [[("POWER", 0.0, 1.0, 1.0), ("POWER", 0.5, 1.0, 1.0), ("POWER", 1.0, 1.0
          [("ZENER", 0.0, 0.75, 1.0), ("ZENER", 0.5, 0.75, 1.0), ("ZENER", 0.75, 0.0, 1.0)],
          [("ZENER", 0.875, 0.5, 1.0), ("MAXWELL", 0.25, 0.0, 1.0), ("DISTRIBUTED", 0.0, 1.0, 1.0)],
          [("DISTRIBUTED", 0.5, 1.0, 0.75), ("MAXWELL", 0.25, 0.0625, 1.0), ("POWER", 0.75, 1.0, 1.0)]]
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
 
 
 def literal(values):

@@ -15,7 +15,7 @@ from mpmath import mp, mpc, mpf
 from sympy import Matrix, Rational, diff, expand, simplify, symbols
 
 from shared.arithmetic import HALF, ONE, TINY, UNITS, ZERO, Dual, apart, dot, dual, fixed
-from shared.refgen import header, hexd, prove, table
+from shared.refgen import header, hexd, nearest, prove, table
 
 # ---- what the factors give ----
 
@@ -182,10 +182,6 @@ def run(method, past, alpha, kappa, M, C, K, x0, p0):
         off = [v - dual(mpmath.sin((k + 1) * STEP)) for v in x]
         J += HALF * h * dot(off, off)
     return J + HALF * dot(p, p)
-
-
-def nearest(value):
-    return hexd(Rational(mpmath.nstr(value, 30, min_fixed=0, max_fixed=0)))
 
 
 def positive(random, rank):

@@ -10,7 +10,7 @@ from sympy import Rational
 
 from shared.adjoint_chain import D5, away, pulls_of_springs
 from shared.arithmetic import HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
-from shared.refgen import header, hexd, table
+from shared.refgen import header, hexd, nearest, table
 
 mp.dps = 72
 N, STEP = 12, mpf(1) / 16
@@ -132,10 +132,6 @@ class Nodes:
                     HALF * force - h * grad[i] - (HALF + theta) * c[i] * H[i] - q["rho"][i] * A[i] * pull[k][1])
             J += away(x, (k + 1) * STEP, h)
         return J + total(HALF * v * (ONE + HALF * u * u) for v, u in zip(x, p))
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
 
 
 FORCES = [3, 7 * D5 + 1, N * D5 + 4]

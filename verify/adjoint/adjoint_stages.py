@@ -15,7 +15,7 @@ from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
 from shared.adjoint_chain import D5, N, Chain, LawChain, numbers, points
 from shared.arithmetic import coefficients, dual
-from shared.refgen import header, hexd, prove, table
+from shared.refgen import header, hexd, nearest, prove, table
 
 # ---- the transpose, with stages ----
 
@@ -126,10 +126,6 @@ for s in (2, 3):
 
 mp.dps = 60
 BETA_RATES, LAGS = [-1.0, -0.95, -0.5, 0.0, 0.2, 0.8, 1.0], [0, 1, 3, 4, 40]
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
 
 
 def literal(values):

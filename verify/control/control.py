@@ -8,9 +8,9 @@ Printed: solutions of all conditions together, as one dense system of 3 N equati
 Newton's method with 40 digits: no adjoint and no Gramian in it."""
 import mpmath
 from mpmath import mp, mpf
-from sympy import Rational, diff, expand, symbols
+from sympy import diff, expand, symbols
 
-from shared.refgen import claim, header, hexd, prove, table
+from shared.refgen import claim, header, nearest, prove, table
 
 #> lagrange
 N, kappa, h, m, c, k0, g, p0, nux, nup = 4, *symbols("kappa h m c k0 g p0 nu_x nu_p")
@@ -137,10 +137,6 @@ cases = [  # N, h, kappa, rho, alpha, past, c, g, x0, p0, x_T, p_T
     (24, 0.25, 0.25, 0.375, 0.75, "caputo", 1, 0.5, 1.0, 0.25, 0.5, -1.0),
     (24, 0.25, 0.5, 0.375, 0.75, "held", 1, 0.5, 1.0, 0.25, 0.25, 0.0),
 ]
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 32, min_fixed=0, max_fixed=0)))
 
 
 header("verify/control/control.py")

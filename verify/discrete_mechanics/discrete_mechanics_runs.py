@@ -7,11 +7,10 @@ operations are repeated on numbers that carry their worst error. In passing this
 proves that the momentum form (2.9), which the code uses, gives the very same
 trajectories; the script stops if it does not."""
 from fractions import Fraction as Q
-from math import ceil
 
 import mpmath
 
-from shared.refgen import claim, header, hexd, hexd_real, table
+from shared.refgen import claim, header, hexd, rows_of, table
 
 
 class Exactly:
@@ -251,18 +250,7 @@ def values(case):
         for v, r_ in zip(sum(sum(want, []), []), sum(sum(got, []), [])):
             claim(f"{case.name}: the momentum form gives what the definition gives",
                   abs(v - r_.v) <= (0 if case.exact else mpmath.mpf(10) ** -50))
-    if case.exact:
-        text = [[[hexd(v) for v in row] for row in part] for part in want]
-    else:
-        parts = {}
-        for digits in (60, 90):
-            with mpmath.workdps(digits + 10):
-                parts[digits] = by_definition(case, Digits)
-        text = [[[hexd_real(lambda n: mpmath.nstr(parts[n][q][k][i], n)) for i in range(case.d)]
-                 for k in range(case.steps + 1)] for q in (0, 1)]
-    units = lambda z: ceil(1.001 * z.e + abs(float(z.v)) / 2)
-    return [[text[0][k][i], text[1][k][i], units(got[0][k][i]), units(got[1][k][i])]
-            for k in range(case.steps + 1) for i in range(case.d)]
+    return rows_of(case, want, got, lambda: by_definition(case, Digits))
 
 
 methods = {"variational": "&fvi_variational", "forced": "&fvi_lagrange_dalembert",

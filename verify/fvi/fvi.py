@@ -14,14 +14,13 @@ arithmetic in which every number carries the error that the doubles may have. In
 passing this shows once more that (9.4) and (9.2) have the same solutions."""
 from fractions import Fraction as Q
 from functools import lru_cache
-from math import ceil
 
 import mpmath
 from sympy import (Function, Rational, coth, diff, exp, expand, gamma, gammasimp, ratsimp, simplify,
                    sinh, symbols)
 
 from shared.fvi_runs import Case, Digits, Exactly, by_definition, by_momentum, weight
-from shared.refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, prove, rows_of, table
 
 h, m, rho, kappa, alpha = symbols("h m rho kappa alpha", positive=True)
 
@@ -213,18 +212,7 @@ def values(case):
         kind = Exactly if case.exact else Digits
         definition, momentum = by_definition(case, kind), by_momentum(case, kind)
         check_same(case, definition, momentum, 0 if case.exact else mpmath.mpf(10) ** -50)
-    if case.exact:
-        text = [[[hexd(v) for v in row] for row in part] for part in definition]
-    else:
-        parts = {}
-        for digits in (60, 90):
-            with mpmath.workdps(digits + 10):
-                parts[digits] = by_definition(case, Digits)
-        text = [[[hexd_real(lambda n: mpmath.nstr(parts[n][q][k][i], n)) for i in range(case.d)]
-                 for k in range(case.steps + 1)] for q in (0, 1)]
-    units = lambda r: ceil(1.001 * r.e + abs(float(r.v)) / 2)
-    return [[text[0][k][i], text[1][k][i], units(momentum[0][k][i]), units(momentum[1][k][i])]
-            for k in range(case.steps + 1) for i in range(case.d)]
+    return rows_of(case, definition, momentum, lambda: by_definition(case, Digits))
 
 
 header("verify/fvi/fvi.py")

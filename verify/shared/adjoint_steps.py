@@ -7,11 +7,10 @@ from functools import cache
 
 import mpmath
 from mpmath import mp, mpf
-from sympy import Rational
 
 from shared.adjoint_chain import D5, Chain, away, numbers
 from shared.arithmetic import ONE, ZERO, Dual, dual, fixed, line
-from shared.refgen import hexd
+from shared.refgen import nearest
 from shared.variable_steps_power import dense
 
 DIGITS, APART = 100, 30
@@ -97,10 +96,6 @@ def blocks(s, steps, beta, turn):
     """DD^beta, tilted by turn."""
     return [{o: [[Dual(w, turn * r) for w, r in zip(*rows)] for rows in zip(W[o], rate[o])] for o in W}
             for W, rate in zip(*powers(s, steps, beta))]
-
-
-def nearest(v):
-    return hexd(Rational(mpmath.nstr(v, 30, min_fixed=0, max_fixed=0)))
 
 
 def literal(values):

@@ -5,7 +5,9 @@ tests/STEM_ref.h on standard output. Inputs are doubles as they are; outputs com
 from the definition and are rounded once, to the nearest double."""
 import re
 import sys
+from math import ceil
 
+import mpmath
 from sympy import Rational, simplify, sympify
 
 
@@ -36,6 +38,11 @@ def hexd_real(value, digits=60, more=30):
     first, second = (hexd(Rational(str(value(n)))) for n in (digits, digits + more))
     claim(f"{first} is the nearest double at both precisions", first == second)
     return first
+
+
+def nearest(v, digits=30):
+    """An mpmath number of which so many digits are known."""
+    return hexd(Rational(mpmath.nstr(v, digits, min_fixed=0, max_fixed=0)))
 
 
 def short(x):
@@ -69,3 +76,20 @@ def array(name, values, comment=""):
         note = short(v)
         print(f"    {hexd(v)}," + (f" /* {note} */" if note else ""))
     print("};")
+
+
+def rows_of(case, want, got, at):
+    """x and p of a run as C literals, and in units of the last place what rounding may do to them:
+    want, exact or not; got, numbers with that in .e; at(), what is wanted in the digits of the time."""
+    if case.exact:
+        text = [[[hexd(v) for v in row] for row in part] for part in want]
+    else:
+        parts = {}
+        for digits in (60, 90):
+            with mpmath.workdps(digits + 10):
+                parts[digits] = at()
+        text = [[[hexd_real(lambda n: mpmath.nstr(parts[n][q][k][i], n)) for i in range(case.d)]
+                 for k in range(case.steps + 1)] for q in (0, 1)]
+    units = lambda z: ceil(1.001 * z.e + abs(float(z.v)) / 2)
+    return [[text[0][k][i], text[1][k][i], units(got[0][k][i]), units(got[1][k][i])]
+            for k in range(case.steps + 1) for i in range(case.d)]
