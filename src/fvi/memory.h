@@ -58,7 +58,7 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
                      double tolerance, fvi_memory **memory);
 
 /* fvi_memory_choose -- what AUTO stands for: DIRECT up to 256 steps, where its weights are
- * exact and it is the faster one or loses little (figures/memory/memory_bench.tsv), and where
+ * exact and it is the faster one or loses microseconds (figures/memory/memory_bench.tsv), and where
  * no memory is needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
 fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Up to here the direct sum is the faster one, or loses little, on the machine of
+/* Up to here the direct sum is the faster one, or loses some microseconds, on the machine of
  * figures/memory/memory_bench.tsv. */
 enum { FEW_STEPS = 256 };
 
