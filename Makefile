@@ -177,7 +177,7 @@ petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machine
 
 mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
 	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
-	  $(PYTHON) tests/mutants/mutants.py $B $(STEM)
+	  $(PYTHON) tests/harness/mutants.py $B $(STEM)
 
 clean: ## remove everything that was made
 	rm -rf $B
@@ -353,15 +353,15 @@ TABLE_adjoint   := figures/adjoint/adjoint_bench.tsv
 TABLE_blocks    := figures/blocks/blocks_bench.tsv
 TABLE_structures := figures/structures/structures_bench.tsv
 
-$B/trajectories: tests/portability/trajectories.c tests/portability/many_runs.h $B/libfvi.a
+$B/trajectories: tests/run/trajectories.c tests/run/many_runs.h $B/libfvi.a
 	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 # The program in one process: its main under another name.
-$B/fuzz: $(wildcard tests/fuzz/*.[ch]) $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
+$B/fuzz: $(wildcard tests/random/fuzz/*.[ch]) $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
 	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
 	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
 
-$B/stress: $(wildcard tests/stress/*.[ch]) tests/variable_steps/adaptive_problems.h $B/libfvi.a
+$B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_problems.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 ## -- the workshop ----------------------------------------------------------

@@ -3,7 +3,7 @@
     portability.py BUILD [PART ...]     (make portability PARTS="clang san"; all, some ten minutes)
 
 Each build has a folder of its own in BUILD/portability. It runs the tests, or those of
-them that concern it, and tests/portability/trajectories.c, whose runs are compared
+them that concern it, and tests/run/trajectories.c, whose runs are compared
 with those of gcc -O2: to the bit where the C library is the same, and where only
 + - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
 that of another library, or -O3 -march=native may take what follows from them in

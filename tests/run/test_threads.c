@@ -2,7 +2,7 @@
  * `make portability` runs this under ThreadSanitizer too. Run alone: make test-threads */
 #define _POSIX_C_SOURCE 200809L /* pthread_barrier_t */
 #include "harness/ulp.h"
-#include "portability/many_runs.h"
+#include "many_runs.h"
 
 #include <pthread.h>
 

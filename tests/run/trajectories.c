@@ -1,6 +1,6 @@
-/* tests/portability/trajectories.c -- The runs of many_runs.h, a line each: what they
+/* tests/run/trajectories.c -- The runs of many_runs.h, a line each: what they
  * are computed with, their name, their status, x and p as hexadecimal numbers. */
-#include "portability/many_runs.h"
+#include "many_runs.h"
 
 int main(void)
 {

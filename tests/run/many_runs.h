@@ -1,4 +1,4 @@
-/* tests/portability/many_runs.h -- Runs of every method, past, order and memory, to be
+/* tests/run/many_runs.h -- Runs of every method, past, order and memory, to be
  * compared between compilers, processors and threads. */
 #ifndef MANY_RUNS_H
 #define MANY_RUNS_H

@@ -1,5 +1,5 @@
-/* tests/stress/stress.c -- `make stress`: many random runs against a truth or an
- * identity, a line a family.      stress [SEED [FAMILY [CASE]]]
+/* tests/random/stress/stress.c -- `make stress`: many random runs against a truth
+ * or an identity, a line a family.      stress [SEED [FAMILY [CASE]]]
  *
  * Every case draws from its own generator, seeded by the seed and its number, so
  * that a failure can be repeated alone. */

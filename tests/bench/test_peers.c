@@ -1,9 +1,9 @@
-/* tests/peers/test_peers.c -- Chapter 18.  Run alone: make test-peers
+/* tests/bench/test_peers.c -- Chapter 18.  Run alone: make test-peers
  *
  * What ours are measured against must be right, or a lead means nothing: each peer
  * converges to the truth at the order that its publication states, and the truth agrees
  * with the exact solutions. */
-#include "../bench/peers/peers.h"
+#include "peers/peers.h"
 #include "harness/ulp.h"
 
 #include <fvi/fvi.h>

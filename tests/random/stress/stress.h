@@ -1,4 +1,4 @@
-/* tests/stress/stress.h -- What the families of `make stress` share. */
+/* tests/random/stress/stress.h -- What the families of `make stress` share. */
 #ifndef STRESS_H
 #define STRESS_H
 

@@ -1,4 +1,4 @@
-/* tests/fuzz/random_words.c -- Random command lines for the program build/fvi. */
+/* tests/random/fuzz/random_words.c -- Random command lines for build/fvi. */
 #include "random_words.h"
 
 #include <stdarg.h>

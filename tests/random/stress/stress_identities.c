@@ -1,4 +1,4 @@
-/* tests/stress/stress_identities.c -- Stress: identities that every run must obey. */
+/* tests/random/stress/stress_identities.c -- Identities that every run must obey. */
 #include <fvi/error.h>
 #include <fvi/paper/integration_by_parts.h>
 #include <fvi/paper/legendre.h>

@@ -1,4 +1,4 @@
-/* tests/fuzz/random_words.h -- The dice, and the words of one command line. */
+/* tests/random/fuzz/random_words.h -- The dice, and the words of a line. */
 #ifndef RANDOM_WORDS_H
 #define RANDOM_WORDS_H
 

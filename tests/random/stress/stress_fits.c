@@ -1,5 +1,5 @@
-/* tests/stress/stress_fits.c -- Stress: are the errors of a fit what it says, and is the
- * truth found? */
+/* tests/random/stress/stress_fits.c -- Stress: are the errors of a fit what it
+ * says, and is the truth found? */
 #include "identification/identification_ref.h"
 #include "stress.h"
 

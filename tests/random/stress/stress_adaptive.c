@@ -1,4 +1,4 @@
-/* tests/stress/stress_adaptive.c -- Stress: a wanted error, by variable steps. */
+/* tests/random/stress/stress_adaptive.c -- A wanted error, by variable steps. */
 #include "stress.h"
 
 #include "variable_steps/adaptive_problems.h"

@@ -1,4 +1,4 @@
-/* tests/stress/stress_truth.c -- Stress: runs against the truth. */
+/* tests/random/stress/stress_truth.c -- Stress: runs against the truth. */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>

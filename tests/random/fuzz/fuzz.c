@@ -1,4 +1,5 @@
-/* tests/fuzz/fuzz.c -- Random command lines and random files for the program build/fvi.
+/* tests/random/fuzz/fuzz.c -- Random command lines and files for the program
+ * build/fvi.
  *
  *     fuzz SEED LINES FILES [CASE]       (make fuzz; make test-fuzz for a short one)
  *
