@@ -49,7 +49,7 @@ static void prepare_root(fvi_inverse *S, const fvi_pole *root)
                                   * (p->law ? fvi_law_at(p->law, s, &unused) / s
                                             : cexp((S->beta - 1) * clog(s)));
     fvi_residue *a = &S->pole[S->poles++];
-    a->s = s;
+    *a = (fvi_residue){ .s = s };
     a->low = root->low;
     a->start = ((p->m * s + S->keeps_x0 * memory) * p->x0
                 + (p->m + S->keeps_v0 * memory / s) * p->v0)
@@ -105,8 +105,9 @@ static int find_roots(fvi_inverse *S)
 int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
 {
     const fvi_linear *p = &S->p;
-    *S = (fvi_inverse){ .p = *problem };
+    S->p = *problem; /* field by field: most of S is room for contours */
     S->p.w = fabs(p->w);
+    S->roots = S->poles = 0;
     int status = find_roots(S);
     if (status)
         return status;
@@ -125,9 +126,17 @@ int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
                 && (p->forcing == FVI_FORCING_NONE
                     || (p->forcing == FVI_FORCING_COSINE && p->w > 0));
     for (size_t i = 0; i <= S->poles; i++)
-        prepare_contour(S->beta, i, S->poles + 1,
-                        p->forcing == FVI_FORCING_STEP ? 2 : 1, &S->contour[i]);
+        S->contour[i].count = 0;
     return FVI_SUCCESS;
+}
+
+const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place)
+{
+    fvi_contour *k = &S->contour[place];
+    if (k->count == 0)
+        prepare_contour(S->beta, place, S->poles + 1,
+                        S->p.forcing == FVI_FORCING_STEP ? 2 : 1, k);
+    return k;
 }
 
 /* ---- what is done at a time ---- */
@@ -135,7 +144,7 @@ int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
 //> place
 /* (11.11): the contour in the lowest interval that no pole is in; k poles leave
  * one of k + 1 free. passed says which poles lie on its right. */
-static const fvi_contour *choose(const fvi_inverse *S, double t,
+static const fvi_contour *choose(fvi_inverse *S, double t,
                                  int passed[FVI_POLES])
 {
     size_t places = S->poles + 1, in[FVI_POLES], free = 0;
@@ -150,7 +159,7 @@ static const fvi_contour *choose(const fvi_inverse *S, double t,
                 free++;
     for (size_t i = 0; i < S->poles; i++)
         passed[i] = in[i] < free;
-    return &S->contour[free];
+    return fvi_inverse_contour(S, free);
 }
 //< place
 
@@ -248,8 +257,7 @@ static void add_integral(const fvi_inverse *S, const fvi_contour *k,
 }
 //< integral
 
-void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,
-                     double *v)
+void fvi_inverse_add(fvi_inverse *S, const fvi_event *at, double *x, double *v)
 {
     int passed[FVI_POLES], all = 1;
     const fvi_contour *k = choose(S, at->t, passed);

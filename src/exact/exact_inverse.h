@@ -35,7 +35,7 @@ typedef struct {
     fvi_residue pole[FVI_POLES]; /* those of Q first, then that of a cosine */
     size_t poles;
     int closed; /* the transform has these poles and no other singularity */
-    fvi_contour contour[FVI_POLES + 1];
+    fvi_contour contour[FVI_POLES + 1]; /* made when first needed: count > 0 */
 } fvi_inverse;
 
 /* What acts: the start, if `start` is 1, and `sign` times the force, which lasts
@@ -44,17 +44,30 @@ typedef struct {
     double t, start, sign, lasts;
 } fvi_event;
 
-/* fvi_inverse_prepare -- poles, residues, contours. The problem is a valid one.
+/* fvi_inverse_prepare -- poles and residues. The problem is a valid one.
  * Returns FVI_SUCCESS; for a law what fvi_law_poles returns. */
 int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S);
 
+/* fvi_inverse_contour -- contour number `place` of S->poles + 1, for (11.11). */
+const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place);
+
 /* fvi_inverse_add -- add to x and v what an event does; t > 0, and t >= 2 lasts. */
-void fvi_inverse_add(const fvi_inverse *S, const fvi_event *at, double *x,
-                     double *v);
+void fvi_inverse_add(fvi_inverse *S, const fvi_event *at, double *x, double *v);
 
 /* fvi_inverse_oscillation -- of that only the residues of the zeros of Q, which
  * must exist; t >= lasts will do. */
 void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_event *at,
                              double *x, double *v);
+
+/* ---- what exact_solution.c has that exact_rows.c needs ---- */
+
+/* fvi_exact_check -- what fvi_exact says of a problem. */
+int fvi_exact_check(const fvi_linear *problem);
+
+/* fvi_exact_phase_is_lost -- nonzero where it would return FVI_ELOSS. */
+int fvi_exact_phase_is_lost(const fvi_inverse *S, double t);
+
+/* fvi_exact_at -- the solution at one time, t >= 0. */
+void fvi_exact_at(fvi_inverse *S, double t, double *x, double *v);
 
 #endif

@@ -11,7 +11,7 @@ static int in_range(double a, double low, double high)
     return gsl_finite(a) && a >= low && a <= high;
 }
 
-static int check(const fvi_linear *p)
+int fvi_exact_check(const fvi_linear *p)
 {
     const double most = GSL_DBL_MAX;
     if (!p)
@@ -60,7 +60,7 @@ static int check_times(size_t n, const double *t, const double *x,
 static int prepare(const fvi_linear *problem, size_t n, const double *t,
                    const double *x, const double *v, fvi_inverse *S)
 {
-    int status = check(problem);
+    int status = fvi_exact_check(problem);
     if (!status)
         status = check_times(n, t, x, v);
     if (!status)
@@ -68,7 +68,7 @@ static int prepare(const fvi_linear *problem, size_t n, const double *t,
     return status;
 }
 
-static int phase_is_lost(const fvi_inverse *S, double t)
+int fvi_exact_phase_is_lost(const fvi_inverse *S, double t)
 {
     int lost = 0;
     for (size_t i = 0; i < S->roots && t > 0; i++)
@@ -105,6 +105,16 @@ static size_t events_at(const fvi_linear *p, double t, fvi_event at[2])
 }
 //< events
 
+void fvi_exact_at(fvi_inverse *S, double t, double *x, double *v)
+{
+    fvi_event at[2];
+    const size_t events = t > 0 ? events_at(&S->p, t, at) : 0;
+    *x = t > 0 ? 0 : S->p.x0;
+    *v = t > 0 ? 0 : S->p.v0;
+    for (size_t j = 0; j < events; j++)
+        fvi_inverse_add(S, &at[j], x, v);
+}
+
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v)
 {
@@ -113,14 +123,10 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
     if (status)
         return status;
     for (size_t i = 0; i < n && !status; i++) {
-        double xi = t[i] > 0 ? 0 : problem->x0;
-        double vi = t[i] > 0 ? 0 : problem->v0;
-        fvi_event at[2];
-        size_t events = t[i] > 0 ? events_at(problem, t[i], at) : 0;
-        if (phase_is_lost(&S, t[i]))
+        double xi, vi;
+        if (fvi_exact_phase_is_lost(&S, t[i]))
             FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
-        for (size_t j = 0; j < events; j++)
-            fvi_inverse_add(&S, &at[j], &xi, &vi);
+        fvi_exact_at(&S, t[i], &xi, &vi);
         status = put(i, xi, vi, x, v);
     }
     return status;
@@ -138,7 +144,7 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
     for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
         fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
-        if (phase_is_lost(&S, t[i]))
+        if (fvi_exact_phase_is_lost(&S, t[i]))
             FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
         if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
             at.lasts = problem->T;
@@ -155,7 +161,7 @@ int fvi_exact_pole(const fvi_linear *problem, double *re, double *im)
     fvi_inverse S;
     if (!re || !im)
         FVI_FAIL("nowhere to put the pole", FVI_EFAULT);
-    int status = check(problem);
+    int status = fvi_exact_check(problem);
     if (!status)
         status = fvi_inverse_prepare(problem, &S);
     if (status)

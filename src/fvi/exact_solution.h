@@ -80,6 +80,22 @@ typedef struct {
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v);
 
+/* fvi_exact_rows -- the solution at t_k = k h, k = 0, 1, ..., n.
+ *
+ *   problem    as above
+ *   h          finite, > 0, and n h is finite
+ *   n          n >= 1
+ *   tolerance  in [0, 1): the error of x that is allowed, over max|x| on [0, n h]; that of
+ *              x' at t is then tolerance (max|x'| + max|x| / t). What is below the
+ *              accuracy of fvi_exact, 0 for one, asks for that
+ *   x, v       outputs, n + 1 numbers each, x and x' at t_k, the double nearest to k h; one
+ *              of them may be NULL
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
+ * n == 0; FVI_EDOM if h or tolerance is out of its range; else as fvi_exact. */
+int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
+                   double tolerance, double *x, double *v);
+
 /* fvi_exact_oscillation -- the part 2 Re(a e^{s t}) of the solution.  [(11.7)]
  *
  * Only the two complex poles s, conj(s) of the equation; of a law all those of (26.11).

@@ -47,7 +47,7 @@ START_TEST(eq_11_10_every_contour_inverts_powers)
         fvi_inverse S;
         fvi_inverse_prepare(&problems[i], &S);
         for (size_t place = 0; place <= S.poles; place++) {
-            const fvi_contour *k = &S.contour[place];
+            const fvi_contour *k = fvi_inverse_contour(&S, place);
             double one = 0, power = 0, terms = 0, partial_sums = 0;
             for (size_t j = k->count; j-- > 0;) {
                 double complex term = k->weight[j] / k->z[j];
