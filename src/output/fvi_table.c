@@ -16,9 +16,18 @@
 
 /* ---- the head ---- */
 
+#define NO_SOLUTION(START)                                                     \
+    "rl with " START " != 0 and alpha > 1/2 has no solution; these rows "      \
+    "depend on h and come near to no motion"
+
+const char *fvi_table_no_solution(const fvi_options *o)
+{
+    return o->directory ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
+}
+
 const char *fvi_table_warning(const fvi_options *o)
 {
-    return o->no_solution ? FVI_NO_SOLUTION : NULL;
+    return o->no_solution ? fvi_table_no_solution(o) : NULL;
 }
 
 void fvi_table_head(FILE *out, const fvi_options *o)

@@ -33,9 +33,8 @@ double fvi_machine_bytes(void);
  * NULL if these and `bytes` more are more than the machine has. */
 double *fvi_table_room(const fvi_table *t, double bytes);
 
-#define FVI_NO_SOLUTION                                                        \
-    "rl with x0 != 0 and alpha > 1/2 has no solution; these rows depend on "   \
-    "h and come near to no motion"
+/* fvi_table_no_solution -- what is to be said of rows that no motion has. */
+const char *fvi_table_no_solution(const fvi_options *o);
 
 /* fvi_table_warning -- what the reader of the table must know before all, one line;
  * NULL if there is nothing. */

@@ -200,7 +200,8 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
     if (g->parts > 1)
         fvi_format_parameter(out, o->format, "part", g->part_text);
     if (no_solution)
-        fvi_format_parameter(out, o->format, "warning", FVI_NO_SOLUTION);
+        fvi_format_parameter(out, o->format, "warning",
+                             fvi_table_no_solution(o));
     if (*unstable)
         fvi_format_parameter(out, o->format,
                              no_solution ? "warning of the step" : "warning",
@@ -285,7 +286,7 @@ static int run_all(const fvi_grid *g, const fvi_options *o, int no_solution)
     shared->rows = (double *)(shared + 1);
     shared->verdicts = (verdict *)(shared->rows + b.count * b.width);
     if (no_solution)
-        fprintf(stderr, "fvi: warning: %s\n", FVI_NO_SOLUTION);
+        fprintf(stderr, "fvi: warning: %s\n", fvi_table_no_solution(o));
     int failed = work_together(g, shared)
                      ? fvi_complain("a process of the sweep was ended")
                      : print_table(g, o, shared, no_solution);

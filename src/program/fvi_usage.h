@@ -54,7 +54,7 @@ static const char usage_run[] =
     "                     caputo: the same for A <= 1/2; for A > 1/2 it came\n"
     "                       along a straight line: on x - x0 - t v0\n"
     "                     rl: at 0, then put at x0: on x. No solution for\n"
-    "                       x0 != 0 and A > 1/2: fvi warns, the others refuse\n"
+    "                       x0 or C x0 != 0, A > 1/2: fvi warns, others refuse\n"
     "  --kappa K        potential at K x_k + (1 - K) x_{k+1};         [0.5]\n"
     "                   (fvi-lobatto, -stable, -adaptive, euler: none)\n"
     "  --x0 X, --p0 P   start; a list 1,2,3 or @FILE, or one for all  [1, "

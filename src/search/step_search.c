@@ -2,6 +2,7 @@
 #include <fvi/step_search.h>
 
 #include <fvi/fvi.h>
+#include "run/solution.h"
 #include "step_search_force.h"
 #include "system/fail.h"
 #include "system/stiffness.h"
@@ -77,16 +78,13 @@ static double distance(const search *o, double *largest)
 
 /* ---- the order that a method has on a run ---- */
 
-/* A method with the past as printed, Riemann-Liouville: a damped coordinate that starts
- * away from 0. */
+/* A method with the past as printed, Riemann-Liouville, and a damping that feels x0, or
+ * may: it could not be asked. */
 static int is_kicked(const fvi_method *method, const fvi_run *run)
 {
-    const fvi_system *system = run->system;
-    int kicked = 0;
-    for (size_t i = 0; i < system->d; i++)
-        kicked |= run->x0[i] != 0 && system->damping[i] > 0;
-    return kicked && method->past_as_printed
-           && run->past == FVI_PAST_RIEMANN_LIOUVILLE && run->alpha < 0.5;
+    int felt;
+    return method->past_as_printed && run->past == FVI_PAST_RIEMANN_LIOUVILLE
+           && run->alpha < 0.5 && (fvi_run_feels_start(run, &felt) || felt);
 }
 
 //> order
@@ -281,10 +279,12 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
         return status;
     if (!status)
         fvi_stop(s);
-    for (size_t i = 0; i < run->system->d; i++) /* some run it as printed */
-        if (!fvi_past_has_solution(run->past, run->alpha,
-                                   run->system->damping[i], run->x0[i]))
-            FVI_FAIL("there is no solution to be near to", FVI_EDOM);
+    int has;
+    status = fvi_run_has_solution(run, &has); /* some run it as printed */
+    if (!has)
+        FVI_FAIL("there is no solution to be near to", FVI_EDOM);
+    if (status)
+        return status;
     if (method->lowest < 1)
         FVI_FAIL("the method does not say its order", FVI_EINVAL);
     return FVI_SUCCESS;

@@ -5,6 +5,7 @@
 #include "fvi_shortest.h"
 #include "memory/law_terms.h"
 #include "methods/damping.h"
+#include "run/solution.h"
 
 #include <fvi/fvi.h>
 
@@ -168,13 +169,17 @@ static int check_linear(const fvi_options *o, fvi_complaint c)
  * with --error, as there is nothing to be near to. (19.2) */
 static int check_solution(fvi_options *o, fvi_complaint c)
 {
-    for (size_t i = 0; i < o->d; i++)
-        o->no_solution |=
-            !fvi_past_has_solution(o->past, o->alpha, o->rho[i], o->x0[i]);
-    if (o->no_solution
-        && !(o->method && o->method->past_as_printed && o->error == 0))
-        return fvi_refuse(c, "--derivative: 'rl' has no solution for x0 != 0 "
-                             "and alpha > 1/2; take held or caputo");
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    int has;
+    if (fvi_run_has_solution(&run, &has))
+        return 0; /* no memory: nor has the run */
+    o->no_solution = !has;
+    if (!has && !(o->method && o->method->past_as_printed && o->error == 0))
+        return fvi_refuse(c,
+                          "--derivative: 'rl' has no solution for %s != 0 and "
+                          "alpha > 1/2; take held or caputo",
+                          o->directory ? "C x0" : "x0");
     return 0;
 }
 

@@ -313,6 +313,54 @@ START_TEST(an_unstable_step_is_told_of_a_system_too)
 }
 END_TEST
 
+/* (19.2): the damper is between the first and the last mass, and they start alike. Then
+ * the body was held; C 0.3 times the difference of two starts is no number to be put to. */
+START_TEST(a_start_that_no_damper_feels_has_a_solution)
+{
+    static char held[1 << 16], put[1 << 16];
+    char line[300];
+    static const char *const methods[] = { "fvi", "fvi-shifted", "fvi-bdf2",
+                                           "fvi-stable" };
+    write_chain();
+    write_file("chain/C.mtx", HEAD "3 3 3\n1 1 0.3\n3 3 0.3\n3 1 -0.3\n");
+    for (size_t i = 0; i < LEN(methods); i++) {
+        const char *start = "run --system chain --alpha 0.7 --x0 0.1,2,0.1 "
+                            "--steps 50 --columns x,p --method";
+        snprintf(line, sizeof line, "%s %s", start, methods[i]);
+        table(line, held, sizeof held);
+        snprintf(line, sizeof line, "%s %s --derivative rl", start, methods[i]);
+        table(line, put, sizeof put);
+        ck_assert_str_eq(err, "");
+        ck_assert_ptr_null(strstr(out, "warning"));
+        ck_assert_str_eq(held, put);
+        snprintf(line, sizeof line,
+                 "run --system chain --alpha 0.7 --x0 0.1,2,0.2 --derivative "
+                 "rl --steps 9 --method %s",
+                 methods[i]);
+        if (i > 0)
+            ck_assert_refused(line, "fvi: --derivative: 'rl' has no solution "
+                                    "for C x0 != 0 and alpha > 1/2; take "
+                                    "held or caputo");
+    }
+    ck_assert_int_eq(fvi("gradient --system chain --alpha 0.7 --x0 0.1,2,0.1 "
+                         "--method fvi-stable --derivative rl"),
+                     0);
+    const double put_by_alpha = by("alpha"), put_by_rho = by("rho");
+    ck_assert_int_eq(fvi("gradient --system chain --alpha 0.7 --x0 0.1,2,0.1 "
+                         "--method fvi-stable"),
+                     0);
+    ck_assert_near(put_by_alpha, by("alpha"), 1e-13, "alpha");
+    ck_assert_near(put_by_rho, by("rho"), 1e-13, "rho");
+    ck_assert_int_eq(fvi("run --system chain --alpha 0.7 --x0 0.1,2,0.2 "
+                         "--derivative rl --steps 9"),
+                     0);
+    ck_assert_ptr_nonnull(
+        strstr(err, "rl with C x0 != 0 and alpha > 1/2 has "));
+    ck_assert_ptr_nonnull(
+        strstr(out, "# warning = rl with C x0 != 0 and alpha > 1/2 has no "));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: systems of matrices");
@@ -323,6 +371,7 @@ int main(void)
              unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot,
              a_system_goes_on_from_a_checkpoint_with_the_same_digits,
              eq_18_2_a_system_is_run_to_a_wanted_error,
-             an_unstable_step_is_told_of_a_system_too);
+             an_unstable_step_is_told_of_a_system_too,
+             a_start_that_no_damper_feels_has_a_solution);
     return run_suite_of_program(suite);
 }

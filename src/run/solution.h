@@ -1,0 +1,30 @@
+/* src/run/solution.h -- Is there a motion that starts so?            [Chapters 19, 27] */
+#ifndef FVI_SOLUTION_H
+#define FVI_SOLUTION_H
+
+#include <fvi/trajectory.h>
+
+/* fvi_run_feels_start -- does the damping take hold of x0 itself: rho_i x0_i != 0 for some
+ * i, or C x0 != 0?
+ *
+ *   run   of a system that fvi_system_check_any takes, x0 finite
+ *   felt  output, 0 or 1
+ *
+ * A damper between bodies that start alike does not feel where. C x0 is a sum of rounded
+ * products, and counts as zero while
+ *
+ *     |(C x0)_i| <= 64 u sqrt(C_ii) max_j sqrt(C_jj) |x0_j|   for all i:
+ *
+ * |C_ij| is at most sqrt(C_ii C_jj), so that n products, summed, round by up to n^2 u of
+ * that, where signs do not help: rows of up to eight entries are safe, longer ones
+ * nearly always. A wrong "no" is a start that is off by as little.
+ * Cost O(d), one product by C. Returns FVI_SUCCESS; FVI_ENOMEM; or what the matrices
+ * returned. */
+int fvi_run_feels_start(const fvi_run *run, int *felt);
+
+/* fvi_run_has_solution -- 0 if no motion with a finite velocity starts there:
+ * Riemann-Liouville, alpha > 1/2, and a damping that feels x0; else 1.  [(19.2)]
+ * Arguments and codes as above. */
+int fvi_run_has_solution(const fvi_run *run, int *has);
+
+#endif
