@@ -22,56 +22,70 @@ typedef struct {
 
 enum { MOST_STEPS = 1 << 24 };
 
-static int search(const fvi_options *o, const fvi_run *r, double *x, double *p,
-                  found_by *found)
+static int search(const fvi_options *o, const fvi_method *method,
+                  const fvi_run *r, double *x, double *p, found_by *found)
 {
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
         fprintf(stderr, "looking for the step ...");
-    int status = o->method->dense
+    int status = method->dense
                      ? fvi_adaptive_search(r, o->error, MOST_STEPS, x, p,
                                            &found->adaptive)
-                     : fvi_step_search(o->method, r, o->error, MOST_STEPS, x, p,
+                     : fvi_step_search(method, r, o->error, MOST_STEPS, x, p,
                                        &found->step);
     if (terminal)
         fprintf(stderr, "\r\033[K");
     return status;
 }
 
-/* How near to the wanted error a search came. */
-static void say_how_near(const fvi_options *o, const fvi_run *r,
-                         const found_by *found)
+/* "1.9e-07, with the step 9.537e-07" */
+static double estimate_of(const fvi_options *o, const fvi_method *method,
+                          const found_by *found, size_t size, char *text)
 {
-    const int dense = o->method->dense != NULL;
     const double estimate =
-        dense ? found->adaptive.estimate : found->step.estimate;
-    const fvi_method *other =
-        dense ? NULL : fvi_step_search_other(o->method, r);
-    char with[80];
+        method->dense ? found->adaptive.estimate : found->step.estimate;
+    if (method->dense)
+        snprintf(text, size, "%.2g, in %zu steps", estimate,
+                 found->adaptive.counts.steps);
+    else
+        snprintf(text, size, "%.2g, with the step %.4g", estimate,
+                 o->h / (double)found->step.parts);
+    return estimate;
+}
+
+/* How near to the wanted error a search came; and another method is tried before it is
+ * advised. x and p are room for its rows, which nobody sees. */
+static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
+                         double *p, const found_by *found)
+{
+    char own[80], others[80], advice[160] = "";
+    const double estimate = estimate_of(o, o->method, found, sizeof own, own);
     if (!isfinite(estimate)) {
         fvi_complain("--error: no step gives a result that can be trusted");
         return;
     }
-    if (dense)
-        snprintf(with, sizeof with, "in %zu steps",
-                 found->adaptive.counts.steps);
-    else
-        snprintf(with, sizeof with, "with the step %.4g",
-                 o->h / (double)found->step.parts);
+    const fvi_method *other =
+        o->method->dense ? NULL : fvi_step_search_other(o->method, r);
+    found_by tried;
+    const int status = other ? search(o, other, r, x, p, &tried) : 0;
+    if (other && !status)
+        snprintf(advice, sizeof advice, "; try --method %s", other->name);
+    else if (status == FVI_ETOL
+             && estimate_of(o, other, &tried, sizeof others, others) < estimate)
+        snprintf(advice, sizeof advice, "; by %s %s", other->name, others);
     fprintf(stderr,
             "fvi: --error: %g is out of reach; the smallest estimate was "
-            "%.2g, %s%s%s\n",
-            o->error, estimate, with, other ? "; try --method " : "",
-            other ? other->name : "");
+            "%s%s\n",
+            o->error, own, advice);
 }
 
 /* Find the step; say what was found, or how near it came. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
                      double *p, found_by *found)
 {
-    int status = search(o, r, x, p, found);
+    int status = search(o, o->method, r, x, p, found);
     if (status == FVI_ETOL)
-        say_how_near(o, r, found);
+        say_how_near(o, r, x, p, found);
     else if (status == FVI_EMAXITER || status == FVI_EOVRFLW
              || (status == FVI_ESING && !o->directory))
         fvi_complain("--error: no step gives a result that can be trusted");

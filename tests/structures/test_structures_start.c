@@ -160,7 +160,7 @@ START_TEST(eq_9_5_a_start_that_is_not_felt_is_no_kick)
     for (int printed = 0; printed < 2; printed++) {
         fvi_run run = run_of(&m.system, 0.45, 1, 1, x0, p0);
         run.past = printed ? FVI_PAST_RIEMANN_LIOUVILLE : FVI_PAST_HELD;
-        OK(fvi_step_search(&fvi_fractional, &run, 0.02, 100000, x, p,
+        OK(fvi_step_search(&fvi_fractional, &run, 1e-6, 100000, x, p,
                            found + printed));
     }
     ck_assert_uint_eq(found[0].parts, found[1].parts);
