@@ -17,6 +17,10 @@
  * terms are taken; ten times larger, and the modes are coarse. */
 #define FVI_COARSE 1e-6
 
+/* With a still larger one steps are so long that a step's polynomial is no guess beyond it,
+ * and one Hessian does not do for all stages. */
+#define FVI_FEW 1e-2
+
 /* The least tolerance, of the size: rounding hides what is less. */
 #define FVI_FINEST 1e-17
 
@@ -163,6 +167,14 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);
  * FVI_EMAXITER or FVI_ESING if it does not converge: a
  * shorter step may. What a callback returned comes back. */
 int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
+
+/* fvi_adaptive_extrapolate -- a guess of o->delta, from the velocities of the last step's
+ * polynomial; zeros where that is too far away.
+ * fvi_adaptive_leap -- another, from stage to stage as a leap-frog goes, with the force at
+ * each and what the memory makes of the stages before it. Cost O(s^2 d) and s gradients.
+ * Returns what a callback does. */
+void fvi_adaptive_extrapolate(fvi_adaptive_run *o);
+int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o);
 
 /* fvi_adaptive_solve_linear -- the same where o->solve is FVI_SOLVE_LINEAR; R is not kept. */
 int fvi_adaptive_solve_linear(fvi_stepper *s, fvi_adaptive_run *o);

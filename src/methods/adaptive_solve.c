@@ -3,11 +3,12 @@
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
  * At once where grad U is linear and coordinates do not know of each other
- * (adaptive_linear.c); by Newton's method with one Hessian for all stages (adaptive_band.h) where it has few diagonals and
- * form D's to_x has those eigenvectors; in form M with the Jacobian L + h^2 diag(U'') to_x
- * where coordinates do not know of each other; else by delta <- L^{-1} (R - h grad U),
- * which needs no matrix that couples them, as long as it contracts, and by Newton's
- * method for all stages and coordinates where it does not. */
+ * (adaptive_linear.c); by Newton's method with one Hessian for all stages (adaptive_band.h)
+ * where it has few diagonals and form D's to_x has those eigenvectors; in form M, or where
+ * few digits make the steps long, with the Jacobian L + h^2 diag(U'') to_x where coordinates
+ * do not know of each other; else by delta <- L^{-1} (R - h grad U), which needs no matrix
+ * that couples them, as long as it contracts, and by Newton's method for all stages and
+ * coordinates where it does not. */
 #include "adaptive.h"
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
@@ -215,7 +216,7 @@ static double correct_all(fvi_adaptive_run *o, way by)
 static int iterate(fvi_stepper *s, fvi_adaptive_run *o, way by, double worst,
                    int most)
 {
-    const double badly = by == NEWTON ? 0.05 : 0.3;
+    const double badly = by == NEWTON && o->wish <= FVI_FEW ? 0.05 : 0.3;
     double moved_before = 0;
     o->contraction = 0.5; /* until it is known */
     for (int i = 0; i < most; i++) {
@@ -294,46 +295,35 @@ static int solve_coupled(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
-/* ---- a first guess ---- */
+/* ---- the ways ---- */
 
-//> predict
-/* The velocities of the last step's polynomial, where it is not too far away. */
-static void predict(fvi_adaptive_run *o)
+/* Newton's method where coordinates do not know of each other or with one Hessian, or else
+ * the fixed-point iteration. */
+static int by_iterations(fvi_stepper *s, fvi_adaptive_run *o)
 {
-    const size_t n = o->rule->s;
-    const double before = o->t - o->t0, /* 0 in the first step */
-        ratio = o->length.h / before;
-    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
-    if (!(ratio < 2.1) || o->fresh)
-        return;
-    double theta[FVI_LANES] = { 0 };
-    fvi_square R;
-    for (size_t i = 0; i < n; i++)
-        theta[i] = 1 + o->rule->c[i] * ratio;
-    fvi_adaptive_shapes(n, theta, &R);
-    for (size_t j = 0; j < o->d; j++) {
-        double *delta = o->delta + j * FVI_LANES,
-               *bend = o->bend0 + j * FVI_LANES;
-        fvi_square_apply(n, &R, bend, delta);
-        for (size_t i = 0; i < FVI_LANES; i++)
-            delta[i] = i < n ? delta[i] - bend[0] : 0;
-    }
-}
-//< predict
-
-int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
-{
-    if (o->solve == FVI_SOLVE_LINEAR)
-        return fvi_adaptive_solve_linear(s, o);
-    predict(o);
-    if (o->solve == FVI_SOLVE_TOGETHER)
-        return solve_coupled(s, o);
     if (o->band)
         return iterate(s, o, ONE_HESSIAN, 0.8, 30);
     if (o->solve == FVI_SOLVE_DIAGONAL)
         return iterate(s, o, NEWTON, 0.9, 12);
-    int status = iterate(s, o, FIXED_POINT, 0.8, 60);
-    if (status != FVI_EMAXITER)
+    return iterate(s, o, FIXED_POINT, 0.8, 60);
+}
+
+int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
+{
+    int status = FVI_EMAXITER;
+    if (o->solve == FVI_SOLVE_LINEAR)
+        return fvi_adaptive_solve_linear(s, o);
+    if (o->solve == FVI_SOLVE_TOGETHER) {
+        fvi_adaptive_extrapolate(o);
+        return solve_coupled(s, o);
+    }
+    if (o->wish > FVI_FEW && !fvi_adaptive_leap(s, o))
+        status = by_iterations(s, o);
+    if (status) { /* also if a callback would not go so far */
+        fvi_adaptive_extrapolate(o);
+        status = by_iterations(s, o);
+    }
+    if (status != FVI_EMAXITER || o->solve != FVI_SOLVE_COUPLED || o->band)
         return status;
     if (++o->stuck == 20) /* it is not worth trying */
         o->solve = FVI_SOLVE_TOGETHER;

@@ -101,8 +101,10 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->counts.form = damped ? 'D' : 'M';
     o->diagonals =
         o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
-    if (!damped || o->diagonals > o->rule->s)
-        o->diagonals = 0; /* no functions of A; no room for them in hessian */
+    const int each = o->solve == FVI_SOLVE_DIAGONAL && wish > FVI_FEW;
+    if (!damped || each || o->diagonals > o->rule->s)
+        o->diagonals = 0; /* no functions of A; the steps are too long for one
+                             Hessian; no room for them in hessian */
     o->scale = scale;
     o->T = T;
     o->least = 1e-14 * T;

@@ -1,0 +1,89 @@
+/* src/methods/adaptive_guess.c -- Where the iteration of a step begins. [Chapter 22] */
+#include "adaptive.h"
+
+#include <fvi/discrete_mechanics.h>
+#include <fvi/error.h>
+
+#include <string.h>
+
+//> extrapolate
+void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
+{
+    const size_t n = o->rule->s;
+    const double before = o->t - o->t0, /* 0 in the first step */
+        ratio = o->length.h / before;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    if (!(ratio < 2.1) || o->fresh)
+        return;
+    double theta[FVI_LANES] = { 0 };
+    fvi_square R;
+    for (size_t i = 0; i < n; i++)
+        theta[i] = 1 + o->rule->c[i] * ratio;
+    fvi_adaptive_shapes(n, theta, &R);
+    for (size_t j = 0; j < o->d; j++) {
+        double *delta = o->delta + j * FVI_LANES,
+               *bend = o->bend0 + j * FVI_LANES;
+        fvi_square_apply(n, &R, bend, delta);
+        for (size_t i = 0; i < FVI_LANES; i++)
+            delta[i] = i < n ? delta[i] - bend[0] : 0;
+    }
+}
+//< extrapolate
+
+/* ---- from node to node ---- */
+
+//> leap
+/* From stage i - 1 to stage i, which is dt later: x there. */
+static void leap(fvi_adaptive_run *o, size_t i, double dt)
+{
+    const double *before = o->point + (i - 1) * o->d;
+    for (size_t j = 0; j < o->d; j++) {
+        const size_t at = j * FVI_LANES + i;
+        o->point[i * o->d + j] =
+            before[j] + (o->base[at] - o->base[at - 1])
+            + dt * (o->delta[at - 1] + dt / 2 * o->bend[at - 1]);
+    }
+}
+
+/* V - v and its derivative at stage i, by the force there and by what stages up to this one
+ * add to the memory: drag W0. The derivatives stand where bend will. */
+static void push(fvi_adaptive_run *o, size_t i, double dt)
+{
+    const double by_h = 1 / o->length.h;
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_kind *kind = &o->of_kind[o->kind[j]];
+        double *v = o->delta + j * FVI_LANES, *a = o->bend + j * FVI_LANES,
+               past = 0;
+        for (size_t l = 0; l < i; l++)
+            past += o->W0.column[l][i] * v[l];
+        const double by_m = 1 / kind->mass, drag = kind->drag * by_h,
+                     f = by_m
+                         * (o->R[j * FVI_LANES + i] * by_h - drag * past
+                            - o->gradient[i * o->d + j]),
+                     w = by_m * drag * o->W0.column[i][i];
+        if (i > 0)
+            v[i] = (v[i - 1] + dt / 2 * (a[i - 1] + f)) / (1 + dt / 2 * w);
+        a[i] = f - w * v[i];
+    }
+}
+
+int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
+{
+    const fvi_variable_rule *rule = o->rule;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    for (size_t j = 0; j < o->d; j++)
+        o->point[j] = o->base[j * FVI_LANES];
+    for (size_t i = 0; i < rule->s; i++) {
+        const double dt =
+            i > 0 ? o->length.h * (rule->c[i] - rule->c[i - 1]) : 0;
+        if (i > 0)
+            leap(o, i, dt);
+        const int status = fvi_gradient(s->run.system, o->point + i * o->d,
+                                        o->gradient + i * o->d);
+        if (status)
+            return status;
+        push(o, i, dt);
+    }
+    return FVI_SUCCESS;
+}
+//< leap
