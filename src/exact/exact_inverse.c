@@ -177,13 +177,20 @@ static double complex grows(const fvi_residue *a, const fvi_event *at,
     return e;
 }
 
-//> residues
-static void add_residue(const fvi_residue *a, const fvi_event *at,
-                        int with_force, double *x, double *v)
+double complex fvi_inverse_residue(const fvi_residue *a, const fvi_event *at,
+                                   int with_force)
 {
     double complex r = at->start * a->start * grows(a, at, 0);
     if (with_force)
         r += at->sign * a->force * grows(a, at, at->lasts);
+    return r;
+}
+
+//> residues
+static void add_residue(const fvi_residue *a, const fvi_event *at,
+                        int with_force, double *x, double *v)
+{
+    double complex r = fvi_inverse_residue(a, at, with_force);
     *x += 2 * creal(r);
     *v += 2 * creal(a->s * r);
 }
@@ -193,8 +200,8 @@ static void add_residue(const fvi_residue *a, const fvi_event *at,
 /* (11.12): the two residues of a cosine close to resonance are of order
  * 1 / |iw - s| each and nearly cancel. Their sum is a mean over a circle that
  * has both poles inside. Returns 0 if they are far enough from each other. */
-static int add_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
-                         double *x, double *v)
+int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
+                          double *x, double *v)
 {
     const fvi_residue *forced = &S->pole[S->roots];
     const double w = S->p.w, radius = fmin(0.5 / t, w / 4);
@@ -266,7 +273,7 @@ void fvi_inverse_add(fvi_inverse *S, const fvi_event *at, double *x, double *v)
         all = all && passed[i];
     for (size_t i = 0; near == S->poles && i < S->roots; i++)
         if (S->poles > S->roots && passed[i] && passed[S->roots]
-            && add_resonance(S, &S->root[i], at->t, x, v))
+            && fvi_inverse_resonance(S, &S->root[i], at->t, x, v))
             near = i;
     for (size_t i = 0; i < S->poles; i++)
         if (passed[i])

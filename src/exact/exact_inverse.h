@@ -59,6 +59,16 @@ void fvi_inverse_add(fvi_inverse *S, const fvi_event *at, double *x, double *v);
 void fvi_inverse_oscillation(const fvi_inverse *S, const fvi_event *at,
                              double *x, double *v);
 
+/* fvi_inverse_residue -- what one pole of them gives: twice the real part of it in x, of s
+ * times it in v. t >= lasts. */
+double complex fvi_inverse_residue(const fvi_residue *a, const fvi_event *at,
+                                   int with_force);
+
+/* fvi_inverse_resonance -- add the residues of a zero of Q and of the cosine together, by
+ * (11.12); returns 0, and does nothing, if the two are far enough from each other. */
+int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
+                          double *x, double *v);
+
 /* ---- what exact_solution.c has that exact_rows.c needs ---- */
 
 /* fvi_exact_check -- what fvi_exact says of a problem. */

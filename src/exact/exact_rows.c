@@ -1,8 +1,14 @@
 /* src/exact/exact_rows.c -- The linear problem, solved at evenly spaced times. [Chapter 11] */
-#include "exact_inverse.h"
+#include "exact_window.h"
+#include "memory/double_double.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
+#include <string.h>
+
+static const double LONGEST = 100;    /* a window's last time over its first */
+static const double ROUNDING = 1e-16; /* the tolerance that 0 stands for */
+static const double TAME = 1e100;     /* squares of more are out of range */
 
 static int check_rows(double h, size_t n, double tolerance, const double *x,
                       const double *v)
@@ -18,27 +24,269 @@ static int check_rows(double h, size_t n, double tolerance, const double *x,
     return FVI_SUCCESS;
 }
 
+typedef struct {
+    fvi_inverse *S;
+    double h, tolerance, *x, *v;
+    int turns;                                 /* nonzero: turn is there */
+    double complex turn[FVI_POLES][FVI_BLOCK]; /* e^{s j h} */
+} rows;
+
+/* Rows a to b, whose events lie at `since`. */
+typedef struct {
+    size_t a, b;
+    double since;
+} range;
+
+static double time_of(const rows *r, size_t k, double since)
+{
+    return (double)k * r->h - since;
+}
+
+/* ---- residues ---- */
+
+static void prepare_turns(rows *r)
+{
+    for (size_t i = 0; i < r->S->poles && !r->turns; i++) {
+        const fvi_residue *a = &r->S->pole[i];
+        double complex *turn = r->turn[i];
+        turn[0] = 1;
+        for (size_t j = 1; j < FVI_BLOCK; j *= 2) {
+            turn[j] = fvi_pole_exp(a->s, a->low, (double)j * r->h, 0);
+            for (size_t l = 1; l < j; l++)
+                turn[j + l] = turn[j] * turn[l];
+        }
+    }
+    r->turns = 1;
+}
+
+/* What rounding t_k to a double took from or added to t + j h. */
+static double rounded_by(const rows *r, double t, double tk, size_t j)
+{
+    const dd apart = two_sum(tk, -t), steps = two_product((double)j, r->h);
+    return (apart.hi - steps.hi) + (apart.lo - steps.lo);
+}
+
+/* A block of rows: e^{s t} at its first, and from there by turns. */
+static void add_residues(rows *r, size_t pole, const fvi_event *first,
+                         int with_force, size_t k, size_t count, double since)
+{
+    const fvi_residue *a = &r->S->pole[pole];
+    const double complex at = fvi_inverse_residue(a, first, with_force);
+    for (size_t j = 0; j < count && at != 0; j++) {
+        const double off = rounded_by(r, first->t, time_of(r, k + j, since), j);
+        const double complex e = at * r->turn[pole][j] * (1 + a->s * off);
+        if (r->x)
+            r->x[k + j] += 2 * creal(e);
+        if (r->v)
+            r->v[k + j] += 2 * creal(a->s * e);
+    }
+}
+
+/* One row, where a cosine may be in resonance with a zero of Q. Returns that zero's number,
+ * or S->poles if none is. */
+static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
+                       double *v)
+{
+    const fvi_inverse *S = r->S;
+    for (size_t i = 0; i < S->roots && S->poles > S->roots; i++)
+        if (w->passed[i] && w->passed[S->roots]
+            && fvi_inverse_resonance(S, &S->root[i], t, x, v))
+            return i;
+    return S->poles;
+}
+
+static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
+                             range of)
+{
+    const fvi_inverse *S = r->S;
+    prepare_turns(r);
+    for (size_t k = of.a, count; k <= of.b; k += count) {
+        double x = 0, v = 0;
+        event.t = time_of(r, k, of.since);
+        const size_t near = resonant(r, w, event.t, &x, &v);
+        count = near < S->poles ? 1 : GSL_MIN(of.b - k + 1, FVI_BLOCK);
+        if (r->x)
+            r->x[k] += x;
+        if (r->v)
+            r->v[k] += v;
+        for (size_t i = 0; i < S->poles; i++)
+            if (w->passed[i])
+                add_residues(r, i, &event,
+                             near == S->poles || (i != near && i != S->roots),
+                             k, count, of.since);
+    }
+}
+
+/* ---- windows ---- */
+
+/* The integral of an event at rows. */
+static void add_integral_rows(const rows *r, fvi_window *w, fvi_event event,
+                              range of)
+{
+    if (of.a > of.b || w->count == 0)
+        return;
+    event.t = time_of(r, of.a, of.since);
+    fvi_window_add(w, &event, r->h, of.b - of.a + 1, r->x ? r->x + of.a : NULL,
+                   r->v ? r->v + of.a : NULL);
+}
+
+/* The last row of the window that begins with row a: (11.15) cuts (first, last) into as few
+ * equal ratios as LONGEST allows. */
+static size_t last_of_window(const rows *r, range of)
+{
+    const double first = time_of(r, of.a, of.since),
+                 all = time_of(r, of.b, of.since) / first,
+                 windows = ceil(log(all) / log(LONGEST) - 1e-9);
+    if (windows <= 1)
+        return of.b;
+    const double more = first * (pow(all, 1 / windows) - 1) / r->h;
+    return GSL_MIN(of.a + (size_t)more, of.b);
+}
+
+static int add_rows(rows *r, const fvi_event *event, range of);
+
+/* Rows of a step after its end, from row `ended` on: as two starts while t - T < first / 2,
+ * as a pulse later. */
+static int add_ended(rows *r, fvi_window *w, const fvi_event *event, range of,
+                     size_t ended, double first)
+{
+    const double T = r->S->p.T;
+    size_t late = ended;
+    while (late <= of.b && time_of(r, late, T) < first / 2)
+        late++;
+    fvi_event plain = *event, pulse = { .sign = T > 0, .lasts = T };
+    add_integral_rows(r, w, plain, (range){ of.a, late - 1, 0 });
+    if (of.a < late)
+        add_all_residues(r, w, plain, (range){ of.a, late - 1, 0 });
+    plain.sign = 0;
+    if (late <= of.b) {
+        range rest = { GSL_MAX(of.a, late), of.b, 0 };
+        const double moved = r->S->p.x0 != 0 || r->S->p.v0 != 0;
+        if (moved)
+            add_integral_rows(r, w, plain, rest);
+        fvi_event both = { .start = 1, .sign = T > 0, .lasts = T };
+        add_all_residues(r, w, both, rest);
+        rest.since = T;
+        add_integral_rows(r, w, pulse, rest);
+    }
+    if (late > ended) {
+        const fvi_event off = { .sign = -event->sign };
+        return add_rows(r, &off, (range){ ended, late - 1, T });
+    }
+    return FVI_SUCCESS;
+}
+
+static int add_window(rows *r, const fvi_event *event, range of)
+{
+    const fvi_linear *p = &r->S->p;
+    const double first = time_of(r, of.a, of.since),
+                 last = time_of(r, of.b, of.since);
+    const int ends = p->forcing == FVI_FORCING_STEP && of.since == 0
+                     && event->start == 1 && last > p->T;
+    fvi_window w;
+    int status = fvi_window_open(r->S, first, last, r->h, r->tolerance,
+                                 ends ? p->T : 0, &w);
+    if (status)
+        return status;
+    if (ends) {
+        size_t ended = of.a;
+        if (p->T > first)
+            ended = (size_t)(p->T / r->h);
+        while (ended > of.a && time_of(r, ended - 1, 0) > p->T)
+            ended--;
+        while (time_of(r, ended, 0) <= p->T)
+            ended++;
+        status = add_ended(r, &w, event, of, ended, first);
+    } else {
+        add_integral_rows(r, &w, *event, of);
+        add_all_residues(r, &w, *event, of);
+    }
+    fvi_window_close(&w);
+    return status;
+}
+
+static int add_rows(rows *r, const fvi_event *event, range of)
+{
+    int status = FVI_SUCCESS;
+    while (of.a <= of.b && !status) {
+        const size_t last = last_of_window(r, of);
+        status = add_window(r, event, (range){ of.a, last, of.since });
+        of.a = last + 1;
+    }
+    return status;
+}
+
+/* ---- one time after the other, for what has no window ---- */
+
+static int one_by_one(const rows *r, size_t n)
+{
+    for (size_t k = 1; k <= n; k++) {
+        const double t = time_of(r, k, 0);
+        double x, v;
+        if (fvi_exact_phase_is_lost(r->S, t))
+            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+        fvi_exact_at(r->S, t, &x, &v);
+        if (!gsl_finite(x) || !gsl_finite(v))
+            FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+        if (r->x)
+            r->x[k] = x;
+        if (r->v)
+            r->v[k] = v;
+    }
+    return FVI_SUCCESS;
+}
+
+/* Numbers whose squares are in range, times whose phases are known. */
+static int is_tame(const rows *r, size_t n)
+{
+    const fvi_linear *p = &r->S->p;
+    const double t = time_of(r, n, 0);
+    const double most[] = { t,
+                            1 / r->h,
+                            p->c / p->m * t * t,
+                            p->rho / p->m * t * t,
+                            p->rho / p->m * pow(t, 2 - r->S->beta),
+                            p->w * t };
+    for (size_t i = 0; i < sizeof most / sizeof *most; i++)
+        if (!(most[i] < TAME))
+            return 0;
+    for (size_t i = 0; i < r->S->roots; i++)
+        if (fvi_pole_phase_error(&(fvi_pole){ .s = I * r->S->root[i].s }, t)
+            > 1e-14)
+            return 0;
+    return 1;
+}
+
 int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
                    double tolerance, double *x, double *v)
 {
     fvi_inverse S;
+    rows r = { .S = &S,
+               .h = h,
+               .tolerance = GSL_MAX_DBL(tolerance, ROUNDING),
+               .x = x,
+               .v = v };
     int status = fvi_exact_check(problem);
     if (!status)
         status = check_rows(h, n, tolerance, x, v);
     if (!status)
         status = fvi_inverse_prepare(problem, &S);
-    for (size_t k = 0; k <= n && !status; k++) {
-        const double t = (double)k * h;
-        double xk, vk;
-        if (fvi_exact_phase_is_lost(&S, t))
-            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
-        fvi_exact_at(&S, t, &xk, &vk);
-        if (!gsl_finite(xk) || !gsl_finite(vk))
-            FVI_FAIL("a value is not finite", FVI_EOVRFLW);
-        if (x)
-            x[k] = xk;
-        if (v)
-            v[k] = vk;
+    if (status)
+        return status;
+    if (x) {
+        memset(x, 0, (n + 1) * sizeof *x);
+        x[0] = problem->x0;
     }
+    if (v) {
+        memset(v, 0, (n + 1) * sizeof *v);
+        v[0] = problem->v0;
+    }
+    if (!is_tame(&r, n))
+        return one_by_one(&r, n);
+    const fvi_event start = { .start = 1, .sign = 1 };
+    status = add_rows(&r, &start, (range){ 1, n, 0 });
+    for (size_t k = 0; k <= n && !status; k++)
+        if ((x && !gsl_finite(x[k])) || (v && !gsl_finite(v[k])))
+            FVI_FAIL("a value is not finite", FVI_EOVRFLW);
     return status;
 }

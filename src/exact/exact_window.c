@@ -1,0 +1,353 @@
+/* src/exact/exact_window.c -- One contour for many times.              [Chapter 11] */
+#include "exact_window.h"
+
+#include "exact_vectors.h"
+#include "memory/law_terms.h"
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
+static const double PHI = 1.35; /* and comes no closer to the cut than this */
+static const double GONE = -90; /* e^GONE is nothing */
+static const double EDGES =
+    5; /* what the rule errs is below e^EDGES times (11.17) */
+static const double CUT =
+    2; /* what is cut off below e^-CUT times the tolerance */
+
+/* ---- where the contour goes ---- */
+
+/* (11.11) in the middle of the widest part of (0, PHI) without a pole; k poles
+ * leave one of PHI / (k + 1). Returns the middle, and half the width in room. */
+static double between_poles(fvi_window *w, double *room)
+{
+    const fvi_inverse *S = w->S;
+    double edge[FVI_POLES + 2] = { 0 }, middle = 0;
+    size_t edges = 1;
+    for (size_t i = 0; i < S->poles; i++) {
+        const double phi = -creal(casin(S->pole[i].s * w->unit / MU - 1));
+        size_t j = edges++;
+        for (; j > 1 && edge[j - 1] > phi; j--)
+            edge[j] = edge[j - 1];
+        edge[j] = GSL_MIN_DBL(GSL_MAX_DBL(phi, 0), PHI);
+    }
+    edge[edges] = PHI;
+    *room = 0;
+    for (size_t j = 0; j < edges; j++)
+        if (edge[j + 1] - edge[j] > 2 * *room) {
+            *room = (edge[j + 1] - edge[j]) / 2;
+            middle = edge[j] + *room;
+        }
+    w->all_passed = 1;
+    for (size_t i = 0; i < S->poles; i++) {
+        const double phi = -creal(casin(S->pole[i].s * w->unit / MU - 1));
+        w->passed[i] = phi < middle;
+        w->all_passed = w->all_passed && w->passed[i];
+    }
+    return middle;
+}
+
+/* ---- complex numbers that a compiler can take several of ---- */
+
+typedef struct {
+    double re, im;
+} pair;
+
+static inline pair product(pair a, pair b)
+{
+    return (pair){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
+}
+
+static inline pair sum(pair a, pair b)
+{
+    return (pair){ a.re + b.re, a.im + b.im };
+}
+
+static inline pair scaled(double a, pair b)
+{
+    return (pair){ a * b.re, a * b.im };
+}
+
+/* 1 / a, whose square is not out of range. */
+static inline pair reciprocal(pair a)
+{
+    const double size = a.re * a.re + a.im * a.im;
+    return (pair){ a.re / size, -a.im / size };
+}
+
+static inline pair at(const fvi_parts *a, size_t i)
+{
+    return (pair){ a->re[i], a->im[i] };
+}
+
+static inline void put(const fvi_parts *a, size_t i, pair z)
+{
+    a->re[i] = z.re;
+    a->im[i] = z.im;
+}
+
+/* exp(a z) for all nodes; where nothing is left of it, about e^GONE. */
+FVI_VECTORS static void multiples(size_t n, double a, const double *restrict re,
+                                  const double *restrict im,
+                                  double *restrict to_re,
+                                  double *restrict to_im)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        const double x = a * re[i], y = a * im[i];
+        to_re[i] = x > GONE ? x : GONE;
+        to_im[i] = x > GONE ? y : 0;
+    }
+}
+
+static void exponentials_of(const fvi_window *w, size_t n, double a,
+                            const fvi_parts *to)
+{
+    multiples(n, a, w->z.re, w->z.im, to->re, to->im);
+    fvi_vector_exp(n, to->re, to->im);
+}
+
+/* ---- the nodes ---- */
+
+/* z and h / pi dz/du, from e^u */
+FVI_VECTORS static void place_nodes(size_t n, double h, double sine,
+                                    double cosine, const double *restrict eu,
+                                    double *restrict z_re,
+                                    double *restrict z_im,
+                                    double *restrict dz_re,
+                                    double *restrict dz_im)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        const double ch = (eu[i] + 1 / eu[i]) / 2, sh = (eu[i] - 1 / eu[i]) / 2;
+        z_re[i] = MU * (1 - sine * ch);
+        z_im[i] = MU * (cosine * sh);
+        dz_re[i] = -h / M_PI * MU * (sine * sh);
+        dz_im[i] = h / M_PI * MU * (cosine * ch);
+    }
+}
+
+static void prepare_nodes(fvi_window *w, double phi, double h)
+{
+    const fvi_inverse *S = w->S;
+    double complex unused;
+    for (size_t i = 0; i < w->count; i++) {
+        w->scratch.re[i] = ((double)i + 0.5) * h;
+        w->scratch.im[i] = 0;
+    }
+    fvi_vector_exp(w->count, w->scratch.re, w->scratch.im);
+    place_nodes(w->count, h, sin(phi), cos(phi), w->scratch.re, w->z.re,
+                w->z.im, w->weight.re, w->weight.im);
+    for (size_t i = 0; i < w->count; i++) {
+        const double x = w->z.re[i], y = w->z.im[i];
+        if (S->p.law) {
+            const double complex C =
+                fvi_law_at(S->p.law, (x + I * y) / w->unit, &unused);
+            put(&w->power, i, (pair){ creal(C), cimag(C) });
+        } else {
+            w->power.re[i] = S->beta / 2 * log(x * x + y * y);
+            w->power.im[i] = S->beta * atan2(y, x);
+        }
+    }
+    if (!S->p.law)
+        fvi_vector_exp(w->count, w->power.re, w->power.im);
+}
+
+/* e^{z j h} for the rows of a block, from j = 1, 2, 4, 8. */
+FVI_VECTORS static void step_rows(size_t n, size_t j, const double *restrict re,
+                                  const double *restrict im,
+                                  double *restrict steps)
+{
+    for (size_t i = 0; i < n; i++) {
+        double *r = steps + 2 * FVI_BLOCK * i, *q = r + FVI_BLOCK;
+#pragma omp simd
+        for (size_t l = 0; l < j; l++) {
+            r[l + j] = r[l] * re[i] - q[l] * im[i];
+            q[l + j] = r[l] * im[i] + q[l] * re[i];
+        }
+    }
+}
+
+static void prepare_steps(fvi_window *w, double h)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        w->steps[2 * FVI_BLOCK * i] = 1;
+        w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
+    }
+    for (size_t j = 1; j < FVI_BLOCK; j *= 2) {
+        exponentials_of(w, w->count, (double)j * h / w->unit, &w->scratch);
+        step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
+    }
+}
+
+/* ---- what the problem has on the nodes ---- */
+
+/* The weight of the rule over t^2 Q(z/t) / m = z^2 + C + D; the largest of z^2, C and D is
+ * scaled, so that squares stay in range. D takes the place of z^beta. */
+static void divide_by_Q(fvi_window *w)
+{
+    const double scale = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(w->C, w->R));
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), zz = product(z, z),
+                   D = scaled(w->R, at(&w->power, i)),
+                   Q = { zz.re + w->C + D.re, zz.im + D.im };
+        put(&w->power, i, D);
+        put(&w->weight, i,
+            scaled(scale,
+                   product(at(&w->weight, i), reciprocal(scaled(scale, Q)))));
+    }
+}
+
+/* As add_integral of exact_inverse.c, without e^z. */
+static void weigh(fvi_window *w, const fvi_event *event)
+{
+    const fvi_inverse *S = w->S;
+    const fvi_linear *p = &S->p;
+    const double t = w->unit, x0 = event->start * p->x0,
+                 v0 = event->start * p->v0 * t, wt = p->w * t,
+                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), D = at(&w->power, i), by_z = reciprocal(z),
+                   q = at(&w->weight, i), Dz = product(D, by_z),
+                   pushed = sum(z, scaled(S->keeps_v0, Dz)),
+                   held = { w->C + (1 - S->keeps_x0) * D.re,
+                            (1 - S->keeps_x0) * D.im };
+        pair f = by_z;
+        if (p->forcing == FVI_FORCING_COSINE) {
+            const pair zz = product(z, z);
+            f = product(z, reciprocal((pair){ zz.re + wt * wt, zz.im }));
+        }
+        if (event->lasts > 0) {
+            const double complex g =
+                fvi_complex_expm1((z.re + I * z.im) * (event->lasts / t));
+            f = product(f, (pair){ creal(g), cimag(g) });
+        }
+        f = scaled(F, f);
+        put(&w->x, i,
+            product(q, sum(sum(scaled(x0, sum(z, scaled(S->keeps_x0, Dz))),
+                               scaled(v0, product(pushed, by_z))),
+                           f)));
+        put(&w->v, i,
+            scaled(1 / t,
+                   product(q, sum(sum(scaled(v0, pushed), scaled(-x0, held)),
+                                  product(z, f)))));
+    }
+}
+
+static int prepare_memory(fvi_window *w)
+{
+    fvi_parts *parts[] = { &w->z,       &w->weight, &w->power,
+                           &w->scratch, &w->x,      &w->v };
+    const size_t arrays = sizeof parts / sizeof *parts, n = w->count;
+    double *next = malloc(n * (2 * arrays + 2 * FVI_BLOCK) * sizeof *next);
+    w->memory = next;
+    if (!next)
+        FVI_FAIL("no memory for a contour", FVI_ENOMEM);
+    for (size_t i = 0; i < arrays; i++) {
+        *parts[i] = (fvi_parts){ next, next + n };
+        next += 2 * n;
+    }
+    w->steps = next;
+    return FVI_SUCCESS;
+}
+
+/* z^2 + C + R z^beta for z > 0, over its value at z = 1; a law counts as z^2. */
+static double over_that_at_1(const fvi_window *w, double z)
+{
+    const double R = w->S->p.law ? 0 : w->R;
+    return (z * z + w->C + R * pow(z, w->S->beta)) / (1 + w->C + R);
+}
+
+/* (11.17): log of how much larger than the solution the transform may be, on the edge of
+ * the strip next to 0, and of a force that lasts for a small part of the window. */
+static double excess(const fvi_window *w, double edge, double part)
+{
+    return log(over_that_at_1(w, part) / (part * part)
+               / over_that_at_1(w, MU * (1 - sin(edge))));
+}
+
+int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
+                    double tolerance, double lasts, fvi_window *w)
+{
+    const fvi_linear *p = &S->p;
+    const double wanted = -log(tolerance);
+    double room, part = 1;
+    *w = (fvi_window){ .S = S, .unit = last, .folds = wanted + CUT };
+    const double phi = between_poles(w, &room);
+    if (S->closed && w->all_passed)
+        return FVI_SUCCESS;
+    w->C = p->c / p->m * last * last;
+    w->R = p->rho / p->m * (p->law ? last * last : pow(last, 2 - S->beta));
+    if (2 * lasts > first)
+        part = GSL_MIN_DBL(lasts / last, 1);
+    const double step = 2 * M_PI * room
+                        / (wanted + EDGES + excess(w, phi + room, part)),
+                 least = (lasts > 0 ? first / 2 : first) / last,
+                 end = acosh((1 + w->folds / (least * MU)) / sin(phi));
+    w->count = (size_t)ceil(end / step);
+    const int status = prepare_memory(w);
+    if (status)
+        return status;
+    prepare_nodes(w, phi, step);
+    prepare_steps(w, h);
+    divide_by_Q(w);
+    return FVI_SUCCESS;
+}
+
+void fvi_window_close(fvi_window *w)
+{
+    free(w->memory);
+}
+
+/* ---- the rows ---- */
+
+//> block
+/* sum[j] += Im of the sum of c e e^{z j h} over the nodes, small ones first */
+FVI_VECTORS static void
+block_rows(size_t n, const double *restrict c_re, const double *restrict c_im,
+           const double *restrict e_re, const double *restrict e_im,
+           const double *restrict steps, double *restrict sums)
+{
+    double s[FVI_BLOCK] = { 0 };
+    for (size_t i = n; i-- > 0;) {
+        const double *r = steps + 2 * FVI_BLOCK * i, *q = r + FVI_BLOCK;
+        const double re = c_re[i] * e_re[i] - c_im[i] * e_im[i],
+                     im = c_re[i] * e_im[i] + c_im[i] * e_re[i];
+#pragma omp simd
+        for (size_t j = 0; j < FVI_BLOCK; j++)
+            s[j] += re * q[j] + im * r[j];
+    }
+    for (size_t j = 0; j < FVI_BLOCK; j++)
+        sums[j] = s[j];
+}
+//< block
+
+static void add_to(double *x, size_t rows, size_t n, const fvi_window *w,
+                   const fvi_parts *weight)
+{
+    double sums[FVI_BLOCK];
+    if (!x)
+        return;
+    block_rows(n, weight->re, weight->im, w->scratch.re, w->scratch.im,
+               w->steps, sums);
+    for (size_t j = 0; j < rows; j++)
+        x[j] += sums[j];
+}
+
+void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
+                    size_t rows, double *x, double *v)
+{
+    size_t n = w->count;
+    weigh(w, event);
+    for (size_t k = 0; k < rows && n > 0; k += FVI_BLOCK) {
+        const double t = (event->t + (double)k * h) / w->unit;
+        const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
+        while (n > 0 && w->z.re[n - 1] * t < -w->folds)
+            n--;
+        exponentials_of(w, n, t, &w->scratch);
+        add_to(x ? x + k : NULL, these, n, w, &w->x);
+        add_to(v ? v + k : NULL, these, n, w, &w->v);
+    }
+}

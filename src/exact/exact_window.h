@@ -1,0 +1,49 @@
+/* src/exact/exact_window.h -- One contour for many times.              [Chapter 11]
+ *
+ * What exact_rows.c needs: the integral of (11.10) at the rows of a window [first, last] of
+ * times, all from the nodes of one hyperbola, whose unit of time is `last`. */
+#ifndef FVI_EXACT_WINDOW_H
+#define FVI_EXACT_WINDOW_H
+
+#include "exact_inverse.h"
+
+enum { FVI_BLOCK = 16 }; /* rows that are summed together */
+
+/* Complex numbers as two arrays. */
+typedef struct {
+    double *re, *im;
+} fvi_parts;
+
+typedef struct {
+    const fvi_inverse *S;
+    double unit, folds, C,
+        R; /* of t^2 Q(z/t) / m = z^2 + C + R z^beta, t = unit */
+    int passed[FVI_POLES], all_passed;
+    size_t count; /* nodes; 0: the integral is zero */
+    fvi_parts z, weight, power, scratch;
+    fvi_parts x, v; /* what an event has on the nodes */
+    double *steps; /* e^{z j h} for j < FVI_BLOCK, real parts, then imaginary */
+    double *memory;
+} fvi_window;
+
+/* fvi_window_open -- the contour, and all that is the same for its rows.
+ *
+ *   S            prepared; stays in use
+ *   first, last  times, 0 < first <= last; the sums are for times in between
+ *   h            the step from row to row
+ *   tolerance    in (0, 1)
+ *   lasts        0; or of a force that ends within the window, and the sums count times
+ *                from its end, too, from first / 2 on
+ *
+ * Returns FVI_SUCCESS, or FVI_ENOMEM. fvi_window_close gives the memory back. */
+int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
+                    double tolerance, double lasts, fvi_window *w);
+void fvi_window_close(fvi_window *w);
+
+/* fvi_window_add -- add what an event does, without the residues, at the times
+ * event->t + j h, j < rows, to x[j] and v[j]; either may be NULL. The times of a force that
+ * has ended (event->lasts > 0, and event->start = 0) count from its end. */
+void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
+                    size_t rows, double *x, double *v);
+
+#endif
