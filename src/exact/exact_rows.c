@@ -7,6 +7,7 @@
 #include <string.h>
 
 static const double LONGEST = 100;    /* a window's last time over its first */
+static const double GROWS = 8;        /* what two starts may cancel */
 static const double ROUNDING = 1e-16; /* the tolerance that 0 stands for */
 static const double TAME = 1e100;     /* squares of more are out of range */
 
@@ -99,7 +100,8 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
                              range of)
 {
     const fvi_inverse *S = r->S;
-    prepare_turns(r);
+    if (of.a <= of.b)
+        prepare_turns(r);
     for (size_t k = of.a, count; k <= of.b; k += count) {
         double x = 0, v = 0;
         event.t = time_of(r, k, of.since);
@@ -143,75 +145,87 @@ static size_t last_of_window(const rows *r, range of)
     return GSL_MIN(of.a + (size_t)more, of.b);
 }
 
-static int add_rows(rows *r, const fvi_event *event, range of);
-
-/* Rows of a step after its end, from row `ended` on: as two starts while t - T < first / 2,
- * as a pulse later. */
-static int add_ended(rows *r, fvi_window *w, const fvi_event *event, range of,
-                     size_t ended, double first)
+/* The first row of a range that is later than `after`, b + 1 if none is. */
+static size_t row_after(const rows *r, range of, double after)
 {
-    const double T = r->S->p.T;
-    size_t late = ended;
-    while (late <= of.b && time_of(r, late, T) < first / 2)
-        late++;
-    fvi_event plain = *event, pulse = { .sign = T > 0, .lasts = T };
-    add_integral_rows(r, w, plain, (range){ of.a, late - 1, 0 });
-    if (of.a < late)
-        add_all_residues(r, w, plain, (range){ of.a, late - 1, 0 });
-    plain.sign = 0;
-    if (late <= of.b) {
-        range rest = { GSL_MAX(of.a, late), of.b, 0 };
-        const double moved = r->S->p.x0 != 0 || r->S->p.v0 != 0;
-        if (moved)
-            add_integral_rows(r, w, plain, rest);
-        fvi_event both = { .start = 1, .sign = T > 0, .lasts = T };
-        add_all_residues(r, w, both, rest);
-        rest.since = T;
-        add_integral_rows(r, w, pulse, rest);
-    }
-    if (late > ended) {
-        const fvi_event off = { .sign = -event->sign };
-        return add_rows(r, &off, (range){ ended, late - 1, T });
-    }
-    return FVI_SUCCESS;
+    const double guess = floor(after / r->h);
+    size_t k = of.a;
+    if (guess > (double)of.a)
+        k = (size_t)GSL_MIN_DBL(guess, (double)of.b + 1);
+    while (k > of.a && time_of(r, k - 1, 0) > after)
+        k--;
+    while (k <= of.b && time_of(r, k, 0) <= after)
+        k++;
+    return k;
 }
 
-static int add_window(rows *r, const fvi_event *event, range of)
+/* The rows of a window of a step, as two starts until `late`, later as a pulse. */
+static void add_step(rows *r, fvi_window *w, range of, size_t late)
 {
     const fvi_linear *p = &r->S->p;
-    const double first = time_of(r, of.a, of.since),
-                 last = time_of(r, of.b, of.since);
-    const int ends = p->forcing == FVI_FORCING_STEP && of.since == 0
-                     && event->start == 1 && last > p->T;
+    const fvi_event plain = { .start = 1, .sign = 1 }, start = { .start = 1 };
+    const fvi_event pulse = { .sign = p->T > 0, .lasts = p->T },
+                    both = { .start = 1, .sign = p->T > 0, .lasts = p->T };
+    range rest = { late, of.b, 0 };
+    of.b = late - 1;
+    add_integral_rows(r, w, plain, of);
+    add_all_residues(r, w, plain, of);
+    if (p->x0 != 0 || p->v0 != 0)
+        add_integral_rows(r, w, start, rest);
+    add_all_residues(r, w, both, rest);
+    rest.since = p->T;
+    add_integral_rows(r, w, pulse, rest);
+}
+
+static int add_rows(rows *r, const fvi_event *event, range of);
+
+/* A window of a step that ends in it. Rows later than T + first / 2 see a pulse, and those
+ * soon after T a second start downwards. The window is cut there if the force, had it
+ * lasted, would outgrow the motion. */
+static int add_ended(rows *r, range *of)
+{
+    const double T = r->S->p.T, first = time_of(r, of->a, 0);
+    const size_t ended = row_after(r, *of, T),
+                 late = GSL_MAX(ended, row_after(r, *of, T + first / 2));
+    if (late > of->a && late <= of->b
+        && fvi_window_growth(r->S, T, time_of(r, of->b, 0)) > GROWS)
+        of->b = late - 1;
     fvi_window w;
-    int status = fvi_window_open(r->S, first, last, r->h, r->tolerance,
-                                 ends ? p->T : 0, &w);
+    int status = fvi_window_open(r->S, first, time_of(r, of->b, 0), r->h,
+                                 r->tolerance, T, &w);
     if (status)
         return status;
-    if (ends) {
-        size_t ended = of.a;
-        if (p->T > first)
-            ended = (size_t)(p->T / r->h);
-        while (ended > of.a && time_of(r, ended - 1, 0) > p->T)
-            ended--;
-        while (time_of(r, ended, 0) <= p->T)
-            ended++;
-        status = add_ended(r, &w, event, of, ended, first);
-    } else {
-        add_integral_rows(r, &w, *event, of);
-        add_all_residues(r, &w, *event, of);
-    }
+    add_step(r, &w, *of, late);
     fvi_window_close(&w);
-    return status;
+    const fvi_event off = { .sign = -1 };
+    return add_rows(r, &off, (range){ ended, late - 1, T });
+}
+
+static int add_window(rows *r, const fvi_event *event, range *of)
+{
+    const double first = time_of(r, of->a, of->since),
+                 last = time_of(r, of->b, of->since);
+    if (r->S->p.forcing == FVI_FORCING_STEP && event->start == 1
+        && last > r->S->p.T)
+        return add_ended(r, of);
+    fvi_window w;
+    const int status =
+        fvi_window_open(r->S, first, last, r->h, r->tolerance, 0, &w);
+    if (status)
+        return status;
+    add_integral_rows(r, &w, *event, *of);
+    add_all_residues(r, &w, *event, *of);
+    fvi_window_close(&w);
+    return FVI_SUCCESS;
 }
 
 static int add_rows(rows *r, const fvi_event *event, range of)
 {
     int status = FVI_SUCCESS;
     while (of.a <= of.b && !status) {
-        const size_t last = last_of_window(r, of);
-        status = add_window(r, event, (range){ of.a, last, of.since });
-        of.a = last + 1;
+        range window = { of.a, last_of_window(r, of), of.since };
+        status = add_window(r, event, &window);
+        of.a = window.b + 1;
     }
     return status;
 }
@@ -246,7 +260,7 @@ static int is_tame(const rows *r, size_t n)
                             p->c / p->m * t * t,
                             p->rho / p->m * t * t,
                             p->rho / p->m * pow(t, 2 - r->S->beta),
-                            p->w * t };
+                            p->forcing == FVI_FORCING_COSINE ? p->w * t : 0 };
     for (size_t i = 0; i < sizeof most / sizeof *most; i++)
         if (!(most[i] < TAME))
             return 0;

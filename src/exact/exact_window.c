@@ -253,19 +253,19 @@ static int prepare_memory(fvi_window *w)
     return FVI_SUCCESS;
 }
 
-/* z^2 + C + R z^beta for z > 0, over its value at z = 1; a law counts as z^2. */
-static double over_that_at_1(const fvi_window *w, double z)
+/* t^2 Q(z/t) / m for z > 0, over its value at z = 1; a law counts as none. */
+static double over_that_at_1(const fvi_inverse *S, double t, double z)
 {
-    const double R = w->S->p.law ? 0 : w->R;
-    return (z * z + w->C + R * pow(z, w->S->beta)) / (1 + w->C + R);
+    const fvi_linear *p = &S->p;
+    const double C = p->c / p->m * t * t,
+                 R = p->law ? 0 : p->rho / p->m * pow(t, 2 - S->beta);
+    return (z * z + C + R * pow(z, S->beta)) / (1 + C + R);
 }
 
-/* (11.17): log of how much larger than the solution the transform may be, on the edge of
- * the strip next to 0, and of a force that lasts for a small part of the window. */
-static double excess(const fvi_window *w, double edge, double part)
+double fvi_window_growth(const fvi_inverse *S, double from, double to)
 {
-    return log(over_that_at_1(w, part) / (part * part)
-               / over_that_at_1(w, MU * (1 - sin(edge))));
+    const double z = to / from;
+    return over_that_at_1(S, to, z);
 }
 
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
@@ -273,7 +273,7 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
 {
     const fvi_linear *p = &S->p;
     const double wanted = -log(tolerance);
-    double room, part = 1;
+    double room, grows = 1;
     *w = (fvi_window){ .S = S, .unit = last, .folds = wanted + CUT };
     const double phi = between_poles(w, &room);
     if (S->closed && w->all_passed)
@@ -281,9 +281,10 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
     w->C = p->c / p->m * last * last;
     w->R = p->rho / p->m * (p->law ? last * last : pow(last, 2 - S->beta));
     if (2 * lasts > first)
-        part = GSL_MIN_DBL(lasts / last, 1);
-    const double step = 2 * M_PI * room
-                        / (wanted + EDGES + excess(w, phi + room, part)),
+        grows = fvi_window_growth(S, lasts, last);
+    const double edge = MU * (1 - sin(phi + room)),
+                 excess = log(grows / over_that_at_1(S, last, edge)),
+                 step = 2 * M_PI * room / (wanted + EDGES + excess),
                  least = (lasts > 0 ? first / 2 : first) / last,
                  end = acosh((1 + w->folds / (least * MU)) / sin(phi));
     w->count = (size_t)ceil(end / step);

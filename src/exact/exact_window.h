@@ -26,6 +26,10 @@ typedef struct {
     double *memory;
 } fvi_window;
 
+/* fvi_window_growth -- by what factor the answer to a constant force grows from one time to a
+ * later one, roughly: of 1 / (s Q(s)) at s = 1 / t.                  [(11.17)] */
+double fvi_window_growth(const fvi_inverse *S, double from, double to);
+
 /* fvi_window_open -- the contour, and all that is the same for its rows.
  *
  *   S            prepared; stays in use
