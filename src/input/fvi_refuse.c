@@ -116,6 +116,16 @@ const char *fvi_word_nearest(const char *text, size_t length,
     return nearest;
 }
 
+const char *fvi_word_hint(const char *text, size_t length,
+                          const char *const *words, char place[64])
+{
+    const char *nearest = fvi_word_nearest(text, length, words);
+    place[0] = '\0';
+    if (nearest)
+        snprintf(place, 64, "; did you mean %s?", nearest);
+    return place;
+}
+
 int fvi_refuse_option(fvi_complaint c, const char *given,
                       const char *const *names)
 {

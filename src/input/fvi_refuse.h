@@ -28,6 +28,11 @@ int fvi_refuse_at(fvi_complaint c, const char *name, const char *text,
 const char *fvi_word_nearest(const char *text, size_t length,
                              const char *const *words);
 
+/* "; did you mean x?", in the place of a complaint, for what is none of the words; empty
+ * if none is near. Returns place. */
+const char *fvi_word_hint(const char *text, size_t length,
+                          const char *const *words, char place[64]);
+
 /* Refuse an option that is none of these, "--apha=1" of "alpha": with the nearest one, if
  * one is near. */
 int fvi_refuse_option(fvi_complaint c, const char *given,

@@ -13,10 +13,12 @@ int fvi_complain(const char *what)
     return 1;
 }
 
-void fvi_refused(const char *complaint, const char *help)
+void fvi_refused(const char *complaint, const char *command)
 {
-    fprintf(stderr, "fvi: %s%sTry %s.\n", complaint,
-            strchr(complaint, '\n') ? "  " : "\n", help);
+    const int all = strcmp(command, "help") == 0 || *command == '-';
+    fprintf(stderr, "fvi: %s%sTry 'fvi %s%s--help'.\n", complaint,
+            strchr(complaint, '\n') ? "  " : "\n", all ? "" : command,
+            all ? "" : " ");
 }
 
 int fvi_cannot_write(const char *name)

@@ -11,8 +11,9 @@ int fvi_cannot_write(
 int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
 
 /* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
- * to the help. A caret below the complaint stands at the beginning of the second. */
-void fvi_refused(const char *complaint, const char *help);
+ * to the help of that command, or of all if it is "help" or "--version". A caret below the complaint stands
+ * at the beginning of the second. */
+void fvi_refused(const char *complaint, const char *command);
 
 /* fvi_reason -- such a code, in the words of a user. */
 const char *fvi_reason(int status);

@@ -162,7 +162,7 @@ int main(int argc, char **argv)
             return 1;
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
-        fvi_refused(complaint, "'fvi --help' or 'fvi run --help'");
+        fvi_refused(complaint, fvi_command_name(o.command));
         return status;
     }
     switch (o.command) {

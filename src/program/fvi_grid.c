@@ -257,17 +257,17 @@ static int stands_in(const char *text, const char *name)
 int fvi_grid_check(const fvi_grid *g, fvi_complaint c)
 {
     for (size_t n = 0; n < g->count; n++) {
-        const char *name = g->axis[n].name,
-                   *near = fvi_word_nearest(name, strlen(name), numbers);
+        const char *name = g->axis[n].name;
+        char place[64];
         int found = 0;
         for (int i = 2; i < g->word_count; i++)
             found = found || stands_in(g->words[i], name);
         if (g->axis[n].is_let && !found)
-            return fvi_refuse(c,
-                              "--vary: '%s' is no option that can be varied, "
-                              "and in no expression%s%s%s",
-                              name, near ? "; did you mean " : "",
-                              near ? near : "", near ? "?" : "");
+            return fvi_refuse(
+                c,
+                "--vary: '%s' is no option that can be varied, "
+                "and in no expression%s",
+                name, fvi_word_hint(name, strlen(name), numbers, place));
     }
     return 0;
 }

@@ -145,7 +145,5 @@ void fvi_own_words_head(FILE *out, const fvi_own_command *command,
 
 void fvi_own_words_refuse(const fvi_own_command *command, const char *complaint)
 {
-    char help[40];
-    snprintf(help, sizeof help, "'fvi %s --help'", command->name);
-    fvi_refused(complaint, help);
+    fvi_refused(complaint, command->name);
 }

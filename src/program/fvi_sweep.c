@@ -306,7 +306,7 @@ int fvi_command_sweep(int argc, char **argv)
     if (!status)
         status = fvi_grid_options(&g, g.first, &o, complaint, sizeof complaint);
     if (status) {
-        fvi_refused(complaint, "'fvi --help' or 'fvi sweep --help'");
+        fvi_refused(complaint, "sweep");
     } else {
         status = run_all(&g, &o, no_solution);
         fvi_options_free(&o);

@@ -137,9 +137,6 @@ void fvi_forces_free(fvi_forces *f)
 
 /* ---- words ---- */
 
-static const char forms[] = "none, step:A,T, cosine:A,W, "
-                            "impulse:J,T, file:F.tsv";
-
 /* A table from 0 to the end of the run: nothing is made up. */
 static int read_file(part *p, const char *name, double last, fvi_complaint c)
 {
@@ -184,6 +181,8 @@ static int read_part(part *p, const char *text, fvi_lets *lets,
 {
     static const char *const words[] = { "none",    "step", "cosine",
                                          "impulse", "file", NULL };
+    static const char *const forms[] = { "none", "step:A,T", "cosine:A,W",
+                                         "impulse:J,T", "file:F.tsv" };
     const size_t length = strcspn(text, ":");
     if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
         return read_file(p, text + 5, last, c);
@@ -193,14 +192,17 @@ static int read_part(part *p, const char *text, fvi_lets *lets,
                    : 0;
     if (fvi_word_call(text, "impulse", 2, p->p))
         return read_impulse(p, text, last, c);
-    const char *near = fvi_word_nearest(text, length, words);
-    const int known =
-        near && strlen(near) == length && strncasecmp(near, text, length) == 0;
-    if (text[length] || near)
-        return fvi_refuse(c, "--force: '%s' is none of %s%s%s%s", text, forms,
-                          near && !known ? "; did you mean " : "",
-                          near && !known ? near : "",
-                          near && !known ? "?" : "");
+    for (size_t i = 0; words[i]; i++)
+        if (strlen(words[i]) == length
+            && strncasecmp(words[i], text, length) == 0)
+            return fvi_refuse(c, "--force: '%s' is not %s", text, forms[i]);
+    char place[64];
+    fvi_word_hint(text, length, words, place);
+    if (text[length] || *place)
+        return fvi_refuse(c,
+                          "--force: '%s' is none of none, step:A,T, "
+                          "cosine:A,W, impulse:J,T, file:F.tsv%s",
+                          text, place);
     return read_expression(p, text, lets, c);
 }
 

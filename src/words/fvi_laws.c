@@ -3,15 +3,18 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 /* In the order of fvi_law_kind, with how many numbers each takes. */
+static const char *const words[] = { "power", "zener", "maxwell", "distributed",
+                                     NULL };
 static const struct {
-    const char *word, *form;
+    const char *form;
     int count;
-} kinds[] = { { "power", "power:R,A", 2 },
-              { "zener", "zener:R,A,T", 3 },
-              { "maxwell", "maxwell:R,T", 2 },
-              { "distributed", "distributed:R,A,B", 3 } };
+} kinds[] = { { "power:R,A", 2 },
+              { "zener:R,A,T", 3 },
+              { "maxwell:R,T", 2 },
+              { "distributed:R,A,B", 3 } };
 
 /* The numbers where the term has its own. */
 static fvi_law_term term_of(fvi_law_kind kind, const double *p)
@@ -26,29 +29,42 @@ static fvi_law_term term_of(fvi_law_kind kind, const double *p)
     return t;
 }
 
-int fvi_laws_add(fvi_laws *laws, const char *text, fvi_complaint c)
+/* One more term at the end of the sum, as its text. */
+static int add(fvi_laws *laws, const fvi_law_term *term, const char *text,
+               fvi_complaint c)
 {
     const size_t used = strlen(laws->text), room = sizeof laws->text - used;
-    for (int i = 0; i < 4; i++) {
-        double p[3];
-        if (!fvi_word_call(text, kinds[i].word, kinds[i].count, p))
-            continue;
-        const fvi_law_term term = term_of((fvi_law_kind)i, p);
-        if (fvi_law_check(&(fvi_law){ 1, &term }) != 0)
-            return fvi_refuse(c,
-                              "--damping: '%s': %s with R, T >= 0 and "
-                              "0 <= A < B <= 1",
-                              text, kinds[i].form);
-        const int length = snprintf(laws->text + used, room, "%s%s",
-                                    used > 0 ? " + " : "", text);
-        if (laws->law.count == FVI_MOST_TERMS || (size_t)length >= room)
-            return fvi_refuse(c, "--damping: '%s': too many terms", text);
-        laws->term[laws->law.count++] = term;
-        laws->law.term = laws->term;
-        return 0;
-    }
-    return fvi_refuse(c,
-                      "--damping: '%s' is none of power:R,A  zener:R,A,T  "
-                      "maxwell:R,T  distributed:R,A,B",
-                      text);
+    const int length =
+        snprintf(laws->text + used, room, "%s%s", used > 0 ? " + " : "", text);
+    if (laws->law.count == FVI_MOST_TERMS || (size_t)length >= room)
+        return fvi_refuse(c, "--damping: '%s': too many terms", text);
+    laws->term[laws->law.count++] = *term;
+    laws->law.term = laws->term;
+    return 0;
+}
+
+int fvi_laws_add(fvi_laws *laws, const char *text, fvi_complaint c)
+{
+    const size_t length = strcspn(text, ":");
+    double p[3];
+    char place[64];
+    size_t i = 0;
+    while (words[i]
+           && (strlen(words[i]) != length
+               || strncasecmp(text, words[i], length) != 0))
+        i++;
+    if (!words[i])
+        return fvi_refuse(c,
+                          "--damping: '%s' is none of power:R,A  zener:R,A,T  "
+                          "maxwell:R,T  distributed:R,A,B%s",
+                          text, fvi_word_hint(text, length, words, place));
+    if (!fvi_word_call(text, words[i], kinds[i].count, p))
+        return fvi_refuse(c, "--damping: '%s' is not %s", text, kinds[i].form);
+    const fvi_law_term term = term_of((fvi_law_kind)i, p);
+    if (fvi_law_check(&(fvi_law){ 1, &term }) != 0)
+        return fvi_refuse(c,
+                          "--damping: '%s': %s with R, T >= 0 and "
+                          "0 <= A < B <= 1",
+                          text, kinds[i].form);
+    return add(laws, &term, text, c);
 }

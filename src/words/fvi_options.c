@@ -14,13 +14,19 @@ static int is_help(const char *word)
     return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
+/* in the order of fvi_command, then other words for the help */
+static const char *const commands[] = { "run",     "coefficients", "exact",
+                                        "methods", "help",         "--version",
+                                        "sweep",   "fit",          "gradient",
+                                        "--help",  "-h",           NULL };
+
+const char *fvi_command_name(fvi_command command)
+{
+    return commands[command];
+}
+
 static int command_of(const char *name, fvi_command *command, fvi_complaint c)
 {
-    /* in the order of fvi_command, then other words for the help */
-    static const char *const commands[] = {
-        "run",   "coefficients", "exact",    "methods", "help", "--version",
-        "sweep", "fit",          "gradient", "--help",  "-h",   NULL
-    };
     for (size_t i = 0; commands[i]; i++)
         if (strcasecmp(name, commands[i]) == 0) {
             *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
@@ -30,10 +36,9 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
         "run",  "exact",        "fit",    "sweep",     "gradient", "methods",
         "help", "coefficients", "--help", "--version", NULL
     };
-    const char *nearest = fvi_word_nearest(name, strlen(name), all);
-    return fvi_refuse(c, "'%s' is not a command%s%s%s", name,
-                      nearest ? "; did you mean " : "", nearest ? nearest : "",
-                      nearest ? "?" : "");
+    char place[64];
+    return fvi_refuse(c, "'%s' is not a command%s", name,
+                      fvi_word_hint(name, strlen(name), all, place));
 }
 
 /* A word that is none of the options of this command. */
@@ -170,7 +175,8 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
                       size_t size)
 {
     fvi_complaint c = { text, size };
-    *o = (fvi_options){ .about = FVI_COMMAND_HELP };
+    *o =
+        (fvi_options){ .command = FVI_COMMAND_HELP, .about = FVI_COMMAND_HELP };
     if (argc < 2)
         return fvi_refuse(c, "a command is missing");
     int status = command_of(argv[1], &o->command, c);

@@ -14,8 +14,12 @@
  *   size        of complaint
  *
  * Prints nothing and opens nothing. Returns 0; 2 if refused; 1 if there is no
- * memory. On error nothing is left to free. */
+ * memory. On error nothing is left to free, and o->command is the one that was meant, or
+ * FVI_COMMAND_HELP. */
 int fvi_options_parse(int argc, char **argv, fvi_options *o, char *complaint,
                       size_t size);
+
+/* fvi_command_name -- its word: "run", or "--version". */
+const char *fvi_command_name(fvi_command command);
 
 #endif

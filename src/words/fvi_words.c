@@ -8,18 +8,6 @@
 #include <string.h>
 #include <strings.h>
 
-/* "; did you mean x?", in the place of a complaint, for what is none of the words; empty
- * if none is near. */
-static const char *hint(const char *text, size_t length,
-                        const char *const *words, char place[64])
-{
-    const char *nearest = fvi_word_nearest(text, length, words);
-    place[0] = '\0';
-    if (nearest)
-        snprintf(place, 64, "; did you mean %s?", nearest);
-    return place;
-}
-
 /* ---- numbers ---- */
 
 /* A finite number that ends at the end of the text or before `end`. strtod would
@@ -85,7 +73,7 @@ int fvi_word_choice(const char *name, const char *text,
                  words[i]);
     }
     return fvi_refuse(c, "--%s: '%s' is none of %s%s", name, text, known,
-                      hint(text, strlen(text), words, place));
+                      fvi_word_hint(text, strlen(text), words, place));
 }
 
 /* "1,2,3" into at most d values; how many there are, or 0. */
@@ -171,7 +159,7 @@ int fvi_word_potential(const char *text, fvi_potential_kind *kind, size_t *d,
         return fvi_refuse(c,
                           "--potential: '%s' is none of harmonic:C, "
                           "duffing:C,G, pendulum:G, free, chain:D,C,G%s",
-                          text, hint(text, length, potentials, place));
+                          text, fvi_word_hint(text, length, potentials, place));
     spring[0] = 1; /* a harmonic one without a number */
     if (!potentials[i] || (i == FVI_POTENTIAL_HARMONIC && !text[length]))
         return 0;
@@ -218,7 +206,7 @@ int fvi_word_columns(const char *text, fvi_columns *columns, fvi_complaint c)
                               "--columns: '%.*s' in '%s' is none of "
                               "t, x, p, energy, y%s",
                               length < 40 ? (int)length : 40, at, text,
-                              hint(at, length, known, place));
+                              fvi_word_hint(at, length, known, place));
         for (size_t n = 0; n < columns->count; n++)
             if (columns->at[n] == (fvi_column)i)
                 return fvi_refuse(c, "--columns: '%s' names %s twice", text,

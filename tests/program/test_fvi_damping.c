@@ -102,9 +102,12 @@ START_TEST(what_is_no_law_is_bad_use)
     const struct {
         const char *words, *said;
     } bad[] = {
-        { "--damping zenr:1,2,3", "--damping: 'zenr:1,2,3' is none of" },
-        { "--damping power:1", "is none of" },
-        { "--damping power:1,x", "is none of" },
+        { "--damping zenr:1,2,3",
+          "--damping: 'zenr:1,2,3' is none of power:R,A  zener:R,A,T  "
+          "maxwell:R,T  distributed:R,A,B; did you mean zener?" },
+        { "--damping power:1", "--damping: 'power:1' is not power:R,A" },
+        { "--damping Zener:1,x,1", "'Zener:1,x,1' is not zener:R,A,T" },
+        { "--damping maxwell", "'maxwell' is not maxwell:R,T" },
         { "--damping ''", "is none of" },
         { "--damping power:1,2", "--damping: 'power:1,2': power:R,A" },
         { "--damping power:-1,0.5", "power:R,A" },

@@ -70,6 +70,36 @@ START_TEST(bad_use_is_refused)
 }
 END_TEST
 
+/* The second line is that of the command, as far as there is one; and it is true. */
+START_TEST(the_help_of_the_command_is_pointed_to)
+{
+    static const struct {
+        const char *words, *help;
+    } lines[] = { { "", "--help" },
+                  { "walk", "--help" },
+                  { "help walk", "--help" },
+                  { "--version x", "--help" },
+                  { "run x", "run --help" },
+                  { "Run --alpha", "run --help" },
+                  { "exact --alpha 2", "exact --help" },
+                  { "coefficients --count 0", "coefficients --help" },
+                  { "methods x", "methods --help" },
+                  { "sweep", "sweep --help" },
+                  { "sweep --vary alpha=0:2:3", "sweep --help" },
+                  { "fit", "fit --help" },
+                  { "gradient --of y", "gradient --help" } };
+    for (size_t i = 0; i < LEN(lines); i++) {
+        char want[60];
+        ck_assert_int_eq(fvi(lines[i].words), 2);
+        snprintf(want, sizeof want, "\nTry 'fvi %s'.\n", lines[i].help);
+        const char *second = strchr(err, '\n');
+        ck_assert_str_eq(second, want);
+        ck_assert_int_eq(fvi(lines[i].help), 0);
+        ck_assert_int_eq(strncmp(out, "usage: fvi ", 11), 0);
+    }
+}
+END_TEST
+
 /* ---- what cannot be done: exit 1 ---- */
 
 START_TEST(overflow_is_reported_with_its_step)
@@ -247,12 +277,14 @@ int main(void)
     free(sources);
 
     Suite *suite = suite_create("the program fvi: what it refuses");
-    ADD_CASE(
-        suite, "errors", bad_use_is_refused, overflow_is_reported_with_its_step,
-        no_row_has_a_number_that_is_not_finite,
-        a_step_that_fails_is_reported_with_its_number, a_lost_phase_is_an_error,
-        too_large_a_run_is_refused_before_it_starts,
-        other_roundings_are_not_compiled,
-        only_a_loader_that_can_is_asked_to_choose);
+    ADD_CASE(suite, "errors", bad_use_is_refused,
+             the_help_of_the_command_is_pointed_to,
+             overflow_is_reported_with_its_step,
+             no_row_has_a_number_that_is_not_finite,
+             a_step_that_fails_is_reported_with_its_number,
+             a_lost_phase_is_an_error,
+             too_large_a_run_is_refused_before_it_starts,
+             other_roundings_are_not_compiled,
+             only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);
 }

@@ -42,6 +42,18 @@ START_TEST(a_misprint_is_shown)
         "run --force cosin:1,2",
         "fvi: --force: 'cosin:1,2' is none of none, step:A,T, cosine:A,W, "
         "impulse:J,T, file:F.tsv; did you mean cosine?");
+    static const char *const forms[] = { "step:A,T", "cosine:A,W",
+                                         "impulse:J,T" };
+    for (size_t i = 0; i < LEN(forms); i++) {
+        char line[60], said[80];
+        const int word = (int)strcspn(forms[i], ":");
+        snprintf(line, sizeof line, "run --force %.*s:1", word, forms[i]);
+        snprintf(said, sizeof said, "fvi: --force: '%.*s:1' is not %s\n", word,
+                 forms[i], forms[i]);
+        ck_assert_refused_with(line, said);
+    }
+    ck_assert_refused("run --force file", "fvi: --force: 'file' is not "
+                                          "file:F.tsv");
     ck_assert_refused("run --force impulse:1,21",
                       "fvi: --force: 'impulse:1,21' is not within the run, "
                       "0 <= T <= 20");
