@@ -21,8 +21,8 @@ struct fvi_adaptive_band {
     quad lambda, power, inverse; /* lambda, lambda^beta, 1 / lambda */
     quad in[FVI_LANES];          /* w: from the stages to the pairs */
     double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: and back */
-    quad *kind;   /* m lambda + drag lambda^beta */
     quad *factor; /* of column j: 1 / D_j, then what stands below */
+    quad kind[];  /* m lambda + drag lambda^beta, and then the factors */
 };
 
 static inline quad times(quad a, quad b)
@@ -189,17 +189,11 @@ fvi_adaptive_band *fvi_adaptive_band_alloc(const fvi_variable_rule *rule,
 {
     if (d > SIZE_MAX / sizeof(quad) / (diagonals + 2))
         return NULL;
-    fvi_adaptive_band *o = calloc(1, sizeof *o);
-    quad *block = malloc((kinds + d * diagonals) * sizeof *block);
-    if (!o || !block) {
-        free(o);
-        free(block);
+    fvi_adaptive_band *o =
+        malloc(sizeof *o + (kinds + d * diagonals) * sizeof *o->kind);
+    if (!o)
         return NULL;
-    }
-    o->s = rule->s;
-    o->d = d;
-    o->diagonals = diagonals;
-    o->kind = block;
+    *o = (fvi_adaptive_band){ .s = rule->s, .d = d, .diagonals = diagonals };
     o->factor = o->kind + kinds;
     double power_re[PAIRS], power_im[PAIRS];
     fvi_variable_powers(rule, beta, power_re, power_im);
@@ -226,8 +220,5 @@ fvi_adaptive_band *fvi_adaptive_band_alloc(const fvi_variable_rule *rule,
 
 void fvi_adaptive_band_free(fvi_adaptive_band *o)
 {
-    if (!o)
-        return;
-    free(o->kind);
     free(o);
 }

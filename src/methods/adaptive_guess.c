@@ -47,22 +47,22 @@ static void leap(fvi_adaptive_run *o, size_t i, double dt)
 
 /* V - v and its derivative at stage i, by the force there and by what stages up to this one
  * add to the memory: drag W0. The derivatives stand where bend will. */
-static void push(fvi_adaptive_run *o, size_t i, double dt)
+static void push(fvi_adaptive_run *o, size_t i, double dt, double by_h)
 {
-    const double by_h = 1 / o->length.h;
     for (size_t j = 0; j < o->d; j++) {
         const fvi_kind *kind = &o->of_kind[o->kind[j]];
+        const double by_m = 1 / kind->mass, drag = kind->drag * by_h,
+                     w = by_m * drag * o->W0.column[i][i],
+                     held = 1 / (1 + dt / 2 * w);
         double *v = o->delta + j * FVI_LANES, *a = o->bend + j * FVI_LANES,
                past = 0;
         for (size_t l = 0; l < i; l++)
             past += o->W0.column[l][i] * v[l];
-        const double by_m = 1 / kind->mass, drag = kind->drag * by_h,
-                     f = by_m
+        const double f = by_m
                          * (o->R[j * FVI_LANES + i] * by_h - drag * past
-                            - o->gradient[i * o->d + j]),
-                     w = by_m * drag * o->W0.column[i][i];
+                            - o->gradient[i * o->d + j]);
         if (i > 0)
-            v[i] = (v[i - 1] + dt / 2 * (a[i - 1] + f)) / (1 + dt / 2 * w);
+            v[i] = (v[i - 1] + dt / 2 * (a[i - 1] + f)) * held;
         a[i] = f - w * v[i];
     }
 }
@@ -70,6 +70,7 @@ static void push(fvi_adaptive_run *o, size_t i, double dt)
 int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_variable_rule *rule = o->rule;
+    const double by_h = 1 / o->length.h;
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
     for (size_t j = 0; j < o->d; j++)
         o->point[j] = o->base[j * FVI_LANES];
@@ -82,7 +83,7 @@ int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
                                         o->gradient + i * o->d);
         if (status)
             return status;
-        push(o, i, dt);
+        push(o, i, dt, by_h);
     }
     return FVI_SUCCESS;
 }

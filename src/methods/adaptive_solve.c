@@ -52,13 +52,40 @@ static int look(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
-/* left = R - h grad U of coordinate j */
-static void left_of(const fvi_adaptive_run *o, size_t j, double *left)
+/* left = R - h grad U of coordinate j; what is behind the s-th stage is of no use. */
+static inline __attribute__((always_inline)) void
+left_of(const fvi_adaptive_run *o, size_t j, fvi_four *left)
 {
-    memset(left, 0, FVI_LANES * sizeof *left);
-    for (size_t i = 0; i < o->rule->s; i++)
-        left[i] =
-            o->R[j * FVI_LANES + i] - o->length.h * o->gradient[i * o->d + j];
+    const size_t d = o->d;
+    const int eight = o->rule->s == 8;
+    const double h = o->length.h, *g = o->gradient + j, *g4 = g + 4 * d;
+    const fvi_four *R = (const fvi_four *)(o->R + j * FVI_LANES);
+    left[0] = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] };
+    left[1] = R[1]
+              - h
+                    * (fvi_four){ g4[0], g4[d], eight ? g4[2 * d] : 0,
+                                  eight ? g4[3 * d] : 0 };
+}
+
+/* most becomes the larger of it and |x|, one by one. */
+typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
+static inline __attribute__((always_inline)) void grow(fvi_four *most,
+                                                       const fvi_four *x)
+{
+    const bits size = *(const bits *)x & 0x7fffffffffffffff,
+               is = (fvi_four)size > *most;
+    *most = (fvi_four)((size & is) | (*(bits *)most & ~is));
+}
+
+/* The largest of four, and NaN if one of those is not finite that add up to `all`. */
+static inline __attribute__((always_inline)) double
+largest(const fvi_four *most, const fvi_four *all)
+{
+    const double *sum = (const double *)all, *size = (const double *)most;
+    double x = 0 * ((sum[0] + sum[1]) + (sum[2] + sum[3]));
+    for (size_t i = 0; i < 4; i++)
+        x = size[i] > x ? size[i] : x;
+    return x;
 }
 
 /* ---- when to stop ---- */
@@ -71,8 +98,6 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
                    double moved_before, double worst)
 {
     const double floor = 4 * GSL_DBL_EPSILON * o->scale;
-    if (!gsl_finite(moved))
-        return -1;
     if (moved <= floor)
         return 0;
     if (iteration > 0) {
@@ -81,9 +106,9 @@ static int verdict(fvi_adaptive_run *o, int iteration, double moved,
             return moved <= 64 * floor ? 0
                                        : -1; /* rounding contracts no more */
     }
-    const double q = o->contraction,
-                 part = o->wish > FVI_COARSE ? 1e-3 : 1e-5;
-    return moved * q / (1 - q) > fmax(floor, part * o->allowed);
+    const double q = o->contraction, part = o->wish > FVI_COARSE ? 1e-3 : 1e-5;
+    const double enough = part * o->allowed;
+    return moved * q / (1 - q) > (enough > floor ? enough : floor);
 }
 //< enough
 
@@ -93,14 +118,26 @@ typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } way;
 
 /* ---- coordinate by coordinate ---- */
 
-/* left -= L delta of coordinate j */
-static void subtract(const fvi_adaptive_run *o, size_t j, double *left)
+/* L + h^2 to_x diag(H) for coordinate j, H of all stages. */
+FVI_VECTORS static void jacobian(const fvi_adaptive_run *o, size_t j,
+                                 fvi_square *J)
 {
-    double L[FVI_LANES];
-    fvi_square_apply(o->rule->s, &o->of_kind[o->kind[j]].L,
-                     o->delta + j * FVI_LANES, L);
-    for (size_t i = 0; i < FVI_LANES; i++)
-        left[i] -= L[i];
+    const size_t d = o->d, s = o->rule->s;
+    const double hh = o->length.h * o->length.h;
+    const double *H0 = o->hessian + j, *H4 = H0 + 4 * d;
+    const fvi_four H[2] = {
+        hh * (fvi_four){ H0[0], H0[d], H0[2 * d], H0[3 * d] },
+        hh
+            * (fvi_four){ H4[0], H4[d], s == 8 ? H4[2 * d] : 0,
+                          s == 8 ? H4[3 * d] : 0 }
+    };
+    *J = o->of_kind[o->kind[j]].L;
+    for (size_t l = 0; l < s; l++) {
+        const fvi_four *column = (const fvi_four *)o->to_x->column[l];
+        fvi_four *to = (fvi_four *)J->column[l];
+        to[0] += H[0] * column[0];
+        to[1] += H[1] * column[1];
+    }
 }
 
 /* The inverses of all Jacobians at o->point, to o->jacobian. */
@@ -108,16 +145,11 @@ static int jacobians(fvi_stepper *s, fvi_adaptive_run *o)
 {
     const fvi_potential *u = &s->run.system->potential;
     const size_t d = o->d, stages = o->rule->s;
-    const double hh = o->length.h * o->length.h;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < stages; i++)
         status = u->hessian(d, o->point + i * d, u->params, o->hessian + i * d);
     for (size_t j = 0; !status && j < d; j++) {
-        o->jacobian[j] = o->of_kind[o->kind[j]].L;
-        for (size_t l = 0; l < stages; l++)
-            for (size_t i = 0; i < stages; i++)
-                o->jacobian[j].column[l][i] +=
-                    hh * o->hessian[i * d + j] * o->to_x->column[l][i];
+        jacobian(o, j, &o->jacobian[j]);
         status = fvi_square_invert(stages, &o->jacobian[j]);
     }
     return status;
@@ -134,48 +166,57 @@ static int factors(fvi_stepper *s, fvi_adaptive_run *o)
     return status;
 }
 
-/* The larger one, and NaN if one is. */
-static double larger(double a, double b)
+/* M in, of s numbers. */
+static inline __attribute__((always_inline)) void
+apply(size_t s, const fvi_square *M, const double *in, fvi_four *out)
 {
-    return fabs(b) <= a ? a : fabs(b);
+    out[0] = out[1] = (fvi_four){ 0 };
+    for (size_t l = 0; l < s; l++) {
+        const fvi_four *column = (const fvi_four *)M->column[l];
+        out[0] += column[0] * in[l];
+        out[1] += column[1] * in[l];
+    }
 }
 
-/* delta_j += M (left - L delta_j), M NULL for L^{-1}; returns the largest change. */
-static double correct(fvi_adaptive_run *o, size_t j, const fvi_square *M)
+/* delta_j += M (left - L delta_j), or L^{-1} left - delta_j without M, of all coordinates j;
+ * returns the largest change, NaN if one is not finite. */
+FVI_VECTORS static double correct(fvi_adaptive_run *o, const fvi_square *M)
 {
     const size_t s = o->rule->s;
-    const fvi_kind *kind = &o->of_kind[o->kind[j]];
-    double left[FVI_LANES], change[FVI_LANES], most = 0;
-    left_of(o, j, left);
-    if (M)
-        subtract(o, j, left);
-    fvi_square_apply(s, M ? M : &kind->inverse, left, change);
-    for (size_t i = 0; i < s; i++) {
-        change[i] -= M ? 0 : o->delta[j * FVI_LANES + i];
-        o->delta[j * FVI_LANES + i] += change[i];
-        most = larger(most, change[i]);
+    fvi_four most = { 0 }, all = { 0 };
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_kind *kind = &o->of_kind[o->kind[j]];
+        fvi_four left[2], by[2],
+            *delta = (fvi_four *)(o->delta + j * FVI_LANES);
+        left_of(o, j, left);
+        if (M) {
+            apply(s, &kind->L, (const double *)delta, by);
+            left[0] -= by[0];
+            left[1] -= by[1];
+        }
+        apply(s, M ? M + j : &kind->inverse, (const double *)left, by);
+        for (size_t i = 0; i < 2; i++) {
+            if (!M)
+                by[i] -= delta[i];
+            delta[i] += by[i];
+            grow(&most, &by[i]);
+            all += by[i];
+        }
     }
-    return most;
+    return largest(&most, &all);
 }
 
 /* eps = R - h grad U - L delta of all coordinates. */
 FVI_VECTORS static void residuals(const fvi_adaptive_run *o, double *eps)
 {
-    const size_t d = o->d, s = o->rule->s;
-    const double h = o->length.h;
-    for (size_t j = 0; j < d; j++) {
+    for (size_t j = 0; j < o->d; j++) {
         const size_t at = j * FVI_LANES;
         const fvi_square *L = &o->of_kind[o->kind[j]].L;
-        const double *g = o->gradient + j, *g4 = g + 4 * d;
-        const int eight = s == 8;
-        fvi_four *left = (fvi_four *)(eps + at), *R = (fvi_four *)(o->R + at),
-                 low = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] },
-                 high = R[1]
-                        - h
-                              * (fvi_four){ g4[0], g4[d],
-                                            eight ? g4[2 * d] : 0,
-                                            eight ? g4[3 * d] : 0 };
-        for (size_t l = 0; l < s; l++) {
+        fvi_four *left = (fvi_four *)(eps + at), low, high;
+        left_of(o, j, left);
+        low = left[0];
+        high = left[1];
+        for (size_t l = 0; l < o->rule->s; l++) {
             const fvi_four *column = (const fvi_four *)L->column[l];
             low -= column[0] * o->delta[at + l];
             high -= column[1] * o->delta[at + l];
@@ -185,29 +226,28 @@ FVI_VECTORS static void residuals(const fvi_adaptive_run *o, double *eps)
     }
 }
 
-/* The same for all coordinates by the factors. eps stands where bend will, which is not
- * yet there. */
-static double correct_band(fvi_adaptive_run *o)
+/* delta += eps, of all coordinates; returns the largest, NaN if one is not finite. */
+FVI_VECTORS static double move(fvi_adaptive_run *o, const double *eps)
 {
-    double *eps = o->bend, most = 0;
-    residuals(o, eps);
-    fvi_adaptive_band_solve(o->band, eps);
-    for (size_t i = 0; i < o->d * FVI_LANES; i++) {
-        o->delta[i] += eps[i];
-        most = larger(most, eps[i]);
+    fvi_four most = { 0 }, all = { 0 };
+    for (size_t i = 0; i < o->d * FVI_LANES; i += 4) {
+        const fvi_four change = *(const fvi_four *)(eps + i);
+        *(fvi_four *)(o->delta + i) += change;
+        grow(&most, &change);
+        all += change;
     }
-    return most;
+    return largest(&most, &all);
 }
 
+/* The next delta, and the largest change. With the factors eps stands where bend will, which
+ * is not yet there. */
 static double correct_all(fvi_adaptive_run *o, way by)
 {
-    double most = 0;
-    if (by == ONE_HESSIAN)
-        return correct_band(o);
-    for (size_t j = 0; j < o->d; j++)
-        most =
-            larger(most, correct(o, j, by == NEWTON ? &o->jacobian[j] : NULL));
-    return most;
+    if (by != ONE_HESSIAN)
+        return correct(o, by == NEWTON ? o->jacobian : NULL);
+    residuals(o, o->bend);
+    fvi_adaptive_band_solve(o->band, o->bend);
+    return move(o, o->bend);
 }
 
 //> newton
@@ -287,10 +327,10 @@ static int solve_coupled(fvi_stepper *s, fvi_adaptive_run *o)
     }
     status = fvi_newton_solve(s->newton, o->y, r, X, o->gradient);
     for (size_t j = 0; !status && j < d; j++) {
-        double left[FVI_LANES];
+        fvi_four left[2];
         left_of(o, j, left);
-        fvi_square_apply(n, &o->of_kind[o->kind[j]].inverse, left,
-                         o->delta + j * FVI_LANES);
+        fvi_square_apply(n, &o->of_kind[o->kind[j]].inverse,
+                         (const double *)left, o->delta + j * FVI_LANES);
     }
     return status;
 }

@@ -32,23 +32,27 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
 {
     const fvi_system *system = s->run.system;
     const int heavier = s->run.alpha == 1;
+    double mass = 0, damping = 0, spring = 0, linear = 0, reach = 0;
     size_t n = 0;
-    fvi_kind last = { 0 };
     for (size_t j = 0; j < system->d; j++) {
         const double rho = system->damping[j],
                      m = system->mass[j] + (heavier ? rho : 0),
                      c = springs ? springs[j] : 0,
-                     linear = o->solve == FVI_SOLVE_LINEAR ? c : 0,
-                     reach = reach_of(m, rho, c, s->run.alpha, o->T);
-        if (j == 0 || m != last.mass || rho != last.damping
-            || linear != last.spring) {
-            last = (fvi_kind){ .mass = m, .damping = rho, .spring = linear };
-            n++;
-        }
-        last.reach = fmax(last.reach, reach);
+                     of_kind = o->solve == FVI_SOLVE_LINEAR ? c : 0;
+        const int same = j > 0 && m == mass && rho == damping;
+        if (o->kind && !(same && c == spring))
+            reach = reach_of(m, rho, c, s->run.alpha, o->T);
+        n += !(same && of_kind == linear);
+        mass = m;
+        damping = rho;
+        spring = c;
+        linear = of_kind;
         if (o->kind) {
-            o->of_kind[n - 1] = last;
-            o->kind[j] = n - 1;
+            fvi_kind *kind = &o->of_kind[o->kind[j] = n - 1];
+            kind->mass = m;
+            kind->damping = rho;
+            kind->spring = linear;
+            kind->reach = fmax(kind->reach, reach);
         }
     }
     return n;

@@ -197,7 +197,10 @@ static fvi_modes *make(fvi_modes sizes)
 
 static fvi_mode_ladder ladder_of(const fvi_modes *m)
 {
-    return (fvi_mode_ladder){ m->range.every, m->Q, m->first, m->beta };
+    const size_t every = m->range.every, part = FVI_POINTS / every;
+    const double *up = m->table->mu + -FVI_FIRST % every * part
+                       + -FVI_FIRST / every; /* from exp(0) on */
+    return (fvi_mode_ladder){ every, m->Q, m->first, m->beta, up };
 }
 
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,

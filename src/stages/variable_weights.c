@@ -32,26 +32,23 @@ static double spacing(const fvi_mode_ladder *ladder)
     return fvi_variable_spacing() * (double)ladder->every;
 }
 
-/* sigma_q and weight_q by the exponentials of 16 and of every 16th: setting up a run is
- * a part of its time. */
+/* sigma_q and weight_q by the exponentials of RUNGS and of every RUNGS-th: setting up a run
+ * is a part of its time. */
 void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top)
 {
-    enum { BLOCK = 16 };
     const size_t apart = fvi_variable_apart(ladder->every);
     const double L = spacing(ladder), beta = ladder->beta,
                  first = fvi_variable_spacing() * ladder->first,
                  nu = falls(beta), size = size_of(L, beta);
-    double finer[BLOCK], fine[BLOCK], c[FVI_ENDS];
-    for (size_t l = 0; l < BLOCK; l++) {
+    double finer[FVI_RUNGS], c[FVI_ENDS];
+    for (size_t l = 0; l < FVI_RUNGS; l++)
         finer[l] = exp(L * beta * (double)l);
-        fine[l] = exp(L * (double)l);
-    }
-    for (size_t q = 0; q < ladder->Q; q += BLOCK) {
+    for (size_t q = 0; q < ladder->Q; q += FVI_RUNGS) {
         const double ln = first + L * (double)q, here = exp(ln),
                      heavy = size * exp(beta * ln);
-        for (size_t l = 0; l < BLOCK && q + l < ladder->Q; l++) {
-            sigma[q + l] = here * fine[l];
+        for (size_t l = 0; l < FVI_RUNGS && q + l < ladder->Q; l++) {
+            sigma[q + l] = here * ladder->up[l];
             weight[q + l] = heavy * finer[l];
         }
     }

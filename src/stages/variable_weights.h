@@ -5,11 +5,14 @@
 #include "variable_rule.h"
 
 /* Modes sigma_q = exp(L (first + every q)), L the spacing, 0 <= q < Q, and the order of
- * what they remember, -1 <= beta <= 1; at -1 the weights are the limit of those above. */
+ * what they remember, -1 <= beta <= 1; at -1 the weights are the limit of those above. Also
+ * exp(L every q), q < FVI_RUNGS: they are in every table (fvi_mode_table). */
+enum { FVI_RUNGS = 16 };
 typedef struct {
     size_t every, Q;
     int first;
     double beta;
+    const double *up;
 } fvi_mode_ladder;
 
 /* fvi_mode_weights -- their rates and their weights.                  (22.10) to (22.12)
