@@ -75,14 +75,37 @@ FVI_VECTORS static void positions(const fvi_adaptive_run *o, double h,
                         + product(w, o->powers + j * FVI_LANES));
 }
 
-/* v = v_k + the integral of x''. */
-FVI_VECTORS static void velocities(const fvi_adaptive_run *o, double theta,
-                                   double *v)
+/* m v, v = v_k + the integral of x''. */
+FVI_VECTORS static void momenta(const fvi_adaptive_run *o, const double *mass,
+                                double theta, double *p)
 {
     fvi_four w[2];
     weigh(theta, theta, integral, w);
     for (size_t j = 0; j < o->d; j++)
-        v[j] = o->v0[j] + product(w, o->powers + j * FVI_LANES);
+        p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
+}
+
+/* x'' of the last step as powers. */
+static void make_powers(fvi_adaptive_run *o)
+{
+    for (size_t j = 0; j < o->d; j++)
+        fvi_adaptive_powers(o->rule->s, o->bend0 + j * FVI_LANES,
+                            o->powers + j * FVI_LANES);
+    o->powers_known = 1;
+}
+
+/* What a singular start adds. */
+static void add_singular(const fvi_adaptive_run *o, const double *mass,
+                         double t, double *x, double *p)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        double G, slope;
+        fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
+        if (x)
+            x[j] += G;
+        if (p)
+            p[j] += mass[j] * slope;
+    }
 }
 
 //> dense
@@ -90,28 +113,17 @@ FVI_VECTORS static void velocities(const fvi_adaptive_run *o, double theta,
 int fvi_adaptive_dense(const fvi_stepper *s, double t, double *x, double *p)
 {
     fvi_adaptive_run *o = s->own;
-    const size_t n = o->rule->s;
     const double h = s->t - o->t0, theta = (t - o->t0) / h;
     if (!(h > 0 && theta >= 0 && theta <= 1))
         return FVI_EDOM;
-    for (size_t j = 0; j < o->d && !o->powers_known; j++)
-        fvi_adaptive_powers(n, o->bend0 + j * FVI_LANES,
-                            o->powers + j * FVI_LANES);
-    o->powers_known = 1;
+    if (!o->powers_known)
+        make_powers(o);
     if (x)
         positions(o, h, theta, x);
     if (p)
-        velocities(o, theta, p);
-    for (size_t j = 0; p && j < o->d; j++)
-        p[j] *= s->run.system->mass[j];
-    for (size_t j = 0; fvi_singular_is(o, o->t0) && t > 0 && j < o->d; j++) {
-        double G, slope;
-        fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
-        if (x)
-            x[j] += G;
-        if (p)
-            p[j] += s->run.system->mass[j] * slope;
-    }
+        momenta(o, s->run.system->mass, theta, p);
+    if (fvi_singular_is(o, o->t0) && t > 0)
+        add_singular(o, s->run.system->mass, t, x, p);
     return FVI_SUCCESS;
 }
 //< dense
