@@ -23,36 +23,42 @@ static double complex complex_log1p(double complex z)
 }
 
 /* (11.5): ln of rho c^(beta/2 - 1) m^(-beta/2) for the angle
- *     theta = pi/2 + e (theta_max - pi/2),     0 < e < 1,  f = 1 - e,
- * and r, the modulus of the pole over sqrt(c/m). With g = min(beta, 2 - beta)
- * the sines need no difference of nearly equal numbers. */
-static double log_damping(double beta, double e, double f, double *angle,
+ *     theta = pi/2 + e (theta_max - pi/2),   e = 1 / (1 + e^-y),  f = 1 - e,
+ * its slope in y, and r, the modulus of the pole over sqrt(c/m). With g =
+ * min(beta, 2 - beta) the sines need no difference of nearly equal numbers; "near" is of
+ * g theta, "far" of (2 - g) theta. */
+static double log_damping(double beta, double y, double *slope, double *angle,
                           double *r)
 {
-    double g = fmin(beta, 2 - beta), eta = e * M_PI * g / (2 * (2 - g));
-    double near = sin(g * (M_PI_2 + eta)), far = sin(M_PI_2 * g * f);
-    double sin_a = beta <= 1 ? near : far, sin_b = beta <= 1 ? far : near;
+    const double e = 1 / (1 + exp(-y)), f = 1 / (1 + exp(y)),
+                 g = fmin(beta, 2 - beta), range = M_PI * g / (2 * (2 - g)),
+                 eta = e * range, at_near = g * (M_PI_2 + eta),
+                 at_far = M_PI_2 * g * f, near = sin(at_near),
+                 far = sin(at_far), twice = sin(2 * eta);
     *angle = M_PI_2 + eta;
-    *r = sqrt(sin_a / sin_b);
-    return log(sin(2 * eta)) - beta / 2 * log(sin_a)
-           - (1 - beta / 2) * log(sin_b);
+    *r = sqrt(beta <= 1 ? near / far : far / near);
+    *slope = range * e * f
+             * (2 * cos(2 * eta) / twice - g * g / 2 * cos(at_near) / near
+                + (2 - g) * (2 - g) / 2 * cos(at_far) / far);
+    return log(twice) - g / 2 * log(near) - (1 - g / 2) * log(far);
 }
 
 //> bisection
-/* (11.6): the angle grows with the damping. Bisect in y = ln(e / (1 - e)). */
-static double complex by_bisection(double m, double c, double rho, double beta)
+/* (11.6): the angle grows with the damping. Newton's method in y = ln(e / (1 - e)); a step
+ * that would leave the interval which is known to hold the angle halves it instead. */
+static double complex by_angle(double m, double c, double rho, double beta)
 {
     double wanted = log(rho) - (1 - beta / 2) * log(c) - beta / 2 * log(m);
-    double low = -700, high = 700, angle = M_PI_2, r = 1;
-    for (int i = 0; i < 60; i++) {
-        double y = (low + high) / 2;
-        double now =
-            log_damping(beta, 1 / (1 + exp(-y)), 1 / (1 + exp(y)), &angle, &r);
-        if (now < wanted)
-            low = y;
-        else
-            high = y;
-    }
+    double low = -700, high = 700, y = 0, last, angle, r, slope;
+    int tries = 0;
+    do {
+        double more = wanted - log_damping(beta, y, &slope, &angle, &r);
+        *(more > 0 ? &low : &high) = last = y;
+        y += more / slope;
+        if (!(y > low && y < high))
+            y = (low + high) / 2;
+    } while (fabs(y - last) > 1e-7 * (1 + fabs(y)) && ++tries < 100);
+    (void)log_damping(beta, y, &slope, &angle, &r); /* 1e-14: the next step */
     return sqrt(c / m) * r * cexp(I * angle);
 }
 //< bisection
@@ -129,7 +135,7 @@ int fvi_pole_find(double m, double c, double rho, double beta, fvi_pole *pole)
     } else {
         if (beta == 1 && rho >= 2 * sqrt(m) * sqrt(c))
             return 0;
-        pole->s = by_bisection(m, c, rho, beta);
+        pole->s = by_angle(m, c, rho, beta);
     }
     if (pole->s == 0)
         return 0;

@@ -4,6 +4,7 @@
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
+#include <math.h>
 #include <string.h>
 
 static const double LONGEST = 100;    /* a window's last time over its first */
@@ -300,7 +301,7 @@ int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
     const fvi_event start = { .start = 1, .sign = 1 };
     status = add_rows(&r, &start, (range){ 1, n, 0 });
     for (size_t k = 0; k <= n && !status; k++)
-        if ((x && !gsl_finite(x[k])) || (v && !gsl_finite(v[k])))
+        if ((x && !isfinite(x[k])) || (v && !isfinite(v[k])))
             FVI_FAIL("a value is not finite", FVI_EOVRFLW);
     return status;
 }

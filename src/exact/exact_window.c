@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
 static const double PHI = 1.35; /* and comes no closer to the cut than this */
@@ -23,27 +24,25 @@ static const double CUT =
  * leave one of PHI / (k + 1). Returns the middle, and half the width in room. */
 static double between_poles(fvi_window *w, double *room)
 {
-    const fvi_inverse *S = w->S;
-    double edge[FVI_POLES + 2] = { 0 }, middle = 0;
-    size_t edges = 1;
-    for (size_t i = 0; i < S->poles; i++) {
-        const double phi = -creal(casin(S->pole[i].s * w->unit / MU - 1));
-        size_t j = edges++;
-        for (; j > 1 && edge[j - 1] > phi; j--)
+    const size_t poles = w->S->poles;
+    double phi[FVI_POLES], edge[FVI_POLES + 2] = { 0 }, middle = 0;
+    for (size_t i = 0; i < poles; i++) {
+        phi[i] = -creal(casin(w->S->pole[i].s * w->unit / MU - 1));
+        size_t j = i + 1; /* sorted by insertion */
+        for (; j > 1 && edge[j - 1] > phi[i]; j--)
             edge[j] = edge[j - 1];
-        edge[j] = GSL_MIN_DBL(GSL_MAX_DBL(phi, 0), PHI);
+        edge[j] = GSL_MIN_DBL(GSL_MAX_DBL(phi[i], 0), PHI);
     }
-    edge[edges] = PHI;
+    edge[poles + 1] = PHI;
     *room = 0;
-    for (size_t j = 0; j < edges; j++)
+    for (size_t j = 0; j <= poles; j++)
         if (edge[j + 1] - edge[j] > 2 * *room) {
             *room = (edge[j + 1] - edge[j]) / 2;
             middle = edge[j] + *room;
         }
     w->all_passed = 1;
-    for (size_t i = 0; i < S->poles; i++) {
-        const double phi = -creal(casin(S->pole[i].s * w->unit / MU - 1));
-        w->passed[i] = phi < middle;
+    for (size_t i = 0; i < poles; i++) {
+        w->passed[i] = phi[i] < middle;
         w->all_passed = w->all_passed && w->passed[i];
     }
     return middle;
@@ -88,25 +87,27 @@ static inline void put(const fvi_parts *a, size_t i, pair z)
     a->im[i] = z.im;
 }
 
-/* exp(a z) for all nodes; where nothing is left of it, about e^GONE. */
-FVI_VECTORS static void multiples(size_t n, double a, const double *restrict re,
-                                  const double *restrict im,
-                                  double *restrict to_re,
-                                  double *restrict to_im)
+FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
 {
 #pragma omp simd
-    for (size_t i = 0; i < n; i++) {
-        const double x = a * re[i], y = a * im[i];
-        to_re[i] = x > GONE ? x : GONE;
-        to_im[i] = x > GONE ? y : 0;
-    }
+    for (size_t i = 0; i < n; i++)
+        put(a, i, scaled(by, at(a, i)));
 }
 
-static void exponentials_of(const fvi_window *w, size_t n, double a,
+/* e^{a z}, or that less `less` = 1, for the first n nodes. The outer ones, where e^{a z} is
+ * nothing, come last. */
+static void exponentials_of(const fvi_window *w, size_t n, double a, int less,
                             const fvi_parts *to)
 {
-    multiples(n, a, w->z.re, w->z.im, to->re, to->im);
-    fvi_vector_exp(n, to->re, to->im);
+    size_t here = n;
+    while (here > 0 && a * w->z.re[here - 1] < GONE)
+        here--;
+    memcpy(to->re, w->z.re, here * sizeof *to->re);
+    memcpy(to->im, w->z.im, here * sizeof *to->im);
+    scale(here, a, to);
+    (less ? fvi_vector_expm1 : fvi_vector_exp)(here, to->re, to->im);
+    for (size_t i = here; i < n; i++)
+        put(to, i, (pair){ -less, 0 });
 }
 
 /* ---- the nodes ---- */
@@ -140,45 +141,49 @@ static void prepare_nodes(fvi_window *w, double phi, double h)
     fvi_vector_exp(w->count, w->scratch.re, w->scratch.im);
     place_nodes(w->count, h, sin(phi), cos(phi), w->scratch.re, w->z.re,
                 w->z.im, w->weight.re, w->weight.im);
-    for (size_t i = 0; i < w->count; i++) {
-        const double x = w->z.re[i], y = w->z.im[i];
-        if (S->p.law) {
-            const double complex C =
-                fvi_law_at(S->p.law, (x + I * y) / w->unit, &unused);
-            put(&w->power, i, (pair){ creal(C), cimag(C) });
-        } else {
-            w->power.re[i] = S->beta / 2 * log(x * x + y * y);
-            w->power.im[i] = S->beta * atan2(y, x);
-        }
+    for (size_t i = 0; i < w->count && S->p.law; i++) {
+        const double complex C = fvi_law_at(
+            S->p.law, (w->z.re[i] + I * w->z.im[i]) / w->unit, &unused);
+        put(&w->power, i, (pair){ creal(C), cimag(C) });
     }
-    if (!S->p.law)
-        fvi_vector_exp(w->count, w->power.re, w->power.im);
+    if (S->p.law)
+        return;
+    memcpy(w->power.re, w->z.re, w->count * sizeof *w->z.re);
+    memcpy(w->power.im, w->z.im, w->count * sizeof *w->z.im);
+    fvi_vector_log(w->count, w->power.re, w->power.im);
+    scale(w->count, S->beta, &w->power);
+    fvi_vector_exp(w->count, w->power.re, w->power.im);
 }
 
-/* e^{z j h} for the rows of a block, from j = 1, 2, 4, 8. */
-FVI_VECTORS static void step_rows(size_t n, size_t j, const double *restrict re,
-                                  const double *restrict im,
-                                  double *restrict steps)
+/* e^{z j h} for the rows of a block: rows j to 2 j - 1 from those below, by e^{z j h}, whose
+ * square takes its place. */
+FVI_VECTORS static void step_rows(size_t n, size_t j, double *restrict re,
+                                  double *restrict im, double *restrict steps)
 {
     for (size_t i = 0; i < n; i++) {
         double *r = steps + 2 * FVI_BLOCK * i, *q = r + FVI_BLOCK;
+        const double a = re[i], b = im[i];
 #pragma omp simd
         for (size_t l = 0; l < j; l++) {
-            r[l + j] = r[l] * re[i] - q[l] * im[i];
-            q[l + j] = r[l] * im[i] + q[l] * re[i];
+            r[l + j] = r[l] * a - q[l] * b;
+            q[l + j] = r[l] * b + q[l] * a;
         }
+        re[i] = a * a - b * b;
+        im[i] = 2 * a * b;
     }
 }
 
+/* Squares of squares would add up errors: every second power is computed. */
 static void prepare_steps(fvi_window *w, double h)
 {
     for (size_t i = 0; i < w->count; i++) {
         w->steps[2 * FVI_BLOCK * i] = 1;
         w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
     }
-    for (size_t j = 1; j < FVI_BLOCK; j *= 2) {
-        exponentials_of(w, w->count, (double)j * h / w->unit, &w->scratch);
+    for (size_t j = 1; j < FVI_BLOCK; j *= 4) {
+        exponentials_of(w, w->count, (double)j * h / w->unit, 0, &w->scratch);
         step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
+        step_rows(w->count, 2 * j, w->scratch.re, w->scratch.im, w->steps);
     }
 }
 
@@ -186,54 +191,77 @@ static void prepare_steps(fvi_window *w, double h)
 
 /* The weight of the rule over t^2 Q(z/t) / m = z^2 + C + D; the largest of z^2, C and D is
  * scaled, so that squares stay in range. D takes the place of z^beta. */
-static void divide_by_Q(fvi_window *w)
+FVI_VECTORS static void divide_by_Q(const fvi_window *w)
 {
-    const double scale = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(w->C, w->R));
+    const double C = w->C, R = w->R,
+                 scale = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
+#pragma omp simd
     for (size_t i = 0; i < w->count; i++) {
         const pair z = at(&w->z, i), zz = product(z, z),
-                   D = scaled(w->R, at(&w->power, i)),
-                   Q = { zz.re + w->C + D.re, zz.im + D.im };
+                   D = scaled(R, at(&w->power, i)),
+                   Q = { zz.re + C + D.re, zz.im + D.im },
+                   q = product(at(&w->weight, i), reciprocal(scaled(scale, Q)));
         put(&w->power, i, D);
-        put(&w->weight, i,
-            scaled(scale,
-                   product(at(&w->weight, i), reciprocal(scaled(scale, Q)))));
+        put(&w->weight, i, scaled(scale, q));
     }
 }
 
-/* As add_integral of exact_inverse.c, without e^z. */
-static void weigh(fvi_window *w, const fvi_event *event)
+/* F times 1/z, or z / (z^2 + wt^2) of a cosine. */
+FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
+                                  double wt, const fvi_parts *f)
 {
-    const fvi_inverse *S = w->S;
-    const fvi_linear *p = &S->p;
-    const double t = w->unit, x0 = event->start * p->x0,
-                 v0 = event->start * p->v0 * t, wt = p->w * t,
-                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), zz = product(z, z),
+                   of_cosine = { zz.re + wt * wt, zz.im };
+        put(f, i,
+            scaled(F,
+                   cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
+    }
+}
+
+/* f times what a force that lasts for `lasts` has instead of 1, seen from its end:
+ * e^{z lasts} - 1. `room` is room. */
+FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
+                                 const fvi_parts *f)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put(f, i, product(at(by, i), at(f, i)));
+}
+
+/* x and v: as add_integral of exact_inverse.c, without e^z. */
+FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
+                                    const fvi_parts *f)
+{
+    const double k0 = w->S->keeps_x0, k1 = w->S->keeps_v0, C = w->C,
+                 by_t = 1 / w->unit;
+#pragma omp simd
     for (size_t i = 0; i < w->count; i++) {
         const pair z = at(&w->z, i), D = at(&w->power, i), by_z = reciprocal(z),
-                   q = at(&w->weight, i), Dz = product(D, by_z),
-                   pushed = sum(z, scaled(S->keeps_v0, Dz)),
-                   held = { w->C + (1 - S->keeps_x0) * D.re,
-                            (1 - S->keeps_x0) * D.im };
-        pair f = by_z;
-        if (p->forcing == FVI_FORCING_COSINE) {
-            const pair zz = product(z, z);
-            f = product(z, reciprocal((pair){ zz.re + wt * wt, zz.im }));
-        }
-        if (event->lasts > 0) {
-            const double complex g =
-                fvi_complex_expm1((z.re + I * z.im) * (event->lasts / t));
-            f = product(f, (pair){ creal(g), cimag(g) });
-        }
-        f = scaled(F, f);
-        put(&w->x, i,
-            product(q, sum(sum(scaled(x0, sum(z, scaled(S->keeps_x0, Dz))),
-                               scaled(v0, product(pushed, by_z))),
-                           f)));
-        put(&w->v, i,
-            scaled(1 / t,
-                   product(q, sum(sum(scaled(v0, pushed), scaled(-x0, held)),
-                                  product(z, f)))));
+                   q = at(&w->weight, i), F = at(f, i), Dz = product(D, by_z),
+                   pushed = sum(z, scaled(k1, Dz)),
+                   x = sum(scaled(x0, sum(z, scaled(k0, Dz))),
+                           scaled(v0, product(pushed, by_z))),
+                   held = { C + (1 - k0) * D.re, (1 - k0) * D.im },
+                   v = sum(scaled(v0, pushed), scaled(-x0, held));
+        put(&w->x, i, product(q, sum(x, F)));
+        put(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
     }
+}
+
+static void weigh(fvi_window *w, const fvi_event *event)
+{
+    const fvi_linear *p = &w->S->p;
+    const double t = w->unit,
+                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
+    const int cosine = p->forcing == FVI_FORCING_COSINE;
+    transform(w, F, cosine, cosine ? p->w * t : 0, &w->scratch);
+    if (event->lasts > 0) {
+        exponentials_of(w, w->count, event->lasts / t, 1, &w->x);
+        multiply(w->count, &w->x, &w->scratch);
+    }
+    weigh_nodes(w, event->start * p->x0, event->start * p->v0 * t, &w->scratch);
 }
 
 static int prepare_memory(fvi_window *w)
@@ -347,7 +375,7 @@ void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
         const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
         while (n > 0 && w->z.re[n - 1] * t < -w->folds)
             n--;
-        exponentials_of(w, n, t, &w->scratch);
+        exponentials_of(w, n, t, 0, &w->scratch);
         add_to(x ? x + k : NULL, these, n, w, &w->x);
         add_to(v ? v + k : NULL, these, n, w, &w->v);
     }
