@@ -195,5 +195,6 @@ double complex fvi_pole_exp(double complex at, double complex low, double t,
     double decay = creal(at) * t + (creal(low) * t + creal(at) * t_low);
     dd angle = two_product(cimag(at), t);
     double rest = angle.lo + (cimag(low) * t + cimag(at) * t_low);
-    return exp(decay) * cexp(I * angle.hi) * cexp(I * rest);
+    const double complex turn = exp(decay) * cexp(I * angle.hi);
+    return turn * (fabs(rest) < 1e-8 ? 1 + I * rest : cexp(I * rest));
 }

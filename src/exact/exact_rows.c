@@ -76,7 +76,9 @@ static void add_residues(rows *r, size_t pole, const fvi_event *first,
     const double complex at = fvi_inverse_residue(a, first, with_force);
     for (size_t j = 0; j < count && at != 0; j++) {
         const double off = rounded_by(r, first->t, time_of(r, k + j, since), j);
-        const double complex e = at * r->turn[pole][j] * (1 + a->s * off);
+        double complex e = at * r->turn[pole][j];
+        if (off != 0)
+            e += e * (a->s * off);
         if (r->x)
             r->x[k + j] += 2 * creal(e);
         if (r->v)
@@ -188,12 +190,19 @@ static int add_ended(rows *r, range *of)
     const double T = r->S->p.T, first = time_of(r, of->a, 0);
     const size_t ended = row_after(r, *of, T),
                  late = GSL_MAX(ended, row_after(r, *of, T + first / 2));
-    if (late > of->a && late <= of->b
-        && fvi_window_growth(r->S, T, time_of(r, of->b, 0)) > GROWS)
-        of->b = late - 1;
+    double shortest = first, grows = 1;
+    if (late > of->a && late <= of->b) {
+        grows = fvi_window_growth(r->S, T, time_of(r, of->b, 0));
+        if (grows > GROWS) {
+            of->b = late - 1;
+            grows = 1;
+        }
+    }
+    if (late <= of->b)
+        shortest = GSL_MIN_DBL(first, time_of(r, late, T));
     fvi_window w;
-    int status = fvi_window_open(r->S, first, time_of(r, of->b, 0), r->h,
-                                 r->tolerance, T, &w);
+    int status = fvi_window_open(r->S, shortest, time_of(r, of->b, 0), r->h,
+                                 r->tolerance, grows, &w);
     if (status)
         return status;
     add_step(r, &w, *of, late);
@@ -211,7 +220,7 @@ static int add_window(rows *r, const fvi_event *event, range *of)
         return add_ended(r, of);
     fvi_window w;
     const int status =
-        fvi_window_open(r->S, first, last, r->h, r->tolerance, 0, &w);
+        fvi_window_open(r->S, first, last, r->h, r->tolerance, 1, &w);
     if (status)
         return status;
     add_integral_rows(r, &w, *event, *of);

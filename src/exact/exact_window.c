@@ -20,14 +20,21 @@ static const double CUT =
 
 /* ---- where the contour goes ---- */
 
-/* (11.11) in the middle of the widest part of (0, PHI) without a pole; k poles
- * leave one of PHI / (k + 1). Returns the middle, and half the width in room. */
+/* (11.11): phi of the hyperbola through z; the sum is of the distances to its foci. */
+static double hyperbola_through(double complex z)
+{
+    const double x = creal(z) / MU, y = cimag(z) / MU;
+    return asin(2 * (1 - x) / (hypot(x, y) + hypot(x - 2, y)));
+}
+
+/* The middle of the widest part of (0, PHI) without a pole, and half the width in room: k
+ * poles leave one of PHI / (k + 1). */
 static double between_poles(fvi_window *w, double *room)
 {
     const size_t poles = w->S->poles;
     double phi[FVI_POLES], edge[FVI_POLES + 2] = { 0 }, middle = 0;
     for (size_t i = 0; i < poles; i++) {
-        phi[i] = -creal(casin(w->S->pole[i].s * w->unit / MU - 1));
+        phi[i] = hyperbola_through(w->S->pole[i].s * w->unit);
         size_t j = i + 1; /* sorted by insertion */
         for (; j > 1 && edge[j - 1] > phi[i]; j--)
             edge[j] = edge[j - 1];
@@ -297,24 +304,21 @@ double fvi_window_growth(const fvi_inverse *S, double from, double to)
 }
 
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
-                    double tolerance, double lasts, fvi_window *w)
+                    double tolerance, double grows, fvi_window *w)
 {
     const fvi_linear *p = &S->p;
     const double wanted = -log(tolerance);
-    double room, grows = 1;
+    double room;
     *w = (fvi_window){ .S = S, .unit = last, .folds = wanted + CUT };
     const double phi = between_poles(w, &room);
     if (S->closed && w->all_passed)
         return FVI_SUCCESS;
     w->C = p->c / p->m * last * last;
     w->R = p->rho / p->m * (p->law ? last * last : pow(last, 2 - S->beta));
-    if (2 * lasts > first)
-        grows = fvi_window_growth(S, lasts, last);
     const double edge = MU * (1 - sin(phi + room)),
                  excess = log(grows / over_that_at_1(S, last, edge)),
                  step = 2 * M_PI * room / (wanted + EDGES + excess),
-                 least = (lasts > 0 ? first / 2 : first) / last,
-                 end = acosh((1 + w->folds / (least * MU)) / sin(phi));
+                 end = acosh((1 + last / first * w->folds / MU) / sin(phi));
     w->count = (size_t)ceil(end / step);
     const int status = prepare_memory(w);
     if (status)

@@ -36,12 +36,11 @@ double fvi_window_growth(const fvi_inverse *S, double from, double to);
  *   first, last  times, 0 < first <= last; the sums are for times in between
  *   h            the step from row to row
  *   tolerance    in (0, 1)
- *   lasts        0; or of a force that ends within the window, and the sums count times
- *                from its end, too, from first / 2 on
+ *   grows        1; or by what factor a force, had it lasted, would outgrow the motion
  *
  * Returns FVI_SUCCESS, or FVI_ENOMEM. fvi_window_close gives the memory back. */
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
-                    double tolerance, double lasts, fvi_window *w);
+                    double tolerance, double grows, fvi_window *w);
 void fvi_window_close(fvi_window *w);
 
 /* fvi_window_add -- add what an event does, without the residues, at the times
