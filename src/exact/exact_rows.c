@@ -240,18 +240,30 @@ static int add_rows(rows *r, const fvi_event *event, range of)
     return status;
 }
 
+/* Leaves no number from row k on. */
+static int lose(const rows *r, size_t k, size_t n, int status)
+{
+    for (; k <= n; k++) {
+        if (r->x)
+            r->x[k] = GSL_NAN;
+        if (r->v)
+            r->v[k] = GSL_NAN;
+    }
+    if (status == FVI_ELOSS)
+        FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+    FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+}
+
 /* ---- one time after the other, for what has no window ---- */
 
 static int one_by_one(const rows *r, size_t n)
 {
     for (size_t k = 1; k <= n; k++) {
         const double t = time_of(r, k, 0);
-        double x, v;
+        double x = GSL_NAN, v = GSL_NAN;
         if (fvi_exact_phase_is_lost(r->S, t))
-            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+            return lose(r, k, n, FVI_ELOSS);
         fvi_exact_at(r->S, t, &x, &v);
-        if (!gsl_finite(x) || !gsl_finite(v))
-            FVI_FAIL("a value is not finite", FVI_EOVRFLW);
         if (r->x)
             r->x[k] = x;
         if (r->v)
@@ -265,17 +277,22 @@ static int is_tame(const rows *r, size_t n)
 {
     const fvi_linear *p = &r->S->p;
     const double t = time_of(r, n, 0);
-    const double most[] = { t,
+    const double C = p->c / p->m * t * t,
+                 most[] = { t,
                             1 / r->h,
-                            p->c / p->m * t * t,
+                            C,
                             p->rho / p->m * t * t,
                             p->rho / p->m * pow(t, 2 - r->S->beta),
+                            fabs(p->x0) * fmax(C, 1),
+                            fabs(p->v0) * t,
+                            p->forcing ? fabs(p->A) / p->m * t * t : 0,
                             p->forcing == FVI_FORCING_COSINE ? p->w * t : 0 };
     for (size_t i = 0; i < sizeof most / sizeof *most; i++)
         if (!(most[i] < TAME))
             return 0;
     for (size_t i = 0; i < r->S->roots; i++)
-        if (fvi_pole_phase_error(&(fvi_pole){ .s = I * r->S->root[i].s }, t)
+        if (fvi_pole_phase_error(&(fvi_pole){ .s = I * cabs(r->S->root[i].s) },
+                                 t)
             > 1e-14)
             return 0;
     return 1;
@@ -305,12 +322,11 @@ int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
         memset(v, 0, (n + 1) * sizeof *v);
         v[0] = problem->v0;
     }
-    if (!is_tame(&r, n))
-        return one_by_one(&r, n);
     const fvi_event start = { .start = 1, .sign = 1 };
-    status = add_rows(&r, &start, (range){ 1, n, 0 });
+    status = is_tame(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
+                            : one_by_one(&r, n);
     for (size_t k = 0; k <= n && !status; k++)
         if ((x && !isfinite(x[k])) || (v && !isfinite(v[k])))
-            FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+            status = lose(&r, k, n, FVI_EOVRFLW);
     return status;
 }

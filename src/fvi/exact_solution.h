@@ -80,19 +80,29 @@ typedef struct {
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v);
 
-/* fvi_exact_rows -- the solution at t_k = k h, k = 0, 1, ..., n.
+/* fvi_exact_rows -- the solution at t_k, the doubles nearest to k h, k = 0, ..., n.
+ *                                                          [(11.15) to (11.19)]
  *
  *   problem    as above
- *   h          finite, > 0, and n h is finite
+ *   h          > 0, finite, as n h is
  *   n          n >= 1
- *   tolerance  in [0, 1): the error of x that is allowed, over max|x| on [0, n h]; that of
- *              x' at t is then tolerance (max|x'| + max|x| / t). What is below the
- *              accuracy of fvi_exact, 0 for one, asks for that
- *   x, v       outputs, n + 1 numbers each, x and x' at t_k, the double nearest to k h; one
- *              of them may be NULL
+ *   tolerance  in [0, 1): the error of x is at most the larger of this and 4e-14, times max|x|
+ *              over [0, n h]; that of x' at t times max|x'| + max|x| / t. 0: as fvi_exact
+ *   x, v       outputs, n + 1 numbers each, x and x' at t_k; one of them may be NULL
+ *
+ * Accuracy: the bound is derived for powers of t (11.17) and tested for others: seen, of the
+ * tolerance, 0.6; at 0, 1e-14. With a law that is not one power: as fvi_exact, or the
+ * tolerance, the larger.
+ * Times share contours: a window of times up to a factor of 100 has one. Cost: some
+ * microseconds a window, then 4 operations a node and row; 80 rows cost what 3 to 5 of
+ * fvi_exact do. One after the other, as there, are: rows of problems whose numbers or
+ * phases leave the range of (11.15), c t^2 / m > 10^100 for one.
+ * Memory: 80 kB of stack, and 352 bytes a node, of which there are at most 620.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
- * n == 0; FVI_EDOM if h or tolerance is out of its range; else as fvi_exact. */
+ * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact for the problem.
+ * On these errors x and v are untouched. FVI_ENOMEM: they then hold nothing of use.
+ * FVI_EOVRFLW and FVI_ELOSS as fvi_exact: the values before it stand, and then come NaNs. */
 int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
                    double tolerance, double *x, double *v);
 

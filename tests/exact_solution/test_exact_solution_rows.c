@@ -1,6 +1,9 @@
 /* tests/exact_solution/test_exact_solution_rows.c -- Chapter 11: all rows at once.
  * Run alone: make test-exact_solution_rows */
+#include "exact/exact_vectors.h"
 #include "exact_problems.h"
+
+#include "exact_solution_ref.h"
 
 #include <stdlib.h>
 
@@ -109,6 +112,182 @@ START_TEST(eq_11_15_rows_are_the_solution)
 }
 END_TEST
 
+/* The last of 1, 2 and 64 rows is at the time of a reference value. */
+START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
+{
+    for (size_t i = 0; i < LEN(ref_solutions); i++)
+        for (size_t n = 1; n <= 64; n = n == 1 ? 2 : 32 * n) {
+            const fvi_linear p = { ref_solutions[i].m,
+                                   ref_solutions[i].c,
+                                   ref_solutions[i].rho,
+                                   ref_solutions[i].alpha,
+                                   (fvi_past)ref_solutions[i].past,
+                                   ref_solutions[i].x0,
+                                   ref_solutions[i].v0,
+                                   (fvi_forcing)ref_solutions[i].forcing,
+                                   ref_solutions[i].A,
+                                   ref_solutions[i].T,
+                                   ref_solutions[i].w,
+                                   NULL };
+            double t = ref_solutions[i].t, x[65], v[65],
+                   X = ref_solutions[i].size_x;
+            ck_assert_int_eq(fvi_exact_rows(&p, t / (double)n, n, 0, x, v),
+                             FVI_SUCCESS);
+            ck_assert_near(x[n], ref_solutions[i].x, TOL * X,
+                           "x, %zu rows, reference %zu", n, i);
+            ck_assert_near(v[n], ref_solutions[i].v,
+                           TOL * (ref_solutions[i].size_v + X / t),
+                           "x', %zu rows, reference %zu", n, i);
+        }
+}
+END_TEST
+
+/* Sums of powers and fractions; the bound is that of fvi_exact for laws, twice. */
+START_TEST(eq_11_15_rows_with_a_law)
+{
+    const fvi_law_term
+        powers[] = { { .kind = FVI_LAW_POWER, .rho = 0.3, .alpha = 0.25 },
+                     { .kind = FVI_LAW_POWER, .rho = 0.2, .alpha = 0.6 } },
+        zener[] = {
+            { .kind = FVI_LAW_ZENER, .rho = 0.7, .alpha = 0.4, .time = 2 }
+        };
+    const fvi_law laws[] = { { .count = 2, .term = powers },
+                             { .count = 1, .term = zener },
+                             { .count = 1, .term = powers } };
+    for (size_t i = 0; i < 3 * LEN(laws); i++) {
+        const fvi_linear p = { .m = 2,
+                               .c = 1,
+                               .rho = 1,
+                               .x0 = 0.5,
+                               .v0 = -1,
+                               .forcing = (fvi_forcing)(i / LEN(laws)),
+                               .A = 1.5,
+                               .T = 3.3,
+                               .w = 0.9,
+                               .law = &laws[i % LEN(laws)] };
+        double t[201], x[201], v[201], want_x[201], want_v[201], X = 0, V = 0;
+        for (size_t k = 0; k <= 200; k++)
+            t[k] = (double)k * 0.3;
+        ck_assert_int_eq(fvi_exact(&p, 201, t, want_x, want_v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_rows(&p, 0.3, 200, 0, x, v), FVI_SUCCESS);
+        for (size_t k = 0; k <= 200; k++) {
+            X = fmax(X, fabs(x[k]));
+            V = fmax(V, fabs(v[k]));
+        }
+        for (size_t k = 1; k <= 200; k++) {
+            const double bound = 2 * (2e-13 + 4 * U * t[k]);
+            ck_assert_near(x[k], want_x[k], bound * X, "x, %zu, %zu", i, k);
+            ck_assert_near(v[k], want_v[k], bound * (V + X / t[k]),
+                           "x', %zu, %zu", i, k);
+        }
+    }
+}
+END_TEST
+
+/* Numbers beyond the range of a window: the same operations as in fvi_exact. And times of
+ * which the first or the last is no double's neighbour: a phase of 10^9 radians. */
+START_TEST(rows_far_out)
+{
+    const double steps[] = { 1e-150, 1e-60, 1e60, 1e120 };
+    for (size_t i = 0; i < LEN(steps); i++) {
+        fvi_linear p = oscillator(0.3, 1, 1, 0);
+        const double t[] = { 0, steps[i], 2 * steps[i], 3 * steps[i] };
+        double x[4], v[4], want_x[4], want_v[4];
+        ck_assert_int_eq(fvi_exact(&p, 4, t, want_x, want_v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_rows(&p, steps[i], 3, 0, x, v), FVI_SUCCESS);
+        for (size_t k = 0; k < 4; k++) {
+            ck_assert_near(x[k], want_x[k], 2 * TOL, "h=%g %zu", steps[i], k);
+            ck_assert_near(v[k], want_v[k],
+                           2 * TOL * (1 + 1 / fmax(t[k], 1e-300)), "h=%g %zu",
+                           steps[i], k);
+        }
+    }
+    fvi_linear p = oscillator(0.3, 1, 0, 0);
+    p.forcing = FVI_FORCING_COSINE;
+    p.A = p.w = 1;
+    compare(&p, 0.7e4, 100000, 0, "a cosine for long");
+}
+END_TEST
+
+/* Two outputs, or one of them; and zero for nothing. */
+START_TEST(rows_of_one_output)
+{
+    fvi_linear p = oscillator(0.3, 1, 1, 0.5);
+    double x[90], v[90], alone[90];
+    for (int force = 0; force < 3; force++) {
+        p.forcing = (fvi_forcing)force;
+        p.A = p.w = 2;
+        p.T = 3;
+        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, x, v), 0);
+        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, alone, NULL), 0);
+        ck_assert_mem_eq(alone, x, sizeof x);
+        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, NULL, alone), 0);
+        ck_assert_mem_eq(alone, v, sizeof v);
+    }
+    p = (fvi_linear){ .m = 1, .c = 1, .rho = 1, .alpha = 0.3 };
+    ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 0, x, v), 0);
+    for (int k = 0; k < 90; k++)
+        ck_assert(x[k] == 0 && v[k] == 0);
+}
+END_TEST
+
+/* The rows before a value that is lost stand. */
+START_TEST(rows_that_are_lost)
+{
+    fvi_linear p = { .m = 1, .c = 1, .x0 = 1 };
+    double x[4] = { 7, 7, 7, 7 }, t = 4e17, want;
+    ck_assert_int_eq(fvi_exact_rows(&p, t, 3, 0, x, NULL), FVI_ELOSS);
+    ck_assert_int_eq(fvi_exact(&p, 1, &t, &want, NULL), FVI_SUCCESS);
+    ck_assert(x[0] == 1 && x[1] == want);
+    ck_assert(isnan(x[3]));
+    p.c = 0;
+    p.v0 = 1e300;
+    ck_assert_int_eq(fvi_exact_rows(&p, 1e7, 3, 0, x, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_rows(&p, 1e8, 3, 0, x, NULL), FVI_EOVRFLW);
+    ck_assert(isfinite(x[1]) && isnan(x[2]) && isnan(x[3]));
+}
+END_TEST
+
+/* Against the C library, whose own error is below 2 u. exp and exp - 1 in u of their size; a
+ * logarithm in u of 1 + |ln|, an angle in u. */
+START_TEST(vectors_are_the_functions)
+{
+    enum { MANY = 999 }; /* no multiple of what a vector holds */
+    uint64_t seed = 3;
+    double re[MANY], im[MANY], x[MANY], y[MANY];
+    void (*const of[])(size_t, double *, double *) = { fvi_vector_exp,
+                                                       fvi_vector_expm1,
+                                                       fvi_vector_log };
+    for (size_t f = 0; f < LEN(of); f++)
+        for (double size = 1e-12; size < 2e5; size *= 3) {
+            for (int i = 0; i < MANY; i++) {
+                re[i] = x[i] = (2 * chance(&seed) - 1) * fmin(size, 700);
+                im[i] = y[i] = (2 * chance(&seed) - 1) * size;
+                if (f == 2)
+                    im[i] = y[i] = fabs(y[i]);
+            }
+            of[f](MANY, re, im);
+            for (int i = 0; i < MANY; i++) {
+                const double half = sin(y[i] / 2), e = exp(x[i]);
+                double want_re = log(hypot(x[i], y[i])),
+                       want_im = atan2(y[i], x[i]), bound = 10 * U;
+                if (f < 2) {
+                    want_re = f == 0
+                                  ? e * cos(y[i])
+                                  : expm1(x[i]) * cos(y[i]) - 2 * half * half;
+                    want_im = e * sin(y[i]);
+                    bound *= hypot(want_re, want_im);
+                }
+                ck_assert_near(re[i], want_re,
+                               bound * (f == 2 ? 1 + fabs(want_re) : 1),
+                               "%zu: re, %a %a", f, x[i], y[i]);
+                ck_assert_near(im[i], want_im, bound, "%zu: im, %a %a", f, x[i],
+                               y[i]);
+            }
+        }
+}
+END_TEST
+
 START_TEST(rows_say_what_is_wrong)
 {
     const fvi_linear p = oscillator(0.3, 1, 1, 0);
@@ -137,6 +316,8 @@ int main(void)
 {
     Suite *suite = suite_create("11 exact solution, rows");
     ADD_CASE(suite, "rows", eq_11_15_rows_are_the_solution,
-             rows_say_what_is_wrong);
+             eq_11_15_rows_match_talbot_and_the_cut, eq_11_15_rows_with_a_law,
+             vectors_are_the_functions, rows_far_out,
+             rows_of_one_output, rows_that_are_lost, rows_say_what_is_wrong);
     return run_suite(suite);
 }
