@@ -17,21 +17,30 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The rows of a long table, computed before one is printed; x is NULL if they are not. */
+typedef struct {
+    double *x, *v;
+    int status;
+} long_table;
+
 /* The rows of the steps in a batch, at most BATCH: each call of fvi_exact costs one
  * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
  * has said what is wrong. */
 enum { BATCH = 512 };
 static int exact_batch(const fvi_table *t, const fvi_linear *problem,
-                       size_t count, const size_t *step)
+                       const long_table *all, size_t count, const size_t *step)
 {
     double time[BATCH], x[BATCH], v[BATCH];
     size_t n = 0; /* times that are finite */
     for (size_t i = 0; i < count; i++) {
         time[i] = (double)step[i] * t->o->h;
         n += isfinite(time[i]) != 0;
-        x[i] = v[i] = NAN;
+        x[i] = all->x ? all->x[step[i]] : NAN;
+        v[i] = all->x ? all->v[step[i]] : NAN;
     }
-    int status = n > 0 ? fvi_exact(problem, n, time, x, v) : FVI_SUCCESS;
+    int status = all->x  ? all->status
+                 : n > 0 ? fvi_exact(problem, n, time, x, v)
+                         : FVI_SUCCESS;
     fvi_progress_clear(); /* the rows may go to the same terminal */
     for (size_t i = 0; i < count; i++) {
         double p = problem->m * v[i];
@@ -45,7 +54,8 @@ static int exact_batch(const fvi_table *t, const fvi_linear *problem,
     return 0;
 }
 
-static int exact_rows(const fvi_table *t, const fvi_linear *problem)
+static int exact_batches(const fvi_table *t, const fvi_linear *problem,
+                         const long_table *all)
 {
     size_t step[BATCH], count = 1;
     step[0] = 0;
@@ -55,12 +65,35 @@ static int exact_rows(const fvi_table *t, const fvi_linear *problem)
             step[count++] = fvi_table_next(t, last);
             continue;
         }
-        if (exact_batch(t, problem, count, step))
+        if (exact_batch(t, problem, all, count, step))
             return 1;
         step[0] = last < t->o->steps ? fvi_table_next(t, last) : last;
         count = last < t->o->steps;
     }
     return 0;
+}
+
+/* All steps at once where they are more than a batch and most of them are rows, or in
+ * batches: then, too, if there is no memory for them. With a law fvi_exact promises more. */
+static int exact_rows(const fvi_table *t, const fvi_linear *problem)
+{
+    const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 256 MB */
+    long_table all = { NULL, NULL, FVI_SUCCESS };
+    if (N > BATCH && N < MOST && t->o->every < 32 && !problem->law
+        && isfinite((double)N * t->o->h))
+        all.x = malloc(2 * (N + 1) * sizeof *all.x);
+    if (all.x) {
+        all.v = all.x + N + 1;
+        all.status = fvi_exact_rows(problem, t->o->h, N, 0, all.x, all.v);
+        if (all.status != FVI_SUCCESS && all.status != FVI_EOVRFLW
+            && all.status != FVI_ELOSS) { /* nothing was computed */
+            free(all.x);
+            all.x = NULL;
+        }
+    }
+    const int failed = exact_batches(t, problem, &all);
+    free(all.x);
+    return failed;
 }
 
 static fvi_linear linear_problem(const fvi_options *o)

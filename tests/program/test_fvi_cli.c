@@ -205,7 +205,8 @@ START_TEST(a_chain_moves_as_the_library_says)
 }
 END_TEST
 
-/* The same table, from the library's exact solution. 1500 rows: three batches. */
+/* The same table, from the library's exact solution: 400 rows one by one, 1500 at once,
+ * printed in three batches. */
 START_TEST(exact_prints_the_exact_solution)
 {
     const fvi_linear problem = { .m = 2,
@@ -218,22 +219,27 @@ START_TEST(exact_prints_the_exact_solution)
                                  .forcing = FVI_FORCING_COSINE,
                                  .A = 0.5,
                                  .w = 2 };
-    ck_assert_int_eq(
-        fvi("exact --mass 2 --potential harmonic:3 --rho 0.5 --alpha 0.75 "
-            "--derivative caputo --p0 -0.5 --force cosine:0.5,2 --h 0.01 "
-            "--steps 1499 --columns t,x,p,y"),
-        0);
-    ck_assert_uint_eq(count_rows(), 1500);
-    for (size_t k = 0; k < 1500; k += 100) {
-        double t = (double)k * 0.01, mirrored = (double)(1499 - k) * 0.01, x, v,
-               y;
-        ck_assert_int_eq(fvi_exact(&problem, 1, &t, &x, &v), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_exact(&problem, 1, &mirrored, &y, NULL),
+    for (size_t N = 399; N <= 1499; N += 1100) {
+        double t[1500], x[1500], v[1500];
+        char line[200];
+        for (size_t k = 0; k <= N; k++)
+            t[k] = (double)k * 0.01;
+        ck_assert_int_eq(N == 399 ? fvi_exact(&problem, N + 1, t, x, v)
+                                  : fvi_exact_rows(&problem, 0.01, N, 0, x, v),
                          FVI_SUCCESS);
-        ck_assert_ulp(cell(k, 0), t, 0, "t, k=%zu", k);
-        ck_assert_ulp(cell(k, 1), x, 0, "x, k=%zu", k);
-        ck_assert_ulp(cell(k, 2), 2 * v, 0, "p, k=%zu", k);
-        ck_assert_ulp(cell(k, 3), y, 0, "y, k=%zu", k);
+        snprintf(line, sizeof line,
+                 "exact --mass 2 --potential harmonic:3 --rho 0.5 --alpha 0.75 "
+                 "--derivative caputo --p0 -0.5 --force cosine:0.5,2 --h 0.01 "
+                 "--steps %zu --columns t,x,p,y",
+                 N);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_uint_eq(count_rows(), N + 1);
+        for (size_t k = 0; k <= N; k += 100) {
+            ck_assert_ulp(cell(k, 0), t[k], 0, "t, k=%zu", k);
+            ck_assert_ulp(cell(k, 1), x[k], 0, "x, k=%zu", k);
+            ck_assert_ulp(cell(k, 2), 2 * v[k], 0, "p, k=%zu", k);
+            ck_assert_ulp(cell(k, 3), x[N - k], 0, "y, k=%zu", k);
+        }
     }
     ck_assert_int_eq(
         fvi("exact --potential free --rho 0 --h 2 --steps 1 --columns x"), 0);
