@@ -134,11 +134,11 @@ static char *head_of(const fvi_options *o)
 
 static int refuse(const fvi_options *o, const char *why)
 {
-    fprintf(stderr,
-            "fvi: --continue: %s: %s\n"
-            "Try 'fvi --help' or 'fvi run --help'.\n",
-            o->checkpoint, why);
-    return 2;
+    char text[FVI_COMPLAINT];
+    const int status = fvi_refuse((fvi_complaint){ text, sizeof text },
+                                  "--continue: %s: %s", o->checkpoint, why);
+    fvi_refused(text, "run");
+    return status;
 }
 
 /* How the line of a saved head differs from the wanted one, "name = value" both: by its value,
@@ -288,11 +288,12 @@ int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s, size_t *done)
 {
     *done = 0;
     if (s->own && !s->method->visit) {
-        fprintf(stderr,
-                "fvi: --checkpoint: not known to %s\n"
-                "Try 'fvi --help' or 'fvi run --help'.\n",
-                s->method->name);
-        return 2;
+        char text[FVI_COMPLAINT];
+        const int status =
+            fvi_refuse((fvi_complaint){ text, sizeof text },
+                       "--checkpoint: not known to %s", s->method->name);
+        fvi_refused(text, "run");
+        return status;
     }
     return o->resume ? read_checkpoint(o, s, done) : 0;
 }

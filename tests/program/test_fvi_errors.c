@@ -81,6 +81,7 @@ START_TEST(the_help_of_the_command_is_pointed_to)
                   { "--version x", "--help" },
                   { "run x", "run --help" },
                   { "Run --alpha", "run --help" },
+        { "run --checkpoint none --continue", "run --help" },
                   { "exact --alpha 2", "exact --help" },
                   { "coefficients --count 0", "coefficients --help" },
                   { "methods x", "methods --help" },
