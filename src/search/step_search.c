@@ -124,6 +124,7 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
         if (others > most && run->alpha >= other->alpha_least
             && run->alpha <= other->alpha_most
             && fvi_method_has_memory(other, run->memory)
+            && (other->takes_laws || !run->law)
             && (other->takes_matrices || !run->system->matrices)) {
             best = other;
             most = others;

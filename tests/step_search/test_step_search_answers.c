@@ -121,6 +121,12 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
     ck_assert(fvi_step_search_other(&fvi_lobatto4, &run) == &fvi_adaptive);
     ck_assert(fvi_step_search_other(&fvi_adaptive, &run) == NULL);
+    const fvi_law_term term = { .kind = FVI_LAW_MAXWELL, .rho = 1, .time = 2 };
+    const fvi_law law = { 1, &term };
+    run.law = &law; /* not for fvi-adaptive */
+    const fvi_method *other = fvi_step_search_other(&fvi_bdf2, &run);
+    ck_assert(other && other->takes_laws && other->highest == 14);
+    run.law = NULL;
     run.memory = FVI_MEMORY_FFT; /* not for the stages */
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_shifted);
     ck_assert(fvi_step_search_other(&fvi_bdf2, &run) == NULL);
