@@ -3,7 +3,9 @@
     interface.py LIBFVI.so
 
 The library exports the names that the headers of src/fvi declare, and no other; and
-each header compiles alone, as C11 and, where there is a g++, as C++17."""
+each header compiles alone, as C11 and, where there is a g++, as C++17; there they compile
+together, too, over the headers of the C++ library, whose <cmath> takes three quarters of the
+time when each header alone asks for it."""
 import os
 import pathlib
 import re
@@ -36,11 +38,15 @@ def exported(library):
 
 
 def compilers():
+    """A command, and what it is to compile."""
     gsl = shlex.split(os.environ.get("GSL_CFLAGS", ""))
     strict = ["-Isrc", "-fsyntax-only", "-Wall", "-Wextra", "-pedantic", "-Werror"]
-    yield [os.environ.get("CC", "gcc"), "-std=c11", "-x", "c", *strict, *gsl]
+    alone = [[header] for header in HEADERS]
+    yield [os.environ.get("CC", "gcc"), "-std=c11", "-x", "c", *strict, *gsl], alone
     if shutil.which("g++"):
-        yield ["g++", "-std=c++17", "-x", "c++", *strict, *gsl]
+        plus = ["g++", "-std=c++17", "-x", "c++", *strict, *gsl]
+        yield [*plus, "-nostdinc++"], alone
+        yield plus, [HEADERS]
     else:
         print("no g++: the headers were not compiled as C++")
 
@@ -50,12 +56,13 @@ def main():
     given = exported(sys.argv[1])
     wrong = [f"exported, and in no header: {name}" for name in sorted(given - promised)]
     wrong += [f"in a header, and not exported: {name}" for name in sorted(promised - given)]
-    for compiler in compilers():
-        for header in HEADERS:
-            unit = f"#include <{header.relative_to('src')}>\n"
+    for compiler, units in compilers():
+        for headers in units:
+            unit = "".join(f"#include <{header.relative_to('src')}>\n" for header in headers)
             done = subprocess.run([*compiler, "-"], input=unit, text=True, capture_output=True)
             if done.returncode:
-                wrong.append(f"{header} does not compile alone, {compiler[0]}:\n{done.stderr}")
+                which = f"{headers[0]} alone" if len(headers) == 1 else "all headers together"
+                wrong.append(f"{which}: {' '.join(compiler[:2])} does not compile:\n{done.stderr}")
     if wrong:
         sys.exit("\n".join(wrong))
     print(f"interface: {len(given)} names, {len(HEADERS)} headers")

@@ -96,8 +96,8 @@ def link(target, files, inputs):
     if done.returncode == 0:
         return target
     names = " or ".join(str(f) for f in files)
-    missing = re.search(r"undefined reference to `(\w+)'", done.stderr)
-    twice = re.search(r"multiple definition of `(\w+)'", done.stderr)
+    missing = re.search(r"undefined reference to [`'](\w+)'", done.stderr)
+    twice = re.search(r"multiple definition of [`'](\w+)'", done.stderr)
     if twice:
         raise NotBuilt(f"{twice[1]} is defined in {names}, and a second time elsewhere: "
                        "each function has one place")
