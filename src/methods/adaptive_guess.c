@@ -1,7 +1,6 @@
 /* src/methods/adaptive_guess.c -- Where the iteration of a step begins. [Chapter 22] */
 #include "adaptive.h"
 
-#include <fvi/discrete_mechanics.h>
 #include <fvi/error.h>
 
 #include <string.h>
@@ -69,6 +68,7 @@ static void push(fvi_adaptive_run *o, size_t i, double dt, double by_h)
 
 int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
 {
+    const fvi_potential *u = &s->run.system->potential;
     const fvi_variable_rule *rule = o->rule;
     const double by_h = 1 / o->length.h;
     memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
@@ -79,8 +79,8 @@ int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
             i > 0 ? o->length.h * (rule->c[i] - rule->c[i - 1]) : 0;
         if (i > 0)
             leap(o, i, dt);
-        const int status = fvi_gradient(s->run.system, o->point + i * o->d,
-                                        o->gradient + i * o->d);
+        const int status = u->gradient(o->d, o->point + i * o->d, u->params,
+                                       o->gradient + i * o->d);
         if (status)
             return status;
         push(o, i, dt, by_h);

@@ -44,11 +44,13 @@ FVI_VECTORS static void points(const fvi_adaptive_run *o)
 /* U' there, to o->gradient. */
 static int look(fvi_stepper *s, fvi_adaptive_run *o)
 {
+    const fvi_potential *u = &s->run.system->potential;
+    const size_t d = o->d;
     int status = FVI_SUCCESS;
     points(o);
     for (size_t i = 0; !status && i < o->rule->s; i++)
-        status = fvi_gradient(s->run.system, o->point + i * o->d,
-                              o->gradient + i * o->d);
+        status =
+            u->gradient(d, o->point + i * d, u->params, o->gradient + i * d);
     return status;
 }
 
