@@ -13,10 +13,10 @@
 static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
 static const double PHI = 1.35; /* and comes no closer to the cut than this */
 static const double GONE = -90; /* e^GONE is nothing */
-static const double EDGES =
-    5; /* what the rule errs is below e^EDGES times (11.17) */
-static const double CUT =
-    2; /* what is cut off below e^-CUT times the tolerance */
+
+/* Logarithms, beside that of the tolerance: of what the rule may err, (11.17), and of how
+ * far below it the contour is cut off. */
+static const double EDGES = 5, CUT = 2;
 
 /* ---- where the contour goes ---- */
 

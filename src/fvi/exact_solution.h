@@ -97,7 +97,7 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
  * microseconds a window, then 4 operations a node and row; 80 rows cost what 3 to 5 of
  * fvi_exact do. One after the other, as there, are: rows of problems whose numbers or
  * phases leave the range of (11.15), c t^2 / m > 10^100 for one.
- * Memory: 80 kB of stack, and 352 bytes a node, of which there are at most 620.
+ * Memory: 80 kB of stack, and 352 bytes a node, at most 350 of them, with a law 620.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
  * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact for the problem.

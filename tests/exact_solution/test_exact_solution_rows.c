@@ -1,6 +1,7 @@
 /* tests/exact_solution/test_exact_solution_rows.c -- Chapter 11: all rows at once.
  * Run alone: make test-exact_solution_rows */
 #include "exact/exact_vectors.h"
+#include "exact/exact_window.h"
 #include "exact_problems.h"
 
 #include "exact_solution_ref.h"
@@ -82,6 +83,10 @@ static void compare(const fvi_linear *p, double h, size_t n, double tolerance,
     }
     for (size_t i = 0; i < count; i++) {
         const size_t k = row[i];
+        if (tolerance > 1e-12 && X > 0)
+            seen(fabs(x[k] - want_x[i]) / (tolerance * X), "of the tolerance");
+        if (tolerance == 0 && X > 0)
+            seen(fabs(x[k] - want_x[i]) / X, "at tolerance 0");
         ck_assert_near(x[k], want_x[i], (tolerance + 2 * TOL) * X,
                        "%s: x, row %zu of %zu", what, k, n);
         ck_assert_near(v[k], want_v[i],
@@ -139,6 +144,34 @@ START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
                            TOL * (ref_solutions[i].size_v + X / t),
                            "x', %zu rows, reference %zu", n, i);
         }
+}
+END_TEST
+
+/* Bagley and Torvik's plate, 80 rows. The count is the claim of (11.16). */
+START_TEST(eq_11_16_nodes_of_a_window)
+{
+    const fvi_linear plate = { .m = 1,
+                               .c = 1,
+                               .rho = 1,
+                               .alpha = 0.75,
+                               .forcing = FVI_FORCING_STEP,
+                               .A = 8,
+                               .T = 1 };
+    const double tolerances[] = { 1e-2, 1e-12 };
+    const char *names[] = { "nodes for 1e-2", "nodes for 1e-12" };
+    const size_t most[] = { 40, 100 };
+    for (size_t i = 0; i < LEN(tolerances); i++) {
+        fvi_inverse S;
+        fvi_window w;
+        ck_assert_int_eq(fvi_inverse_prepare(&plate, &S), FVI_SUCCESS);
+        ck_assert_int_eq(
+            fvi_window_open(&S, 0.25, 20, 0.25, tolerances[i], 1, &w),
+            FVI_SUCCESS);
+        ck_assert(w.count > 0 && w.count < most[i]);
+        ck_assert(w.z.re[w.count - 1] * 0.25 / 20 < -w.folds + 0.2 * w.folds);
+        seen((double)w.count, names[i]);
+        fvi_window_close(&w);
+    }
 }
 END_TEST
 
@@ -317,7 +350,8 @@ int main(void)
     Suite *suite = suite_create("11 exact solution, rows");
     ADD_CASE(suite, "rows", eq_11_15_rows_are_the_solution,
              eq_11_15_rows_match_talbot_and_the_cut, eq_11_15_rows_with_a_law,
-             vectors_are_the_functions, rows_far_out,
-             rows_of_one_output, rows_that_are_lost, rows_say_what_is_wrong);
+             eq_11_16_nodes_of_a_window, vectors_are_the_functions,
+             rows_far_out, rows_of_one_output, rows_that_are_lost,
+             rows_say_what_is_wrong);
     return run_suite(suite);
 }

@@ -11,7 +11,10 @@ Proved here, all letters symbolic unless it says otherwise:
   (11.9)  the double series for large and for small times, j, k <= 4;
   (11.10) the hyperbola, its derivative, and phi >= theta - pi/2;
   (11.13) the closed forms solve their equations;
-  (11.14) Bagley and Torvik's problem by four complex error functions (numbers).
+  (11.14) Bagley and Torvik's problem by four complex error functions (numbers);
+  (11.16) the last node, for all times of a window; and, on 1/(s^(1 + b)), that the rule
+          with so many nodes errs by no more than the tolerance (numbers);
+  (11.18) the powers of a row that a block has; (11.19) the pulse, seen from its end.
 Printed: x and x' by Talbot's rule (nothing is split there), and for long times,
 where that would take too many terms, by the residues and the integral along the
 cut itself, which is neither Talbot's rule nor the hyperbola of the C code."""
@@ -20,7 +23,7 @@ import math
 
 import mpmath
 from mpmath import mp, mpf
-from sympy import (I, binomial, cos, cosh, diff, exp, expand, gamma, gammasimp, im,
+from sympy import (I, acosh, binomial, cos, cosh, diff, exp, expand, gamma, gammasimp, im,
                    log, pi, simplify, sin, sinh, symbols, tan, together)
 
 from shared.exact_solution_routes import CAPUTO, HELD, Problem, by_cut, by_talbot, pole, size
@@ -126,7 +129,59 @@ prove("(11.10) z = mu (1 + sin(iu - phi))",
 prove("(11.11) tan phi - tan(theta - pi/2) = (1 - sin(phi) e^-u) / (cos phi sinh u)",
       simplify((tan(phi) - (sin(phi) * cosh(u) - 1) / (cos(phi) * sinh(u))
                 - (1 - sin(phi) * exp(-u)) / (cos(phi) * sinh(u))).rewrite(exp)))
+across, along = symbols("x y", real=True)
+prove("(11.11) |1 +- sin(x + iy)| = cosh y +- sin x, so that their sum is 2 cosh y",
+      *(expand((1 + k * sin(across) * cosh(along)) ** 2 + (cos(across) * sinh(along)) ** 2
+               - (cosh(along) + k * sin(across)) ** 2).subs(cosh(along) ** 2, 1 + sinh(along) ** 2)
+        .subs(cos(across) ** 2, 1 - sin(across) ** 2).expand() for k in (1, -1)))
 #< hyperbola
+
+#> rows
+lam, tau, folds = symbols("lambda tau Lambda", positive=True)  # Lambda: L times what is waited for
+last = acosh((1 + folds / mu) / sin(phi))
+prove("(11.16) at the last node Re z is -Lambda",
+      simplify(mu * (1 - sin(phi) * cosh(last)) + folds))
+prove("(11.19) a pulse, seen from its end",
+      expand(exp(lam * z) - exp((lam - tau) * z) - exp((lam - tau) * z) * (exp(tau * z) - 1), power=True).rewrite(exp).simplify())
+
+
+def steps_and_nodes(wanted, width, center, log_E, ratio, mu_=3.0):
+    """(11.16), for ln(1/tolerance) = wanted."""
+    step = 2 * math.pi * width / (wanted + 5 + log_E)
+    return step, math.ceil(math.acosh((1 + ratio * (wanted + 2) / mu_) / math.sin(center)) / step)
+
+
+def rule_errs(b, tolerance, width, ratio=100, center=0.675, mu_=3.0):
+    """The largest error of (11.15) at times down to 1/ratio, for 1/s^(1 + b), the transform
+    of t^b / Gamma(1 + b), over the largest value of that, 1 / Gamma(1 + b)."""
+    wanted = math.log(1 / tolerance)
+    edge = mu_ * (1 - math.sin(center + width))
+    step, nodes = steps_and_nodes(wanted, width, center, -b * math.log(edge), ratio)  # (11.17)
+    worst = 0
+    for part in (1, 0.7, 0.3, 0.1, 0.03, 1 / ratio):
+        value = 0
+        for k in range(nodes):
+            u_ = (k + 0.5) * step
+            z_ = mu_ * (1 - cmath.sin(center - 1j * u_).real
+                        + 1j * math.cos(center) * math.sinh(u_))
+            dz = mu_ * (-math.sin(center) * math.sinh(u_) + 1j * math.cos(center) * math.cosh(u_))
+            value += (step / math.pi * cmath.exp(part * z_) * dz / z_ ** (1 + b)).imag
+        worst = max(worst, abs(value * math.gamma(1 + b) - part**b))
+    return worst
+
+
+for b_ in (0, 0.5, 1, 1.5, 2):
+    for tolerance in (1e-1, 1e-3, 1e-6, 1e-9, 1e-12):
+        for width in (0.675, 0.3):
+            claim(f"(11.16) errs by less than {tolerance} on t^{b_}, d = {width}",
+                  rule_errs(b_, tolerance, width) < tolerance)
+
+highest = math.log(8) - 2 * math.log(3 * (1 - math.sin(1.35)))  # no E is larger
+for poles, most in ((2, 350), (4, 620)):
+    half = 1.35 / 2 / (poles + 1)  # of the widest interval without a pole, at least
+    claim(f"(11.16) at most {most} nodes with {poles} poles, for 1e-16 and times from 1 to 200",
+          steps_and_nodes(16 * math.log(10), half, half, highest, 200)[1] <= most)
+#< rows
 
 #> closed
 w, f, A_, gam = symbols("omega Omega A gamma", positive=True)
