@@ -11,11 +11,9 @@
  * bits of the sum. */
 static const double ROUND = 0x1.8p52;
 
-/* ln 2 and pi in pieces: the products with an integer below 2^20 are exact but for the
- * last. */
+/* ln 2 and pi in two pieces: products of the first with an integer below 2^20 are exact. */
 static const double LN2[] = { 0x1.62e42feep-1, 0x1.a39ef35793c76p-33 },
-                    PI[] = { 0x1.921fb544p+1, 0x1.0b4611a6p-33,
-                             0x1.3198a2e037073p-68 };
+                    PI[] = { 0x1.921fb544p+1, 0x1.0b4611a626331p-33 };
 
 /* 1 / n!; what a series leaves out is below u / 5 where |r| <= ln 2 / 2, |r| <= pi / 2. */
 static const double FACTORIAL[] = { 1.,
@@ -99,7 +97,7 @@ static inline __attribute__((always_inline)) double without_halves(double y,
     const double halves = y * (1 / 0x1.921fb54442d18p+1) + ROUND,
                  l = halves - ROUND;
     *sign = of_bits(bits_of(1) ^ (bits_of(halves) << 63));
-    return y - l * PI[0] - l * PI[1] - l * PI[2];
+    return y - l * PI[0] - l * PI[1];
 }
 
 //> exp

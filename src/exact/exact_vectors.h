@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-/* fvi_vector_exp -- e^z; |re| <= 700, |im| <= 10^6. Error: 6 u, seen 4.2 u. */
+/* fvi_vector_exp -- e^z; |re| <= 700, |im| <= 10^4. Error: 6 u, seen 4.2 u. */
 void fvi_vector_exp(size_t n, double *re, double *im);
 
 /* fvi_vector_expm1 -- e^z - 1, also where z is small; as above. Error: 8 u. */
