@@ -13,60 +13,86 @@ from shared.adjoint_chain import numbers
 from shared.arithmetic import real_function
 from variable_steps import variable_steps as one
 
+FINE, WIDE, EDGE = 200, 320, 110   # bits behind the point; where the series for large S begins
+
+
+def whole(v, bits=FINE):
+    return int(mpmath.ldexp(v, bits))
+
+
 @cache
 def rational(s):
-    """a(mu) of (22.5) and p by partial fractions: lambda, P_lambda e_1 / b_1, over all lambda."""
+    """a(mu) of (22.5) and p by partial fractions: lambda, P_lambda e_1 / b_1, over all lambda, in
+    units of 2^-WIDE."""
     b, parts = numbers(s)[1], []
+    units = lambda z: (whole(mpmath.re(z), WIDE), whole(mpmath.im(z), WIDE))
     for value, P in one.eigen(s, 100):
         twice = 2 if mpmath.im(value) > 0 else 1
-        parts.append((value, [twice * P[i, 0] / b[0] for i in range(s)]))
-    return b, parts
+        parts.append((units(value), [units(twice * P[i, 0] / b[0]) for i in range(s)]))
+    return [whole(v, WIDE) for v in b], parts
 
 
 @cache
 def reading(s, mu):
+    """a(mu), and 1 - p(mu), in units of 2^-WIDE."""
     b, parts = rational(s)
-    a = [mpf(0)] * s
-    for value, v in parts:
-        by = 1 / (mu + value)
-        a = [x + mpmath.re(y * by) for x, y in zip(a, v)]
-    return a, mu * mpmath.fdot(a, b)
+    mu, a = whole(mu, WIDE), [0] * s
+    for (re, im), v in parts:
+        size = (mu + re)**2 + im**2
+        by_re, by_im = (mu + re << 2 * WIDE) // size, (im << 2 * WIDE) // size
+        a = [x + (y_re * by_re + y_im * by_im >> WIDE) for x, (y_re, y_im) in zip(a, v)]
+    return a, (1 << WIDE) - (mu * sum(map(mul, a, b)) >> 2 * WIDE)
 
 
-FINE, FINER = 200, 900   # bits behind the point
-
-
-def whole(values, bits):
-    return [int(mpmath.ldexp(v, bits)) for v in values]
+@cache
+def powers_of(S):
+    """e^-S S^k / k! for S < EDGE, else EDGE^k / S^(k + 1), as long as they are not nothing."""
+    bits, weights = 2 * FINE, []      # e^-S is small, and what it lacks grows with the rest
+    if S < EDGE:
+        term, z = whole(mpmath.exp(-S), bits), whole(S, bits)
+        while len(weights) <= S or term >> FINE:
+            weights.append(term >> FINE)
+            term = (term * z >> bits) // len(weights)
+    else:
+        term, z = whole(1 / S, bits), whole(EDGE / S, bits)
+        while term >> FINE and len(weights) < 100:
+            weights.append(term >> FINE)
+            term = term * z >> bits
+    return weights
 
 
 class Moments:
-    """I(a, S) for many a, by the series of (22.20) for S < 110, else by that for large S."""
+    """I(a, S) for many a, by the series of (22.20) for S < EDGE, else by that for large S."""
 
     def __init__(self, exponents):
-        self.near = [whole([1 / (a + k) for k in range(320)], FINE) for a in exponents]
+        exponents = [whole(a) for a in exponents]
+        self.near = [[(1 << 2 * FINE) // (a + (k << FINE)) for k in range(320)] for a in exponents]
         self.far = []
         for a in exponents:
-            row = [mpf(1)]
+            row = [1 << FINE]
             for k in range(1, 100):
-                row.append(row[-1] * (k - a))
-            self.far.append(whole(row, FINE))
+                row.append(row[-1] * ((k << FINE) - a) // (EDGE << FINE))
+            self.far.append(row)
 
     def at(self, S):
         """In units of 2^-FINE."""
-        near, weights = S < 110, []
-        term = mpmath.exp(-S) if near else 1 / S
-        for k in range(320 if near else 100):
-            weights.append(term)
-            if k > S and term < mpf(10) ** -50:
-                break
-            term *= S / (k + 1) if near else 1 / S
-        bits = FINE if near else FINER
-        weights = whole(weights, bits)
-        return [sum(map(mul, row, weights)) >> bits for row in (self.near if near else self.far)]
+        weights = powers_of(S)
+        return [sum(map(mul, row, weights)) >> FINE for row in (self.near if S < EDGE else self.far)]
 
 
 SPACING, HIGHEST = mpf(1) / 8, 70
+
+
+@cache
+def node(l):
+    """sigma, its logarithm, and that one's slope."""
+    tail = mpmath.exp(-SPACING * l)
+    return mpmath.exp(SPACING * l - tail), SPACING * l - tail, 1 + tail
+
+
+@cache
+def fallen(S):
+    return whole(mpmath.exp(-S))
 
 
 def kernels(s, alpha, gap, J, t1, lengths):
@@ -75,23 +101,21 @@ def kernels(s, alpha, gap, J, t1, lengths):
     beta > 0, of those that are -1; of these the first step has -h^{-beta} (A^{-1})^beta 1."""
     beta = 2 * alpha - 1
     b = [n * gap for n in range(1, J + 1)]
-    moments, sizes = Moments(b), whole([t1**v * mpmath.rgamma(v) for v in b], FINE)
+    moments, sizes = Moments(b), [whole(t1**v * mpmath.rgamma(v)) for v in b]
     modes, readings = [[] for _ in range(J + 2)], [[[] for _ in range(s)] for _ in lengths]
     lowest = mpmath.log((1 + beta if beta < 0 else beta) / 60)
     for l in range(int(lowest / SPACING), int(HIGHEST / SPACING)):
-        u = SPACING * l
-        tail = mpmath.exp(-u)
-        sigma = mpmath.exp(u - tail)
-        weight = SPACING * (1 + tail) * sigma ** (beta if beta > 0 else 1 + beta)
-        told = whole([mpmath.exp(-sigma * t1)], FINE)
-        told += [v * w >> FINE for v, w in zip(moments.at(sigma * t1), sizes)]
-        for column, v in zip(modes, told + [-1 << FINE if beta > 0 else 0]):
+        sigma, logarithm, slope = node(l)
+        told = [fallen(sigma * t1), *(v * w >> FINE for v, w in zip(moments.at(sigma * t1), sizes)),
+                -1 << FINE if beta > 0 else 0]
+        for column, v in zip(modes, told):
             column.append(v)
+        weight = whole(SPACING * slope * mpmath.exp((beta if beta > 0 else 1 + beta) * logarithm), WIDE)
         for h, rows in zip(lengths, readings):
-            a, p = reading(s, h * sigma)
+            a, kept = reading(s, h * sigma)
             for row, v in zip(rows, a):
-                row.append(int(mpmath.ldexp(weight * v, FINE)))
-            weight *= 1 - p
+                row.append(weight * v >> 2 * WIDE - FINE)
+            weight = weight * kept >> WIDE
     size = mpmath.sinpi(abs(beta)) / mpmath.pi
     out = [[[size * mpmath.ldexp(sum(map(mul, row, column)), -2 * FINE) for column in modes] for row in rows]
            for rows in readings]
