@@ -198,8 +198,9 @@ class Pulled(Mesh):
         """G of all bodies, or G'."""
         if t == 0:
             return [ZERO] * D5
-        powers = [self.powers(t, self.falls and self.q0["rho"][j].v != 0)[slope] for j in range(D5)]
-        return [dot(c[1:self.J + 1], row) for c, row in zip(self.c, powers)]
+        falls = [self.falls and rho.v != 0 for rho in self.q0["rho"]]
+        powers = {way: self.powers(t, way)[slope] for way in set(falls)}
+        return [dot(c[1:self.J + 1], powers[way]) for c, way in zip(self.c, falls)]
 
     def left(self, q, t, alpha):
         if self.kind != "rising" or t == 0:

@@ -250,7 +250,7 @@ class Chain:
                     left = 0
             if real:
                 self.path.append([list(v) for v in V])
-                self.factors.append(self.matrix(V, x, W0, scale))
+                self.factors.append(lu)    # of V but for what is below 2^-130
             rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
             past.append([[v - v0[j] for v in speed[j]] for j in range(D5)])
             before = list(x), list(p)

@@ -9,9 +9,9 @@ import mpmath
 from mpmath import mp, mpf
 
 from shared.adjoint_chain import D5, Chain, away, numbers
-from shared.arithmetic import ONE, ZERO, Dual, dual, fixed, line
+from shared.arithmetic import BITS, ONE, ZERO, Dual, dual, fixed, line
 from shared.refgen import nearest
-from shared.variable_steps_power import dense
+from shared.variable_steps_power import whole_dense
 
 DIGITS, APART = 100, 30
 
@@ -75,20 +75,17 @@ def shape(s, theta, step):
     return [step * sum(q[j] * inverse[j, i] for j in range(s)) for i in range(s)]
 
 
-def whole(M):
-    return [[fixed(v) for v in row] for row in M.tolist()]
-
-
 @cache
 def powers(s, steps, beta):
     """DD^beta, and its derivative by beta."""
-    with mp.workdps(mp.dps):
-        mp.dps = DIGITS
+    with mp.workdps(DIGITS):
         e = mpf(10) ** -APART
-        above, below = (dense(s, steps, beta + v, DIGITS) for v in (e, -e))
-        W = [{o: (row[o] + below[k][o]) / 2 for o in row} for k, row in enumerate(above)]
-        rate = [{o: (row[o] - below[k][o]) / (2 * e) for o in row} for k, row in enumerate(above)]
-        return [[{o: whole(M) for o, M in row.items()} for row in F] for F in (W, rate)]
+        (above, bits), (below, _) = (whole_dense(s, steps, beta + v, DIGITS) for v in (e, -e))
+    half = bits - BITS + 1      # and mean and rate are halves of what follows
+    mean = lambda a, b: a + b >> half
+    rate = lambda a, b: (a - b) * 10**APART >> half
+    return [[{o: [list(map(f, *rows)) for rows in zip(up[o], down[o])] for o in up} for up, down in zip(above, below)]
+            for f in (mean, rate)]
 
 
 @cache

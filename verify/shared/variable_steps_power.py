@@ -92,16 +92,25 @@ def modal(s, steps, beta, digits):
 
 
 @cache
-def dense(s, steps, beta, digits):
-    """The blocks of DD^beta themselves."""
+def whole_dense(s, steps, beta, digits):
+    """The blocks of DD^beta themselves, row by row, and the bits behind the point."""
     mp.dps = digits + 30
     blocks = modal(s, steps, beta, digits)
     left, right = eigen(s, digits)[-2:]
 
     def back(block):
         middle = [tuple(zip(*(dot(row, column) for row in block))) for column in right]
-        return mpmath.matrix([[real_dot(row, column) for column in middle] for row in left])
-    return [{j: back(block) for j, block in row.items()} for row in blocks]
+        return [[sum(map(mul, row[0], column[0])) - sum(map(mul, row[1], column[1])) for column in middle]
+                for row in left]
+    return [{j: back(block) for j, block in row.items()} for row in blocks], 2 * (mp.prec + 100)
+
+
+@cache
+def dense(s, steps, beta, digits):
+    """The same in numbers of mpmath's."""
+    blocks, bits = whole_dense(s, steps, beta, digits)
+    return [{j: mpmath.matrix([[mpmath.ldexp(v, -bits) for v in line] for line in block])
+             for j, block in row.items()} for row in blocks]
 
 
 def product(F, G, s, k, j):
