@@ -18,7 +18,7 @@ import functools
 
 import mpmath
 from mpmath import mp, mpc, mpf
-from sympy import I, Matrix, cos, eye, im, sin, sqrt, symbols
+from sympy import I, Matrix, cos, eye, im, lambdify, sin, sqrt, symbols
 
 from shared.arithmetic import circle, coefficients
 from shared.refgen import claim, header, prove
@@ -50,14 +50,21 @@ prove("(26.2)", im((q * (1 + T * q.conjugate())).expand()).expand() - r * sin(ph
 #< passive
 
 
+@functools.cache
+def logarithm(s, precision):
+    """Laws are asked for at the same points, so this is kept."""
+    return mpmath.log(s)
+
+
 def symbol(law, s):
     """C(s) of numbers, of doubles if s is one."""
-    log = cmath.log if isinstance(s, complex) else mpmath.log
+    double = isinstance(s, complex)
+    log, exp = (cmath.log(s), cmath.exp) if double else (logarithm(s, mp.prec), mpmath.exp)
 
     def term(kind, rho, alpha, time, end):
         if kind == DISTRIBUTED:
-            return rho * (s**(2 * end) - s**(2 * alpha)) / (2 * log(s))
-        q = s if kind == MAXWELL else s**(2 * alpha)
+            return rho * (exp(2 * end * log) - exp(2 * alpha * log)) / (2 * log)
+        q = s if kind == MAXWELL else exp(2 * alpha * log)
         return rho * (q if kind == POWER else q / (1 + time * q))
     return sum(term(*t) for t in law)
 
@@ -245,12 +252,14 @@ def nodes(s):
             3: ([mpf(1) / 6, mpf(2) / 3, mpf(1) / 6], [[-3, 4, -1], [-1, 0, 1], [1, -4, 3]])}[s]
     A_inverse = mpmath.matrix(D)
     A_inverse[0, 0] += 1 / b[0]
-    cut = []
+    cut, x = [], symbols("mu")
+    first = (Matrix(s, s, [int(mpmath.nint(v)) for v in A_inverse]) + x * eye(s)).inv()[:, 0]
+    solved = lambdify(x, list(first), "mpmath")
     for k in range(-700, 200):
         mu = mpmath.exp(mpf(k) / 8)
-        a = mpmath.lu_solve(A_inverse + mu * mpmath.eye(s), mpmath.matrix([1 / b[0]] + [0] * (s - 1)))
-        r = 1 - mu * sum(x * y for x, y in zip(b, a))
-        cut.append((mu, r, a * mpmath.matrix([b[j] * a[s - 1 - j] for j in range(s)]).T))
+        a = [v / b[0] for v in solved(mu)]
+        r = 1 - mu * mpmath.fdot(b, a)
+        cut.append((mu, r, [a[i] * b[j] * a[s - 1 - j] for i in range(s) for j in range(s)]))
     return b, A_inverse, cut
 
 
@@ -271,8 +280,9 @@ def stages(law, s, n, h):
     cut = nodes(s)[2]
     cauchy = coefficients(around(s, mpf(2) / 5, 120 + n, h), lambda v: symbol(law, v) / v, [n])[n]
     imaginary = lambda s: symbol(law, mpc(s, mpf(10)**-40)).imag
-    along = sum((M * (imaginary(-mu / h) * r**(n - 1)) for mu, r, M in cut), mpmath.zeros(s))
-    return mpmath.mnorm(cauchy - along * (h / mpmath.pi / 8)) / mpmath.mnorm(cauchy)
+    shares = [imaginary(-mu / h) * r**(n - 1) * h / mpmath.pi / 8 for mu, r, _ in cut]
+    along = [mpmath.fdot(shares, entries) for entries in zip(*(M for _, _, M in cut))]
+    return mpmath.mnorm(cauchy - mpmath.matrix([along[s * i:s * i + s] for i in range(s)])) / mpmath.mnorm(cauchy)
 #< stages
 
 
