@@ -42,12 +42,12 @@ for delta in (1 - z, (1 - z) * (3 - z) / 2):
     weights = [cancel(truncated(rational, 6).coeff(z, n)) for n in range(6)]
     squares = [sum(weights[j] * weights[n - j] for j in range(n + 1)) for n in range(6)]
     for n in range(6):
-        prove(f"(23.21) the weights, z^{n}", simplify(diff(weights[n], T) + squares[n]))
+        prove(f"(23.21) the weights, z^{n}", diff(weights[n], T) + squares[n])
     power = truncated((delta / h) ** (2 * a), 5)
     logarithm = truncated(log(delta / h), 5)
     for n in range(5):
         product = sum(power.coeff(z, j) * logarithm.coeff(z, n - j) for j in range(n + 1))
-        prove(f"(23.21) the weights of a power, z^{n}", simplify(diff(power.coeff(z, n), a) - 2 * product))
+        prove(f"(23.21) the weights of a power, z^{n}", diff(power.coeff(z, n), a) - 2 * product)
 logarithm = truncated(log((1 - z) * (3 - z) / 2 / h), 7)
 claim("(23.22)", simplify(logarithm.coeff(z, 0) - log(Rational(3, 2)) + log(h)) == 0 and all(
     logarithm.coeff(z, n) == -Rational(1, n) * (1 + Rational(1, 3) ** n) for n in range(1, 7)))

@@ -12,7 +12,7 @@ from random import Random
 
 import mpmath
 from mpmath import mp, mpc, mpf
-from sympy import Matrix, Rational, diff, expand, simplify, symbols
+from sympy import Matrix, Rational, diff, expand, symbols
 
 from shared.arithmetic import HALF, ONE, TINY, UNITS, ZERO, Dual, apart, dot, dual, fixed
 from shared.refgen import header, hexd, nearest, prove, table
@@ -66,16 +66,15 @@ all_pulls = sum((pull[2 * k] * lam[k] + pull[2 * k + 1] * lam[k + 1] for k in st
 prove("(23.19) by a factor of K", expand(diff(L, sK) + h * sum(
     product(kappa * x[k] + (1 - kappa) * x[k + 1], K, kappa * lam[k] + (1 - kappa) * lam[k + 1]) for k in steps)))
 by_C = -c * sum(product(zz[j], C, n[j]) for j in range(N3 + 1)) - unit * product(all_pulls, C, v)
-prove("(23.19) by a factor of C", simplify(expand(diff(L, sC).subs(ones) - by_C)))
+prove("(23.19) by a factor of C", diff(L, sC).subs(ones) - by_C)
 by_M = (sum(product(x[k + 1] - x[k], M, lam[k + 1] - lam[k]) for k in steps) / h
         - (p0.T * (by_p0 - lam[0]))[0])
-prove("(23.19) by a factor of M", simplify(expand(diff(L, sM).subs(ones) - by_M)))
+prove("(23.19) by a factor of M", diff(L, sM).subs(ones) - by_M)
 #< factors
 # L is a sum of these, of the forces, and of p0 and p_N, each times one of them; of the
 # first the derivative by p0 has all that a run's M^-1 p0 does
-prove("(23.20)", simplify(expand(
-    (L - diff(L, sC) - diff(L, sK)).subs(ones) - by_M - (p0.T * by_p0)[0] + (lam[N3].T * pN)[0]
-    - h * sum((lam[k].T * F[k])[0] for k in range(1, N3 + 1)))))
+prove("(23.20)", (L - diff(L, sC) - diff(L, sK)).subs(ones) - by_M - (p0.T * by_p0)[0] + (lam[N3].T * pN)[0]
+      - h * sum((lam[k].T * F[k])[0] for k in range(1, N3 + 1)))
 
 # ---- what a memory that is held at J_p leaves out ----
 

@@ -16,7 +16,7 @@ from fractions import Fraction as Q
 from functools import lru_cache
 
 import mpmath
-from sympy import (Function, Rational, coth, diff, exp, expand, gamma, gammasimp, ratsimp, simplify,
+from sympy import (Function, Rational, coth, diff, exp, expand, gamma, gammasimp, ratsimp,
                    sinh, symbols)
 
 from shared.fvi_runs import Case, Digits, Exactly, by_definition, by_momentum, weight
@@ -135,9 +135,9 @@ prove("(9.8) the start of a forced motion",
 # (9.7): on e^{st} the weights of order beta are s^beta, late by beta h / 2, times an even
 # function of h; and the transform of the start, x_0 and p_0, is even in h.
 s, beta = symbols("s beta", positive=True)
-even = lambda f: prove("even in h", simplify((f - f.subs(h, -h)).rewrite(exp)))
+even = lambda f: prove("even in h", (f - f.subs(h, -h)).rewrite(exp))
 prove("(9.7) the base of the weights",
-      simplify((1 - exp(-s * h)) / h - (exp(-s * h / 2) * 2 / h * sinh(s * h / 2)).rewrite(exp)))
+      (1 - exp(-s * h)) / h - (exp(-s * h / 2) * 2 / h * sinh(s * h / 2)).rewrite(exp))
 even(sinh(s * h / 2) / h)
 even(h / 2 * coth(s * h / 2))               # of a constant, first term halved
 even((h / 2)**2 / sinh(s * h / 2)**2)       # of t

@@ -88,7 +88,7 @@ for s in STAGES:
                     + (Bs * Delta).T.subs(z, p - I * q)) * v)[0]
     stated = (v[s-1] * w[s-1] + v[0] * w[0]
               - (p + I * q) * w[0] * v[s-1] - (p - I * q) * v[0] * w[s-1])
-    prove("(17.11)", simplify(expand(twice - stated)))
+    prove("(17.11)", twice - stated)
 
 for s in STAGES:
     b, e1, es = Matrix(B[s]), unit(s, 0), unit(s, s - 1)
@@ -102,7 +102,7 @@ for s in STAGES:
     # (mu + Delta)(N + z a a~^T / (1 - z r)) = 1, times det (det - z r) det
     zero("(17.10) resolvent", (eye(s) * mu + Delta) * (N * (det - z * r) + z * a * back.T)
          - det * (det - z * r) * eye(s))
-    prove("(17.12) 1 - r(-mu) = mu b.a", simplify(expand(det - r - mu * (b.T * a)[0])))
+    prove("(17.12) 1 - r(-mu) = mu b.a", det - r - mu * (b.T * a)[0])
     #< resolvent
 
 
@@ -139,7 +139,7 @@ lam = symbols("lambda")
 POLYNOMIAL = {2: lam - 2, 3: lam**2 - 6 * lam + 24, 4: lam**3 - 12 * lam**2 + 60 * lam - 360}
 for s in STAGES:
     Delta1 = D[s] + unit(s, 0) * (unit(s, 0) - unit(s, s - 1)).T / B[s][0]
-    prove("(17.14) eigenvalues", simplify(expand((lam * eye(s) - Delta1).det() - lam * POLYNOMIAL[s])))
+    prove("(17.14) eigenvalues", (lam * eye(s) - Delta1).det() - lam * POLYNOMIAL[s])
 #< correction
 
 
@@ -195,7 +195,7 @@ zero("(17.16) Delta(-1) = 2 (cos(pi/3) + sin(pi/3) J), J^2 = -1", J * J + eye(2)
 angle = (2 * al - 1) * pi / 3
 Y = 2**(2 * al - 1) * (cos(angle) * eye(2) + sin(angle) * J) * D[2] * Matrix([1, -1])
 load = (Y[0] - Y[1]) / 2                                                    # R times this
-prove("(17.16)", simplify(load - 2**(2 * al + 1) / sqrt(3) * sin((1 - 2 * al) * pi / 3)))
+prove("(17.16)", load - 2**(2 * al + 1) / sqrt(3) * sin((1 - 2 * al) * pi / 3))
 
 #> sharp
 # (17.18), s = 2, on z = e^{-i phi}: c = 1 - cos phi, i sin phi = (1/z - z)/2.
@@ -203,17 +203,15 @@ c, sine = symbols("c sine", positive=True)
 Delta = D[2] + 2 * unit(2, 0) * (unit(2, 0) - z * unit(2, 1)).T
 u, u_star = Matrix([1, 1 / z]), Matrix([[1, z]])
 A_ = (1 + mu)**2 + 1 - (z + 1 / z)
-prove("(17.18) u* B (mu + Delta)^(-1) u", simplify(
-    (u_star * (mu * eye(2) + Delta).inv() * u)[0] / 2
-    - (2 + mu - (1 / z - z) / 2) / (A_ + (1 / z - z))))
+prove("(17.18) u* B (mu + Delta)^(-1) u", (u_star * (mu * eye(2) + Delta).inv() * u)[0] / 2
+      - (2 + mu - (1 / z - z) / 2) / (A_ + (1 / z - z)))
 A_ = mu**2 + 2 * mu + 2 * c
-prove("(17.18) its imaginary part", simplify(
-    (2 + mu - I * sine) * (A_ - 2 * I * sine)
-    - ((2 + mu) * A_ - 2 * sine**2 - I * sine * (A_ + 4 + 2 * mu))))
+prove("(17.18) its imaginary part", (2 + mu - I * sine) * (A_ - 2 * I * sine)
+      - ((2 + mu) * A_ - 2 * sine**2 - I * sine * (A_ + 4 + 2 * mu)))
 prove("(17.18) 1 < 2 alpha < 2", expand(A_**2 + 4 * (2 * c - c**2) - mu**2 * (A_ + 4 + 2 * mu)
                                          - (2 * c * mu**2 + 8 * c * mu + 8 * c)))
 prove("(17.18) Delta = u* B Delta u: (1/z - z)/2 at 2 alpha = 1",
-      simplify((u_star * Delta * u)[0] / 2 - (1 / z - z) / 2))
+      (u_star * Delta * u)[0] / 2 - (1 / z - z) / 2)
 #< sharp
 #> closed
 # (17.19), s = 3, z = 1: r, the one path with X_3 = X_1 and the mean zero.

@@ -17,7 +17,7 @@ from functools import cache
 import mpmath
 from mpmath import mp, mpf
 from sympy import (Function, I, Matrix, Rational, cos, diag, diff, expand, expand_trig, eye, ones,
-                   simplify, sin, symbols)
+                   sin, symbols)
 
 from shared.arithmetic import circle, coefficients, real_function
 from shared.refgen import claim, header, hexd, prove, table
@@ -120,9 +120,9 @@ for s in (2, 3):
 # ---- (17.28), l = r e^{i t}, 0 < t < pi/2: the imaginary part is positive ----
 t, r, a = symbols("t r a", positive=True)
 prove("(17.28) Im of m l^2 + rho l^(2 a) at r e^{it}",
-      simplify(expand_trig((m * r**2 * (cos(2 * t) + I * sin(2 * t))
-                            + rho * r**(2 * a) * (cos(2 * a * t) + I * sin(2 * a * t))).as_real_imag()[1]
-                           - m * r**2 * sin(2 * t) - rho * r**(2 * a) * sin(2 * a * t))))
+      expand_trig((m * r**2 * (cos(2 * t) + I * sin(2 * t))
+                   + rho * r**(2 * a) * (cos(2 * a * t) + I * sin(2 * a * t))).as_real_imag()[1]
+                  - m * r**2 * sin(2 * t) - rho * r**(2 * a) * sin(2 * a * t)))
 
 # ---- reference values ----
 CIRCLE, RADIUS = 12, mpf(10) ** -2  # what comes round again is 1e-24 of W_{n + 12}

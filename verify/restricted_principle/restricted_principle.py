@@ -23,7 +23,7 @@ Printed: exact values of powers, of the action (by Beta functions), of the serie
 import mpmath
 from sympy import (Function, Integer, Matrix, Poly, Rational, Symbol, cos,
                    diff, exp, expand, eye, gamma, gammasimp, hessian, integrate,
-                   limit, oo, simplify, sin, solve, sqrt, symbols, zeros)
+                   limit, oo, sin, solve, sqrt, symbols, zeros)
 
 from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
 from shared.restricted_principle_powers import (CUBE, DAMPING, MASS, SPRING, D, a, action, ddt, first_variation,
@@ -156,7 +156,7 @@ def acceleration(j, k):
             + R * term(j, k - 1) * power(2 * a, top - (2 - 2 * a)))
 
 
-prove("(3.9), j and k at least 1", simplify(gammasimp(acceleration(j, k) / term(j, k))))
+prove("(3.9), j and k at least 1", gammasimp(acceleration(j, k) / term(j, k)))
 for n in range(1, 5):
     prove("(3.9), k = 0", gammasimp((2 * n + 1) * 2 * n * term(n, 0) + C * term(n - 1, 0)))
     top = 1 + (2 - 2 * a) * n

@@ -19,15 +19,15 @@ from shared.refgen import claim, header, hexd, hexd_real, prove, table
 C, h, q, j = symbols("C h q j", positive=True)
 error = lambda j: C * (h / 2**j) ** q
 D = lambda j: error(j - 1) - error(j)
-prove("(18.2) D_j is 2^q - 1 times the error", simplify(D(j) / error(j) - (2**q - 1)))
-prove("(18.1) D_{j-1} / D_j = 2^q", simplify(D(j - 1) / D(j) - 2**q))
+prove("(18.2) D_j is 2^q - 1 times the error", D(j) / error(j) - (2**q - 1))
+prove("(18.1) D_{j-1} / D_j = 2^q", D(j - 1) / D(j) - 2**q)
 
 # One step in units of x and of p h / m: x' - x = p - (W/2) S, p' = p - W S, S = (x + x')/2.
 W, k, u = symbols("W k u", positive=True)
 x, p = symbols("x p")
 after = (x + p - W / 4 * x) / (1 + W / 4)
 momentum = p - W * (x + after) / 2
-prove("the step solves its equation", simplify(after - x - (p - W / 2 * (x + after) / 2)))
+prove("the step solves its equation", after - x - (p - W / 2 * (x + after) / 2))
 step = Matrix([after, momentum]).jacobian([x, p])
 phi = 2 * atan(sqrt(W) / 2)
 #> turn
@@ -36,13 +36,13 @@ prove("(18.6) a step is a turn by phi, tan(phi/2) = sqrt(W)/2",
       *(step - turn).applyfunc(lambda e: simplify(expand_trig(e))))
 #< turn
 lack = 2 * atan(2 / sqrt(W))                # of half a turn
-prove("(18.6) phi is pi less that", simplify(diff(phi + lack, W)), (phi + lack).subs(W, 4) - pi)
+prove("(18.6) phi is pi less that", diff(phi + lack, W), (phi + lack).subs(W, 4) - pi)
 prove("(18.6) phi = pi - 4/sqrt(W) + ...", limit(lack.subs(W, 1 / u**2) / u, u, 0) - 4)
 rest = 1 - cos(k * 2 * atan(2 * u))         # k even: cos(k phi) = cos(k (pi - phi))
 prove("(18.6) 1 - x_k/x_0 = 8 k^2/W + ...", limit(rest / u**2, u, 0) - 8 * k**2)
 t, c, m = symbols("t c m", positive=True)
 still = lambda h: 8 * (t / h) ** 2 / (h**2 * c / m)
-prove("(18.6) D_{j+1} / D_j = 16", simplify((still(h / 4) - still(h / 2)) / (still(h / 2) - still(h)) - 16))
+prove("(18.6) D_{j+1} / D_j = 16", (still(h / 4) - still(h / 2)) / (still(h / 2) - still(h)) - 16)
 
 # (18.7): below c = 1/3 both ends of the interval count, above it only the lower one.
 a = symbols("a", positive=True)
@@ -51,7 +51,7 @@ prove("the ends of |cos v - c| <= (1 + c)/2", low - (a - (1 + a) / 2), high - (a
 claim("the upper end leaves the circle at c = 1/3", high.subs(a, Rational(1, 3)) == 1)
 # d/dc of acos(low) - acos(high) is 3/sqrt(4 - (3c+1)^2) - 1/sqrt(4 - (c-1)^2), and > 0:
 slope = diff(acos(low) - acos(high), a)
-prove("(18.7) the slope below 1/3", simplify(slope**2 - (3 / sqrt(4 - (3 * a + 1) ** 2) - 1 / sqrt(4 - (a - 1) ** 2)) ** 2))
+prove("(18.7) the slope below 1/3", slope**2 - (3 / sqrt(4 - (3 * a + 1) ** 2) - 1 / sqrt(4 - (a - 1) ** 2)) ** 2)
 prove("(18.7) its sign: 9 (4 - (c-1)^2) - (4 - (3c+1)^2) = 24 + 24 c",
       expand(9 * (4 - (a - 1) ** 2) - (4 - (3 * a + 1) ** 2) - 24 - 24 * a))
 claim("(18.7) the slope above 1/3 is negative", diff(acos(low), a).subs(a, Rational(1, 2)) < 0)
