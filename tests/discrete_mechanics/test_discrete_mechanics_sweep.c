@@ -172,10 +172,52 @@ START_TEST(eq_17_8_a_long_step_comes_to_rest_in_a_well)
 }
 END_TEST
 
+/* One coordinate is solved by itself, with the digits of two that are alike, and with their
+ * status: springs that harden, wells between two hills and two wells, easy and hard. */
+START_TEST(eq_2_10_one_coordinate_has_the_digits_of_two)
+{
+    uint64_t state = 2;
+    size_t solved = 0;
+    for (int i = 0; i < 20 * RUNS; i++) {
+        const double c = decades(&state, 1e-2, 1e4),
+                     cubic[] = { uniform(&state, -c, c), c },
+                     a = decades(&state, 1e-3, 1e3),
+                     x1 = uniform(&state, -2, 2),
+                     r1 = uniform(&state, -100, 100),
+                     s = decades(&state, 1e-3, 1e2),
+                     theta = uniform(&state, 0.1, 1),
+                     guess = uniform(&state, -1, 1), mass[] = { 1, 1 },
+                     none[] = { 0, 0 }, A[] = { a, a }, x[] = { x1, x1 },
+                     r[] = { r1, r1 };
+        double d[2][2] = { { guess }, { guess, guess } }, g[2][2];
+        int status[2];
+        for (size_t two = 0; two < 2; two++) {
+            const fvi_system system = { .d = two + 1,
+                                        .mass = mass,
+                                        .damping = none,
+                                        .potential =
+                                            i % 2
+                                                ? fvi_potential_duffing(cubic)
+                                                : fvi_potential_pendulum(&c) };
+            fvi_newton *n;
+            ck_assert_int_eq(fvi_newton_alloc(&system, A, s, theta, &n), 0);
+            status[two] = fvi_newton_solve(n, x, r, d[two], g[two]);
+            fvi_newton_free(n);
+        }
+        solved += status[0] == FVI_SUCCESS;
+        ck_assert_int_eq(status[0], status[1]);
+        ck_assert_mem_eq(d[0], d[1], sizeof *d[0]);
+        ck_assert_mem_eq(g[0], g[1], sizeof *g[0]);
+    }
+    ck_assert_uint_gt(solved, 19 * RUNS);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("02 a thousand runs");
     ADD_CASE(suite, "identities", eq_2_10_a_thousand_nonlinear_runs_are_solved,
+             eq_2_10_one_coordinate_has_the_digits_of_two,
              eq_17_8_a_long_step_comes_to_rest_in_a_well);
     return run_suite(suite);
 }
