@@ -24,8 +24,6 @@ void fvi_adaptive_stop(fvi_stepper *s)
     fvi_modes_free(o->modes);
     free(o->singular.c);
     free(o->events);
-    free(o->kind);
-    free(o->of_kind);
     free(o->jacobian);
     fvi_adaptive_band_free(o->band);
     free(o->y);
@@ -41,18 +39,18 @@ static size_t numbers(const fvi_adaptive_run *o)
 
 int fvi_adaptive_allocate(fvi_adaptive_run *o)
 {
-    const size_t d = o->d;
-    o->y = calloc(numbers(o), sizeof *o->y);
-    o->kind = calloc(2 * d, sizeof *o->kind);
-    o->of_kind = calloc(o->kinds, sizeof *o->of_kind);
+    const size_t d = o->d, bytes = numbers(o) * sizeof *o->y,
+                 kinds = o->kinds * sizeof *o->of_kind;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
+    o->y = calloc(1, bytes + kinds + 2 * d * sizeof *o->kind);
     o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
     if (o->diagonals)
         o->band = fvi_adaptive_band_alloc(o->rule, o->beta, d, o->kinds,
                                           o->diagonals);
-    if (!o->y || !o->kind || !o->of_kind || (o->diagonals && !o->band)
-        || (each && !o->jacobian))
+    if (!o->y || (o->diagonals && !o->band) || (each && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->of_kind = (fvi_kind *)(o->y + numbers(o));
+    o->kind = (size_t *)(o->of_kind + o->kinds);
     o->index = o->kind + d;
     o->y_less = o->y + d;
     o->v = o->y + 2 * d;
@@ -83,8 +81,6 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
     o->modes = NULL;
     o->singular.c = NULL;
     o->events = NULL;
-    o->kind = NULL;
-    o->of_kind = NULL;
     o->jacobian = NULL;
     o->band = NULL;
     o->y = NULL;
