@@ -202,6 +202,7 @@ START_TEST(a_digit_takes_few_steps)
     fvi_stop(s);
     ck_assert_near(distance(ROWS + 1, got, want), 0, 0.1, "rows");
     ck_assert_uint_le(counts.steps + counts.rejected, 26);
+    seen((double)counts.steps, "steps");
 }
 END_TEST
 
