@@ -30,8 +30,8 @@ static double complex complex_log1p(double complex z)
 static double log_damping(double beta, double y, double *slope, double *angle,
                           double *r)
 {
-    const double e = 1 / (1 + exp(-y)), f = 1 / (1 + exp(y)),
-                 g = fmin(beta, 2 - beta), range = M_PI * g / (2 * (2 - g)),
+    const double ratio = exp(-y), e = 1 / (1 + ratio), f = ratio * e;
+    const double g = fmin(beta, 2 - beta), range = M_PI * g / (2 * (2 - g)),
                  eta = e * range, at_near = g * (M_PI_2 + eta),
                  at_far = M_PI_2 * g * f, near = sin(at_near),
                  far = sin(at_far), twice = sin(2 * eta);

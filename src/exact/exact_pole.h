@@ -25,7 +25,7 @@ typedef struct {
  *   m, c, rho, beta  finite, m > 0, c >= 0, rho >= 0, 0 <= beta <= 2
  *   pole             output
  *
- * The angle by bisection of (11.5), then Newton. Relative accuracy of s + low:
+ * The angle by Newton on (11.5), then s by Newton. Relative accuracy of s + low:
  * a few u (|Re s| / |s| + u), u = 2^-53, so that exp((s + low) t) is good to a
  * few u whatever t; less where beta is near 1 and the damping nearly critical,
  * where two zeros meet on the negative axis.

@@ -29,7 +29,8 @@ static int check_rows(double h, size_t n, double tolerance, const double *x,
 typedef struct {
     fvi_inverse *S;
     double h, tolerance, *x, *v;
-    int turns;                                 /* nonzero: turn is there */
+    int careful; /* nonzero: the rounding of t_k counts */
+    int turns;   /* nonzero: turn is there */
     double complex turn[FVI_POLES][FVI_BLOCK]; /* e^{s j h} */
 } rows;
 
@@ -75,10 +76,10 @@ static void add_residues(rows *r, size_t pole, const fvi_event *first,
     const fvi_residue *a = &r->S->pole[pole];
     const double complex at = fvi_inverse_residue(a, first, with_force);
     for (size_t j = 0; j < count && at != 0; j++) {
-        const double off = rounded_by(r, first->t, time_of(r, k + j, since), j);
         double complex e = at * r->turn[pole][j];
-        if (off != 0)
-            e += e * (a->s * off);
+        if (r->careful)
+            e +=
+                e * a->s * rounded_by(r, first->t, time_of(r, k + j, since), j);
         if (r->x)
             r->x[k + j] += 2 * creal(e);
         if (r->v)
@@ -272,6 +273,15 @@ static int one_by_one(const rows *r, size_t n)
     return FVI_SUCCESS;
 }
 
+/* Whether a phase that is off by a rounding of t may be seen in so many digits. */
+static int must_be_careful(const rows *r, size_t n)
+{
+    double most = 0;
+    for (size_t i = 0; i < r->S->poles; i++)
+        most = fmax(most, cabs(r->S->pole[i].s));
+    return most * time_of(r, n, 0) * GSL_DBL_EPSILON > r->tolerance / 64;
+}
+
 /* Numbers whose squares are in range, times whose phases are known. */
 static int is_tame(const rows *r, size_t n)
 {
@@ -322,6 +332,7 @@ int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
         memset(v, 0, (n + 1) * sizeof *v);
         v[0] = problem->v0;
     }
+    r.careful = must_be_careful(&r, n);
     const fvi_event start = { .start = 1, .sign = 1 };
     status = is_tame(&r, n) ? add_rows(&r, &start, (range){ 1, n, 0 })
                             : one_by_one(&r, n);

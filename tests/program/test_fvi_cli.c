@@ -206,7 +206,7 @@ START_TEST(a_chain_moves_as_the_library_says)
 END_TEST
 
 /* The same table, from the library's exact solution: 400 rows one by one, 1500 at once,
- * printed in three batches. */
+ * and with a law in three batches. */
 START_TEST(exact_prints_the_exact_solution)
 {
     const fvi_linear problem = { .m = 2,
@@ -240,6 +240,19 @@ START_TEST(exact_prints_the_exact_solution)
             ck_assert_ulp(cell(k, 2), 2 * v[k], 0, "p, k=%zu", k);
             ck_assert_ulp(cell(k, 3), x[N - k], 0, "y, k=%zu", k);
         }
+    }
+    const fvi_law_term term = { .kind = FVI_LAW_POWER,
+                                .rho = 0.5,
+                                .alpha = 0.75 };
+    const fvi_law law = { .count = 1, .term = &term };
+    const fvi_linear held = { .m = 1, .c = 1, .rho = 1, .x0 = 1, .law = &law };
+    ck_assert_int_eq(fvi("exact --damping power:0.5,0.75 --p0 0 --h 0.01 "
+                         "--steps 1499 --columns x"),
+                     0);
+    for (size_t k = 0; k < 1500; k += 100) {
+        double t = (double)k * 0.01, x;
+        ck_assert_int_eq(fvi_exact(&held, 1, &t, &x, NULL), FVI_SUCCESS);
+        ck_assert_ulp(cell(k, 0), x, 0, "a law, k=%zu", k);
     }
     ck_assert_int_eq(
         fvi("exact --potential free --rho 0 --h 2 --steps 1 --columns x"), 0);
