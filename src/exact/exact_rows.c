@@ -10,7 +10,7 @@
 static const double LONGEST = 100;    /* a window's last time over its first */
 static const double GROWS = 8;        /* what two starts may cancel */
 static const double ROUNDING = 1e-16; /* the tolerance that 0 stands for */
-static const double TAME = 1e100;     /* squares of more are out of range */
+static const double TAME = 1e70; /* fourth powers of more are out of range */
 
 static int check_rows(double h, size_t n, double tolerance, const double *x,
                       const double *v)

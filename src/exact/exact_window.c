@@ -55,44 +55,7 @@ static double between_poles(fvi_window *w, double *room)
     return middle;
 }
 
-/* ---- complex numbers that a compiler can take several of ---- */
-
-typedef struct {
-    double re, im;
-} pair;
-
-static inline pair product(pair a, pair b)
-{
-    return (pair){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
-}
-
-static inline pair sum(pair a, pair b)
-{
-    return (pair){ a.re + b.re, a.im + b.im };
-}
-
-static inline pair scaled(double a, pair b)
-{
-    return (pair){ a * b.re, a * b.im };
-}
-
-/* 1 / a, whose square is not out of range. */
-static inline pair reciprocal(pair a)
-{
-    const double size = a.re * a.re + a.im * a.im;
-    return (pair){ a.re / size, -a.im / size };
-}
-
-static inline pair at(const fvi_parts *a, size_t i)
-{
-    return (pair){ a->re[i], a->im[i] };
-}
-
-static inline void put(const fvi_parts *a, size_t i, pair z)
-{
-    a->re[i] = z.re;
-    a->im[i] = z.im;
-}
+/* ---- exponentials on the nodes ---- */
 
 FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
 {
@@ -101,10 +64,8 @@ FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
         put(a, i, scaled(by, at(a, i)));
 }
 
-/* e^{a z}, or that less `less` = 1, for the first n nodes. The outer ones, where e^{a z} is
- * nothing, come last. */
-static void exponentials_of(const fvi_window *w, size_t n, double a, int less,
-                            const fvi_parts *to)
+void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
+                    const fvi_parts *to)
 {
     size_t here = n;
     while (here > 0 && a * w->z.re[here - 1] < GONE)
@@ -188,88 +149,13 @@ static void prepare_steps(fvi_window *w, double h)
         w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
     }
     for (size_t j = 1; j < FVI_BLOCK; j *= 4) {
-        exponentials_of(w, w->count, (double)j * h / w->unit, 0, &w->scratch);
+        fvi_window_exp(w, w->count, (double)j * h / w->unit, 0, &w->scratch);
         step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
         step_rows(w->count, 2 * j, w->scratch.re, w->scratch.im, w->steps);
     }
 }
 
-/* ---- what the problem has on the nodes ---- */
-
-/* The weight of the rule over t^2 Q(z/t) / m = z^2 + C + D; the largest of z^2, C and D is
- * scaled, so that squares stay in range. D takes the place of z^beta. */
-FVI_VECTORS static void divide_by_Q(const fvi_window *w)
-{
-    const double C = w->C, R = w->R,
-                 scale = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
-#pragma omp simd
-    for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), zz = product(z, z),
-                   D = scaled(R, at(&w->power, i)),
-                   Q = { zz.re + C + D.re, zz.im + D.im },
-                   q = product(at(&w->weight, i), reciprocal(scaled(scale, Q)));
-        put(&w->power, i, D);
-        put(&w->weight, i, scaled(scale, q));
-    }
-}
-
-/* F times 1/z, or z / (z^2 + wt^2) of a cosine. */
-FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
-                                  double wt, const fvi_parts *f)
-{
-#pragma omp simd
-    for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), zz = product(z, z),
-                   of_cosine = { zz.re + wt * wt, zz.im };
-        put(f, i,
-            scaled(F,
-                   cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
-    }
-}
-
-/* f times what a force that lasts for `lasts` has instead of 1, seen from its end:
- * e^{z lasts} - 1. `room` is room. */
-FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
-                                 const fvi_parts *f)
-{
-#pragma omp simd
-    for (size_t i = 0; i < n; i++)
-        put(f, i, product(at(by, i), at(f, i)));
-}
-
-/* x and v: as add_integral of exact_inverse.c, without e^z. */
-FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
-                                    const fvi_parts *f)
-{
-    const double k0 = w->S->keeps_x0, k1 = w->S->keeps_v0, C = w->C,
-                 by_t = 1 / w->unit;
-#pragma omp simd
-    for (size_t i = 0; i < w->count; i++) {
-        const pair z = at(&w->z, i), D = at(&w->power, i), by_z = reciprocal(z),
-                   q = at(&w->weight, i), F = at(f, i), Dz = product(D, by_z),
-                   pushed = sum(z, scaled(k1, Dz)),
-                   x = sum(scaled(x0, sum(z, scaled(k0, Dz))),
-                           scaled(v0, product(pushed, by_z))),
-                   held = { C + (1 - k0) * D.re, (1 - k0) * D.im },
-                   v = sum(scaled(v0, pushed), scaled(-x0, held));
-        put(&w->x, i, product(q, sum(x, F)));
-        put(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
-    }
-}
-
-static void weigh(fvi_window *w, const fvi_event *event)
-{
-    const fvi_linear *p = &w->S->p;
-    const double t = w->unit,
-                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
-    const int cosine = p->forcing == FVI_FORCING_COSINE;
-    transform(w, F, cosine, cosine ? p->w * t : 0, &w->scratch);
-    if (event->lasts > 0) {
-        exponentials_of(w, w->count, event->lasts / t, 1, &w->x);
-        multiply(w->count, &w->x, &w->scratch);
-    }
-    weigh_nodes(w, event->start * p->x0, event->start * p->v0 * t, &w->scratch);
-}
+/* ---- a window ---- */
 
 static int prepare_memory(fvi_window *w)
 {
@@ -325,7 +211,7 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
         return status;
     prepare_nodes(w, phi, step);
     prepare_steps(w, h);
-    divide_by_Q(w);
+    fvi_window_divide(w);
     return FVI_SUCCESS;
 }
 
@@ -373,13 +259,13 @@ void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
                     size_t rows, double *x, double *v)
 {
     size_t n = w->count;
-    weigh(w, event);
+    fvi_window_weigh(w, event);
     for (size_t k = 0; k < rows && n > 0; k += FVI_BLOCK) {
         const double t = (event->t + (double)k * h) / w->unit;
         const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
         while (n > 0 && w->z.re[n - 1] * t < -w->folds)
             n--;
-        exponentials_of(w, n, t, 0, &w->scratch);
+        fvi_window_exp(w, n, t, 0, &w->scratch);
         add_to(x ? x + k : NULL, these, n, w, &w->x);
         add_to(v ? v + k : NULL, these, n, w, &w->v);
     }

@@ -6,18 +6,15 @@
 #define FVI_EXACT_WINDOW_H
 
 #include "exact_inverse.h"
+#include "exact_pairs.h"
 
 enum { FVI_BLOCK = 16 }; /* rows that are summed together */
 
-/* Complex numbers as two arrays. */
-typedef struct {
-    double *re, *im;
-} fvi_parts;
-
+/* A contour and what stands on its nodes, sorted by |z|. */
 typedef struct {
     const fvi_inverse *S;
-    double unit, folds, C,
-        R; /* of t^2 Q(z/t) / m = z^2 + C + R z^beta, t = unit */
+    double unit, folds; /* all of e^-folds and less is cut off */
+    double C, R;        /* of t^2 Q(z/t) / m = z^2 + C + R z^beta, t = unit */
     int passed[FVI_POLES], all_passed;
     size_t count; /* nodes; 0: the integral is zero */
     fvi_parts z, weight, power, scratch;
@@ -48,5 +45,17 @@ void fvi_window_close(fvi_window *w);
  * has ended (event->lasts > 0, and event->start = 0) count from its end. */
 void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
                     size_t rows, double *x, double *v);
+
+/* ---- what exact_window.c and exact_weights.c have of each other ---- */
+
+/* fvi_window_exp -- e^{a z}, or that less `less` = 1, for the first n nodes. */
+void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
+                    const fvi_parts *to);
+
+/* fvi_window_divide -- the weights of the rule become weights over t^2 Q(z/t) / m. */
+void fvi_window_divide(fvi_window *w);
+
+/* fvi_window_weigh -- x and v: what an event has on the nodes. */
+void fvi_window_weigh(fvi_window *w, const fvi_event *event);
 
 #endif

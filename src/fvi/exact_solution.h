@@ -95,7 +95,7 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
  * fvi_exact promises, or the tolerance, the larger.
  * Cost: some microseconds a window, of times up to a factor of 100, and then 4 operations
  * a node and row; 80 rows cost as much as some times of fvi_exact. Row by row, as there,
- * goes what is out of range: c t^2 / m > 10^100 for one.
+ * goes what is out of range: c t^2 / m > 10^70 for one.
  * Memory: 80 kB of stack, and 352 bytes a node, at most 350 of them, with a law 620.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
