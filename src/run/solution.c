@@ -17,7 +17,6 @@ static int product(const fvi_run *run, double *y, double *z)
     return status;
 }
 
-//> felt
 static int is_felt(const fvi_run *run, const double *y)
 {
     const double *C = run->system->damping; /* its diagonal */
@@ -29,7 +28,6 @@ static int is_felt(const fvi_run *run, const double *y)
         felt |= !(fabs(y[i]) <= 64 * (DBL_EPSILON / 2) * sqrt(C[i]) * largest);
     return felt;
 }
-//< felt
 
 int fvi_run_feels_start(const fvi_run *run, int *felt)
 {
