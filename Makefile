@@ -284,8 +284,9 @@ $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) $(or $(LEVEL_$*),-O0) $(CHECK_CFLAGS) -Itests -c $< -o $@
 
-# These have much arithmetic of their own: the forms of chapter 14, the series of 20.
+# These have much arithmetic of their own: forms, polynomials of chapter 14, the series of 20.
 LEVEL_stability_rounding := -O2
+LEVEL_stability_stages := -O2
 LEVEL_convergence_orders := -O2
 
 # Gold takes half the time for these 130 links.
