@@ -37,12 +37,11 @@ void fvi_plot_row(FILE *rows, double t, size_t width, const double *row)
 
 /* What stands behind `plot`: lines from column `at` of the data on, of the time or of
  * the columns from `over` on. */
-static void lines(FILE *g, const fvi_options *o, size_t every, size_t over,
-                  size_t at)
+static void lines(FILE *g, const fvi_options *o, size_t over, size_t at)
 {
     for (size_t i = 0; i < o->shown_count && i < MOST_LINES; i++) {
-        fprintf(g, "%s $rows every %zu using %zu:%zu with lines lw 1.5 title ",
-                i ? "," : "plot", every, over > 1 ? over + i : 1, at + i);
+        fprintf(g, "%s $rows using %zu:%zu with lines lw 1.5 title ",
+                i ? "," : "plot", over > 1 ? over + i : 1, at + i);
         fprintf(g, o->d > 1 ? "'%zu'" : "''", o->shown[i] + 1);
     }
     fputc('\n', g);
@@ -69,7 +68,7 @@ static size_t place_columns(const fvi_options *o, size_t at[FVI_ALL_COLUMNS])
     return panels;
 }
 
-static void script(FILE *g, const fvi_options *o, size_t every,
+static void script(FILE *g, const fvi_options *o,
                    const size_t at[FVI_ALL_COLUMNS], size_t panels)
 {
     const size_t x = at[FVI_COLUMN_X], p = at[FVI_COLUMN_P];
@@ -84,24 +83,23 @@ static void script(FILE *g, const fvi_options *o, size_t every,
     fprintf(g, "set multiplot layout %zu,1\n", panels);
     if (x) {
         panel(g, "t", "x");
-        lines(g, o, every, 1, x);
+        lines(g, o, 1, x);
     } else if (p) {
         panel(g, "t", "p");
-        lines(g, o, every, 1, p);
+        lines(g, o, 1, p);
     }
     if (at[FVI_COLUMN_ENERGY]) {
         panel(g, "t", "energy");
-        fprintf(g,
-                "plot $rows every %zu using 1:%zu with lines lw 1.5 title ''\n",
-                every, at[FVI_COLUMN_ENERGY]);
+        fprintf(g, "plot $rows using 1:%zu with lines lw 1.5 title ''\n",
+                at[FVI_COLUMN_ENERGY]);
     }
     if (at[FVI_COLUMN_Y]) {
         panel(g, "t", "y");
-        lines(g, o, every, 1, at[FVI_COLUMN_Y]);
+        lines(g, o, 1, at[FVI_COLUMN_Y]);
     }
     if (x && p) {
         panel(g, "x", "p");
-        lines(g, o, every, x, p);
+        lines(g, o, x, p);
     }
     fprintf(g, "unset multiplot\n");
 }
@@ -118,16 +116,20 @@ static void terminal(FILE *g, const char *name, const char *type, size_t panels)
     fprintf(g, "'\n");
 }
 
-/* The rows, and how many there are. */
-static size_t copy_rows(FILE *rows, FILE *g)
+/* The rows; of many, each n-th, as gnuplot reads its input a byte at a time. */
+static void copy_rows(FILE *rows, FILE *g)
 {
-    size_t count = 0;
+    size_t count = 0, row = 0;
+    rewind(rows);
+    for (int c; (c = fgetc(rows)) != EOF;)
+        count += c == '\n';
+    const size_t every = 1 + count / MOST_POINTS;
     rewind(rows);
     fprintf(g, "$rows << EOD\n");
-    for (int c; (c = fgetc(rows)) != EOF; count += c == '\n')
-        fputc(c, g);
+    for (int c; (c = fgetc(rows)) != EOF; row += c == '\n')
+        if (row % every == 0)
+            fputc(c, g);
     fprintf(g, "EOD\n");
-    return count;
 }
 
 /* gnuplot draws under another name, which becomes o->plot. Returns 0 if all went well. */
@@ -148,9 +150,9 @@ static int draw(FILE *rows, const fvi_options *o)
     void (*before)(int) = signal(SIGPIPE, SIG_IGN); /* a script that fails */
     FILE *g = popen("gnuplot >/dev/null 2>&1", "w");
     if (g) {
-        const size_t count = copy_rows(rows, g);
+        copy_rows(rows, g);
         terminal(g, new, o->plot + strlen(o->plot) - 4, panels);
-        script(g, o, 1 + count / MOST_POINTS, at, panels);
+        script(g, o, at, panels);
     }
     const int failed = !g || pclose(g) != 0 || access(new, R_OK) != 0
                        || rename(new, o->plot) != 0;
