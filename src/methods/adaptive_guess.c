@@ -5,7 +5,6 @@
 
 #include <string.h>
 
-//> extrapolate
 void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
 {
     const size_t n = o->rule->s;
@@ -27,11 +26,9 @@ void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
             delta[i] = i < n ? delta[i] - bend[0] : 0;
     }
 }
-//< extrapolate
 
 /* ---- from node to node ---- */
 
-//> leap
 /* From stage i - 1 to stage i, which is dt later: x there. */
 static void leap(fvi_adaptive_run *o, size_t i, double dt)
 {
@@ -87,4 +84,3 @@ int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
     }
     return FVI_SUCCESS;
 }
-//< leap

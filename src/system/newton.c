@@ -195,7 +195,6 @@ static int is_alone(const fvi_newton *n)
 
 /* The digits of newton(), and a third of its time: what one coordinate and its callbacks do
  * not need is left out. */
-//> alone
 static int newton_alone(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
@@ -228,7 +227,6 @@ static int newton_alone(fvi_newton *n, const double *x, const double *r,
     }
     return FVI_EMAXITER;
 }
-//< alone
 
 /* ---- where Newton's method loses its way ---- */
 
