@@ -31,7 +31,7 @@ typedef struct {
     double h, tolerance, *x, *v;
     int careful; /* nonzero: the rounding of t_k counts */
     int turns;   /* nonzero: turn is there */
-    double complex turn[FVI_POLES][FVI_BLOCK]; /* e^{s j h} */
+    double complex turn[FVI_POLES][FVI_BLOCK + 1]; /* e^{s j h} */
 } rows;
 
 /* Rows a to b, whose events lie at `since`. */
@@ -53,9 +53,9 @@ static void prepare_turns(rows *r)
         const fvi_residue *a = &r->S->pole[i];
         double complex *turn = r->turn[i];
         turn[0] = 1;
-        for (size_t j = 1; j < FVI_BLOCK; j *= 2) {
+        for (size_t j = 1; j <= FVI_BLOCK; j *= 2) {
             turn[j] = fvi_pole_exp(a->s, a->low, (double)j * r->h, 0);
-            for (size_t l = 1; l < j; l++)
+            for (size_t l = 1; l < j && j < FVI_BLOCK; l++)
                 turn[j + l] = turn[j] * turn[l];
         }
     }
@@ -69,17 +69,15 @@ static double rounded_by(const rows *r, double t, double tk, size_t j)
     return (apart.hi - steps.hi) + (apart.lo - steps.lo);
 }
 
-/* A block of rows: e^{s t} at its first, and from there by turns. */
-static void add_residues(rows *r, size_t pole, const fvi_event *first,
-                         int with_force, size_t k, size_t count, double since)
+/* A block of rows from the residue at its first. */
+static void add_residues(rows *r, size_t pole, double complex at, double t,
+                         size_t k, size_t count, double since)
 {
     const fvi_residue *a = &r->S->pole[pole];
-    const double complex at = fvi_inverse_residue(a, first, with_force);
     for (size_t j = 0; j < count && at != 0; j++) {
         double complex e = at * r->turn[pole][j];
         if (r->careful)
-            e +=
-                e * a->s * rounded_by(r, first->t, time_of(r, k + j, since), j);
+            e += e * a->s * rounded_by(r, t, time_of(r, k + j, since), j);
         if (r->x)
             r->x[k + j] += 2 * creal(e);
         if (r->v)
@@ -100,10 +98,14 @@ static size_t resonant(const rows *r, const fvi_window *w, double t, double *x,
     return S->poles;
 }
 
+/* e^{st} at the first row of a block, or of eight blocks where few digits are asked for,
+ * and from there by turns. */
 static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
                              range of)
 {
     const fvi_inverse *S = r->S;
+    double complex at[FVI_POLES];
+    size_t carried = 0; /* the blocks since e^{st} was computed */
     if (of.a <= of.b)
         prepare_turns(r);
     for (size_t k = of.a, count; k <= of.b; k += count) {
@@ -111,15 +113,21 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
         event.t = time_of(r, k, of.since);
         const size_t near = resonant(r, w, event.t, &x, &v);
         count = near < S->poles ? 1 : GSL_MIN(of.b - k + 1, FVI_BLOCK);
+        carried = r->careful ? 0 : carried % 8;
         if (r->x)
             r->x[k] += x;
         if (r->v)
             r->v[k] += v;
-        for (size_t i = 0; i < S->poles; i++)
-            if (w->passed[i])
-                add_residues(r, i, &event,
-                             near == S->poles || (i != near && i != S->roots),
-                             k, count, of.since);
+        for (size_t i = 0; i < S->poles; i++) {
+            const int force = near == S->poles || (i != near && i != S->roots);
+            if (!w->passed[i])
+                continue;
+            at[i] = carried > 0
+                        ? at[i] * r->turn[i][FVI_BLOCK]
+                        : fvi_inverse_residue(&S->pole[i], &event, force);
+            add_residues(r, i, at[i], event.t, k, count, of.since);
+        }
+        carried += near == S->poles; /* resonant rows are the first ones */
     }
 }
 
@@ -273,13 +281,15 @@ static int one_by_one(const rows *r, size_t n)
     return FVI_SUCCESS;
 }
 
-/* Whether a phase that is off by a rounding of t may be seen in so many digits. */
+/* Whether so many digits are asked for that one sees the rounding of t in a phase, or that of
+ * a hundred turns. */
 static int must_be_careful(const rows *r, size_t n)
 {
     double most = 0;
     for (size_t i = 0; i < r->S->poles; i++)
         most = fmax(most, cabs(r->S->pole[i].s));
-    return most * time_of(r, n, 0) * GSL_DBL_EPSILON > r->tolerance / 64;
+    return most * time_of(r, n, 0) * GSL_DBL_EPSILON > r->tolerance / 64
+           || r->tolerance < 1e-12;
 }
 
 /* Numbers whose squares are in range, times whose phases are known. */
