@@ -107,6 +107,7 @@ int fvi_inverse_prepare(const fvi_linear *problem, fvi_inverse *S)
     const fvi_linear *p = &S->p;
     S->p = *problem; /* field by field: most of S is room for contours */
     S->p.w = fabs(p->w);
+    S->beta = 0; /* a law has none */
     S->roots = S->poles = 0;
     int status = find_roots(S);
     if (status)

@@ -7,6 +7,7 @@
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -149,7 +150,8 @@ static void prepare_steps(fvi_window *w, double h)
         w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
     }
     for (size_t j = 1; j < FVI_BLOCK; j *= 4) {
-        fvi_window_exp(w, w->count, (double)j * h / w->unit, 0, &w->scratch);
+        fvi_window_exp(w, w->count, fmin((double)j * h / w->unit, 1), 0,
+                       &w->scratch); /* no row is later than the unit */
         step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
         step_rows(w->count, 2 * j, w->scratch.re, w->scratch.im, w->steps);
     }
