@@ -60,10 +60,6 @@ extern const fvi_method fvi_euler_implicit;
  * the Hessian returned. */
 int fvi_variational_solver(fvi_stepper *s);
 
-/* fvi_force_at -- for methods: s->F = F(t). A system without force leaves s->F
- * zero, as it was made. Returns FVI_SUCCESS, or what the force returned. */
-int fvi_force_at(fvi_stepper *s, double t);
-
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

@@ -199,6 +199,10 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);
 
+/* fvi_force_at -- for methods: s->F = F(t). A system without force leaves s->F
+ * zero, as it was made. Returns FVI_SUCCESS, or what the force returned. */
+int fvi_force_at(fvi_stepper *s, double t);
+
 /* fvi_run_to -- as many steps as it takes to a time, and x and p there.
  *
  *   t     not before the last step, not after steps h; one of the times k h, but for

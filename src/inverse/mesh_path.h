@@ -2,7 +2,7 @@
 #ifndef FVI_MESH_PATH_H
 #define FVI_MESH_PATH_H
 
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 /* A step: where it begins and how long it is. */
 typedef struct {

@@ -20,7 +20,7 @@ FLOORS = [
     {"fits": "what is unknown, from what was measured", "inverse": "gradients and control"},
     {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
     {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
-    {"stability": "the longest step"},
+    {"stability": "the longest step", "adaptive": "an integrator whose steps are its own"},
     {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},

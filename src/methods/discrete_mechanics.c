@@ -95,13 +95,6 @@ int fvi_variational_solver(fvi_stepper *s)
     return status;
 }
 
-int fvi_force_at(fvi_stepper *s, double t)
-{
-    const fvi_force *force = &s->run.system->force;
-    return force->value ? force->value(t, s->run.system->d, force->params, s->F)
-                        : FVI_SUCCESS;
-}
-
 /* ---- Algorithms 1 and 2 ---- */
 
 //> algorithm-1

@@ -201,6 +201,13 @@ int fvi_step(fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
+int fvi_force_at(fvi_stepper *s, double t)
+{
+    const fvi_force *force = &s->run.system->force;
+    return force->value ? force->value(t, s->run.system->d, force->params, s->F)
+                        : FVI_SUCCESS;
+}
+
 int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
 {
     if (!s)

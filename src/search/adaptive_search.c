@@ -2,7 +2,7 @@
  * apart.                                                             [Chapter 22] */
 #include <fvi/variable_steps.h>
 
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>

@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_mesh_pull.c -- Chapter 23: steps of any length, where the past
  * pulls the start.                     Run alone: make test-adjoint_mesh_pull */
 #include "adjoint_meshes.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include <gsl/gsl_rng.h>
 

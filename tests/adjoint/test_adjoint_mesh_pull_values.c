@@ -2,7 +2,7 @@
  * past pulls the start, against derivatives of 25 digits.
  *                               Run alone: make test-adjoint_mesh_pull_values */
 #include "adjoint_runs.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include "adjoint_mesh_pull_ref.h"
 

@@ -20,7 +20,7 @@
 #include "variable.h"
 #include "bench.h"
 #include "prototype.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

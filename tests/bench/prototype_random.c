@@ -1,7 +1,7 @@
 /* tests/bench/prototype_random.c -- Chapter 22: beside the prototype, on random problems. */
 #include "variable.h"
 #include "prototype.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>

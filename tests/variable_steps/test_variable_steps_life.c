@@ -2,7 +2,7 @@
  * copies, what is saved of it, what ends it.   Run alone: make test-variable_steps_life */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 enum { D = 5, N = 80 };
 static const double one = 1;

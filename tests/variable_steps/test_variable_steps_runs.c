@@ -2,7 +2,7 @@
  * Run alone: make test-variable_steps_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include "variable_steps_runs_ref.h"
 

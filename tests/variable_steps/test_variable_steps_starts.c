@@ -3,7 +3,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include <fvi/error.h>
 #include <gsl/gsl_math.h>

@@ -2,7 +2,7 @@
  * between its points, and what a start does to the modes.
  * Run alone: make test-variable_steps_step */
 #include "harness/ulp.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 #include <fvi/error.h>
 
 #include "variable_steps_ref.h"

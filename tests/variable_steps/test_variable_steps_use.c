@@ -3,7 +3,7 @@
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "methods/adaptive.h"
+#include "adaptive/adaptive.h"
 
 #include "adaptive_problems.h"
 

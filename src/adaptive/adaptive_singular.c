@@ -1,4 +1,4 @@
-/* src/methods/adaptive_singular.c -- The start that is not smooth.    [Chapter 22]
+/* src/adaptive/adaptive_singular.c -- The start that is not smooth.    [Chapter 22]
  *
  * A body that was held, or put at x0, and has to forget it (19.3):
  *

@@ -1,4 +1,4 @@
-/* src/methods/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
+/* src/adaptive/adaptive.h -- What a run with variable steps keeps.     [Chapter 22]
  *
  * Internal: adaptive_start.c makes it, adaptive_state.c holds it, variable_steps.c steps
  * with it, adaptive_solve.c solves the equation of a step, adaptive_dense.c has what is

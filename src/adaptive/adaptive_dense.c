@@ -1,4 +1,4 @@
-/* src/methods/adaptive_dense.c -- Between the ends of a step, and behind it. [Chapter 22] */
+/* src/adaptive/adaptive_dense.c -- Between the ends of a step, and behind it. [Chapter 22] */
 #include "adaptive.h"
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */

@@ -1,4 +1,4 @@
-/* src/methods/adaptive_band.h -- Newton's correction of all coordinates, where their
+/* src/adaptive/adaptive_band.h -- Newton's correction of all coordinates, where their
  * Hessian has few diagonals.                                          [Chapter 22]
  *
  * With one Hessian H for all stages of a step the corrections eps_j of its velocities

@@ -1,4 +1,4 @@
-/* src/methods/adaptive_state.c -- What a run with variable steps keeps: room, copies, the
+/* src/adaptive/adaptive_state.c -- What a run with variable steps keeps: room, copies, the
  * matrices of a step, and what is saved.                              [Chapter 22] */
 #include "adaptive.h"
 

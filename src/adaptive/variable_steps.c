@@ -1,4 +1,4 @@
-/* src/methods/variable_steps.c -- Steps of any length.               [Chapter 22]
+/* src/adaptive/variable_steps.c -- Steps of any length.               [Chapter 22]
  *
  * A step from t_k to t_k + h, for each coordinate, with v_k = p_k / m and the unknown
  * delta = V - v_k 1, V the velocities at the s stages:
@@ -14,7 +14,6 @@
 #include <fvi/variable_steps.h>
 
 #include "adaptive.h"
-#include <fvi/discrete_mechanics.h>
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 

@@ -1,7 +1,6 @@
-/* src/methods/adaptive_start.c -- A run with variable steps begins.   [Chapter 22] */
+/* src/adaptive/adaptive_start.c -- A run with variable steps begins.   [Chapter 22] */
 #include "adaptive.h"
 
-#include <fvi/discrete_mechanics.h>
 
 #include "system/fail.h"
 

@@ -1,4 +1,4 @@
-/* src/methods/adaptive_guess.c -- Where the iteration of a step begins. [Chapter 22] */
+/* src/adaptive/adaptive_guess.c -- Where the iteration of a step begins. [Chapter 22] */
 #include "adaptive.h"
 
 #include <fvi/error.h>

@@ -1,4 +1,4 @@
-/* src/methods/adaptive_band.c -- Newton's correction of all coordinates, where their
+/* src/adaptive/adaptive_band.c -- Newton's correction of all coordinates, where their
  * Hessian has few diagonals.                                          [Chapter 22] */
 #include "adaptive_band.h"
 

@@ -1,4 +1,4 @@
-/* src/methods/adaptive_solve.c -- The equation of a step.             [Chapter 22]
+/* src/adaptive/adaptive_solve.c -- The equation of a step.             [Chapter 22]
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
