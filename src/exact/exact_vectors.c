@@ -100,7 +100,6 @@ static inline __attribute__((always_inline)) double without_halves(double y,
     return y - l * PI[0] - l * PI[1];
 }
 
-//> exp
 FVI_VECTORS static void exponentials(size_t n, double *restrict re,
                                      double *restrict im)
 {
@@ -114,7 +113,6 @@ FVI_VECTORS static void exponentials(size_t n, double *restrict re,
         im[i] = size * (y * series(-y * y, FACTORIAL, 1, 2, 21));
     }
 }
-//< exp
 
 /* e^x - 1 = m and cos y - 1 = c make (1 + m) (1 + c) - 1 = m (1 + c) + c. */
 FVI_VECTORS static void exponentials_less_1(size_t n, double *restrict re,
