@@ -16,6 +16,7 @@ import shutil
 import sys
 from multiprocessing.connection import wait
 
+os.environ["SYMPY_CACHE_SIZE"] = "None"   # a proof is short: what sympy once found out it may keep
 import mpmath   # here for the children: they find it loaded
 import sympy
 

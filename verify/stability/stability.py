@@ -20,6 +20,7 @@ import mpmath
 from sympy import (I, Matrix, Poly, Rational, binomial, cancel, cos, diff, exp, expand, expand_complex, eye,
                    factorial, pi, simplify, sin, sqrt, symbols, symmetrize, trigsimp)
 
+from shared.arithmetic import function_of, spectrum
 from shared.refgen import claim, header, hexd, hexd_real, prove, table
 
 alpha, kappa, W, R, h, m, c = symbols("alpha kappa W R h m c", positive=True)
@@ -133,8 +134,10 @@ for s in range(2, 9):
         delta = D_ + 0
         delta[0, 0] += 1 / b_[0]
         delta[0, s - 1] -= z_ / b_[0]                                  # (17.5)
-        lam, V = mpmath.eig(delta)
-        power = V * mpmath.diag([t**(2 * al) for t in lam]) * V**-1
+        parts = spectrum(delta)
+        lam, bits = parts[0], 2 * parts[3]
+        entries = [mpmath.mpc(*(mpmath.ldexp(v, -bits) for v in e)) for e in function_of(parts, lambda t: t**(2 * al))]
+        power = mpmath.matrix([entries[s * i:s * i + s] for i in range(s)])
         E = mpmath.matrix(s, s - 1)
         for i in range(s - 1):
             E[i, i] = 1
