@@ -231,10 +231,10 @@ class Chain:
             v0 = self.taken(q, k)
             W0 = self.block(W, k, k)
             history = [[ZERO] * s for _ in range(D5)]
+            rows = [[w for o in range(k) for w in self.block(W, k, o)[i]] for i in range(s)]
             for j in range(D5) if k and not self.heavy else ():
                 before = [v for o in range(k) for v in past[o][j]]
-                history[j] = [scale * dot([w for o in range(k) for w in self.block(W, k, o)[i]], before)
-                              + self.told(k, i, j) for i in range(s)]
+                history[j] = [scale * dot(row, before) + self.told(k, i, j) for i, row in enumerate(rows)]
             V = [[p[j] / q["mass"][j] * (ONE if self.damped else dual(self.nodes[i] * self.step))
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
             left = 40 if real else 1  # one step is exact for what is linear, the slopes

@@ -4,7 +4,7 @@ mpmath is slow on matrices, so sums of products are taken in integers: a number 
 integer times 2^-bits, where bits are well above what is asked for."""
 from functools import reduce
 from math import prod
-from operator import mul
+from operator import mul, or_
 
 import mpmath
 from mpmath import mp
@@ -181,8 +181,11 @@ ZERO, ONE, HALF = Dual(0), Dual(1 << BITS), Dual(1 << BITS - 1)
 
 def dot(a, b):
     """The sum of the products of two lists of dual numbers."""
-    av, bv = [x.v for x in a], [x.v for x in b]
-    slopes = sum(map(mul, av, [x.d for x in b])) + sum(map(mul, [x.d for x in a], bv))
+    av, bv, ad = [x.v for x in a], [x.v for x in b], [x.d for x in a]
+    slopes, some = sum(map(mul, av, [x.d for x in b])), reduce(or_, ad, 0)
+    if some:          # a row of weights has one slope, and zeros below it, which need no product
+        below = (some & -some).bit_length() - 1
+        slopes += sum(map(mul, [d >> below for d in ad], bv)) << below
     return Dual(sum(map(mul, av, bv)) >> BITS, down(slopes))
 
 
