@@ -155,7 +155,7 @@ double complex fvi_pole_from(const fvi_pole *p, double complex z)
 double fvi_pole_phase_error(const fvi_pole *p, double t)
 {
     const double u = GSL_DBL_EPSILON / 2;
-    return u * u * cabs(p->s) * t * exp(creal(p->s) * t);
+    return u * u * cabs(p->s) * t * exp(creal(p->s + p->low) * t);
 }
 
 /* For a law: the mean of Q' between s and z, by Gauss and Legendre; far from s Q itself. */

@@ -74,10 +74,14 @@ static void add_residues(rows *r, size_t pole, double complex at, double t,
                          size_t k, size_t count, double since)
 {
     const fvi_residue *a = &r->S->pole[pole];
+    const int few = cabs(a->s) * time_of(r, k + count, 0) < 1e7; /* turns */
     for (size_t j = 0; j < count && at != 0; j++) {
         double complex e = at * r->turn[pole][j];
-        if (r->careful)
-            e += e * a->s * rounded_by(r, t, time_of(r, k + j, since), j);
+        if (r->careful) {
+            const double complex off =
+                a->s * rounded_by(r, t, time_of(r, k + j, since), j);
+            e += e * (few ? off : fvi_complex_expm1(off));
+        }
         if (r->x)
             r->x[k + j] += 2 * creal(e);
         if (r->v)
@@ -305,13 +309,12 @@ static int is_tame(const rows *r, size_t n)
                             p->rho / p->m * pow(t, 2 - r->S->beta),
                             fabs(p->x0) * fmax(C, 1),
                             fabs(p->v0) * t,
-                            p->forcing ? fabs(p->A) / p->m * t * t : 0,
-                            p->forcing == FVI_FORCING_COSINE ? p->w * t : 0 };
+                            p->forcing ? fabs(p->A) / p->m * t * t : 0 };
     for (size_t i = 0; i < sizeof most / sizeof *most; i++)
         if (!(most[i] < TAME))
             return 0;
-    for (size_t i = 0; i < r->S->roots; i++)
-        if (fvi_pole_phase_error(&(fvi_pole){ .s = I * cabs(r->S->root[i].s) },
+    for (size_t i = 0; i < r->S->poles; i++)
+        if (fvi_pole_phase_error(&(fvi_pole){ .s = I * cabs(r->S->pole[i].s) },
                                  t)
             > 1e-14)
             return 0;

@@ -304,6 +304,32 @@ START_TEST(rows_far_out)
 }
 END_TEST
 
+/* What rounds t_k to a double turns the phase by up to w t_k u, a full turn at last; and a
+ * force may swing on where a body's own phase would be lost. */
+START_TEST(rows_of_many_swings)
+{
+    fvi_linear p = oscillator(0.3, 1, 1, 0), q = oscillator(0.9, 1, 0, 0);
+    p.rho = p.c = 1;
+    q.c = 0;
+    p.forcing = q.forcing = FVI_FORCING_COSINE;
+    p.A = q.A = 1;
+    p.w = q.w = 1.7;
+    for (double end = 1e8; end < 1e100; end *= end < 1e20 ? 10 : 1e30) {
+        const double h = 1.0000123 * end / 300;
+        compare(&p, h, 300, 0, "a damped body");
+        compare(&q, h, 300, 0, "a free body");
+        p.rho = 0;
+        if (end < 4e17)
+            compare(&p, h, 300, 0, "a body that swings");
+        p.rho =
+            1e-30; /* s is i, and less than a double's last place to the left */
+        if (end < 4e17)
+            compare(&p, h, 300, 0, "a body that hardly slows down");
+        p.rho = 1;
+    }
+}
+END_TEST
+
 /* Two outputs, or one of them; and zero for nothing. */
 START_TEST(rows_of_one_output)
 {
@@ -414,7 +440,7 @@ int main(void)
              eq_11_15_rows_match_talbot_and_the_cut, eq_11_15_rows_with_a_law,
              eq_11_16_nodes_of_a_window, eq_11_17_motions_that_grow,
              eq_11_17_a_force_that_ends_soon, vectors_are_the_functions,
-             rows_far_out, rows_of_one_output, rows_that_are_lost,
-             rows_say_what_is_wrong);
+             rows_far_out, rows_of_many_swings, rows_of_one_output,
+             rows_that_are_lost, rows_say_what_is_wrong);
     return run_suite(suite);
 }
