@@ -172,7 +172,7 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
  * polynomial; zeros where that is too far away.
  * fvi_adaptive_leap -- another, from stage to stage as a leap-frog goes, with the force at
  * each and what the memory makes of the stages before it. Cost O(s^2 d) and s gradients.
- * Returns what a callback does. */
+ * Returns what a callback does; FVI_EMAXITER where it goes astray. */
 void fvi_adaptive_extrapolate(fvi_adaptive_run *o);
 int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o);
 

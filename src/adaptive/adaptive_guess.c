@@ -3,6 +3,7 @@
 
 #include <fvi/error.h>
 
+#include <math.h>
 #include <string.h>
 
 void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
@@ -28,6 +29,22 @@ void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
 }
 
 /* ---- from node to node ---- */
+
+/* So much farther than all motion before, and than a free body, a leap comes to where
+ * springs were stiffer than its steps; from there an iteration may find no way back, or,
+ * where a Hessian's square is out of range, nothing to correct. */
+static const double FAR = 10;
+
+static int is_far(const fvi_adaptive_run *o, size_t i)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        const double *base = o->base + j * FVI_LANES,
+                     away = o->point[i * o->d + j] - base[i];
+        if (!(fabs(away) <= FAR * (o->scale + fabs(base[i] - base[0]))))
+            return 1;
+    }
+    return 0;
+}
 
 /* From stage i - 1 to stage i, which is dt later: x there. */
 static void leap(fvi_adaptive_run *o, size_t i, double dt)
@@ -76,6 +93,8 @@ int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o)
             i > 0 ? o->length.h * (rule->c[i] - rule->c[i - 1]) : 0;
         if (i > 0)
             leap(o, i, dt);
+        if (is_far(o, i))
+            return FVI_EMAXITER;
         const int status = u->gradient(o->d, o->point + i * o->d, u->params,
                                        o->gradient + i * o->d);
         if (status)

@@ -230,6 +230,33 @@ START_TEST(a_stiff_spring_is_not_leapt_over)
 }
 END_TEST
 
+/* From stage to stage a chain that is stiffer than its steps can leap to 10^95, where the
+ * square of a spring's stiffness is no double; what is damped stays within its start. */
+START_TEST(a_leap_that_goes_astray_is_no_guess)
+{
+    const double ones[2] = { 1, 1 }, drag[2] = { 8, 8 }, apart[2] = { -1, 0.5 },
+                 at_rest[2] = { 0, 0 };
+    for (double c = 100; c < 3e5; c *= 2)
+        for (double wish = 0.2; wish > 0.005; wish /= 2) {
+            const double spring[2] = { c, 2 };
+            const fvi_system system = { .d = 2,
+                                        .mass = ones,
+                                        .damping = drag,
+                                        .potential =
+                                            fvi_potential_chain(spring) };
+            fvi_run run = fvi_run_default(&system, apart, at_rest, 0.1, 70);
+            double row[71][2];
+            run.alpha = 0.25;
+            run.step_error = wish;
+            ck_assert_int_eq(
+                fvi_trajectory(&fvi_adaptive, &run, *row, NULL, NULL), 0);
+            for (size_t i = 0; i < 2 * LEN(row); i++)
+                ck_assert_near(row[i / 2][i % 2], 0, 1.5,
+                               "c = %g, to %g: row %zu", c, wish, i / 2);
+        }
+}
+END_TEST
+
 /* Stiff springs, without damping, form M: the energy is kept to 100 times the tolerance.
  * Seen: 8e-4 of that. */
 START_TEST(stiff_chains_keep_their_energy)
@@ -435,8 +462,9 @@ int main(void)
     ADD_CASE(suite, "masses", many_masses_by_four_ways_and_by_lobatto,
              a_chain_takes_one_hessian_a_step,
              steps_too_long_to_be_solved_are_rare, a_digit_takes_few_steps,
-             a_stiff_spring_is_not_leapt_over, stiff_chains_keep_their_energy,
-             masses_alone_and_together);
+             a_stiff_spring_is_not_leapt_over,
+             a_leap_that_goes_astray_is_no_guess,
+             stiff_chains_keep_their_energy, masses_alone_and_together);
     ADD_CASE(suite, "jumps", a_jump_that_is_not_declared_is_found);
     ADD_CASE(suite, "error", a_wanted_error_is_had_or_refused,
              a_search_checks_and_ends, a_motion_that_runs_away_is_given_up);
