@@ -61,22 +61,23 @@ int main(int argc, char **argv)
     describe();
     print_load();
     for (int P = 0; P < PROBLEMS; P++) {
-        double front[2][DECADES + 1] = { { 0 } }; /* of the peers, of ours */
-        double least[2] = { GSL_POSINF, GSL_POSINF };
+        double front[OURS_EXACT + 1][DECADES + 1] = { { 0 } };
+        double least[OURS_EXACT + 1] = { GSL_POSINF, GSL_POSINF, GSL_POSINF };
         if (only && only != P + 1)
             continue;
         find_truth(P, truth);
         for (size_t i = r.count; i-- > 0;)
             if (r.all[i].peer ? r.all[i].peer->takes(problem_number(P)) : 1)
                 sweep(&r.all[i], P, truth, r.best[P][i], r.late[P][i],
-                      front[r.all[i].ours], &least[r.all[i].ours]);
+                      front[r.all[i].of], &least[r.all[i].of]);
         compare_in_turn(&r, P);
         for (size_t i = 0; i < r.count; i++)
             if (r.all[i].peer && r.all[i].peer->takes(problem_number(P))
                 && r.best[P][i][1].seconds == 0)
                 printf("# P%d: %s has not one digit\n", P + 1, r.all[i].name);
-        printf("# P%d: the least errors, of ours %.1e, of peers %.1e\n", P + 1,
-               least[1], least[0]);
+        printf(
+            "# P%d: the least errors, of ours that step %.1e, of peers %.1e\n",
+            P + 1, least[OURS_THAT_STEP], least[PEERS]);
     }
     printf("\n\n");
     print_verdict(&r);

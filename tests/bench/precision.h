@@ -7,13 +7,17 @@
 
 enum { DECADES = 13, MOST_CONTENDERS = 128 };
 
+/* side -- whose a contender is. Where a motion is linear, ours has a way that takes no
+ * step: the rows of the exact solution. What is said of ours is said without it, too. */
+typedef enum { PEERS, OURS_THAT_STEP, OURS_EXACT } side;
+
 /* contender -- one of ours, by a kind of memory, or a peer. */
 typedef struct {
     char name[40];
-    const fvi_method *method; /* NULL for a peer */
+    const fvi_method *method; /* NULL for a peer, and for the exact solution */
     fvi_memory_kind kind;
     const peer *peer;
-    int ours;
+    side of;
 } contender;
 
 /* timing -- the least processor time of `runs` runs, in seconds, and their median over
@@ -24,8 +28,8 @@ typedef struct {
     int runs;
 } timing;
 
-/* gather -- every method of fvi_methods by the direct sum and by exponentials, and all
- * peers; methods that know alpha = 1/2 alone are of the textbooks, and peers. Returns
+/* gather -- every method of fvi_methods by the direct sum and by exponentials, the exact
+ * solution by rows, and all peers; methods that know alpha = 1/2 alone are of the textbooks, and peers. Returns
  * how many. */
 size_t gather(contender *all);
 
@@ -56,14 +60,15 @@ typedef struct {
  * Their times in r become those. */
 void compare_in_turn(results *r, int P);
 
-/* fastest -- the fastest of ours, or of the peers, whose error is at most 10^-k, and who it
- * is; `from` is best[P] or late[P]. NULL if none is as exact. */
+/* fastest -- the fastest of the sides `first` to `last` whose error is at most 10^-k, and
+ * who it is; `from` is best[P] or late[P]. NULL if none is as exact. */
 const timing *fastest(const results *r, const timing from[][DECADES + 1],
-                      int ours, int k, size_t *who);
+                      side first, side last, int k, size_t *who);
 
-/* ratio -- our least time over that of the peers; 0 if no peer is as exact, infinite if
- * ours is not, NaN if nobody is. */
-double ratio(const results *r, const timing from[][DECADES + 1], int k);
+/* ratio -- the least time of ours, up to the side `ours`, over that of the peers; 0 if no
+ * peer is as exact, infinite if ours is not, NaN if nobody is. */
+double ratio(const results *r, const timing from[][DECADES + 1], side ours,
+             int k);
 
 /* Tables and sentences, each a region of the file that is printed. */
 void print_verdict(const results *r);

@@ -6,6 +6,7 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 enum { RUNS = 9, FEW = 3, HOPELESS = 50 };
@@ -19,14 +20,18 @@ size_t gather(contender *all)
         for (int k = 0; k < 2; k++) {
             const fvi_method *m = fvi_methods[i];
             const int remembers = m->memories != 0,
-                      ours = m->alpha_least < m->alpha_most;
+                      peer_ = m->alpha_least == m->alpha_most;
             if (remembers ? !fvi_method_has_memory(m, kinds[k]) : k > 0)
                 continue;
             contender *c = &all[count++];
-            *c = (contender){ .method = m, .kind = kinds[k], .ours = ours };
+            *c = (contender){ .method = m,
+                              .kind = kinds[k],
+                              .of = peer_ ? PEERS : OURS_THAT_STEP };
             snprintf(c->name, sizeof c->name, "%s%s", m->name,
                      remembers && k ? ", direct" : "");
         }
+    all[count] = (contender){ .peer = &exact_by_rows, .of = OURS_EXACT };
+    strcpy(all[count++].name, exact_by_rows.name);
     for (size_t i = 0; peers[i]; i++) {
         contender *c = &all[count++];
         *c = (contender){ .peer = peers[i] };

@@ -6,13 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The fastest of ours, or of the peers, at decade k; NULL if none is as exact. */
 const timing *fastest(const results *r, const timing from[][DECADES + 1],
-                      int ours, int k, size_t *who)
+                      side first, side last, int k, size_t *who)
 {
     const timing *least = NULL;
     for (size_t i = 0; i < r->count; i++)
-        if (r->all[i].ours == ours && from[i][k].seconds > 0
+        if (r->all[i].of >= first && r->all[i].of <= last
+            && from[i][k].seconds > 0
             && (!least || from[i][k].seconds < least->seconds)) {
             least = &from[i][k];
             *who = i;
@@ -20,12 +20,12 @@ const timing *fastest(const results *r, const timing from[][DECADES + 1],
     return least;
 }
 
-/* Ours over the best peer; 0 if no peer is as exact, infinite if we are not. */
-double ratio(const results *r, const timing from[][DECADES + 1], int k)
+double ratio(const results *r, const timing from[][DECADES + 1], side ours,
+             int k)
 {
     size_t i;
-    const timing *a = fastest(r, from, 1, k, &i),
-                 *b = fastest(r, from, 0, k, &i);
+    const timing *a = fastest(r, from, OURS_THAT_STEP, ours, k, &i),
+                 *b = fastest(r, from, PEERS, PEERS, k, &i);
     return a ? b ? a->seconds / b->seconds : 0 : b ? GSL_POSINF : NAN;
 }
 
@@ -44,26 +44,32 @@ static void write_number(char *to, size_t n, double x)
 void print_fronts(const results *r, int P)
 {
     static const char row[] =
-        "%-7s\t%-7s\t%-7s\t%-24s\t%-7s\t%-7s\t%-22s\t%-11s\t%s\n";
+        "%-7s\t%-7s\t%-7s\t%-24s\t%-7s\t%-7s\t%-22s\t%-11s\t%-11s\t%s\n";
     printf("# P%d, %s: the fastest, by error\n#> fronts-%d\n", P + 1,
            problem_number(P)->what, P + 1);
     printf(row, "# error", "our ms", "spread", "ours", "peer ms", "spread",
-           "peer", "ours / peer", "the same, t >= 2");
+           "peer", "ours / peer", "by steps", "t >= 2");
     for (int k = 1; k <= DECADES; k++) {
-        char error[8], ms[2][16], spread[2][16], over[2][16];
+        char error[8], ms[2][16], spread[2][16], over[3][16];
         const char *names[2] = { "-", "-" };
         snprintf(error, sizeof error, "1e-%02d", k);
         for (int peers_ = 0; peers_ < 2; peers_++) {
             size_t who;
-            const timing *t = fastest(r, r->best[P], !peers_, k, &who);
+            const timing *t =
+                fastest(r, r->best[P], peers_ ? PEERS : OURS_THAT_STEP,
+                        peers_ ? PEERS : OURS_EXACT, k, &who);
             write_number(ms[peers_], sizeof *ms, t ? 1e3 * t->seconds : NAN);
             write_number(spread[peers_], sizeof *spread, t ? t->spread : NAN);
             names[peers_] = t ? r->all[who].name : "-";
         }
-        write_number(over[0], sizeof *over, ratio(r, r->best[P], k));
-        write_number(over[1], sizeof *over, ratio(r, r->late[P], k));
+        write_number(over[0], sizeof *over,
+                     ratio(r, r->best[P], OURS_EXACT, k));
+        write_number(over[1], sizeof *over,
+                     ratio(r, r->best[P], OURS_THAT_STEP, k));
+        write_number(over[2], sizeof *over,
+                     ratio(r, r->late[P], OURS_EXACT, k));
         printf(row, error, ms[0], spread[0], names[0], ms[1], spread[1],
-               names[1], over[0], over[1]);
+               names[1], over[0], over[1], over[2]);
     }
     printf("#< fronts-%d\n\n\n", P + 1);
 }
@@ -91,10 +97,12 @@ void print_methods(const results *r, int P)
     printf("#< methods-%d\n\n\n", P + 1);
 }
 
-void print_ratios(const results *r)
+static void print_side(const results *r, side ours, const char *what,
+                       const char *region)
 {
-    printf("# our time over that of the best peer, by error over all rows\n"
-           "#> ratios\n# problem");
+    printf("# %s over that of the best peer, by error over all rows\n"
+           "#> %s\n# problem",
+           what, region);
     for (int k = 1; k <= DECADES; k++)
         printf("\t1e-%02d", k);
     printf("\n");
@@ -102,28 +110,37 @@ void print_ratios(const results *r)
         printf("P%-8d", P + 1);
         for (int k = 1; k <= DECADES; k++) {
             char over[16];
-            write_number(over, sizeof over, ratio(r, r->best[P], k));
+            write_number(over, sizeof over, ratio(r, r->best[P], ours, k));
             printf("\t%s", over);
         }
         printf("\n");
     }
-    printf("#< ratios\n\n\n");
+    printf("#< %s\n\n\n", region);
 }
 
-/* For the picture: decade, problem, ratio (1e-9: ours alone; 1e9: peers alone). */
+void print_ratios(const results *r)
+{
+    print_side(r, OURS_EXACT, "our time", "ratios");
+    print_side(r, OURS_THAT_STEP, "the time of ours that step", "ratios-steps");
+}
+
+/* Over the peers: ours, and ours that step. For the picture 1e-9 where ours is alone, 1e9
+ * where peers are. */
 void print_picture(const results *r)
 {
-    printf("# picture:\n# decade\tproblem\tours over peer\n");
+    printf("# picture:\n# decade\tproblem\tours over peer\tby steps\n");
     for (int P = 0; P < PROBLEMS; P++)
         for (int k = 1; k <= DECADES; k++) {
-            const double q = ratio(r, r->best[P], k);
+            const double q = ratio(r, r->best[P], OURS_EXACT, k),
+                         steps = ratio(r, r->best[P], OURS_THAT_STEP, k);
             if (q == q)
-                printf("%d\t%d\t%.3g\n", k, P + 1, fmin(fmax(q, 1e-9), 1e9));
+                printf("%d\t%d\t%.3g\t%.3g\n", k, P + 1,
+                       fmin(fmax(q, 1e-9), 1e9), fmin(fmax(steps, 1e-9), 1e9));
         }
     printf("\n\n");
 }
 
-/* Our time at 1e-12 over rk8pd's on the oscillator without memory. */
+/* Our time at 1e-12, by steps, over rk8pd's on the oscillator without memory. */
 void print_memory(const results *r)
 {
     static const int with[] = { 0, 2, 3, 4, 8 };
@@ -138,7 +155,8 @@ void print_memory(const results *r)
            1e3 * oscillator);
     for (size_t i = 0; i < sizeof with / sizeof *with; i++) {
         size_t who;
-        const timing *t = fastest(r, r->best[with[i]], 1, 12, &who);
+        const timing *t = fastest(r, r->best[with[i]], OURS_THAT_STEP,
+                                  OURS_THAT_STEP, 12, &who);
         if (t)
             printf("P%d       \t%.3g\t%.3g\n", with[i] + 1, 1e3 * t->seconds,
                    t->seconds / oscillator);

@@ -38,7 +38,8 @@ static size_t gather_near(const results *r, const timing table[][DECADES + 1],
     for (int k = 1; k <= DECADES; k++)
         for (size_t i = 0, who; i < r->count; i++) {
             const timing *t = &table[i][k],
-                         *least = fastest(r, table, r->all[i].ours, k, &who);
+                         *least = fastest(r, table, r->all[i].of, r->all[i].of,
+                                          k, &who);
             if (t->seconds > 0 && t->seconds <= NEAR * least->seconds)
                 count = enter(all, count, i, t);
         }
@@ -52,8 +53,7 @@ static double turn(const results *r, const entrant *e, const problem *p,
     double least = 0;
     for (int i = 0; i < 2; i++) {
         double seconds;
-        timed_run(&r->all[e->who], p, e->is.N, e->is.tolerance, rows,
-                  &seconds);
+        timed_run(&r->all[e->who], p, e->is.N, e->is.tolerance, rows, &seconds);
         least = i && least < seconds ? least : seconds;
     }
     return least;

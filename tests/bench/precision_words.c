@@ -6,14 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
-/* "1e-3 to 1e-6, 1e-9": the decades of P of which `ours` is true. */
-static int decades(const results *r, int P, int ours, char *to, size_t n)
+/* "1e-3 to 1e-6, 1e-9": the decades of P at which ours, up to the side `of`, is ahead; or
+ * those at which it is not. */
+static int decades(const results *r, int P, side of, int ours, char *to,
+                   size_t n)
 {
     int found = 0, begin = 0;
     size_t at = 0;
     to[0] = 0;
     for (int k = 1; k <= DECADES + 1; k++) {
-        const double q = k <= DECADES ? ratio(r, r->best[P], k) : NAN;
+        const double q = k <= DECADES ? ratio(r, r->best[P], of, k) : NAN;
         const int is = ours ? q < 1 : q >= 1;
         found += is;
         if (is && !begin)
@@ -33,12 +35,12 @@ static int decades(const results *r, int P, int ours, char *to, size_t n)
 static void print_sentence(const results *r, int P)
 {
     char mine[200], theirs[200];
-    const int a = decades(r, P, 1, mine, sizeof mine),
-              b = decades(r, P, 0, theirs, sizeof theirs);
+    const int a = decades(r, P, OURS_EXACT, 1, mine, sizeof mine),
+              b = decades(r, P, OURS_EXACT, 0, theirs, sizeof theirs);
     double least = GSL_POSINF, most = 0;
     int at = 1;
     for (int k = 1; k <= DECADES; k++) {
-        const double q = ratio(r, r->best[P], k);
+        const double q = ratio(r, r->best[P], OURS_EXACT, k);
         if (q > 0 && q < least)
             least = q;
         if (q > most && q < GSL_POSINF) {
@@ -50,16 +52,18 @@ static void print_sentence(const results *r, int P)
     if (a + b == 0)
         printf("nobody has a digit.\n");
     else if (b == 0)
-        printf("ours is ahead at each of these errors that anybody reached, %s.\n",
-               mine);
+        printf(
+            "ours is ahead at each of these errors that anybody reached, %s.\n",
+            mine);
     else if (a == 0)
-        printf("a peer is ahead at each of these errors that anybody reached, %s",
-               theirs);
+        printf(
+            "a peer is ahead at each of these errors that anybody reached, %s",
+            theirs);
     else
         printf("ours is ahead at %s, a peer at %s", mine, theirs);
     if (b && most > 1) {
         size_t who = 0;
-        fastest(r, r->best[P], 0, at, &who);
+        fastest(r, r->best[P], PEERS, PEERS, at, &who);
         printf(
             ";\n  most at 1e-%d, where ours takes %.3g times as long as %s.\n",
             at, most, r->all[who].name);
@@ -77,8 +81,8 @@ static void print_reasons(const results *r)
         for (int P = 0; P < PROBLEMS; P++)
             for (int k = 1; k <= DECADES; k++) {
                 size_t who = r->count;
-                const double q = ratio(r, r->best[P], k);
-                fastest(r, r->best[P], 0, k, &who);
+                const double q = ratio(r, r->best[P], OURS_EXACT, k);
+                fastest(r, r->best[P], PEERS, PEERS, k, &who);
                 places += q >= 1 && who == i;
             }
         if (!places)
@@ -92,14 +96,36 @@ static void print_reasons(const results *r)
     }
 }
 
+/* At how many places ours, up to the side `of`, is ahead; or at how many it is not. */
+static int how_many(const results *r, side of, int ours)
+{
+    char none[200];
+    int sum = 0;
+    for (int P = 0; P < PROBLEMS; P++)
+        sum += decades(r, P, of, ours, none, sizeof none);
+    return sum;
+}
+
+/* Where a motion is linear ours need not step; where would who steps be ahead? */
+static void print_by_steps(const results *r)
+{
+    char theirs[200];
+    int first = 1;
+    printf("\nOf ours that step, the exact solution left out, the best is "
+           "ahead at "
+           "%d, a peer at %d:\n",
+           how_many(r, OURS_THAT_STEP, 1), how_many(r, OURS_THAT_STEP, 0));
+    for (int P = 0; P < PROBLEMS; P++)
+        if (decades(r, P, OURS_THAT_STEP, 0, theirs, sizeof theirs)) {
+            printf("%sP%d at %s", first ? "" : "; ", P + 1, theirs);
+            first = 0;
+        }
+    printf(".\n");
+}
+
 void print_verdict(const results *r)
 {
-    int a = 0, b = 0;
-    char none[200];
-    for (int P = 0; P < PROBLEMS; P++) {
-        a += decades(r, P, 1, none, sizeof none);
-        b += decades(r, P, 0, none, sizeof none);
-    }
+    const int a = how_many(r, OURS_EXACT, 1), b = how_many(r, OURS_EXACT, 0);
     printf("# who is ahead, in words\n#> verdict\n");
     if (b == 0)
         printf("Of %d places, eleven problems by thirteen errors as far as "
@@ -114,5 +140,6 @@ void print_verdict(const results *r)
     for (int P = 0; P < PROBLEMS; P++)
         print_sentence(r, P);
     print_reasons(r);
+    print_by_steps(r);
     printf("#< verdict\n\n\n");
 }

@@ -1,6 +1,6 @@
 /* tests/bench/peers/exact.c -- Where the problem is linear and has one mass, its solution
- * need not be stepped to: that of chapter 11, by residues and a contour integral; and
- * Podlubny's matrix method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).
+ * need not be stepped to: that of chapter 11, by residues and a contour integral, time by
+ * time, which is a peer, and at all rows together, which is ours; and Podlubny's matrix method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).
  *                                                                       [Chapter 18] */
 #include "peers.h"
 
@@ -18,6 +18,13 @@ static int run_exact(const task *of, double *rows)
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = of->p->T * (double)k / ROWS;
     return fvi_exact(of->p->linear, ROWS + 1, t, rows, NULL);
+}
+
+/* At all rows from one contour or a few, to the error that is asked (11.15). */
+static int run_rows(const task *of, double *rows)
+{
+    return fvi_exact_rows(of->p->linear, of->p->T / ROWS, ROWS, of->tolerance,
+                          rows, NULL);
 }
 
 /* From rest, and where the damping is of an order above 1. */
@@ -50,6 +57,14 @@ const peer peer_exact = { "exact solution",
                           0,
                           linear,
                           run_exact },
+           exact_by_rows = { "exact solution by rows",
+                             "chapter 11",
+                             "a linear motion need not be stepped to",
+                             1,
+                             0,
+                             0,
+                             linear,
+                             run_rows },
            peer_matrix = { "matrix method",
                            "Podlubny 2000",
                            "its matrix is triangular",

@@ -44,4 +44,7 @@ typedef struct {
 /* peers -- all of them, ended by NULL. */
 extern const peer *const peers[];
 
+/* exact_by_rows -- no peer, but run as one: our exact solution at all rows together. */
+extern const peer exact_by_rows;
+
 #endif
