@@ -176,6 +176,11 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o);
 void fvi_adaptive_extrapolate(fvi_adaptive_run *o);
 int fvi_adaptive_leap(const fvi_stepper *s, fvi_adaptive_run *o);
 
+/* fvi_adaptive_is_astray -- is a stage, at o->point, more than ten times farther from x_k
+ * than all motion so far, o->allowed, and the way of a free body together? With few digits
+ * a step that long may end at a solution of (22.14) that belongs to no motion. */
+int fvi_adaptive_is_astray(const fvi_adaptive_run *o);
+
 /* fvi_adaptive_solve_linear -- the same where o->solve is FVI_SOLVE_LINEAR; R is not kept. */
 int fvi_adaptive_solve_linear(fvi_stepper *s, fvi_adaptive_run *o);
 

@@ -30,9 +30,10 @@ void fvi_adaptive_extrapolate(fvi_adaptive_run *o)
 
 /* ---- from node to node ---- */
 
-/* So much farther than all motion before, and than a free body, a leap comes to where
- * springs were stiffer than its steps; from there an iteration may find no way back, or,
- * where a Hessian's square is out of range, nothing to correct. */
+/* So much farther than all motion before, than the error that is allowed, and than a free
+ * body, a leap comes to where springs were stiffer than its steps; from there an iteration
+ * may find no way back, or, where a Hessian's square is out of range, nothing to correct;
+ * and what it finds may be the rest of another valley. */
 static const double FAR = 10;
 
 static int is_far(const fvi_adaptive_run *o, size_t i)
@@ -40,10 +41,19 @@ static int is_far(const fvi_adaptive_run *o, size_t i)
     for (size_t j = 0; j < o->d; j++) {
         const double *base = o->base + j * FVI_LANES,
                      away = o->point[i * o->d + j] - base[i];
-        if (!(fabs(away) <= FAR * (o->scale + fabs(base[i] - base[0]))))
+        if (!(fabs(away)
+              <= FAR * (o->scale + o->allowed + fabs(base[i] - base[0]))))
             return 1;
     }
     return 0;
+}
+
+int fvi_adaptive_is_astray(const fvi_adaptive_run *o)
+{
+    int astray = 0;
+    for (size_t i = 0; i < o->rule->s; i++)
+        astray = astray || is_far(o, i);
+    return astray;
 }
 
 /* From stage i - 1 to stage i, which is dt later: x there. */

@@ -365,6 +365,8 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
         fvi_adaptive_extrapolate(o);
         status = by_iterations(s, o);
     }
+    if (!status && o->wish > FVI_FEW && fvi_adaptive_is_astray(o))
+        return FVI_EMAXITER; /* a shorter step does not lose its way */
     if (status != FVI_EMAXITER || o->solve != FVI_SOLVE_COUPLED || o->band)
         return status;
     if (++o->stuck == 20) /* it is not worth trying */
