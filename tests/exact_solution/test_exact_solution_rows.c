@@ -1,26 +1,11 @@
 /* tests/exact_solution/test_exact_solution_rows.c -- Chapter 11: all rows at once.
  * Run alone: make test-exact_solution_rows */
-#include "exact/exact_vectors.h"
 #include "exact/exact_window.h"
-#include "exact_problems.h"
+#include "exact_rows.h"
 
 #include "exact_solution_ref.h"
 
-#include <stdlib.h>
-
-enum { PROBLEMS = 600, LOOKED_AT = 64 };
-
-/* A uniform number in [0, 1), the same ones at every run. */
-static double chance(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
-
-static double between(uint64_t *seed, double low, double high)
-{
-    return low * pow(high / low, chance(seed));
-}
+enum { PROBLEMS = 600 };
 
 /* Any past, order and force; without spring or damping now and then; forces near
  * resonance; strong and weak damping. *h n is from 1/100 to 10^4 swings of the spring. */
@@ -55,48 +40,6 @@ static fvi_linear any(uint64_t *seed, size_t n, double *h)
     return p;
 }
 
-/* Rows against fvi_exact, whose own error is TOL: at most LOOKED_AT of them, the early ones
- * all, and the last. */
-static void compare(const fvi_linear *p, double h, size_t n, double tolerance,
-                    const char *what)
-{
-    double *x = malloc((n + 1) * sizeof *x), *v = malloc((n + 1) * sizeof *v);
-    double t[LOOKED_AT], want_x[LOOKED_AT], want_v[LOOKED_AT], X = 0, V = 0;
-    size_t row[LOOKED_AT], count = 0;
-    ck_assert(x && v);
-    for (size_t k = 0; k <= n && count < LOOKED_AT; count++) {
-        row[count] = k;
-        t[count] = (double)k * h;
-        k = k < 24 ? k + 1 : k < n ? GSL_MIN(k + k / 4, n) : n + 1;
-    }
-    ck_assert_int_eq(fvi_exact(p, count, t, want_x, want_v), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_rows(p, h, n, tolerance, x, v), FVI_SUCCESS);
-    for (size_t k = 0; k <= n; k++) {
-        X = fmax(X, fabs(x[k]));
-        V = fmax(V, fabs(v[k]));
-    }
-    for (double now = (double)n * h; now > 1e-8 * (double)n * h; now /= 1.3) {
-        double x_now, v_now; /* between the rows, and before the first */
-        solve(p, now, &x_now, &v_now);
-        X = fmax(X, fabs(x_now));
-        V = fmax(V, fabs(v_now));
-    }
-    for (size_t i = 0; i < count; i++) {
-        const size_t k = row[i];
-        if (tolerance > 1e-12 && X > 0)
-            seen(fabs(x[k] - want_x[i]) / (tolerance * X), "of the tolerance");
-        if (tolerance == 0 && X > 0)
-            seen(fabs(x[k] - want_x[i]) / X, "at tolerance 0");
-        ck_assert_near(x[k], want_x[i], (tolerance + 2 * TOL) * X,
-                       "%s: x, row %zu of %zu", what, k, n);
-        ck_assert_near(v[k], want_v[i],
-                       (tolerance + 2 * TOL) * (V + (k ? X / t[i] : 0)),
-                       "%s: x', row %zu of %zu", what, k, n);
-    }
-    free(x);
-    free(v);
-}
-
 START_TEST(eq_11_15_rows_are_the_solution)
 {
     uint64_t seed = 1;
@@ -112,7 +55,7 @@ START_TEST(eq_11_15_rows_are_the_solution)
             "T=%a w=%a h=%a tolerance=%g",
             i, p.m, p.c, p.rho, p.alpha, p.past, p.x0, p.v0, p.forcing, p.A,
             p.T, p.w, h, tolerance);
-        compare(&p, h, n, tolerance, what);
+        ck_assert_rows(&p, h, n, tolerance, what);
     }
 }
 END_TEST
@@ -279,168 +222,12 @@ START_TEST(eq_11_15_rows_with_a_law)
 }
 END_TEST
 
-/* Numbers beyond the range of a window: the same operations as in fvi_exact. And times of
- * which the first or the last is no double's neighbour: a phase of 10^9 radians. */
-START_TEST(rows_far_out)
-{
-    const double steps[] = { 1e-150, 1e-60, 1e60, 1e120 };
-    for (size_t i = 0; i < LEN(steps); i++) {
-        fvi_linear p = oscillator(0.3, 1, 1, 0);
-        const double t[] = { 0, steps[i], 2 * steps[i], 3 * steps[i] };
-        double x[4], v[4], want_x[4], want_v[4];
-        ck_assert_int_eq(fvi_exact(&p, 4, t, want_x, want_v), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_exact_rows(&p, steps[i], 3, 0, x, v), FVI_SUCCESS);
-        for (size_t k = 0; k < 4; k++) {
-            ck_assert_near(x[k], want_x[k], 2 * TOL, "h=%g %zu", steps[i], k);
-            ck_assert_near(v[k], want_v[k],
-                           2 * TOL * (1 + 1 / fmax(t[k], 1e-300)), "h=%g %zu",
-                           steps[i], k);
-        }
-    }
-    fvi_linear p = oscillator(0.3, 1, 0, 0);
-    p.forcing = FVI_FORCING_COSINE;
-    p.A = p.w = 1;
-    compare(&p, 0.7e4, 100000, 0, "a cosine for long");
-}
-END_TEST
-
-/* What rounds t_k to a double turns the phase by up to w t_k u, a full turn at last; and a
- * force may swing on where a body's own phase would be lost. */
-START_TEST(rows_of_many_swings)
-{
-    fvi_linear p = oscillator(0.3, 1, 1, 0), q = oscillator(0.9, 1, 0, 0);
-    p.rho = p.c = 1;
-    q.c = 0;
-    p.forcing = q.forcing = FVI_FORCING_COSINE;
-    p.A = q.A = 1;
-    p.w = q.w = 1.7;
-    for (double end = 1e8; end < 1e100; end *= end < 1e20 ? 10 : 1e30) {
-        const double h = 1.0000123 * end / 300;
-        compare(&p, h, 300, 0, "a damped body");
-        compare(&q, h, 300, 0, "a free body");
-        p.rho = 0;
-        if (end < 4e17)
-            compare(&p, h, 300, 0, "a body that swings");
-        p.rho =
-            1e-30; /* s is i, and less than a double's last place to the left */
-        if (end < 4e17)
-            compare(&p, h, 300, 0, "a body that hardly slows down");
-        p.rho = 1;
-    }
-}
-END_TEST
-
-/* Two outputs, or one of them; and zero for nothing. */
-START_TEST(rows_of_one_output)
-{
-    fvi_linear p = oscillator(0.3, 1, 1, 0.5);
-    double x[90], v[90], alone[90];
-    for (int force = 0; force < 3; force++) {
-        p.forcing = (fvi_forcing)force;
-        p.A = p.w = 2;
-        p.T = 3;
-        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, x, v), 0);
-        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, alone, NULL), 0);
-        ck_assert_mem_eq(alone, x, sizeof x);
-        ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 1e-6, NULL, alone), 0);
-        ck_assert_mem_eq(alone, v, sizeof v);
-    }
-    p = (fvi_linear){ .m = 1, .c = 1, .rho = 1, .alpha = 0.3 };
-    ck_assert_int_eq(fvi_exact_rows(&p, 0.2, 89, 0, x, v), 0);
-    for (int k = 0; k < 90; k++)
-        ck_assert(x[k] == 0 && v[k] == 0);
-}
-END_TEST
-
-/* The rows before a value that is lost stand. */
-START_TEST(rows_that_are_lost)
-{
-    fvi_linear p = { .m = 1, .c = 1, .x0 = 1 };
-    double x[4] = { 7, 7, 7, 7 }, t = 4e17, want;
-    ck_assert_int_eq(fvi_exact_rows(&p, t, 3, 0, x, NULL), FVI_ELOSS);
-    ck_assert_int_eq(fvi_exact(&p, 1, &t, &want, NULL), FVI_SUCCESS);
-    ck_assert(x[0] == 1 && x[1] == want);
-    ck_assert(isnan(x[3]));
-    p.c = 0;
-    p.v0 = 1e300;
-    ck_assert_int_eq(fvi_exact_rows(&p, 1e7, 3, 0, x, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_rows(&p, 1e8, 3, 0, x, NULL), FVI_EOVRFLW);
-    ck_assert(isfinite(x[1]) && isnan(x[2]) && isnan(x[3]));
-}
-END_TEST
-
-/* Against the C library, whose own error is below 2 u. exp and exp - 1 in u of their size; a
- * logarithm in u of 1 + |ln|, an angle in u. */
-START_TEST(vectors_are_the_functions)
-{
-    enum { MANY = 999 }; /* no multiple of what a vector holds */
-    uint64_t seed = 3;
-    double re[MANY], im[MANY], x[MANY], y[MANY];
-    void (*const of[])(size_t, double *, double *) = { fvi_vector_exp,
-                                                       fvi_vector_expm1,
-                                                       fvi_vector_log };
-    for (size_t f = 0; f < LEN(of); f++)
-        for (double size = 1e-12; size < 1e4; size *= 3) {
-            for (int i = 0; i < MANY; i++) {
-                re[i] = x[i] = (2 * chance(&seed) - 1) * fmin(size, 700);
-                im[i] = y[i] = (2 * chance(&seed) - 1) * size;
-                if (f == 2)
-                    im[i] = y[i] = fabs(y[i]);
-            }
-            of[f](MANY, re, im);
-            for (int i = 0; i < MANY; i++) {
-                const double half = sin(y[i] / 2), e = exp(x[i]);
-                double want_re = log(hypot(x[i], y[i])),
-                       want_im = atan2(y[i], x[i]), bound = 10 * U;
-                if (f < 2) {
-                    want_re = f == 0
-                                  ? e * cos(y[i])
-                                  : expm1(x[i]) * cos(y[i]) - 2 * half * half;
-                    want_im = e * sin(y[i]);
-                    bound *= hypot(want_re, want_im);
-                }
-                ck_assert_near(re[i], want_re,
-                               bound * (f == 2 ? 1 + fabs(want_re) : 1),
-                               "%zu: re, %a %a", f, x[i], y[i]);
-                ck_assert_near(im[i], want_im, bound, "%zu: im, %a %a", f, x[i],
-                               y[i]);
-            }
-        }
-}
-END_TEST
-
-START_TEST(rows_say_what_is_wrong)
-{
-    const fvi_linear p = oscillator(0.3, 1, 1, 0);
-    double x[3] = { 7, 7, 7 }, v[3] = { 7, 7, 7 };
-    ck_assert_int_eq(fvi_exact_rows(NULL, 1, 2, 0, x, v), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_rows(&p, 1, 2, 0, NULL, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_rows(&p, 1, 0, 0, x, v), FVI_EINVAL);
-    const double bad[] = { 0, -1, GSL_POSINF, GSL_NAN, 1e308 };
-    for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(fvi_exact_rows(&p, bad[i], 2, 0, x, v), FVI_EDOM);
-    const double never[] = { -1e-3, 1, GSL_NAN };
-    for (size_t i = 0; i < LEN(never); i++)
-        ck_assert_int_eq(fvi_exact_rows(&p, 1, 2, never[i], x, v), FVI_EDOM);
-    fvi_linear q = p;
-    q.m = 0;
-    ck_assert_int_eq(fvi_exact_rows(&q, 1, 2, 0, x, v), FVI_EDOM);
-    q = p;
-    q.forcing = (fvi_forcing)3;
-    ck_assert_int_eq(fvi_exact_rows(&q, 1, 2, 0, x, v), FVI_EINVAL);
-    for (size_t i = 0; i < 3; i++)
-        ck_assert(x[i] == 7 && v[i] == 7);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("11 exact solution, rows");
     ADD_CASE(suite, "rows", eq_11_15_rows_are_the_solution,
              eq_11_15_rows_match_talbot_and_the_cut, eq_11_15_rows_with_a_law,
              eq_11_16_nodes_of_a_window, eq_11_17_motions_that_grow,
-             eq_11_17_a_force_that_ends_soon, vectors_are_the_functions,
-             rows_far_out, rows_of_many_swings, rows_of_one_output,
-             rows_that_are_lost, rows_say_what_is_wrong);
+             eq_11_17_a_force_that_ends_soon);
     return run_suite(suite);
 }
