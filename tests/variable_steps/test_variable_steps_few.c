@@ -1,0 +1,170 @@
+/* tests/variable_steps/test_variable_steps_few.c -- Chapter 22: few digits, and equations of
+ * steps that are too long to be solved.
+ * Run alone: make test-variable_steps_few */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+#include "adaptive/adaptive.h"
+
+enum { ROWS = 80 };
+static const double one = 1;
+
+/* Where the equation of a longer step is not solved, that is not tried again at once: with
+ * tolerances so large that nothing else limits the steps, a fifth of them is rejected at
+ * most. Seen: 0.15 of them. */
+START_TEST(steps_too_long_to_be_solved_are_rare)
+{
+    const double m = 1, half = 0.5, cubic[2] = { 0, 1 }, drive[2] = { 1, 1 },
+                 zero = 0;
+    const fvi_system system = { .d = 1,
+                                .mass = &m,
+                                .damping = &half,
+                                .potential = fvi_potential_duffing(cubic),
+                                .force = fvi_force_cosine(drive) };
+    for (double tolerance = 1e-2; tolerance < 2; tolerance *= 10) {
+        fvi_run run = fvi_run_default(&system, &zero, &zero, 1, 50);
+        run.alpha = 0.3;
+        run.past = FVI_PAST_CAPUTO;
+        run.step_error = tolerance;
+        fvi_stepper *s;
+        fvi_adaptive_counts counts;
+        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        ck_assert_int_eq(fvi_run_to(s, 50, NULL, NULL), 0);
+        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+        fvi_stop(s);
+        const double share = (double)counts.rejected / (double)counts.steps;
+        ck_assert_msg(share <= 0.2, "%g: %g", tolerance, share);
+        seen(share, "rejected of the steps");
+    }
+}
+END_TEST
+
+/* A tenth is wanted, of a step: the steps are as long as that allows, no shorter since their
+ * equations were not solved, as 39 would be that begin with what is extrapolated. Seen: 21,
+ * and 0.44 of the tenth in the rows, which a motion that forgets keeps. */
+START_TEST(a_digit_takes_few_steps)
+{
+    const double half = 0.5, cubic[2] = { 0, 1 }, drive[2] = { 1, 1 }, zero = 0;
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &half,
+                                .potential = fvi_potential_duffing(cubic),
+                                .force = fvi_force_cosine(drive) };
+    fvi_run run = fvi_run_default(&system, &zero, &zero, 50. / ROWS, ROWS);
+    double want[ROWS + 1], got[ROWS + 1];
+    fvi_stepper *s;
+    fvi_adaptive_counts counts;
+    run.alpha = 0.3;
+    run.past = FVI_PAST_CAPUTO;
+    run.step_error = 1e-9;
+    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, want, NULL, NULL), 0);
+    run.step_error = 0.1;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    for (size_t k = 0; k <= ROWS; k++)
+        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, got + k, NULL), 0);
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    fvi_stop(s);
+    for (size_t k = 0; k <= ROWS; k++)
+        ck_assert_near(got[k], want[k], 0.1, "row %zu", k);
+    ck_assert_uint_le(counts.steps + counts.rejected, 26);
+    seen((double)counts.steps, "steps");
+}
+END_TEST
+
+/* From stage to stage a guess diverges where a spring is stiff, and the motion slow: then the
+ * other one is taken, and the steps stay long. Seen: 18; 41 if not. */
+START_TEST(a_stiff_spring_is_not_leapt_over)
+{
+    const double stiff[2] = { 1e5, 1e5 }, slow[2] = { 1e5, 0.2 }, zero = 0,
+                 rest = 0.6823278; /* where spring and force balance */
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &one,
+                                .potential = fvi_potential_duffing(stiff),
+                                .force = fvi_force_cosine(slow) };
+    fvi_run run = fvi_run_default(&system, &rest, &zero, 0.5, 80);
+    fvi_stepper *s;
+    fvi_adaptive_counts counts;
+    run.past = FVI_PAST_CAPUTO;
+    run.step_error = 0.1;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ck_assert_int_eq(fvi_run_to(s, 40, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    fvi_stop(s);
+    ck_assert_uint_le(counts.steps, 24);
+}
+END_TEST
+
+/* From stage to stage a chain that is stiffer than its steps can leap to 10^95, where the
+ * square of a spring's stiffness is no double; what is damped stays within its start. */
+START_TEST(a_leap_that_goes_astray_is_no_guess)
+{
+    const double ones[2] = { 1, 1 }, drag[2] = { 8, 8 }, from[2] = { -1, 0.5 },
+                 at_rest[2] = { 0, 0 };
+    for (double c = 100; c < 3e5; c *= 2)
+        for (double wish = 0.2; wish > 0.005; wish /= 2) {
+            const double spring[2] = { c, 2 };
+            const fvi_system system = { .d = 2,
+                                        .mass = ones,
+                                        .damping = drag,
+                                        .potential =
+                                            fvi_potential_chain(spring) };
+            fvi_run run = fvi_run_default(&system, from, at_rest, 0.1, 70);
+            double row[71][2];
+            run.alpha = 0.25;
+            run.step_error = wish;
+            ck_assert_int_eq(
+                fvi_trajectory(&fvi_adaptive, &run, *row, NULL, NULL), 0);
+            for (size_t i = 0; i < 2 * LEN(row); i++)
+                ck_assert_near(row[i / 2][i % 2], 0, 1.5,
+                               "c = %g, to %g: row %zu", c, wish, i / 2);
+        }
+}
+END_TEST
+
+/* Pendulums, of swings smaller than what a step may err, stay in their valley: a stage
+ * equation with a long step has solutions in all others, too. No proof that none is taken:
+ * of 40000 such pendulums, drawn at random, 12 were lost, most of them from rest. The bound
+ * is below the top, at pi. Seen: |x| up to 0.07; without the check 3.5 and more. */
+START_TEST(a_pendulum_keeps_to_its_valley)
+{
+    /* g, rho, alpha, A, w, x0, v0, T */
+    static const double all[][8] = {
+        { 190.527, 0.000947479, 0.206967, -7.30996, 0.106608, 0.00309815,
+          0.0316763, 29.2273 },
+        { 976.941, 0.00201388, 0.473481, -1.70011, 5.0387, 0, 0.00732844,
+          12.081 },
+        { 2291.65, 0.0121453, 0.853415, 9.36646, 0.797935, 0.0120469,
+          0.00146593, 19.4948 },
+        { 7078.56, 0.272948, 0.868439, -1.49301, 0.0164796, 0, 0.0030251,
+          1.30552 },
+    };
+    for (size_t i = 0; i < LEN(all); i++) {
+        const double *a = all[i];
+        const fvi_system system = { .d = 1,
+                                    .mass = &one,
+                                    .damping = a + 1,
+                                    .potential = fvi_potential_pendulum(a),
+                                    .force = fvi_force_cosine(a + 3) };
+        fvi_run run = fvi_run_default(&system, a + 5, a + 6, a[7] / ROWS, ROWS);
+        double x[ROWS + 1];
+        run.alpha = a[2];
+        for (double wish = 0.1; wish > 0.011; wish /= 2) {
+            run.step_error = wish;
+            ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL),
+                             0);
+            for (size_t k = 0; k <= ROWS; k++)
+                ck_assert_near(x[k], 0, 3, "%zu, to %g: row %zu", i, wish, k);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("variable_steps: few digits");
+    ADD_CASE(suite, "few", steps_too_long_to_be_solved_are_rare,
+             a_digit_takes_few_steps, a_stiff_spring_is_not_leapt_over,
+             a_leap_that_goes_astray_is_no_guess,
+             a_pendulum_keeps_to_its_valley);
+    return run_suite(suite);
+}
