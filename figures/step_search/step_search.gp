@@ -17,7 +17,7 @@ set ytics ("P1  plate, jump" 1, "P2  no memory" 2, "P3  Duffing, cosine" 3, "P4 
            "P11  chain of 1000" 11)
 set lmargin 22
 set xlabel "largest error over all rows" offset 0,0.3
-set palette defined (-1 "#56B4E9", 0 "#F7F7F7", 1 "#E69F00")
+set palette defined (-1 "#66BBEB", 0 "#F7F7F7", 1 "#EBAD26")
 set cbrange [-1:1]
 bounded(r) = log10(r) > 1 ? 1 : log10(r) < -1 ? -1 : log10(r)
 text(r) = r < 1e-8 ? "ours" : r > 1e8 ? "peer" : r < 9.95 ? sprintf("%.2g", r) : sprintf("%.0f", r)
