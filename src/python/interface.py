@@ -150,6 +150,7 @@ typedef struct {
     const fvi_law *law;
 } fvi_linear;
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
+int fvi_exact_rows(const fvi_linear *problem, double h, size_t n, double tolerance, double *x, double *v);
 
 int fvi_coefficients(double alpha, size_t count, double *w);
 const char *fvi_strerror(int code);

@@ -312,13 +312,23 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     return answer
 
 
+def on_grid(t: Array) -> int:
+    """How many times, from the first on, are the doubles nearest to 0, h, 2 h, ..."""
+    if t.size < 2 or not 0 < t[1] < np.inf:
+        return 0
+    strays = np.flatnonzero(t != np.arange(t.size) * t[1])
+    return int(strays[0]) if strays.size else t.size
+
+
 def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float] = None,
           alpha: Optional[float] = None, damping: Union[None, str, Sequence[str]] = None, derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
           force: Optional[str] = None) -> tuple:
     """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|, with
     damping to about 2e-13.
 
-    t      one time or an array of them, >= 0, in any order
+    t      one time or an array of them, >= 0, in any order; the times of a grid, as the t of
+           a run or of numpy.linspace(0, T, n + 1), above 512 of them, are computed together,
+           to 7e-14, some tens of times as fast
     force  None, "step:A,T" or "cosine:A,W"
     v0     the velocity at 0, not the momentum
     damping  as for `run`, instead of rho (0.2) and alpha (0.5)
@@ -344,7 +354,12 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
         else:
             problem.forcing, problem.w = lib.FVI_FORCING_COSINE, n[1]
     x, v = np.empty_like(flat), np.empty_like(flat)
-    status = lib.fvi_exact(problem, flat.size, *(ffi.from_buffer("double[]", a) for a in (flat, x, v)))
+    room = lambda a: ffi.from_buffer("double[]", a)
+    count = on_grid(flat) if damping is None else 0
+    status = lib.fvi_exact_rows(problem, flat[1], count - 1, 0, room(x), room(v)) if count > 513 else 0
+    rest = count if count > 513 else 0
+    if not status and rest < flat.size:
+        status = lib.fvi_exact(problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]))
     if status:
         raise Error(status)
     return x.reshape(times.shape), v.reshape(times.shape)
