@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 static results r;
+static small_times small;
 
 static void find_truth(int P, double *truth)
 {
@@ -78,6 +79,7 @@ int main(int argc, char **argv)
         printf(
             "# P%d: the least errors, of ours that step %.1e, of peers %.1e\n",
             P + 1, least[OURS_THAT_STEP], least[PEERS]);
+        time_small(beside(argv[0]), &small);
     }
     printf("\n\n");
     print_verdict(&r);
@@ -86,7 +88,7 @@ int main(int argc, char **argv)
     for (int P = 0; P < PROBLEMS; P++)
         print_fronts(&r, P);
     print_memory(&r);
-    print_small(beside(argv[0]));
+    print_small(&small);
     for (int P = 0; P < PROBLEMS; P++)
         print_methods(&r, P);
     if (isatty(STDERR_FILENO))

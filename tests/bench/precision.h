@@ -78,7 +78,18 @@ void print_fronts(const results *r, int P);
 void print_memory(const results *r);
 void print_methods(const results *r, int P);
 
-/* print_small -- what small and long runs of ours cost; `program` is build/fvi. */
-void print_small(const char *program);
+/* small_times -- what small and long runs of ours take, in seconds: 200 steps as a whole
+ * process, 10^6 and 10^8 uniform steps. A slow spell of the processor may be longer than
+ * 10^8 steps, so that each has a turn after every problem: the least and the most of the
+ * turns, each the best of 100, 5 and 1 runs; infinite if all runs of a turn failed. */
+enum { SMALL = 3 };
+typedef struct {
+    int turns;
+    double least[SMALL], most[SMALL];
+} small_times;
+
+/* time_small -- one turn more; `program` is build/fvi. */
+void time_small(const char *program, small_times *s);
+void print_small(const small_times *s);
 
 #endif

@@ -5,6 +5,7 @@
 #include "bench.h"
 
 #include <fcntl.h>
+#include <gsl/gsl_math.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -37,36 +38,56 @@ static double process(const char *program)
                         + 1e-9 * (double)(t[1].tv_nsec - t[0].tv_nsec);
 }
 
-/* Seconds of N uniform steps of `fvi` on the plate. */
-static double steps(size_t N, int runs)
+/* Seconds of N uniform steps of `fvi` on the plate; 0 if they failed. */
+static double steps(size_t N)
 {
     const fvi_run run =
         problem_run(problem_number(0), N, FVI_MEMORY_EXPONENTIALS, 0);
-    double best = 0;
-    for (int i = 0; i < runs; i++) {
-        const double start = now();
-        fvi_stepper *s;
-        if (fvi_start(&fvi_fractional, &run, &s))
-            return 0;
-        while (s->k < N && !fvi_step(s))
-            ;
-        fvi_stop(s);
-        const double time = now() - start;
-        best = best == 0 || time < best ? time : best;
-    }
-    return best;
+    const double start = now();
+    fvi_stepper *s;
+    if (fvi_start(&fvi_fractional, &run, &s))
+        return 0;
+    while (s->k < N && !fvi_step(s))
+        ;
+    const int whole = s->k == N;
+    fvi_stop(s);
+    return whole ? now() - start : 0;
 }
 
-void print_small(const char *program)
+static double once(int what, const char *program)
 {
-    double best = 0;
-    for (int i = 0; i < 100; i++) {
-        const double t = process(program);
-        best = best == 0 || (t > 0 && t < best) ? t : best;
+    return what == 0   ? process(program)
+           : what == 1 ? steps(1000000)
+                       : steps(100000000);
+}
+
+void time_small(const char *program, small_times *s)
+{
+    static const int runs[SMALL] = { 100, 5, 1 };
+    for (int what = 0; what < SMALL; what++) {
+        double best = GSL_POSINF;
+        for (int i = 0; i < runs[what]; i++) {
+            const double t = once(what, program);
+            best = t > 0 ? GSL_MIN(best, t) : best;
+        }
+        s->least[what] = s->turns ? GSL_MIN(s->least[what], best) : best;
+        s->most[what] = s->turns ? GSL_MAX(s->most[what], best) : best;
     }
-    printf("# small and long runs of ours\n#> small\n# of what\tis\n"
-           "ms, `fvi run` of 200 steps, the whole process, wall clock\t%.3g\n"
-           "ms, 10^6 uniform steps of fvi, P1\t%.3g\n"
-           "s, 10^8 uniform steps of fvi, P1\t%.3g\n#< small\n\n\n",
-           1e3 * best, 1e3 * steps(1000000, 3), steps(100000000, 1));
+    s->turns++;
+}
+
+void print_small(const small_times *s)
+{
+    static const char *const of[SMALL] = {
+        "ms, `fvi run` of 200 steps, the whole process, wall clock",
+        "ms, 10^6 uniform steps of fvi, P1", "s, 10^8 uniform steps of fvi, P1"
+    };
+    static const double unit[SMALL] = { 1e3, 1e3, 1 };
+    printf("# small and long runs of ours, a turn after each problem\n"
+           "#> small\n# of what\tbest of %d\tslowest\n",
+           s->turns);
+    for (int what = 0; what < SMALL; what++)
+        printf("%s\t%.3g\t%.3g\n", of[what], unit[what] * s->least[what],
+               unit[what] * s->most[what]);
+    printf("#< small\n\n\n");
 }
