@@ -1,7 +1,6 @@
 /* src/adaptive/adaptive_start.c -- A run with variable steps begins.   [Chapter 22] */
 #include "adaptive.h"
 
-
 #include "system/fail.h"
 
 #include <gsl/gsl_machine.h>
@@ -57,6 +56,23 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
     return n;
 }
 
+/* The springs at x0 of a U whose Hessian is diagonal. */
+static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const int diagonal = u->diagonals == 1 || o->d == 1;
+    const int quadratic = u->quadratic && u->quadratic(u->params);
+    o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
+               : diagonal                              ? FVI_SOLVE_DIAGONAL
+                                                       : FVI_SOLVE_COUPLED;
+    if (o->solve == FVI_SOLVE_COUPLED || !u->gradient)
+        return FVI_SUCCESS;
+    *springs = malloc(fvi_hessian_room(s->run.system) * sizeof **springs);
+    if (!*springs)
+        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
+    return u->hessian(o->d, s->x, u->params, *springs);
+}
+
 /* What is not zero, but for rounding, beside the next. */
 static double or_else(double size, double next)
 {
@@ -64,23 +80,26 @@ static double or_else(double size, double next)
 }
 
 /* A size for a tolerance that is none: of x0; or of what the body does in the time of a
- * row; or 1. */
-static int first_scale(fvi_stepper *s, double *scale)
+ * row, or until its spring stops it; or 1. springs: as for sort_out. */
+static int first_scale(fvi_stepper *s, const double *springs, double *scale)
 {
     const fvi_system *system = s->run.system;
     const fvi_force *force = &system->force;
-    double x = 0, v = 0, f = 0;
+    double x = 0, of_v = 0, of_f = 0;
     int status = fvi_gradient(system, s->x, s->g);
     if (!status)
         status = fvi_force_at(s, 0);
     for (size_t j = 0; !status && j < system->d; j++) {
-        x = fmax(x, fabs(s->x[j]));
-        v = fmax(v, fabs(s->p[j]) / system->mass[j]);
-        f = fmax(f, fabs(s->F[j] - s->g[j]) / system->mass[j]);
+        const double m = system->mass[j],
+                     t = reach_of(m, 0, springs ? springs[j] : 0, 0, s->run.h);
+        double p = fabs(s->p[j]);
         for (size_t i = 0; i < force->impulse_count; i++)
-            v = fmax(v, fabs(force->impulses[i].J[j]) / system->mass[j]);
+            p = fmax(p, fabs(force->impulses[i].J[j]));
+        x = fmax(x, fabs(s->x[j]));
+        of_v = fmax(of_v, p / m * t);
+        of_f = fmax(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
     }
-    const double h = s->run.h, size = or_else(x, or_else(v * h, f * h * h));
+    const double size = or_else(x, or_else(of_v, of_f));
     *scale = size > 0 ? size : 1;
     return status;
 }
@@ -115,23 +134,6 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->first = (int)floor(log(0.1 * pow(fmin(wish, 1), 0.4) * T) / L);
     o->most = o->contracts = (int)ceil(log(T) / L);
     o->fresh = 1;
-}
-
-/* The springs at x0 of a U whose Hessian is diagonal. */
-static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
-{
-    const fvi_potential *u = &s->run.system->potential;
-    const int diagonal = u->diagonals == 1 || o->d == 1;
-    const int quadratic = u->quadratic && u->quadratic(u->params);
-    o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
-               : diagonal                              ? FVI_SOLVE_DIAGONAL
-                                                       : FVI_SOLVE_COUPLED;
-    if (o->solve == FVI_SOLVE_COUPLED || !u->gradient)
-        return FVI_SUCCESS;
-    *springs = malloc(fvi_hessian_room(s->run.system) * sizeof **springs);
-    if (!*springs)
-        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
-    return u->hessian(o->d, s->x, u->params, *springs);
 }
 
 /* The modes, if damping remembers; when the singular start is over. */
@@ -211,9 +213,9 @@ static int start(fvi_stepper *s, int open)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
     o->open = open;
-    int status = first_scale(s, &scale);
+    int status = find_springs(s, o, &springs);
     if (!status)
-        status = find_springs(s, o, &springs);
+        status = first_scale(s, springs, &scale);
     if (!status) {
         plan(s, o, scale);
         o->kinds = sort_out(s, springs, o);

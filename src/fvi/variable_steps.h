@@ -38,7 +38,8 @@ extern "C" {
  *   run->kappa       not read
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
- * if v0 = 0 too, or 1; what is below 1e-12 of the next counts as 0. s = 8, or 6 if
+ * if v0 = 0 too, or 1; what is below 1e-12 of the next counts as 0. Where the Hessian is
+ * diagonal, h is there at most 2 sqrt(m / c), c its entry at x0. s = 8, or 6 if
  * step_error is above 1e-3 of that size. Where nothing is damped the step is form M
  * instead, that of the variational methods of chapter 17, which has no numerical damping;
  * fvi_adaptive_look says which.
