@@ -87,8 +87,8 @@ typedef struct {
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
  * always one, s - 1 times as large, in form D s times), and no iteration. Measured,
- * fvi_fractional, one coordinate, all derivatives, the rows given: 0.29 to 0.31 of the time
- * of the run, 0.25 to 0.26 without that by alpha (figures/adjoint/adjoint_bench.tsv).
+ * fvi_fractional, one coordinate, all derivatives, the rows given: half the time of the
+ * run, a little less without that by alpha (figures/adjoint/adjoint_bench.tsv).
  * fvi_adaptive keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
  * that is more, N = 2000; with eight stages and alpha near 0 an identity of all derivatives

@@ -74,9 +74,10 @@ typedef struct {
  * these errors x and v are untouched, and on those of a law: what fvi_law_check returns;
  * FVI_EUNSUP for another past, and for more than three zeros of (26.11), which a sum of
  * three ZENERs with alpha > 1/2 may have; FVI_EMAXITER if they were not found.
- * FVI_EOVRFLW if a value is not finite, and FVI_ELOSS if the body has swung so often, w t
- * above 8e17, that twice the digits of a double do not hold the phase (not where the
- * swing has died away): the values before it stand. */
+ * FVI_EOVRFLW if x or x' is not finite, also if only the other one is asked for, and
+ * FVI_ELOSS if the body has swung so often, w t above 8e17, that twice the digits of a
+ * double do not hold the phase (not where the swing has died away): the values before it
+ * stand. */
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
               double *v);
 
@@ -94,14 +95,16 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
  * 1e-14, where the bound is a count of roundings. With a law that is not one power: what
  * fvi_exact promises, or the tolerance, the larger.
  * Cost: some microseconds a window, of times up to a factor of 100, and then 4 operations
- * a node and row; 80 rows cost as much as some times of fvi_exact. Row by row, as there,
- * goes what is out of range: c t^2 / m > 10^70 for one.
- * Memory: 80 kB of stack, and 352 bytes a node, at most 350 of them, with a law 620.
+ * a node, row and output, and for a law its poles, as there; 80 rows took as long as one to
+ * five times of fvi_exact. Row by row, as there, goes what is out of range: c t^2 / m > 10^70
+ * for one.
+ * Memory: 80 kB of stack, and 352 bytes a node, by (11.16) at most 280 of them, with a law 490.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
  * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact for the problem.
  * On these errors x and v are untouched. FVI_ENOMEM: they then hold nothing of use.
- * FVI_EOVRFLW and FVI_ELOSS as fvi_exact: the values before it stand, and then come NaNs. */
+ * FVI_EOVRFLW, here for what is asked for, and FVI_ELOSS as fvi_exact: the values before it
+ * stand, and then come NaNs. */
 int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
                    double tolerance, double *x, double *v);
 

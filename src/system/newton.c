@@ -193,8 +193,8 @@ static int is_alone(const fvi_newton *n)
     return n->q == 1 && n->system->d == 1 && !n->own;
 }
 
-/* The digits of newton(), and a third of its time: what one coordinate and its callbacks do
- * not need is left out. */
+/* The digits of newton() in half its time: what one coordinate and its callbacks do not
+ * need is left out. */
 static int newton_alone(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {

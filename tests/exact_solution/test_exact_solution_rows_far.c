@@ -90,6 +90,13 @@ START_TEST(rows_that_are_lost)
     ck_assert_int_eq(fvi_exact_rows(&p, 1e7, 3, 0, x, NULL), FVI_SUCCESS);
     ck_assert_int_eq(fvi_exact_rows(&p, 1e8, 3, 0, x, NULL), FVI_EOVRFLW);
     ck_assert(isfinite(x[1]) && isnan(x[2]) && isnan(x[3]));
+    p = (fvi_linear){ .m = 1, .c = 1e300, .x0 = 1e200 }; /* x' is -1e340 */
+    t = 1e-160;
+    double v[4];
+    ck_assert_int_eq(fvi_exact(&p, 1, &t, &want, NULL), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_exact_rows(&p, t, 3, 0, x, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_rows(&p, t, 3, 0, x, v), FVI_EOVRFLW);
+    ck_assert(v[0] == 0 && isnan(v[1]) && isnan(x[1]));
 }
 END_TEST
 
