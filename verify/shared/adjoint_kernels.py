@@ -92,7 +92,7 @@ def node(l):
 
 @cache
 def fallen(S):
-    return whole(mpmath.exp(-S))
+    return whole(mpmath.exp(-S)) if S < FINE else 0       # below e^-FINE there is no unit of 2^-FINE
 
 
 def kernels(s, alpha, gap, J, t1, lengths):
