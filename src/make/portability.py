@@ -1,4 +1,4 @@
-"""The same digits everywhere: other compilers, options, C libraries, locales.
+"""The same digits everywhere: other compilers, options, C libraries, locales, whole numbers.
 
     portability.py BUILD [PART ...]     (make portability PARTS="clang san"; all, some ten minutes)
 
@@ -19,7 +19,7 @@ import subprocess
 import sys
 
 HOME = pathlib.Path(sys.argv[1]) / "portability"
-PARTS = "locale O0 native clang san threads valgrind m32 musl".split()
+PARTS = "locale O0 native clang san threads valgrind m32 musl proofs".split()
 ASKED = sys.argv[2:] or PARTS
 LIMIT = 256     # seen: 18 with musl, 96 with GSL's LU factors on x87 (i386)
 ENV = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS", "LC_", "LANG"))}
@@ -221,6 +221,16 @@ def memory_errors():
         say(label, well, text, f"{len(stems)} of the stems, {' and '.join(stems)}, no error and no leak")
 
 
+def proofs():
+    """The headers of the proofs, in Python's whole numbers where mpmath and sympy take those of gmpy2."""
+    label = "proofs without gmpy2"
+    if run([sys.executable, "-c", "import gmpy2, sympy"])[0]:
+        well, text = make("proofs", ["verify"], [], MPMATH_NOGMPY=1, SYMPY_GROUND_TYPES="python")
+        say(label, well, text, f"{len(list((HOME / 'proofs/verify').glob('*.ok')))} headers equal to the byte")
+    else:
+        left_out.append(f"{label}: there is no gmpy2, or no sympy, so that `make verify` has no other numbers")
+
+
 def main():
     unknown = [part for part in ASKED if part not in PARTS]
     if unknown:
@@ -242,7 +252,7 @@ def main():
         "san": ("gcc AddressSanitizer, UBSan",
                 ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
                 {"ASAN_OPTIONS": "allocator_may_return_null=1"})}
-    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors,
+    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors, "proofs": proofs,
               "m32": lambda: thirty_two(reference), "musl": lambda: musl(reference)}
     for part in ASKED:
         if part in builds:
