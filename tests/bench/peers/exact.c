@@ -1,7 +1,7 @@
 /* tests/bench/peers/exact.c -- Where the problem is linear and has one mass, its solution
  * need not be stepped to: that of chapter 11, by residues and a contour integral, time by
- * time, which is a peer, and at all rows together, which is ours; and Podlubny's matrix method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).
- *                                                                       [Chapter 18] */
+ * time, which is a peer, and at all rows together, which is ours; and Podlubny's matrix
+ * method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).      [Chapter 18] */
 #include "peers.h"
 
 #include <fvi/paper/experiments.h>
