@@ -56,9 +56,11 @@ extern "C" {
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
  * if something is damped, Hessians of few diagonals, s at most, by Newton's method with one
- * Hessian for all stages; if nothing is, diagonal ones by Newton's method coordinate by
- * coordinate; others by fixed-point iteration. What does not contract by .8 makes the step
- * shorter; but others then take Newton's method with all stages and coordinates.
+ * Hessian for all stages; if nothing is, or step_error is above 1e-2 of the size, diagonal
+ * ones by Newton's method coordinate by coordinate; others by fixed-point iteration. What
+ * does not contract by .8, or coordinate by coordinate by .9, makes the step shorter, and
+ * above 1e-2 so does what ends ten times farther off than all motion before; but others
+ * then take Newton's method with all stages and coordinates.
  *
  * Cost of a step: O(Q s) for each damped coordinate, Q 70 modes for h = T and 9 more for
  * each decade below, or, above 1e-5 of the size, 30 and 4; s gradients for each
