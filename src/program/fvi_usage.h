@@ -72,7 +72,7 @@ static const char usage_run[] =
     "  --every K        rows 0, K, 2K, ... and the last               [1]\n"
     "  --memory W       direct, fft, exponentials, auto               [auto]\n"
     "                   (fvi-lobatto, --damping: no fft; fvi-adaptive:\n"
-    "                   auto or exponentials)\n"
+    "                   auto or exponentials, its own E)\n"
     "  --tolerance E    of the compressed memory, E >= 1e-14          [1e-13]\n"
     "  --plot FILE      a picture of the table, FILE.svg or FILE.png\n"
     "  --snapshot FILE  all x and p at the end, a line each\n"

@@ -59,8 +59,9 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
 {
     if (found == '?')
         return unknown(o, given, c);
-    if (found == ':')
-        return fvi_refuse(c, "%s: a value is missing", given);
+    const int bare = found == ':'; /* of a short name, too: --alph */
+    if (bare)
+        found = optopt == 'o' ? 256 + OUTPUT : optopt;
     option_index i = (option_index)(found - 256);
     size_t length = strcspn(given, "=");
     if (i != OUTPUT
@@ -70,6 +71,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
+    if (bare)
+        return fvi_refuse(c, "%s: a value is missing", given);
     if (i == CONTINUE)
         optarg = optarg ? optarg : "";
     if (i == LET) { /* --let k=3 --let c=1 is --let k=3,c=1 */

@@ -101,6 +101,29 @@ START_TEST(the_help_of_the_command_is_pointed_to)
 }
 END_TEST
 
+/* A name that is none is told so, also where it has no value, or is the beginning of one. */
+START_TEST(an_unknown_name_needs_no_value_to_be_refused)
+{
+    static const struct {
+        const char *words, *said;
+    } lines[] = {
+        { "run --alph", "--alph: no such option; did you mean --alpha?" },
+        { "run --steps 1 --x", "--x: no such option" },
+        { "methods --alpha", "--alpha: not an option of this command" },
+        { "methods -o", "-o: not an option of this command" },
+        { "run --steps 1 --h", "--h: a value is missing" },
+        { "run -o", "-o: a value is missing" }
+    };
+    for (size_t i = 0; i < LEN(lines); i++) {
+        char want[100];
+        ck_assert_int_eq(fvi(lines[i].words), 2);
+        snprintf(want, sizeof want, "fvi: %s\n", lines[i].said);
+        ck_assert_msg(strncmp(err, want, strlen(want)) == 0, "%s: %s",
+                      lines[i].words, err);
+    }
+}
+END_TEST
+
 /* ---- what cannot be done: exit 1 ---- */
 
 START_TEST(overflow_is_reported_with_its_step)
@@ -280,6 +303,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: what it refuses");
     ADD_CASE(suite, "errors", bad_use_is_refused,
              the_help_of_the_command_is_pointed_to,
+             an_unknown_name_needs_no_value_to_be_refused,
              overflow_is_reported_with_its_step,
              no_row_has_a_number_that_is_not_finite,
              a_step_that_fails_is_reported_with_its_number,
