@@ -169,9 +169,12 @@ static void take_product(size_t s, const double *x, const double *y,
                          double *sum)
 {
     for (size_t i = 0; i < s; i++)
-        for (size_t l = 0; l < s; l++)
-            for (size_t j = 0; j < s; j++)
-                sum[i * s + j] -= x[i * s + l] * y[l * s + j];
+        for (size_t j = 0; j < s; j++) {
+            double entry = sum[i * s + j];
+            for (size_t l = 0; l < s; l++)
+                entry -= x[i * s + l] * y[l * s + j];
+            sum[i * s + j] = entry;
+        }
 }
 
 //> division

@@ -35,9 +35,12 @@ static void add_product(size_t s, double sign, double x[FVI_STAGES][FVI_STAGES],
                         double out[FVI_STAGES][FVI_STAGES])
 {
     for (size_t i = 0; i < s; i++)
-        for (size_t l = 0; l < s; l++)
-            for (size_t j = 0; j < s; j++)
-                out[i][j] += sign * x[i][l] * y[l][j];
+        for (size_t j = 0; j < s; j++) {
+            double sum = out[i][j];
+            for (size_t l = 0; l < s; l++)
+                sum += sign * x[i][l] * y[l][j];
+            out[i][j] = sum;
+        }
 }
 
 static series multiply(size_t s, series *x, series *y)
