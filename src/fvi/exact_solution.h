@@ -98,7 +98,7 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
  * a node, row and output, and for a law its poles, as there; 80 rows took as long as one to
  * five times of fvi_exact. Row by row, as there, goes what is out of range: c t^2 / m > 10^70
  * for one.
- * Memory: 80 kB of stack, and 352 bytes a node, by (11.16) at most 280 of them, with a law 490.
+ * Memory: 80 kB of stack, and 352 bytes a node, by (11.16) at most 350 of them, with a law 620.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
  * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact for the problem.
