@@ -2,6 +2,7 @@
 #include "adaptive.h"
 
 #include "system/fail.h"
+#include "system/stiffness.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -9,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* About how far a velocity 1 more moves a body of mass m in the time T: t without forces; with a
- * damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls after
- * (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that for
- * one that is softer elsewhere. */
+/* About how far a velocity 1 more moves a body of mass m in the time T: t without forces;
+ * with a damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls
+ * after (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that
+ * for one that is softer elsewhere. */
 static double reach_of(double m, double rho, double c, double alpha, double T)
 {
     double reach = T;
@@ -73,6 +74,22 @@ static int find_springs(fvi_stepper *s, fvi_adaptive_run *o, double **springs)
     return u->hessian(o->d, s->x, u->params, *springs);
 }
 
+/* What part of a row's time the stiffest spring at x0 leaves, where coordinates know of each
+ * other. */
+static int find_part(const fvi_stepper *s, double *part)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_potential *u = &system->potential;
+    double *H = malloc(fvi_hessian_room(system) * sizeof *H);
+    if (!H)
+        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
+    const int status = u->hessian(system->d, s->x, u->params, H);
+    if (!status)
+        *part = fmin(1, 2 / sqrt(fvi_stiffness(system, H)) / s->run.h);
+    free(H);
+    return status;
+}
+
 /* What is not zero, but for rounding, beside the next. */
 static double or_else(double size, double next)
 {
@@ -99,7 +116,11 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
         of_v = fmax(of_v, p / m * t);
         of_f = fmax(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
     }
-    const double size = or_else(x, or_else(of_v, of_f));
+    double size = or_else(x, or_else(of_v, of_f)), part = 1;
+    if (!status && x > 0 && size != x && !springs && system->potential.gradient)
+        status = find_part(s, &part);
+    if (part < 1 && x > 1e-12 * fmax(of_v * part, of_f * part * part))
+        size = x;
     *scale = size > 0 ? size : 1;
     return status;
 }

@@ -58,8 +58,8 @@ int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
                      double tolerance, fvi_memory **memory);
 
 /* fvi_memory_choose -- what AUTO stands for: DIRECT up to 256 steps, where its weights are
- * exact and it is the faster one or loses microseconds (figures/memory/memory_bench.tsv), and where
- * no memory is needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
+ * exact and it is the faster one or loses microseconds (figures/memory/memory_bench.tsv),
+ * and where no memory is needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
 fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
 
 /* fvi_memory_bytes -- what fvi_memory_alloc will take from the heap. Arguments

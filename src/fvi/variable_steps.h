@@ -39,8 +39,9 @@ extern "C" {
  *
  * The size at first is max |x0|; h max |v0| if x0 = 0; h^2 max |F - grad U| / m at t = 0
  * if v0 = 0 too, or 1; what is below 1e-12 of the next counts as 0. Where the Hessian is
- * diagonal, h is there at most 2 sqrt(m / c), c its entry at x0. s = 8, or 6 if
- * step_error is above 1e-3 of that size. Where nothing is damped the step is form M
+ * diagonal, h is there at most 2 sqrt(m / c), c its entry at x0; where it is not, x0 is
+ * compared with what is possible in that time, c / m the largest sum_j |H_ij| / m_i. s = 8,
+ * or 6 if step_error is above 1e-3 of that size. Where nothing is damped the step is form M
  * instead, that of the variational methods of chapter 17, which has no numerical damping;
  * fvi_adaptive_look says which.
  *
@@ -72,7 +73,8 @@ extern "C" {
  * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
  * clear beforehand: a past that bodies have to forget, HELD or RIEMANN_LIOUVILLE with
  * p0 != 0, where alpha < 1 is near 1, one damping strong and another weak (22.23), or
- * RIEMANN_LIOUVILLE with alpha < 1/2 and a damping above 1e248 of the mass; an impulse, for 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
+ * RIEMANN_LIOUVILLE with alpha < 1/2 and a damping above 1e248 of the mass; an impulse, for
+ * 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
 extern const fvi_method fvi_adaptive;
 
 /* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.

@@ -274,6 +274,35 @@ START_TEST(rows_far_apart_are_no_size)
 }
 END_TEST
 
+/* The same for two bodies between three springs, that swing against each other as one does on
+ * a spring three times as stiff. Seen: 0.0020 of what a step may err. */
+START_TEST(rows_far_apart_are_no_size_of_a_chain)
+{
+    const double ones[] = { 1, 1 }, none[] = { 0, 0 }, link[] = { 1, 0 },
+                 apart[] = { 1, -1 };
+    const fvi_linear p = {
+        .m = 1, .c = 3, .rho = 1, .alpha = 0.3, .past = FVI_PAST_CAPUTO, .x0 = 1
+    };
+    const fvi_system system = { .d = 2,
+                                .mass = ones,
+                                .damping = ones,
+                                .potential = fvi_potential_chain(link) };
+    fvi_run run = fvi_run_default(&system, apart, none, 1e9 / ROWS, ROWS);
+    fvi_stepper *s;
+    double exact;
+    run.alpha = p.alpha;
+    run.past = p.past;
+    run.step_error = 1e-8;
+    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    while (s->k < run.steps) {
+        ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_int_eq(fvi_exact(&p, 1, &s->t, &exact, NULL), 0);
+        ck_assert_near(s->x[0], exact, run.step_error, "t = %g", s->t);
+    }
+    fvi_stop(s);
+}
+END_TEST
+
 /* Steps that end at a jump a rounding away from t1 = 1/16 begin as those do that end there: x of
  * all rows to 10 tolerances of a step. The force does not jump. */
 START_TEST(a_jump_next_to_the_end_of_a_singular_start_is_that_end)
@@ -309,7 +338,7 @@ int main(void)
              eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error,
              eq_22_23_a_single_body_is_never_refused,
              a_start_that_is_almost_at_rest_is_one_at_rest,
-             rows_far_apart_are_no_size,
+             rows_far_apart_are_no_size, rows_far_apart_are_no_size_of_a_chain,
              a_jump_next_to_the_end_of_a_singular_start_is_that_end);
     return run_suite(suite);
 }
