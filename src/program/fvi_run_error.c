@@ -1,7 +1,6 @@
 /* src/program/fvi_run_error.c -- The command `fvi run --error`. */
 #include "output/fvi_complain.h"
 #include <fvi/error.h>
-#include <fvi/step_search.h>
 
 #include "output/fvi_output.h"
 #include "output/fvi_format.h"
@@ -14,25 +13,24 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* What a search found: one of a step, or of a method that chooses its steps. */
-typedef struct {
-    fvi_step_found step;
-    fvi_adaptive_found adaptive;
-} found_by;
-
 enum { MOST_STEPS = 1 << 24 };
 
+int fvi_run_search(const fvi_options *o, const fvi_method *method,
+                   const fvi_run *r, double *x, double *p, fvi_run_found *found)
+{
+    return method->dense ? fvi_adaptive_search(r, o->error, MOST_STEPS, x, p,
+                                               &found->adaptive)
+                         : fvi_step_search(method, r, o->error, MOST_STEPS, x,
+                                           p, &found->step);
+}
+
 static int search(const fvi_options *o, const fvi_method *method,
-                  const fvi_run *r, double *x, double *p, found_by *found)
+                  const fvi_run *r, double *x, double *p, fvi_run_found *found)
 {
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
         fprintf(stderr, "looking for the step ...");
-    int status = method->dense
-                     ? fvi_adaptive_search(r, o->error, MOST_STEPS, x, p,
-                                           &found->adaptive)
-                     : fvi_step_search(method, r, o->error, MOST_STEPS, x, p,
-                                       &found->step);
+    const int status = fvi_run_search(o, method, r, x, p, found);
     if (terminal)
         fprintf(stderr, "\r\033[K");
     return status;
@@ -40,7 +38,7 @@ static int search(const fvi_options *o, const fvi_method *method,
 
 /* "1.9e-07, with the step 9.537e-07" */
 static double estimate_of(const fvi_options *o, const fvi_method *method,
-                          const found_by *found, size_t size, char *text)
+                          const fvi_run_found *found, size_t size, char *text)
 {
     const double estimate =
         method->dense ? found->adaptive.estimate : found->step.estimate;
@@ -56,7 +54,7 @@ static double estimate_of(const fvi_options *o, const fvi_method *method,
 /* How near to the wanted error a search came; and another method is tried before it is
  * advised. x and p are room for its rows, which nobody sees. */
 static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
-                         double *p, const found_by *found)
+                         double *p, const fvi_run_found *found)
 {
     char own[80], others[80], advice[160] = "";
     const double estimate = estimate_of(o, o->method, found, sizeof own, own);
@@ -66,7 +64,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
     }
     const fvi_method *other =
         o->method->dense ? NULL : fvi_step_search_other(o->method, r);
-    found_by tried;
+    fvi_run_found tried;
     const int status = other ? search(o, other, r, x, p, &tried) : 0;
     if (other && !status)
         snprintf(advice, sizeof advice, "; try --method %s", other->name);
@@ -81,7 +79,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
 
 /* Find the step; say what was found, or how near it came. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, found_by *found)
+                     double *p, fvi_run_found *found)
 {
     int status = search(o, o->method, r, x, p, found);
     if (status == FVI_ETOL)
@@ -91,18 +89,16 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
         fvi_complain("--error: no step gives a result that can be trusted");
     else if (status)
         fvi_complain_of_start(o, status);
-    else if (o->method->dense)
-        fprintf(stderr, "fvi: the error of x is about %.2g, in %zu steps\n",
-                found->adaptive.estimate, found->adaptive.counts.steps);
-    else
-        fprintf(stderr,
-                "fvi: the error of x is about %.2g, with the step %.4g\n",
-                found->step.estimate, o->h / (double)found->step.parts);
+    if (!status) {
+        char text[80];
+        estimate_of(o, o->method, found, sizeof text, text);
+        fprintf(stderr, "fvi: the error of x is about %s\n", text);
+    }
     return status != 0;
 }
 
 static void head_of_search(FILE *out, const fvi_options *o,
-                           const found_by *found)
+                           const fvi_run_found *found)
 {
     const int dense = o->method->dense != NULL;
     char text[32];
@@ -118,7 +114,8 @@ static void head_of_search(FILE *out, const fvi_options *o,
 }
 
 static int print_found(const fvi_options *o, const fvi_system *system,
-                       const found_by *found, const double *x, const double *p)
+                       const fvi_run_found *found, const double *x,
+                       const double *p)
 {
     fvi_table t;
     fvi_table_shape(&t, o, system);
@@ -143,7 +140,7 @@ static int print_found(const fvi_options *o, const fvi_system *system,
 int fvi_command_error(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
-    found_by found;
+    fvi_run_found found;
     fvi_table t;
     fvi_table_shape(&t, o, system);
     double *rows =

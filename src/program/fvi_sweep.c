@@ -66,15 +66,10 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     const size_t last = o->steps * o->d;
     double *x = malloc(2 * (last + o->d) * sizeof *x), *p = x + last + o->d;
-    fvi_step_found found;
-    fvi_adaptive_found of_steps;
+    fvi_run_found found;
     verdict v = { .status = FVI_ENOMEM };
-    if (x && o->method->dense)
-        v.status =
-            fvi_adaptive_search(r, o->error, (size_t)1 << 24, x, p, &of_steps);
-    else if (x)
-        v.status = fvi_step_search(o->method, r, o->error, (size_t)1 << 24, x,
-                                   p, &found);
+    if (x)
+        v.status = fvi_run_search(o, o->method, r, x, p, &found);
     if (!v.status)
         v.status = fvi_table_take(t, 0, x, p);
     if (!v.status)
