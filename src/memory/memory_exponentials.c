@@ -217,12 +217,18 @@ WITHIN double across(const four *v)
     return (u[0] + u[2]) + (u[1] + u[3]);
 }
 
+/* `new` into the ring, in the place of the oldest term. */
+WITHIN void keep(double *past, double new)
+{
+    past[0] = past[FVI_WINDOW] = new;
+}
+
 /* All modes two steps on, the terms at past + 1 coming in, and the next two sums of what
  * is known: of the modes after each step, of the window, and of `new` and of the term
  * before it, which stands at past. Partial sum l takes every eighth term, from the l-th
  * on, on every machine: vectors of 2 or 4 doubles change the time and not one digit. No
  * vector waits for the two terms that came in last. */
-WITHIN void sweep(const fvi_exponentials *e, double *modes, const double *past,
+WITHIN void sweep(const fvi_exponentials *e, double *modes, double *past,
                   double new, int rated, double *far, double *slope)
 {
     const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
@@ -245,6 +251,7 @@ WITHIN void sweep(const fvi_exponentials *e, double *modes, const double *past,
         z[q + 1] = now[1];
     }
     //< modes
+#pragma GCC unroll 4
     for (size_t j = 0; j < FVI_WINDOW / 4; j += 2)
 #pragma GCC unroll 2
         for (size_t n = 0; n < PAIR; n++)
@@ -257,46 +264,64 @@ WITHIN void sweep(const fvi_exponentials *e, double *modes, const double *past,
             }
     far[0] = across(sum[0]) + e->near[1] * past[0] + e->near[0] * new;
     far[1] = across(sum[1]) + e->near[1] * new;
-    if (!rated)
-        return;
-    slope[0] = across(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
-    slope[1] = across(rate[1]) + e->slopes[1] * new;
+    if (rated) {
+        slope[0] =
+            across(rate[0]) + e->slopes[1] * past[0] + e->slopes[0] * new;
+        slope[1] = across(rate[1]) + e->slopes[1] * new;
+    }
+    keep(past + 1, new);
 }
 
 FVI_VECTORS static void advance(const fvi_exponentials *e, double *modes,
-                                const double *past, double new, double *far)
+                                double *past, double new, double *far)
 {
     sweep(e, modes, past, new, 0, far, NULL);
 }
 
 FVI_VECTORS static void advance_rated(const fvi_exponentials *e, double *modes,
-                                      const double *past, double new,
-                                      double *far, double *slope)
+                                      double *past, double new, double *far,
+                                      double *slope)
 {
     sweep(e, modes, past, new, 1, far, slope);
 }
 
 //> push
-static void push_each(fvi_exponentials *e, const double *term, double *H)
+/* Term k of coordinate i comes in. */
+WITHIN void push_one(const fvi_exponentials *e, size_t i, size_t k, double new,
+                     double *H)
 {
-    const size_t place = e->k % FVI_WINDOW, now = e->k++ % PAIR;
-    for (size_t i = 0; i < e->d; i++) {
-        double new = term[i], *past = e->past + i * 2 * FVI_WINDOW + place;
-        double *far = e->far + PAIR * i;
-        H[i] = new + far[now];
-        if (now == 0)
-            far[1] += e->near[0] * new;
-        else
-            advance(e, e->z + i * e->Q, past - 1, new, far);
-        past[0] = past[FVI_WINDOW] = new;
-    }
+    double *past = e->past + i * 2 * FVI_WINDOW + k % FVI_WINDOW;
+    double *far = e->far + PAIR * i;
+    *H = new + far[k % PAIR];
+    if (k % PAIR == 0) {
+        far[1] += e->near[0] * new;
+        keep(past, new);
+    } else
+        advance(e, e->z + i * e->Q, past - 1, new, far);
 }
 //< push
+
+/* Apart: whoever has one coordinate saves no register for it. */
+__attribute__((noinline)) static void push_each(fvi_exponentials *e,
+                                                const double *term, double *H)
+{
+    for (size_t i = 0; i < e->d; i++)
+        push_one(e, i, e->k, term[i], H + i);
+    e->k++;
+}
+
+/* No loop has to find out that it runs once. */
+static void push_alone(fvi_exponentials *e, double new, double *H)
+{
+    push_one(e, 0, e->k++, new, H);
+}
 
 void fvi_exponentials_push(fvi_exponentials *e, const double *term, double *H)
 {
     if (e->tiles)
         fvi_tiles_push(e->tiles, term, H);
+    else if (e->d == 1)
+        push_alone(e, *term, H);
     else
         push_each(e, term, H);
 }
@@ -319,9 +344,9 @@ void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
         if (now == 0) {
             far[1] += e->near[0] * new;
             slope[1] += e->slopes[0] * new;
+            keep(past, new);
         } else
             advance_rated(e, e->z + i * e->Q, past - 1, new, far, slope);
-        past[0] = past[FVI_WINDOW] = new;
     }
 }
 //< push-rate

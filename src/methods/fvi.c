@@ -158,11 +158,15 @@ static int step_by_parts(fvi_stepper *s)
 }
 //< drift
 
+/* Apart: whoever has one coordinate saves no register for it. */
+__attribute__((noinline)) static int step_many(fvi_stepper *s)
+{
+    return goes_by_parts(s) ? step_by_parts(s) : step_fractional(s);
+}
+
 static int step(fvi_stepper *s)
 {
-    return is_alone(s)        ? step_alone(s)
-           : goes_by_parts(s) ? step_by_parts(s)
-                              : step_fractional(s);
+    return is_alone(s) ? step_alone(s) : step_many(s);
 }
 
 const fvi_method fvi_fractional = { .name = "fvi",
