@@ -1,6 +1,7 @@
 /* src/words/fvi_words.c -- From the words of a command line to values. */
 #include "fvi_words.h"
 #include "input/fvi_data.h"
+#include "fvi_shortest.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -47,9 +48,9 @@ int fvi_word_number(const char *name, const char *text, double low, double high,
 int fvi_word_whole(const char *name, const char *text, size_t most,
                    size_t *value, fvi_complaint c)
 {
-    double v = 0;
-    int status =
-        fvi_word_number(name, text, 1, fmin((double)most, 0x1p53), "[]", &v, c);
+    double v = 0; /* from 2^53 on it may be the neighbour of what was typed */
+    int status = fvi_word_number(name, text, 1, fmin((double)most, 0x1p53 - 1),
+                                 "[]", &v, c);
     if (!status && v != floor(v))
         return fvi_refuse(c, "--%s: '%s' is not a whole number", name, text);
     if (!status)
@@ -112,10 +113,13 @@ int fvi_word_list(const char *name, const char *text, double low, double high,
     if (n != 1 && n != d)
         return fvi_refuse(c, "--%s: '%s' has %zu numbers, not %s%zu", name,
                           text, n, d > 1 ? "1 or " : "", d);
+    char wrong[32];
     for (size_t j = 0; j < d; j++)
-        if (!within(values[j], low, high, brackets))
-            return fvi_refuse(c, "--%s: '%.17g' is outside %c%g, %g%c", name,
-                              values[j], brackets[0], low, high, brackets[1]);
+        if (!within(values[j], low, high, brackets)) {
+            fvi_shortest(values[j], wrong);
+            return fvi_refuse(c, "--%s: '%s' is outside %c%g, %g%c", name,
+                              wrong, brackets[0], low, high, brackets[1]);
+        }
     return 0;
 }
 

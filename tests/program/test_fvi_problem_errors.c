@@ -114,6 +114,8 @@ START_TEST(wrong_parameters_and_lists_are_refused)
                       "fvi: --mass: '1,2' has 2 numbers, not 1");
     ck_assert_refused("run --dimension 2 --mass 1,-2",
                       "fvi: --mass: '-2' is outside (0, inf)");
+    ck_assert_refused("run --rho -0.1",
+                      "fvi: --rho: '-0.1' is outside [0, inf)");
     ck_assert_refused("run --rho @nowhere",
                       "fvi: --rho: cannot read 'nowhere': No such "
                       "file or directory");

@@ -327,8 +327,8 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     damping to about 2e-13.
 
     t      one time or an array of them, >= 0, in any order; the times of a grid, as the t of
-           a run or of numpy.linspace(0, T, n + 1), above 512 of them, are computed together,
-           to 7e-14, some tens of times as fast
+           a run or of numpy.linspace(0, T, n + 1), more than 513 of them, are computed together,
+           to 7e-14, mostly more than ten times as fast
     force  None, "step:A,T" or "cosine:A,W"
     v0     the velocity at 0, not the momentum
     damping  as for `run`, instead of rho (0.2) and alpha (0.5)
