@@ -73,8 +73,9 @@ static int exact_batches(const fvi_table *t, const fvi_linear *problem,
     return 0;
 }
 
-/* All steps at once where they are more than a batch and most of them are rows, or in
- * batches: then, too, if there is no memory for them. With a law fvi_exact promises more. */
+/* All steps at once where they are more than a batch and one in 31 or more is a row, as a
+ * row by itself costs what tens of them do; or in batches: then, too, if there is no memory
+ * for them. With a law fvi_exact promises more. */
 static int exact_rows(const fvi_table *t, const fvi_linear *problem)
 {
     const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 256 MB */
