@@ -31,20 +31,27 @@ int fvi_grid_has(const fvi_grid *g, const char *name)
     return 0;
 }
 
+/* "fvi run" and what is varied go ahead of the other words: a last one without its value
+ * must not find it there. */
+enum { AHEAD = 2 + FVI_MOST_AXES };
+
 int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
                      char *complaint, size_t size)
 {
     /* getopt needs words that may be written to, and o keeps pointers to them */
-    static char word[FVI_MOST_AXES][140];
+    static char fvi[] = "fvi", run[] = "run", word[FVI_MOST_AXES][140];
     char value[32];
+    char **words = g->words + (FVI_MOST_AXES - g->count);
+    words[0] = fvi;
+    words[1] = run;
     for (size_t n = 0; n < g->count; n++) {
         fvi_shortest(fvi_grid_value(g, i, n), value);
         snprintf(word[n], sizeof word[n],
                  g->axis[n].is_let ? "--let=%s=%s" : "--%s=%s", g->axis[n].name,
                  value);
-        g->words[g->word_count + (int)n] = word[n];
+        words[2 + n] = word[n];
     }
-    return fvi_options_parse(g->word_count + (int)g->count, g->words, o,
+    return fvi_options_parse(2 + (int)g->count + g->word_count, words, o,
                              complaint, size);
 }
 
@@ -160,11 +167,17 @@ static int option(char **argv, int *i, const char *name, const char **value)
     return 1;
 }
 
-/* A word that is none of `fvi run`, but nearly one of a sweep. */
-static int check_unknown(const char *word, fvi_complaint c)
+/* A word that is none of `fvi run`, but nearly one of a sweep; or one of it that a run of
+ * one row has no use for. */
+static int check_word(const char *word, fvi_complaint c)
 {
     static const char *const names[] = { "vary", "jobs", "part", NULL };
-    if (strncmp(word, "--", 2) != 0 || fvi_option_named(word) < OPTIONS
+    const option_index i = fvi_option_named(word);
+    if (i == EVERY || i == PLOT || i == SNAPSHOT || i == CHECKPOINT
+        || i == CONTINUE)
+        return fvi_refuse(c, "--%s: not an option of this command",
+                          fvi_option_list[i].name);
+    if (strncmp(word, "--", 2) != 0 || i < OPTIONS
         || !fvi_word_nearest(word + 2, strcspn(word + 2, "="), names))
         return 0;
     return fvi_refuse_option(c, word, names);
@@ -173,9 +186,6 @@ static int check_unknown(const char *word, fvi_complaint c)
 /* Sort the words: those of a sweep are read, the others kept. */
 static int take_words(fvi_grid *g, int argc, char **argv, fvi_complaint c)
 {
-    static char run[] = "run";
-    g->words[g->word_count++] = argv[0];
-    g->words[g->word_count++] = run;
     for (int i = 2; i < argc; i++) {
         const char *value, *given = argv[i];
         int status = 0;
@@ -191,8 +201,8 @@ static int take_words(fvi_grid *g, int argc, char **argv, fvi_complaint c)
         else if (part)
             status = take_part(g, value, c);
         else {
-            status = check_unknown(argv[i], c);
-            g->words[g->word_count++] = argv[i];
+            status = check_word(argv[i], c);
+            g->words[AHEAD + g->word_count++] = argv[i];
         }
         int at = i;
         if (!vary && !jobs && !part && option(argv, &at, "--let", &value)
@@ -216,7 +226,7 @@ int fvi_grid_parse(int argc, char **argv, fvi_grid *g, char *complaint,
     *g = (fvi_grid){ .part = 1,
                      .parts = 1,
                      .jobs = cores > 0 ? (size_t)cores : 1 };
-    g->words = calloc((size_t)argc + FVI_MOST_AXES + 1, sizeof *g->words);
+    g->words = calloc(AHEAD + (size_t)argc, sizeof *g->words);
     if (!g->words) {
         fvi_refuse(c, "not enough memory");
         return 1;
@@ -260,8 +270,8 @@ int fvi_grid_check(const fvi_grid *g, fvi_complaint c)
         const char *name = g->axis[n].name;
         char place[64];
         int found = 0;
-        for (int i = 2; i < g->word_count; i++)
-            found = found || stands_in(g->words[i], name);
+        for (int i = 0; i < g->word_count; i++)
+            found = found || stands_in(g->words[AHEAD + i], name);
         if (g->axis[n].is_let && !found)
             return fvi_refuse(
                 c,

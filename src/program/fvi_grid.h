@@ -25,8 +25,9 @@ typedef struct {
     char text[400]; /* all axes, as they were given */
     char part_text[64];
     char lets[1024]; /* --let without those that are varied */
-    char **words;    /* those for `fvi run`, with room for one for each axis */
-    int word_count;
+    char **
+        words; /* those for `fvi run`, behind room for that, and for each axis */
+    int word_count; /* without these */
 } fvi_grid;
 
 /* fvi_grid_parse -- understand argv, all but what is for `fvi run`. Returns 0, 2 or 1 as

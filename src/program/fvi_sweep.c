@@ -255,15 +255,7 @@ static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
         if (status)
             return status;
         *no_solution |= o.no_solution;
-        const char *other = o.checkpoint   ? "checkpoint"
-                            : o.plot       ? "plot"
-                            : o.snapshot   ? "snapshot"
-                            : o.every != 1 ? "every" /* a run has one row */
-                                           : NULL;
         fvi_options_free(&o);
-        if (other)
-            return fvi_refuse((fvi_complaint){ complaint, size },
-                              "--%s: not an option of this command", other);
     }
     return status;
 }

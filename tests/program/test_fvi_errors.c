@@ -113,7 +113,11 @@ START_TEST(an_unknown_name_needs_no_value_to_be_refused)
         { "methods --alpha", "--alpha: not an option of this command" },
         { "methods -o", "-o: not an option of this command" },
         { "run --steps 1 --h", "--h: a value is missing" },
-        { "run -o", "-o: a value is missing" }
+        { "run -o", "-o: a value is missing" },
+        { "sweep --vary rho=0:1:2 -o", "-o: a value is missing" },
+        { "sweep --vary rho=0:1:2 --mass", "--mass: a value is missing" },
+        { "sweep --vary rho=0:1:2 --plot", "--plot: not an option of this "
+                                           "command" }
     };
     for (size_t i = 0; i < LEN(lines); i++) {
         char want[100];

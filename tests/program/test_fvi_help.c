@@ -75,6 +75,44 @@ START_TEST(help_is_asked_for_in_many_ways)
 }
 END_TEST
 
+/* A help lists the options of run that its command takes, and no others: completions are
+ * made of it. (An exact solution has no parameter, nor a fit many masses: --let and
+ * --dimension lead to no more than a reason.) */
+START_TEST(a_help_lists_what_its_command_takes)
+{
+    static const char *const commands[] = { "exact", "fit", "gradient",
+                                            "sweep" };
+    static char of_run[8000], of_it[8000];
+    ck_assert_int_eq(fvi("run --help"), 0);
+    strcpy(of_run, out);
+    for (size_t i = 0; i < LEN(commands); i++) {
+        char line[100], name[40];
+        snprintf(line, sizeof line, "%s --help", commands[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        strcpy(of_it, out);
+        for (const char *at = of_run; (at = strstr(at, "\n  --")); at++) {
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 3, " ,\n"),
+                     at + 3);
+            snprintf(line, sizeof line, "%s %s %s", commands[i],
+                     strcmp(commands[i], "sweep") == 0 ? "--vary alpha=0:1:2"
+                                                       : "",
+                     name);
+            ck_assert_int_eq(fvi(line), 2);
+            const int taken = !strstr(err, "not an option of this command");
+            const char *listed = of_it;
+            const size_t length = strlen(name);
+            while ((listed = strstr(listed, name))
+                   && !strchr(" \n", listed[length]))
+                listed++;
+            ck_assert_msg(taken == (listed != NULL)
+                              || strcmp(name, "--let") == 0
+                              || strcmp(name, "--dimension") == 0,
+                          "%s", line);
+        }
+    }
+}
+END_TEST
+
 /* What bash would offer behind these words. */
 static const char *offered(const char *words)
 {
@@ -98,6 +136,8 @@ START_TEST(completions_are_what_the_program_says)
     ck_assert_ptr_nonnull(strstr(offered("fvi help \"\""), " exact "));
     ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");
     ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
+    ck_assert_str_eq(offered("fvi sweep --al"), " --alpha \n");
+    ck_assert_str_eq(offered("fvi sweep --ev"), "  \n");
     ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");
     offered("fvi run --method \"\"");
     for (size_t i = 0; fvi_methods[i]; i++)
@@ -124,6 +164,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: help, manual, completions");
     ADD_CASE(suite, "help", help_and_manual_know_every_method,
              help_is_asked_for_in_many_ways,
+             a_help_lists_what_its_command_takes,
              completions_are_what_the_program_says);
     return run_suite_of_program(suite);
 }
