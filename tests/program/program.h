@@ -26,7 +26,7 @@ static inline void read_file(const char *name, char *text, size_t size)
 static inline int shell(const char *command)
 {
     char line[PATH_MAX + 2000], name[PATH_MAX + 10];
-    snprintf(line, sizeof line, "cd '%s' && ( %s ) >out 2>err", folder,
+    snprintf(line, sizeof line, "cd '%s' && { %s\n} >out 2>err", folder,
              command);
     int status = system(line);
     snprintf(name, sizeof name, "%s/out", folder);
@@ -36,10 +36,11 @@ static inline int shell(const char *command)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
+/* The program alone: the shell, which has read the words, becomes it. */
 static inline int fvi(const char *arguments)
 {
     char line[1800];
-    snprintf(line, sizeof line, "\"$FVI\" %s", arguments);
+    snprintf(line, sizeof line, "exec \"$FVI\" %s", arguments);
     return shell(line);
 }
 
