@@ -13,17 +13,26 @@ static double derivative(const char *name)
     return strtod(at + strlen(wanted), NULL);
 }
 
-/* The last number of a run with one more option: of x, p or energy. */
-static double last(const char *options, const char *column, const char *more)
+/* The last row of a run with one more option: so many columns. */
+static void last_row(const char *options, const char *columns, const char *more,
+                     size_t count, double *v)
 {
     char line[1000];
     snprintf(line, sizeof line, "run %s --columns %s --every 1000 %s", options,
-             column, more);
+             columns, more);
     ck_assert_int_eq(fvi(line), 0);
-    const char *row = strrchr(out, '\n');
+    char *row = strrchr(out, '\n');
     while (row > out && row[-1] != '\n')
         row--;
-    return strtod(row, NULL);
+    for (size_t i = 0; i < count; i++)
+        v[i] = strtod(row, &row);
+}
+
+static double last(const char *options, const char *column, const char *more)
+{
+    double v;
+    last_row(options, column, more, 1, &v);
+    return v;
 }
 
 static const char *const runs[] = {
@@ -50,7 +59,7 @@ static const char *const runs[] = {
 START_TEST(rows_of_a_gradient_are_differences_of_runs)
 {
     static const struct {
-        int run;
+        size_t run;
         const char *name, *option;
         double at;
     } rows[] = {
@@ -90,9 +99,9 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         { 12, "rho", "--rho", 0.4 },
     };
     static const char *const of[] = { "x", "p", "energy" };
-    for (size_t i = 0; i < 3 * LEN(rows); i++) {
-        const size_t j = i / 3;
-        char line[1000], options[500], more[100], ends = ' ';
+    double slope[LEN(rows)][LEN(of)];
+    for (size_t j = 0; j < LEN(rows); j++) {
+        char options[500], more[100], ends = ' ';
         /* what is varied must not be given twice */
         snprintf(options, sizeof options, "%s", runs[rows[j].run]);
         char *given =
@@ -103,22 +112,28 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
             char *end = strchr(strchr(given, ' ') + 1, ' ');
             memset(given, ' ', end ? (size_t)(end - given) : strlen(given));
         }
-        double v[2];
+        double v[2][LEN(of)];
         if (rows[j].option[strlen(rows[j].option) - 1] == ','
             || strchr(rows[j].option, '=') || strchr(rows[j].option, ':'))
             ends = '\0';
         for (int side = 0; side < 2; side++) {
             snprintf(more, sizeof more, "%s%.*s%.17g", rows[j].option,
                      ends == ' ', " ", rows[j].at + (side ? 1e-5 : -1e-5));
-            v[side] = last(options, of[i % 3], more);
+            last_row(options, "x,p,energy", more, LEN(of), v[side]);
         }
-        snprintf(line, sizeof line, "gradient %s --of %s", runs[rows[j].run],
-                 of[i % 3]);
+        for (size_t c = 0; c < LEN(of); c++)
+            slope[j][c] = (v[1][c] - v[0][c]) / 2e-5;
+    }
+    for (size_t i = 0; i < LEN(of) * LEN(runs); i++) {
+        const size_t c = i % LEN(of), run = i / LEN(of);
+        char line[1000];
+        snprintf(line, sizeof line, "gradient %s --of %s", runs[run], of[c]);
         ck_assert_int_eq(fvi(line), 0);
-        const double slope = (v[1] - v[0]) / 2e-5;
-        ck_assert_near(derivative(rows[j].name), slope,
-                       1e-6 * fmax(1, fabs(slope)), "%s by %s, run %d",
-                       of[i % 3], rows[j].name, rows[j].run);
+        for (size_t j = 0; j < LEN(rows); j++)
+            if (rows[j].run == run)
+                ck_assert_near(derivative(rows[j].name), slope[j][c],
+                               1e-6 * fmax(1, fabs(slope[j][c])),
+                               "%s by %s, run %zu", of[c], rows[j].name, run);
     }
 }
 END_TEST
