@@ -155,6 +155,17 @@ static int take_part(fvi_grid *g, const char *text, fvi_complaint c)
     return status;
 }
 
+/* --jobs, or --part; text is what it was before. */
+static int take_once(fvi_grid *g, int jobs, const char *value,
+                     const char **text, fvi_complaint c)
+{
+    const int status =
+        fvi_word_once("--", jobs ? "jobs" : "part", text, value, c);
+    return status ? status
+           : jobs ? fvi_word_whole("jobs", value, 1024, &g->jobs, c)
+                  : take_part(g, value, c);
+}
+
 /* Is this word the option, with its value behind = or as the next word? Then *value is
  * that. */
 static int option(char **argv, int *i, const char *name, const char **value)
@@ -186,6 +197,7 @@ static int check_word(const char *word, fvi_complaint c)
 /* Sort the words: those of a sweep are read, the others kept. */
 static int take_words(fvi_grid *g, int argc, char **argv, fvi_complaint c)
 {
+    const char *texts[2] = { NULL, NULL }; /* of --part and --jobs */
     for (int i = 2; i < argc; i++) {
         const char *value, *given = argv[i];
         int status = 0;
@@ -196,10 +208,8 @@ static int take_words(fvi_grid *g, int argc, char **argv, fvi_complaint c)
             return fvi_refuse(c, "%s: a value is missing", given);
         if (vary)
             status = take_axis(g, value, c);
-        else if (jobs)
-            status = fvi_word_whole("jobs", value, 1024, &g->jobs, c);
-        else if (part)
-            status = take_part(g, value, c);
+        else if (jobs || part)
+            status = take_once(g, jobs, value, &texts[jobs], c);
         else {
             status = check_word(argv[i], c);
             g->words[AHEAD + g->word_count++] = argv[i];

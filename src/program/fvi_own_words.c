@@ -64,11 +64,7 @@ static int take_own(sorter *s, int which, const char *value)
     const char *name = s->command->own[which], **text = &s->w->own[which];
     if (!value)
         return fvi_refuse(s->c, "--%s: a value is missing", name);
-    if (*text && strcmp(*text, value) != 0)
-        return fvi_refuse(s->c, "--%s: given twice, as '%s' and as '%s'", name,
-                          *text, value);
-    *text = value;
-    return 0;
+    return fvi_word_once("--", name, text, value, s->c);
 }
 
 static int take_operand(sorter *s, const char *word)

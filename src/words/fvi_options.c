@@ -83,12 +83,8 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
         o->text[DAMPING] = o->laws.text;
         return fvi_laws_add(&o->laws, optarg, c);
     }
-    if (o->text[i] && strcmp(o->text[i], optarg) != 0)
-        return fvi_refuse(c, "%s%s: given twice, as '%s' and as '%s'",
-                          i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
-                          o->text[i], optarg);
-    o->text[i] = optarg;
-    return 0;
+    return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
+                         &o->text[i], optarg, c);
 }
 
 /* The words behind the command into o->text; --help or -h among them changes

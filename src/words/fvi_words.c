@@ -60,6 +60,16 @@ int fvi_word_whole(const char *name, const char *text, size_t most,
 
 /* ---- words ---- */
 
+int fvi_word_once(const char *dashes, const char *name, const char **text,
+                  const char *value, fvi_complaint c)
+{
+    if (*text && strcmp(*text, value) != 0)
+        return fvi_refuse(c, "%s%s: given twice, as '%s' and as '%s'", dashes,
+                          name, *text, value);
+    *text = value;
+    return 0;
+}
+
 int fvi_word_choice(const char *name, const char *text,
                     const char *const *words, size_t *which, fvi_complaint c)
 {

@@ -36,12 +36,17 @@ typedef struct {
     fvi_column at[FVI_ALL_COLUMNS];
 } fvi_columns;
 
+/* The value of an option, "-" or "--" and its name, into *text, which is NULL before: it may
+ * be given again if it says the same. */
+int fvi_word_once(const char *dashes, const char *name, const char **text,
+                  const char *value, fvi_complaint c);
+
 /* A finite number between low and high. brackets is "[]", "(]", "[)" or "()":
  * a round one keeps its end out of the range. */
 int fvi_word_number(const char *name, const char *text, double low, double high,
                     const char *brackets, double *value, fvi_complaint c);
 
-/* A whole number from 1 to `most`, at most 2^53; "1e6" is one too. */
+/* A whole number from 1 to `most`, below 2^53; "1e6" is one too. */
 int fvi_word_whole(const char *name, const char *text, size_t most,
                    size_t *value, fvi_complaint c);
 

@@ -115,7 +115,8 @@ START_TEST(bad_sweeps_are_refused)
         "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1;"
         "sweep --vary alpha=0:1:3 --every 7;sweep --vary alpha=0:1:3 --plot "
         "a.svg;sweep --vary alpha=0:1:3 --snapshot a;sweep --vary alpha=0:1:3 "
-        "--checkpoint a";
+        "--checkpoint a;sweep --vary alpha=0:1:3 --part 1/2 --part 2/2;"
+        "sweep --vary alpha=0:1:3 --jobs 1 --jobs 2";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
             *end = '\0';
