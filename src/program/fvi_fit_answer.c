@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <string.h>
 
 #define ALIKE 0.9 /* a correlation above this is worth a word */
 
@@ -143,8 +144,9 @@ int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
                 "of the data\n",
                 f->chi2, freedom, f->probability);
     else if (status == FVI_ESING)
-        fprintf(stderr, "fvi: these data do not determine %s together%s\n",
+        fprintf(stderr, "fvi: these data do not determine %s%s%s\n",
                 r->words.own[FIT],
+                strchr(r->words.own[FIT], ',') ? " together" : "",
                 r->o.force == FVI_FORCING_NONE && fits_mass(r)
                     ? "; without a force mass, rho, c, g and p0 are known but "
                       "for a common factor"

@@ -192,6 +192,9 @@ START_TEST(fit_says_what_is_not_to_be_believed)
     ck_assert_int_eq(fvi("fit --potential free --p0 0 rest.tsv"), 1);
     ck_assert_str_eq(err,
                      "fvi: these data do not determine alpha,rho together\n");
+    ck_assert_int_eq(
+        fvi("fit --potential free --p0 0 --fit alpha rest.tsv"), 1);
+    ck_assert_str_eq(err, "fvi: these data do not determine alpha\n");
 }
 END_TEST
 
