@@ -6,7 +6,7 @@ Proved here:
           Euler's and BDF2's delta, up to z^5, all numbers symbols;
   (23.22) the series of ln(delta(z)/h), up to z^6.
 Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they stand, by dual
-numbers of 72 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
+numbers of 45 digits, the weights by complex steps of 10^-45 with 100 digits; and of five masses
 with stages, form D, the symbol differentiated by a difference of 10^-20."""
 from random import Random
 

@@ -6,7 +6,7 @@ Proved here:
   (23.20) that the factors of everything add up;
   (23.23) what the mirrored memory has besides that of mu - J_p, six nodes, all weights symbols.
 Printed: derivatives of runs of three unknowns by Algorithm 3 and (13.7) as they stand, in dual
-numbers of 72 digits, what depends on the order by complex steps of 10^-45 with 100 digits."""
+numbers of 45 digits, what depends on the order by complex steps of 10^-45 with 100 digits."""
 from functools import cache
 from random import Random
 

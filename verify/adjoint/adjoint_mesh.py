@@ -1,6 +1,6 @@
 """Chapter 23. Steps of any length: derivatives of chains of five masses on a given mesh.
 
-The runs and their slopes are those of adjoint_steps.py, in dual numbers of 72 digits."""
+The runs and their slopes are those of adjoint_steps.py, in dual numbers of 45 digits."""
 from random import Random
 
 import mpmath

@@ -2,7 +2,7 @@
 
 Proved: (23.24) term by term, with what (22.20) sums; (23.25) for three steps, two and three stages, two
 modes, all else symbols; (23.26) for the modes of (22.7). Printed: derivatives of chains of five
-masses in dual numbers of 72 digits, adjoint_steps.py. There the memory after t1 is told of V
+masses in dual numbers of 45 digits, adjoint_steps.py. There the memory after t1 is told of V
 itself; what its modes know of the singular part is in adjoint_kernels.py."""
 from random import Random
 
@@ -152,15 +152,15 @@ class Pulled(Mesh):
         return [dual(mpf(0 if falls and n == 0 else v)) for n, v in enumerate(signs)]
 
     def prepare(self, q, turn):
-        """A, c_n r^n, G at all stages and rows, and what is left as a force."""
+        """A, c_n (r t1^gap)^n, G at all stages and rows, and what is left as a force."""
         self.q0, self.turn = getattr(self, "q0", q), turn
         alpha = mpmath.mpc(self.alpha0, TINY / 2)
         self.gap = (2 * alpha - 2) if self.falls else (2 - 2 * alpha)
         self.size = [p / m if self.e else x for p, m, x in zip(q["p0"], q["mass"], q["x0"])]
-        self.c = []
+        self.c, unit = [], {way: dual(self.t1**self.gap_of(way), turn) for way in (True, False)}
         for j in range(D5):
-            rho, m, bare = q["rho"][j], q["mass"][j], self.q0["rho"][j].v == 0
-            r = m / rho if self.falls and not bare else rho / m
+            rho, m, falls = q["rho"][j], q["mass"][j], self.falling(j)
+            r = (m / rho if falls else rho / m) * unit[falls]
             power, c = self.size[j], []
             for k in self.heads(j):
                 c.append(power * k)
@@ -179,14 +179,20 @@ class Pulled(Mesh):
             rows = tilted(self.s, self.alpha0, self.falls, self.J, self.t1, tuple(map(mpf, self.lengths[self.last:])))
             self.told_of = [[[Dual(fixed(v), turn * fixed(d / 2)) for v, d in row] for row in stages] for stages in rows]
 
+    def falling(self, j):
+        return self.falls and self.q0["rho"][j].v != 0
+
+    def gap_of(self, falls):
+        return self.gap if falls == self.falls else -self.gap
+
     def powers(self, t, falls):
-        """t^a / Gamma(1 + a), and its derivative by t, of all terms."""
+        """t^a / Gamma(1 + a), and its derivative by t, of all terms, where (t1)^(n gap) is c_n's."""
         if (t, falls) not in self.at:
-            gap = self.gap if falls == self.falls else -self.gap
+            gap = self.gap_of(falls)
             a = [n * gap + self.e for n in range(1, self.J + 1)]
             if falls not in self.over:
                 self.over[falls] = [mpmath.rgamma(1 + v) for v in a]
-            by, power, value, slope = t**gap, t**self.e, [], []
+            by, power, value, slope = (t / self.t1)**gap, t**self.e, [], []
             for v, over in zip(a, self.over[falls]):
                 power *= by
                 value.append(dual(power * over))
@@ -198,7 +204,7 @@ class Pulled(Mesh):
         """G of all bodies, or G'."""
         if t == 0:
             return [ZERO] * D5
-        falls = [self.falls and rho.v != 0 for rho in self.q0["rho"]]
+        falls = [self.falling(j) for j in range(D5)]
         powers = {way: self.powers(t, way)[slope] for way in set(falls)}
         return [dot(c[1:self.J + 1], powers[way]) for c, way in zip(self.c, falls)]
 
@@ -206,8 +212,9 @@ class Pulled(Mesh):
         if self.kind != "rising" or t == 0:
             return [ZERO] * D5
         if t not in self.at:
-            a = self.J * self.gap + self.e - 2 * alpha
-            self.at[t] = dual(t**a * mpmath.rgamma(1 + a))
+            n = self.J + 1
+            a = n * self.gap + self.e - 2
+            self.at[t] = dual((t / self.t1)**(n * self.gap) * t**(self.e - 2) * mpmath.rgamma(1 + a))
         by = Dual(self.at[t].v, self.turn * self.at[t].d)
         return [ZERO - q["mass"][j] * self.c[j][self.J + 1] * by for j in range(D5)]
 

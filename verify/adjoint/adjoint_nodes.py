@@ -1,6 +1,6 @@
 """Chapter 23. Methods without stages: derivatives of chains of five masses.
 
-Algorithm 3 and (13.7) as they stand, in dual numbers of 72 digits: each number has a slope
+Algorithm 3 and (13.7) as they stand, in dual numbers of 45 digits: each number has a slope
 of 1 by itself, and what comes out has slopes, the derivatives. All four methods, three pasts, five orders."""
 from random import Random
 
@@ -9,7 +9,7 @@ from mpmath import mp, mpc, mpf
 from sympy import Rational
 
 from shared.adjoint_chain import D5, away, pulls_of_springs
-from shared.arithmetic import HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
+from shared.arithmetic import BITS, HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
 from shared.refgen import header, hexd, nearest, table
 
 mp.dps = 72
@@ -88,7 +88,7 @@ class Nodes:
             e = [r - a * b - share * g for r, a, b, g in zip(right, inertia, dx, grad)]
             step = solved(lu, e)
             dx = [a + b for a, b in zip(dx, step)]
-            if not real or max(abs(v.v) for v in step) < 1 << 110:  # once more is exact
+            if not real or max(abs(v.v) for v in step) < 1 << BITS - 130:  # once more is exact
                 break
         if real:
             self.moved.append(dx)

@@ -6,7 +6,7 @@ Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), thr
   (23.16) the same on steps h_0, h_1, h_2, s = 2, 3, the memory a polynomial in (22.1).
 Printed: the rates of the weights (23.14), Cauchy's integral of ln(Delta) Delta^beta; and
 derivatives of chains of five masses, with a power and with laws of three random terms, by
-dual numbers of 72 digits, adjoint_chain.py."""
+dual numbers of 45 digits, adjoint_chain.py."""
 from random import Random
 
 import mpmath
@@ -135,7 +135,7 @@ def literal(values):
 rates = []
 for s in (2, 3, 4, 8):
     for beta in BETA_RATES if s < 8 else (-0.5, 0.8):
-        found = coefficients(points(s, mpf(7) / 16), lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS)
+        found = coefficients(points(s, mpf(7) / 16, 96), lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS)
         for n in LAGS:
             rates.append([s, repr(beta), n, literal(found[n])])
 

@@ -11,7 +11,9 @@ from mpmath import mpf
 from shared.arithmetic import (BITS, ONE, ZERO, HALF, TINY, Dual, circle, coefficients, dot, dual,
                               factorised, fixed, line, slopes, solved)
 
-CIRCLE = 96
+# Weights of few steps, by Cauchy's integral: what comes round again is 2^-160 of W_{n + 16}, and what
+# is lost of the digits, 2^(10 n) < 10^16.
+CIRCLE, RADIUS = 16, mpf(1) / 1024
 
 
 @cache
@@ -44,14 +46,14 @@ def matrices(s, step):
 
 
 @cache
-def points(s, radius):
+def points(s, radius=RADIUS, count=CIRCLE):
     _, b, _, base, _ = numbers(s)
 
     def delta(z):
         M = base.copy()
         M[0, s - 1] -= z / b[0]
         return M
-    return circle(delta, radius, CIRCLE)
+    return circle(delta, radius, count)
 
 
 D5, N = 5, 6
@@ -70,7 +72,7 @@ class Tilted:
     @staticmethod
     @cache
     def weights(s, beta):
-        around = points(s, mpf(1) / 4)
+        around = points(s)
         w = coefficients(around, lambda v: power(v, beta), range(N))
         r = coefficients(around, lambda v: power(v, beta) * log(v), range(N))
         return [[[Dual(fixed(a), fixed(b)) for a, b in zip(x, y)]
@@ -239,19 +241,21 @@ class Chain:
                   for i in range(s)] for j in range(D5)] if real else [list(v) for v in self.path[k]]
             left = 40 if real else 1  # one step is exact for what is linear, the slopes
             while left:
-                rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
+                rest = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)[0]
                 lu = self.matrix(V, x, W0, scale) if real else self.factors[k]
                 change = solved(lu, rest)
                 for j in range(D5):
                     for a, i in enumerate(self.unknown):
                         V[j][i] -= change[j * n + a]
                 left -= 1
-                if real and max(abs(c.v) for c in change) < 1 << BITS // 2 - 10:
+                if real and max(abs(c.v) for c in change) < 1 << BITS - 130:
                     left = 0
             if real:
                 self.path.append([list(v) for v in V])
                 self.factors.append(lu)    # of V but for what is below 2^-130
-            rest, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
+            speed, S = V, None
+            if not self.damped:
+                _, S, speed = self.step_residual(q, k, V, x, p, history, W0, scale, v0, pull)
             past.append([[v - v0[j] for v in speed[j]] for j in range(D5)])
             before = list(x), list(p)
             for j in range(D5):
@@ -312,7 +316,7 @@ class LawChain(Chain):
     """Form D with a law of damping, (26.12); q holds the factors of its terms, too."""
 
     def __init__(self, s, symbols, q, step):
-        around, step = points(s, mpf(1) / 4), mpf(step)
+        around, step = points(s), mpf(step)
         self.alone = []
         for symbol in symbols:
             w = coefficients(around, lambda v: symbol(v / step) / (v / step), range(N))

@@ -97,11 +97,11 @@ def fallen(S):
 
 def kernels(s, alpha, gap, J, t1, lengths):
     """For each step after t1, entry by entry of its stages, the integral over sigma of what it
-    reads of modes that are e^{-S}, of those that are t1^b I(b, S) / Gamma(b), b = n gap, and, for
+    reads of modes that are e^{-S}, of those that are I(b, S) / Gamma(b), b = n gap, and, for
     beta > 0, of those that are -1; of these the first step has -h^{-beta} (A^{-1})^beta 1."""
     beta = 2 * alpha - 1
     b = [n * gap for n in range(1, J + 1)]
-    moments, sizes = Moments(b), [whole(t1**v * mpmath.rgamma(v)) for v in b]
+    moments, sizes = Moments(b), [whole(mpmath.rgamma(v)) for v in b]
     modes, readings = [[] for _ in range(J + 2)], [[[] for _ in range(s)] for _ in lengths]
     lowest = mpmath.log((1 + beta if beta < 0 else beta) / 60)
     for l in range(int(lowest / SPACING), int(HIGHEST / SPACING)):

@@ -114,10 +114,12 @@ def real_function(M, f):
 
 
 # -- dual numbers -----------------------------------------------------------------------
-BITS, TINY = 240, mpmath.mpf(10) ** -45
+# 45 digits, of which 30 are printed: with 240 bits in the place of 150 no derivative of chapter 23
+# changed by more than 4 10^-38 of itself.
+BITS, TINY = 150, mpmath.mpf(10) ** -45
 # Slopes by up to 28 numbers stand side by side in one whole number, with ROOM bits for each:
 # one run gives them all, and a product by a value is one product.
-ROOM = 600
+ROOM = 420
 UNITS = [1 << ROOM * i for i in range(28)]
 MIDDLE = sum(unit << ROOM - 1 for unit in UNITS)
 KEPT = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS)
