@@ -278,7 +278,7 @@ def around(s, radius, count, h):
 def stages(law, s, n, h):
     """(26.12), W_n by Cauchy's integral over |z| = 2/5, and along the cut."""
     cut = nodes(s)[2]
-    cauchy = coefficients(around(s, mpf(2) / 5, 120 + n, h), lambda v: symbol(law, v) / v, [n])[n]
+    cauchy = coefficients(around(s, mpf(2) / 5, 60 + n, h), lambda v: symbol(law, v) / v, [n])[n]
     imaginary = lambda s: symbol(law, mpc(s, mpf(10)**-40)).imag
     shares = [imaginary(-mu / h) * r**(n - 1) * h / mpmath.pi / 8 for mu, r, _ in cut]
     along = [mpmath.fdot(shares, entries) for entries in zip(*(M for _, _, M in cut))]
@@ -339,9 +339,9 @@ print(f"\nenum {{ REF_LAGS = {len(LAGS)} }};")
 print("static const size_t ref_lag[REF_LAGS] = { %s };" % ", ".join(map(str, LAGS)))
 print("\n/* W_n of (26.12) with h = 1/8, row by row; the law is of ref_laws, or of steep_laws. */")
 print("static const struct { const fvi_law *law; size_t s; double W[REF_LAGS][9]; } ref_stages[] = {")
-with mp.workdps(30):
-    # what comes round again is (15/16)^768 = 3e-22 of the largest
-    rings = [(s, around(s, mpf(15) / 16, 768, mpf(1) / 8)) for s in (2, 3)]
+with mp.workdps(50):
+    # what comes round again is (7/10)^192 = 2e-30 of the largest; of the digits (10/7)^150 = 2e23 are lost
+    rings = [(s, around(s, mpf(7) / 10, 192, mpf(1) / 8)) for s in (2, 3)]
     for name, laws in (("ref_laws", LAWS), ("steep_laws", STEEP)):
         for i, law in enumerate(laws):
             for s, ring in rings:
