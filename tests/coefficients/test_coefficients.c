@@ -260,10 +260,11 @@ int main(void)
     Suite *suite = suite_create("04 coefficients");
     ADD_CASE(suite, "values", eq_4_1_weights_are_the_nearest_doubles,
              eq_4_1_weights_of_a_subnormal_alpha,
-             eq_4_2_the_textbook_loses_three_roundings_a_step,
-             eq_4_2_half_orders_are_exact_either_way,
              eq_4_1_integer_orders_end_in_exact_zeros);
     /* the workshop runs the case of each test that names a hole */
+    ADD_CASE(suite, "textbook",
+             eq_4_2_the_textbook_loses_three_roundings_a_step,
+             eq_4_2_half_orders_are_exact_either_way);
     ADD_CASE(suite, "far out", eq_4_1_weights_far_out_are_the_nearest_doubles);
     ADD_CASE(suite, "identities", eq_4_1_signs,
              eq_4_2_the_textbook_recurrence_drifts,
