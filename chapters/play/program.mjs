@@ -46,9 +46,9 @@ export function asked(words) {
 // Its rows, numbers as it printed them.
 export function rows(words) {
   const { stdout, said } = asked(words);
-  const lines = stdout.split("\n").filter(line => line && !line.startsWith("#"));
-  const number = text => Number(text.replace("inf", "Infinity")); // an energy may overflow
-  return { table: lines.map(line => line.split("\t").map(number)), said };
+  const text = stdout.replaceAll("inf", "Infinity"); // an energy may overflow
+  const lines = text.split("\n").filter(line => line && !line.startsWith("#"));
+  return { table: lines.map(line => line.split("\t").map(Number)), said };
 }
 export const call = state => model.command(state).replaceAll("'", "").split(" ").slice(1);
 export const ran = state => rows(call(state));
