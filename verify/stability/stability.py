@@ -15,10 +15,11 @@ Proved here, all parameters symbolic:
   (14.10) alpha = 1/2, s = 2 to 8: the coefficients, with every sign, as polynomials in W, R.
 Printed: growth factors 1/|z| from the root of Q in (-1, 0), at 50 digits."""
 import random
+from fractions import Fraction
 
 import mpmath
-from sympy import (I, Matrix, Poly, Rational, binomial, cancel, cos, diff, exp, expand, expand_complex, eye,
-                   factorial, pi, simplify, sin, sqrt, symbols, symmetrize, trigsimp)
+from sympy import (I, Matrix, Poly, Rational, binomial, cos, diff, exp, expand, expand_complex, eye,
+                   factorial, pi, sin, symbols, trigsimp)
 
 from shared.arithmetic import function_of, spectrum
 from shared.refgen import claim, header, hexd, hexd_real, prove, table
@@ -98,11 +99,10 @@ prove("(14.8) two real roots: 4 - a >= root >= 0 is 2 a - b <= 4 and a <= 4",
       expand((4 - a) ** 2 - root**2).subs(root**2, a**2 - 4 * b) - 4 * (4 - 2 * a + b))
 #< explicit
 for _ in range(2000):
-    A, B = (Rational(random.randrange(1, 6000), 1000) for _ in "ab")
-    gap = A * A - 4 * B
-    load = B / A if gap < 0 else (A + sqrt(gap)) / 4
-    claim("(14.8) load <= 1 is b <= a and 2 a - b <= 4",
-          bool(load <= 1) == bool(B <= A and 2 * A - B <= 4))
+    A, B = (Fraction(random.randrange(1, 6000), 1000) for _ in "ab")
+    gap = A * A - 4 * B             # sqrt(gap) <= 4 - A where that is no less than 0, and squares are so
+    fits = B <= A if gap < 0 else A <= 4 and gap <= (4 - A)**2
+    claim("(14.8) load <= 1 is b <= a and 2 a - b <= 4", fits == (B <= A and 2 * A - B <= 4))
 
 
 def pade(s, x):
@@ -170,8 +170,12 @@ claim("(14.9) for s = 3 and alpha = 1/10 the imaginary part has both signs", wea
 #< compressed
 
 #> half
-# (14.10): alpha = 1/2, f(x) = (x - p)(x - p'), p + p' = -R, p p' = W.
+# (14.10): alpha = 1/2, f(x) = (x - p)(x - p'), p + p' = -R, p p' = W. What changes its sign with p and
+# p' is a sum of (p p')^j (p^k - p'^k); over p - p' these are W^j and U_k.
 p_, q_ = symbols("p p'")
+U = [Poly(0, W, R), Poly(1, W, R)]
+while len(U) < 15:
+    U.append(-(U[-1] * R + U[-2] * W))
 for s in range(2, 9):
     (N1, Q1), (N2, Q2) = pade(s, p_), pade(s, q_)
     (M1_, P1_), (M2_, P2_) = pade(s, -p_), pade(s, -q_)
@@ -179,9 +183,10 @@ for s in range(2, 9):
             0: P2_ * Q1 + M2_ * N1 - P1_ * Q2 - M1_ * N2}
     a_ = {}
     for n, e in both.items():
-        even, rest, names = symmetrize(cancel(expand(e) / (p_ - q_)), [p_, q_], formal=True)
-        prove(f"(14.10) symmetric in p and p', s = {s}, z^{n}", rest)
-        a_[n] = Poly(even.subs({name: -R if t == p_ + q_ else W for name, t in names}), W, R)
+        terms = Poly(e, p_, q_).as_dict()
+        prove(f"(14.10) changes its sign with p and p', s = {s}, z^{n}",
+              *(v + terms.get((j, i), 0) for (i, j), v in terms.items()))
+        a_[n] = sum((U[i - j] * W**j * v for (i, j), v in terms.items() if i > j), U[0])
     claim("(14.10) a_{-1} > 0", all(v > 0 for v in a_[-1].coeffs()))
     claim("(14.10) a_{-1} > a_1", all(v > 0 for v in (a_[-1] - a_[1]).coeffs()))
     if s == 3:
