@@ -10,6 +10,7 @@
 
 Held: m x'' + c x + rho D^{2 alpha} (x - x0) = 0, so X = x0/s + (v0 m - c x0/s) / Q with
 Q = m s^2 + rho s^{2 alpha} + c. Inputs are the doubles they are."""
+from functools import cache
 from operator import mul
 
 from mpmath import mp, mpf
@@ -48,37 +49,44 @@ for mine, derived in zip(evaluate(point[s], [point[p] for p in PARAMETERS]), [X,
 
 
 #> talbot
-def motions(a, times, digits):
-    """Rows of x(t) and its derivatives: the integral of exp(s t) X(s) / (2 pi i), by the
-    trapezoidal rule on Talbot's contour, wide enough for a swing of frequency 1. A contour
-    for T serves all t from T/1.3 to T; sums are taken in units of 2^-BITS."""
-    mp.dps = digits + 15
-    bits, rows = mp.prec + 20, []
+@cache
+def contours(times, digits):
+    """Talbot's contours, wide enough for a swing of frequency 1, each for the times from T/1.3 to T:
+    their points, the weights of these, and e^(s t) at each time, in units of 2^-bits."""
+    bits, windows, times = mp.prec + 20, [], list(times)
     A, B, C, D = mpf("0.5017"), mpf("0.6407"), mpf("-0.6122"), mpf("0.2645")
-    fixed = lambda v: int(mp.ldexp(v, bits))
     while times:
         window, times = [t for t in times if 1.3 * t >= times[-1]], [t for t in times if 1.3 * t < times[-1]]
         T = window[-1]
         N = int(2.2 * digits + 6 * T)
         N += N % 2
-        points, values = [], []
+        points, weights = [], []
         for k in range(N // 2):                            # the other half is conjugate
             u = (2 * k + 1) * mp.pi / N
             cot = mp.cot(B * u)
             z = N * mp.mpc(A * u * cot + C, D * u) / T
-            dz = 2 * mp.mpc(A * (cot - B * u * (1 + cot**2)), D) / T
             if (z.real + 2) * window[0] > -2.4 * digits - 40:  # the rest is nothing
                 points.append(z)
-                values.append([dz * f for f in evaluate(z, a)])
-        columns = [([fixed(f.imag) for f in column], [fixed(f.real) for f in column])
-                   for column in zip(*values)]
-        found = []
-        for t in window:
-            e = [mp.exp(z * t) for z in points]
-            re, im = [fixed(v.real) for v in e], [fixed(v.imag) for v in e]
-            found.append([mp.ldexp(sum(map(mul, re, by_re)) + sum(map(mul, im, by_im)), -2 * bits)
-                          for by_re, by_im in columns])
-        rows = found + rows
+                weights.append(2 * mp.mpc(A * (cot - B * u * (1 + cot**2)), D) / T)
+        windows.insert(0, (points, weights, [fixed([mp.exp(z * t) for z in points], bits) for t in window]))
+    return windows, bits
+
+
+def fixed(values, bits):
+    """Their real and imaginary parts."""
+    return [[int(mp.ldexp(part(v), bits)) for v in values] for part in (mp.re, mp.im)]
+
+
+def motions(a, times, digits):
+    """Rows of x(t) and its derivatives: the integral of exp(s t) X(s) / (2 pi i), by the
+    trapezoidal rule; sums are taken in whole numbers."""
+    mp.dps = digits + 15
+    rows, (windows, bits) = [], contours(tuple(times), digits)
+    for points, weights, powers in windows:
+        columns = [fixed(column, bits) for column in
+                   zip(*([dz * f for f in evaluate(z, a)] for z, dz in zip(points, weights)))]
+        rows += [[mp.ldexp(sum(map(mul, re, by_im)) + sum(map(mul, im, by_re)), -2 * bits)
+                  for by_re, by_im in columns] for re, im in powers]
     return rows
 #< talbot
 

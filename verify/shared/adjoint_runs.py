@@ -7,7 +7,9 @@ from operator import mul
 import mpmath
 
 BITS = 178  # a number of a run is an integer times 2^-BITS
-SLOT, HALF_SLOT = 320, 1 << 319  # z differ by less than 2^-60: no sum of products is larger
+# z differ by less than 2^-60, so that weights without their last LESS bits serve what they differ by, to
+# 2^-178 each, and no sum of products is larger than a slot.
+LESS, SLOT, HALF_SLOT = 60, 256, 1 << 255
 
 
 def fixed(v):
@@ -111,19 +113,20 @@ def in_step(qs):
     runs, ends, alike, N = [trajectory(q) for q in qs], [], {}, qs[0]["N"]
     for i, q in enumerate(qs):
         alike.setdefault(fixed(2 * q["alpha"]), []).append(i)
-    groups = [(weights(qs[0]["method"], order, N + 1)[::-1], first, rest, [], [])
-              for order, (first, *rest) in alike.items()]
+    groups = []
+    for order, (first, *rest) in alike.items():
+        reverse = weights(qs[0]["method"], order, N + 1)[::-1]
+        groups.append((reverse, [w >> LESS for w in reverse], first, rest, [], []))
     newest, sums = [next(run) for run in runs], [0] * len(qs)
     for k in range(N):
-        for reverse, first, rest, z, packed in groups:
+        for reverse, short, first, rest, z, packed in groups:
             z.append(newest[first])
             packed.append(sum(newest[i] - z[-1] << SLOT * n for n, i in enumerate(rest)))
-            w = reverse[-k - 2:-1]
-            sums[first] = sum(map(mul, w, z))
-            total = sum(map(mul, w, packed)) if rest else 0
+            sums[first] = sum(map(mul, reverse[-k - 2:-1], z))
+            total = sum(map(mul, short[-k - 2:-1], packed)) if rest else 0
             for i in rest:
                 part = (total + HALF_SLOT & (1 << SLOT) - 1) - HALF_SLOT
-                sums[i], total = sums[first] + part, total - part >> SLOT
+                sums[i], total = sums[first] + (part << LESS), total - part >> SLOT
         for i, run in enumerate(runs):
             try:
                 newest[i] = run.send(sums[i])
