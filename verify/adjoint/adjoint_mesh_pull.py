@@ -185,27 +185,26 @@ class Pulled(Mesh):
     def gap_of(self, falls):
         return self.gap if falls == self.falls else -self.gap
 
-    def powers(self, t, falls):
-        """t^a / Gamma(1 + a), and its derivative by t, of all terms, where (t1)^(n gap) is c_n's."""
-        if (t, falls) not in self.at:
-            gap = self.gap_of(falls)
-            a = [n * gap + self.e for n in range(1, self.J + 1)]
+    def powers(self, t, falls, slope):
+        """t^a / Gamma(1 + a), or its derivative by t, of all terms, where t1^(n gap) is c_n's."""
+        if (t, falls, slope) not in self.at:
+            gap, found = self.gap_of(falls), []
             if falls not in self.over:
-                self.over[falls] = [mpmath.rgamma(1 + v) for v in a]
-            by, power, value, slope = (t / self.t1)**gap, t**self.e, [], []
-            for v, over in zip(a, self.over[falls]):
+                a = [n * gap + self.e for n in range(1, self.J + 1)]
+                self.over[falls] = [(dual(v), dual(mpmath.rgamma(1 + v))) for v in a]
+            by, power = dual((t / self.t1)**gap), dual(t**(self.e - slope))
+            for a, over in self.over[falls]:
                 power *= by
-                value.append(dual(power * over))
-                slope.append(dual(power * over * v / t))
-            self.at[t, falls] = value, slope
-        return [[Dual(v.v, self.turn * v.d) for v in row] for row in self.at[t, falls]]
+                found.append(power * over * a if slope else power * over)
+            self.at[t, falls, slope] = found
+        return [Dual(v.v, self.turn * v.d) for v in self.at[t, falls, slope]]
 
     def singular(self, t, slope=0):
         """G of all bodies, or G'."""
         if t == 0:
             return [ZERO] * D5
         falls = [self.falling(j) for j in range(D5)]
-        powers = {way: self.powers(t, way)[slope] for way in set(falls)}
+        powers = {way: self.powers(t, way, slope) for way in set(falls)}
         return [dot(c[1:self.J + 1], powers[way]) for c, way in zip(self.c, falls)]
 
     def left(self, q, t, alpha):
