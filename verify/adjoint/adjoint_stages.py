@@ -132,10 +132,10 @@ def literal(values):
     return "{ " + ", ".join(nearest(v) for v in values) + " }"
 
 
-rates = []
+rates = []      # what comes round again is 4^-64; of 60 digits 4^40 = 10^24 are lost
 for s in (2, 3, 4, 8):
     for beta in BETA_RATES if s < 8 else (-0.5, 0.8):
-        found = coefficients(points(s, mpf(7) / 16, 96), lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS)
+        found = coefficients(points(s, mpf(1) / 4, 64), lambda v, e=mpf(beta): v**e * mpmath.log(v), LAGS)
         for n in LAGS:
             rates.append([s, repr(beta), n, literal(found[n])])
 
