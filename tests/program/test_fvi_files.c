@@ -201,12 +201,14 @@ START_TEST(two_outputs_in_one_file_are_refused)
                      0);
     ck_assert_refused("run -o t --snapshot ./t",
                       "fvi: --snapshot: './t' is the table's file, too");
-    ck_assert_refused("run -o \"$PWD/t\" --checkpoint twice/../same/t",
-                      "fvi: --checkpoint: 'twice/../same/t' is the table's file, too");
+    ck_assert_refused(
+        "run -o \"$PWD/t\" --checkpoint twice/../same/t",
+        "fvi: --checkpoint: 'twice/../same/t' is the table's file, too");
     ck_assert_refused("run -o there --plot theirs.svg --snapshot theirs",
                       "fvi: --snapshot: 'theirs' is the table's file, too");
-    ck_assert_refused("run --snapshot t --checkpoint same/t",
-                      "fvi: --checkpoint: 'same/t' is the file of --snapshot, too");
+    ck_assert_refused(
+        "run --snapshot t --checkpoint same/t",
+        "fvi: --checkpoint: 'same/t' is the file of --snapshot, too");
     ck_assert_refused("gradient --forces ./t -o t",
                       "fvi: --forces: './t' is the table's file, too");
     ck_assert_refused("fit --curve ./t -o t there",

@@ -69,8 +69,8 @@ START_TEST(every_method_converges_to_the_exact_solution_of_its_alpha)
         ck_assert_int_eq(fvi(line), 0);
         ck_assert_uint_eq(column(1, exact), ROWS);
         for (size_t i = 0; i < methods; i++) {
-            snprintf(line, sizeof line, "run --method %s --alpha %.1f --steps 1",
-                     names[i], alpha);
+            snprintf(line, sizeof line,
+                     "run --method %s --alpha %.1f --steps 1", names[i], alpha);
             if (fvi(line) == 2 && strstr(err, "--alpha"))
                 continue; /* it does not know this alpha */
             double before = error_of(names[i], alpha, 2, exact);
