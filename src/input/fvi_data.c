@@ -1,6 +1,7 @@
 /* src/input/fvi_data.c -- Numbers from files. */
 #define _GNU_SOURCE /* getline */
 #include "fvi_data.h"
+#include "fvi_files.h"
 
 #include <errno.h>
 #include <math.h>
@@ -22,6 +23,7 @@ typedef struct {
 
 static int begin(reader *r)
 {
+    fvi_is_read(r->name);
     r->file = fopen(r->name, "r");
     return r->file ? 0
                    : fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,

@@ -1,6 +1,7 @@
 /* src/input/fvi_directory.c -- A system from the files of a folder. */
 #define _GNU_SOURCE /* getline */
 #include "fvi_directory.h"
+#include "fvi_files.h"
 
 #include "matrices/sparse.h"
 
@@ -34,11 +35,12 @@ static int no_memory(fvi_complaint c)
     return 1;
 }
 
-/* DIR/file */
+/* DIR/file, which is read if it is there. */
 static const char *path(const fvi_directory *d, const char *file,
                         char place[PATH_MAX + 8])
 {
     snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
+    fvi_is_read(place);
     return place;
 }
 

@@ -34,3 +34,31 @@ int fvi_same_file(const char *a, const char *b)
            && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino
            && strcmp(last_a, last_b) == 0;
 }
+
+enum { REMEMBERED = 1000 };
+static struct {
+    dev_t device;
+    ino_t number;
+} inputs[REMEMBERED];
+static size_t noted; /* of them and of those that were forgotten */
+
+void fvi_is_read(const char *name)
+{
+    struct stat file;
+    if (stat(name, &file) != 0 || !S_ISREG(file.st_mode))
+        return;
+    inputs[noted % REMEMBERED].device = file.st_dev;
+    inputs[noted % REMEMBERED].number = file.st_ino;
+    noted++;
+}
+
+int fvi_check_output(const char *option, const char *name, fvi_complaint c)
+{
+    struct stat file;
+    if (!name || stat(name, &file) != 0)
+        return 0;
+    for (size_t i = 0; i < noted && i < REMEMBERED; i++)
+        if (inputs[i].device == file.st_dev && inputs[i].number == file.st_ino)
+            return fvi_refuse(c, "%s: '%s' is read, too", option, name);
+    return 0;
+}

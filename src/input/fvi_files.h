@@ -2,9 +2,20 @@
 #ifndef FVI_FILES_H
 #define FVI_FILES_H
 
+#include "fvi_refuse.h"
+
 /* fvi_same_file -- nonzero if the names a and b, which may differ, stand for one ordinary file
  * that is there, or for one that both would make; NULL stands for standard output. Names of
  * terminals, pipes and devices are the same only if they are equal. */
 int fvi_same_file(const char *a, const char *b);
+
+/* fvi_is_read -- say that the ordinary file of this name is read; the last thousand of them
+ * are remembered, for fvi_check_output. */
+void fvi_is_read(const char *name);
+
+/* fvi_check_output -- refuse an output that would take the place of what was read, by
+ * whatever name. `option` is with its dashes; name NULL is standard output, which a shell
+ * has opened. Returns 0, or 2 with a complaint. */
+int fvi_check_output(const char *option, const char *name, fvi_complaint c);
 
 #endif

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include "fvi_shared.h"
 #include "fvi_compile.h"
+#include "fvi_files.h"
 
 #include <dlfcn.h>
 #include <limits.h>
@@ -48,6 +49,7 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
     *library = NULL;
     if (length >= (int)sizeof path)
         return fvi_refuse(c, "--potential: '%s': the name is too long", text);
+    fvi_is_read(path);
     if (ends_with(text, ".c")) {
         int status = compile(text, path, library, c);
         if (status)

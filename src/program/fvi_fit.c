@@ -141,23 +141,18 @@ static int interpret(request *r, fvi_complaint c)
     return status;
 }
 
-/* Is this file, that is to be written, the one that is read? */
-static int is_data(const request *r, const char *name)
-{
-    return name && fvi_same_file(name, r->words.operand);
-}
-
 static int read_data(request *r, fvi_complaint c)
 {
     static const char *const names[] = { "t", "x" };
     if (!r->words.operand)
         return fvi_refuse(c,
                           "DATA: a file with the columns t and x is missing");
-    if (is_data(r, r->o.output) || is_data(r, r->words.own[CURVE]))
-        return fvi_refuse(c, "%s: '%s' is the file of the data, too",
-                          is_data(r, r->o.output) ? "-o" : "--curve",
-                          r->words.operand);
-    int status = fvi_data_table("DATA", r->words.operand, names, &r->fit.n,
+    fvi_is_read(r->words.operand);
+    int status = fvi_check_output("-o", r->o.output, c);
+    if (!status)
+        status = fvi_check_output("--curve", r->words.own[CURVE], c);
+    if (!status)
+        status = fvi_data_table("DATA", r->words.operand, names, &r->fit.n,
                                 &r->t, &r->x, c);
     if (status)
         return status;

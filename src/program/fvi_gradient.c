@@ -73,7 +73,8 @@ static int interpret(request *r, fvi_complaint c)
         && fvi_same_file(r->words.own[FORCES], r->o.output))
         return fvi_refuse(c, "--forces: '%s' is the table's file, too",
                           r->words.own[FORCES]);
-    return interpret_of(r, c);
+    const int status = fvi_check_output("--forces", r->words.own[FORCES], c);
+    return status ? status : interpret_of(r, c);
 }
 
 /* ---- derivatives ---- */

@@ -340,9 +340,24 @@ static int interpret(fvi_options *o, fvi_complaint c)
                         : interpret_trajectory(o, c);
 }
 
+/* No output in the place of what was read. */
+static int check_outputs(const fvi_options *o, fvi_complaint c)
+{
+    int status = fvi_check_output("-o", o->output, c);
+    if (!status)
+        status = fvi_check_output("--plot", o->plot, c);
+    if (!status)
+        status = fvi_check_output("--snapshot", o->snapshot, c);
+    if (!status)
+        status = fvi_check_output("--checkpoint", o->checkpoint, c);
+    return status;
+}
+
 int fvi_options_interpret(fvi_options *o, fvi_complaint c)
 {
     int status = interpret(o, c);
+    if (!status)
+        status = check_outputs(o, c);
     if (status)
         fvi_options_free(o);
     return status;

@@ -213,8 +213,6 @@ START_TEST(two_outputs_in_one_file_are_refused)
                       "fvi: --forces: './t' is the table's file, too");
     ck_assert_refused("fit --curve ./t -o t there",
                       "fvi: --curve: './t' is the table's file, too");
-    ck_assert_refused("fit -o theirs there",
-                      "fvi: -o: 'there' is the file of the data, too");
     ck_assert_int_eq(fvi("run --steps 2 --snapshot out"), 2);
     ck_assert_int_eq(shell("cat there; test ! -e t"), 0);
     ck_assert_str_eq(out, "kept\n");
@@ -226,6 +224,40 @@ START_TEST(two_outputs_in_one_file_are_refused)
 }
 END_TEST
 
+/* Data may be the only copy: of a force, of starts, of matrices, of a measured motion. */
+START_TEST(no_output_takes_the_place_of_what_is_read)
+{
+    ck_assert_int_eq(
+        shell("mkdir plate; ln -s plate here; echo 1 > start;"
+              "printf '0 0\\n9 1\\n' > F; ln F F.svg;"
+              "printf '%%%%MatrixMarket matrix coordinate real symmetric"
+              "\\n1 1 1\\n1 1 2\\n' | tee plate/K.mtx > plate/M.mtx;"
+              "cp -r plate kept; cp start F kept"),
+        0);
+    ck_assert_refused("run --force 'sin(t) + file:F' --steps 9 -o ./F",
+                      "fvi: -o: './F' is read, too");
+    ck_assert_refused("run --force file:F --steps 9 --plot F.svg",
+                      "fvi: --plot: 'F.svg' is read, too");
+    ck_assert_refused("run --x0 @start --snapshot start",
+                      "fvi: --snapshot: 'start' is read, too");
+    ck_assert_refused("run --p0 @start --checkpoint ./start",
+                      "fvi: --checkpoint: './start' is read, too");
+    ck_assert_refused("run --system plate --snapshot here/K.mtx",
+                      "fvi: --snapshot: 'here/K.mtx' is read, too");
+    ck_assert_refused("exact --x0 @start -o start",
+                      "fvi: -o: 'start' is read, too");
+    ck_assert_refused("gradient --x0 @start --forces start",
+                      "fvi: --forces: 'start' is read, too");
+    ck_assert_refused("sweep --x0 @start --vary rho=0:1:2 -o start",
+                      "fvi: -o: 'start' is read, too");
+    ck_assert_refused("fit F --curve ./F", "fvi: --curve: './F' is read, too");
+    ck_assert_int_eq(shell("cmp F kept/F && cmp start kept/start &&"
+                           "cmp plate/K.mtx kept/K.mtx"),
+                     0);
+    ck_assert_int_eq(fvi("run --x0 @start --steps 2 -o F"), 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: where it writes");
@@ -234,6 +266,7 @@ int main(void)
              a_killed_run_leaves_no_file, progress_is_shown_on_a_terminal,
              the_rows_before_a_failure_are_kept_on_standard_output_alone,
              an_open_file_is_written_to_where_it_stands,
-             a_file_keeps_all_its_names, two_outputs_in_one_file_are_refused);
+             a_file_keeps_all_its_names, two_outputs_in_one_file_are_refused,
+             no_output_takes_the_place_of_what_is_read);
     return run_suite_of_program(suite);
 }

@@ -117,6 +117,8 @@ START_TEST(a_shared_object_is_a_potential)
         "--h 0.02",
         "sweep --vary x0=1:2:3 --potential ./my.c --dimension 2 --steps 3 "
         "--h 0.02");
+    ck_assert_refused("run --potential my.c --dimension 2 -o ./my.c",
+                      "fvi: -o: './my.c' is read, too");
     write_file("wrong.c", "int fvi_user_potential = ;\n");
     ck_assert_int_eq(fvi("run --potential wrong.c"), 2);
     ck_assert_int_eq(strncmp(err,
