@@ -59,6 +59,12 @@ static void lagrange(const collocation *o, real s, real *l)
         l[j] /= sum;
 }
 
+/* u^e for u > 0, good to some units of rounding; powl, good to one, takes six times as long. */
+static real power(real u, real e)
+{
+    return exp2l(e * log2l(u));
+}
+
 /* w_j += the integral of u^{gamma-1} l_j(t - u) over near <= u <= far: by halves where
  * 0 is too near, and not at all where the rest is below rounding. */
 static void moments(const collocation *o, real t, real near, real far, real *w)
@@ -73,7 +79,7 @@ static void moments(const collocation *o, real t, real near, real far, real *w)
     }
     for (int g = 0; g < o->n; g++) {
         const real u = near + length * o->c[g],
-                   k = length * o->b[g] * powl(u, o->gamma - 1);
+                   k = length * o->b[g] * power(u, o->gamma - 1);
         real l[MOST_NODES];
         lagrange(o, t - u, l);
         for (int j = 0; j < o->n; j++)
@@ -132,7 +138,11 @@ static void history(collocation *o, size_t k, int i)
                    scale = powl(length, o->gamma);
         real w[MOST_NODES] = { 0 };
         const real at = (t - o->t[l]) / length;
-        moments(o, at, at - 1, at, w);
+        if (at < 2)
+            moments(o, at, at - 1, at, w);
+        else /* as there, at once: Gauss's nodes are those of l_j */
+            for (int j = 0; j < n; j++)
+                w[j] = o->b[j] * power(at - o->c[j], o->gamma - 1);
         for (int j = 0; j < n; j++)
             for (size_t a = 0; a < d; a++)
                 o->H[(size_t)i * d + a] += scale * w[j] * V[(size_t)j * d + a];
