@@ -193,9 +193,10 @@ header("verify/existence/existence.py")
 table("ref_integrals", f"double gamma, h, v[{STEPS + 1}], want[{STEPS + 1}];", rows)
 
 
-def picard_step(order, h, damping, start, v):
+@cache
+def picard_step(order, h, damping, start, v, digits):
     """x and T v for f(x, v) = -2 x - v / 2 and all k."""
-    alpha, h, v = mp(order), mp(h), list(map(mp, v))
+    alpha, h, start, v = mp(order), mp(h), list(map(mp, start)), list(map(mp, v))
     x = [start[0] + integral_on_grid(1, h, v, k) for k in range(STEPS + 1)]
     f = [-2 * x[k] - v[k] / 2 for k in range(STEPS + 1)]
     return x, [start[1] + integral_on_grid(1, h, f, k)
@@ -205,9 +206,9 @@ def picard_step(order, h, damping, start, v):
 rows = []
 for order in (0.0, 0.25, 0.5, 0.75, 0.9375):
     h, damping = dice.uniform(0.1, 1), dice.uniform(0, 3)
-    start = [dice.uniform(-1, 1) for _ in range(2)]
-    v = [dice.uniform(-1, 1) for _ in range(STEPS + 1)]
-    both = [numbers(two_precisions(lambda: picard_step(order, h, damping, list(map(mp, start)), v)
+    start = tuple(dice.uniform(-1, 1) for _ in range(2))
+    v = tuple(dice.uniform(-1, 1) for _ in range(STEPS + 1))
+    both = [numbers(two_precisions(lambda: picard_step(order, h, damping, start, v, mpmath.mp.dps)
                                    [i][k]) for k in range(STEPS + 1)) for i in (0, 1)]
     rows.append([*map(hexd, (order, h, damping, *start)), numbers(map(hexd, v)), *both])
 n = STEPS + 1
@@ -244,9 +245,9 @@ def rgamma(e, digits):
 
 
 @cache
-def iterate(n, alpha, W, R, x0, v0, t, digits):
-    """Velocity and position of the exact n-th iterate; its x is x0 + I v."""
-    alpha, W, R, x0, v0, t = map(mp, (alpha, W, R, x0, v0, t))
+def iterate(n, alpha, W, R, x0, v0, digits):
+    """Position and velocity of the exact n-th iterate at t = 1; its x is x0 + I v."""
+    alpha, W, R, x0, v0 = map(mp, (alpha, W, R, x0, v0))
     terms = []
     for total in range(n + 1):
         for i in range(total + 1):
@@ -255,10 +256,10 @@ def iterate(n, alpha, W, R, x0, v0, t, digits):
             terms.append(((2 * i, k), v0 * c))
             if total < n:
                 terms.append(((2 * i + 1, k), -W * x0 * c))
-    power = lambda e: t ** e * rgamma(e, mpmath.mp.dps)
     gamma_ = 2 - 2 * alpha
-    return (x0 + mpmath.fsum(c * power(m + 1 + gamma_ * k) for (m, k), c in terms),
-            mpmath.fsum(c * power(m + gamma_ * k) for (m, k), c in terms))
+    sizes = [(m + gamma_ * k, c) for (m, k), c in terms if c]
+    return (x0 + mpmath.fsum(c * rgamma(e + 1, digits) for e, c in sizes),
+            mpmath.fsum(c * rgamma(e, digits) for e, c in sizes))
 
 
 # Iterates 1, 2, 4 and the solution (n large) at t = 1; W = 0: Mittag-Leffler.
@@ -267,7 +268,7 @@ for alpha, W, R, x0, v0 in ((0.5, 0, 1, 0, 1), (0.25, 0, 1, 0, 1), (0.75, 0, 1, 
                             (0.25, 1, 0.5, 1, 0.5), (0.5, 1, 0.5, 1, 0.5),
                             (0.75, 1, 0.5, 1, 0.5), (0.0, 1, 0.5, 1, 0.5)):
     for n in (1, 2, 4, 60):
-        both = [two_precisions(lambda: iterate(n, alpha, W, R, x0, v0, 1, mpmath.mp.dps)[i]) for i in (0, 1)]
+        both = [two_precisions(lambda: iterate(n, alpha, W, R, x0, v0, mpmath.mp.dps)[i]) for i in (0, 1)]
         rows.append([hexd(alpha), W, hexd(R), x0, hexd(v0), n, *both,
                      "the solution" if n == 60 else ""])
 table("ref_iterates", "double alpha, W, R, x0, v0; size_t n; double x, v;", rows)
