@@ -128,6 +128,7 @@ def number(v):
     return mpf(v.numerator) / v.denominator
 
 
+@cache
 def matrix_of(name, step):
     """One step as a matrix, from the equations above: solved, not copied."""
     after = solve([e.subs({m: 1, c: 1, rho: Rational(0.2), h: Rational(step)})

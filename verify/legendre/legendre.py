@@ -230,19 +230,18 @@ def momentum_errors(step):
     worst = [mpmath.mpf(0)] * 6
     wave = mpmath.sqrt(1 - r**2 / 4)
     last, now = mpmath.mpf(1), (mpmath.mpf(1) / 2 + 1 / hh - hh / 4) / (1 / hh + hh / 4)
-    slope = (mpmath.mpf(1) / 2 + r / 2) / wave
+    slope, first = (mpmath.mpf(1) / 2 + r / 2) / wave, 1 / hh**2 + mpmath.mpf(1) / 4
     turn, at = mpmath.exp(mpmath.mpc(-r / 2, wave) * hh), mpmath.mpc(1)
     for _ in range(round(15 / step)):
         at *= turn                                     # e^(-rt/2) (cos wave t + i sin wave t)
         z = at.real + slope * at.imag
         v = slope * wave * at.real - wave * at.imag - r / 2 * z
-        end = (now - last) / hh - hh / 2 * (now + last) / 2                 # D2 L_d
-        for i, p in enumerate((end - r * (now - last), end, (now - last) / hh)):
+        rate, rest = (now - last) / hh, now * now - v * v - z * z
+        end = rate - hh / 4 * (now + last)                                  # D2 L_d
+        for i, p in enumerate((end - r * (now - last), end, rate)):
             worst[i] = max(worst[i], abs(p - v))
-            worst[3 + i] = max(worst[3 + i], abs(p * p + now * now - v * v - z * z) / 2)
-        following = ((2 * now - last) / hh**2 - now / 2 - last / 4 - r * (now - last) / hh) \
-            / (1 / hh**2 + mpmath.mpf(1) / 4)
-        last, now = now, following
+            worst[3 + i] = max(worst[3 + i], abs(p * p + rest) / 2)
+        last, now = now, ((2 * now - last) / hh**2 - now / 2 - last / 4 - r * rate) / first
     return worst
 
 
