@@ -231,9 +231,10 @@ table("ref_rows", "double x, p, x_units, p_units;", rows)
 
 
 @lru_cache(None)
-def over_gamma(i, j, more, order, bits):
-    """1 / Gamma(e + more + 1), e = 2i + (2 - order) j, in units of 2^-bits."""
-    return int(mpmath.ldexp(mpmath.rgamma(2 * i + (2 - order) * j + more + 1), bits))
+def over_gammas(j, order, bits):
+    """1 / Gamma(e + 1) and 1 / Gamma(e + 2), e = 2i + (2 - order) j, i < 16, in units of 2^-bits."""
+    return [[int(mpmath.ldexp(mpmath.rgamma(2 * i + (2 - order) * j + more), bits)) for more in (1, 2)]
+            for i in range(16)]
 
 
 #> delayed
@@ -251,11 +252,10 @@ def delayed(alpha, x0, step, t):
         factor, of_now = fixed(mpmath.mpf(-0.5)**j), fixed(now**((2 - order) * j))
         of_then = fixed(then**((2 - order) * (j + 1))) if then > 0 else 0
         now, then = fixed(now), fixed(then)
-        for i in range(16):
-            G = lambda more: over_gamma(i, j, more, order, bits)
-            term = of_now * (x0 * G(0) + (now * G(1) >> bits)) + of_then * x0 * G(2 - order) // 2
+        for i, ((G0, G1), (H0, H1)) in enumerate(zip(*(over_gammas(n, order, bits) for n in (j, j + 1)))):
+            term = of_now * (x0 * G0 + (now * G1 >> bits)) + of_then * x0 * H0 // 2
             if order > 1:
-                term += of_then * (then * G(3 - order) >> bits) // 2
+                term += of_then * (then * H1 >> bits) // 2
             total += factor * (term >> bits) >> bits
             factor = -factor * (i + 1 + j) // (i + 1)
             of_now, of_then = of_now * now**2 >> 2 * bits, of_then * then**2 >> 2 * bits

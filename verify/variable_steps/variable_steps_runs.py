@@ -275,8 +275,9 @@ for gap, z, J in ((mpf(27) / 100, mpf(3), 60), (mpf(41) / 100, mpf(4), 26)):
     left = [-(-1 / z)**n * mpmath.rgamma(1 - n * gap) for n in range(J + 1)]
     bound = 4 * z**-(J + 1) * mpmath.gamma((J + 1) * gap)
     claim("(22.23) falling powers", abs(sum(grown) - sum(left[1:])) < bound < 1e-8)
+    felt = [(d, k * gap) for k, d in enumerate(grown) if k and abs(d) > mpf(10)**-40]     # a I(a, S) < 1
     for S in (mpf(1) / 10, mpf(3), mpf(20)):
-        told = mpmath.exp(-S) + sum(d * k * gap * into_mode(k * gap, S) for k, d in enumerate(grown) if k)
+        told = mpmath.exp(-S) + sum(d * a * into_mode(a, S) for d, a in felt)
         by_falling = sum(-d * n * gap * into_mode(-n * gap, S) for n, d in enumerate(left) if n)
         claim("(22.20) for falling powers", abs(told - by_falling) < 1e3 * bound)
 # Euler's transformation about P: c_n times w_n, the chance of more than n heads in N + 1 throws.
