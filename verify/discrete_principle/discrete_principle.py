@@ -284,7 +284,7 @@ def rounded(e, curves, power):
     A, size = [Fraction(0), Fraction(0)], 0
     for powers, c in e.terms():
         term = Fraction(int(c.numerator), int(c.denominator))
-        for v, i in zip(curves, powers):
+        for v, i in ((v, i) for v, i in zip(curves, powers) if i):
             term *= Fraction(int(CURVE[v].p), int(CURVE[v].q)) ** i
         A[powers[-1]] += term
         size += abs(float(term)) * float(power(20)) ** powers[-1]
