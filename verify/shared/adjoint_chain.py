@@ -157,8 +157,9 @@ class Chain:
                 near += [(j + 1, ZERO - stiff[j + 1])] if j + 1 < D5 else []
                 for l, k in near:
                     if self.damped:
-                        for cc in range(s):
-                            M[j * n + a][l * n + cc] += (h * k).v * self.A[i][cc] >> BITS
+                        by = (h * k).v
+                        for cc, v in enumerate(self.A[i]):
+                            M[j * n + a][l * n + cc] += by * v >> BITS
                     elif i < s - 1:
                         M[j * n + i][l * n + i - 1] -= (h * self.b[i] * k * self.share(j, q)).v
         columns = list(zip(*self.D))

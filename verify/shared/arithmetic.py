@@ -8,6 +8,7 @@ from operator import mul, or_
 
 import mpmath
 from mpmath import mp
+from mpmath.libmp import MPZ
 
 from shared.refgen import claim
 
@@ -118,9 +119,10 @@ def real_function(M, f):
 # changed by more than 4 10^-38 of itself.
 BITS, TINY = 150, mpmath.mpf(10) ** -45
 # Slopes by up to 28 numbers stand side by side in one whole number, with ROOM bits for each:
-# one run gives them all, and a product by a value is one product.
+# one run gives them all, and a product by a value is one product. Such long ones are mpmath's, which
+# are gmpy2's if it is there.
 ROOM = 420
-UNITS = [1 << ROOM * i for i in range(28)]
+UNITS = [MPZ(1) << ROOM * i for i in range(28)]
 MIDDLE = sum(unit << ROOM - 1 for unit in UNITS)
 KEPT = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS)
 
