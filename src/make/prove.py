@@ -64,7 +64,7 @@ def prove(stem):
 
 def main():
     BUILD.mkdir(parents=True, exist_ok=True)
-    sys.path.insert(0, "verify")
+    sys.path.insert(0, os.path.abspath("verify"))
     gc.disable()  # a proof is short: nothing is looked through for what is no longer used
     context, running, failed = multiprocessing.get_context("fork"), {}, []
     todo = [stem for stem in STEMS if ACCEPT or not stands(stem)]
