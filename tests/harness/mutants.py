@@ -8,7 +8,10 @@ An entry of tests/*/mutants.txt is four lines and a blank one:
     right  one piece of that file, standing there exactly once
     wrong  what it becomes
     named  the test that must fail
-A mutant that does not compile, survives, or dies without its test fails the run."""
+and, where the test can tell them apart only with a header of an optional package, a fifth:
+    with   suitesparse/cholmod.h
+A mutant that does not compile, survives, or dies without its test fails the run; so does a
+test that fails without a mutant, which would name everything."""
 import concurrent.futures
 import os
 import pathlib
@@ -27,15 +30,22 @@ FOUND = [(name, path) for path in sorted(pathlib.Path("tests").glob("*/test_*.c"
          for name in re.findall(r"START_TEST\(\s*(\w+)\s*\)", path.read_text())]
 TESTS, NAMES = dict(FOUND), [name for name, _ in FOUND]
 
+SURVIVED = "it survived"
+
 
 def entries():
     pages = [path.read_text() for path in sorted(pathlib.Path("tests").glob("*/mutants.txt"))]
     text = re.sub(r"^#.*\n", "", "\n\n".join(pages), flags=re.M)
     for block in filter(str.strip, re.split(r"\n\s*\n", text)):
         entry = dict(line.split(None, 1) for line in block.strip().splitlines())
+        header = entry.pop("with", None)
         if set(entry) != {"file", "right", "wrong", "named"}:
             sys.exit(f"tests/*/mutants.txt: not four lines:\n{block}")
-        if not STEMS or pathlib.Path(entry["file"]).stem in STEMS:
+        if STEMS and pathlib.Path(entry["file"]).stem not in STEMS:
+            continue
+        if header and not pathlib.Path("/usr/include", header).exists():
+            print(f"left out: {entry['file']}: {entry['right']}: there is no {header}")
+        else:
             yield entry
 
 
@@ -81,7 +91,7 @@ def watched(command, environment):
 
 
 def run(number, entry):
-    """None if the mutant was named, else what happened."""
+    """None if the mutant was named, else what happened; SURVIVED where nothing did."""
     try:
         test = TESTS[entry["named"]]
         folder = BUILD / "mutants" / str(number)
@@ -102,7 +112,7 @@ def run(number, entry):
     if entry["named"] in failed:
         return None
     if not failed:
-        return "it died and no test was named" if status else "it survived"
+        return "it died and no test was named" if status else SURVIVED
     return "it was named by " + ", ".join(sorted(set(failed)))
 
 
@@ -118,7 +128,12 @@ def main():
         compile_object(path, BUILD / "mutants" / f"{name}.o")
     for test in {TESTS[e["named"]] for e in todo if e["named"] in TESTS}:
         compile_object(test, BUILD / "mutants" / f"{test.stem}.o")
+    ones = {TESTS[e["named"]]: dict(e, wrong=e["right"]) for e in todo if e["named"] in TESTS}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for entry, verdict in zip(ones.values(), pool.map(run, range(len(ones)), ones.values())):
+            if verdict != SURVIVED:
+                named = entry["named"]
+                sys.exit(f"{TESTS[named]} as it is: {verdict or named + ' fails'}")
         verdicts = list(pool.map(run, range(len(todo)), todo))
     for entry, verdict in zip(todo, verdicts):
         if verdict:
