@@ -92,7 +92,7 @@ verify: | needs ## prove with sympy; compare the reference values with tests/*/*
 figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what changed of the figures
 	echo 'all $(words $(SCENES) $(DIAGRAMS)) pictures are as their data: figures/*/*.svg'
 
-layers: $B/libfvi.a $B/program.a | needs ## see that the arrows between the rooms of src/ point down only
+layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
 text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that the holes of the workshop fit

@@ -3,7 +3,8 @@
 A room is a folder. A file may include headers of its own room and of those below, and
 an object of an ARCHIVE may use symbols of its own room and of those below;
 the public headers in src/fvi/ belong to the room that keeps what they declare, and
-fvi/fvi.h, which hands on all the others, to none. The drawing in chapters/README.md
+fvi/fvi.h, which hands on all the others, to none. The peers of the benchmark, build/peers.a,
+are of no room; their names must not clash with the library's. The drawing in chapters/README.md
 must be the one that the sources give. Only the standard library is used."""
 import pathlib
 import re
@@ -60,11 +61,14 @@ def symbols(archives):
     for line in subprocess.run(["nm", "-A", *archives], capture_output=True, text=True, check=True).stdout.splitlines():
         if line.count(":") < 2:
             continue
-        member = line.split(":")[1].removesuffix(".o")
+        archive, member = line.split(":")[:2]
+        member = member.removesuffix(".o")
         kind, symbol = line.split()[-2:]
         if symbol.endswith(".resolver"):   # of a static function for several processors: clang makes it visible
             if vectors.setdefault(symbol, member) != member:
                 sys.exit(f"clang links no two functions for vectors of one name: {symbol} in {vectors[symbol]}.c, {member}.c")
+        if archive.endswith("peers.a"):
+            continue
         if kind == "U":
             wants.append((member, symbol))
         elif kind.isupper():

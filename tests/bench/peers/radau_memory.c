@@ -164,8 +164,8 @@ FVI_VECTORS static double inner(int n, const double *restrict a,
     return sum;
 }
 
-FVI_VECTORS static void multiply(int n, const double *restrict a,
-                                 const double *restrict b, double *restrict c)
+FVI_VECTORS static void weigh(int n, const double *restrict a,
+                              const double *restrict b, double *restrict c)
 {
 #pragma omp simd
     for (int q = 0; q < n; q++)
@@ -192,7 +192,7 @@ void radau_memory_history(const radau_memory *o, double *H)
 {
     for (size_t a = 0; a < o->d; a++) {
         const double *z = o->z + a * (size_t)o->Q;
-        multiply(o->read, o->om, z, o->weighted);
+        weigh(o->read, o->om, z, o->weighted);
         for (int l = 0; l < ENDS; l++)
             o->weighted[o->read - 1 - APART * l] *= 1 + o->top[l];
         for (int i = 0; i < o->m->s; i++)

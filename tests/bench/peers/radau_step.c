@@ -72,8 +72,8 @@ static const radau_factor *factor_of(radau_solver *o, double h)
 }
 
 /* out = K in for each of d coordinates, stage after stage. */
-FVI_VECTORS static void combine(int s, size_t d, const double *restrict K,
-                                const double *restrict in, double *restrict out)
+FVI_VECTORS static void mix(int s, size_t d, const double *restrict K,
+                            const double *restrict in, double *restrict out)
 {
     for (int i = 0; i < s; i++)
         OUTER_SIMD for (size_t a = 0; a < d; a++)
@@ -90,7 +90,7 @@ static int pull(radau_solver *o, double t, double h)
 {
     const size_t d = o->d;
     const fvi_system *system = &o->p->system;
-    combine(o->s, d, o->A, o->D, o->X);
+    mix(o->s, d, o->A, o->D, o->X);
     for (int i = 0; i < o->s; i++) {
         double *X = o->X + (size_t)i * d, *G = o->G + (size_t)i * d;
         for (size_t a = 0; a < d; a++)
@@ -133,7 +133,7 @@ static double iterate(radau_solver *o, const radau_factor *f)
     const size_t d = o->d, n = (size_t)o->s * d;
     double moved = 0, largest = 0;
     if (o->kinds == 1)
-        combine(o->s, d, f->inverse, o->G, o->V);
+        mix(o->s, d, f->inverse, o->G, o->V);
     for (size_t a = 0; a < d && o->kinds > 1; a++) {
         const double *K = f->inverse + o->kind[a] * (size_t)(o->s * o->s);
         for (int i = 0; i < o->s; i++) {
