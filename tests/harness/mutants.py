@@ -98,7 +98,7 @@ def run(number, entry):
         folder.mkdir(parents=True, exist_ok=True)
         build(folder, entry, test)
         environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
-                           CK_DEFAULT_TIMEOUT="20")
+                           CK_DEFAULT_TIMEOUT="20", CPATH=str(pathlib.Path("src").resolve()))
         status, said = watched([folder / "test"], environment)
     except KeyError:
         return f"there is no test {entry['named']}"

@@ -119,7 +119,8 @@ START_TEST(a_shared_object_is_a_potential)
         "--h 0.02");
     ck_assert_refused("run --potential my.c --dimension 2 -o ./my.c",
                       "fvi: -o: './my.c' is read, too");
-    write_file("wrong.c", "int fvi_user_potential = ;\n");
+    /* gcc says first in which function the error is */
+    write_file("wrong.c", "int wrong(void) { return nothing; }\n");
     ck_assert_int_eq(fvi("run --potential wrong.c"), 2);
     ck_assert_int_eq(strncmp(err,
                              "fvi: --potential: cannot compile 'wrong.c': "
