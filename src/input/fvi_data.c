@@ -23,7 +23,7 @@ typedef struct {
 
 static int begin(reader *r)
 {
-    fvi_is_read(r->name);
+    fvi_mark_read(r->option, r->name);
     r->file = fopen(r->name, "r");
     return r->file ? 0
                    : fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,

@@ -40,7 +40,7 @@ static const char *path(const fvi_directory *d, const char *file,
                         char place[PATH_MAX + 8])
 {
     snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
-    fvi_is_read(place);
+    fvi_mark_read("system", place);
     return place;
 }
 

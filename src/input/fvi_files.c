@@ -35,21 +35,23 @@ int fvi_same_file(const char *a, const char *b)
            && strcmp(last_a, last_b) == 0;
 }
 
-enum { REMEMBERED = 1000 };
+enum { KEPT = 1000 };
 static struct {
+    const char *option;
     dev_t device;
     ino_t number;
-} inputs[REMEMBERED];
-static size_t noted; /* of them and of those that were forgotten */
+} inputs[KEPT];
+static size_t marks; /* with those that were written over */
 
-void fvi_is_read(const char *name)
+void fvi_mark_read(const char *option, const char *name)
 {
     struct stat file;
     if (stat(name, &file) != 0 || !S_ISREG(file.st_mode))
         return;
-    inputs[noted % REMEMBERED].device = file.st_dev;
-    inputs[noted % REMEMBERED].number = file.st_ino;
-    noted++;
+    inputs[marks % KEPT].option = option;
+    inputs[marks % KEPT].device = file.st_dev;
+    inputs[marks % KEPT].number = file.st_ino;
+    marks++;
 }
 
 int fvi_check_output(const char *option, const char *name, fvi_complaint c)
@@ -57,8 +59,12 @@ int fvi_check_output(const char *option, const char *name, fvi_complaint c)
     struct stat file;
     if (!name || stat(name, &file) != 0)
         return 0;
-    for (size_t i = 0; i < noted && i < REMEMBERED; i++)
+    for (size_t i = 0; i < marks && i < KEPT; i++)
         if (inputs[i].device == file.st_dev && inputs[i].number == file.st_ino)
-            return fvi_refuse(c, "%s: '%s' is read, too", option, name);
+            return fvi_refuse(c,
+                              strcmp(inputs[i].option, "DATA") == 0
+                                  ? "%s: '%s' is the file of the data, too"
+                                  : "%s: '%s' is the file of --%s, too",
+                              option, name, inputs[i].option);
     return 0;
 }

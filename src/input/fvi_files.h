@@ -9,9 +9,10 @@
  * terminals, pipes and devices are the same only if they are equal. */
 int fvi_same_file(const char *a, const char *b);
 
-/* fvi_is_read -- say that the ordinary file of this name is read; the last thousand of them
- * are remembered, for fvi_check_output. */
-void fvi_is_read(const char *name);
+/* fvi_mark_read -- remember, for fvi_check_output, that the ordinary file of this name is read
+ * for `option`, a constant without dashes, DATA for that of a fit. The last thousand marks are
+ * kept. */
+void fvi_mark_read(const char *option, const char *name);
 
 /* fvi_check_output -- refuse an output that would take the place of what was read, by
  * whatever name. `option` is with its dashes; name NULL is standard output, which a shell

@@ -49,7 +49,7 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
     *library = NULL;
     if (length >= (int)sizeof path)
         return fvi_refuse(c, "--potential: '%s': the name is too long", text);
-    fvi_is_read(path);
+    fvi_mark_read("potential", path);
     if (ends_with(text, ".c")) {
         int status = compile(text, path, library, c);
         if (status)

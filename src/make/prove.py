@@ -17,9 +17,9 @@ import sys
 from multiprocessing.connection import wait
 
 os.environ["SYMPY_CACHE_SIZE"] = "None"   # a proof is short: what sympy once found out it may keep
-import mpmath   # here for the children: they find these loaded
-import sympy.physics.units      # to simplify asks for it,
-import sympy.tensor.tensor      # and a sum for this
+import mpmath                   # all three are here for the children, who find them loaded:
+import sympy.physics.units      # simplify() would load this,
+import sympy.tensor.tensor      # and a sum of expressions that
 
 BUILD = pathlib.Path(sys.argv[1], "verify")
 ACCEPT = "--accept" in sys.argv

@@ -147,7 +147,7 @@ static int read_data(request *r, fvi_complaint c)
     if (!r->words.operand)
         return fvi_refuse(c,
                           "DATA: a file with the columns t and x is missing");
-    fvi_is_read(r->words.operand);
+    fvi_mark_read("DATA", r->words.operand);
     int status = fvi_check_output("-o", r->o.output, c);
     if (!status)
         status = fvi_check_output("--curve", r->words.own[CURVE], c);

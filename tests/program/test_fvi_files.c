@@ -213,6 +213,8 @@ START_TEST(two_outputs_in_one_file_are_refused)
                       "fvi: --forces: './t' is the table's file, too");
     ck_assert_refused("fit --curve ./t -o t there",
                       "fvi: --curve: './t' is the table's file, too");
+    ck_assert_refused("fit -o theirs there",
+                      "fvi: -o: 'theirs' is the file of the data, too");
     ck_assert_int_eq(fvi("run --steps 2 --snapshot out"), 2);
     ck_assert_int_eq(shell("cat there; test ! -e t"), 0);
     ck_assert_str_eq(out, "kept\n");
@@ -235,22 +237,23 @@ START_TEST(no_output_takes_the_place_of_what_is_read)
               "cp -r plate kept; cp start F kept"),
         0);
     ck_assert_refused("run --force 'sin(t) + file:F' --steps 9 -o ./F",
-                      "fvi: -o: './F' is read, too");
+                      "fvi: -o: './F' is the file of --force, too");
     ck_assert_refused("run --force file:F --steps 9 --plot F.svg",
-                      "fvi: --plot: 'F.svg' is read, too");
+                      "fvi: --plot: 'F.svg' is the file of --force, too");
     ck_assert_refused("run --x0 @start --snapshot start",
-                      "fvi: --snapshot: 'start' is read, too");
+                      "fvi: --snapshot: 'start' is the file of --x0, too");
     ck_assert_refused("run --p0 @start --checkpoint ./start",
-                      "fvi: --checkpoint: './start' is read, too");
+                      "fvi: --checkpoint: './start' is the file of --p0, too");
     ck_assert_refused("run --system plate --snapshot here/K.mtx",
-                      "fvi: --snapshot: 'here/K.mtx' is read, too");
+                      "fvi: --snapshot: 'here/K.mtx' is the file of --system, too");
     ck_assert_refused("exact --x0 @start -o start",
-                      "fvi: -o: 'start' is read, too");
+                      "fvi: -o: 'start' is the file of --x0, too");
     ck_assert_refused("gradient --x0 @start --forces start",
-                      "fvi: --forces: 'start' is read, too");
+                      "fvi: --forces: 'start' is the file of --x0, too");
     ck_assert_refused("sweep --x0 @start --vary rho=0:1:2 -o start",
-                      "fvi: -o: 'start' is read, too");
-    ck_assert_refused("fit F --curve ./F", "fvi: --curve: './F' is read, too");
+                      "fvi: -o: 'start' is the file of --x0, too");
+    ck_assert_refused("fit F --curve ./F",
+                      "fvi: --curve: './F' is the file of the data, too");
     ck_assert_int_eq(shell("cmp F kept/F && cmp start kept/start &&"
                            "cmp plate/K.mtx kept/K.mtx"),
                      0);

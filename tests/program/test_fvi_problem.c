@@ -118,7 +118,7 @@ START_TEST(a_shared_object_is_a_potential)
         "sweep --vary x0=1:2:3 --potential ./my.c --dimension 2 --steps 3 "
         "--h 0.02");
     ck_assert_refused("run --potential my.c --dimension 2 -o ./my.c",
-                      "fvi: -o: './my.c' is read, too");
+                      "fvi: -o: './my.c' is the file of --potential, too");
     /* gcc says first in which function the error is */
     write_file("wrong.c", "int wrong(void) { return nothing; }\n");
     ck_assert_int_eq(fvi("run --potential wrong.c"), 2);

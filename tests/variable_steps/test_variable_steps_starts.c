@@ -232,7 +232,7 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
 END_TEST
 
 /* x_1 at the end of each step is off from p by no more than a step may err. */
-static void follow(const fvi_linear *p, fvi_run *run)
+static void ck_assert_follows(const fvi_linear *p, fvi_run *run)
 {
     fvi_stepper *s;
     double exact;
@@ -275,7 +275,7 @@ START_TEST(rows_far_apart_are_no_size)
             system.force = fvi_force_step(AT);
         fvi_run run = fvi_run_default(&system, rest ? &none : &one, &none,
                                       1e9 / ROWS, ROWS);
-        follow(&p, &run);
+        ck_assert_follows(&p, &run);
     }
 }
 END_TEST
@@ -294,7 +294,7 @@ START_TEST(rows_far_apart_are_no_size_of_a_chain)
                                 .damping = ones,
                                 .potential = fvi_potential_chain(link) };
     fvi_run run = fvi_run_default(&system, apart, none, 1e9 / ROWS, ROWS);
-    follow(&p, &run);
+    ck_assert_follows(&p, &run);
 }
 END_TEST
 

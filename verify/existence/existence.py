@@ -195,7 +195,7 @@ table("ref_integrals", f"double gamma, h, v[{STEPS + 1}], want[{STEPS + 1}];", r
 
 @cache
 def picard_step(order, h, damping, start, v, digits):
-    """x and T v for f(x, v) = -2 x - v / 2 and all k."""
+    """x and T v for f(x, v) = -2 x - v / 2 and all k; kept for each number of digits."""
     alpha, h, start, v = mp(order), mp(h), list(map(mp, start)), list(map(mp, v))
     x = [start[0] + integral_on_grid(1, h, v, k) for k in range(STEPS + 1)]
     f = [-2 * x[k] - v[k] / 2 for k in range(STEPS + 1)]
