@@ -273,11 +273,16 @@ static void sum_near(const fvi_lobatto_memory *m, const double *W,
                      const double *past, double *sum)
 {
     const size_t s = m->s, k = m->k;
+    size_t at = k % m->lags;
     for (size_t n = 1; n <= m->lags && n <= k; n++) {
-        const double *Wn = W + n * s * s, *v = past + (k - n) % m->lags * s;
-        for (size_t l = 0; l < s; l++)
+        at = (at > 0 ? at : m->lags) - 1; /* k - n, in the ring */
+        const double *Wn = W + n * s * s, *v = past + at * s;
+        for (size_t l = 0; l < s; l++) {
+            double more = sum[l];
             for (size_t j = 0; j < s; j++)
-                sum[l] += Wn[l * s + j] * v[j];
+                more += Wn[l * s + j] * v[j];
+            sum[l] = more;
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 /* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
 #include "lobatto_weights.h"
 
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_linalg.h>
@@ -12,7 +13,7 @@
 
 /* ---- power series of s x s matrices, up to z^3 ---- */
 
-enum { TERMS = FVI_LAGS + 1 };
+enum { TERMS = FVI_LAGS + 1, HALF = FVI_STAGES / 2 };
 
 /* Entry (i, j) of the coefficient of z^n at [n][i][j]. */
 typedef struct {
@@ -29,21 +30,25 @@ static void combine(size_t s, double p, const series *x, double q,
                 out->w[n][i][j] = p * x->w[n][i][j] + q * y->w[n][i][j];
 }
 
-/* out += sign x y, matrices */
-static void add_product(size_t s, double sign, double x[FVI_STAGES][FVI_STAGES],
-                        double y[FVI_STAGES][FVI_STAGES],
-                        double out[FVI_STAGES][FVI_STAGES])
+/* out += sign x y, matrices; half a row of sums side by side. */
+static inline void add_product(size_t s, double sign,
+                               double x[FVI_STAGES][FVI_STAGES],
+                               double y[FVI_STAGES][FVI_STAGES],
+                               double out[FVI_STAGES][FVI_STAGES])
 {
     for (size_t i = 0; i < s; i++)
-        for (size_t j = 0; j < s; j++) {
-            double sum = out[i][j];
+        for (size_t from = 0; from < s; from += HALF) {
+            double sum[HALF];
+            memcpy(sum, out[i] + from, sizeof sum);
             for (size_t l = 0; l < s; l++)
-                sum += sign * x[i][l] * y[l][j];
-            out[i][j] = sum;
+#pragma GCC unroll 4
+                for (size_t j = 0; j < HALF; j++)
+                    sum[j] += sign * x[i][l] * y[l][from + j];
+            memcpy(out[i] + from, sum, sizeof sum);
         }
 }
 
-static series multiply(size_t s, series *x, series *y)
+FVI_VECTORS static series multiply(size_t s, series *x, series *y)
 {
     series out = { 0 };
     for (size_t n = 0; n < TERMS; n++)
@@ -125,14 +130,14 @@ static series delta(size_t s)
     return x;
 }
 
-/* Delta^(1/2^k) = 1 + E */
+/* Delta^(1/2^k) = 1 + E; ln Delta = 2^k ln(1 + E). */
 typedef struct {
-    series E;
+    series E, logarithm;
     int k;
 } deep_root;
 
 //> near
-/* Roots of Delta until E is small. */
+/* Roots of Delta until E is small, and the series of the logarithm. */
 static deep_root make_root(size_t s)
 {
     const series one = identity(s);
@@ -140,6 +145,12 @@ static deep_root make_root(size_t s)
     deep_root r = { .k = 0 };
     for (; combine(s, 1, &x, -1, &one, &r.E), norm(s, &r.E) > 0.25; r.k++)
         x = root(s, &x);
+    x = r.E;
+    for (int j = 1; j <= 40; j++) {
+        combine(s, 1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
+                &r.logarithm);
+        x = multiply(s, &x, &r.E);
+    }
     return r;
 }
 
@@ -162,29 +173,21 @@ static deep_root root_of(size_t s)
 }
 
 /* Delta(z)^beta: the binomial series of (1 + E)^beta, and k squares; what its 40 terms
- * leave is below 4^-40. Its derivative, if wanted: times ln Delta, which is
- * 2^k ln(1 + E). */
+ * leave is below 4^-40. Its derivative, if wanted: times ln Delta. */
 static series near(size_t s, double beta, series *rate)
 {
     const series one = identity(s);
     deep_root r = root_of(s);
-    series *E = &r.E, term = one, sum = one, logarithm = { 0 };
-    int k = r.k;
+    series term = one, sum = one;
     for (int j = 0; j < 40; j++) {
-        term = multiply(s, &term, E);
+        term = multiply(s, &term, &r.E);
         combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
         combine(s, 1, &sum, 1, &term, &sum);
     }
-    term = *E;
-    for (int j = 1; rate && j <= 40; j++) {
-        combine(s, 1, &logarithm, ldexp(j % 2 ? 1. : -1., k) / j, &term,
-                &logarithm);
-        term = multiply(s, &term, E);
-    }
-    while (k-- > 0)
+    while (r.k-- > 0)
         sum = multiply(s, &sum, &sum);
     if (rate)
-        *rate = multiply(s, &logarithm, &sum);
+        *rate = multiply(s, &r.logarithm, &sum);
     return sum;
 }
 //< near
@@ -218,14 +221,21 @@ void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
 void fvi_lobatto_sum(size_t s, size_t Q, const double *q, const double *a,
                      double *W)
 {
-    const double *b = fvi_lobatto(s)->b;
+    const double *b = fvi_lobatto(s)->b, *y[HALF];
     for (size_t i = 0; i < s; i++)
-        for (size_t l = 0; l < s; l++) {
-            const double *x = a + i * Q, *y = a + (s - 1 - l) * Q;
-            double sum = 0;
-            for (size_t j = 0; j < Q; j++)
-                sum += q[j] * x[j] * y[j];
-            W[i * s + l] = b[l] * sum;
+        for (size_t from = 0; from < s; from += HALF) {
+            const size_t few = s - from < HALF ? s - from : HALF;
+            double sum[HALF] = { 0 };
+            for (size_t l = 0; l < HALF; l++)
+                y[l] = a + (l < few ? s - 1 - from - l : 0) * Q;
+            for (size_t j = 0; j < Q; j++) {
+                const double x = q[j] * a[i * Q + j];
+#pragma GCC unroll 4
+                for (size_t l = 0; l < HALF; l++)
+                    sum[l] += x * y[l][j];
+            }
+            for (size_t l = 0; l < few; l++)
+                W[i * s + from + l] = b[from + l] * sum[l];
         }
 }
 

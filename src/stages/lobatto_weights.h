@@ -27,7 +27,7 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
  *   n      how many, n >= 1
  *   W      output, n s s numbers: entry (i, j) of W_k at [(k * s + i) * s + j]
  *
- * Step size is NOT included: multiply by h^(-beta). Cost 50 us, s = 4, and four times
+ * Step size is NOT included: multiply by h^(-beta). Cost 20 us, s = 4, and ten times
  * that the first time in a process; then O(n Q), Q about 100. Accuracy, in units of
  * 2^-53 max|W_0|: the first four matrices 1000 (no proof; seen 313), the others 100 (seen
  * 13).
