@@ -5,11 +5,12 @@ A number of a run is an integer times 2^-178, so mpmath must be set to 60 digits
 from operator import mul
 
 import mpmath
+from mpmath.libmp import MPZ
 
 BITS = 178  # a number of a run is an integer times 2^-BITS
-# z differ by less than 2^-60, so that weights without their last LESS bits serve what they differ by, to
-# 2^-178 each, and no sum of products is larger than a slot.
-LESS, SLOT, HALF_SLOT = 60, 256, 1 << 255
+# The newest numbers, up to a block, are summed one by one; no sum of products is above 2^(2 BITS + 20),
+# and with MIDDLE none is negative or leaves its slot.
+BLOCK, SLOT, MIDDLE = 64, 400, 1 << 398
 
 
 def fixed(v):
@@ -72,7 +73,7 @@ def pull_of(q, order, x0, p0, m):
 
 def trajectory(q):
     """x_0, ..., x_N and p_N of Algorithm 3 or (13.7), one Duffing oscillator. It hands out z_k
-    and is handed sum_{j<=k} w_{k+1-j} z_j."""
+    and is handed sum_{j<=k} w_{k+1-j} z_j, and what dx may change by."""
     N, printed, past = q["N"], q["method"] == "fvi", q["past"]
     order, one, half = 2 * q["alpha"], 1 << BITS, 1 << BITS - 1
     pull = pull_of(q, order, q["x0"], q["p0"], q["mass"])
@@ -86,7 +87,8 @@ def trajectory(q):
     for k in range(N):
         if not printed:
             p += times(h, q["F"][k]) // 2 - times(half - theta, times(c, H)) - pull[k][0]
-        ahead = (yield z) >> BITS
+        total, change = yield z
+        ahead, dx = total >> BITS, dx + change
         ahead += times(w0, x[-1] - origin - (k + 1) * drift)  # H of k + 1 if dx is zero
         r = p - times(theta, times(c, ahead))
         while True:  # Newton's method, to the last bit but some
@@ -107,29 +109,45 @@ def trajectory(q):
     return x, p
 
 
+def middles(count):
+    return int.from_bytes(MIDDLE.to_bytes(SLOT // 8, "little") * count, "little")
+
+
+def packed(numbers):
+    """sum_n a_n 2^(SLOT n)."""
+    slots = b"".join((v + MIDDLE).to_bytes(SLOT // 8, "little") for v in numbers)
+    return MPZ(int.from_bytes(slots, "little") - middles(len(numbers)))
+
+
+def spread(w, z, sums):
+    """The b newest z, b the largest power of 2 that divides their number k, go into the sums of the
+    next b, sums[k] and so on: one product of integers, whose slots are a product of polynomials."""
+    k, size = len(z), SLOT // 8
+    b = k & -k
+    product = packed(z[-b:]) * packed(w[:2 * b + 1]) + middles(3 * b)
+    slots = int(product).to_bytes(3 * b * size, "little")
+    for n in range(b):
+        at = (b + 1 + n) * size
+        sums[k + n] += int.from_bytes(slots[at:at + size], "little") - MIDDLE
+
+
 def in_step(qs):
-    """Their trajectories, step by step together. Runs of one order share the weights: what z
-    differs by from that of the first is packed into one integer, SLOT bits each, for one sum."""
-    runs, ends, alike, N = [trajectory(q) for q in qs], [], {}, qs[0]["N"]
-    for i, q in enumerate(qs):
-        alike.setdefault(fixed(2 * q["alpha"]), []).append(i)
-    groups = []
-    for order, (first, *rest) in alike.items():
-        reverse = weights(qs[0]["method"], order, N + 1)[::-1]
-        groups.append((reverse, [w >> LESS for w in reverse], first, rest, [], []))
-    newest, sums = [next(run) for run in runs], [0] * len(qs)
+    """Their trajectories, step by step together: what dx of the first changes by, that of the others
+    does nearly, too."""
+    runs, ends, w, N = [trajectory(q) for q in qs], [], {}, qs[0]["N"]
+    orders = [fixed(2 * q["alpha"]) for q in qs]
+    for order in orders:
+        w[order] = w.get(order) or weights(qs[0]["method"], order, N + 1)
+    z, sums = [[next(run)] for run in runs], [[0] * 2 * N for _ in runs]
     for k in range(N):
-        for reverse, short, first, rest, z, packed in groups:
-            z.append(newest[first])
-            packed.append(sum(newest[i] - z[-1] << SLOT * n for n, i in enumerate(rest)))
-            sums[first] = sum(map(mul, reverse[-k - 2:-1], z))
-            total = sum(map(mul, short[-k - 2:-1], packed)) if rest else 0
-            for i in rest:
-                part = (total + HALF_SLOT & (1 << SLOT) - 1) - HALF_SLOT
-                sums[i], total = sums[first] + (part << LESS), total - part >> SLOT
-        for i, run in enumerate(runs):
+        block = k % BLOCK + 1
+        for run, order, past, total in zip(runs, orders, z, sums):
+            total[k] += sum(map(mul, w[order][block:0:-1], past[-block:]))
+            if block == BLOCK:
+                spread(w[order], past, total)
+            change = z[0][-1] - 2 * z[0][-2] + z[0][-3] if k > 1 else 0
             try:
-                newest[i] = run.send(sums[i])
+                past.append(run.send((total[k], change)))
             except StopIteration as end:
                 ends.append(end.value)
     return ends
