@@ -8,12 +8,14 @@ from operator import mul
 
 import mpmath
 from mpmath import mp, mpf
+from mpmath.libmp import MPZ
 
 from shared.adjoint_chain import numbers
 from shared.arithmetic import real_function
 from variable_steps import variable_steps as one
 
 FINE, WIDE, EDGE = 200, 320, 110   # bits behind the point; where the series for large S begins
+SLOT, HALF_SLOT = 720, 1 << 719    # sums of products of three numbers of FINE, side by side in one integer
 
 
 def whole(v, bits=FINE):
@@ -61,23 +63,37 @@ def powers_of(S):
     return weights
 
 
+def joined(numbers):
+    return sum(MPZ(v) << SLOT * n for n, v in enumerate(numbers))
+
+
+@cache
+def halves(count):
+    return joined([HALF_SLOT] * count)
+
+
+def taken_apart(total, count):
+    total += halves(count)
+    return [(total >> SLOT * n) % (2 * HALF_SLOT) - HALF_SLOT for n in range(count)]
+
+
 class Moments:
-    """I(a, S) for many a, by the series of (22.20) for S < EDGE, else by that for large S."""
+    """I(a, S) / Gamma(a) for many a, by the series of (22.20) for S < EDGE, else by that for large S;
+    what multiplies a power of S is joined, that of the n-th a in slot n, n >= 1."""
 
     def __init__(self, exponents):
-        exponents = [whole(a) for a in exponents]
-        self.near = [[(1 << 2 * FINE) // (a + (k << FINE)) for k in range(320)] for a in exponents]
-        self.far = []
-        for a in exponents:
-            row = [1 << FINE]
+        near, far = [[0] * 320], [[0] * 100]
+        for a, unit in ((whole(a), whole(mpmath.rgamma(a))) for a in exponents):
+            near.append([(unit << FINE) // (a + (k << FINE)) for k in range(320)])
+            row = [unit]
             for k in range(1, 100):
                 row.append(row[-1] * ((k << FINE) - a) // (EDGE << FINE))
-            self.far.append(row)
+            far.append(row)
+        self.near, self.far = ([joined(column) for column in zip(*rows)] for rows in (near, far))
 
     def at(self, S):
-        """In units of 2^-FINE."""
-        weights = powers_of(S)
-        return [sum(map(mul, row, weights)) >> FINE for row in (self.near if S < EDGE else self.far)]
+        """In units of 2^-(2 FINE)."""
+        return sum(map(mul, self.near if S < EDGE else self.far, powers_of(S)))
 
 
 SPACING, HIGHEST = mpf(1) / 8, 70
@@ -100,16 +116,12 @@ def kernels(s, alpha, gap, J, t1, lengths):
     reads of modes that are e^{-S}, of those that are I(b, S) / Gamma(b), b = n gap, and, for
     beta > 0, of those that are -1; of these the first step has -h^{-beta} (A^{-1})^beta 1."""
     beta = 2 * alpha - 1
-    b = [n * gap for n in range(1, J + 1)]
-    moments, sizes = Moments(b), [whole(mpmath.rgamma(v)) for v in b]
-    modes, readings = [[] for _ in range(J + 2)], [[[] for _ in range(s)] for _ in lengths]
+    moments, rest = Moments([n * gap for n in range(1, J + 1)]), joined([0] * (J + 1) + [-(beta > 0) << 2 * FINE])
+    modes, readings = [], [[[] for _ in range(s)] for _ in lengths]
     lowest = mpmath.log((1 + beta if beta < 0 else beta) / 60)
     for l in range(int(lowest / SPACING), int(HIGHEST / SPACING)):
         sigma, logarithm, slope = node(l)
-        told = [fallen(sigma * t1), *(v * w >> FINE for v, w in zip(moments.at(sigma * t1), sizes)),
-                -1 << FINE if beta > 0 else 0]
-        for column, v in zip(modes, told):
-            column.append(v)
+        modes.append((fallen(sigma * t1) << FINE) + moments.at(sigma * t1) + rest)
         weight = whole(SPACING * slope * mpmath.exp((beta if beta > 0 else 1 + beta) * logarithm), WIDE)
         for h, rows in zip(lengths, readings):
             a, kept = reading(s, h * sigma)
@@ -117,8 +129,8 @@ def kernels(s, alpha, gap, J, t1, lengths):
                 row.append(weight * v >> 2 * WIDE - FINE)
             weight = weight * kept >> WIDE
     size = mpmath.sinpi(abs(beta)) / mpmath.pi
-    out = [[[size * mpmath.ldexp(sum(map(mul, row, column)), -2 * FINE) for column in modes] for row in rows]
-           for rows in readings]
+    out = [[[size * mpmath.ldexp(v, -3 * FINE) for v in taken_apart(sum(map(mul, row, modes)), J + 2)]
+            for row in rows] for rows in readings]
     if beta > 0:
         own = real_function(numbers(s)[3], lambda v: v**beta)
         for i in range(s):
