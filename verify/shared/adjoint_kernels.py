@@ -74,7 +74,7 @@ def halves(count):
 
 def taken_apart(total, count):
     total += halves(count)
-    return [(total >> SLOT * n) % (2 * HALF_SLOT) - HALF_SLOT for n in range(count)]
+    return [(total >> SLOT * n & 2 * HALF_SLOT - 1) - HALF_SLOT for n in range(count)]
 
 
 class Moments:

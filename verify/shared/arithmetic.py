@@ -124,12 +124,12 @@ BITS, TINY = 150, mpmath.mpf(10) ** -45
 ROOM = 420
 UNITS = [MPZ(1) << ROOM * i for i in range(28)]
 MIDDLE = sum(unit << ROOM - 1 for unit in UNITS)
-KEPT = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS)
+KEPT, LOWER = sum(unit * ((1 << ROOM - BITS) - 1) for unit in UNITS), MIDDLE >> BITS
 
 
 def down(d):
     """Each slope over 2^BITS, rounded down: what falls out of one is not its neighbour's."""
-    return (d + MIDDLE >> BITS & KEPT) - (MIDDLE >> BITS) if d else 0
+    return (d + MIDDLE >> BITS & KEPT) - LOWER if d else 0
 
 
 def apart(d, count):
@@ -205,10 +205,13 @@ def factorised(M, bits=BITS):
     for k in order[:]:
         best = max(range(k, len(M)), key=lambda i: abs(M[i][k]))
         M[k], M[best], order[k], order[best] = M[best], M[k], order[best], order[k]
+        behind = M[k][k + 1:]
+        while behind and not behind[-1]:        # bodies far from each other do not pull each other
+            behind.pop()
         for row in M[k + 1:]:
             row[k] = f = (row[k] << bits) // M[k][k]
             if f:
-                row[k + 1:] = [a - (f * b >> bits) for a, b in zip(row[k + 1:], M[k][k + 1:])]
+                row[k + 1:k + 1 + len(behind)] = [a - (f * b >> bits) for a, b in zip(row[k + 1:], behind)]
     return M, order, [(1 << 2 * bits) // M[k][k] for k in range(len(M))]
 
 
