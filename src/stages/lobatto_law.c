@@ -1,6 +1,7 @@
 /* src/stages/lobatto_law.c -- Laws of damping on Lobatto nodes.          [Chapter 26] */
 #include "lobatto_law.h"
 
+#include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <gsl/gsl_linalg.h>
@@ -165,16 +166,27 @@ static void differentiate(size_t s, double h, size_t n, const double *N,
 }
 
 /* sum -= x y, s x s matrices */
-static void take_product(size_t s, const double *x, const double *y,
-                         double *sum)
+static inline void take_product(size_t s, const double *x, const double *y,
+                                double *restrict sum)
 {
     for (size_t i = 0; i < s; i++)
-        for (size_t j = 0; j < s; j++) {
-            double entry = sum[i * s + j];
-            for (size_t l = 0; l < s; l++)
-                entry -= x[i * s + l] * y[l * s + j];
-            sum[i * s + j] = entry;
-        }
+        for (size_t l = 0; l < s; l++)
+            for (size_t j = 0; j < s; j++)
+                sum[i * s + j] -= x[i * s + l] * y[l * s + j];
+}
+
+/* V -= Q_1 N_{k-1} + ... + Q_k N_0, where s is often a constant to the compiler. */
+FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
+                                 const double *N, double *V)
+{
+    const size_t s2 = s * s;
+    for (size_t j = 1; j <= k; j++) {
+        const double *x = Q + j * s2, *y = N + (k - j) * s2;
+        if (s == 4)
+            take_product(4, x, y, V);
+        else
+            take_product(s, x, y, V);
+    }
 }
 
 //> division
@@ -194,8 +206,7 @@ static void divide(size_t s, double T, size_t n, double *Q, double *N)
     gsl_linalg_LU_decomp(&matrix.matrix, &permutation, &sign);
     for (size_t k = 0; k < n; k++) {
         double *V = N + k * s2;
-        for (size_t j = 1; j <= k; j++)
-            take_product(s, Q + j * s2, N + (k - j) * s2, V);
+        take_sum(s, k, Q, N, V);
         for (size_t j = 0; j < s; j++) {
             gsl_vector_view x = gsl_vector_view_array(column, s);
             for (size_t i = 0; i < s; i++)
