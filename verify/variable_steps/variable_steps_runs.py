@@ -232,16 +232,15 @@ def exact(alpha, m, c, rho, F, x0, v0, past, at, digits):
         if j == q:
             a[j] += mpf(v0)
         elif j > q or j >= shift:
-            r, total = mpf(j) / q, mpf(F) * (j == 2 * q)
+            total = mpf(F) * (j == 2 * q)
             total -= c * a[j - 2 * q] if j >= 2 * q else 0
             if j >= shift and remembered(j - shift):
-                below = mpf(j - shift) / q
-                if j - q in ratios and r > 2:       # Gamma(below + 1) / Gamma(r - 1)
-                    ratios[j] = ratios[j - q] * below / (r - 2)
+                if j - q in ratios and j > 2 * q:   # Gamma((j - shift)/q + 1) / Gamma(j/q - 1)
+                    ratios[j] = ratios[j - q] * (j - shift) / (j - 2 * q)
                 else:
-                    ratios[j] = mpmath.gamma(below + 1) * mpmath.rgamma(r - 1)
+                    ratios[j] = mpmath.gamma(mpf(j - shift) / q + 1) * mpmath.rgamma(mpf(j) / q - 1)
                 total -= rho * a[j - shift] * ratios[j]
-            a[j] += total / (m * r * (r - 1))
+            a[j] += total * q**2 / (m * j * (j - q))
     root = mpmath.root(at, q)
     x = mpmath.polyval(a[::-1], root)
     slope = mpmath.polyval([j * e / q for j, e in enumerate(a)][:0:-1], root) * root**(1 - q)
