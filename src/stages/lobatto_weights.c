@@ -48,7 +48,7 @@ static inline void add_product(size_t s, double sign,
         }
 }
 
-FVI_VECTORS static series multiply(size_t s, series *x, series *y)
+FVI_VECTORS static series times_series(size_t s, series *x, series *y)
 {
     series out = { 0 };
     for (size_t n = 0; n < TERMS; n++)
@@ -149,7 +149,7 @@ static deep_root make_root(size_t s)
     for (int j = 1; j <= 40; j++) {
         combine(s, 1, &r.logarithm, ldexp(j % 2 ? 1. : -1., r.k) / j, &x,
                 &r.logarithm);
-        x = multiply(s, &x, &r.E);
+        x = times_series(s, &x, &r.E);
     }
     return r;
 }
@@ -180,14 +180,14 @@ static series near(size_t s, double beta, series *rate)
     deep_root r = root_of(s);
     series term = one, sum = one;
     for (int j = 0; j < 40; j++) {
-        term = multiply(s, &term, &r.E);
+        term = times_series(s, &term, &r.E);
         combine(s, (beta - j) / (j + 1), &term, 0, &one, &term);
         combine(s, 1, &sum, 1, &term, &sum);
     }
     while (r.k-- > 0)
-        sum = multiply(s, &sum, &sum);
+        sum = times_series(s, &sum, &sum);
     if (rate)
-        *rate = multiply(s, &r.logarithm, &sum);
+        *rate = times_series(s, &r.logarithm, &sum);
     return sum;
 }
 //< near
@@ -201,10 +201,10 @@ void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
     series top = near(s, 2 * alpha - 1, NULL), bottom = delta(s);
     combine(s, pow(h, 1 - 2 * alpha), &top, 0, &one, &top);
     if (T > 0) {
-        bottom = multiply(s, &bottom, &top);
+        bottom = times_series(s, &bottom, &top);
         combine(s, T / h, &bottom, 1, &one, &bottom);
         bottom = invert(s, &bottom);
-        top = multiply(s, &top, &bottom);
+        top = times_series(s, &top, &bottom);
     }
     for (size_t n = 0; n < TERMS; n++)
         for (size_t i = 0; i < s; i++)
