@@ -10,7 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-static const char between[] = " \t\r\n\v\f,;";
+static const char blank[] = " \t\r\n\v\f", between[] = " \t\r\n\v\f,;";
 
 /* A file that is read line by line. */
 typedef struct {
@@ -30,11 +30,14 @@ static int begin(reader *r)
                                 r->name, strerror(errno));
 }
 
-/* Nonzero while there is a line. */
+/* Nonzero while there is a line. Spreadsheets begin a file with a mark of its encoding. */
 static int next_line(reader *r)
 {
-    r->number++;
-    return getline(&r->line, &r->room, r->file) >= 0;
+    static const char mark[] = "\xef\xbb\xbf";
+    const ssize_t length = getline(&r->line, &r->room, r->file);
+    if (++r->number == 1 && length >= 3 && memcmp(r->line, mark, 3) == 0)
+        memmove(r->line, r->line + 3, (size_t)length - 2);
+    return length >= 0;
 }
 
 /* A folder opens, and fails when it is read. */
@@ -48,17 +51,25 @@ static int end(reader *r, int status)
     return status;
 }
 
+/* Behind a number or a word stand blanks, and at most one comma. */
+static size_t gap(const char *at)
+{
+    const size_t blanks = strspn(at, blank);
+    const int comma = at[blanks] == ',' || at[blanks] == ';';
+    return blanks + (comma ? 1 + strspn(at + blanks + 1, blank) : 0);
+}
+
 /* The next number of the line: 1, 0 at its end, -1 if what stands there is none. */
 static int next_number(char **at, double *value)
 {
     char *stop;
-    *at += strspn(*at, between);
+    *at += strspn(*at, blank);
     if (**at == '\0')
         return 0;
     *value = strtod(*at, &stop);
     const int is = stop != *at && isfinite(*value)
                    && (*stop == '\0' || strchr(between, *stop));
-    *at = stop;
+    *at = stop + gap(stop);
     return is ? 1 : -1;
 }
 
@@ -90,7 +101,6 @@ int fvi_data_numbers(const char *option, const char *file, size_t most,
 static int column_of(const char *line, const char *word)
 {
     const size_t length = strlen(word);
-    line += strspn(line, "# \t");
     for (int i = 0; *line; i++) {
         const size_t here = strcspn(line, between);
         const size_t quoted = here >= 2 && *line == '"';
@@ -98,9 +108,20 @@ static int column_of(const char *line, const char *word)
             && strncasecmp(line + quoted, word, length) == 0)
             return i;
         line += here;
-        line += strspn(line, between);
+        line += gap(line);
     }
     return -1;
+}
+
+/* How many words, or numbers. */
+static int words_of(const char *line)
+{
+    int n = 0;
+    for (line += strspn(line, blank); *line; n++) {
+        line += strcspn(line, between);
+        line += gap(line);
+    }
+    return n;
 }
 
 /* Both columns of a row of numbers. */
@@ -122,32 +143,50 @@ static int row(reader *r, const int column[2], double pair[2])
     return 0;
 }
 
-/* A line of words may say which columns are meant. */
-static int is_heading(const reader *r, size_t rows)
+/* Does a line of words stand here, not one that begins with a number, be it a wrong one?
+ * "info" is none, though it begins with inf. */
+static int is_heading(const char *line)
 {
-    double value;
-    char *at = r->line;
-    return *r->line == '#' || (rows == 0 && next_number(&at, &value) < 0);
+    char *stop;
+    line += strspn(line, between);
+    const double value = strtod(line, &stop);
+    const int whole = *stop == '\0' || strchr(between, *stop);
+    return stop == line || (!isfinite(value) && !whole);
+}
+
+/* Columns, and of how many. */
+typedef struct {
+    int column[2], of;
+} choice;
+
+/* The columns that a line of words names, if it names both. */
+static void choose(const char *line, const char *const names[2], choice *to)
+{
+    line += strspn(line, "# \t");
+    const int t = names ? column_of(line, names[0]) : -1,
+              v = t >= 0 ? column_of(line, names[1]) : -1;
+    if (v >= 0)
+        *to = (choice){ { t, v }, words_of(line) };
 }
 
 /* All rows into pairs t, v. */
 static int rows(reader *r, const char *const names[2], size_t *n,
                 double **pairs)
 {
-    int column[2] = { 0, 1 }, status = 0;
+    choice bare = { { 0, 1 }, 0 }, behind = { { 0, 1 }, 0 };
+    int status = 0;
     size_t room = 0;
     while (!status && next_line(r)) {
+        const int comment = *r->line == '#';
         if (r->line[strspn(r->line, between)] == '\0')
             continue;
-        if (is_heading(r, *n)) {
-            const int t = names && *n == 0 ? column_of(r->line, names[0]) : -1,
-                      v = t >= 0 ? column_of(r->line, names[1]) : -1;
-            if (t >= 0 && v >= 0) {
-                column[0] = t;
-                column[1] = v;
-            }
+        if (comment || (*n == 0 && is_heading(r->line))) {
+            choose(r->line, *n == 0 ? names : NULL, comment ? &behind : &bare);
             continue;
         }
+        /* A comment that has t and x among its words is one, unless they fit the row. */
+        if (*n == 0 && bare.of == 0 && words_of(r->line) == behind.of)
+            bare = behind;
         if (*n == room) {
             room = 2 * room + 256;
             double *more = realloc(*pairs, 2 * room * sizeof *more);
@@ -158,7 +197,7 @@ static int rows(reader *r, const char *const names[2], size_t *n,
             *pairs = more;
         }
         double *pair = *pairs + 2 * *n;
-        status = row(r, column, pair);
+        status = row(r, bare.column, pair);
         if (!status && *n > 0 && !(pair[0] > pair[-2]))
             status = fvi_refuse(r->c, "--%s: %s:%zu: t does not increase",
                                 r->option, r->name, r->number);

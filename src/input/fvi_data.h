@@ -5,7 +5,8 @@
 #include "fvi_refuse.h"
 
 /* fvi_data_numbers -- all numbers of a file, parted by commas, spaces or lines, as the value
- * of --option. What stands behind # in a line is not read.
+ * of --option. What stands behind # in a line is not read. Two commas with no number
+ * between are refused.
  *
  *   most    room in values; more are counted, and not kept
  *   n       output: how many there are
@@ -17,9 +18,9 @@ int fvi_data_numbers(const char *option, const char *file, size_t most,
 /* fvi_data_table -- two columns of a file whose rows have numbers parted by tabs, commas
  * or spaces.
  *
- *   names   of the columns. A line of words above the numbers, also behind #, in which
- *           both stand says which these are; if there is none, or NULL stands for names,
- *           the first two
+ *   names   of the columns. A line of words above the numbers in which both stand says
+ *           which these are, also behind #, if it has as many words as the first row
+ *           has numbers; if there is none, or NULL stands for names, the first two
  *   n       output: rows, at least one
  *   t, v    output: n numbers each, one block, free(*t). t increases
  *

@@ -41,8 +41,12 @@ void fvi_format_parameter(FILE *out, fvi_format format, const char *name,
                           const char *value)
 {
     char *end;
-    if (format == FVI_FORMAT_TSV)
-        fprintf(out, "# %s = %s\n", name, value);
+    if (format == FVI_FORMAT_TSV) {
+        fprintf(out, "# %s = ", name);
+        for (const char *c = value; *c; c++) /* two lines become one */
+            fputc((unsigned char)*c < ' ' ? ' ' : *c, out);
+        fputc('\n', out);
+    }
     if (format != FVI_FORMAT_JSON)
         return;
     fprintf(out, ",\n  \"%s\": ", name);

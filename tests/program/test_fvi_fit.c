@@ -92,8 +92,8 @@ START_TEST(fit_prints_profiles_where_two_are_alike)
     ck_assert_int_eq(fvi("run --alpha 0.65 --rho 0.4 --p0 0.25 --method "
                          "fvi-lobatto4 --columns t,x -o e.tsv"),
                      0);
-    ck_assert_int_eq(
-        fvi("fit --p0 0.25 --fit alpha,rho,c --sigma 0.001 e.tsv"), 1);
+    ck_assert_int_eq(fvi("fit --p0 0.25 --fit alpha,rho,c --sigma 0.001 e.tsv"),
+                     1);
     for (size_t j = 0; j < LEN(names); j++) {
         double row[4];
         char *end;
@@ -147,7 +147,13 @@ START_TEST(fit_reads_tables_of_many_kinds)
         "sed 's/# t.*/t,x/;s/^#.*//' d.tsv | tr '\\t' ' '",
         "awk '/^#/{next} {print \"# note\"; print}' d.tsv",
         "echo 'x v t'; awk '!/^#/{print $2, 7, $1}' d.tsv",
-        "awk '{print $0 \"\\r\"}' d.tsv"
+        "awk '{print $0 \"\\r\"}' d.tsv",
+        "echo '# t in s, x in m'; awk '!/^#/{print $1, $2, 7, 8}' d.tsv",
+        "printf '\\357\\273\\277'; grep -v '#' d.tsv",
+        "printf '\\357\\273\\277t,v,x\\n'; awk '!/^#/{print $1 \",7,\" $2}' "
+        "d.tsv",
+        "echo ',x,t'; awk '!/^#/{print NR \",\" $2 \",\" $1}' d.tsv",
+        "echo 'info t x'; awk '!/^#/{print 7, $1, $2}' d.tsv"
     };
     double first[4], row[4];
     write_data("d.tsv", 0.02, 1);
@@ -192,8 +198,8 @@ START_TEST(fit_says_what_is_not_to_be_believed)
     ck_assert_int_eq(fvi("fit --potential free --p0 0 rest.tsv"), 1);
     ck_assert_str_eq(err,
                      "fvi: these data do not determine alpha,rho together\n");
-    ck_assert_int_eq(
-        fvi("fit --potential free --p0 0 --fit alpha rest.tsv"), 1);
+    ck_assert_int_eq(fvi("fit --potential free --p0 0 --fit alpha rest.tsv"),
+                     1);
     ck_assert_str_eq(err, "fvi: these data do not determine alpha\n");
 }
 END_TEST

@@ -54,6 +54,8 @@ START_TEST(an_expression_is_a_potential)
                     "# force = sin(k*t)/4\n"));
     fvi_expression_free(V);
     fvi_expression_free(F);
+    ck_assert_int_eq(fvi("run --potential 'x^2\n+x' --steps 1"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\n# potential = x^2 +x\n"));
     ck_assert_same_rows("run --potential 'k*x^2' --let k=2,k=2 --let k=2",
                         "run --potential '2*x^2'");
 }

@@ -144,6 +144,21 @@ START_TEST(wrong_parameters_and_lists_are_refused)
     write_file("nan", "0 1\n1 nan\n");
     ck_assert_refused("run --force file:nan",
                       "fvi: --force: nan:2: not a finite number");
+    const char *const wrong[] = { "nan 1", "1e999 1", "0.0s 1", "0x 1",
+                                  ",1,2" };
+    for (size_t i = 0; i < LEN(wrong); i++) {
+        char text[40];
+        snprintf(text, sizeof text, "%s\n0 1\n30 1\n", wrong[i]);
+        write_file("first", text);
+        ck_assert_refused("run --force file:first",
+                          "fvi: --force: first:1: not a finite number");
+    }
+    write_file("comma", "t,F,G\n0,1,9\n10,,9\n30,2,9\n");
+    ck_assert_refused("run --force file:comma",
+                      "fvi: --force: comma:3: not a finite number");
+    write_file("comma", "1,,2,\n");
+    ck_assert_refused("run --dimension 2 --rho @comma",
+                      "fvi: --rho: comma:1: not a finite number");
     ck_assert_refused("exact --force t",
                       "fvi: --force: 't' has no exact solution here; "
                       "none, step:A,T and cosine:A,W have");
