@@ -59,8 +59,11 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
         if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
             return fvi_refuse(c,
                               "--error: the force '%s' jumps between two rows; "
-                              "take other --steps",
-                              o->text[FORCE]);
+                              "take other --steps%s",
+                              o->text[FORCE],
+                              o->text[DAMPING] || o->directory
+                                  ? ""
+                                  : ", or --method fvi-adaptive");
     }
     return status;
 }

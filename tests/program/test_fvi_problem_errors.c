@@ -76,7 +76,8 @@ START_TEST(a_misprint_is_shown)
     ck_assert_refused("run --force impulse:1,2.05 --time 20 --error 1e-6 "
                       "--method fvi-lobatto3",
                       "fvi: --error: the force 'impulse:1,2.05' jumps between "
-                      "two rows; take other --steps");
+                      "two rows; take other --steps, or --method "
+                      "fvi-adaptive");
     ck_assert_refused(
         "run --columns t,q",
         "fvi: --columns: 'q' in 't,q' is none of t, x, p, energy, y");
@@ -169,7 +170,11 @@ START_TEST(wrong_parameters_and_lists_are_refused)
     ck_assert_refused(
         "run --error 0.1 --method fvi --force 'step:1,1 + step:1,1.05'",
         "fvi: --error: the force 'step:1,1 + step:1,1.05' jumps between two "
-        "rows; take other --steps");
+        "rows; take other --steps, or --method fvi-adaptive");
+    ck_assert_refused(
+        "run --error 0.1 --force step:1,1.05 --damping zener:1,0.3,2",
+        "fvi: --error: the force 'step:1,1.05' jumps between two rows; take "
+        "other --steps");
 }
 END_TEST
 
