@@ -154,7 +154,8 @@ static int is_heading(const char *line)
     return stop == line || (!isfinite(value) && !whole);
 }
 
-/* Columns, and of how many. */
+/* Columns, and of how many; of names behind # at most WORDS - 1. */
+enum { WORDS = 1000 };
 typedef struct {
     int column[2], of;
 } choice;
@@ -173,20 +174,26 @@ static void choose(const char *line, const char *const names[2], choice *to)
 static int rows(reader *r, const char *const names[2], size_t *n,
                 double **pairs)
 {
-    choice bare = { { 0, 1 }, 0 }, behind = { { 0, 1 }, 0 };
+    choice named = { { 0, 1 }, 0 }, behind[WORDS] = { 0 }, comment;
     int status = 0;
     size_t room = 0;
     while (!status && next_line(r)) {
-        const int comment = *r->line == '#';
         if (r->line[strspn(r->line, between)] == '\0')
             continue;
-        if (comment || (*n == 0 && is_heading(r->line))) {
-            choose(r->line, *n == 0 ? names : NULL, comment ? &behind : &bare);
+        if (*r->line == '#') {
+            comment.of = 0;
+            choose(r->line, *n == 0 ? names : NULL, &comment);
+            behind[comment.of < WORDS ? comment.of : 0] = comment;
             continue;
         }
-        /* A comment that has t and x among its words is one, unless they fit the row. */
-        if (*n == 0 && bare.of == 0 && words_of(r->line) == behind.of)
-            bare = behind;
+        if (*n == 0 && is_heading(r->line)) {
+            choose(r->line, names, &named);
+            continue;
+        }
+        /* A comment may have t and x among its words; names are as many as the numbers. */
+        const int words = *n == 0 && named.of == 0 ? words_of(r->line) : 0;
+        if (words < WORDS && words > 0 && behind[words].of == words)
+            named = behind[words];
         if (*n == room) {
             room = 2 * room + 256;
             double *more = realloc(*pairs, 2 * room * sizeof *more);
@@ -197,7 +204,7 @@ static int rows(reader *r, const char *const names[2], size_t *n,
             *pairs = more;
         }
         double *pair = *pairs + 2 * *n;
-        status = row(r, bare.column, pair);
+        status = row(r, named.column, pair);
         if (!status && *n > 0 && !(pair[0] > pair[-2]))
             status = fvi_refuse(r->c, "--%s: %s:%zu: t does not increase",
                                 r->option, r->name, r->number);

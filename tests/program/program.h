@@ -47,8 +47,9 @@ static inline int shell(const char *command)
 /* The program alone, without a shell: words are what spaces divide. */
 static inline int fvi_of_words(const char *arguments)
 {
-    enum { WORDS = 200, FLAGS = O_WRONLY | O_CREAT | O_TRUNC };
-    char line[1800], *word[WORDS + 1] = { getenv("FVI") };
+    enum { ROOM = 1800, WORDS = ROOM / 2 };
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    char line[ROOM], *word[WORDS + 1] = { getenv("FVI") };
     posix_spawn_file_actions_t files;
     pid_t child;
     int status = 0;
@@ -58,10 +59,10 @@ static inline int fvi_of_words(const char *arguments)
         word[n + 1] = strtok(n ? NULL : line, " ");
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addchdir_np(&files, folder);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "out", FLAGS, 0666);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "err", FLAGS, 0666);
-    ck_assert_int_eq(
-        posix_spawn(&child, word[0], &files, NULL, word, environ), 0);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "out", flags, 0666);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "err", flags, 0666);
+    ck_assert_int_eq(posix_spawn(&child, word[0], &files, NULL, word, environ),
+                     0);
     posix_spawn_file_actions_destroy(&files);
     ck_assert_int_eq(waitpid(child, &status, 0), child);
     return collect(status);

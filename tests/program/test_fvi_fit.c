@@ -149,6 +149,8 @@ START_TEST(fit_reads_tables_of_many_kinds)
         "echo 'x v t'; awk '!/^#/{print $2, 7, $1}' d.tsv",
         "awk '{print $0 \"\\r\"}' d.tsv",
         "echo '# t in s, x in m'; awk '!/^#/{print $1, $2, 7, 8}' d.tsv",
+        "echo '# x q t'; echo '# t in s, x in m'; awk '!/^#/{print $2, 7, $1}' "
+        "d.tsv",
         "printf '\\357\\273\\277'; grep -v '#' d.tsv",
         "printf '\\357\\273\\277t,v,x\\n'; awk '!/^#/{print $1 \",7,\" $2}' "
         "d.tsv",
