@@ -47,8 +47,12 @@ BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c)
 PROOFS   := $(patsubst %.py,%,$(notdir $(filter-out verify/shared/%,$(wildcard verify/*/*.py))))
 SCENES   := $(patsubst figures/%.c,%,$(wildcard figures/*/*.c))
 DIAGRAMS := $(filter-out $(SCENES),$(patsubst figures/%.gp,%,$(wildcard figures/*/*.gp)))
-CHAPTERS := $(patsubst chapters/%.md,%,$(wildcard chapters/[0-9][0-9]-*.md))
-NUMBERS  := $(foreach c,$(CHAPTERS),ch$(firstword $(subst -, ,$c)))
+# The Course's chapters, and the pages of Further and of the Handbook.
+CHAPTERS := $(patsubst %.md,%,$(notdir $(wildcard chapters/[0-9][0-9]-*.md)))
+PAGES    := $(sort $(patsubst %.md,%,$(notdir $(wildcard chapters/further/[0-9][0-9]-*.md chapters/handbook/[0-9][0-9]-*.md))))
+number    = $(firstword $(subst -, ,$1))
+after     = $(patsubst $(call number,$1)-%,%,$1)
+NUMBERS  := $(foreach c,$(CHAPTERS),ch$(call number,$c)) $(foreach p,$(PAGES),h$(call number,$p))
 vpath test_%.c $(wildcard tests/*)
 
 ifeq ($(MAKELEVEL),0)
@@ -56,7 +60,7 @@ MAKEFLAGS += --jobs=$(shell nproc 2>/dev/null || echo 2) --output-sync=line
 endif
 MAKEFLAGS += --no-builtin-rules
 # Of tests that fail, all are shown.
-ifneq ($(filter test check ch%,$(MAKECMDGOALS)),)
+ifneq ($(filter test check $(NUMBERS),$(MAKECMDGOALS)),)
 MAKEFLAGS += --keep-going
 endif
 ifneq ($V,1)
@@ -75,7 +79,8 @@ all: $B/fvi $B/libfvi.a ## build the program build/fvi and the library (bare `ma
 help: ## print this list
 	echo 'make TARGET, where TARGET is'
 	sed -nE 's/^([a-zA-Z%-]+):[^#]*## (.*)/  \1|\2/p' Makefile | awk -F'|' '{ printf "%-14s %s\n", $$1, $$2 }'
-	echo '  ch04         one chapter: its test, its proof, its figures ($(NUMBERS))'
+	echo '  ch06         a chapter of the Course: its program, tests, proofs and figures (ch01 to ch12)'
+	echo '  h09          a page of Further or the Handbook: its tests, proofs and figures (h00 to h28)'
 	echo '  workshop-04  its code by your hand, tested and drawn ($(HELD))'
 	echo '  exercise-04-7  an exercise; with ANSWER=527, is that right? (exercises: the table of all)'
 	echo 'and, for one STEM, test-STEM; where it has a proof, verify-STEM; a chapter, figures-STEM; stems:'
@@ -189,14 +194,23 @@ mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs #
 clean: ## remove everything that was made
 	rm -rf $B
 
-# One chapter: `make ch04` is what belongs to the stem of chapters/04-*.md.
-stem = $(patsubst $(patsubst ch%,%,$1)-%,%,$(filter $(patsubst ch%,%,$1)-%,$(CHAPTERS)))
-define chapter
-$1: $B/fvi $(filter test-$2 test-$2_%,$(TESTS:%=test-%)) $(filter verify-$2 verify-$2_%,$(PROOFS:%=verify-%)) figures-$2
-figures-$2: $(patsubst %,figures/%.svg,$(filter $2/%,$(SCENES) $(DIAGRAMS)))
-.PHONY: $1 figures-$2
+# `make ch06` is what belongs to the stem of chapters/06-*.md and to the stems beside it;
+# `make h09` what belongs to the stem of the page with this number.
+BESIDE_02 := fractional_derivative
+BESIDE_05 := discrete_principle
+BESIDE_06 := legendre
+BESIDE_10 := convergence
+define stem
+figures-$1: $(patsubst %,figures/%.svg,$(filter $1/%,$(SCENES) $(DIAGRAMS)))
+.PHONY: figures-$1
 endef
-$(foreach n,$(NUMBERS),$(eval $(call chapter,$n,$(call stem,$n))))
+define chapter
+$1: $B/fvi $(foreach s,$2,$(filter test-$s test-$s_%,$(TESTS:%=test-%)) $(filter verify-$s verify-$s_%,$(PROOFS:%=verify-%)) figures-$s)
+.PHONY: $1
+endef
+$(foreach s,$(sort $(foreach p,$(PAGES) $(CHAPTERS),$(call after,$p))),$(eval $(call stem,$s)))
+$(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)))))
+$(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
 .PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(UNDER:%=valgrind-%)
@@ -460,9 +474,9 @@ figures/structures/structures_bench.svg: $(TABLE_structures)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% ch% workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
-  $(call goal,figures figures-% figures/% ch% workshop-figure,gnuplot) \
-  $(call goal,check verify verify-% refs refs-% ch%,sympy) \
+  $(call goal,check test test-% $(NUMBERS) workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
+  $(call goal,figures figures-% figures/% $(NUMBERS) workshop-figure,gnuplot) \
+  $(call goal,check verify verify-% refs refs-% $(NUMBERS),sympy) \
   $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \

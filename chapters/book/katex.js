@@ -49,7 +49,7 @@ function render(html, page) {
           const end = box ? `${stop}~` : stop;
           return rendered(end ? `${formula}\\text{${end}}${box ? '\\square' : ''}` : formula, false) + close;
         }
-        const tag = /\\tag\{([\d.]+)\}/.exec(formula), done = rendered(formula, true);
+        const tag = /\\tag\{(\d+[a-e]|\d+\.\d+)\}/.exec(formula), done = rendered(formula, true);
         if (!tag) return `<span class="formula">${done}</span>${close}${stop}${box ?? ''}`;
         if (equations[tag[1]]) throw new Error(`there is another equation (${tag[1]})`);
         equations[tag[1]] = [page, done];

@@ -22,28 +22,30 @@ from links import heading_id  # noqa: E402
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
           "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
           "chapters/workshop/lectures.md": "lectures", "chapters/book/glossary.md": "glossary",
-          "chapters/what_the_principle_buys.md": "what_the_principle_buys"}
+          "chapters/handbook/what_the_principle_buys.md": "what_the_principle_buys"}
+FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"
 
 
 class Page:
-    """name: of the file, without .html; path: of the Markdown; number: "04" or "";
+    """name: of the file, without .html; path: of the Markdown; number: "4" of the Course, "H 04" or "";
     title, body: HTML; headings: [(level, id, title as HTML)]; sections: see search.py."""
 
     def __init__(self, path):
         self.path = path
         self.name = OTHERS.get(str(path), path.stem)
-        self.number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
+        number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
+        self.number = f"H {number}" if path.parent.name in FOLDERS else number.lstrip("0")
         self.headings = []
 
     @property
     def short(self):
         """The title without its number."""
-        return re.sub(r"^\d\d\. ", "", self.title)
+        return re.sub(r"^(H )?\d+\. ", "", self.title)
 
 
 def all_pages():
-    chapters = sorted((ROOT / "chapters").glob("[0-9][0-9]-*.md"))
+    chapters = [path for folder in FOLDERS for path in sorted((ROOT / "chapters" / folder).glob("[0-9][0-9]-*.md"))]
     return [Page(path) for path in [*chapters, *map(ROOT.joinpath, OTHERS)]]
 
 
@@ -121,7 +123,7 @@ def to_places(page):
         anchor = f"#{anchor}" if anchor else ""
         if str(file) in places:
             new = f"{places[str(file)]}.html"
-        elif file.parent == pathlib.Path("chapters") and file.suffix == ".md":
+        elif file.parent in [pathlib.Path("chapters", folder) for folder in FOLDERS] and file.suffix == ".md":
             new = f"{file.stem}.html"
         elif file == pathlib.Path("chapters/play/index.html"):
             new = "play/index.html"
@@ -189,10 +191,10 @@ def number_figures(page, captions):
         nonlocal count
         count += 1
         source, alt = match["src"], match["alt"]
-        number = f"{int(page.number)}.{count}" if page.number else str(count)
+        number = f"{page.number}.{count}" if page.number else str(count)
         wide, high = size_of(page, source)
-        return (f'<figure id="fig-{number}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
-                f'<figcaption><a href="#fig-{number}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
+        return (f'<figure id="fig-{number.replace(" ", "")}"{live(source)}><a href="{source}"><img src="{source}" alt="{alt}" width="{wide}" height="{high}" style="width: {int(wide) / 16:g}rem"></a>\n'
+                f'<figcaption><a href="#fig-{number.replace(" ", "")}">Figure {number}</a> {captions(source, alt)}</figcaption></figure>')
 
     page.body = re.sub(r'<p><img\s+src="(?P<src>figures/[^"]*)"\s+alt="(?P<alt>[^"]*)"\s*/>\s*</p>', figure, page.body)
 
@@ -292,5 +294,5 @@ def link_equations(page, found):
                 inside.pop() if piece.startswith("</") else inside.append(word)
             out.append(piece)
         else:
-            out.append(piece if inside else re.sub(r"\((\d+\.\d+)\)", link, piece))
+            out.append(piece if inside else re.sub(r"\((\d+\.\d+|\d+[a-e])\)", link, piece))
     page.body = re.sub(r"<td.*?</td>", lambda cell: beside_stops(cell[0]), "".join(out), flags=re.S)

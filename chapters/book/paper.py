@@ -82,9 +82,10 @@ def write(out, chapters, words, version):
     heads, rows, bodies = [], [], []
     for page in chapters:
         title = words(page.title).replace('"', '\\"')
-        heads.append(f'.c{page.number} {{ page: c{page.number} }} @page c{page.number} {{ @top-left {{ content: "{title}" }} }}')
+        mark = "c" + page.number.replace(" ", "")
+        heads.append(f'.{mark} {{ page: {mark} }} @page {mark} {{ @top-left {{ content: "{title}" }} }}')
         rows.append(row(1, page.name, page.title))
         rows += [row(2, f"{page.name}--{ident}", title) for level, ident, title in page.headings if level == 2]
-        bodies.append(f'<article class="c{page.number}">{on_paper(page, page.body, names)}</article>')
+        bodies.append(f'<article class="{mark}">{on_paper(page, page.body, names)}</article>')
     (out / "print.html").write_text(FRAME.replace("{heads}", "\n".join(heads)).replace("{version}", version)
                                     .replace("{rows}", "\n".join(rows)).replace("{chapters}", "\n".join(bodies)))

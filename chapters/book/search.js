@@ -71,7 +71,7 @@ const FVI_SEARCH = (() => {
 
   // The answer as HTML.
   function list(question, root) {
-    const number = /^\(?(\d+\.\d+)\)?$/.exec(question.trim()), places = [];
+    const number = /^\(?(\d+\.\d+|\d+[a-e])\)?$/.exec(question.trim()), places = [];
     if (number && FVI_PLACES[number[1]])
       places.push({ u: FVI_PLACES[number[1]], p: "", t: `Equation (${number[1]})`, x: "" });
     else places.push(...search(question));

@@ -59,7 +59,7 @@ def source_page(path):
 def all_sources():
     """Every file of text that a reader may want to follow a link to."""
     roots = ("src", "tests", "verify", "figures", "chapters")
-    pages = [*pathlib.Path("chapters").glob("*.md"), pathlib.Path("chapters/play/index.html")]
+    pages = [*pathlib.Path("chapters").glob("*.md"), *pathlib.Path("chapters").glob("[fh]*/*.md"), pathlib.Path("chapters/play/index.html")]
     files = [p for root in roots for p in pathlib.Path(root).rglob("*")
              if p.is_file() and p.suffix in SUFFIXES and "__pycache__" not in p.parts and p not in pages]
     return sorted([*files, pathlib.Path("Makefile"), pathlib.Path("LICENSE")])

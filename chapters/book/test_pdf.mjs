@@ -9,7 +9,7 @@ const out = process.argv[2], book = `${out}/fvi.pdf`;
 const ask = (tool, ...words) => execFileSync(tool, words, { encoding: "utf8", maxBuffer: 1 << 28 });
 const pages = ask("pdftotext", "-layout", book, "-").split("\f").slice(0, -1);
 const html = readFileSync(`${out}/print.html`, "utf8");
-const chapters = [...html.matchAll(/<article class="c(\d\d)"><h1 id="([^"]*)"/g)].map(([, number, name]) => ({ number, name }));
+const chapters = [...html.matchAll(/<article class="c(H?)(\d+)"><h1 id="([^"]*)"/g)].map(([, of, number, name]) => ({ number: of ? `H ${number}` : number, name }));
 const at = Object.fromEntries(ask("pdfinfo", "-dests", book).split("\n").map(line => /^\s*(\d+) \[.*\] "(.*)"$/.exec(line))
   .filter(Boolean).map(([, page, place]) => [place, Number(page)]));
 let tests = 0;

@@ -14,7 +14,7 @@ import sys
 import errata_discrete                               # its rows register themselves
 from errata_continuous import ROWS
 
-PAGE = pathlib.Path("chapters/16-errata.md")
+PAGE = pathlib.Path("chapters/handbook/16-errata.md")
 
 
 def table():

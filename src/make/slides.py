@@ -18,7 +18,7 @@ from pages import pandoc_math  # noqa: E402
 
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
-FIGURE = re.compile(r"^!\[([^\]]*)\]\(\.\./(figures/[^)]*\.svg)\)$", re.M)
+FIGURE = re.compile(r"^!\[([^\]]*)\]\((?:\.\./)+(figures/[^)]*\.svg)\)$", re.M)
 EQUATION = re.compile(r"^```math\n.*?\\tag\{.*?^```$", re.M | re.S)
 WORD = r"\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b"
 STATEMENT = re.compile(rf"^{WORD}.*?(?=\n\n)", re.M | re.S)
@@ -92,7 +92,7 @@ def slides(page, known):
                 waiting = []
         if waiting:
             yield f"## {heading}\n\n" + "\n\n".join(waiting)
-    yield f"## Exercises\n\n`chapters/{page.name}`, at its end; all of them: `chapters/workshop/exercises.md`"
+    yield f"## Exercises\n\n`{page}`, at its end; all of them: `chapters/workshop/exercises.md`"
 
 
 def to_html(markdown):
@@ -119,7 +119,7 @@ def style():
 def main():
     known, css = captions(), style()
     OUT.mkdir(parents=True, exist_ok=True)
-    pages = sorted(pathlib.Path("chapters").glob(f"{(sys.argv[2:] or ['[0-9][0-9]'])[0]}-*.md"))
+    pages = sorted(pathlib.Path("chapters").glob(f"**/{(sys.argv[2:] or ['[0-9][0-9]'])[0]}-*.md"))
     total = 0
     for page in pages:
         body = to_html(list(slides(page, known)))

@@ -32,7 +32,7 @@ class Exercise:
 
 def exercises():
     found = []
-    for page in sorted(pathlib.Path("chapters").glob("[0-9][0-9]-*.md")):
+    for page in sorted(pathlib.Path("chapters").glob("[fh]*/[0-9][0-9]-*.md"), key=lambda page: page.name):
         part = page.read_text().partition("\n## Exercises\n")[2].partition("\n## ")[0]
         heads = list(HEAD.finditer(part))
         ends = [m.start() for m in heads[1:]] + [len(part)]
@@ -84,7 +84,7 @@ def groups(text, size):
 def faults():
     """What `make check` holds of all exercises."""
     every = exercises()
-    numbered = set(re.findall(r"\\tag\{([\d.]+)\}", "".join(map(pathlib.Path.read_text, PLAN.parent.parent.glob("*.md")))))
+    numbered = set(re.findall(r"\\tag\{([\d.]+)\}", "".join(map(pathlib.Path.read_text, PLAN.parent.parent.glob("**/*.md")))))
     for e in every:
         if not e.kind:
             yield f"{e.page}: exercise {e.number} does not begin with its kind, such as *(by hand, 10 min; after 9.4)*"
@@ -100,7 +100,7 @@ def faults():
             for wrong in groups(e.wrong or "", len(numbers(e.right))):
                 if wrong and not judge(e, wrong):
                     yield f"{e.page}: exercise {e.number} accepts {wrong}"
-    for page in sorted({e.page for e in every}):
+    for page in sorted({e.page for e in every}, key=lambda page: page.name):
         own = [e for e in every if e.page == page]
         if [e.number for e in own] != list(range(1, len(own) + 1)):
             yield f"{page}: its exercises are not numbered 1 to {len(own)}"
@@ -120,7 +120,7 @@ def faults():
 def table():
     every = exercises()
     lines = ["# All exercises", "",
-             f"{len(every)} exercises of {len({e.page for e in every})} chapters, made from their heads by `make exercises`. "
+             f"{len(every)} exercises of {len({e.page for e in every})} pages of Further and the Handbook, made from their heads by `make exercises`. "
              "*By hand* needs paper; *code* has a hole",
              "in the course's own source and a test that names the equation, where `make workshop-NN` is listed; *break it* "
              "changes a line of the",
@@ -130,7 +130,7 @@ def table():
     for e in every:
         by = f"`make workshop-{e.chapter}`" if f"make workshop-{e.chapter}" in e.text else \
             f"`make exercise-{e.name} ANSWER=...`" if e.right else ""
-        lines.append(f"| [{e.name}](../{e.page.name}#exercises) | {e.kind} | {e.minutes} | ({e.after}) | {by} |")
+        lines.append(f"| [{e.name}](../{e.page.relative_to('chapters')}#exercises) | {e.kind} | {e.minutes} | ({e.after}) | {by} |")
     minutes = {kind: sum(e.minutes or 0 for e in every if e.kind == kind) for kind in KINDS}
     lines += ["", "Hours, by kind: " + ", ".join(f"{kind} {minutes[kind] / 60:.0f}" for kind in KINDS) + "."]
     return "\n".join(lines) + "\n"

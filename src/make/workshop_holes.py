@@ -39,7 +39,7 @@ def tests(files="*/test_*.c"):
 
 @functools.cache
 def page(chapter):
-    return next(pathlib.Path("chapters").glob(f"{chapter}-*.md"))
+    return next(pathlib.Path("chapters").glob(f"[fh]*/{chapter}-*.md"))
 
 
 def equation(number):

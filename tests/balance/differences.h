@@ -1,5 +1,5 @@
 /* tests/balance/differences.h -- x'' + grad U(x) + rho D^{2 alpha} x = 0, differenced as
- * it stands.                                    [chapters/what_the_principle_buys.md]
+ * it stands.                                    [chapters/handbook/what_the_principle_buys.md]
  *
  *     (x_{k+1} - 2 x_k + x_{k-1}) / h^2 + G_k + rho D_k = 0,   k = 1, ..., N - 1,
  *

@@ -1,6 +1,6 @@
 /* tests/balance/test_balance_differences.c -- What differencing the equation has, and what
  * it has not.                     Run alone: make test-balance_differences
- *                                 [chapters/what_the_principle_buys.md] */
+ *                                 [chapters/handbook/what_the_principle_buys.md] */
 #include "balance/differences.h"
 
 #include <fvi/fvi.h>
