@@ -100,12 +100,13 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
-text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that the holes of the workshop fit
+text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost and that the holes of the workshop fit
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
 	$(PYTHON) chapters/tools/words.py --check
 	$(PYTHON) chapters/tools/colours.py
+	$(PYTHON) src/make/lost_nan.py
 	$(WORKSHOP) $B text
 
 excerpts: | needs ## rewrite code and numbers quoted in the chapters from their sources

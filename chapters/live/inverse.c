@@ -4,6 +4,7 @@
  * Each function returns 0, or an error of <fvi/error.h>. */
 #include "fits/identification_tangent.h"
 #include "inverse/mirror_stages.h"
+#include "system/larger.h"
 
 #include <fvi/adjoint.h>
 #include <fvi/coefficients.h>
@@ -214,7 +215,7 @@ static int improve(const data *o, double theta[P], normal *e, double *far)
         *far = 0;
         for (int j = 0; j < P; j++) {
             there[j] = theta[j] + step[j];
-            *far = fmax(*far, fabs(step[j]) * sqrt(e->A[j * P + j]));
+            *far = larger(*far, fabs(step[j]) * sqrt(e->A[j * P + j]));
         }
         const int inside = there[0] > 0 && there[0] < 1 && there[1] > 0;
         if (inside && !normal_at(o, there, &next) && next.chi2 <= e->chi2) {

@@ -10,6 +10,7 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/lobatto.h>
 #include "../tests/balance/differences.h"
+#include "system/larger.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,7 +42,7 @@ static double error(size_t N)
 {
     double worst = 0;
     for (size_t k = 0; k <= N; k++)
-        worst = fmax(worst, fabs(x[k] - truth[k * (MOST / N)]));
+        worst = larger(worst, fabs(x[k] - truth[k * (MOST / N)]));
     return worst;
 }
 

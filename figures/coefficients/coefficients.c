@@ -4,6 +4,7 @@
  * each formula, in units of u = 2^-53. The truth is the same recurrence in
  * quadruple precision, good to 10^-27 here. */
 #include <fvi/coefficients.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,14 +40,14 @@ static void race(double alpha, const double *fast)
         for (size_t i = 0; i < FORMULAS; i++) {
             double error =
                 fabs((double)(((quad)value[i] - truth) / truth)) * 0x1p53;
-            worst[i] = fmax(worst[i], error);
+            worst[i] = larger(worst[i], error);
         }
         if (n == next || n == MANY - 1) {
             printf("%zu", n);
             for (size_t i = 0; i < FORMULAS; i++)
                 printf(" %.17g",
-                       fmax(worst[i], 0.01)); /* a logarithm is drawn */
-            printf(" %.17g\n", alpha);        /* for the title */
+                       larger(worst[i], 0.01)); /* a logarithm is drawn */
+            printf(" %.17g\n", alpha);          /* for the title */
             next += 1 + next / 8;
         }
     }

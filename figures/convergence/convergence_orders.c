@@ -6,6 +6,7 @@
  * and of p on [1/2, 1], then of x and of p at all nodes of [0, 1/4]: the mean of the last two
  * halvings whose errors are above rounding. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,8 +53,8 @@ static void orders(const fvi_method *method, double alpha, double c, double T,
         solve(method, alpha, c, T, N);
         for (size_t k = 0; k <= N; k++)
             if ((double)k >= (1 - part) * (double)N) {
-                error[0] = fmax(error[0], fabs(x[k] - want_x[k]));
-                error[1] = fmax(error[1], fabs(p[k] - want_p[k]));
+                error[0] = larger(error[0], fabs(x[k] - want_x[k]));
+                error[1] = larger(error[1], fabs(p[k] - want_p[k]));
             }
         for (int of = 0; of < 2; of++)
             if (error[of] > (part < 1 ? 5e-13 : 2e-13))

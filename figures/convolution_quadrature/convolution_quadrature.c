@@ -5,6 +5,7 @@
  * T = 1. kappa = 1/2. In each row h and the largest error of x with fvi, fvi-shifted,
  * fvi-bdf2. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -41,7 +42,7 @@ static double error(const fvi_method *method, const fvi_system *system,
     if (fvi_trajectory(method, &run, x, NULL, NULL) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
     for (size_t k = 0; k <= N; k++)
-        most = fmax(most, fabs(x[k] - want[k]));
+        most = larger(most, fabs(x[k] - want[k]));
     return most;
 }
 

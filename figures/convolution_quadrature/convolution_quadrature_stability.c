@@ -7,6 +7,7 @@
  * Blocks 1 to 4: R, growth a step minus 1 predicted, and measured in a run of 1500
  * steps, for alpha = 1/4, W = 1: fvi, fvi-shifted, fvi-bdf2, trapezoidal weights. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,7 +36,7 @@ static int grows(const fvi_method *method, double alpha, double R)
         return 1;
     for (size_t k = 1; k < STEPS; k++) {
         double *most = &half[k > STEPS / 2];
-        *most = fmax(*most, fabs(x[k + 1] - 2 * x[k] + x[k - 1]));
+        *most = larger(*most, fabs(x[k + 1] - 2 * x[k] + x[k - 1]));
     }
     return half[1] > half[0];
 }
@@ -84,7 +85,7 @@ static void growths(fvi_quadrature kind, double theta, const char *name)
         if (growth == 1)
             continue;
         /* until it has grown by 10^100, and long enough to be alone */
-        const double enough = fmin(LONG, 230 / log(growth));
+        const double enough = smaller(LONG, 230 / log(growth));
         if (i % 10 || pow(growth, enough) < 1e6) {
             printf("%.17g %.17g NaN\n", R, growth - 1);
             continue;

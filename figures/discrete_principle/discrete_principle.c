@@ -5,6 +5,7 @@
  * term, and with the mirror of the wrong kappa. */
 #include <fvi/fvi.h>
 #include <fvi/paper/discrete_principle.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +19,7 @@ static const double m = 1, rho = 0.5, cg[] = { 1, 2 };
 /* Rounding leaves exact zeros here and there: a logarithm is drawn. */
 static double drawn(double g)
 {
-    return fmax(fabs(g), 1e-19);
+    return larger(fabs(g), 1e-19);
 }
 
 /* The potential's slope. */

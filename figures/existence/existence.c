@@ -6,6 +6,7 @@
  * e_n of it, on [0, 4], where q > 10, and on [0, 1/4], where q < 1. */
 #include <fvi/error.h>
 #include <fvi/paper/existence.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -43,7 +44,7 @@ static void rate(double d)
     for (size_t n = 0; n <= TIMES; n++) {
         double most = 0;
         for (size_t k = 0; k <= N; k++)
-            most = fmax(most, fabs(v[n][k] - v[MOST][k]));
+            most = larger(most, fabs(v[n][k] - v[MOST][k]));
         if (n == 0)
             start = most;
         double e = fvi_picard_bound(problem.alpha, problem.R, 1, 0, d, n);

@@ -9,6 +9,7 @@
 #include <fvi/paper/experiments.h>
 
 #include "../tests/experiments/experiments_bagley_torvik_ref.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -47,7 +48,7 @@ static double largest(const double *x, size_t n, const double *y, size_t m)
 {
     double worst = 0;
     for (size_t j = 0; j <= TENTHS; j++)
-        worst = fmax(worst, fabs(x[j * n / 10] - y[j * m / 10]));
+        worst = larger(worst, fabs(x[j * n / 10] - y[j * m / 10]));
     return worst;
 }
 

@@ -4,6 +4,7 @@
  * each alpha and h the largest error of x at ten times, against the solution as a
  * double series: damping as printed (Riemann-Liouville), and of a held body. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,8 +53,9 @@ static double error(double alpha, int held, size_t N)
         exit(EXIT_FAILURE);
     double worst = 0;
     for (size_t i = 1; i <= TIMES; i++)
-        worst = fmax(worst, fabs(x[i * N / TIMES]
-                                 - exact(alpha, held, T * (double)i / TIMES)));
+        worst =
+            larger(worst, fabs(x[i * N / TIMES]
+                               - exact(alpha, held, T * (double)i / TIMES)));
     return worst;
 }
 

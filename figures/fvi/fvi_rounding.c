@@ -7,6 +7,7 @@
  * form. */
 #include <fvi/fvi.h>
 #include <fvi/paper/algorithm_3.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -62,9 +63,9 @@ int main(void)
         in_long_double(N, aT, want);
         double off = 0, off_printed = 0;
         for (size_t k = 0; k <= N; k++) {
-            off = fmax(off, (double)fabsl(x[k] - want[k]));
+            off = larger(off, (double)fabsl(x[k] - want[k]));
             off_printed =
-                fmax(off_printed, (double)fabsl(printed[k] - want[k]));
+                larger(off_printed, (double)fabsl(printed[k] - want[k]));
         }
         printf("%zu %.17g %.17g\n", N, off_printed, off);
     }

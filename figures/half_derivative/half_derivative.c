@@ -8,6 +8,7 @@
 #include <fvi/fvi.h>
 #include <fvi/paper/algorithm_3.h>
 #include <fvi/paper/half_derivative.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -59,9 +60,9 @@ static int runs(void)
     for (size_t k = 0; k + WINDOW <= N; k += WINDOW) {
         double a = 0, b = 0, difference = 0;
         for (size_t j = k; j < k + WINDOW; j++) {
-            a = fmax(a, fabs(forced[j]));
-            b = fmax(b, fabs(printed[j]));
-            difference = fmax(difference, fabs(printed[j] - forced[j]));
+            a = larger(a, fabs(forced[j]));
+            b = larger(b, fabs(printed[j]));
+            difference = larger(difference, fabs(printed[j] - forced[j]));
         }
         printf("%.17g %.17g %.17g %.17g\n", (double)k * h, a, b, difference);
     }

@@ -5,6 +5,7 @@
  * solution is an elliptic function, to t = 5. */
 #include <fvi/fvi.h>
 #include <fvi/paper/legendre.h>
+#include "system/larger.h"
 
 #include <gsl/gsl_sf_elljac.h>
 #include <math.h>
@@ -73,9 +74,9 @@ static void row(double rho, const fvi_potential *u, double T, size_t N,
         exact(rho, (double)k * h, &xt, &pt);
         for (size_t i = 0; i < CANDIDATES; i++) {
             const double E = energy(&system, x + k, p + i);
-            worst[i] = fmax(worst[i], fabs(p[i] - pt));
-            worst[CANDIDATES + i] = fmax(worst[CANDIDATES + i],
-                                         fabs(E - energy(&system, &xt, &pt)));
+            worst[i] = larger(worst[i], fabs(p[i] - pt));
+            worst[CANDIDATES + i] = larger(worst[CANDIDATES + i],
+                                           fabs(E - energy(&system, &xt, &pt)));
         }
     }
     printf("%.17g", h);

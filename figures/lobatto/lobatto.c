@@ -5,6 +5,7 @@
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
 #include <fvi/lobatto.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +19,7 @@ static double farthest(size_t N, const double *v, const double *w)
 {
     double worst = 0;
     for (size_t k = N / 10; k + 2 <= N; k++)
-        worst = fmax(worst, fabs(v[k] - w[k]));
+        worst = larger(worst, fabs(v[k] - w[k]));
     return worst;
 }
 

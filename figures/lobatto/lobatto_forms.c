@@ -6,6 +6,7 @@
  * form D. */
 #include <fvi/exact_solution.h>
 #include <fvi/lobatto.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -37,8 +38,8 @@ static void errors(const fvi_method *method, size_t N)
         exit(EXIT_FAILURE);
     double of_x = 0, of_p = 0;
     for (size_t k = N / 10; k <= N; k++) {
-        of_x = fmax(of_x, fabs(x[k] - exact_x[k]));
-        of_p = fmax(of_p, fabs(p[k] - exact_p[k]));
+        of_x = larger(of_x, fabs(x[k] - exact_x[k]));
+        of_p = larger(of_p, fabs(p[k] - exact_p[k]));
     }
     printf(" %.10g %.10g", of_x, of_p);
 }

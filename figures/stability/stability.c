@@ -6,6 +6,7 @@
  * Blocks 1, 2, 3: R / bound, measured growth a step, predicted growth 1/|z|, for
  * alpha = 1/4, 1/2, 3/4 at kappa = 1/2, W = 1; the header names alpha. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -45,7 +46,7 @@ static int grows(double alpha, double kappa, double W, double R)
     if (scalar_run(alpha, kappa, W, R) < STEPS)
         return 1;
     for (size_t k = 0; k <= STEPS; k++)
-        half[k > STEPS / 2] = fmax(half[k > STEPS / 2], fabs(x[k]));
+        half[k > STEPS / 2] = larger(half[k > STEPS / 2], fabs(x[k]));
     return half[1] > 1.01 * half[0]; /* alpha = 0 is neutral inside */
 }
 

@@ -4,6 +4,7 @@
  * by bisection of the load. Block 1: the same, by bisection of runs of 4000 steps whose
  * second half is larger than the first, or not. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,7 +36,7 @@ static int grows(double W, double R)
     if (fvi_trajectory(&fvi_euler_explicit, &run, x, NULL, NULL))
         return 1;
     for (size_t k = 0; k <= STEPS; k++)
-        half[k > STEPS / 2] = fmax(half[k > STEPS / 2], fabs(x[k]));
+        half[k > STEPS / 2] = larger(half[k > STEPS / 2], fabs(x[k]));
     return half[1] > half[0];
 }
 

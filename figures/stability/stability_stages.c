@@ -5,6 +5,7 @@
  * second half is larger than the first, or not. Block 2: R, and the h omega near sqrt(24) at
  * which runs begin to grow. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +25,7 @@ static int grows(double W, double R)
     if (fvi_trajectory(&fvi_lobatto3, &run, x, NULL, NULL))
         return 1;
     for (size_t k = 0; k <= STEPS; k++)
-        half[k > STEPS / 2] = fmax(half[k > STEPS / 2], fabs(x[k]));
+        half[k > STEPS / 2] = larger(half[k > STEPS / 2], fabs(x[k]));
     return half[1] > half[0];
 }
 
@@ -32,7 +33,7 @@ int main(void)
 {
     for (int i = 0; i <= 200; i++) {
         const double W = 8 + 4 * (0.5 - 0.5 * cos(M_PI * i / 200));
-        printf("%.9g %.9g\n", sqrt(W), sqrt(fmax(0, (W - 8) * (12 - W) / 8)));
+        printf("%.9g %.9g\n", sqrt(W), sqrt(larger(0, (W - 8) * (12 - W) / 8)));
     }
     printf("\n\n");
     for (int i = 1; i < POINTS; i++) {

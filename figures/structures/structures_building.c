@@ -6,6 +6,7 @@
  * 20 s. Prints t, ground, roof without and with dampers, then floor, largest drift of the
  * storey below it without and with. */
 #include <fvi/fvi.h>
+#include "system/larger.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -48,7 +49,7 @@ static void shake(double *ground)
 /* Every floor feels -m a(t); linear between two steps. */
 static int load(double t, size_t d, void *params, double *F)
 {
-    const double *ground = params, at = fmin(fmax(t / h, 0), STEPS - 1e-9);
+    const double *ground = params, at = smaller(larger(t / h, 0), STEPS - 1e-9);
     const int k = (int)at;
     for (size_t i = 0; i < d; i++)
         F[i] = -(ground[k] + (at - k) * (ground[k + 1] - ground[k]));
@@ -103,7 +104,7 @@ static void run(double size, double *ground, double *roof, double *drift)
         roof[s->k] = s->x[FLOORS - 1];
         for (int i = 0; i < FLOORS; i++)
             drift[i] =
-                fmax(drift[i], fabs(s->x[i] - (i > 0 ? s->x[i - 1] : 0)));
+                larger(drift[i], fabs(s->x[i] - (i > 0 ? s->x[i - 1] : 0)));
         if (s->k == STEPS)
             break;
     }

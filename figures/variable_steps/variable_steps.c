@@ -8,6 +8,7 @@
 #include <fvi/variable_steps.h>
 
 #include "stages/variable_rule.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -74,7 +75,7 @@ int main(void)
     rows();
     const size_t n = steps(h);
     for (size_t k = 0; k < n; k++)
-        least = fmin(least, h[k]);
+        least = smaller(least, h[k]);
     printf("\n\n# step, 1 / sigma of a mode that is awake\n");
     const double L = fvi_variable_spacing();
     for (double q = floor((-6.5 - log(T)) / L); exp(L * (q - 1)) * least < TOP;

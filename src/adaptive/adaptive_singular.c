@@ -21,6 +21,7 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -90,8 +91,8 @@ static void survey(const fvi_stepper *s, fvi_adaptive_run *o, double *fastest,
                                             s->p[j] / m);
         if ((A == 0 && !o->open) || rho == 0)
             continue;
-        *fastest = fmax(*fastest, rho / m);
-        *slowest = fmin(*slowest, rho / m);
+        *fastest = larger(*fastest, rho / m);
+        *slowest = smaller(*slowest, rho / m);
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 #include "system/newton.h"
 
 #include <gsl/gsl_machine.h>
@@ -86,7 +87,7 @@ largest(const fvi_four *most, const fvi_four *all)
     const double *sum = (const double *)all, *size = (const double *)most;
     double x = 0 * ((sum[0] + sum[1]) + (sum[2] + sum[3]));
     for (size_t i = 0; i < 4; i++)
-        x = size[i] > x ? size[i] : x;
+        x = larger(x, size[i]);
     return x;
 }
 

@@ -2,6 +2,7 @@
 #include "adaptive.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 #include "system/stiffness.h"
 
 #include <gsl/gsl_machine.h>
@@ -18,8 +19,8 @@ static double reach_of(double m, double rho, double c, double alpha, double T)
 {
     double reach = T;
     if (rho > 0 && alpha < 1)
-        reach = fmin(reach, alpha > 0.5 ? m / rho * pow(T, 2 * alpha - 1)
-                                        : pow(m / rho, 1 / (2 - 2 * alpha)));
+        reach = smaller(reach, alpha > 0.5 ? m / rho * pow(T, 2 * alpha - 1)
+                                           : pow(m / rho, 1 / (2 - 2 * alpha)));
     return c > 0 ? fmin(reach, 2 * sqrt(m / c)) : reach;
 }
 
@@ -51,7 +52,7 @@ static size_t sort_out(const fvi_stepper *s, const double *springs,
             kind->mass = m;
             kind->damping = rho;
             kind->spring = linear;
-            kind->reach = fmax(kind->reach, reach);
+            kind->reach = larger(kind->reach, reach);
         }
     }
     return n;
@@ -111,10 +112,10 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
                      t = reach_of(m, 0, springs ? springs[j] : 0, 0, s->run.h);
         double p = fabs(s->p[j]);
         for (size_t i = 0; i < force->impulse_count; i++)
-            p = fmax(p, fabs(force->impulses[i].J[j]));
-        x = fmax(x, fabs(s->x[j]));
-        of_v = fmax(of_v, p / m * t);
-        of_f = fmax(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
+            p = larger(p, fabs(force->impulses[i].J[j]));
+        x = larger(x, fabs(s->x[j]));
+        of_v = larger(of_v, p / m * t);
+        of_f = larger(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
     }
     double size = or_else(x, or_else(of_v, of_f)), part = 1;
     if (!status && x > 0 && size != x && !springs && system->potential.gradient)
@@ -176,10 +177,10 @@ static int begin_memory(fvi_stepper *s, fvi_adaptive_run *o)
     if (status || o->damped == 0 || fabs(o->beta) == 1 || o->beta == 0)
         return status;
     if (o->singular.J)
-        o->least = fmin(o->least, o->singular.t1 / 16);
+        o->least = smaller(o->least, o->singular.t1 / 16);
     if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
-        o->least = fmin(o->least,
-                        o->T * pow(1e-4 * fmin(o->wish, 1), 1 / (1 - o->beta)));
+        o->least = smaller(
+            o->least, o->T * pow(1e-4 * fmin(o->wish, 1), 1 / (1 - o->beta)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
@@ -268,7 +269,7 @@ static int start(fvi_stepper *s, int open)
     for (size_t j = 0; j < d; j++)
         s->p[j] += s->run.system->mass[j] * o->kick[j];
     o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
-    o->first = (int)fmax(o->first, o->fewest);
+    o->first = (int)larger(o->first, o->fewest);
     o->next = o->first;
     return FVI_SUCCESS;
 }

@@ -4,6 +4,7 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -111,7 +112,7 @@ void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
 {
     fvi_adaptive_run *o = s->own;
     o->most = (int)floor(log(longest) / fvi_variable_spacing());
-    o->next = o->first = (int)fmin(o->first, o->most);
+    o->next = o->first = (int)smaller(o->first, o->most);
     o->growth = growth;
 }
 

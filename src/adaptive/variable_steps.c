@@ -16,6 +16,7 @@
 #include "adaptive.h"
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -130,7 +131,7 @@ static double estimate(fvi_adaptive_run *o)
         const double reach = fmin(kind->reach, o->T - o->t),
                      of_x = rule->stage * o->length.h,
                      of_v = o->slip * kind->drag / kind->mass + rule->alias;
-        worst = fmax(worst, (of_x + reach * of_v) * fabs(bend[s - 1]));
+        worst = larger(worst, (of_x + reach * of_v) * fabs(bend[s - 1]));
     }
     return worst;
 }
@@ -220,7 +221,7 @@ static double judge(fvi_adaptive_run *o, double error, double error_before,
 {
     if (!o->fresh && error_before > 0
         && error > error_before * gsl_pow_4(o->length.h / h_before))
-        o->rough = fmax(o->rough, o->t + h_before);
+        o->rough = larger(o->rough, o->t + h_before);
     return o->t < o->rough ? 100 * error : error;
 }
 
@@ -240,7 +241,7 @@ static void lengthen(fvi_adaptive_run *o, double error, int again)
                   : k;
     if (++o->calm % CALM == 0)
         o->contracts++;
-    o->next = (int)fmin(o->next, fmin(o->most, o->contracts));
+    o->next = (int)smaller(o->next, fmin(o->most, o->contracts));
     if (o->fresh) /* the next restart begins where this one got to */
         o->first = o->next;
 }
@@ -276,7 +277,7 @@ static void show(fvi_stepper *s, fvi_adaptive_run *o)
             fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
         s->x[j] = o->y[j] + G;
         s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
-        o->scale = fmax(o->scale, fabs(s->x[j]));
+        o->scale = larger(o->scale, fabs(s->x[j]));
     }
     s->t = o->t;
 }
@@ -319,7 +320,7 @@ static void take(fvi_adaptive_run *o, double event)
         o->t_less = 0;
     }
     o->counts.steps++;
-    o->counts.longest = fmax(o->counts.longest, h);
+    o->counts.longest = larger(o->counts.longest, h);
 }
 //< take
 

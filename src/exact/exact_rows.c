@@ -2,6 +2,7 @@
 #include "exact_window.h"
 #include "memory/double_double.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -291,7 +292,7 @@ static int must_be_careful(const rows *r, size_t n)
 {
     double most = 0;
     for (size_t i = 0; i < r->S->poles; i++)
-        most = fmax(most, cabs(r->S->pole[i].s));
+        most = larger(most, cabs(r->S->pole[i].s));
     return most * time_of(r, n, 0) * GSL_DBL_EPSILON > r->tolerance / 64
            || r->tolerance < 1e-12;
 }

@@ -3,6 +3,7 @@
 
 #include "identification_search.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_qrng.h>
@@ -183,7 +184,7 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
         for (size_t j = 0; j < o->fdf.p; j++) {
             const double by = fabs(fitted->estimate[j] - before.estimate[j]);
             if (by > 1e-7 * size_of(o, j, fitted->estimate[j]))
-                fitted->bias = fmax(fitted->bias, by / fitted->sd[j]);
+                fitted->bias = larger(fitted->bias, by / fitted->sd[j]);
         }
         moves = fitted->bias > 0.01 && !(fitted->bias > 0.75 * before.bias);
     }

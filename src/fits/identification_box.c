@@ -3,6 +3,7 @@
 #include "identification_model.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -16,7 +17,7 @@ void fvi_fit_frequency(size_t n, const double *t, const double *x, double *w,
         mean += x[i] / (double)n;
     *A = 0;
     for (size_t i = 0; i < n; i++)
-        *A = fmax(*A, fabs(x[i] - mean));
+        *A = larger(*A, fabs(x[i] - mean));
     const size_t most = n < LOOKED_AT ? n : LOOKED_AT;
     const double lowest = M_PI / (t[most - 1] - t[0]);
     *w = lowest;
@@ -55,7 +56,7 @@ double fvi_fit_first_step(const fvi_fit *fit)
     fvi_fit_frequency(n, t, fit->x, &w, &A);
     double gap = t[0] > 0 ? t[0] : T;
     for (size_t i = 1; i < n; i++)
-        gap = fmin(gap, t[i] - t[i - 1]);
+        gap = smaller(gap, t[i] - t[i - 1]);
     for (int parts = 1; parts <= PARTS; parts++) {
         double step = gap / parts;
         if (step >= mean / PARTS && meets(n, t, &step)) {

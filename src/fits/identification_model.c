@@ -2,6 +2,7 @@
  *                                                                     [Chapter 24] */
 #include "identification_model.h"
 #include "identification_tangent.h"
+#include "system/larger.h"
 
 #include <fvi/error.h>
 
@@ -24,7 +25,7 @@ void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion)
     m->run.x0 = &m->x0;
     m->run.p0 = &m->p0;
     for (size_t i = 0; i < fit->n; i++)
-        size = fmax(size, fabs(fit->x[i]));
+        size = larger(size, fabs(fit->x[i]));
     m->scale = fit->sigma > 0 ? fit->sigma : size > 0 ? size : 1;
     m->hopeless = 1e8 * fmax(1, size / m->scale);
 }

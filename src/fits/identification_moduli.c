@@ -2,6 +2,7 @@
 #include "identification_model.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_cdf.h>
@@ -102,8 +103,8 @@ static int best_order(moduli *o, double *alpha)
     if (!s)
         FVI_FAIL("no memory for the order", FVI_ENOMEM);
     *alpha = (double)best / SCAN;
-    low = fmax(low, 1e-9);
-    high = fmin(high, 1 - 1e-9);
+    low = larger(low, 1e-9);
+    high = smaller(high, 1 - 1e-9);
     if (gsl_min_fminimizer_set(s, &f, *alpha, low, high) == GSL_SUCCESS)
         for (int i = 0; i < 100 && high - low > 1e-12; i++) {
             if (gsl_min_fminimizer_iterate(s))

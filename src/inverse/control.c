@@ -3,6 +3,7 @@
 
 #include <fvi/adjoint.h>
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -184,8 +185,8 @@ static double change_of(const problem *o, const double *u)
 {
     double far = 0, size = 0;
     for (size_t j = 0; j < o->rows; j++) {
-        far = fmax(far, fabs(o->next[j] - u[j]));
-        size = fmax(size, fabs(o->next[j]));
+        far = larger(far, fabs(o->next[j] - u[j]));
+        size = larger(size, fabs(o->next[j]));
     }
     return far > 0 ? far / fmax(size, GSL_DBL_MIN) : 0;
 }
@@ -197,7 +198,7 @@ static int go(problem *o, double *u, double *price)
 {
     double slope = 0;
     for (size_t i = 0; i < o->ends; i++)
-        *price = fmax(*price, 1.5 * fabs(o->nu[i]));
+        *price = larger(*price, 1.5 * fabs(o->nu[i]));
     const double before = merit(o, u, *price);
     for (size_t j = 0; j < o->rows; j++)
         slope -= o->run.h * gsl_pow_2(o->next[j] - u[j]);
@@ -328,7 +329,7 @@ int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
     if (!status || status == FVI_EMAXITER) {
         found->cost = cost_of(&o, u);
         for (size_t i = 0; i < o.ends; i++)
-            found->miss = fmax(found->miss, fabs(o.gap[i]));
+            found->miss = larger(found->miss, fabs(o.gap[i]));
     }
     free(o.block);
     return status;

@@ -19,7 +19,7 @@ def compile_plain(source, *flags):
 
 
 def harness():
-    return [compile_plain("tests/workshop/checks.c", "-O0", "-Itests"),
+    return [compile_plain("tests/workshop/checks.c", "-O0", "-Isrc", "-Itests"),
             compile_plain("tests/workshop/exit.c")]
 
 

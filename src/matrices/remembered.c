@@ -3,6 +3,7 @@
 
 #include "factors.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <float.h>
 #include <math.h>
@@ -196,7 +197,7 @@ static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
         const double damping = fvi_sparse_entry(C, i, i);
         if (damping < 0)
             return FVI_EDOM;
-        largest = fmax(largest, damping / fvi_sparse_entry(M, i, i));
+        largest = larger(largest, damping / fvi_sparse_entry(M, i, i));
     }
     const fvi_sparse *const terms[3] = { M, C, NULL };
     const double a[3] = { 1e-9 * largest, 1, 0 };

@@ -4,6 +4,7 @@
 #include <fvi/coefficients.h>
 #include "law_terms.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_integration.h>
@@ -61,7 +62,7 @@ double fvi_law_growth(const fvi_law *law)
 {
     double most = 0;
     for (size_t i = 0; i < law->count; i++)
-        most = fmax(most, growth_of(&law->term[i]));
+        most = larger(most, growth_of(&law->term[i]));
     return most;
 }
 

@@ -4,6 +4,7 @@
 #include "law_terms.h"
 #include "memory_kinds.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -64,7 +65,7 @@ static double longest(const ready *r, double N)
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_law_simple *t = &r->term[i];
         if (has_cut(t) && t->time > 0)
-            N = fmax(N, 20 * pow(t->time, 0.5 / t->alpha) / r->h);
+            N = larger(N, 20 * pow(t->time, 0.5 / t->alpha) / r->h);
     }
     return N;
 }
@@ -107,8 +108,8 @@ static size_t modes_of_cut(const ready *r, double N, double delta, double *s,
     for (size_t i = 0; i < r->terms; i++)
         if (has_cut(&r->term[i])) {
             any = 1;
-            least = fmin(least, 2 * r->term[i].alpha - r->increments);
-            width = fmin(width, strip(&r->term[i]));
+            least = smaller(least, 2 * r->term[i].alpha - r->increments);
+            width = smaller(width, strip(&r->term[i]));
         }
     if (!any)
         return 0;

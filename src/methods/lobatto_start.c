@@ -5,6 +5,7 @@
 #include "loads.h"
 #include "lobatto_stages.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -108,7 +109,7 @@ double fvi_lobatto_finer(const fvi_run *run)
         Y = fmax(run->h * fvi_law_symbol(run->law, 1 / run->h),
                  T * fvi_law_symbol(run->law, 1 / T));
     for (size_t j = 0; j < system->d; j++)
-        worst = fmax(worst, T * system->damping[j] * Y / system->mass[j]);
+        worst = larger(worst, T * system->damping[j] * Y / system->mass[j]);
     return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
 }
 //< finer

@@ -3,6 +3,7 @@
 
 #include <fvi/coefficients.h>
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_fit.h>
@@ -103,9 +104,9 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
             status = fvi_energy(&system, s->x, s->p, &E_k);
         if (status)
             break;
-        worst[0] = fmax(worst[0], fabs(s->x[0] - x)); /* (10.2) */
-        worst[1] = fmax(worst[1], fabs(s->p[0] - p));
-        worst[2] = fmax(worst[2], fabs(E_k - E));
+        worst[0] = larger(worst[0], fabs(s->x[0] - x)); /* (10.2) */
+        worst[1] = larger(worst[1], fabs(s->p[0] - p));
+        worst[2] = larger(worst[2], fabs(E_k - E));
     }
     //< errors
     fvi_stop(s);

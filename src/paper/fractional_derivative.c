@@ -2,6 +2,7 @@
 #include <fvi/paper/fractional_derivative.h>
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -49,7 +50,7 @@ static int mean_velocity(history *past, double alpha, double *mean)
         double v = velocity((double)i / PROBES, past);
         if (!gsl_finite(v))
             FVI_FAIL("f' is not finite", FVI_EBADFUNC);
-        largest = fmax(largest, fabs(v));
+        largest = larger(largest, fabs(v));
     }
     double tolerance = 1e-13 * largest / (1 - alpha) + GSL_DBL_MIN, error;
     gsl_function f = { velocity, past };

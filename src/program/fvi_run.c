@@ -9,6 +9,7 @@
 #include "output/fvi_watch.h"
 #include "words/fvi_values.h"
 #include "stages/lobatto_memory.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -145,7 +146,7 @@ static double most(const fvi_options *o)
 {
     double ratio = 0;
     for (size_t i = 0; i < o->d; i++)
-        ratio = fmax(ratio, o->rho[i] / o->mass[i]);
+        ratio = larger(ratio, o->rho[i] / o->mass[i]);
     return ratio;
 }
 

@@ -1,6 +1,7 @@
 /* src/run/solution.c -- Is there a motion that starts so?            [Chapters 19, 27] */
 #include "solution.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <float.h>
 #include <math.h>
@@ -23,7 +24,7 @@ static int is_felt(const fvi_run *run, const double *y)
     double largest = 0;
     int felt = 0;
     for (size_t i = 0; i < run->system->d; i++)
-        largest = fmax(largest, sqrt(C[i]) * fabs(run->x0[i]));
+        largest = larger(largest, sqrt(C[i]) * fabs(run->x0[i]));
     for (size_t i = 0; i < run->system->d; i++)
         felt |= !(fabs(y[i]) <= 64 * (DBL_EPSILON / 2) * sqrt(C[i]) * largest);
     return felt;

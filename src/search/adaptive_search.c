@@ -4,6 +4,7 @@
 
 #include "adaptive/adaptive.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -72,8 +73,8 @@ static double distance(const pair *o, double *largest)
     double D = 0;
     *largest = 0;
     for (size_t i = 0; i < o->length; i++) {
-        D = fmax(D, fabs(o->x[i] - o->before[i]));
-        *largest = fmax(*largest, fabs(o->x[i]));
+        D = larger(D, fabs(o->x[i] - o->before[i]));
+        *largest = larger(*largest, fabs(o->x[i]));
     }
     return D + (3e-14 + o->counts.memory) * *largest;
 }

@@ -5,6 +5,7 @@
 #include "run/solution.h"
 #include "step_search_force.h"
 #include "system/fail.h"
+#include "system/larger.h"
 #include "system/stiffness.h"
 
 #include <gsl/gsl_math.h>
@@ -70,8 +71,8 @@ static double distance(const search *o, double *largest)
     double D = 0;
     *largest = 0;
     for (size_t i = 0; i < o->length; i++) {
-        D = fmax(D, fabs(o->x[i] - o->before[i]));
-        *largest = fmax(*largest, fabs(o->x[i]));
+        D = larger(D, fabs(o->x[i] - o->before[i]));
+        *largest = larger(*largest, fabs(o->x[i]));
     }
     return D;
 }
@@ -154,7 +155,7 @@ static int stiffness(search *o, double *most)
         int status = u->hessian(d, o->x + row * d, u->params, o->H);
         if (status)
             return status;
-        *most = fmax(*most, fvi_stiffness(system, o->H));
+        *most = larger(*most, fvi_stiffness(system, o->H));
     }
     return FVI_SUCCESS;
 }
@@ -193,7 +194,7 @@ static double estimate(const comparison *c, double least, double most,
 
 static int is_rounding(const comparison *c)
 {
-    return fmax(c->D, c->D_before) <= 10 * c->floor;
+    return larger(c->D, c->D_before) <= 10 * c->floor;
 }
 
 /* The run in o->x, as it compares with the one before, which may have failed. */

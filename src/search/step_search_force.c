@@ -1,5 +1,6 @@
 /* src/search/step_search_force.c -- Do the steps see the force?      [Chapter 18] */
 #include "step_search_force.h"
+#include "system/larger.h"
 
 #include <fvi/error.h>
 
@@ -63,7 +64,7 @@ int fvi_force_probe_look(fvi_force_probe *o, const fvi_run *run, size_t parts,
                          rounding = fabs(l) + fabs(r) + fabs(m),
                          off = fabs(m - ((1 - theta) * l + theta * r));
             o->deviation[i] =
-                fmax(o->deviation[i], off - 16 * GSL_DBL_EPSILON * rounding);
+                larger(o->deviation[i], off - 16 * GSL_DBL_EPSILON * rounding);
         }
     }
     for (size_t i = 0; i < d; i++)

@@ -2,6 +2,7 @@
 #include <fvi/convergence.h>
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <math.h>
 
@@ -66,11 +67,12 @@ int fvi_convergence_bound(const fvi_motion *motion, fvi_convergence *bound)
     const double C = defect(motion), lambda = rate(motion), T = motion->T;
     if (!isfinite(C) || !isfinite(lambda))
         FVI_FAIL("no finite bound", FVI_EOVRFLW);
-    /* x stays within the room, and a step has one solution there. */
+    /* x stays within the room, and a step has one solution there. Without a defect, x does not
+     * leave the exact motion, however much errors would grow. */
     const double growth = lambda > 0 ? expm1(lambda * T) / lambda : T,
                  k = motion->kappa * (1 - motion->kappa) * motion->lipschitz;
     *bound = (fvi_convergence){ C, lambda, 1 / sqrt(k) };
-    if (isfinite(motion->room))
-        bound->h = fmin(bound->h, motion->room / (2 * C * growth));
+    if (isfinite(motion->room) && C > 0)
+        bound->h = smaller(bound->h, motion->room / (2 * C * growth));
     return FVI_SUCCESS;
 }

@@ -3,6 +3,7 @@
 
 #include "stability_share.h"
 #include "system/fail.h"
+#include "system/larger.h"
 #include "system/newton.h"
 
 #include <gsl/gsl_eigen.h>
@@ -70,9 +71,9 @@ static double largest_of_tridiagonal(size_t d, const double *a, const double *b)
 {
     double low = a[0], high = a[0];
     for (size_t i = 0; i < d; i++) {
-        low = fmax(low, a[i]);
-        high = fmax(high, a[i] + (i > 0 ? fabs(b[i - 1]) : 0)
-                              + (i + 1 < d ? fabs(b[i]) : 0));
+        low = larger(low, a[i]);
+        high = larger(high, a[i] + (i > 0 ? fabs(b[i - 1]) : 0)
+                                + (i + 1 < d ? fabs(b[i]) : 0));
     }
     for (double x; (x = low + (high - low) / 2) > low && x < high;) {
         if (is_above(d, a, b, x))
@@ -152,7 +153,7 @@ static int load_at(double share, const fvi_run *run, const double *K, double *A,
     if (!K || spring == 0) { /* only the damping, and it is diagonal */
         for (size_t i = 0; i < system->d; i++)
             largest =
-                fmax(largest, damper * system->damping[i] / system->mass[i]);
+                larger(largest, damper * system->damping[i] / system->mass[i]);
     } else if (is_tridiagonal(system)) {
         int status = weigh_diagonals(system, spring, damper, K, A);
         if (status)

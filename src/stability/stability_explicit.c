@@ -3,6 +3,7 @@
 
 #include "stability_share.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_eigen.h>
@@ -84,10 +85,11 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
     }
     double largest = 0;
     for (size_t i = 0; !status && i < n; i++)
-        largest = fmax(largest, gsl_complex_abs(gsl_vector_complex_get(s, i)));
+        largest =
+            larger(largest, gsl_complex_abs(gsl_vector_complex_get(s, i)));
     *load = 0;
     for (size_t i = 0; !status && i < n; i++)
-        *load = fmax(
+        *load = larger(
             *load, of_exponent(run->h, gsl_vector_complex_get(s, i), largest));
     gsl_matrix_free(A);
     gsl_vector_complex_free(s);

@@ -3,6 +3,7 @@
 #include "memory/law_terms.h"
 #include "stages/lobatto_weights.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_eigen.h>
@@ -175,9 +176,9 @@ static int load_of(const turn *t, double W, double R, double *load)
             continue;
         if (real > 1) {
             odd = !odd;
-            above = fmax(above, real);
+            above = larger(above, real);
         } else
-            below = fmax(below, real);
+            below = larger(below, real);
     }
     *load = odd ? above : below;
     return status;
@@ -212,7 +213,7 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
         int status = load_of(ends + i, W, R, &part);
         if (status)
             return status;
-        *load = fmax(*load, part);
+        *load = larger(*load, part);
     }
     return FVI_SUCCESS;
 }

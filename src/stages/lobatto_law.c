@@ -3,6 +3,7 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -91,10 +92,10 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_law *r, double N,
         const fvi_law_simple *t = &r->term[i];
         if (!has_cut(t))
             continue;
-        least = fmin(least, 2 * t->alpha - 1);
-        most = fmax(most, 2 * t->alpha - 1);
+        least = smaller(least, 2 * t->alpha - 1);
+        most = larger(most, 2 * t->alpha - 1);
         if (t->time > 0) /* poles on the sheet beyond the cut */
-            width = fmin(width, 0.9 * fmin(1, 1 / t->alpha - 2));
+            width = smaller(width, 0.9 * fmin(1, 1 / t->alpha - 2));
     }
     if (most < least)
         return 0;

@@ -3,6 +3,7 @@
 
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -96,7 +97,7 @@ static double norm(size_t s, const series *x)
         for (size_t n = 0; n < TERMS; n++)
             for (size_t j = 0; j < s; j++)
                 sum += fabs(x->w[n][i][j]);
-        largest = fmax(largest, sum);
+        largest = larger(largest, sum);
     }
     return largest;
 }

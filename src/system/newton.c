@@ -2,6 +2,7 @@
 #include "newton_stages.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -24,10 +25,8 @@ static void take(fvi_newton *n, double *d)
     for (size_t j = 0; j < dim; j++)
         for (double *at = d + j; at < d + n->q * dim; at += dim, step++) {
             *at += *step;
-            if (!(fabs(*step) <= n->size)) /* NaN is large */
-                n->size = fabs(*step);
-            if (fabs(*at) > n->largest)
-                n->largest = fabs(*at);
+            n->size = larger(n->size, fabs(*step));
+            n->largest = larger(n->largest, fabs(*at));
         }
 }
 

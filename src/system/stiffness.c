@@ -1,5 +1,6 @@
 /* src/system/stiffness.c -- A bound of the eigenvalues of a Hessian.  [Chapter 18] */
 #include "stiffness.h"
+#include "system/larger.h"
 
 #include <math.h>
 
@@ -21,7 +22,7 @@ double fvi_stiffness(const fvi_system *system, const double *H)
     const size_t d = system->d;
     double most = 0;
     for (size_t i = 0; i < d; i++)
-        most = fmax(most, row_sum(H, d, system->potential.diagonals, i)
-                              / system->mass[i]);
+        most = larger(most, row_sum(H, d, system->potential.diagonals, i)
+                                / system->mass[i]);
     return most;
 }

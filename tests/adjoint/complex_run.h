@@ -7,6 +7,7 @@
 #define COMPLEX_RUN_H
 
 #include "adjoint_runs.h"
+#include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_sf_psi.h>
@@ -138,7 +139,7 @@ static inline void complex_step(const complex_run *r, const double complex *x,
         complex_solve(r->d, H, e);
         for (size_t i = 0; i < r->d; i++) {
             dx[i] += e[i];
-            change = fmax(change, fabs(creal(e[i])));
+            change = larger(change, fabs(creal(e[i])));
         }
         if (change < 1e-9 && left > 3) /* twice more, for both parts */
             left = 3;

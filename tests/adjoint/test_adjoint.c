@@ -2,6 +2,7 @@
 #include "adjoint_runs.h"
 
 #include "adjoint_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -64,11 +65,12 @@ static void ck_assert_row(size_t i, fvi_memory_kind memory, double tolerance)
                            *s->to.alpha,        s->to.parameters[0],
                            s->to.parameters[1], s->force[ref_slopes[i].force] };
     for (size_t j = 0; j < LEN(want); j++) {
-        seen_worst(fabs(got[j] - want[j]) / fmax(1, fabs(want[j])), "worst");
+        seen_worst(fabs(got[j] - want[j]) / larger(1, fabs(want[j])), "worst");
         if (isnan(want[j]))
             ck_assert_msg(isnan(got[j]), "row %zu", i);
         else
-            ck_assert_near(got[j], want[j], tolerance * fmax(1, fabs(want[j])),
+            ck_assert_near(got[j], want[j],
+                           tolerance * larger(1, fabs(want[j])),
                            "%s past %d alpha=%g, derivative %zu", method->name,
                            (int)o->run.past, o->run.alpha, j);
     }

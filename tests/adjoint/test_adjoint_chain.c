@@ -2,6 +2,7 @@
  *                                        Run alone: make test-adjoint_chain */
 #include "complex_run.h"
 #include "harness/full_chain.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -20,7 +21,7 @@ typedef struct {
 static int table_value(double t, size_t d, void *params, double *F)
 {
     const chain *c = params;
-    const double k = t / c->run.h, whole = fmin(floor(k), N - 1);
+    const double k = t / c->run.h, whole = smaller(floor(k), N - 1);
     const double *left = c->F + (size_t)whole * d;
     for (size_t i = 0; i < d; i++)
         F[i] = left[i] + (k - whole) * (left[d + i] - left[i]);
@@ -87,7 +88,7 @@ static void ck_assert_slopes(complex_run *r, double complex *number,
     const size_t stride = count > D ? 7 : 1; /* of many forces, some */
     for (size_t i = 0; i < count; i += stride) {
         want[i] = complex_slope(r, number + i);
-        largest = fmax(largest, fabs(want[i]));
+        largest = larger(largest, fabs(want[i]));
     }
     for (size_t i = 0; i < count; i += stride)
         seen_worst(fabs(got[i] - want[i]) / largest, "worst");

@@ -3,6 +3,7 @@
 #include "structures/structures_runs.h"
 
 #include "adjoint_matrices_ref.h"
+#include "system/larger.h"
 
 enum { D = 3, N = 12 };
 
@@ -88,8 +89,8 @@ START_TEST(eq_23_19_every_factor_of_matrices_to_40_digits)
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
         for (size_t j = 0; j < 4; j++) {
             const double want = ref_matrices[row].want[j];
-            seen(fabs(a->by[j] - want) / fmax(1, fabs(want)), "worst");
-            ck_assert_near(a->by[j], want, 2e-13 * fmax(1, fabs(want)),
+            seen(fabs(a->by[j] - want) / larger(1, fabs(want)), "worst");
+            ck_assert_near(a->by[j], want, 2e-13 * larger(1, fabs(want)),
                            "%s alpha %g past %d memory %zu number %zu",
                            method->name, run.alpha, run.past, i % LEN(kinds),
                            j);
@@ -115,7 +116,7 @@ START_TEST(eq_23_20_a_factor_of_everything_changes_no_position)
         OK(fvi_trajectory(method, &run, x, p, NULL));
         double sum = a->by[0] + a->by[1] + a->by[3];
         for (size_t k = 0; k < 4; k++)
-            size = fmax(size, fabs(a->by[k]));
+            size = larger(size, fabs(a->by[k]));
         for (size_t k = 0; k < (N + 1) * D; k++)
             sum += a->force[k] * (double)(k % D + 1)
                    * cos(1.25 * (double)(k / D) * h) / 5;
@@ -157,15 +158,15 @@ START_TEST(eq_23_21_a_power_of_matrices_as_a_law)
             b->by[2] = orders;
             for (size_t j = 0; j < 4; j++)
                 ck_assert_near(b->by[j], a->by[j],
-                               1e-12 * fmax(1, fabs(a->by[j])),
+                               1e-12 * larger(1, fabs(a->by[j])),
                                "%s alpha %g number %zu", method->name,
                                ref_matrices[i].alpha, j);
-            ck_assert_near(terms, b->by[1], 1e-12 * fmax(1, fabs(terms)),
+            ck_assert_near(terms, b->by[1], 1e-12 * larger(1, fabs(terms)),
                            "the factor of the only term");
             for (size_t j = 0; j < 2 * D; j++)
                 ck_assert_near(b->start[j], a->start[j],
-                               1e-12 * fmax(1, fabs(a->start[j])), "start %zu",
-                               j);
+                               1e-12 * larger(1, fabs(a->start[j])),
+                               "start %zu", j);
             for (size_t j = 0; j < (N + 1) * D; j++)
                 ck_assert_near(b->force[j], a->force[j], 1e-12, "force %zu", j);
         }
@@ -290,7 +291,7 @@ START_TEST(eq_23_19_modes_give_the_factors_of_all_weights)
         OK(status);
         compared++;
         for (size_t j = 0; j < 4; j++)
-            most = fmax(most, fabs(of[0][j]));
+            most = larger(most, fabs(of[0][j]));
         for (size_t j = 0; j < 4; j++) {
             seen_worst(fabs(of[1][j] - of[0][j]) / most, "off");
             ck_assert_near(of[1][j], of[0][j], 1e-11 * most,

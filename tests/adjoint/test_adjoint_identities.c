@@ -3,6 +3,7 @@
 #include "adjoint_runs.h"
 
 #include "adjoint_simple.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -81,7 +82,7 @@ START_TEST(eq_23_5_the_mirror_of_a_pendulum_is_not_its_adjoint)
                      FVI_SUCCESS);
     double away = 0;
     for (size_t k = 1; k <= N; k++)
-        away = fmax(away, fabs(force[k] / run.h - x[N - k]));
+        away = larger(away, fabs(force[k] / run.h - x[N - k]));
     seen(away, "the difference");
     ck_assert(away > 0.05);
 }
@@ -112,7 +113,7 @@ START_TEST(eq_23_4_the_mirrored_run_as_it_stands)
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, p + N, &J, &want),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++)
-        largest = fmax(largest, fabs(mu[k]));
+        largest = larger(largest, fabs(mu[k]));
     for (size_t k = 1; k <= N; k++)
         ck_assert_near(force[k] / run.h, mu[N - k], N * U * largest, "k=%zu",
                        k);

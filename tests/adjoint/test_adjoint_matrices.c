@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_matrices.c -- Chapter 23: systems with matrices.
  *                                        Run alone: make test-adjoint_matrices */
 #include "structures/structures_runs.h"
+#include "system/larger.h"
 
 enum { D = 7, N = 70 };
 
@@ -136,7 +137,7 @@ START_TEST(eq_23_6_matrices_are_their_own_adjoint)
         OK(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want));
         double largest = 1;
         for (size_t i = 0; i < 2 * D; i++)
-            largest = fmax(largest, fabs(by[i]));
+            largest = larger(largest, fabs(by[i]));
         for (size_t i = 0; i < 2 * D; i++) {
             const double slope =
                 difference(&fvi_fractional, &run,
@@ -189,7 +190,7 @@ START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
         for (size_t i = 0; at_0 && i < D; i++)
             ck_assert(isnan(by[i]));
         for (size_t i = at_0 ? D : 0; i < 2 * D; i++)
-            largest = fmax(largest, fabs(by[i]));
+            largest = larger(largest, fabs(by[i]));
         for (size_t i = at_0 ? D : 0; i < 2 * D; i++) {
             const double slope = difference(method, &run, linear_of, i, NULL);
             seen(fabs(by[i] - slope) / largest, "off");

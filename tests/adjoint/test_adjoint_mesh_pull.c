@@ -2,6 +2,7 @@
  * pulls the start.                     Run alone: make test-adjoint_mesh_pull */
 #include "adjoint_meshes.h"
 #include "adaptive/adaptive.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -133,7 +134,7 @@ START_TEST(eq_23_25_differences_of_pulled_runs)
                            (int)c.run.past, c.run.alpha, l);
         }
         if (inner) {
-            const double far = fmin(c.run.alpha, 1 - c.run.alpha),
+            const double far = smaller(c.run.alpha, 1 - c.run.alpha),
                          want = quotient_by(&c, &c.run.alpha, 1e-3 * far);
             seen_worst(fabs(*s->to.alpha - want), "by alpha");
             ck_assert_near(*s->to.alpha, want, 1e-6, "past %d alpha=%g",
@@ -219,12 +220,13 @@ START_TEST(eq_23_25_random_pulled_runs)
         const chain from = c;
         kinds[kind_of(&c)]++;
         for (size_t l = 0; l <= 4 * D; l++)
-            along[l] = between(random, -1, 1)
-                       * (l < 3 * D ? 1
-                          : l < 4 * D
-                              ? from.rho[l - 3 * D]
-                              : fmin(fabs(from.run.alpha - 0.5),
-                                     fmin(from.run.alpha, 1 - from.run.alpha)));
+            along[l] =
+                between(random, -1, 1)
+                * (l < 3 * D ? 1
+                   : l < 4 * D
+                       ? from.rho[l - 3 * D]
+                       : smaller(fabs(from.run.alpha - 0.5),
+                                 smaller(from.run.alpha, 1 - from.run.alpha)));
         slopes *s = slopes_by(&c, 0);
         got = along[4 * D] * *s->to.alpha;
         for (size_t l = 0; l < 4 * D; l++)

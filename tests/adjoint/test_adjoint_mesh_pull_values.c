@@ -5,6 +5,7 @@
 #include "adaptive/adaptive.h"
 
 #include "adjoint_mesh_pull_ref.h"
+#include "system/larger.h"
 
 enum { D = 5, ROWS = 4, STEPS = LEN(ref_pulls[0].ends), SLOPES = 26 };
 
@@ -24,8 +25,8 @@ static void chain_of(size_t i, chain *c)
     size_t jumps = 0;
     *c = (chain){ .aw = { 0.2, 1.25 } };
     for (size_t j = 0; j < D; j++) {
-        size = fmax(size, fabs(x0[j]));
-        v = fmax(v, fabs(p0[j]) / ref_pulls[i].mass[j]);
+        size = larger(size, fabs(x0[j]));
+        v = larger(v, fabs(p0[j]) / ref_pulls[i].mass[j]);
     }
     size = size > 0 ? size : v * h; /* as the method sees it */
     c->system =
@@ -109,7 +110,7 @@ START_TEST(eq_23_25_every_derivative_of_a_pulled_chain)
         slopes_by(i, got);
         for (size_t j = none ? D : 0; j < SLOPES; j++) {
             const double want = ref_pulls[i].want[j],
-                         off = fabs(got[j] - want) / fmax(0.1, fabs(want));
+                         off = fabs(got[j] - want) / larger(0.1, fabs(want));
             if (ref_pulls[i].s == 6)
                 seen_worst(off, "six stages");
             else if (j == 22)

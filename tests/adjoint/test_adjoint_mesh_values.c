@@ -3,6 +3,7 @@
 #include "adjoint_runs.h"
 
 #include "adjoint_mesh_ref.h"
+#include "system/larger.h"
 
 enum { D = 5, ROWS = 4, STEPS = LEN(ref_mesh_ends), SLOPES = 26 };
 
@@ -14,7 +15,7 @@ static void run_of(size_t i, fvi_system *system, fvi_run *run, double *aw)
     const double *x0 = ref_meshes[i].x0;
     double size = 0;
     for (size_t j = 0; j < D; j++)
-        size = fmax(size, fabs(x0[j]));
+        size = larger(size, fabs(x0[j]));
     *system = (fvi_system){ .d = D,
                             .mass = ref_meshes[i].mass,
                             .damping = ref_meshes[i].rho,
@@ -89,7 +90,7 @@ START_TEST(eq_23_18_every_derivative_of_a_chain_on_its_mesh)
         slopes_by(i, got);
         for (size_t j = 0; j < SLOPES; j++) {
             const double want = ref_meshes[i].want[j],
-                         unit = fmax(0.01, fabs(want));
+                         unit = larger(0.01, fabs(want));
             seen_worst(fabs(got[j] - want) / unit, "worst");
             if (j == 22)
                 seen_worst(fabs(got[j] - want) / unit, "by alpha");

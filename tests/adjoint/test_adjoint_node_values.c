@@ -3,6 +3,7 @@
 #include "adjoint_runs.h"
 
 #include "adjoint_nodes_ref.h"
+#include "system/larger.h"
 
 enum { D = 5, N = 12, SLOPES = 26 };
 
@@ -49,7 +50,7 @@ START_TEST(eq_23_6_every_derivative_of_a_chain_to_40_digits)
             ck_assert_int_eq(isnan(want), isnan(got[j]));
             if (isnan(want))
                 continue;
-            const double unit = fmax(0.01, fabs(want));
+            const double unit = larger(0.01, fabs(want));
             seen_worst(fabs(got[j] - want) / unit, "worst");
             ck_assert_near(got[j], want, 1e-12 * unit,
                            "%s past %d alpha=%g, derivative %zu",

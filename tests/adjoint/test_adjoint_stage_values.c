@@ -4,6 +4,7 @@
 #include "stages/lobatto_memory.h"
 
 #include "adjoint_stages_ref.h"
+#include "system/larger.h"
 
 /* ---- the rates of the weights ---- */
 
@@ -11,7 +12,7 @@ static double largest(const double *v, size_t n)
 {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(v[i]));
+        most = larger(most, fabs(v[i]));
     return most;
 }
 
@@ -69,7 +70,7 @@ START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
                 fvi_lobatto_memory_push_rate(all, v, H[1], rate[1]),
                 FVI_SUCCESS);
             const double time = (double)k,
-                         unit = fmax(1, pow(time, -beta)) * (1 + log(time));
+                         unit = larger(1, pow(time, -beta)) * (1 + log(time));
             for (size_t l = 0; l < S; l++) {
                 const double off = fabs(rate[0][l] - rate[1][l]) / unit;
                 seen_worst(off / tolerance, "of the tolerance");
@@ -146,7 +147,7 @@ START_TEST(eq_23_15_every_derivative_of_a_chain_with_stages)
             ck_assert_int_eq(isnan(want), isnan(got[j]));
             if (isnan(want))
                 continue;
-            const double unit = fmax(0.01, fabs(want));
+            const double unit = larger(0.01, fabs(want));
             const int many = ref_chains[row].method->stages > 4;
             if (many)
                 seen_worst(fabs(got[j] - want) / unit, "many stages");
@@ -204,7 +205,7 @@ START_TEST(eq_23_15_every_derivative_of_a_chain_with_a_law)
         law_slopes_by(row, kinds[i % LEN(kinds)], alphas[i % LEN(alphas)], got);
         for (size_t j = 0; j < LEN(got); j++) {
             const double want = ref_law_chains[row].want[j];
-            const double unit = fmax(0.01, fabs(want));
+            const double unit = larger(0.01, fabs(want));
             seen_worst(fabs(got[j] - want) / unit, "worst");
             ck_assert_near(got[j], want, 2e-13 * unit, "%s, law %zu, slope %zu",
                            ref_law_chains[row].method->name, row, j);

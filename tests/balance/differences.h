@@ -11,6 +11,8 @@
 #ifndef DIFFERENCES_H
 #define DIFFERENCES_H
 
+#include "system/larger.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -128,8 +130,8 @@ static double gradient_error(differences kind, const differenced *o,
         back[k] = v[N - k];
     for (size_t i = 1; i < 8; i++) {
         tangent(kind, o, H, i * N / 8, v);
-        worst = fmax(worst, fabs(v[N] - back[i * N / 8]));
-        largest = fmax(largest, fabs(v[N]));
+        worst = larger(worst, fabs(v[N] - back[i * N / 8]));
+        largest = larger(largest, fabs(v[N]));
     }
     return worst / largest;
 }

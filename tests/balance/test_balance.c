@@ -2,6 +2,7 @@
  *                                         Run alone: make test-balance */
 #include "balance/balance_runs.h"
 #include "balance/balance_ref.h"
+#include "system/larger.h"
 
 enum { D = 2 };
 
@@ -93,8 +94,8 @@ static double spread(const fvi_balance_scheme *s, size_t N, const double *x,
     double C[MOST], far = 0, largest = 0;
     ck_assert_int_eq(fvi_green_form(s, N, x, u, v, C), FVI_SUCCESS);
     for (size_t n = 0; n < N; n++) {
-        far = fmax(far, fabs(C[n] - C[0]));
-        largest = fmax(largest, fabs(C[n]));
+        far = larger(far, fabs(C[n] - C[0]));
+        largest = larger(largest, fabs(C[n]));
     }
     *relative = far / largest;
     return far / ((4 * (double)N + 120) * U * size_of_terms(s, N, x, u, v));
@@ -131,7 +132,7 @@ START_TEST(eq_21_4_a_run_pairs_with_one_read_backwards)
         seen_worst(constant, "spread");
         ck_assert_msg(of <= 1, "run %d: %g of the bound", i, of);
         spread(&s, N, u, v, u, &exchanged);
-        least = fmin(least, exchanged);
+        least = smaller(least, exchanged);
     }
     seen(least, "exchanged");
     ck_assert(least > 1e-3);

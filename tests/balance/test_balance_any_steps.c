@@ -56,7 +56,7 @@ static double lightest(const random_run *r)
 {
     double least = r->mass[0];
     for (size_t i = 1; i < D; i++)
-        least = fmin(least, r->mass[i]);
+        least = smaller(least, r->mass[i]);
     return least;
 }
 
@@ -81,7 +81,7 @@ START_TEST(eq_21_13_no_step_sequence_gains_energy)
             const double t = s->t;
             int status = fvi_step(s);
             ck_assert_msg(!status, "run %d: %d", i, status);
-            longest = fmax(longest, s->t - t);
+            longest = larger(longest, s->t - t);
             const double E = energy_of(&r.system, s->x, s->p);
             const double bound = 32 * U * (double)++n;
             seen_worst((E / start - 1) / bound, "of the bound");

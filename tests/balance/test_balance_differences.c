@@ -90,7 +90,7 @@ START_TEST(differences_that_are_an_fvi)
                 memcpy(y, x, 2 * d * sizeof *y);
                 difference(mean ? MEAN : NODE, &o, y);
                 for (size_t k = 0; k < d * 201; k++)
-                    worst = fmax(worst, fabs(x[k] - y[k]));
+                    worst = larger(worst, fabs(x[k] - y[k]));
                 if (mean && !linear) {
                     seen(worst, "MEAN is another");
                     ck_assert_double_gt(worst, 1e-4);
@@ -106,7 +106,7 @@ static double error_of(const double *z, const double *truth, size_t N)
 {
     double worst = 0;
     for (size_t k = 0; k <= N; k++)
-        worst = fmax(worst, fabs(z[k] - truth[k * (MOST / N)]));
+        worst = larger(worst, fabs(z[k] - truth[k * (MOST / N)]));
     return worst;
 }
 
@@ -191,10 +191,10 @@ START_TEST(what_turns_without_damping)
                 const double I = kind == VARIED
                                      ? q[0] * r[1] - q[1] * r[0]
                                      : (q[0] * q[3] - q[1] * q[2]) / o.h;
-                least = fmin(least, I);
-                largest = fmax(largest, I);
+                least = smaller(least, I);
+                largest = larger(largest, I);
             }
-            swing[kind][j] = (largest - least) / fmax(-least, largest);
+            swing[kind][j] = (largest - least) / larger(-least, largest);
         }
     seen(swing[MEAN][1], "MEAN");
     seen(log2(swing[MEAN][0] / swing[MEAN][1]), "order, MEAN");

@@ -2,6 +2,7 @@
  *                                Run alone: make test-balance_momentum */
 #include "balance/balance_runs.h"
 #include "balance/balance_ref.h"
+#include "system/larger.h"
 
 enum { D = 2, N = 60 };
 
@@ -76,7 +77,7 @@ START_TEST(eq_21_7_the_memory_turns_the_angular_momentum)
             const double after = b[0] * Q[1] - b[1] * Q[0];
             ck_assert_near(after - before, torque, ((double)k + 30) * U * size,
                            "run %d, k = %zu", run, k);
-            lost = fmax(lost, fabs(after - before));
+            lost = larger(lost, fabs(after - before));
         }
         ck_assert(lost > 1e-4); /* isotropic damping does not spare it */
     }
@@ -175,9 +176,9 @@ START_TEST(eq_21_8_a_turned_solution_pairs_with_a_backward_variation)
         ck_assert_int_eq(fvi_green_form(&s, N, x, u, v, C), FVI_SUCCESS);
         for (size_t n = 0; n <= N; n++)
             for (size_t i = 0; i < D; i++)
-                size = fmax(size, fabs(u[n * D + i]) + fabs(v[n * D + i]));
+                size = larger(size, fabs(u[n * D + i]) + fabs(v[n * D + i]));
         for (size_t n = 1; n < N; n++)
-            far = fmax(far, fabs(C[n] - C[0]));
+            far = larger(far, fabs(C[n] - C[0]));
         const double bound = (8 * N + 200) * U * N * size * size
                              * (4 / h + 2 * pow(h, 1 - 2 * alpha));
         if (run % 4) {
@@ -256,7 +257,7 @@ static double balance_rounding(const energy_run *a, size_t k)
     double most = 0, sum = 0;
     const double h = a->scheme.h;
     for (size_t i = 0; i < (k + 2) * D; i++)
-        most = fmax(most, fabs(a->x[i] - a->x[i % D]) + fabs(a->x[i % D]));
+        most = larger(most, fabs(a->x[i] - a->x[i % D]) + fabs(a->x[i % D]));
     for (size_t i = 0; i < D; i++)
         sum += 4 * a->mass[i] / (h * h) + 4 * a->spring[0]
                + 8 * pow(4, 2 * a->scheme.alpha) * a->rho[i]
@@ -310,7 +311,7 @@ START_TEST(eq_21_12_no_scheme_gains_from_its_memory)
             rounding += balance_rounding(&a, k);
             ck_assert_msg(a.hat[k] <= start + rounding, "run %d, k = %zu: %g",
                           i, k, a.hat[k] - start);
-            grown = fmax(grown, a.E[k] / start);
+            grown = larger(grown, a.E[k] / start);
         }
     }
     ck_assert(grown > 1e10); /* some of them are unstable */

@@ -11,6 +11,7 @@
 #include "bench.h"
 #include "memory/blocks.h"
 #include "memory/memory_kinds.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,7 +81,7 @@ static double push_time(fvi_exponentials *e, fvi_tiles *t, size_t d)
             else
                 fvi_exponentials_push(e, x, x + d);
         }
-        best = fmin(best, now() - start);
+        best = smaller(best, now() - start);
     }
     free(x);
     return 1e9 * best / (double)count / (double)d;
@@ -149,7 +150,7 @@ static double batch_time(size_t d)
                 x[j] += 1e-3 * v[j];
             }
         }
-        best = fmin(best, now() - start);
+        best = smaller(best, now() - start);
         fvi_memory_free(m);
     }
     free(x);
@@ -182,7 +183,7 @@ static double run_time(const fvi_method *method, size_t d)
         while (s->k < steps)
             if (fvi_step(s))
                 exit(EXIT_FAILURE);
-        best = fmin(best, now() - start);
+        best = smaller(best, now() - start);
         fvi_stop(s);
     }
     free(x);
@@ -198,7 +199,7 @@ static void against_batch(void)
             const double ns[] = { batch_time(d), run_time(&fvi_fractional, d),
                                   run_time(&fvi_stable, d) };
             for (int j = 0; j < 3; j++)
-                least[i][j] = turn ? fmin(least[i][j], ns[j]) : ns[j];
+                least[i][j] = turn ? smaller(least[i][j], ns[j]) : ns[j];
         }
     printf("# oscillators together, ns a run and step, and times as fast as "
            "one by one\n#> batch\n"
@@ -248,12 +249,12 @@ static double peak(void)
     for (int i = 0; i < 10; i++) {
 #if defined(__x86_64__)
         if (__builtin_cpu_supports("avx512f"))
-            best = fmax(best, peak_8(2000000));
+            best = larger(best, peak_8(2000000));
         else if (__builtin_cpu_supports("avx2"))
-            best = fmax(best, peak_4(2000000));
+            best = larger(best, peak_4(2000000));
         else
 #endif
-            best = fmax(best, peak_2(2000000));
+            best = larger(best, peak_2(2000000));
     }
     return best;
 }
@@ -267,7 +268,7 @@ static double bandwidth(void)
         const double start = now();
         for (size_t j = 0; j < N; j++)
             x[j] += 1;
-        best = fmin(best, now() - start);
+        best = smaller(best, now() - start);
     }
     free(x);
     return 16e-9 * N / best;
@@ -289,7 +290,7 @@ static void roofs(const double *ns)
     for (int i = 0; i < 2; i++)
         printf("%s\t%.0f\t%.0f\t%.2f\t%.1f\t%.1f\t%.1f\t%.1f\n", names[i],
                flops[i], bytes[i], flops[i] / bytes[i], ns[i], flops[i] / ns[i],
-               fmax(flops[i] / top, bytes[i] / wide),
+               larger(flops[i] / top, bytes[i] / wide),
                flops[i] / top + bytes[i] / wide);
     printf("#< counted\n\n\n");
 }
@@ -344,11 +345,11 @@ static void one_wave(size_t n, size_t steps)
         u0[i] = sin(pi * (double)(waves * (i + 1) % period) / (double)(n + 1));
     double seconds = 1e30;
     for (int i = 0; i < 3; i++)
-        seconds = fmin(seconds,
-                       run_of(n, fvi_potential_chain(springs), u0, steps, u));
+        seconds = smaller(
+            seconds, run_of(n, fvi_potential_chain(springs), u0, steps, u));
     run_of(1, fvi_potential_harmonic(&c), &one, steps, &x);
     for (size_t i = 0; i < n; i++)
-        apart = fmax(apart, fabs(u[i] - x * u0[i]));
+        apart = larger(apart, fabs(u[i] - x * u0[i]));
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     printf("# a wave of %zu unknowns, %zu steps\n#> wave\n# of what\tis\n"

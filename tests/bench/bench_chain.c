@@ -6,6 +6,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -70,7 +71,7 @@ static void against_masses(const char *name, double damping)
             double best = 1e30, sum = 0;
             for (int i = 0; i < 3 || sum < 0.3; i++) {
                 const double t = run_once(methods[m], d, N, 1, damping, 0.75);
-                best = fmin(best, t);
+                best = smaller(best, t);
                 sum += t;
             }
             printf("\t%.0f", 1e9 * best / (double)(N * d));
@@ -87,7 +88,7 @@ static void one_run(void)
     struct rusage usage;
     double best = 1e30;
     for (int i = 0; i < 3; i++)
-        best = fmin(best, run_once(&fvi_shifted, 10000, 400, 0, 0.2, 0.5));
+        best = smaller(best, run_once(&fvi_shifted, 10000, 400, 0, 0.2, 0.5));
     getrusage(RUSAGE_SELF, &usage);
     printf("# fvi-shifted, 10^4 masses, 400 steps, damping 1/5 of order 1\n"
            "#> run\n# of what\tis\nseconds\t%.2f\nMB\t%.1f\n#< run\n\n\n",

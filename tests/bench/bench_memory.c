@@ -9,6 +9,7 @@
 #include "bench.h"
 #include "memory/blocks.h"
 #include "memory/memory_kinds.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -66,7 +67,7 @@ static double seconds(size_t d, size_t N, double kappa, fvi_memory_kind kind,
     for (int i = 0; i < 2 || (now() - begin < 0.2 && i < 1000); i++) {
         double start = now();
         *x = run_once(d, N, kappa, kind, tolerance);
-        best = fmin(best, now() - start);
+        best = smaller(best, now() - start);
         if (best > 2)
             break;
     }
@@ -121,7 +122,7 @@ static void ratios(void)
     double x, y, direct = seconds(1, 20000, 0.5, FVI_MEMORY_DIRECT, 0, &x);
     double dots = 1e30, *a = calloc(40000, sizeof *a);
     for (int i = 0; a && i < 5; i++)
-        dots = fmin(dots, bare(20000, a, a + 20000));
+        dots = smaller(dots, bare(20000, a, a + 20000));
     free(a);
     progress("ratios", 1000000);
     double fft = seconds(1, 1000000, 0.5, FVI_MEMORY_FFT, 0, &x);
@@ -173,8 +174,8 @@ static void against_batch(void)
     for (int turn = 0; turn < TURNS; turn++)
         for (size_t d = 1; d < most; d *= 2) {
             progress("batch", d);
-            least[d] = fmin(least[d],
-                            seconds(d, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x));
+            least[d] = smaller(
+                least[d], seconds(d, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x));
         }
     printf("# a batch: d systems in one memory, N = %zu, explicit\n#> batch\n"
            "# d\tns per step and system\ttimes as fast as one by one\n",
@@ -215,7 +216,7 @@ static void against_modes(void)
     }
     for (int turn = 0; turn < TURNS; turn++)
         for (int i = 0; i < TENS; i++)
-            least[i] = fmin(least[i], pushes(N, delta[i]));
+            least[i] = smaller(least[i], pushes(N, delta[i]));
     printf(
         "# one push of the exponentials, order 1/2\n#> modes\n# modes\tns\n");
     for (int i = 0; i < TENS; i++)

@@ -21,6 +21,7 @@
 #include "bench.h"
 #include "prototype.h"
 #include "adaptive/adaptive.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -51,8 +52,8 @@ static void uniform(const bench_problem *P, const char *method, size_t N,
     bench_need(fvi_exact(&P->exact, N + 1, t, exact, v));
     *of_x = *of_v = 0;
     for (size_t k = N / 10; k <= N; k++) {
-        *of_x = fmax(*of_x, fabs(x[k] - exact[k]));
-        *of_v = fmax(*of_v, fabs(p[k] - v[k]));
+        *of_x = larger(*of_x, fabs(x[k] - exact[k]));
+        *of_v = larger(*of_v, fabs(p[k] - v[k]));
     }
 }
 
@@ -188,7 +189,7 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
     bench_need(fvi_exact(&P->exact, n, t, exact, v));
     *error = 0;
     for (size_t i = 0; i < n; i++)
-        *error = fmax(*error, fabs(x[i] - exact[i]));
+        *error = larger(*error, fabs(x[i] - exact[i]));
     return n;
 }
 
@@ -281,7 +282,7 @@ static void set_up(const bench_problem *all)
                 bench_need(fvi_start(&fvi_adaptive, &run, &s));
                 fvi_stop(s);
                 const double took = now() - begin;
-                least = took > 0 ? fmin(least, took) : least;
+                least = took > 0 ? smaller(least, took) : least;
             }
             printf("%s\t%.0e\t%.2g\n", all[i].name, tolerance, 1e6 * least);
         }

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "precision.h"
 #include "bench.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
@@ -101,14 +102,14 @@ static void keep(timing *all, double error, const timing *t)
 /* The places that a run of this error and time would win: not far from the front? */
 static int may_matter(double error, double seconds, const double *front)
 {
-    const int k = (int)fmin(DECADES, floor(-log10(fmax(error, 1e-99))));
+    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
 }
 
 /* So far from the front that more steps will not bring it back. */
 static int is_hopeless(double error, double seconds, const double *front)
 {
-    const int k = (int)fmin(DECADES, floor(-log10(fmax(error, 1e-99))));
+    const int k = (int)smaller(DECADES, floor(-log10(larger(error, 1e-99))));
     return k >= 1 && front[k] > 0 && seconds > HOPELESS * front[k];
 }
 
@@ -136,7 +137,7 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
     /* The first run may have made tables that are kept, in 10 ms and more: a second one shows. */
     if (times[0] < 0.1) {
         timed_run(o->c, o->p, N, tolerance, o->rows, seconds);
-        times[0] = fmin(times[0], *seconds);
+        times[0] = smaller(times[0], *seconds);
     }
     if (may_matter(after, times[0], o->front))
         for (; runs < (times[0] > 0.1 ? FEW : RUNS); runs++)
@@ -144,7 +145,7 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
     gsl_sort(times, 1, (size_t)runs);
     const timing t = { times[0], times[runs / 2] / times[0], tolerance, N,
                        runs };
-    *o->least = fmin(*o->least, error);
+    *o->least = smaller(*o->least, error);
     keep(o->best, error, &t);
     keep(o->late, after, &t);
     for (int k = 1; k <= DECADES; k++)
@@ -183,8 +184,8 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
         if (by_steps || !tunes)
             error = point(&o, N, 0, &seconds);
         /* tolerances about the error; at first all, as some go by them alone */
-        const double most = first ? sqrt(0.1) : fmin(0.1, 30 * error),
-                     lowest = by_steps ? fmax(1e-14, error / 3e3) : 1e-15;
+        const double most = first ? sqrt(0.1) : smaller(0.1, 30 * error),
+                     lowest = by_steps ? larger(1e-14, error / 3e3) : 1e-15;
         if (tunes && (error < 1 || !by_steps)
             && seconds < p->seconds / (first ? 1 : 4))
             for (double t = most; t >= lowest; t /= first ? sqrt(10) : 10)

@@ -1,6 +1,7 @@
 /* tests/bench/precision_tables.c -- The tables of the benchmark: precision.h.
  *                                                                       [Chapter 18] */
 #include "precision.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdio.h>
@@ -135,7 +136,8 @@ void print_picture(const results *r)
                          steps = ratio(r, r->best[P], OURS_THAT_STEP, k);
             if (q == q)
                 printf("%d\t%d\t%.3g\t%.3g\n", k, P + 1,
-                       fmin(fmax(q, 1e-9), 1e9), fmin(fmax(steps, 1e-9), 1e9));
+                       smaller(larger(q, 1e-9), 1e9),
+                       smaller(larger(steps, 1e-9), 1e9));
         }
     printf("\n\n");
 }

@@ -2,6 +2,7 @@
 #include "variable.h"
 #include "prototype.h"
 #include "adaptive/adaptive.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
@@ -94,7 +95,7 @@ void prototype_random(void)
             t[k] = (double)k * P.run.h;
         bench_need(fvi_exact(&P.exact, ROWS + 1, t, exact, exact_v));
         for (size_t k = 0; k <= ROWS; k++)
-            of_v = fmax(of_v, fabs(v[k] - exact_v[k]));
+            of_v = larger(of_v, fabs(v[k] - exact_v[k]));
         used[0][n] = ends / tolerance;
         used[1][n] = rows / tolerance;
         used[2][n] = of_v / tolerance;
@@ -136,9 +137,9 @@ void prototype_two_runs(void)
         double apart = 0, off = 0, size = 0;
         limited(&P, tolerance / 10, longest / 2, 3, finer);
         for (size_t k = 0; k <= ROWS; k++) {
-            apart = fmax(apart, fabs(x[k] - finer[k]));
-            off = fmax(off, fabs(x[k] - P.truth[k]));
-            size = fmax(size, fabs(finer[k]));
+            apart = larger(apart, fabs(x[k] - finer[k]));
+            off = larger(off, fabs(x[k] - P.truth[k]));
+            size = larger(size, fabs(finer[k]));
         }
         ratio[n] = off / (apart + 3e-14 * size);
     }

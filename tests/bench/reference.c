@@ -1,6 +1,7 @@
 /* tests/bench/reference.c -- What the methods are compared with: problems.h.
  *                                                                       [Chapter 18] */
 #include "problems.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -202,8 +203,9 @@ static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
                                  : rho * own * o->B[i][j]
                                        * o->g[(size_t)j * d + a]);
             const real new = sum / (m + rho * own * o->B[i][i]);
-            *moved = fmaxl(*moved, fabsl(new - V[(size_t)i * d + a]));
-            largest = fmaxl(largest, fabsl(new));
+            *moved = larger((double)*moved,
+                            (double)fabsl(new - V[(size_t)i * d + a]));
+            largest = larger((double)largest, (double)fabsl(new));
             V[(size_t)i * d + a] = new;
         }
     *moved /= largest;

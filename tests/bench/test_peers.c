@@ -31,7 +31,7 @@ static double distance(const problem *p, const double *a, const double *b)
     double worst = 0;
     for (size_t i = 0; i < (ROWS + 1) * p->system.d; i++) {
         const double e = fabs(a[i] - b[i]);
-        worst = e <= worst ? worst : e;
+        worst = larger(worst, e);
     }
     return worst;
 }

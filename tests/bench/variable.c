@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
 #include "bench.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
@@ -157,7 +158,8 @@ double bench_seconds(const bench_problem *P, double tolerance)
         const double start = now();
         bench_steps(P, tolerance, NULL, NULL);
         const double took = now() - start;
-        least = took > 0 ? fmin(least, took) : least; /* the clock may stand */
+        least =
+            took > 0 ? smaller(least, took) : least; /* the clock may stand */
     }
     return least;
 }
@@ -191,11 +193,11 @@ fvi_adaptive_counts bench_errors(const bench_problem *P, double tolerance,
     bench_rows(P, tolerance, x, NULL);
     for (size_t k = 0; k <= ROWS; k += every)
         for (size_t i = k * P->system.d; i < (k + 1) * P->system.d; i++)
-            *rows = fmax(*rows, fabs(x[i] - P->truth[i]));
+            *rows = larger(*rows, fabs(x[i] - P->truth[i]));
     const fvi_adaptive_counts counts = bench_steps(P, tolerance, t, end);
     truth_at(P, counts.steps, t, exact);
     for (size_t n = 0; n < counts.steps; n++)
-        *ends = fmax(*ends, fabs(end[n] - exact[n]));
+        *ends = larger(*ends, fabs(end[n] - exact[n]));
     return counts;
 }
 
@@ -241,8 +243,8 @@ double bench_over_rk8pd(const bench_problem *P, double tolerance,
             if (i < 5)
                 bench_steps(P, tolerance, NULL, NULL);
             const double b = now() - start;
-            its = a > 0 ? fmin(its, a) : its; /* the clock may stand */
-            ours = b > 0 && i < 5 ? fmin(ours, b) : ours;
+            its = a > 0 ? smaller(its, a) : its; /* the clock may stand */
+            ours = b > 0 && i < 5 ? smaller(ours, b) : ours;
         }
     if (seconds)
         *seconds = its;

@@ -103,7 +103,7 @@ START_TEST(eq_28_1_every_weight_is_that_of_the_plain_push)
                     ck_abort_msg("beta=%g, lag %g at step %zu: %g, not %g",
                                  betas[b], n, k, H[i], want);
                 if (want != 0)
-                    worst = fmax(worst, fabs(H[i] / want - 1) / bound);
+                    worst = larger(worst, fabs(H[i] / want - 1) / bound);
             }
         }
         fvi_memory_free(plain);
@@ -135,7 +135,7 @@ static double ck_assert_agreement(double beta, size_t d, size_t N)
         }
         push(m, x, H);
         for (size_t i = 0; i < d; i++) {
-            worst = fmax(worst, fabs(H[i] - one[i]));
+            worst = larger(worst, fabs(H[i] - one[i]));
             ck_assert_near(H[i], one[i], 1e-14, "beta=%g d=%zu k=%zu i=%zu",
                            beta, d, k, i);
             ck_assert_near(ahead[i], H[i], 8 * U, "ahead, k=%zu", k);
@@ -154,9 +154,10 @@ START_TEST(eq_28_1_many_coordinates_agree_with_one_by_one)
     double worst = 0;
     srand(1);
     for (size_t d = 16; d <= 40; d++)
-        worst = fmax(worst, ck_assert_agreement(betas[d % LEN(betas)], d, 200));
+        worst =
+            larger(worst, ck_assert_agreement(betas[d % LEN(betas)], d, 200));
     for (size_t b = 0; b < LEN(betas); b++)
-        worst = fmax(worst, ck_assert_agreement(betas[b], 17, 10000));
+        worst = larger(worst, ck_assert_agreement(betas[b], 17, 10000));
     seen(worst, "apart");
 }
 END_TEST

@@ -50,7 +50,7 @@ START_TEST(eq_25_3_the_least_force_is_that_of_the_dense_equations)
                                      &ref_controls[i].p, u, &found),
                          FVI_SUCCESS);
         for (size_t k = 0; k <= N; k++)
-            size = fmax(size, fabs(want[k]));
+            size = larger(size, fabs(want[k]));
         const double allowed = cg[1] == 0 ? 1e-14 : 1e-12;
         for (size_t k = 0; k <= N; k++) {
             if (cg[1] == 0)
@@ -129,7 +129,7 @@ START_TEST(eq_25_3_two_masses_and_any_guess)
         ck_assert_int_eq(fvi_control(methods[i], &run, x, p, v, &again),
                          FVI_SUCCESS);
         for (size_t j = 0; j < LEN(u); j++)
-            size = fmax(size, fabs(u[j]));
+            size = larger(size, fabs(u[j]));
         for (size_t j = 0; j < LEN(u); j++)
             ck_assert_near(u[j], v[j], 1e-12 * size, "%s %zu", methods[i]->name,
                            j);
@@ -181,7 +181,7 @@ START_TEST(eq_25_6_rest_is_not_equilibrium)
     go_on(&run, u, none, x);
     double far = 0;
     for (size_t k = N; k <= 2 * N; k++)
-        far = fmax(far, fabs(x[k]));
+        far = larger(far, fabs(x[k]));
     seen(far, "without force");
     ck_assert(far > 0.05);
     double w[2 * N + 1]; /* H_k of a body that stays where it is */
@@ -221,7 +221,7 @@ START_TEST(a_pendulum_swings_up)
     ck_assert_near(found.miss, 0, 1e-12, "miss");
     double most = 0;
     for (size_t k = 0; k <= STEPS; k++)
-        most = fmax(most, fabs(u[k]));
+        most = larger(most, fabs(u[k]));
     seen(most, "largest u");
     seen((double)found.iterations, "iterations");
     ck_assert(most < 0.8 * g); /* g would hold it at the side */

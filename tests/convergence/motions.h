@@ -76,11 +76,11 @@ static inline fvi_motion know(const motion *q, size_t fine, const double *x,
                      .room = room };
     double far = 0;
     for (size_t i = 0; i <= fine; i++) {
-        far = fmax(far, fabs(x[i]));
-        k.speed = fmax(k.speed, 1.01 * fabs(p[i] / m));
+        far = larger(far, fabs(x[i]));
+        k.speed = larger(k.speed, 1.01 * fabs(p[i] / m));
         if (i >= 8)
-            k.acceleration = fmax(k.acceleration,
-                                  1.05 * fabs(p[i] - p[i - 8]) / (8 * h * m));
+            k.acceleration = larger(k.acceleration,
+                                    1.05 * fabs(p[i] - p[i - 8]) / (8 * h * m));
     }
     k.variation = fabs(q->force.b) * q->force.w * q->T / m;
     for (size_t j = 0; j < LEN(q->force.t); j++)

@@ -4,6 +4,7 @@
 #define ORDER_TABLE_H
 
 #include "series.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -77,8 +78,8 @@ static inline double at_fixed_t(const scheme *of, const duffing *q, int what)
         less = 1;
     if (of->family == FORM_D && q->past == FVI_PAST_CAPUTO)
         less = what == OF_P ? -1 : -2;
-    const double all = fmin(2 * of->s - 2, of->s + 2 - 2 * q->alpha - less);
-    return q->g == 0 ? all : fmin(all, nonlinear(q)); /* (20.11) */
+    const double all = smaller(2 * of->s - 2, of->s + 2 - 2 * q->alpha - less);
+    return q->g == 0 ? all : smaller(all, nonlinear(q)); /* (20.11) */
 }
 //< fixed
 
@@ -107,7 +108,7 @@ static inline double table_of(const scheme *of, const duffing *q, int what,
                               int all_t)
 {
     const double fixed = at_fixed_t(of, q, what);
-    return all_t ? fmin(fixed, at_the_start(of, q, what)) : fixed;
+    return all_t ? smaller(fixed, at_the_start(of, q, what)) : fixed;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define SERIES_H
 
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <string.h>
@@ -29,7 +30,7 @@ typedef struct {
 /* How many entries of row i have an exponent below `most`. */
 static inline int columns(int i, double gamma, double most)
 {
-    return (int)fmax(0, fmin(COLS, (most - i) / gamma));
+    return (int)larger(0, smaller(COLS, (most - i) / gamma));
 }
 
 /* Row i of the product of two series, from their rows up to i. */
@@ -99,7 +100,7 @@ static inline void expand(const duffing *q, series *x)
 static inline void at(const series *x, double t, double *where, double *speed)
 {
     const double s = pow(t, x->gamma),
-                 most = t < 1 ? fmin(ROWS, 3 - 60 / log(t)) : ROWS;
+                 most = t < 1 ? smaller(ROWS, 3 - 60 / log(t)) : ROWS;
     double v = 0;
     *where = 0;
     for (int i = (int)most; i-- > 0;) {

@@ -3,6 +3,7 @@
 #include "motions.h"
 
 #include "convergence_ref.h"
+#include "system/larger.h"
 
 static double x[COARSE + 1], p[COARSE + 1];
 static double b[1000]; /* the largest n of ref_quotients */
@@ -25,7 +26,7 @@ START_TEST(eq_20_1_the_run_in_its_velocities)
         integral_weights(gamma, N, b);
         double far = 0, sum = q.p0, terms = fabs(q.p0);
         for (size_t k = 0; k <= N; k++)
-            far = fmax(far, fabs(x[k]));
+            far = larger(far, fabs(x[k]));
         for (size_t k = 0; k <= N; k++) {
             double memory = 0, rough = 0;
             for (size_t j = 1; j <= k; j++) {
@@ -75,7 +76,7 @@ START_TEST(eq_20_3_gamma_quotients)
         ck_assert_double_le(fabs(excess),
                             2 * fabs(g - 1) * power * (1 + 8 * U));
         if (g != 1)
-            sharp = fmax(sharp, fabs(excess) / (2 * fabs(g - 1) * power));
+            sharp = larger(sharp, fabs(excess) / (2 * fabs(g - 1) * power));
         integral_weights(g, ref_quotients[i].n, b);
         double sum = 0;
         for (size_t j = 0; j < ref_quotients[i].n; j++)
@@ -118,8 +119,8 @@ START_TEST(eq_20_4_the_memory_of_a_parabola)
             const double allowed = bound.C - a / 2;
             ck_assert_double_le(off / h, allowed * (1 + 8 * U) + a * U + round);
             if (allowed > 1e-6) {
-                worst = fmax(worst, off / h / allowed);
-                least = fmin(least, off / h / allowed);
+                worst = larger(worst, off / h / allowed);
+                least = smaller(least, off / h / allowed);
             }
         }
         if (worst > 0) {

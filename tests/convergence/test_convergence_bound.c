@@ -1,6 +1,7 @@
 /* tests/convergence/test_convergence_bound.c -- Chapter 20: runs, and what bounds their errors.
  * Run alone: make test-convergence_bound */
 #include "motions.h"
+#include "system/larger.h"
 
 enum { MOST = 12288 };
 static double x[MOST + 1], p[MOST + 1], fine_x[MOST + 1], fine_p[MOST + 1];
@@ -56,9 +57,9 @@ START_TEST(eq_20_8_errors_are_below_the_bound)
             fed += h * E[k];
             ck_assert_double_le(off, fed);
             ck_assert_double_le(fed, allowed_x);
-            of_x = fmax(of_x, off / allowed_x);
-            of_p = fmax(of_p, off_p / allowed_p);
-            of_fed = fmax(of_fed, off / fed);
+            of_x = larger(of_x, off / allowed_x);
+            of_p = larger(of_p, off_p / allowed_p);
+            of_fed = larger(of_fed, off / fed);
         }
     }
     seen((double)allowed, "motions");
@@ -67,7 +68,7 @@ START_TEST(eq_20_8_errors_are_below_the_bound)
     seen(of_fed, "x of what is fed");
     ck_assert_uint_ge(allowed, 200);
     /* A tenth of it would be wrong. */
-    ck_assert_double_ge(fmin(of_x, of_p), 0.1);
+    ck_assert_double_ge(smaller(of_x, of_p), 0.1);
 }
 END_TEST
 //< bound
@@ -162,8 +163,8 @@ START_TEST(eq_20_8_order_one_with_a_jump_between_nodes)
             const size_t N = j ? 1024 : 256, ratio = MOST / N;
             solve(&fvi_fractional, &q, N, x, p);
             for (size_t k = 0; k <= N; k++) {
-                off[0][j] = fmax(off[0][j], fabs(x[k] - fine_x[k * ratio]));
-                off[1][j] = fmax(off[1][j], fabs(p[k] - fine_p[k * ratio]));
+                off[0][j] = larger(off[0][j], fabs(x[k] - fine_x[k * ratio]));
+                off[1][j] = larger(off[1][j], fabs(p[k] - fine_p[k * ratio]));
             }
         }
         for (int of = 0; of < 2; of++) {
@@ -201,7 +202,7 @@ static double worst_of_all(const fvi_method *method, const motion *q, size_t N,
     double off = 0;
     solve(method, q, N, x, p);
     for (size_t k = 0; k <= N; k++)
-        off = fmax(off, fabs(x[k] - fine_x[k * ratio]));
+        off = larger(off, fabs(x[k] - fine_x[k * ratio]));
     return off;
 }
 

@@ -60,8 +60,8 @@ static void measure(const fvi_method *method, const duffing *q, double T,
         for (size_t k = 0; k <= N; k++)
             if ((double)k * T >= from * (double)N) {
                 const size_t there = k * (last / N);
-                off[OF_X] = fmax(off[OF_X], fabs(x[k] - truth[OF_X][there]));
-                off[OF_P] = fmax(off[OF_P], fabs(p[k] - truth[OF_P][there]));
+                off[OF_X] = larger(off[OF_X], fabs(x[k] - truth[OF_X][there]));
+                off[OF_P] = larger(off[OF_P], fabs(p[k] - truth[OF_P][there]));
             }
         for (int of = OF_X; of <= OF_P; of++)
             e[of].error[e[of].count++] = off[of];
@@ -131,7 +131,7 @@ static void keep(nearest n, const duffing *q, const scheme *of, int what,
                  double off)
 {
     double *least = &n[q->g != 0][q->past][of->family][what];
-    *least = fmin(*least, fabs(off));
+    *least = smaller(*least, fabs(off));
 }
 
 static void ck_assert_order(const duffing *q, const scheme *of, int what,
@@ -152,7 +152,7 @@ static void fit(double T, double from, size_t first, size_t last, size_t count,
         duffing q;
         if (!generic(i, &q))
             continue;
-        const double end = q.g == 0 ? T : fmin(T, 0.5);
+        const double end = q.g == 0 ? T : smaller(T, 0.5);
         expect(end, last);
         for (const scheme *of = schemes; of < schemes + count; of++) {
             errors e[2];
@@ -288,7 +288,7 @@ START_TEST(eq_20_12_a_force_that_is_not_linear_feels_the_past)
             if (of->family == FORM_M)
                 seen_worst(fabs(got - want), "off, form M");
             else
-                of_form_d = fmin(of_form_d, fabs(got - want));
+                of_form_d = smaller(of_form_d, fabs(got - want));
         }
     }
     seen((double)fits, "fits");
@@ -342,8 +342,8 @@ START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
                 ck_assert_int_eq(fvi_trajectory(of->method, &run, x, p, NULL),
                                  FVI_SUCCESS);
                 for (size_t k = N / 2; k <= N; k++)
-                    off[N > 256] = fmax(off[N > 256],
-                                        fabs(x[k] - truth[0][k * (FINE / N)]));
+                    off[N > 256] = larger(
+                        off[N > 256], fabs(x[k] - truth[0][k * (FINE / N)]));
             }
             const double got = log2(off[0] / off[1]) / 2;
             seen_worst(fabs(got - 1), "off");

@@ -29,7 +29,7 @@ START_TEST(eq_13_1_weights_are_those_of_the_generating_function)
         const fvi_quadrature kind = ref_weights[i].kind;
         const double beta = ref_weights[i].beta;
         weights(kind, beta, REF_COUNT, w);
-        const double largest = fmax(fabs(w[0]), fabs(w[1]));
+        const double largest = larger(fabs(w[0]), fabs(w[1]));
         const double units = kind == FVI_QUADRATURE_EULER       ? 1
                              : kind == FVI_QUADRATURE_TRAPEZOID ? 3 * REF_COUNT
                              : kind == FVI_QUADRATURE_BDF2

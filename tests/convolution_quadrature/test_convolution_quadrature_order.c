@@ -30,8 +30,8 @@ static void errors(const fvi_method *method, setup a, double T, double from,
     error[0] = error[1] = 0;
     for (size_t k = 0; k <= N; k++)
         if ((double)k * a.h >= from) {
-            error[0] = fmax(error[0], fabs(x[k] - want_x[k]));
-            error[1] = fmax(error[1], fabs(p[k] - want_p[k]));
+            error[0] = larger(error[0], fabs(x[k] - want_x[k]));
+            error[1] = larger(error[1], fabs(p[k] - want_p[k]));
         }
 }
 

@@ -243,7 +243,7 @@ START_TEST(eq_13_15_trapezoidal_weights_are_always_unstable)
         ck_assert_double_ge(growth, 1);
         if (growth < 1.01)
             continue; /* too slow to be seen, R = 0.01, alpha = 0.1 */
-        const size_t n = (size_t)fmin(N, 600 / log(growth));
+        const size_t n = (size_t)smaller(N, 600 / log(growth));
         ck_assert_int_eq(fvi_quadrature_weights(FVI_QUADRATURE_TRAPEZOID,
                                                 2 * alpha, n + 1, w),
                          FVI_SUCCESS);

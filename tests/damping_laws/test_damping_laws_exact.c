@@ -87,9 +87,9 @@ START_TEST(eq_26_11_two_halves_of_a_power_are_one)
         p.alpha = 0;
         ck_assert_int_eq(fvi_exact(&p, 5, t, y, NULL), 0);
         for (int j = 0; j < 5; j++)
-            most = fmax(most, fabs(x[j]));
+            most = larger(most, fabs(x[j]));
         for (int j = 0; j < 5; j++)
-            worst = fmax(worst, fabs(y[j] - x[j]) / most);
+            worst = larger(worst, fabs(y[j] - x[j]) / most);
         for (int j = 0; j < 5; j++)
             ck_assert_near(y[j], x[j], 2.4e-13 * most,
                            "alpha %g, c %g, rho %g, t %g", alpha, p.c, p.rho,
@@ -154,12 +154,12 @@ START_TEST(eq_26_11_all_zeros_are_found)
             const double bound =
                 4 * U * (4 * gsl_pow_2(cabs(s)) + cabs(slope) + 3);
             ck_assert_near(cabs(Q), 0, bound, "law %zu, zero %zu", i, j);
-            slowest = fmax(slowest, creal(s));
+            slowest = larger(slowest, creal(s));
             for (size_t k = 0; k < j; k++)
                 ck_assert(cabs(s - pole[k].s) > 0.1);
         }
         ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), 0);
-        ck_assert_near(re, slowest, 8 * U * fmax(1, -slowest), "slowest");
+        ck_assert_near(re, slowest, 8 * U * larger(1, -slowest), "slowest");
         ck_assert(im > 0);
     }
     /* a spring of the law's own: order 0 */

@@ -49,7 +49,7 @@ START_TEST(eq_26_12_orders_of_form_m)
                 errors(form_m[m], law, (size_t)(m == 2 ? 80 : 320) << i,
                        off[i]);
             for (int i = 0; i < 2; i++) {
-                const double want = fmin(2 * s - 2, s + 2 - i - top),
+                const double want = smaller(2 * s - 2, s + 2 - i - top),
                              order = log2(fabs(off[0][i] / off[1][i]));
                 if (fabs(off[1][i]) < 2e-13)
                     continue;
@@ -83,7 +83,7 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
                 end[i] = x[steps];
             }
             const double want =
-                fmin(2 * m + 2, m + 4 - fvi_law_growth(law_of(l)));
+                smaller(2 * m + 2, m + 4 - fvi_law_growth(law_of(l)));
             const double order =
                 log2(fabs((end[1] - end[0]) / (end[2] - end[1])));
             seen(want - order, "short");
@@ -133,8 +133,8 @@ START_TEST(eq_26_13_the_load_of_two_stages)
         const double complex C =
             fvi_law_at(&law, 2 / h * (0.5 + I * sqrt(0.75)), &slope);
         const double want =
-            fmax(0, h * h * (c + creal(C) - cimag(C) / sqrt(3)) / 4);
-        ck_assert_near(load_at(2, &law, c, h), want, 1e-12 * fmax(1, want),
+            larger(0, h * h * (c + creal(C) - cimag(C) / sqrt(3)) / 4);
+        ck_assert_near(load_at(2, &law, c, h), want, 1e-12 * larger(1, want),
                        "%d", i);
     }
     gsl_rng_free(random);
@@ -152,8 +152,8 @@ START_TEST(eq_26_13_springs_are_springs)
         for (double h = 0.25; h < 8; h *= 1.3) {
             const double with = load_at(s, &(fvi_law){ 3, spring }, 1, h),
                          without = load_at(s, &(fvi_law){ 1, spring }, 5, h);
-            ck_assert_near(with, without, 1e-12 * fmax(1, without), "%zu %g", s,
-                           h);
+            ck_assert_near(with, without, 1e-12 * larger(1, without), "%zu %g",
+                           s, h);
         }
 }
 END_TEST
@@ -173,7 +173,7 @@ static double growth_of(size_t s, const fvi_law *law, double c, double h)
     if (status)
         return INFINITY;
     for (size_t k = 1; k <= N; k++)
-        half[k > N / 2] = fmax(half[k > N / 2], fabs(x[k]));
+        half[k > N / 2] = larger(half[k > N / 2], fabs(x[k]));
     return half[1] / half[0];
 }
 
@@ -197,7 +197,7 @@ START_TEST(eq_26_13_runs_grow_where_the_load_says_so)
             continue;
         const double growth = growth_of(s, &law, c, h);
         counts[verdict[0]]++;
-        seen(fmin(growth, 1e300), verdict[0] ? "above" : "below");
+        seen(smaller(growth, 1e300), verdict[0] ? "above" : "below");
         ck_assert_msg(verdict[0] ? growth > 5 : growth < 1.1,
                       "%zu: s=%zu c=%g h=%g: %g", i, s, c, h, growth);
     }

@@ -105,7 +105,7 @@ START_TEST(eq_26_15_no_step_is_too_long)
         ck_assert_double_eq(load, 0);
         ck_assert_int_eq(fvi_trajectory(&fvi_stable, &run, x, NULL, NULL), 0);
         for (size_t k = 1; k <= STEPS; k++)
-            most = fmax(most, fabs(x[D * k]));
+            most = larger(most, fabs(x[D * k]));
         ck_assert_msg(most < 1 + 1e-9, "%d: %g", n, most);
         seen(most, "largest");
     }

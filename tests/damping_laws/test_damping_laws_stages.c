@@ -29,7 +29,7 @@ static double largest(size_t n, const double *W)
 {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(W[i]));
+        most = larger(most, fabs(W[i]));
     return most;
 }
 

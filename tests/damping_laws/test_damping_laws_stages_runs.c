@@ -134,7 +134,7 @@ START_TEST(eq_17_28_form_d_with_a_law_is_stable_for_every_step)
         ck_assert_double_eq(load, 0);
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);
         for (size_t k = 1; k <= 600; k++)
-            half[k > 300] = fmax(half[k > 300], fabs(x[k]));
+            half[k > 300] = larger(half[k > 300], fabs(x[k]));
         ck_assert_msg(half[0] < 1 + 1e-9 && half[1] <= half[0], "%d: %g %g", n,
                       half[0], half[1]);
     }

@@ -4,6 +4,7 @@
 #include "newton_solver.h"
 #include "harness/full_chain.h"
 #include "system/band.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 
@@ -49,7 +50,7 @@ START_TEST(eq_2_11_band_matrices_of_all_widths_are_inverted)
         ck_assert_int_eq(fvi_band_factorise(&J), 0);
         fvi_band_solve(&J, v);
         for (size_t i = 0; i < N; i++)
-            largest = fmax(largest, fabs(v[i]));
+            largest = larger(largest, fabs(v[i]));
         for (size_t i = 0; i < N; i++) {
             double sum = 0;
             for (size_t j = 0; j < N; j++)

@@ -203,7 +203,7 @@ static double band(const fvi_run *r, double *rise)
         for (size_t k = 0; k < STEPS; k++) {
             ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
             double E = energy_of(r->system, s->x, s->p);
-            far[i] = fmax(far[i], fabs(E / E0 - 1));
+            far[i] = larger(far[i], fabs(E / E0 - 1));
         }
     }
     fvi_stop(s);

@@ -2,6 +2,7 @@
  * Run alone: make test-discrete_mechanics_newton */
 #include <fvi/lobatto.h>
 #include "newton_solver.h"
+#include "system/larger.h"
 
 /* ---- a Duffing spring that writes down what it is asked ---- */
 
@@ -132,8 +133,9 @@ START_TEST(eq_2_10_solutions_satisfy_it)
                 double sum = A[j];
                 for (size_t k = 0; k < dim; k++)
                     sum += si * ti * fabs(H[j * dim + k]);
-                norm = fmax(norm, sum);
-                size = fmax(size, fabs(x[j]) + fabs(d[j]) + fabs(r[j]) / A[j]);
+                norm = larger(norm, sum);
+                size =
+                    larger(size, fabs(x[j]) + fabs(d[j]) + fabs(r[j]) / A[j]);
             }
             for (size_t j = 0; j < dim; j++)
                 ck_assert_near(A[j] * d[j] + si * g[j], r[j],
@@ -165,7 +167,7 @@ START_TEST(eq_2_11_newton_converges_quadratically)
     ck_assert_uint_eq(page.hessians, page.gradients);
     ck_assert_uint_le(page.gradients, 8);
     for (size_t j = 0; j < page.gradients; j++)
-        largest = fmax(largest, fabs(page.point[j]));
+        largest = larger(largest, fabs(page.point[j]));
     const double K = 6 * s * theta * theta * largest / (2 * (A + s * theta));
     double last = fabs((page.point[0] - x) / theta - d);
     ck_assert_double_gt(last, 1); /* it began far away */

@@ -87,8 +87,8 @@ static void errors(const fvi_method *method, int kind, double kappa,
         fvi_gradient(&system, x + k, &g);
         if (begin == CORRECTED)
             p[k] -= (kappa - 0.5) * a.h * g;
-        error[0] = fmax(error[0], fabs(x[k] - want[0]));
-        error[1] = fmax(error[1], fabs(p[k] - want[1]));
+        error[0] = larger(error[0], fabs(x[k] - want[0]));
+        error[1] = larger(error[1], fabs(p[k] - want[1]));
     }
 }
 
@@ -208,7 +208,7 @@ START_TEST(eq_2_8_lagrange_dalembert_has_order_1)
             solve(&fvi_lagrange_dalembert, &a, x, NULL);
             for (size_t k = 1; k <= N; k++)
                 error[i] =
-                    fmax(error[i], fabs(x[k] - sin((double)k * a.h) - 2));
+                    larger(error[i], fabs(x[k] - sin((double)k * a.h) - 2));
         }
         ck_assert_near(log2(error[0] / error[1]), 1, 0.04, "kappa = %g", kappa);
     }

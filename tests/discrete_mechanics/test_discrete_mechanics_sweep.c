@@ -116,7 +116,7 @@ static double reach(const trial *t, int *status)
     memset(x, 0, sizeof x);
     *status = fvi_trajectory(t->method, &t->run, x, NULL, NULL);
     for (size_t i = 0; i < LEN(x); i++)
-        most = fmax(most, fabs(x[i]));
+        most = larger(most, fabs(x[i]));
     return most;
 }
 

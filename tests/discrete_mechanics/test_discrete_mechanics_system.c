@@ -137,10 +137,10 @@ START_TEST(eq_2_1_derivatives_by_differences)
                 fvi_gradient(&system, z, gz);
                 fvi_potential_value(&system, z, &value);
                 slope += weight[j] * value / (12 * delta);
-                size = fmax(size, value);
+                size = larger(size, value);
                 for (size_t k = 0; k < 3; k++) {
                     slopes[k] += weight[j] * gz[k] / (12 * delta);
-                    size = fmax(size, fabs(gz[k]));
+                    size = larger(size, fabs(gz[k]));
                 }
             }
             const double bound = 20 * 18 / (12 * delta) * size * U;
@@ -235,6 +235,27 @@ START_TEST(systems_that_cannot_move_are_refused)
 }
 END_TEST
 
+/* What gathers the largest error of a run must not pass over a NaN, wherever it stands. */
+START_TEST(a_nan_is_the_larger_and_the_smaller)
+{
+    const double numbers[] = { 1, -2, 5, 3 };
+    double most = 0, least = 9;
+    for (size_t i = 0; i < LEN(numbers); i++) {
+        most = larger(most, numbers[i]);
+        least = smaller(least, numbers[i]);
+    }
+    ck_assert(most == 5 && least == -2);
+    for (size_t bad = 0; bad < LEN(numbers); bad++) {
+        most = 0, least = 9;
+        for (size_t i = 0; i < LEN(numbers); i++) {
+            most = larger(most, i == bad ? (double)NAN : numbers[i]);
+            least = smaller(least, i == bad ? (double)NAN : numbers[i]);
+        }
+        ck_assert(isnan(most) && isnan(least));
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("02 systems");
@@ -245,5 +266,6 @@ int main(void)
     ADD_CASE(suite, "identities", eq_2_1_derivatives_by_differences,
              eq_2_1_a_hessian_out_of_diagonals);
     ADD_CASE(suite, "errors", systems_that_cannot_move_are_refused);
+    ADD_CASE(suite, "largest", a_nan_is_the_larger_and_the_smaller);
     return run_suite(suite);
 }

@@ -169,7 +169,7 @@ static double largest(size_t n, const double *z)
 {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(z[i]));
+        most = larger(most, fabs(z[i]));
     return most;
 }
 
@@ -182,7 +182,7 @@ static double size(const fvi_system *system, double alpha, double h, size_t N,
     double most = largest((N + 1) * d, x), slope = 0, g[2];
     for (size_t k = 0; k <= N; k++) {
         system->potential.gradient(d, x + k * d, system->potential.params, g);
-        slope = fmax(slope, largest(d, g));
+        slope = larger(slope, largest(d, g));
     }
     return 4 * most
                * (largest(d, system->mass) / h
@@ -199,8 +199,9 @@ static stationarity between_the_ends(size_t N, size_t d)
 {
     stationarity s = { 0, 0 };
     for (size_t i = d; i < N * d; i++) {
-        s.restricted = fmax(s.restricted, fabs(gx[i] + gy[i]));
-        s.unrestricted = fmax(s.unrestricted, fmax(fabs(gx[i]), fabs(gy[i])));
+        s.restricted = larger(s.restricted, fabs(gx[i] + gy[i]));
+        s.unrestricted =
+            larger(s.unrestricted, larger(fabs(gx[i]), fabs(gy[i])));
     }
     return s;
 }
@@ -367,7 +368,7 @@ START_TEST(eq_6_9_the_same_kappa_does_not_mirror)
             //< defect
             ck_assert_near(gx[k] + gy[k], h * defect, bound, "kappa=%g k=%zu",
                            kappa, k);
-            most = fmax(most, fabs(h * defect));
+            most = larger(most, fabs(h * defect));
         }
         ck_assert((most > 1e6 * bound)
                   == (c[1] != 0 && (kappa == 0.25 || kappa == 0.75)));

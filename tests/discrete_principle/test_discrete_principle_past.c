@@ -133,8 +133,8 @@ static void ck_assert_stationary(const setting *p, fvi_past past)
     derivative(p, cg, x, y, zeta, bar, g);
     double most = 0, bound;
     for (size_t k = 0; k <= p->N; k++)
-        most = fmax(most, fmax(fmax(fabs(x[k]), fabs(zeta[k])),
-                               fmax(fabs(y[k]), fabs(bar[k]))));
+        most = larger(most, larger(larger(fabs(x[k]), fabs(zeta[k])),
+                                   larger(fabs(y[k]), fabs(bar[k]))));
     bound = (3 * (double)p->N + 36) * U * 6 * most
             * (4 * mass / p->h + 4 * damping * pow(p->h, 1 - 2 * p->alpha)
                + p->h * (cg[0] + cg[1] * most * most));

@@ -3,6 +3,7 @@
 #define EXACT_ROWS_H
 
 #include "exact_problems.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 
@@ -37,14 +38,14 @@ static inline void ck_assert_rows(const fvi_linear *p, double h, size_t n,
     ck_assert_int_eq(fvi_exact(p, count, t, want_x, want_v), FVI_SUCCESS);
     ck_assert_int_eq(fvi_exact_rows(p, h, n, tolerance, x, v), FVI_SUCCESS);
     for (size_t k = 0; k <= n; k++) {
-        X = fmax(X, fabs(x[k]));
-        V = fmax(V, fabs(v[k]));
+        X = larger(X, fabs(x[k]));
+        V = larger(V, fabs(v[k]));
     }
     for (double now = (double)n * h; now > 1e-8 * (double)n * h; now /= 1.3) {
         double x_now, v_now; /* between the rows, and before the first */
         solve(p, now, &x_now, &v_now);
-        X = fmax(X, fabs(x_now));
-        V = fmax(V, fabs(v_now));
+        X = larger(X, fabs(x_now));
+        V = larger(V, fabs(v_now));
     }
     for (size_t i = 0; i < count; i++) {
         const size_t k = row[i];

@@ -5,6 +5,7 @@
 #include "exact_problems.h"
 
 #include "exact_solution_ref.h"
+#include "system/larger.h"
 
 /* TOL. Seen: 8 u. Without the low part of the pole, thousands at t = 10^4. */
 START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
@@ -202,7 +203,7 @@ START_TEST(eq_11_7_the_integrator_converges_to_it_at_order_1)
                 double e = x[k]
                            - solve_x(oscillator(alphas[i], 1, 1, 0.5),
                                      (double)k * run.h);
-                errors[level] = fmax(errors[level], fabs(e));
+                errors[level] = larger(errors[level], fabs(e));
             }
         }
         for (size_t level = 1; level < 3; level++) {

@@ -3,6 +3,7 @@
  * complex error functions, here libcerf's.
  * Run alone: make test-exact_solution_erfc */
 #include "exact_problems.h"
+#include "system/larger.h"
 
 #include <cerf.h>
 #include <complex.h>
@@ -33,7 +34,7 @@ static double step_answer(double m, double c, double rho, int power, double t,
             slope = slope * w + i * Q[i];
         double complex term = (E(w * sqrt(t)) - 1) / (slope * w);
         y += term;
-        *largest = fmax(*largest, cabs(term));
+        *largest = larger(*largest, cabs(term));
     }
     return creal(y);
 }

@@ -1,6 +1,7 @@
 /* tests/exact_solution/test_exact_solution_forms.c -- Chapter 11: closed forms and series.
  * Run alone: make test-exact_solution_forms */
 #include "exact_problems.h"
+#include "system/larger.h"
 
 #include <complex.h>
 
@@ -165,7 +166,7 @@ START_TEST(eq_11_12_resonance)
                              .forcing = FVI_FORCING_COSINE };
             double slow = e > 0 ? sin(e * t / 2) / e : t / 2;
             double want = 2 * sin((1 + e / 2) * t) * slow / (w + 1);
-            ck_assert_near(solve_x(p, t), want, TOL * fmin(t, 1 / e),
+            ck_assert_near(solve_x(p, t), want, TOL * smaller(t, 1 / e),
                            "t=2^%d w=1+2^-%d", j, k);
         }
 }

@@ -4,6 +4,7 @@
 #include "exact_rows.h"
 
 #include "exact_solution_ref.h"
+#include "system/larger.h"
 
 enum { PROBLEMS = 600 };
 
@@ -144,7 +145,7 @@ START_TEST(eq_11_17_a_force_that_ends_soon)
             ck_assert_int_eq(fvi_exact(&p, 101, t, want, NULL), 0);
             ck_assert_int_eq(fvi_exact_rows(&p, 1, 100, 0, x, NULL), 0);
             for (size_t k = 0; k <= 100; k++)
-                X = fmax(X, fabs(want[k]));
+                X = larger(X, fabs(want[k]));
             for (size_t k = 0; k <= 100; k++)
                 ck_assert_near(x[k], want[k], TOL / 5 * X,
                                "T=%g, c=%g, row %zu", ends[i], c, k);
@@ -209,8 +210,8 @@ START_TEST(eq_11_15_rows_with_a_law)
         ck_assert_int_eq(fvi_exact(&p, 201, t, want_x, want_v), FVI_SUCCESS);
         ck_assert_int_eq(fvi_exact_rows(&p, 0.3, 200, 0, x, v), FVI_SUCCESS);
         for (size_t k = 0; k <= 200; k++) {
-            X = fmax(X, fabs(x[k]));
-            V = fmax(V, fabs(v[k]));
+            X = larger(X, fabs(x[k]));
+            V = larger(V, fabs(v[k]));
         }
         for (size_t k = 1; k <= 200; k++) {
             const double bound = 2 * (2e-13 + 4 * U * t[k]);

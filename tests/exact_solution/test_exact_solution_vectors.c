@@ -3,6 +3,7 @@
  * Run alone: make test-exact_solution_vectors */
 #include "exact/exact_vectors.h"
 #include "exact_rows.h"
+#include "system/larger.h"
 
 /* Against the C library, whose own error is below 2 u. exp and exp - 1 in u of their size; a
  * logarithm in u of 1 + |ln|, an angle in u. */
@@ -17,7 +18,7 @@ START_TEST(vectors_are_the_functions)
     for (size_t f = 0; f < LEN(of); f++)
         for (double size = 1e-12; size < 1e4; size *= 3) {
             for (int i = 0; i < MANY; i++) {
-                re[i] = x[i] = (2 * chance(&seed) - 1) * fmin(size, 700);
+                re[i] = x[i] = (2 * chance(&seed) - 1) * smaller(size, 700);
                 im[i] = y[i] = (2 * chance(&seed) - 1) * size;
                 if (f == 2)
                     im[i] = y[i] = fabs(y[i]);

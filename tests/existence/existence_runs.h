@@ -58,7 +58,7 @@ static inline double distance(size_t N, double h, double lambda,
 {
     double most = 0;
     for (size_t k = 0; k <= N; k++)
-        most = fmax(most, fabs(a[k] - b[k]) * exp(-lambda * h * (double)k));
+        most = larger(most, fabs(a[k] - b[k]) * exp(-lambda * h * (double)k));
     return most;
 }
 

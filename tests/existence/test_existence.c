@@ -3,6 +3,7 @@
 #include "existence_runs.h"
 
 #include "existence_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 
@@ -301,7 +302,7 @@ START_TEST(eq_15_8_n_iterations_beat_every_geometric_sequence)
         memcpy(w, next, sizeof w);
         majorant(R, h, N, bound);
         double now = distance(N, h, 0, v, w), times = (double)n;
-        largest = fmax(largest, now);
+        largest = larger(largest, now);
         ck_assert(now <= bound[N] + 1e-13 * largest);
         e[n] = fvi_picard_bound(0.75, R, 1, 0, d, n);
         if (n <= 40)

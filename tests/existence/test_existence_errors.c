@@ -3,6 +3,7 @@
 #include "existence_runs.h"
 
 #include "existence_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_math.h>
@@ -25,14 +26,14 @@ START_TEST(eq_15_9_iterates_and_solutions_of_the_linear_problem)
                                        ref_iterates[i].R,
                                        ref_iterates[i].x0,
                                        ref_iterates[i].v0 };
-        double order = fmin(2, 1 + gamma), ln_h[POINTS], ln_e[POINTS], c[6];
+        double order = smaller(2, 1 + gamma), ln_h[POINTS], ln_e[POINTS], c[6];
         for (size_t j = 0, N = 32; j < POINTS; j++, N *= 2) {
             double h = 1 / (double)N, bound = pow(h, order) + 1e-14;
             iterate(&p, h, N, ref_iterates[i].n, x, v);
             ck_assert_near(x[N], ref_iterates[i].x, bound, "x, row %zu", i);
             ck_assert_near(v[N], ref_iterates[i].v, bound, "v, row %zu", i);
-            seen(fmax(fabs(x[N] - ref_iterates[i].x),
-                      fabs(v[N] - ref_iterates[i].v))
+            seen(larger(fabs(x[N] - ref_iterates[i].x),
+                        fabs(v[N] - ref_iterates[i].v))
                      / bound,
                  "error over h^p");
             ln_h[j] = log(h);

@@ -111,7 +111,7 @@ static double at_tenths(const double *x, size_t n, const double *y, size_t m)
 {
     double worst = 0;
     for (size_t j = 0; j < LEN(ref_bagley_torvik); j++)
-        worst = fmax(worst, fabs(x[j * n / 10] - y[j * m / 10]));
+        worst = larger(worst, fabs(x[j * n / 10] - y[j * m / 10]));
     return worst;
 }
 

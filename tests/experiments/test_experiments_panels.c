@@ -74,7 +74,7 @@ START_TEST(eq_9_3_several_alpha_at_h_one_half)
         for (size_t k = 0; k <= 30; k++) {
             fvi_damped_oscillator(1, RHO, 1, X0, P0, (double)k * 0.5, &exact,
                                   NULL);
-            far = fmax(far, fabs(x[k] - exact));
+            far = larger(far, fabs(x[k] - exact));
         }
         ck_assert_near(far, ref_alphas[i].far, 5000 * U, "alpha=%g", alpha);
         seen(far, "from the exact solution for 1/2, alpha=%g", alpha);
@@ -162,7 +162,7 @@ static double farthest(const double *a, const double *b, size_t first,
 {
     double worst = 0;
     for (size_t k = first; k <= last; k++)
-        worst = fmax(worst, fabs(a[k] - b[k]));
+        worst = larger(worst, fabs(a[k] - b[k]));
     return worst;
 }
 
@@ -248,8 +248,8 @@ START_TEST(eq_10_6_order_two_against_the_modified_mass)
         while (s->k < run.steps && fvi_step(s) == FVI_SUCCESS) {
             fvi_damped_oscillator(1 - RHO * h / 2, RHO, 1, X0, P0, s->t, &x,
                                   &p);
-            error[0] = fmax(error[0], fabs(s->x[0] - x));
-            error[1] = fmax(error[1], fabs(s->p[0] - p));
+            error[0] = larger(error[0], fabs(s->x[0] - x));
+            error[1] = larger(error[1], fabs(s->p[0] - p));
         }
         //< modified
         fvi_stop(s);

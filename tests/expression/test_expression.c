@@ -3,6 +3,7 @@
 #include "parsed.h"
 
 #include "expression_ref.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 #include <time.h>
@@ -227,7 +228,7 @@ static double seconds_of(const fvi_potential *P, double *last)
     for (int round = 0; round < 7; round++) {
         const clock_t from = clock();
         fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
-        best = fmin(best, (double)(clock() - from) / CLOCKS_PER_SEC);
+        best = smaller(best, (double)(clock() - from) / CLOCKS_PER_SEC);
     }
     *last = x[1000];
     return best;

@@ -115,7 +115,7 @@ static double slope(setup a, double T, size_t first,
         solve(&fvi_fractional, &start, x, NULL);
         double error = 0;
         for (size_t k = a.steps / 10; k <= a.steps; k += a.steps / 10)
-            error = fmax(error, fabs(x[k] - exact(&a, (double)k * a.h)));
+            error = larger(error, fabs(x[k] - exact(&a, (double)k * a.h)));
         logh[i] = log(a.h);
         loge[i] = log(error);
         ck_assert(i < 2 || (loge[i] > loge[i - 1]) == (loge[1] > loge[0]));
@@ -136,7 +136,7 @@ static int drive(double t, size_t d, void *params, double *F)
 {
     const setup *a = params;
     const double x = cube(a, t), b = 2 * a->alpha,
-                 ago = fmax(t - a->alpha * a->h, 0),
+                 ago = larger(t - a->alpha * a->h, 0),
                  D = tgamma(4) / tgamma(4 - b) * pow(ago, 3 - b);
     for (size_t i = 0; i < d; i++)
         F[i] = a->mass * 6 * t + (a->cg[0] + a->cg[1] * x * x) * x + a->rho * D;
@@ -189,7 +189,7 @@ START_TEST(eq_9_7_order_two_against_the_delayed_equation)
                               .cg = { 1, 0 } };
             solve(&fvi_fractional, &a, x, NULL);
             for (size_t k = 1; k <= 8; k++)
-                error[j] = fmax(
+                error[j] = larger(
                     error[j], fabs(x[k * N / 8] - ref_delayed[i + j].x[k - 1]));
         }
         if (ref_delayed[i + 1].steps < ref_delayed[i].steps)
@@ -311,7 +311,7 @@ START_TEST(eq_9_5_the_kick_drives_a_run_away)
         a.p0 = 1;
         solve(&fvi_fractional, &a, answer, NULL);
         const double X = farthest(N + 1, x, NULL), P = farthest(N + 1, p, NULL),
-                     G = fmax(1, farthest(N + 1, answer, NULL));
+                     G = larger(1, farthest(N + 1, answer, NULL));
         const double step = 20 * (P + X) + 4 * ((double)N + 3) * kick * a.h * P;
         for (size_t k = 0; k <= N; k++)
             ck_assert_near(x[k], calm[k] + kick * answer[k],

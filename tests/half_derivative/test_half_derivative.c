@@ -280,9 +280,9 @@ START_TEST(eq_7_9_to_rounding_over_long_runs)
     for (size_t k = 0; k <= N; k++) {
         ck_assert_near(fractional[k], forced[k], bound, "fvi, k=%zu", k);
         ck_assert_near(printed[k], forced[k], bound, "printed, k=%zu", k);
-        apart = fmax(apart, fabs(printed[k] - forced[k]));
+        apart = larger(apart, fabs(printed[k] - forced[k]));
         path += fabs(forced[k]);
-        largest = fmax(largest, k < N / 2 ? 0 : fabs(c[k]));
+        largest = larger(largest, k < N / 2 ? 0 : fabs(c[k]));
     }
     /* the solution is gone, the literal double sum is not */
     ck_assert(fabs(forced[N]) < 1e-80 && fabs(fractional[N]) < 1e-80

@@ -104,7 +104,7 @@ static inline double farthest(size_t n, const double *v, const double *w)
 {
     double max = 0;
     for (size_t i = 0; i < n; i++)
-        max = fmax(max, fabs(v[i] - (w ? w[i] : 0)));
+        max = larger(max, fabs(v[i] - (w ? w[i] : 0)));
     return max;
 }
 

@@ -6,6 +6,7 @@
 #define ULP_H
 
 #include "seen.h"
+#include "system/larger.h"
 
 #include <check.h>
 #include <math.h>

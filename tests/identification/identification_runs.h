@@ -66,7 +66,7 @@ static inline double off(const fvi_fitted *f, const double *truth, size_t P)
 {
     double worst = 0;
     for (size_t j = 0; j < P; j++)
-        worst = fmax(worst, fabs(f->estimate[j] - truth[j]) / f->sd[j]);
+        worst = larger(worst, fabs(f->estimate[j] - truth[j]) / f->sd[j]);
     return worst;
 }
 

@@ -2,6 +2,7 @@
  * loss.
  * Run alone: make test-identification_moduli */
 #include "identification_runs.h"
+#include "system/larger.h"
 
 #include <complex.h>
 
@@ -29,9 +30,9 @@ START_TEST(eq_24_9_exact_moduli_give_the_order_back)
         fvi_fitted f;
         moduli(alpha, 0.7, 1.3, w, storage, loss);
         ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, &f), FVI_SUCCESS);
-        const double error =
-            fmax(fabs(f.estimate[0] - alpha),
-                 fmax(fabs(f.estimate[1] - 0.7), fabs(f.estimate[2] - 1.3)));
+        const double error = larger(
+            fabs(f.estimate[0] - alpha),
+            larger(fabs(f.estimate[1] - 0.7), fabs(f.estimate[2] - 1.3)));
         seen(error, "error");
         ck_assert_msg(error < 1e-6, "alpha %g: %g", alpha, error);
     }

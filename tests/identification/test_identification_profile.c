@@ -1,6 +1,7 @@
 /* tests/identification/test_identification_profile.c -- Chapter 24: profiles.
  *                                        Run alone: make test-identification_profile */
 #include "identification_runs.h"
+#include "system/larger.h"
 
 /* 24 times up to 12, alpha and rho of a linear spring, noise of `sigma`. */
 static void ask_few(question *q, double sigma, gsl_rng *r)
@@ -58,7 +59,7 @@ static double least_over_rho(const question *q, double h, double alpha)
             v = b - share * (b - a);
             at_v = chi2_at(q, h, alpha, exp(v));
         }
-    return fmin(at_u, at_v);
+    return smaller(at_u, at_v);
 }
 
 /* 24 points with much noise. A scan of alpha, dense and over all of (0, 1), the best rho
@@ -91,8 +92,8 @@ START_TEST(eq_24_11_a_profile_is_what_a_dense_scan_finds)
                           "chi2 grows by %g at alpha = %g, [%g, %g]", more,
                           alpha, low, high);
         }
-        skew = fmax(skew,
-                    fabs((low + high) / 2 - f.estimate[0]) / (high - low) * 2);
+        skew = larger(skew, fabs((low + high) / 2 - f.estimate[0])
+                                / (high - low) * 2);
     }
     seen(skew, "middle off the estimate, in half the length");
     ck_assert_double_gt(skew, 0.02); /* no parabola */
@@ -193,7 +194,7 @@ static double least_over_swings(const question *q, const fvi_fitted *f,
         for (size_t i = 0; i < 2; i++)
             at[i] = chi2_of_swing(q, f->sigma, w[i],
                                   c > 0 ? c / (w[i] * w[i]) - 1 : rho);
-        least = fmin(at[0], at[1]);
+        least = smaller(at[0], at[1]);
         *(at[0] < at[1] ? &b : &a) = w[at[0] < at[1]];
     }
     return least;

@@ -3,6 +3,7 @@
 #include "identification_runs.h"
 
 #include "fits/identification_tangent.h"
+#include "system/larger.h"
 
 enum { N = 90, P = 7 };
 
@@ -73,7 +74,7 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
             ck_assert_int_eq(fvi_tangent_step(&o), FVI_SUCCESS);
         double most = 0;
         for (size_t j = 0; j < P; j++)
-            most = fmax(most, fmax(fabs(o.s[j]), fabs(o.pi[j])));
+            most = larger(most, larger(fabs(o.s[j]), fabs(o.pi[j])));
         for (size_t j = 0; j < P; j++) {
             if (whole && q.run.alpha > 0.5 && ALL[j] == FVI_PARAMETER_X0)
                 continue;

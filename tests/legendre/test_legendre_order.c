@@ -83,9 +83,9 @@ static void paper_errors(double h, double p_error[3], double E_error[3])
         exact(1, p0, (double)k * h, &xt, &vt);
         for (size_t i = 0; i < CANDIDATES; i++) {
             double E = energy_of(paper(), x + k, p + i);
-            p_error[i] = fmax(p_error[i], fabs(p[i] - vt));
+            p_error[i] = larger(p_error[i], fabs(p[i] - vt));
             E_error[i] =
-                fmax(E_error[i], fabs(E - energy_of(paper(), &xt, &vt)));
+                larger(E_error[i], fabs(E - energy_of(paper(), &xt, &vt)));
         }
     }
 }
@@ -154,7 +154,7 @@ START_TEST(eq_8_8_the_quotient_loses_an_order_without_damping)
             gsl_sf_elljac_e(omega * (double)k * a.h - 0.5, k2, &sn, &cn, &dn);
             for (size_t j = 0; j < CANDIDATES; j++)
                 error[j][i] =
-                    fmax(error[j][i], fabs(p[j] + A * omega * sn * dn));
+                    larger(error[j][i], fabs(p[j] + A * omega * sn * dn));
         }
     }
     for (size_t j = 0; j < CANDIDATES; j++)
@@ -191,9 +191,9 @@ START_TEST(eq_8_9_the_integrator_moves_the_mass_m_minus_rho_h_over_2)
                                             + (kappa - 0.5) * h * c * z,
                                         (M + rho * h) * v + h * c * z / 2 };
                 for (size_t j = 0; j < CANDIDATES; j++)
-                    error[j][i] = fmax(error[j][i], fabs(p[j] - want[j]));
+                    error[j][i] = larger(error[j][i], fabs(p[j] - want[j]));
                 error[CANDIDATES][i] =
-                    fmax(error[CANDIDATES][i], fabs(x[k] - z));
+                    larger(error[CANDIDATES][i], fabs(x[k] - z));
             }
         }
         for (size_t j = 0; j <= CANDIDATES; j++)

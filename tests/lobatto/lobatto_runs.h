@@ -59,7 +59,7 @@ static inline double farthest(size_t first, size_t n, const double *v,
 {
     double max = 0;
     for (size_t i = first; i < n; i++)
-        max = fmax(max, fabs(v[i] - (w ? w[i] : 0)));
+        max = larger(max, fabs(v[i] - (w ? w[i] : 0)));
     return max;
 }
 

@@ -26,7 +26,7 @@ static double largest(size_t n, const double *v)
 {
     double max = 0;
     for (size_t i = 0; i < n; i++)
-        max = fmax(max, fabs(v[i]));
+        max = larger(max, fabs(v[i]));
     return max;
 }
 
@@ -241,7 +241,7 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
                 for (size_t i = 0; i < s * D; i++)
                     v[i] = 0.5 + 0.5 * rand() / (double)RAND_MAX;
                 fvi_lobatto_memory_push(direct, v, H);
-                const double size = fmax(1, pow((double)k + 1, -betas[t]));
+                const double size = larger(1, pow((double)k + 1, -betas[t]));
                 for (size_t e = 0; e < LEN(tolerances); e++) {
                     const double keep =
                         tolerances[e] > 0 ? tolerances[e] : 1e-13;

@@ -2,6 +2,7 @@
  * Run alone: make test-lobatto_energy */
 #include <fvi/stability.h>
 #include "lobatto_runs.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -80,7 +81,7 @@ START_TEST(eq_17_26_form_d_loses_where_form_m_keeps)
         double band = 0;
         ck_assert_int_eq(fvi_trajectory(methods[s], &run, NULL, NULL, E), 0);
         for (size_t k = 0; k <= N; k++)
-            band = fmax(band, fabs(E[k] / E[0] - 1));
+            band = larger(band, fabs(E[k] / E[0] - 1));
         ck_assert_int_eq(fvi_trajectory(damped[s], &run, NULL, NULL, E), 0);
         const double lost = 1 - E[N] / E[0];
         seen(band, "band of form M, s=%zu", s);

@@ -2,6 +2,7 @@
  * orders. Run alone: make test-lobatto_forms */
 #include <fvi/exact_solution.h>
 #include "lobatto_runs.h"
+#include "system/larger.h"
 
 enum { MOST = 1280 };
 static double x[MOST + 1], p[MOST + 1], want_x[MOST + 1], want_p[MOST + 1];
@@ -10,12 +11,12 @@ static double times[MOST + 1];
 /* The orders that are expected of form D: (17.27). */
 static double order_x(size_t s, double alpha)
 {
-    return fmin(2 * (double)s - 2, (double)s + 4 - 2 * alpha);
+    return smaller(2 * (double)s - 2, (double)s + 4 - 2 * alpha);
 }
 
 static double order_p(size_t s, double alpha)
 {
-    return fmin(2 * (double)s - 2, (double)s + 3 - 2 * alpha);
+    return smaller(2 * (double)s - 2, (double)s + 3 - 2 * alpha);
 }
 
 typedef struct {
@@ -162,7 +163,7 @@ START_TEST(eq_17_27_form_d_has_the_full_order_from_a_start_away_from_zero)
             run_linear(damped[s], &problem, 4, 16, &ex, &ep);
             const double of_x = slope(&ex, 1e-12), of_p = slope(&ep, 1e-12),
                          full = 2 * (double)s - 2;
-            seen(fmax(full - of_x, full - of_p), "below 2s - 2");
+            seen(larger(full - of_x, full - of_p), "below 2s - 2");
             ck_assert_msg(of_x >= full - 0.25 && of_p >= full - 0.25,
                           "s = %zu, alpha = %g: %g, %g", s, some[i], of_x,
                           of_p);
@@ -265,9 +266,9 @@ START_TEST(eq_17_27_orders_of_form_d_with_another_past)
                 ex.errors[ex.count++] = farthest(N / 4, N + 1, x, want_x);
             }
             const double of = slope(&ex, 3e-13),
-                         want =
-                             fmin(2 * (double)s - 2,
-                                  (double)s + (i ? 1 : 2) - 2 * problem.alpha);
+                         want = smaller(2 * (double)s - 2,
+                                        (double)s + (i ? 1 : 2)
+                                            - 2 * problem.alpha);
             seen(of - want, "order of x, less expected");
             ck_assert_near(of, want, 0.4, "s=%zu, past %zu", s, i);
         }

@@ -4,6 +4,7 @@
 
 #include "lobatto_load.h"
 #include "lobatto_ref.h"
+#include "system/larger.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
@@ -16,7 +17,7 @@ START_TEST(eq_17_18_load_is_where_the_symbol_vanishes)
     for (size_t i = 0; i < LEN(ref_loads); i++) {
         const double load = load_at(ref_loads[i].s, ref_loads[i].alpha,
                                     ref_loads[i].W, ref_loads[i].R),
-                     scale = fmax(1, load);
+                     scale = larger(1, load);
         seen(fabs(load - ref_loads[i].want) / scale, "relative");
         ck_assert_near(load, ref_loads[i].want, 1e-12 * scale, "row %zu", i);
     }
@@ -118,7 +119,7 @@ START_TEST(eq_17_19_three_stages_in_closed_form)
                             + R * (2 * f[0] - 4 * f[1] - 8 * f[2]) / 3,
                      mixed = R * 4 * (f[1] - 4 * f[2]) / 3,
                      alternating = first * last + mixed * mixed;
-        if (fmin(fabs(monotone), fabs(alternating)) < 1e-9 * (1 + R * R))
+        if (smaller(fabs(monotone), fabs(alternating)) < 1e-9 * (1 + R * R))
             continue;
         ck_assert_msg((load_at(3, alpha, W, R) > 1)
                           == (monotone > 0 || alternating < 0),

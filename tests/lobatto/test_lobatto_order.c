@@ -2,6 +2,7 @@
  * Run alone: make test-lobatto_order */
 #include <fvi/exact_solution.h>
 #include "lobatto_runs.h"
+#include "system/larger.h"
 
 enum { MOST = 2560 };
 static double x[MOST + 1], p[MOST + 1], want_x[MOST + 1], want_p[MOST + 1];
@@ -31,13 +32,13 @@ static double slope(const errors *e, double floor)
 static double order_x(size_t s, double alpha)
 {
     double full = 2 * (double)s - 2;
-    return alpha == 0.5 ? full : fmin(full, (double)s + 2 - 2 * alpha);
+    return alpha == 0.5 ? full : smaller(full, (double)s + 2 - 2 * alpha);
 }
 
 static double order_p(size_t s, double alpha)
 {
     double full = 2 * (double)s - 2;
-    return alpha == 0.5 ? full : fmin(full, (double)s + 1 - 2 * alpha);
+    return alpha == 0.5 ? full : smaller(full, (double)s + 1 - 2 * alpha);
 }
 
 /* ---- a driven Duffing oscillator along x = t^8 ---- */
@@ -109,10 +110,10 @@ START_TEST(eq_17_13_orders_on_a_driven_duffing_oscillator)
                          above = alpha < 0.5 ? 0.5 : 0.15,
                          of_x = slope(&ex, alpha > 0.5 ? 2e-13 : 3e-14),
                          of_p = slope(&ep, 3e-13);
-            seen(fmax(order_x(s, alpha) - of_x, order_p(s, alpha) - of_p),
+            seen(larger(order_x(s, alpha) - of_x, order_p(s, alpha) - of_p),
                  "below (17.13)");
             if (alpha > 0.5)
-                seen(fmax(of_x - order_x(s, alpha), of_p - order_p(s, alpha)),
+                seen(larger(of_x - order_x(s, alpha), of_p - order_p(s, alpha)),
                      "above it, alpha > 1/2");
             ck_assert_msg(of_x >= order_x(s, alpha) - 0.15
                               && of_x <= order_x(s, alpha) + above,
@@ -134,8 +135,8 @@ START_TEST(eq_17_14_corrected_momenta_gain_order)
             errors ex, ep, fixed;
             const double alpha = drivings[i].alpha;
             run_driven(s, drivings + i, &ex, &ep, &fixed);
-            const double gain = fmin(order_x(s, alpha) - order_p(s, alpha),
-                                     alpha > 0.5 ? 2 - 2 * alpha : 1);
+            const double gain = smaller(order_x(s, alpha) - order_p(s, alpha),
+                                        alpha > 0.5 ? 2 - 2 * alpha : 1);
             const double of_p = slope(&fixed, 3e-13);
             seen(order_p(s, alpha) + gain - of_p, "below");
             ck_assert_double_ge(of_p, order_p(s, alpha) + gain - 0.17);
@@ -185,7 +186,7 @@ START_TEST(eq_17_13_orders_from_a_start_away_from_zero)
                 ep.errors[ep.count++] = farthest(N / 4, N + 1, p, want_p);
             }
             const double of_x = slope(&ex, 1e-13), of_p = slope(&ep, 1e-13);
-            seen(fmax(order_x(s, alpha) - of_x, order_p(s, alpha) - of_p),
+            seen(larger(order_x(s, alpha) - of_x, order_p(s, alpha) - of_p),
                  "below (17.13)");
             ck_assert_double_ge(of_x, order_x(s, alpha) - 0.15);
             ck_assert_double_ge(of_p, order_p(s, alpha) - 0.15);

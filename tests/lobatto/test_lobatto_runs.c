@@ -3,6 +3,7 @@
 #include "harness/energy.h"
 
 #include "lobatto_pairs.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 
@@ -68,7 +69,7 @@ START_TEST(eq_17_12_compressed_runs_equal_direct_ones)
             solve(&a, x, p);
             const double of_x = farthest(0, N + 1, x, want_x),
                          of_p = farthest(0, N + 1, p, want_p);
-            seen(fmax(of_x, of_p), "difference");
+            seen(larger(of_x, of_p), "difference");
             ck_assert_near(of_x, 0, 1e-12, "x: s=%zu alpha=%g", s, a.alpha);
             ck_assert_near(of_p, 0, 1e-12, "p: s=%zu alpha=%g", s, a.alpha);
         }
@@ -101,10 +102,10 @@ START_TEST(eq_17_21_the_tolerance_is_kept_as_alpha_goes_to_1)
                     a.tolerance = tolerances[t];
                     solve(&a, y, q);
                     const double off =
-                        fmax(farthest(0, LONG + 1, y, X)
-                                 / farthest(0, LONG + 1, X, NULL),
-                             farthest(0, LONG + 1, q, P)
-                                 / farthest(0, LONG + 1, P, NULL));
+                        larger(farthest(0, LONG + 1, y, X)
+                                   / farthest(0, LONG + 1, X, NULL),
+                               farthest(0, LONG + 1, q, P)
+                                   / farthest(0, LONG + 1, P, NULL));
                     seen(off / a.tolerance, "of the tolerance");
                     ck_assert_near(off, 0, a.tolerance, "s=%zu alpha=%g rho=%g",
                                    s, a.alpha, rho);
@@ -202,11 +203,11 @@ START_TEST(eq_17_8_without_damping_the_energy_stays)
         while (stepper->k < run.steps) {
             double *w = worst + (stepper->k >= 10000);
             ck_assert_int_eq(fvi_step(stepper), FVI_SUCCESS);
-            *w = fmax(*w,
-                      fabs(energy_of(&system, stepper->x, stepper->p) - 0.75));
+            *w = larger(
+                *w, fabs(energy_of(&system, stepper->x, stepper->p) - 0.75));
         }
         fvi_stop(stepper);
-        seen(fmax(worst[0], worst[1]), "energy, s=%zu", s);
+        seen(larger(worst[0], worst[1]), "energy, s=%zu", s);
         ck_assert_double_lt(worst[0], band[s]);
         ck_assert_double_le(worst[1], 1.01 * worst[0] + 1e-12);
     }

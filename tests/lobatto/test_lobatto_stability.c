@@ -2,6 +2,7 @@
  * Run alone: make test-lobatto_stability */
 #include "lobatto_load.h"
 #include "lobatto_runs.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 
@@ -125,7 +126,7 @@ START_TEST(eq_17_18_runs_grow_where_the_load_says_so)
             continue;
         const double growth = growth_of(&a);
         counts[verdict[0]]++;
-        seen(fmin(growth, 1e300), verdict[0] ? "above" : "below");
+        seen(smaller(growth, 1e300), verdict[0] ? "above" : "below");
         ck_assert_msg(verdict[0] ? growth > 5 : growth < 1.1,
                       "s=%zu alpha=%.17g W=%.17g R=%.17g: %g", a.s, a.alpha,
                       a.cg[0], a.rho, growth);

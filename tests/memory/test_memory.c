@@ -275,9 +275,9 @@ START_TEST(eq_12_13_the_weights_fall_and_are_convex)
         sums(nu, N, FVI_MEMORY_EXPONENTIALS, tolerance, N + 1, x, a);
         double bend = 1, slope = 1;
         for (size_t n = 1; n < N; n++) {
-            slope = fmin(slope, (a[n + 1] - a[n]) / -a[n]);
+            slope = smaller(slope, (a[n + 1] - a[n]) / -a[n]);
             if (n > 1)
-                bend = fmin(bend, (2 * a[n] - a[n - 1] - a[n + 1]) / -a[n]);
+                bend = smaller(bend, (2 * a[n] - a[n - 1] - a[n + 1]) / -a[n]);
         }
         const double line = a[N] * a[N] / (a[N] - a[N - 1]) / 2 / W;
         seen(line, "of W_N");

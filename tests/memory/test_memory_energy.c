@@ -111,7 +111,7 @@ static double energy(const plane *a, const double *x, double *size)
         kinetic += a->mass[i] * d[i] * d[i] / 2;
         reach += fabs(x[i]) + fabs(x[2 + i]);
     }
-    *size = fmax(*size, 8 * reach * reach); /* mass and C are below 2 */
+    *size = larger(*size, 8 * reach * reach); /* mass and C are below 2 */
     plane_value(2, d, (void *)a->C, &of_d);
     plane_value(2, S, (void *)a->C, &of_S);
     return kinetic - gsl_pow_2(1 - 2 * a->kappa) / 4 * of_d + of_S;
@@ -192,7 +192,7 @@ START_TEST(eq_12_16_no_run_gains_energy_from_its_memory)
                              E - share / 8 * damped, start);
             //< bound
             if (load > 1.02)
-                grown = fmax(grown, E / start);
+                grown = larger(grown, E / start);
         }
         stable += load < 1;
     }

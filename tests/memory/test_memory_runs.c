@@ -54,8 +54,8 @@ static double distance(int which, double beta, size_t N, fvi_memory_kind kind1,
     motion(which, beta, N, kind1, 0, x);
     motion(which, beta, N, kind2, tolerance, x + N + 1);
     for (size_t k = 0; k <= N; k++) {
-        far = fmax(far, fabs(x[k] - x[N + 1 + k]));
-        size = fmax(size, fabs(x[k]));
+        far = larger(far, fabs(x[k] - x[N + 1 + k]));
+        size = larger(size, fabs(x[k]));
     }
     free(x);
     return far / size;

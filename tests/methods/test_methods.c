@@ -1,6 +1,7 @@
 /* tests/methods/test_methods.c -- What the methods say of themselves is so.
  * Run alone: make test-methods */
 #include "methods_runs.h"
+#include "system/larger.h"
 
 /* ---- the table ---- */
 
@@ -167,12 +168,12 @@ START_TEST(eq_13_7_the_quadrature_is_the_one_named)
                     D[end] += w[n] * (x[k + end - n] - x[0]);
             for (size_t t = 0; t < 2; t++) {
                 const double theta = t == 0 ? 0 : is_stable ? 0.5 : alpha;
-                left[t] = fmax(left[t],
-                               fabs(x[k + 1] - 2 * x[k] + x[k - 1]
-                                    + R * ((1 - theta) * D[0] + theta * D[1])));
+                left[t] = larger(
+                    left[t], fabs(x[k + 1] - 2 * x[k] + x[k - 1]
+                                  + R * ((1 - theta) * D[0] + theta * D[1])));
             }
         }
-        ck_assert_near(fmin(left[0], left[1]), 0, 40 * 44 * 2 * U, "%s",
+        ck_assert_near(smaller(left[0], left[1]), 0, 40 * 44 * 2 * U, "%s",
                        m->name);
     }
     ck_assert_uint_eq(ran, 4); /* fvi, -shifted, -bdf2, -stable */
@@ -204,7 +205,7 @@ START_TEST(eq_9_5_a_past_as_printed_is_a_kick)
                              FVI_SUCCESS);
             for (size_t t = 0; t < 5; t++) {
                 const double now = x[run.steps / 5 * (t + 1)];
-                D[j] = fmax(D[j], fabs(now - last[t]));
+                D[j] = larger(D[j], fabs(now - last[t]));
                 last[t] = now;
             }
         }

@@ -1,6 +1,7 @@
 /* tests/past/test_past_order.c -- Chapter 19: the orders for every past.
  * Run alone: make test-past_order */
 #include "past_runs.h"
+#include "system/larger.h"
 
 enum { MOST = 8192 };
 static double x[MOST + 1], p[MOST + 1], times[MOST + 1];
@@ -28,8 +29,8 @@ static double at_fixed_t(const problem *q, size_t method, int of)
         return 2;
     if (a == 0 || a == 0.5 || a == 1)
         return 2 * s - 2;
-    return fmin(2 * s - 2,
-                s + 1 - 2 * a + (of == OF_X && !is_kicked(q) ? 1 : 0));
+    return smaller(2 * s - 2,
+                   s + 1 - 2 * a + (of == OF_X && !is_kicked(q) ? 1 : 0));
 }
 //< fixed
 
@@ -56,7 +57,7 @@ static double for_all_t(const problem *q, size_t method, int of)
                  start = at_the_start(q, method);
     if (method == SHIFTED && q->alpha == 1 && of == OF_X)
         return 2;
-    return fmin(fixed, start + (of == OF_X ? 1 : 0));
+    return smaller(fixed, start + (of == OF_X ? 1 : 0));
 }
 //< uniform
 
@@ -86,8 +87,8 @@ static void add_errors(const problem *q, size_t method, double T, double from,
     solve(methods[method], q, T / (double)steps, steps, x, p);
     for (size_t k = 0; k <= steps; k++)
         if ((double)k * T >= from * (double)steps) {
-            off[OF_X] = fmax(off[OF_X], fabs(x[k] - want_x[k * ratio]));
-            off[OF_P] = fmax(off[OF_P], fabs(p[k] - want_p[k * ratio]));
+            off[OF_X] = larger(off[OF_X], fabs(x[k] - want_x[k * ratio]));
+            off[OF_P] = larger(off[OF_P], fabs(p[k] - want_p[k * ratio]));
         }
     for (int of = OF_X; of <= OF_P; of++)
         e[of].error[e[of].count++] = off[of];
@@ -255,7 +256,7 @@ START_TEST(eq_19_9_corrected_momenta)
             ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, &run, x, p), 0);
             double off = 0;
             for (size_t k = steps / 2; k + 2 <= steps; k++)
-                off = fmax(off, fabs(p[k] - want_p[k]));
+                off = larger(off, fabs(p[k] - want_p[k]));
             fixed.error[fixed.count++] = off;
         }
         const double gain = q.alpha > 0.5 ? 2 - 2 * q.alpha : 2 * q.alpha,

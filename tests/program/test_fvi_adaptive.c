@@ -2,6 +2,7 @@
  * Run alone: make test-fvi_adaptive */
 #define _GNU_SOURCE
 #include "program.h"
+#include "system/larger.h"
 
 /* The largest difference of column 1 from that of `exact`, in the rows. */
 static double off_by(const char *options)
@@ -18,7 +19,7 @@ static double off_by(const char *options)
     ck_assert_uint_eq(count_rows(), rows);
     double worst = 0;
     for (size_t k = 0; k < rows; k++)
-        worst = fmax(worst, fabs(cell(k, 1) - want[k]));
+        worst = larger(worst, fabs(cell(k, 1) - want[k]));
     return worst;
 }
 

@@ -2,6 +2,7 @@
  *                                         Run alone: make test-fvi_gradient */
 #define _GNU_SOURCE
 #include "program.h"
+#include "system/larger.h"
 
 /* The number behind `name` in out; the test fails without one. */
 static double derivative(const char *name)
@@ -132,7 +133,7 @@ START_TEST(rows_of_a_gradient_are_differences_of_runs)
         for (size_t j = 0; j < LEN(rows); j++)
             if (rows[j].run == run)
                 ck_assert_near(derivative(rows[j].name), slope[j][c],
-                               1e-6 * fmax(1, fabs(slope[j][c])),
+                               1e-6 * larger(1, fabs(slope[j][c])),
                                "%s by %s, run %zu", of[c], rows[j].name, run);
     }
 }

@@ -3,6 +3,7 @@
  * Run alone: make test-fvi_past */
 #define _GNU_SOURCE
 #include "program.h"
+#include "system/larger.h"
 
 enum { ROWS = 201, METHODS = 20 };
 
@@ -24,7 +25,7 @@ static double largest_difference(size_t n, const double *x, const double *y)
 {
     double worst = 0;
     for (size_t k = 0; k < n; k++)
-        worst = fmax(worst, fabs(x[k] - y[k]));
+        worst = larger(worst, fabs(x[k] - y[k]));
     return worst;
 }
 
@@ -80,7 +81,7 @@ START_TEST(every_method_converges_to_the_exact_solution_of_its_alpha)
                               "%s, alpha = %g: from %g to %g", names[i], alpha,
                               before, now);
                 if (now >= 1e-11)
-                    least = fmin(least, before / now);
+                    least = smaller(least, before / now);
                 before = now;
             }
             compared++;

@@ -56,9 +56,9 @@ static inline double error(const fvi_method *method, const fvi_run *run, double 
     double worst = 0, worst_p = 0, v;
     for (size_t k = 1; k <= run->steps; k++) {
         const double t = (double)k * run->h;
-        worst = fmax(worst, fabs(x[k] - truth(run, t, at, &v)));
+        worst = larger(worst, fabs(x[k] - truth(run, t, at, &v)));
         if (fabs(t - at) > 1e-9)
-            worst_p = fmax(worst_p, fabs(p[k] - v));
+            worst_p = larger(worst_p, fabs(p[k] - v));
     }
     if (of_p)
         *of_p = worst_p;

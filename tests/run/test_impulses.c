@@ -3,6 +3,7 @@
 #include <fvi/methods.h>
 #include <fvi/paper/algorithm_3.h>
 #include "impulse_runs.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 
@@ -29,9 +30,9 @@ START_TEST(eq_2_15_a_free_body_moves_right_after_the_step)
                 const double t = 0.25 * (double)k,
                              part = fvi_methods[m]->dense
                                         ? t >= at
-                                        : 1 - fmax(0, at - t) / 0.25;
-                ck_assert_near(p[k], J * fmax(0, part), 8 * U, "p %zu", k);
-                ck_assert_near(x[k], J * fmax(0, t - at), 64 * U,
+                                        : 1 - larger(0, at - t) / 0.25;
+                ck_assert_near(p[k], J * larger(0, part), 8 * U, "p %zu", k);
+                ck_assert_near(x[k], J * larger(0, t - at), 64 * U,
                                "%s, T = %g, x %zu", fvi_methods[m]->name, at,
                                k);
             }
@@ -116,7 +117,7 @@ START_TEST(eq_2_15_order_two_between_nodes)
                 const size_t steps = n ? 320 : 80;
                 const double at = 1.25 + 5.0 / (double)steps * (double)part / 8;
                 const fvi_run run = hit_at(at, 0.3, steps);
-                worst[n] = fmax(worst[n], error(all[m], &run, at, NULL));
+                worst[n] = larger(worst[n], error(all[m], &run, at, NULL));
             }
         const double order = log2(worst[0] / worst[1]) / 2;
         ck_assert_msg(order > 1.9 && order < 2.1, "%s: %g", all[m]->name,

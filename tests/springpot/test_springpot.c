@@ -102,7 +102,7 @@ START_TEST(eq_0_5_graded_ladders_are_springpots)
             double t, got = creep(beta, 80, doublings, &t);
             const double missing =
                 fabs(got * rho * tgamma(1 + beta) / pow(t, beta) - 1);
-            const double power = pow(t, -fmin(beta, 1 - beta));
+            const double power = pow(t, -smaller(beta, 1 - beta));
             ck_assert_near(missing, 0, 0.5 * power, "beta = %g, t = %g", beta,
                            t);
             ck_assert_double_lt(missing, 0.75 * before);
@@ -144,7 +144,7 @@ START_TEST(eq_0_6_a_body_on_a_ladder_moves_as_the_run)
         ladder_step(&l, STEP, 0);
         ck_assert_near(l.x[0], x[n], 2e-4, "x, t = %g", STEP * n);
         ck_assert_near(l.v, p[n], 2e-3, "p, t = %g", STEP * n);
-        worst = fmax(worst, fabs(l.x[0] - x[n]));
+        worst = larger(worst, fabs(l.x[0] - x[n]));
     }
     seen(worst, "difference");
 }
@@ -164,7 +164,7 @@ START_TEST(eq_0_6_the_past_is_part_of_the_state)
     for (int n = 1; FORK + n <= ROWS; n++) {
         ladder_step(&fresh, STEP, 0);
         ck_assert_near(fresh.x[0], other[n], 4e-4, "t = %g", STEP * (FORK + n));
-        apart = fmax(apart, fabs(other[n] - x[FORK + n]));
+        apart = larger(apart, fabs(other[n] - x[FORK + n]));
     }
     ck_assert_double_gt(apart, 0.25);
     seen(apart, "apart");

@@ -7,6 +7,7 @@
 #define STABILITY_FORMS_H
 
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <math.h>
 
@@ -109,8 +110,8 @@ static double forms_error(size_t N, const double *x, const long double *truth)
 {
     double size = 0, error = 0;
     for (size_t k = 0; k <= N; k++) {
-        size = fmax(size, fabs((double)truth[k]));
-        error = fmax(error, fabs((double)(x[k] - truth[k])));
+        size = larger(size, fabs((double)truth[k]));
+        error = larger(error, fabs((double)(x[k] - truth[k])));
     }
     return error / size;
 }

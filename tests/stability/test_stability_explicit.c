@@ -1,6 +1,7 @@
 /* tests/stability/test_stability_explicit.c -- Chapter 14: Euler's explicit method.
  * Run alone: make test-stability_explicit */
 #include "scalar_run.h"
+#include "system/larger.h"
 
 #include <fvi/discrete_mechanics.h>
 
@@ -152,7 +153,7 @@ static double far(const fvi_run *run)
     if (fvi_trajectory(&fvi_euler_explicit, run, x, NULL, NULL))
         most = GSL_POSINF;
     for (size_t i = 0; i < d; i++)
-        most = fmax(most, fabs(x[run->steps * d + i]));
+        most = larger(most, fabs(x[run->steps * d + i]));
     free(x);
     return most;
 }

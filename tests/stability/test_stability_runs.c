@@ -4,6 +4,7 @@
 #include "harness/full_chain.h"
 
 #include "stability_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 #include <stdlib.h>
@@ -18,7 +19,7 @@ static void halves(const fvi_run *run, double *first, double *second)
     *first = *second = 0;
     for (size_t k = 0; k <= run->steps; k++) {
         double *half = k <= run->steps / 2 ? first : second;
-        *half = fmax(*half, fabs(x[k]));
+        *half = larger(*half, fabs(x[k]));
     }
     free(x);
 }
@@ -151,7 +152,7 @@ START_TEST(eq_14_3_a_chain_of_masses)
             FVI_SUCCESS);
         double end = 0;
         for (size_t i = 0; i < 5; i++)
-            end = fmax(end, fabs(last[5 * 4000 + i]));
+            end = larger(end, fabs(last[5 * 4000 + i]));
         ck_assert_msg(outside ? end > 1e6 : end < 1, "h = %g: %g", run.h, end);
     }
     fvi_system full = chain; /* by another road to the eigenvalues */

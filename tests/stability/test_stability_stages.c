@@ -57,7 +57,7 @@ static void eigenvalues(const pade *r, double complex z, double complex *lambda)
                     others += 1 / (lambda[j] - lambda[i]);
             const double complex move = value / (slope - value * others);
             lambda[j] -= move;
-            moved = fmax(moved, cabs(move));
+            moved = larger(moved, cabs(move));
         }
     }
     ck_assert_double_le(moved, 1e-9);
@@ -189,7 +189,7 @@ START_TEST(eq_14_10_three_stages_with_friction)
         const point q = { 0.5, 30 * gsl_rng_uniform_pos(random),
                           2 * gsl_rng_uniform_pos(random) };
         const double gap = (q.W - 8) * (q.W - 12) + 8 * q.R * q.R,
-                     least = fmin(24 - q.W, gap);
+                     least = smaller(24 - q.W, gap);
         if (fabs(least) < 1e-9)
             continue;
         ck_assert_msg((load_at(3, &q) > 1) == (least < 0), "W=%.17g R=%.17g",

@@ -4,6 +4,7 @@
 #define CREDULOUS_H
 
 #include "step_search_runs.h"
+#include "system/larger.h"
 
 static inline void run_rows(const fvi_method *method, fvi_run run, size_t rows,
                             size_t parts, double *x)
@@ -38,8 +39,9 @@ static inline int credulous(const fvi_method *method, const fvi_run *run,
         D = parts == first ? GSL_POSINF : 0;
         for (size_t k = 0; k <= run->steps && parts > first; k++)
             D = isnan(x[k] - before[k]) ? GSL_POSINF
-                                        : fmax(D, fabs(x[k] - before[k]));
-        double q = fmin(fmax(log2(D_before / D), 0.25), method->lowest);
+                                        : larger(D, fabs(x[k] - before[k]));
+        double by = D_before > D ? log2(D_before / D) : 0,
+               q = smaller(larger(by, 0.25), method->lowest);
         *found = (fvi_step_found){ parts, D / (exp2(q) - 1), q };
         if (isfinite(D_before) && found->estimate <= error)
             return FVI_SUCCESS;

@@ -43,7 +43,7 @@ static inline double true_error(const fvi_linear *q, double h, size_t rows,
         t[k] = (double)k * h;
     ck_assert_int_eq(fvi_exact(q, rows + 1, t, want, NULL), FVI_SUCCESS);
     for (size_t k = 0; k <= rows; k++)
-        worst = fmax(worst, fabs(x[k] - want[k]));
+        worst = larger(worst, fabs(x[k] - want[k]));
     return worst;
 }
 

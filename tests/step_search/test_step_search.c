@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search.c -- Chapter 18: does the error that was asked for come?
  * Run alone: make test-step_search */
 #include "step_search_runs.h"
+#include "system/larger.h"
 
 /* The true error of a search over its estimate and over what was asked for. */
 static void ratios(const fvi_method *method, const fvi_linear *q, double T,
@@ -29,7 +30,7 @@ static void ck_assert_honest(const fvi_method *method, double loosest,
         double estimated, asked;
         ratios(method, &q, dice(2, 20), error, rows, &estimated, &asked);
         dishonest += asked > 3;
-        worst = fmax(worst, asked);
+        worst = larger(worst, asked);
     }
     seen(worst, "error over the one asked for");
     ck_assert_msg(dishonest <= 1, "%s: %d of 100 above 3 E, the worst %g E",

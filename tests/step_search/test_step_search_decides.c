@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search_decides.c -- Chapter 18: what decides that a run is refused.
  * Run alone: make test-step_search_decides */
 #include "credulous.h"
+#include "system/larger.h"
 
 /* W = 2.5e13 down to 1.6e12. The next terms of the cosine and of the phase are below
  * 1e-7 of D, the rounding of a few steps is below 1e-5 of it, and of the D before, which
@@ -22,7 +23,7 @@ START_TEST(eq_18_6_differences_of_what_stands_still_grow)
         run_rows(&fvi_shifted, run, 10, (size_t)2 << j, x[j]);
     for (size_t j = 0; j < 2; j++)
         for (size_t k = 0; k <= 10; k++)
-            D[j] = fmax(D[j], fabs(x[j + 1][k] - x[j][k]));
+            D[j] = larger(D[j], fabs(x[j + 1][k] - x[j][k]));
     for (size_t k = 0; k <= 10; k++) {
         double t = 0.1 * (double)k, h = 0.1 / 8;
         ck_assert_near(1 - x[2][k], 8 * t * t / (pow(h, 4) * c), 1e-4 * D[1],

@@ -28,7 +28,7 @@ START_TEST(eq_18_6_a_stiff_spring_turns_by_almost_half_a_turn)
             fvi_run_default(&system, &one, &none, ref_turns[row].h, N);
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);
         const double n = (double)N, W = c * gsl_pow_2(run.h);
-        const double bound = 10 * n + 3 * fmin(sqrt(W) * n, 2 * n * (n + 1));
+        const double bound = 10 * n + 3 * smaller(sqrt(W) * n, 2 * n * (n + 1));
         ck_assert_near(x[N], ref_turns[row].x, bound * U,
                        "%s, c=%g, h=%g, k=%zu", method->name, c,
                        ref_turns[row].h, N);

@@ -1,6 +1,7 @@
 /* tests/structures/test_structures.c -- Runs with matrices.
  * Run alone: make test-structures */
 #include "structures_runs.h"
+#include "system/larger.h"
 
 /* ---- against the same system without matrices ---- */
 
@@ -48,9 +49,9 @@ static void ck_assert_same_runs(const fvi_method *method, const fvi_run *given,
     OK(fvi_trajectory(method, &run, X, P, F));
     double worst = 0;
     for (size_t i = 0; i < (N + 1) * D; i++)
-        worst = fmax(worst, fmax(fabs(x[i] - X[i]), fabs(p[i] - P[i])));
+        worst = larger(worst, larger(fabs(x[i] - X[i]), fabs(p[i] - P[i])));
     for (size_t k = 0; k <= N; k++)
-        worst = fmax(worst, fabs(E[k] - F[k]) / 10);
+        worst = larger(worst, fabs(E[k] - F[k]) / 10);
     ck_assert_msg(worst <= 1e-12, "%s, alpha %g, kappa %g: %g", method->name,
                   run.alpha, run.kappa, worst);
     seen_worst(worst, "deviation");
@@ -194,7 +195,7 @@ START_TEST(eq_27_5_a_mode_of_the_bar_is_one_oscillator)
         OK(fvi_trajectory(method, &scalar, y, NULL, NULL));
         OK(fvi_trajectory(method, &whole, x, NULL, NULL));
         for (size_t l = 0; l < (STEPS + 1) * n; l++)
-            worst = fmax(worst, fabs(x[l] - y[l / n] * v[l % n]));
+            worst = larger(worst, fabs(x[l] - y[l / n] * v[l % n]));
         ck_assert_msg(worst <= 1e-12, "%s, alpha %g: %g", method->name,
                       scalar.alpha, worst);
         seen_worst(worst, "bar");
@@ -229,7 +230,7 @@ static double largest(const double *x, size_t from, size_t to)
 {
     double max = 0;
     for (size_t i = 3 * from; i < 3 * to; i++)
-        max = fmax(max, fabs(x[i]));
+        max = larger(max, fabs(x[i]));
     return max;
 }
 
@@ -302,7 +303,7 @@ START_TEST(eq_27_9_the_load_of_matrices)
         double h = 0; /* the same: log2 h to 2^-12, and the 1.0001 of above */
         OK(fvi_stability_step(method, &run, &h));
         ck_assert_near(log2(h / low), 0,
-                       0x1p-12 * fmax(1, fabs(log2(low))) + log2(1.0001),
+                       0x1p-12 * larger(1, fabs(log2(low))) + log2(1.0001),
                        "run %d", i);
         for (int above = 0; above < 2; above++) {
             run.h = low * (above ? 1.1 : 0.95);

@@ -3,6 +3,7 @@
 #include "structures_runs.h"
 
 #include "structures_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>
@@ -75,7 +76,7 @@ START_TEST(eq_27_5_the_cantilevers_first_mode_is_one_oscillator)
         whole.p0 = p0;
         OK(fvi_trajectory(&fvi_stable, &whole, x, NULL, NULL));
         for (size_t l = 0; l < (STEPS + 1) * d; l++)
-            worst = fmax(worst, fabs(x[l] - y[l / d] * v[l % d]));
+            worst = larger(worst, fabs(x[l] - y[l / d] * v[l % d]));
         seen(worst, "%s", k ? "assembled" : "by elements");
         ck_assert(worst <= (k ? 1e-10 : 1e-13));
     }

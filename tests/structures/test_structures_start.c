@@ -3,6 +3,7 @@
 #include "structures_runs.h"
 
 #include "run/solution.h"
+#include "system/larger.h"
 
 enum { D = 40, N = 40 };
 
@@ -55,11 +56,11 @@ static double rounding(const matrices *m, const double *x0)
     OK(f->remember(D, x0, zero, f->params, z));
     OK(f->damp(D, -1, z, f->params, y));
     for (size_t i = 0; i < D; i++)
-        largest = fmax(largest, sqrt(m->system.damping[i]) * fabs(x0[i]));
+        largest = larger(largest, sqrt(m->system.damping[i]) * fabs(x0[i]));
     for (size_t i = 0; i < D; i++)
         if (y[i] != 0)
-            worst = fmax(worst,
-                         fabs(y[i]) / sqrt(m->system.damping[i]) / largest / U);
+            worst = larger(worst, fabs(y[i]) / sqrt(m->system.damping[i])
+                                      / largest / U);
     return worst;
 }
 

@@ -4,6 +4,7 @@
 #define ADAPTIVE_PROBLEMS_H
 
 #include <fvi/fvi.h>
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
@@ -129,7 +130,7 @@ static inline double used_by(adaptive_problem *q, int linear)
     if (truth(q, linear, &run))
         return linear ? GSL_NAN : -1;
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
-        size = fmax(size, fabs(q->want[i]));
+        size = larger(size, fabs(q->want[i]));
     q->error *= size;
     q->status =
         fvi_adaptive_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
@@ -139,8 +140,8 @@ static inline double used_by(adaptive_problem *q, int linear)
                    ? -1
                    : 2;
     for (size_t i = 0; i < (q->N + 1) * q->d; i++)
-        worst = fmax(worst, fabs(q->x[i] - q->want[i]));
-    return fmax(0, worst - 1e-12 * size) / (1.2 * q->error);
+        worst = larger(worst, fabs(q->x[i] - q->want[i]));
+    return larger(0, worst - 1e-12 * size) / (1.2 * q->error);
 }
 
 static inline void describe_problem(const adaptive_problem *q, char *text,

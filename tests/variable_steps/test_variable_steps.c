@@ -17,7 +17,7 @@ static double largest(size_t n, const double *v)
 {
     double max = 0;
     for (size_t i = 0; i < n; i++)
-        max = fmax(max, fabs(v[i]));
+        max = larger(max, fabs(v[i]));
     return max;
 }
 
@@ -126,7 +126,7 @@ START_TEST(eq_22_8_coefficients_of_modes)
             ck_assert_near(a[i * FVI_LANES + i % 8], want[i],
                            4 * (double)s * U * largest(s, want),
                            "s=%zu mu=%g i=%zu", s, mu[0], i);
-        ck_assert_near(p[3], want[s], 4 * (double)s * U * fmin(1, mu[0]),
+        ck_assert_near(p[3], want[s], 4 * (double)s * U * smaller(1, mu[0]),
                        "s=%zu mu=%g p", s, mu[0]);
     }
     ck_assert_uint_ge(ran, 10);
@@ -230,7 +230,7 @@ START_TEST(eq_22_10_history_is_the_power_of_the_matrix)
         double T = 0, least = h[0], ve = 1;
         for (size_t k = 0; k < 10; k++) {
             T += h[k];
-            least = fmin(least, h[k]);
+            least = smaller(least, h[k]);
         }
         fvi_modes *m, *copy;
         fvi_square W;

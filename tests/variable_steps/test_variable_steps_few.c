@@ -179,7 +179,7 @@ static int hard_gradient(size_t d, const double *x, void *params, double *grad)
 {
     known *k = params;
     (void)d;
-    k->farthest = fmax(k->farthest, fabs(*x));
+    k->farthest = larger(k->farthest, fabs(*x));
     *grad = 5000 * *x * *x * *x;
     return fabs(*x) <= k->limit ? 0 : REFUSED;
 }

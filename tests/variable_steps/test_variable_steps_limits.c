@@ -44,7 +44,7 @@ static double worst_of(const double *x, const double *exact)
 {
     double worst = 0;
     for (size_t k = 0; k <= ROWS; k++)
-        worst = fmax(worst, fabs(x[k] - exact[k]));
+        worst = larger(worst, fabs(x[k] - exact[k]));
     return worst;
 }
 
@@ -133,14 +133,14 @@ START_TEST(a_small_jump_that_is_not_declared_is_overlooked)
             for (double tolerance = 1e-4; tolerance > 1e-13; tolerance /= 100) {
                 plate(some_jump, 1, tolerance, x);
                 worst[n] =
-                    fmax(worst[n], worst_of(x, jumped[n][i]) / tolerance);
+                    larger(worst[n], worst_of(x, jumped[n][i]) / tolerance);
             }
         }
         seen(worst[n], "of the tolerance, from %g", jumps_from);
     }
     ck_assert_double_lt(worst[0], 10);
-    ck_assert_double_gt(fmax(worst[1], worst[2]), 10);
-    ck_assert_double_lt(fmax(worst[1], worst[2]), 100);
+    ck_assert_double_gt(larger(worst[1], worst[2]), 10);
+    ck_assert_double_lt(larger(worst[1], worst[2]), 100);
 }
 END_TEST
 
@@ -168,7 +168,7 @@ START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
                 ck_assert_int_eq(
                     fvi_adaptive_search(&run, error, 100000, x, NULL, &found),
                     0);
-                most = fmax(most, worst_of(x, jumped[n][i]) / error);
+                most = larger(most, worst_of(x, jumped[n][i]) / error);
                 ran++;
             }
         }
@@ -243,7 +243,7 @@ START_TEST(without_damping_the_energy_drifts)
         while (s->k < ROWS) {
             ck_assert_int_eq(fvi_step(s), 0);
             double *o = &off[s->t > 1000];
-            *o = fmax(*o, fabs(energy_of(&system, s->x, s->p) - 0.25));
+            *o = larger(*o, fabs(energy_of(&system, s->x, s->p) - 0.25));
         }
         ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
         fvi_stop(s);

@@ -101,8 +101,8 @@ static double error_of(const fvi_run *run, const fvi_linear *problem,
     double worst = 0;
     *of_p = 0;
     for (size_t k = 0; k <= run->steps; k++) {
-        worst = fmax(worst, fabs(x[k] - X[k]));
-        *of_p = fmax(*of_p, fabs(p[k] - V[k]));
+        worst = larger(worst, fabs(x[k] - X[k]));
+        *of_p = larger(*of_p, fabs(p[k] - V[k]));
     }
     return worst;
 }

@@ -73,7 +73,7 @@ static double worst_of(const bodies *b, const double *x)
                                      .T = b->AT[1] };
         ck_assert_int_eq(fvi_exact(&problem, ROWS + 1, t, exact, v), 0);
         for (size_t k = 0; k <= ROWS; k++)
-            worst = fmax(worst, fabs(x[k * D + j] - exact[k]));
+            worst = larger(worst, fabs(x[k * D + j] - exact[k]));
     }
     return worst;
 }
@@ -110,8 +110,8 @@ static int refused(const bodies *b)
     const double gap = 2 - 2 * b->run.alpha, T = b->run.h * ROWS;
     double fastest = 0, slowest = GSL_POSINF;
     for (size_t j = 0; j < D; j++) {
-        fastest = fmax(fastest, b->rho[j] / b->mass[j]);
-        slowest = fmin(slowest, b->rho[j] / b->mass[j]);
+        fastest = larger(fastest, b->rho[j] / b->mass[j]);
+        slowest = smaller(slowest, b->rho[j] / b->mass[j]);
     }
     const double bits = log2(slowest) + gap * log2(1e-30 * T),
                  terms = bits > 0 ? 56 / bits : GSL_POSINF;

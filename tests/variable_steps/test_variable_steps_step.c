@@ -169,7 +169,7 @@ START_TEST(eq_22_16_what_the_last_coefficient_adds)
         o = s->own;
         const double estimate =
             (want[n + 1] * h
-             + fmin(o->of_kind[0].reach, h)
+             + smaller(o->of_kind[0].reach, h)
                    * (want[n] * pow(h, 1 - beta) + rule->alias))
             * fabs(o->bend[n - 1]);
         fvi_stop(s);
@@ -305,8 +305,8 @@ START_TEST(eq_22_14_guessed_from_stage_to_stage)
                 memcpy(want, o->delta, sizeof want);
                 ck_assert_int_eq(fvi_adaptive_leap(s, o), 0);
                 for (size_t i = 0; i < D * FVI_LANES; i++) {
-                    off = fmax(off, fabs(o->delta[i] - want[i]));
-                    size = fmax(size, fabs(want[i]));
+                    off = larger(off, fabs(o->delta[i] - want[i]));
+                    size = larger(size, fabs(want[i]));
                 }
                 const double h = o->length.h, drag = o->of_kind[0].drag / m[0];
                 ck_assert_near(

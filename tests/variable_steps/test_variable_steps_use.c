@@ -30,7 +30,7 @@ static double distance(size_t n, const double *a, const double *b)
 {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(a[i] - b[i]));
+        most = larger(most, fabs(a[i] - b[i]));
     return most;
 }
 
@@ -257,7 +257,7 @@ START_TEST(a_wanted_error_is_had_or_refused)
         const double used = used_by(&problem, i % 4 > 0);
         describe_problem(&problem, text, sizeof text);
         ck_assert_msg(used <= 1, "%g of 1.2 E: %s", used, text);
-        seen_worst(fmax(0, used), "of 1.2 E");
+        seen_worst(larger(0, used), "of 1.2 E");
         silent += used < 0;
     }
     seen((double)silent, "say nothing");

@@ -216,7 +216,7 @@ static double worst_against_mass(double h, double mass)
     integrate(h, N, x, p);
     m = mass;
     for (int k = 0; k <= N; k++)
-        worst = fmax(worst, fabs(x[k] - exact(k * h)));
+        worst = larger(worst, fabs(x[k] - exact(k * h)));
     free(x);
     free(p);
     return worst;
@@ -323,7 +323,7 @@ START_TEST(eq_12_6_exponentials_are_the_direct_sum)
         integrate(0.01, N, y, q);
         double worst = 0;
         for (int k = 0; k <= N; k++)
-            worst = fmax(worst, fabs(y[k] - x[k]));
+            worst = larger(worst, fabs(y[k] - x[k]));
         ck_assert_near(worst, 0, 1e-9,
                        "largest difference from the direct sum, alpha = %g",
                        s.alpha);

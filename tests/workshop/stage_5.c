@@ -74,7 +74,8 @@ static double error(double h, double share)
     integrate(h, N, x, x + N + 1);
     m -= share * rho * h / 2;
     for (int k = 0; k <= N; k++)
-        largest = fmax(largest, fabs(x[k] - exact(k * h)));
+        if (!(fabs(x[k] - exact(k * h)) <= largest)) /* NaN counts as large */
+            largest = fabs(x[k] - exact(k * h));
     m += share * rho * h / 2;
     free(x);
     return largest;

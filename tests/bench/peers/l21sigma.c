@@ -9,6 +9,7 @@
 #include "ends.h"
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -30,14 +31,14 @@ typedef struct {
  * on. */
 static int modes(solver *o, double tolerance)
 {
-    const double digits = -log(fmax(tolerance, 1e-15)), h = o->h,
+    const double digits = -log(larger(tolerance, 1e-15)), h = o->h,
                  L = 9.87 / (digits + 2),
                  first = exp(-L * APART * (ENDS - 1) / 2.0
-                             - fmax(0, digits - 6.6) / ENDS)
+                             - larger(0, digits - 6.6) / ENDS)
                          / o->p->T,
                  last = (digits + 4) / (o->sigma * h);
     double c[ENDS];
-    o->Q = (size_t)fmax(APART * ENDS, ceil(log(last / first) / L));
+    o->Q = (size_t)larger(APART * ENDS, ceil(log(last / first) / L));
     o->om = calloc(o->Q * (4 + o->d), sizeof *o->om);
     if (!o->om)
         return FVI_ENOMEM;
@@ -117,8 +118,8 @@ static int solve(solver *o, const double *M, const double *a, double e,
             const double by =
                 (o->r[j] - o->grad[j] - M[j] * w[j]) / (M[j] + e * curvature);
             w[j] += by;
-            moved = fabs(by) > moved || by != by ? fabs(by) : moved;
-            largest = fabs(w[j]) > largest ? fabs(w[j]) : largest;
+            moved = larger(moved, fabs(by));
+            largest = larger(largest, fabs(w[j]));
         }
         moved /= largest;
         if (o->linear || moved < 1e-15 || (moved < 1e-12 && moved >= before)

@@ -20,6 +20,7 @@
 #include "blocks.h"
 #include "peers.h"
 #include "product_weights.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -73,9 +74,8 @@ static int solve(solver *o, double A)
                          by = (o->r[a] + B * (o->F[a] - o->grad[a]) - M * x[a])
                               / (M + B * curvature);
             x[a] += by;
-            const double size = fabs(x[a]);
-            moved = fabs(by) > moved || by != by ? fabs(by) : moved;
-            largest = size > largest ? size : largest;
+            moved = larger(moved, fabs(by));
+            largest = larger(largest, fabs(x[a]));
         }
         moved /= largest;
         if (o->linear || moved < 1e-15 || (moved < 1e-13 && moved >= before)

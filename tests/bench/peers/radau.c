@@ -8,6 +8,7 @@
  * method, more by the fixed-point iteration, where it contracts. Publications: head of
  * radau_memory.h.                                                       [Chapter 18] */
 #include "radau_step.h"
+#include "system/larger.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +21,7 @@ static size_t write_rows(const radau_solver *o, double t, double h, size_t r,
 {
     const double T = o->p->T, slack = 1e-12 * T;
     for (; r <= ROWS && T * (double)r / ROWS <= t + h + slack; r++) {
-        const double z = fmin(1, (T * (double)r / ROWS - t) / h);
+        const double z = smaller(1, (T * (double)r / ROWS - t) / h);
         for (size_t a = 0; a < o->d; a++) {
             const double *p = o->powers + a * (S + 1);
             double sum = 0;
@@ -69,7 +70,7 @@ static int take_step(radau_solver *o, double t, size_t k, size_t *row,
     if (o->memory) {
         double least = h;
         for (size_t l = k + 1; l <= k + 4 && l < o->steps; l++)
-            least = fmin(least, o->mesh[l].h);
+            least = smaller(least, o->mesh[l].h);
         radau_memory_step(o->memory, h, least, o->mesh[k].on_lattice);
         radau_memory_history(o->memory, o->H);
     }
@@ -138,7 +139,7 @@ static int run(const task *of, int s, int grade, double *rows)
 {
     const problem *p = of->p;
     const double L = radau_memory_spacing(of->tolerance), T = p->T,
-                 tolerance = fmax(of->tolerance, 1e-16),
+                 tolerance = larger(of->tolerance, 1e-16),
                  power = p->past == FVI_PAST_RIEMANN_LIOUVILLE
                              ? 1 / (1 - 2 * p->alpha)
                              : 0.4;
@@ -150,7 +151,7 @@ static int run(const task *of, int s, int grade, double *rows)
         .p = p, .m = radau_method(s), .d = p->system.d, .s = s
     };
     o->beta = 2 * p->alpha - 1;
-    o->stop = fmax(1e-15, tolerance / 10);
+    o->stop = larger(1e-15, tolerance / 10);
     const size_t most = grade ? 2 * of->N + 4000 : of->N;
     int status = allocate(o, most);
     if (!status)
@@ -159,11 +160,11 @@ static int run(const task *of, int s, int grade, double *rows)
         double least = longest, t = 0;
         size_t row = 1;
         if (grade)
-            least = fmin(longest, 0.1 * pow(tolerance, power));
+            least = smaller(longest, 0.1 * pow(tolerance, power));
         o->steps = grade ? radau_graded(p, least, &longest, L, most, o->mesh)
                          : radau_uniform(p, of->N, o->mesh);
         for (size_t k = 0; k < o->steps; k++)
-            least = fmin(least, o->mesh[k].h);
+            least = smaller(least, o->mesh[k].h);
         radau_power(o->m, o->beta, o->W);
         for (int i = 0; i < s * s; i++)
             o->A[i] = o->m->A[i / s][i % s];

@@ -3,6 +3,7 @@
 #include "radau_memory.h"
 #include "ends.h"
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -29,8 +30,9 @@ struct radau_memory {
 double radau_memory_spacing(double tolerance)
 {
     /* e^{-pi^2 / L}; by whole decades, so that there are few tables */
-    const double digits = M_LN10 * ceil(-log10(fmax(tolerance, 1e-16)) - 1e-9);
-    return fmin(0.6, 9.87 / (digits + 3));
+    const double digits =
+        M_LN10 * ceil(-log10(larger(tolerance, 1e-16)) - 1e-9);
+    return smaller(0.6, 9.87 / (digits + 3));
 }
 
 /* The table of s and L, kept: it knows no order and no problem. */
@@ -81,7 +83,7 @@ radau_memory *radau_memory_alloc(const radau *m, double beta, size_t d,
                                  double unit, double least, double T,
                                  double tolerance)
 {
-    const double digits = -log(fmax(tolerance, 1e-16));
+    const double digits = -log(larger(tolerance, 1e-16));
     radau_memory *o = calloc(1, sizeof *o);
     if (!o)
         return NULL;
@@ -94,7 +96,7 @@ radau_memory *radau_memory_alloc(const radau *m, double beta, size_t d,
      * with 6! below it where e^{-s t} is expanded, and |lambda| < 11 at the other end */
     const double middle = o->L * APART * (ENDS - 1) / 2.0;
     o->far = 11 * exp(middle + digits / ENDS);
-    o->q0 = (int)floor((log(unit / T) - middle - fmax(0, digits - 6.6) / ENDS)
+    o->q0 = (int)floor((log(unit / T) - middle - larger(0, digits - 6.6) / ENDS)
                        / o->L);
     o->Q = (int)ceil(log(o->far * unit / least) / o->L) - o->q0 + 1;
     o->t = table_of(m, o->L, beta > 0);

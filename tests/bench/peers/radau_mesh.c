@@ -1,6 +1,7 @@
 /* tests/bench/peers/radau_mesh.c -- Steps of one length, and steps that grow.
  *                                                                       [Chapter 18] */
 #include "radau_step.h"
+#include "system/larger.h"
 
 size_t radau_uniform(const problem *p, size_t N, radau_step *mesh)
 {
@@ -16,7 +17,7 @@ static size_t grow(double whole, double first, double longest, double L,
                    int meets, size_t most, radau_step *mesh, double *t)
 {
     size_t k = 0;
-    double j = fmin(0, floor(log(first / longest) / L));
+    double j = smaller(0, floor(log(first / longest) / L));
     for (*t = 0; k < most && *t < whole * (1 - 1e-12); k++) {
         double h = longest * exp(L * j);
         const double rest = whole - *t;
@@ -25,7 +26,7 @@ static size_t grow(double whole, double first, double longest, double L,
             h = h >= rest * 0.999 ? rest : rest / 2;
         mesh[k] = (radau_step){ h, !off };
         *t += h;
-        j = fmax(j, floor(fmin(fmin(0, j + 4), 0.75 * log(*t) / L)));
+        j = larger(j, floor(smaller(smaller(0, j + 4), 0.75 * log(*t) / L)));
     }
     return k;
 }

@@ -2,6 +2,7 @@
  *                                                                       [Chapter 18] */
 #include "radau_step.h"
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -144,12 +145,11 @@ static double iterate(radau_solver *o, const radau_factor *f)
         }
     }
     for (size_t i = 0; i < n; i++) {
-        const double by = fabs(o->V[i] - o->D[i]), size = fabs(o->V[i]);
-        moved = by > moved || by != by ? by : moved;
-        largest = size > largest ? size : largest;
+        moved = larger(moved, fabs(o->V[i] - o->D[i]));
+        largest = larger(largest, fabs(o->V[i]));
     }
     memcpy(o->D, o->V, n * sizeof *o->D);
-    return moved / fmax(largest, 1e-30);
+    return moved / larger(largest, 1e-30);
 }
 
 /* Newton's correction D <- D + J^{-1} (G - K D) of one mass. */
@@ -167,10 +167,10 @@ static double correct(radau_solver *o, const radau_factor *f, const double *J)
         for (int j = 0; j < s; j++)
             sum += J[i * s + j] * r[j];
         o->D[i] += sum;
-        moved = fmax(moved, fabs(sum));
-        largest = fmax(largest, fabs(o->D[i]));
+        moved = larger(moved, fabs(sum));
+        largest = larger(largest, fabs(o->D[i]));
     }
-    return moved / fmax(largest, 1e-30);
+    return moved / larger(largest, 1e-30);
 }
 
 /* The Jacobian at the guess, inverted: one mass, any U. */

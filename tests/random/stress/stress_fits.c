@@ -2,6 +2,7 @@
  * says, and is the truth found? */
 #include "identification/identification_ref.h"
 #include "stress.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -76,8 +77,9 @@ double stress_scatter(gsl_rng *random, char *describe, size_t size)
     for (int j = 0; j < P; j++) {
         const double scatter = sqrt(square[j]) / (SIGMA * ref_errors[0].sd[j]),
                      share = (double)held[j] / SETS;
-        used = fmax(used, fabs(scatter - 1) / (4 / sqrt(2. * SETS)));
-        used = fmax(used, fabs(share - 0.95) / (4 * sqrt(0.95 * 0.05 / SETS)));
+        used = larger(used, fabs(scatter - 1) / (4 / sqrt(2. * SETS)));
+        used =
+            larger(used, fabs(share - 0.95) / (4 * sqrt(0.95 * 0.05 / SETS)));
         written += snprintf(describe + written, size - (size_t)written,
                             "%sscatter %.3f, %.1f %% held", j ? "; " : "",
                             scatter, 100 * share);
@@ -106,12 +108,12 @@ double stress_found(gsl_rng *random, char *describe, size_t size)
         noisy(random, set % 2 ? ref_high : ref_low, x);
         const clock_t began = clock();
         int near = fit_of(t, x, &begin, 20, &f) == 0;
-        longest = fmax(longest, (double)(clock() - began) / CLOCKS_PER_SEC);
+        longest = larger(longest, (double)(clock() - began) / CLOCKS_PER_SEC);
         for (int j = 0; j < P && near; j++)
             near = fabs(f.estimate[j] - truth[j]) <= 3 * f.sd[j];
         missed += !near;
     }
     snprintf(describe, size, "%d of %d missed, %.2f s at most", missed, MANY,
              longest);
-    return fmax(missed / 5., longest);
+    return larger(missed / 5., longest);
 }

@@ -4,6 +4,7 @@
 #include <fvi/paper/legendre.h>
 #include <fvi/stability.h>
 #include "stress.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -144,8 +145,9 @@ static int work_of(const oscillator *o, size_t steps, double *lowest,
     *lowest = *defect = 0;
     for (size_t k = 1; k <= steps && !status; k++) {
         work += (x[k] - x[k - 1]) * o->rho * H[k];
-        *lowest = fmin(*lowest, work);
-        *defect = fmax(*defect, fabs(energy[k] - energy[0] + work) / energy[0]);
+        *lowest = smaller(*lowest, work);
+        *defect =
+            larger(*defect, fabs(energy[k] - energy[0] + work) / energy[0]);
     }
     return status;
 }
@@ -163,7 +165,7 @@ double stress_dissipation(gsl_rng *random, char *describe, size_t size)
         return GSL_POSINF;
     double rounding = STEPS * 16 * 0x1p-53 * o.rho * o.x0 * o.x0
                       * pow(o.run.h / 2, -2 * o.run.alpha);
-    return fmax(0, -lowest / rounding);
+    return larger(0, -lowest / rounding);
 }
 
 /* E_k - E_0 + work_k is O(h) for a method of order 1: over the same time and with

@@ -6,6 +6,7 @@
 #include "stress.h"
 
 #include "coefficients/coefficients_ref.h"
+#include "system/larger.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -116,7 +117,7 @@ double stress_halves(gsl_rng *random, char *describe, size_t size)
     p.alpha = 0;
     if (fvi_exact(&p, TIMES, t, y, NULL))
         return GSL_POSINF;
-    const double most = fmax(fabs(p.x0), stress_size(TIMES, x));
+    const double most = larger(fabs(p.x0), stress_size(TIMES, x));
     return stress_distance(TIMES, x, y) / (2.4e-13 * most);
 }
 

@@ -1,0 +1,20 @@
+/* src/system/larger.h -- The larger and the smaller of two numbers, and NaN if one is NaN.
+ *
+ * fmax(NaN, 1) is 1: a largest error that is gathered with fmax passes over a run of NaN and
+ * calls it exact. So `make text` refuses fmax and fmin wherever such a number is gathered. */
+#ifndef LARGER_H
+#define LARGER_H
+
+#include <math.h>
+
+static inline double larger(double a, double b)
+{
+    return a >= b || isnan(a) ? a : b;
+}
+
+static inline double smaller(double a, double b)
+{
+    return a <= b || isnan(a) ? a : b;
+}
+
+#endif
