@@ -121,7 +121,8 @@ static int search(pair *o, double error, fvi_adaptive_found *found)
 }
 //< search
 
-/* A step is enough to see what fvi_start refuses, and that the arguments are good. */
+/* A start shows what fvi_start refuses. It is given the wanted error, because for a
+ * tolerance of its own, finer than some errors need, it refuses more. */
 static int check(const fvi_run *run, double error, const double *x,
                  const fvi_adaptive_found *found)
 {
@@ -129,8 +130,10 @@ static int check(const fvi_run *run, double error, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(gsl_finite(error) && error > 0))
         FVI_FAIL("error must be finite and positive", FVI_EDOM);
+    fvi_run wanted = *run;
+    wanted.step_error = error;
     fvi_stepper *s;
-    int status = fvi_start(&fvi_adaptive, run, &s);
+    int status = fvi_start(&fvi_adaptive, &wanted, &s);
     if (!status)
         fvi_stop(s);
     return status;

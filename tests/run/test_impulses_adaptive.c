@@ -53,6 +53,31 @@ START_TEST(eq_22_22_at_the_ends_and_at_a_row)
 }
 END_TEST
 
+/* A search starts with the wanted error: a coarse one is had beyond the alpha at which the
+ * default tolerance is refused, and refused itself only where (22.23) refuses it. */
+START_TEST(eq_22_22_a_search_asks_for_the_wanted_error)
+{
+    static const double orders[] = { 0.971, 0.973, 0.978, 0.985, 0.99, 0.995 };
+    for (size_t i = 0; i < LEN(orders); i++)
+        for (double wish = 1e-3; wish > 1e-7; wish /= 1000) {
+            fvi_run run = hit_at(1.2837, orders[i], 40);
+            fvi_adaptive_found found;
+            const int status = fvi_adaptive_search(&run, wish, 100000, x, NULL,
+                                                   &found);
+            run.step_error = wish / 10; /* that of the finer of two runs */
+            fvi_stepper *s = NULL;
+            ck_assert_int_eq(status, fvi_start(&fvi_adaptive, &run, &s));
+            fvi_stop(s);
+            for (size_t k = 0; !status && k <= 40; k++) {
+                double v;
+                const double t = (double)k * run.h;
+                ck_assert_near(x[k], truth(&run, t, 1.2837, &v), wish,
+                               "alpha = %g, t = %g", orders[i], t);
+            }
+        }
+}
+END_TEST
+
 /* A copy in the step after an impulse goes on with the same digits. */
 START_TEST(eq_22_22_a_copy_remembers_what_has_struck)
 {
@@ -81,6 +106,7 @@ int main(void)
     Suite *suite = suite_create("impulses that steps end at");
     ADD_CASE(suite, "steps of its own", eq_22_22_at_its_time_whatever_the_memory,
              eq_22_22_at_the_ends_and_at_a_row,
+             eq_22_22_a_search_asks_for_the_wanted_error,
              eq_22_22_a_copy_remembers_what_has_struck);
     return run_suite(suite);
 }
