@@ -107,8 +107,8 @@ typedef struct {
  * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
  * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
  * largest difference in the rows, and 3e-14 max |x| for the rounding, or what their modes
- * may be off by, is the estimate;
- * the rows are those of the second run. While the estimate is above `error`, a run with
+ * may be off by, is the estimate. It tells the error of the first run;
+ * the rows are those of the second, and mostly some 500 times better. While the estimate is above `error`, a run with
  * a tenth again is compared with the last.
  *
  *   run    as for fvi_start; step_error is not read

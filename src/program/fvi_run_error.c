@@ -92,7 +92,8 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
     if (!status) {
         char text[80];
         estimate_of(o, o->method, found, sizeof text, text);
-        fprintf(stderr, "fvi: the error of x is about %s\n", text);
+        fprintf(stderr, "fvi: the error of x is %sabout %s\n",
+                o->method->dense ? "at most " : "", text);
     }
     return status != 0;
 }

@@ -46,7 +46,7 @@ START_TEST(a_wanted_error_needs_no_other_word)
                             &steps, &estimate)
                          == 2);
         ck_assert_int_eq(sscanf(err,
-                                "fvi: the error of x is about %lg, in %u "
+                                "fvi: the error of x is at most about %lg, in %u "
                                 "steps\n",
                                 &said, &of),
                          2);
