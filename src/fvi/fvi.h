@@ -30,6 +30,7 @@
 #include "trajectory.h"
 #include "variable_steps.h"
 #include "version.h"
+#include "warnings.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -15,6 +15,7 @@
 
 #include "sensitivity.h"
 #include "trajectory.h"
+#include "warnings.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -141,6 +142,27 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start;
  * FVI_ENOMEM. */
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+
+/* fvi_fit_warning_of_... -- what to know before an answer is believed, as the functions of
+ * warnings.h: 1 and a text, or 0, and the text is untouched. Nothing is checked.
+ *
+ *   pair   the data can hardly tell parameters i and j apart: |correlation| > 0.9, not for
+ *          an answer with FVI_ESING. The names are for the text
+ *   model  neighbouring residuals are alike, by more than 5 n^(-1/2)
+ *   step   the last halving still moved the estimates, by more than sd / 50
+ *   past   no motion has these estimates (fvi_warning_of_past); a constant text, or NULL
+ *
+ *   fit, fitted  the question and its answer
+ *   size, text   room for FVI_WARNING_ROOM characters; longer names are cut */
+int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j,
+                            const char *name_i, const char *name_j, size_t size,
+                            char *text);
+int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted,
+                             size_t size, char *text);
+int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted,
+                            size_t size, char *text);
+const char *fvi_fit_warning_of_past(const fvi_fit *fit,
+                                    const fvi_fitted *fitted);
 
 /* fvi_fit_profile -- the interval of one parameter, the others making up for it. [(24.11)]
  *

@@ -13,6 +13,12 @@ int fvi_complain(const char *what)
     return 1;
 }
 
+void fvi_warn(const char *what)
+{
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: warning: %s\n", what);
+}
+
 void fvi_refused(const char *complaint, const char *command)
 {
     const int all = strcmp(command, "help") == 0 || *command == '-';
@@ -30,6 +36,16 @@ int fvi_cannot_write(const char *name)
     return 1;
 }
 
+const char *fvi_code_in_words(int status)
+{
+    static char own[80];
+    const char *words = fvi_strerror(status);
+    if (strcmp(words, fvi_strerror(-1)) != 0) /* which is never the library's */
+        return words;
+    snprintf(own, sizeof own, "%s, code %d", words, status);
+    return own;
+}
+
 const char *fvi_reason(int status)
 {
     return status == FVI_EMAXITER  ? "Newton's method did not converge"
@@ -37,7 +53,7 @@ const char *fvi_reason(int status)
            : status == FVI_EOVRFLW ? "a value is no longer finite"
            : status == FVI_EDOM    ? "a number is out of range"
            : status == FVI_ELOSS   ? "a phase of so many swings is not known"
-                                   : fvi_strerror(status);
+                                   : fvi_code_in_words(status);
 }
 
 int fvi_stopped_at(size_t step, int status)

@@ -10,10 +10,17 @@ int fvi_cannot_write(
     const char *name); /* as errno says; NULL: standard output */
 int fvi_stopped_at(size_t step, int status); /* a code of fvi/error.h */
 
+/* fvi_warn -- what the reader must know, as a line on standard error; the command goes on. */
+void fvi_warn(const char *what);
+
 /* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
  * to the help of that command, or of all if it is "help" or "--version". A caret below the complaint stands
  * at the beginning of the second. */
 void fvi_refused(const char *complaint, const char *command);
+
+/* fvi_code_in_words -- what fvi_strerror says, and the number of a code that a function of
+ * the user's own returned; good until the next call. */
+const char *fvi_code_in_words(int status);
 
 /* fvi_reason -- such a code, in the words of a user. */
 const char *fvi_reason(int status);

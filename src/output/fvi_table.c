@@ -16,28 +16,14 @@
 
 /* ---- the head ---- */
 
-#define NO_SOLUTION(START)                                                     \
-    "rl with " START " != 0 and alpha > 1/2 has no solution; these rows "      \
-    "depend on h and come near to no motion"
-
-const char *fvi_table_no_solution(const fvi_options *o)
-{
-    return o->directory ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
-}
-
-const char *fvi_table_warning(const fvi_options *o)
-{
-    return o->no_solution ? fvi_table_no_solution(o) : NULL;
-}
-
 void fvi_table_head(FILE *out, const fvi_options *o)
 {
-    const char *name, *value, *warning = fvi_table_warning(o);
+    const char *name, *value;
     fvi_format_begin(out, o->format);
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         fvi_format_parameter(out, o->format, name, value);
-    if (warning)
-        fvi_format_parameter(out, o->format, "warning", warning);
+    if (o->no_solution)
+        fvi_format_parameter(out, o->format, "warning", o->no_solution);
 }
 
 static size_t column_width(const fvi_options *o, fvi_column column)

@@ -33,14 +33,7 @@ double fvi_machine_bytes(void);
  * NULL if these and `bytes` more are more than the machine has. */
 double *fvi_table_room(const fvi_table *t, double bytes);
 
-/* fvi_table_no_solution -- what is to be said of rows that no motion has. */
-const char *fvi_table_no_solution(const fvi_options *o);
-
-/* fvi_table_warning -- what the reader of the table must know before all, one line;
- * NULL if there is nothing. */
-const char *fvi_table_warning(const fvi_options *o);
-
-/* fvi_table_head -- "# name = value" lines, for any command, and the warning. */
+/* fvi_table_head -- "# name = value" lines, for any command, and the warning of the past. */
 void fvi_table_head(FILE *out, const fvi_options *o);
 
 /* fvi_table_names -- the line with the names of the columns; fvi_table_column_names: where

@@ -5,37 +5,27 @@
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 
-#include <math.h>
-#include <stdarg.h>
 #include <string.h>
-
-#define ALIKE 0.9 /* a correlation above this is worth a word */
 
 typedef fvi_fit_request request;
 
 /* What the reader must know before he believes it; to the table and to standard error. */
-static void warn(FILE *out, const char *format, ...)
+static void warn(FILE *out, const char *text)
 {
-    char text[200];
-    va_list values;
-    va_start(values, format);
-    vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    fprintf(stderr, "fvi: warning: %s\n", text);
+    fvi_warn(text);
     fprintf(out, "# warning = %s\n", text);
 }
 
 /* Pairs that the data can hardly tell apart; how many there are. */
 static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
 {
+    char text[FVI_WARNING_ROOM];
     int pairs = 0;
     for (size_t i = 0; i < r->fit.parameters; i++)
         for (size_t j = 0; j < i; j++)
-            if (fabs(f->correlation[i][j]) > ALIKE) {
-                warn(out,
-                     "these data can hardly tell %s and %s apart "
-                     "(correlation %.3f)",
-                     r->name[j], r->name[i], f->correlation[i][j]);
+            if (fvi_fit_warning_of_pair(f, j, i, r->name[j], r->name[i],
+                                        sizeof text, text)) {
+                warn(out, text);
                 pairs++;
             }
     return pairs;
@@ -43,17 +33,14 @@ static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
 
 static void warnings(FILE *out, const request *r, const fvi_fitted *f)
 {
-    if (fabs(f->neighbours) > 5 / sqrt((double)r->fit.n))
-        warn(out,
-             "neighbouring residuals are alike (correlation %.2f): the model, "
-             "its past or its force is not that of the data, or their noise "
-             "is not independent",
-             f->neighbours);
-    if (!(f->bias <= 0.02) && r->fit.h == 0)
-        warn(out,
-             "half the step moved the estimates by %.2g sd: take a method of "
-             "higher order",
-             f->bias);
+    char text[FVI_WARNING_ROOM];
+    const char *past = fvi_fit_warning_of_past(&r->fit, f);
+    if (past)
+        warn(out, past);
+    if (fvi_fit_warning_of_model(&r->fit, f, sizeof text, text))
+        warn(out, text);
+    if (fvi_fit_warning_of_step(&r->fit, f, sizeof text, text))
+        warn(out, text);
 }
 
 /* How far each can really go while the others make up for it. */
@@ -155,6 +142,6 @@ int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
         fvi_complain(status == FVI_EBADFUNC
                          ? "no start gives a motion that can be computed"
                      : status == FVI_ENOMEM ? "not enough memory"
-                                            : fvi_strerror(status));
+                                            : fvi_code_in_words(status));
     return 1;
 }

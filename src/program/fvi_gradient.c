@@ -172,7 +172,7 @@ static int differentiate(request *r)
     fvi_stepper *s;
     int status = fvi_start(r->o.method, &r->run, &s);
     if (status)
-        return fvi_complain(fvi_strerror(status));
+        return fvi_complain(fvi_code_in_words(status));
     while (s->k < N && !(status = fvi_step(s)))
         fvi_progress(s->k, N);
     fvi_progress_clear();
@@ -197,9 +197,10 @@ static int differentiate(request *r)
     if (!status && r->of == 2)
         status = add_energy(r, last, last + d);
     free(last);
-    return status ? fvi_complain(status == FVI_ENOMEM ? "not enough memory"
-                                                      : fvi_strerror(status))
-                  : 0;
+    return status
+               ? fvi_complain(status == FVI_ENOMEM ? "not enough memory"
+                                                   : fvi_code_in_words(status))
+               : 0;
 }
 
 /* A law has none. In form M p is another number at alpha = 1 than below, (17.17); a mesh that

@@ -20,10 +20,9 @@ double fvi_gradient_row_time(const request *r, size_t k)
 static void print_head(FILE *f, const fvi_own_command *command,
                        const request *r)
 {
-    const char *warning = fvi_table_warning(&r->o);
     fvi_own_words_head(f, command, &r->words, &r->o);
-    if (warning)
-        fprintf(f, "# warning = %s\n", warning);
+    if (r->o.no_solution)
+        fprintf(f, "# warning = %s\n", r->o.no_solution);
     if (*r->unstable)
         fprintf(f, "# warning = %s\n", r->unstable);
 }

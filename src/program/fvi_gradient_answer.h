@@ -20,7 +20,7 @@ typedef struct {
     fvi_gradients to;
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
-    char unstable[FVI_UNSTABLE];    /* what is said of the step */
+    char unstable[FVI_WARNING_ROOM];    /* what is said of the step */
 } fvi_gradient_request;
 
 /* The time of row k of the forces. */

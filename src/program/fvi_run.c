@@ -6,10 +6,8 @@
 #include "fvi_run.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
-#include "output/fvi_watch.h"
 #include "words/fvi_values.h"
 #include "stages/lobatto_memory.h"
-#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,10 +30,8 @@ int fvi_complain_of_start(const fvi_options *o, int status)
             ? "no step is short enough for a velocity that jumps: alpha is too "
               "near to 1"
         : status == FVI_EDOM ? "--h: mass / h is not a finite number"
-                             : fvi_strerror(status));
+                             : fvi_code_in_words(status));
 }
-
-enum { FEW = 256 /* masses whose modes are found in a moment */ };
 
 static int is_damped(const fvi_options *o)
 {
@@ -57,12 +53,9 @@ static double run_bytes(const fvi_options *o)
         return bytes;
     if (s > 0)
         return bytes
-               + fvi_lobatto_memory_bytes(s,
-                                          o->laws.law.count > 0
-                                              ? -0.5
-                                              : 2 * o->alpha - 1,
-                                          d, o->steps,
-                                          o->memory, o->tolerance);
+               + fvi_lobatto_memory_bytes(
+                   s, o->laws.law.count > 0 ? -0.5 : 2 * o->alpha - 1, d,
+                   o->steps, o->memory, o->tolerance);
     const double order = o->laws.law.count > 0 ? 0.5 : 2 * o->alpha;
     return bytes
            + (double)fvi_memory_bytes(order, d, o->steps, o->memory,
@@ -91,6 +84,14 @@ int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
     return status;
 }
 
+/* After a step, of a run that has become too stiff for its step. */
+static void warn_along(fvi_watch *w, const fvi_stepper *s)
+{
+    char text[FVI_WARNING_ROOM];
+    if (fvi_warning_along(w, s->method, &s->run, s->k, s->x, sizeof text, text))
+        fvi_warn(text);
+}
+
 /* Returns 0, or 1 after it has said at which step the run ended. */
 static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
 {
@@ -105,7 +106,7 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
-        fvi_watch_step(w, s);
+        warn_along(w, s);
         if (s->k >= look) {
             fvi_progress(s->k, steps);
             look = s->k + often;
@@ -125,69 +126,21 @@ static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
     return 0;
 }
 
-/* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
- * step is stable, NaN if h is not known. Returns 0, or another number if the load is
- * not known, or would take d^3 operations, which no run of a long chain does. */
-static int load_of(const fvi_options *o, const fvi_run *run, double *load,
-                   double *h)
-{
-    const fvi_method *m = o->method;
-    *h = NAN;
-    if (o->d > FEW && m->stages > 0) /* the others keep to two diagonals */
-        return -1;
-    int status = fvi_stability_load(m, run, load);
-    if (!status && *load > 1 && m->load_grows)
-        status = fvi_stability_step(m, run, h);
-    return status;
-}
-
-/* The largest rho / m. */
-static double most(const fvi_options *o)
-{
-    double ratio = 0;
-    for (size_t i = 0; i < o->d; i++)
-        ratio = larger(ratio, o->rho[i] / o->mass[i]);
-    return ratio;
-}
-
-int fvi_run_is_unstable(const fvi_options *o, const fvi_run *r, size_t size,
-                        char *text)
-{
-    double load = 0, h = 0;
-    char more[80] = "";
-    *text = '\0';
-    if (load_of(o, r, &load, &h) != 0 || load <= 1)
-        return 0;
-    if (h > 0)
-        snprintf(more, sizeof more,
-                 o->directory ? "; stable below some h = %.2g"
-                              : "; stable below h = %.4g",
-                 h);
-    else if (h == 0 && (o->alpha < 1 || o->directory))
-        snprintf(more, sizeof more, "; no step is stable");
-    else if (h == 0)
-        snprintf(more, sizeof more, "; no step is stable: rho / m is %.4g",
-                 most(o));
-    snprintf(text, size, "this step is unstable (load %.4g, above 1)%s", load,
-             more);
-    return 1;
-}
-
 void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text)
 {
-    if (fvi_table_warning(o))
-        fprintf(stderr, "fvi: warning: %s\n", fvi_table_warning(o));
-    if (fvi_run_is_unstable(o, r, size, text))
-        fprintf(stderr, "fvi: warning: %s\n", text);
+    if (o->no_solution)
+        fvi_warn(o->no_solution);
+    if (fvi_warning_of_step(o->method, r, size, text))
+        fvi_warn(text);
 }
 
 void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
 {
     if (*unstable)
-        fvi_format_parameter(
-            out, o->format,
-            fvi_table_warning(o) ? "warning of the step" : "warning", unstable);
+        fvi_format_parameter(out, o->format,
+                             o->no_solution ? "warning of the step" : "warning",
+                             unstable);
 }
 
 void fvi_adaptive_head(FILE *out, const fvi_options *o,
@@ -220,13 +173,13 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
         return 1;
     if (o->checkpoint)
         fvi_checkpoint_watch();
-    char unstable[FVI_UNSTABLE];
+    char unstable[FVI_WARNING_ROOM];
     fvi_run_warn(o, r, sizeof unstable, unstable);
     fvi_table_head(t->out, o);
     fvi_run_head(t->out, o, unstable);
     if (o->directory)
         fvi_format_parameter(t->out, o->format, "solver", solver(o));
-    fvi_watch watch = fvi_watch_begin(o, t->system, *unstable != '\0');
+    fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
     fvi_adaptive_counts counts;
     if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
         fvi_adaptive_head(t->out, o, &counts);

@@ -5,6 +5,7 @@
 
 #include <fvi/step_search.h>
 #include <fvi/variable_steps.h>
+#include <fvi/warnings.h>
 #include "fvi_commands.h"
 #include "output/fvi_table.h"
 
@@ -15,14 +16,9 @@ double *fvi_run_room(const fvi_table *t);
 /* fvi_complain_of_start -- why a run could not begin, on standard error; returns 1. */
 int fvi_complain_of_start(const fvi_options *o, int status);
 
-/* fvi_run_is_unstable -- nonzero if a mode of the run grows by its step, as far as that is known;
- * text says so then, and is empty else. Room for FVI_UNSTABLE. */
-enum { FVI_UNSTABLE = 160 };
-int fvi_run_is_unstable(const fvi_options *o, const fvi_run *r, size_t size,
-                        char *text);
-
 /* fvi_run_warn -- on standard error, before a run that has no limit, or must blow up; it goes on
- * all the same. What is said of the step is left in text, for the head. */
+ * all the same. What is said of the step is left in text, for the head: room for
+ * FVI_WARNING_ROOM. */
 void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 

@@ -46,10 +46,10 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
     verdict v = { .status = fvi_start(o->method, r, &s) };
-    char unstable[FVI_UNSTABLE];
+    char unstable[FVI_WARNING_ROOM];
     if (v.status)
         return v;
-    v.unstable = fvi_run_is_unstable(o, r, sizeof unstable, unstable);
+    v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
     v.status = fvi_table_take(t, 0, s->x, s->p);
     while (!v.status && s->k < o->steps) {
         v.step = s->k + 1;
@@ -179,7 +179,7 @@ static void warn_of_unstable(const fvi_grid *g, const board *b, size_t size,
 }
 
 static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
-                       int no_solution, const char *unstable)
+                       const char *no_solution, const char *unstable)
 {
     const char *name, *value;
     fvi_format_begin(out, o->format);
@@ -195,8 +195,7 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
     if (g->parts > 1)
         fvi_format_parameter(out, o->format, "part", g->part_text);
     if (no_solution)
-        fvi_format_parameter(out, o->format, "warning",
-                             fvi_table_no_solution(o));
+        fvi_format_parameter(out, o->format, "warning", no_solution);
     if (*unstable)
         fvi_format_parameter(out, o->format,
                              no_solution ? "warning of the step" : "warning",
@@ -221,13 +220,13 @@ static int complain_of(const fvi_grid *g, size_t i, verdict v)
 /* Rows in the order of the grid; those before a run that failed stand where the output
  * is standard output. */
 static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
-                       int no_solution)
+                       const char *no_solution)
 {
     FILE *out = fvi_output_open(o->output);
     if (!out)
         return fvi_cannot_write(o->output);
     int failed = 0;
-    char unstable[FVI_UNSTABLE];
+    char unstable[FVI_WARNING_ROOM];
     warn_of_unstable(g, b, sizeof unstable, unstable);
     print_head(out, g, o, no_solution, unstable);
     for (size_t i = 0; i < b->count && !failed && !ferror(out); i++) {
@@ -244,23 +243,25 @@ static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
 }
 
 /* Every point of the grid is understood before the first run begins. Returns 0, or 2. */
-static int check_all(const fvi_grid *g, int *no_solution, char *complaint,
-                     size_t size)
+static int check_all(const fvi_grid *g, const char **no_solution,
+                     char *complaint, size_t size)
 {
     int status = fvi_grid_check(g, (fvi_complaint){ complaint, size });
-    *no_solution = 0;
+    *no_solution = NULL;
     for (size_t i = 0; !status && i < g->runs; i++) {
         fvi_options o;
         status = fvi_grid_options(g, g->first + i, &o, complaint, size);
         if (status)
             return status;
-        *no_solution |= o.no_solution;
+        if (o.no_solution)
+            *no_solution = o.no_solution;
         fvi_options_free(&o);
     }
     return status;
 }
 
-static int run_all(const fvi_grid *g, const fvi_options *o, int no_solution)
+static int run_all(const fvi_grid *g, const fvi_options *o,
+                   const char *no_solution)
 {
     const fvi_system system = fvi_options_system(o);
     fvi_table t;
@@ -273,7 +274,7 @@ static int run_all(const fvi_grid *g, const fvi_options *o, int no_solution)
     shared->rows = (double *)(shared + 1);
     shared->verdicts = (verdict *)(shared->rows + b.count * b.width);
     if (no_solution)
-        fprintf(stderr, "fvi: warning: %s\n", fvi_table_no_solution(o));
+        fvi_warn(no_solution);
     int failed = work_together(g, shared)
                      ? fvi_complain("a process of the sweep was ended")
                      : print_table(g, o, shared, no_solution);
@@ -286,8 +287,8 @@ int fvi_command_sweep(int argc, char **argv)
     char complaint[FVI_COMPLAINT];
     fvi_grid g;
     fvi_options o;
-    int no_solution,
-        status = fvi_grid_parse(argc, argv, &g, complaint, sizeof complaint);
+    const char *no_solution;
+    int status = fvi_grid_parse(argc, argv, &g, complaint, sizeof complaint);
     if (!status)
         status = check_all(&g, &no_solution, complaint, sizeof complaint);
     if (!status)

@@ -51,7 +51,7 @@ typedef struct {
     size_t *shown, shown_count; /* which of x, p, y are columns, from 0 */
     fvi_laws laws;      /* instead of alpha, and then count > 0 */
     fvi_past past;
-    int no_solution; /* 1: only the method that does what is printed runs it */
+    const char *no_solution; /* what fvi_warning_of_past says, or NULL */
     fvi_memory_kind memory;
     fvi_columns columns;
     int numbered; /* 1: the columns are x1, ..., not x */

@@ -5,7 +5,6 @@
 #include "fvi_shortest.h"
 #include "memory/law_terms.h"
 #include "methods/damping.h"
-#include "run/solution.h"
 
 #include <fvi/fvi.h>
 
@@ -174,11 +173,9 @@ static int check_solution(fvi_options *o, fvi_complaint c)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
-    int has;
-    if (fvi_run_has_solution(&run, &has))
-        return 0; /* no memory: nor has the run */
-    o->no_solution = !has;
-    if (!has && !(o->method && o->method->past_as_printed && o->error == 0))
+    o->no_solution = fvi_warning_of_past(&run);
+    if (o->no_solution
+        && !(o->method && o->method->past_as_printed && o->error == 0))
         return fvi_refuse(c,
                           "--derivative: 'rl' has no solution for %s != 0 and "
                           "alpha > 1/2; take held or caputo",

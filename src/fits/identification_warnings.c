@@ -1,0 +1,68 @@
+/* src/fits/identification_warnings.c -- What to know before a fit is believed. [Chapter 24] */
+#include <fvi/identification.h>
+
+#include <math.h>
+#include <stdio.h>
+
+#define ALIKE 0.9 /* a correlation above this is worth a word */
+#define MOVED                                                                  \
+    0.02 /* as are estimates that half the step moved by more of their sd */
+
+int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j,
+                            const char *name_i, const char *name_j, size_t size,
+                            char *text)
+{
+    const double correlation = fitted->correlation[i][j];
+    if (!(fabs(correlation) > ALIKE))
+        return 0;
+    snprintf(text, size,
+             "these data can hardly tell %s and %s apart (correlation %.3f)",
+             name_i, name_j, correlation);
+    return 1;
+}
+
+int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted,
+                             size_t size, char *text)
+{
+    if (!(fabs(fitted->neighbours) > 5 / sqrt((double)fit->n)))
+        return 0;
+    snprintf(text, size,
+             "neighbouring residuals are alike (correlation %.2f): the model, "
+             "its past or its force is not that of the data, or their noise is "
+             "not independent",
+             fitted->neighbours);
+    return 1;
+}
+
+int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted,
+                            size_t size, char *text)
+{
+    if (fit->h != 0 || fitted->bias <= MOVED)
+        return 0;
+    snprintf(text, size,
+             "half the step moved the estimates by %.2g sd: take a method of "
+             "higher order",
+             fitted->bias);
+    return 1;
+}
+
+const char *fvi_fit_warning_of_past(const fvi_fit *fit,
+                                    const fvi_fitted *fitted)
+{
+    fvi_system system = *fit->run->system;
+    fvi_run run = *fit->run;
+    double x0 = *run.x0, damping = *system.damping;
+    for (size_t j = 0; j < fit->parameters; j++) {
+        const double estimate = fitted->estimate[j];
+        if (fit->which[j] == FVI_PARAMETER_ALPHA)
+            run.alpha = estimate;
+        else if (fit->which[j] == FVI_PARAMETER_RHO)
+            damping = estimate;
+        else if (fit->which[j] == FVI_PARAMETER_X0)
+            x0 = estimate;
+    }
+    system.damping = &damping;
+    run.system = &system;
+    run.x0 = &x0;
+    return fvi_warning_of_past(&run);
+}

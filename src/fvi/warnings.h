@@ -1,0 +1,73 @@
+/* src/fvi/warnings.h -- What to know before a run is believed.   [Chapters 14, 19]
+ *
+ * These are no errors: the run can be made, and its numbers are those of the method. But
+ * the numbers are not those of a motion. Each function says so in a line of English,
+ * without a full stop; the program prints the line, Python hands it to warnings.warn.
+ * What a fit has to say stands in identification.h. */
+#ifndef FVI_WARNINGS_H
+#define FVI_WARNINGS_H
+
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+enum { FVI_WARNING_ROOM = 240 }; /* characters for a text, with its end */
+
+/* fvi_warning_of_past -- a constant text if no motion starts like this run:
+ * Riemann-Liouville with a damped x0 != 0 and alpha > 1/2; else NULL.       [(19.2)]
+ *
+ *   run  of a system that fvi_start takes
+ *
+ * The method fvi runs it all the same; the others refuse it. NULL, too, if there is no
+ * memory to find out. Cost O(d), one product by C. */
+const char *fvi_warning_of_past(const fvi_run *run);
+
+/* fvi_warning_of_step -- 1 if a mode of the run grows from step to step, and the text then;
+ * else 0, and the text is empty.                                     [(14.3), (14.4)]
+ *
+ *   method, run  as for fvi_start; the load is that of small motions about x0
+ *   size, text   output, room for FVI_WARNING_ROOM characters
+ *
+ * The text has the load of fvi_stability_load, and where it is known the step below which
+ * no mode grows. 0, too, where a load is not known, fails, or would cost d^3 operations:
+ * methods with stages and more than 256 masses. Cost: one load; some sixty if it is above 1. */
+int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
+                        size_t size, char *text);
+
+/* fvi_watch -- for runs that get stiffer on their way; owned by the caller. */
+typedef struct {
+    double stiffest; /* so far, see fvi_stability_along */
+    size_t next; /* the step of the next look; no look where it is SIZE_MAX */
+} fvi_watch;
+
+/* fvi_watch_begin -- before the first step. Nothing will be looked at if U is quadratic,
+ * or the load does not depend on U, or is not known, or would cost d^3 operations.
+ *
+ *   method, run  as for fvi_start
+ *   is_unstable  nonzero if fvi_warning_of_step has spoken: nothing will be looked at */
+fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
+                          int is_unstable);
+
+/* fvi_warning_along -- 1 and a text, once in a run, where small motions about the place of
+ * the run grow with such a step; else 0, and the text is untouched.           [(14.6)]
+ *
+ *   watch        of this run
+ *   method, run  as above; x0 is not read
+ *   k, x         after step k the d positions x
+ *   size, text   as above
+ *
+ * Call it after each step, k = 1, 2, ...: it looks after the first eight and after every
+ * eighth. Cost: a comparison; a look costs what fvi_stability_along does. */
+int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
+                      const fvi_run *run, size_t k, const double *x,
+                      size_t size, char *text);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif
