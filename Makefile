@@ -39,7 +39,7 @@ CERF_LIBS    := $(shell pkg-config --libs libcerf 2>/dev/null || echo -lcerf)
 COMPILE       = $(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -MMD -MP
 
 PROGRAM  := $(wildcard src/program/*.c src/output/*.c src/words/*.c src/input/*.c)
-LIBRARY  := $(filter-out $(PROGRAM) src/petsc/%,$(wildcard src/*/*.c))
+LIBRARY  := $(filter-out $(PROGRAM) src/petsc/% src/course/%,$(wildcard src/*/*.c))
 HEADERS  := $(wildcard src/fvi/*.h src/fvi/paper/*.h)
 TESTS    := $(patsubst test_%.c,%,$(notdir $(wildcard tests/*/test_*.c)))
 BENCHES  := $(patsubst tests/bench/bench_%.c,%,$(wildcard tests/bench/bench_*.c))
@@ -206,11 +206,11 @@ figures-$1: $(patsubst %,figures/%.svg,$(filter $1/%,$(SCENES) $(DIAGRAMS)))
 .PHONY: figures-$1
 endef
 define chapter
-$1: $B/fvi $(foreach s,$2,$(filter test-$s test-$s_%,$(TESTS:%=test-%)) $(filter verify-$s verify-$s_%,$(PROOFS:%=verify-%)) figures-$s)
+$1: $B/fvi $3 $(foreach s,$2,$(filter test-$s test-$s_%,$(TESTS:%=test-%)) $(filter verify-$s verify-$s_%,$(PROOFS:%=verify-%)) figures-$s)
 .PHONY: $1
 endef
 $(foreach s,$(sort $(foreach p,$(PAGES) $(CHAPTERS),$(call after,$p))),$(eval $(call stem,$s)))
-$(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)))))
+$(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course)))
 $(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
 .PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \

@@ -15,7 +15,7 @@ from sources import colour, source_page
 HERE = pathlib.Path(__file__).parent
 ROOT = pathlib.Path(".")
 sys.path.append(str(HERE.parent / "tools"))
-from excerpts import MARK, POINTER  # noqa: E402
+from excerpts import MARK, POINTER, function  # noqa: E402
 from links import heading_id  # noqa: E402
 
 # The pages that are no chapter, and what they are called in the site.
@@ -81,7 +81,7 @@ def where_from(match):
     """A pointer above quoted code -> a link to its first line."""
     file, region = match[1], match[2]
     lines = pathlib.Path(file).read_text().splitlines()
-    first = 1
+    first = lines.index(function(file, region[:-2])[0]) + 1 if (region or "").endswith("()") else 1
     for i, line in enumerate(lines, 1):
         mark = MARK.fullmatch(line)
         if mark and mark[1] == ">" and mark[2] == region:

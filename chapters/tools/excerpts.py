@@ -5,7 +5,8 @@
 
 A block of a chapter that shows code stands under an invisible pointer:
     <!-- excerpt: src/stem.c#region -->
-A region lies between the lines `//> region` and `//< region` of the source
+    <!-- excerpt: src/course/body_06.c#run() -->
+The second form is a function with the comment above it. A region lies between the lines `//> region` and `//< region` of the source
 (`#> region`, `#< region` in Python and gnuplot); without #region the whole file
 is meant. Below a pointer to words, such as those that a benchmark prints, stands a quote
 instead: lines that begin with `>`. A fenced block in a language other than text, sh and math must have a
@@ -17,12 +18,28 @@ import sys
 import textwrap
 
 FREE = {"", "text", "sh", "math", "mermaid"}
-POINTER = re.compile(r"<!-- excerpt: (\S+?)(?:#([\w-]+))? -->")
+POINTER = re.compile(r"<!-- excerpt: (\S+?)(?:#([\w-]+(?:\(\))?))? -->")
 MARK = re.compile(r"\s*(?://|#|/\*)([<>]) ([\w-]+)(?: \*/)?\s*")
+
+
+def function(path, name):
+    """The lines of a function of C, with the comment above it."""
+    lines = pathlib.Path(path).read_text().splitlines()
+    heads = [i for i, line in enumerate(lines) if re.match(rf"\w[\w *]*\b{re.escape(name)}\([^;]*$|\w[\w *]*\b{re.escape(name)}\(.*\{{", line)]
+    if len(heads) != 1:
+        raise ValueError(f"{path}: the function {name} must stand there once, and stands there {len(heads)} times")
+    first = last = heads[0]
+    while lines[first - 1].startswith(("/*", " *")):
+        first -= 1
+    if "}" not in lines[last]:
+        last = lines.index("}", last)
+    return lines[first:last + 1]
 
 
 def region(path, name):
     """The lines of a region, without marks, moved to the left margin."""
+    if name and name.endswith("()"):
+        return function(path, name[:-2])
     lines = pathlib.Path(path).read_text().splitlines()
     marks = [(i, *m.groups()) for i, line in enumerate(lines) if (m := MARK.fullmatch(line))]
     if name:

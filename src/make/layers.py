@@ -14,7 +14,7 @@ import sys
 SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
-    {"program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},
+    {"course": "the program that the Course writes; it knows no other file", "program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},
     {"output": "tables, pictures, complaints; files are whole or absent"},
     {"words": "from the command line to values"},
     {"input": "what stands in files, and what is wrong with it"},

@@ -1,0 +1,46 @@
+/* tests/course/test_body_09.c -- The Course, stage 09: the experiments. */
+#ifndef STAGE
+#define STAGE "course/body_09.c"
+#endif
+#include "stage.h"
+#include "since_06.h"
+
+START_TEST(eq_9a_the_papers_oscillator)
+{
+    rho = 0.2, p0 = 0.5, h = 0.5, alpha = 0.5, kappa = 0.5;
+    run(3);
+    for (int k = 0; k <= 3; k++)
+        ck_assert_near(x[k], ref_paper[k], 16 * (k + 1) * ROUNDING, "k = %d", k);
+    rho = 0.5, p0 = 0, alpha = 0.25;
+}
+END_TEST
+
+/* A straight line has its slope, whatever the points: some 8 roundings a point. */
+START_TEST(eq_9b_the_slope_of_a_line)
+{
+    double X[] = { -3, 1, 2, 7, 7.5 }, Y[5];
+    for (int i = 0; i < 5; i++)
+        Y[i] = 1 + 0.75 * X[i];
+    ck_assert_near(slope(5, X, Y), 0.75, 40 * ROUNDING, "line");
+}
+END_TEST
+
+/* The 0.940 of the paper is a slope of five errors on their way to 1. */
+START_TEST(eq_9b_where_0_940_comes_from)
+{
+    double X[5], Y[5];
+    rho = 0.2, p0 = 0.5, alpha = 0.5, kappa = 0.5, h = 0.1;
+    for (int i = 0; i < 5; i++, h /= 2)
+        X[i] = log(h), Y[i] = log(error(15, m));
+    ck_assert_near(slope(5, X, Y), 0.940, 0.0005, "five steps");
+    ck_assert_near(slope(2, X + 3, Y + 3), 0.984, 0.0005, "the last two");
+    rho = 0.5, p0 = 0, alpha = 0.25;
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("stage 09");
+    ADD_CASE(suite, "the experiments", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_9a_the_papers_oscillator, eq_9b_the_slope_of_a_line, eq_9b_where_0_940_comes_from);
+    return run_suite(suite);
+}

@@ -1,0 +1,50 @@
+/* tests/course/test_body_12.c -- The Course, stage 12: order two. */
+#ifndef STAGE
+#define STAGE "course/body_12.c"
+#endif
+#include "stage.h"
+#include "since_11.h"
+#include "library_run.h"
+
+/* h = 1, kappa = 1/2, alpha = 1/4: fractions; each step rounds some 32 times. */
+START_TEST(eq_12b_the_steps_by_hand)
+{
+    second = 1, h = 1, kappa = 0.5;
+    run(3);
+    for (int k = 0; k <= 3; k++) {
+        ck_assert_near(x[k], ref_second_x[k], 32 * (k + 1) * ROUNDING, "x_%d", k);
+        ck_assert_near(p[k], ref_second_p[k], 32 * (k + 1) * ROUNDING, "p_%d", k);
+    }
+    second = 0;
+}
+END_TEST
+
+/* Order 2 for five orders of the damping, bounded on both sides. */
+START_TEST(eq_12a_order_two)
+{
+    second = 1, kappa = 0.5;
+    for (alpha = 0; alpha <= 1; alpha += 0.25) {
+        double one = at(2, 640), two = at(2, 1280), four = at(2, 2560);
+        ck_assert_near(log2((one - two) / (two - four)), 2, 0.005, "alpha = %g", alpha);
+    }
+    second = 0, alpha = 0.25;
+}
+END_TEST
+
+START_TEST(eq_12b_the_library_makes_the_same_run)
+{
+    second = 1, kappa = 0.5, h = 0.1;
+    run(140);
+    const double *rows = library_run(&fvi_shifted, alpha, kappa, 140);
+    for (int k = 0; k <= 140; k++)
+        ck_assert_near(x[k], rows[k], 2 * rounding_of_run(140, 0.16), "k = %d", k);
+    second = 0;
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("stage 12");
+    ADD_CASE(suite, "order two", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_11b_modes_are_weights, eq_11c_modes_make_the_same_run, eq_12b_the_steps_by_hand, eq_12a_order_two, eq_12b_the_library_makes_the_same_run);
+    return run_suite(suite);
+}

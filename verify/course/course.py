@@ -1,0 +1,225 @@
+"""The Course. What each stage of body.c must print, and why its step is the right one.
+
+Proved here:
+  (3c), (3d), (3e)  one step of stage 3 makes the action of points stationary, for a generic U;
+  (4d)  x = t, y = t - 1: the action is 5/4, its slope 0 for both bodies, 1/6 for x alone;
+  (5e)  moving a node of both bodies changes the action by the two residuals (5d), for a
+        generic U, symbolic m, h, rho, kappa, and weights of which nothing is known but that
+        the weights of order 2 alpha are those of order alpha, twice;
+  (6d)  a run of (6c) and (6d) has residuals 0;
+  (8d)  at alpha = 1/2 the exact motion of the mass m - rho h/2 satisfies a step of the free
+        body up to a relative h^2, and the motion of the mass m only up to h;
+  (10c) at the longest stable step of the running body, h = 2^(5/3), the load is 1;
+  (12a) the delay alpha h disappears if theta = alpha.
+Printed: the runs of the stages by the definition, as fractions where h = 1, else with 50
+digits by double sums over binomial coefficients."""
+from fractions import Fraction as Q
+
+import mpmath
+from sympy import Function, Rational, Symbol, diff, integrate, limit, pi, series, simplify, sqrt, symbols
+from sympy import exp as sympy_exp
+
+from shared.refgen import array, claim, header, hexd, hexd_real, nearest, prove, table
+
+# ---- proofs ----
+
+m, h, rho, kappa, alpha, s, t = symbols("m h rho kappa alpha s t", positive=True)
+U = Function("U")
+
+
+def inside(a, b):
+    return kappa * a + (1 - kappa) * b
+
+
+def lagrangian(a, b):
+    """(3b)"""
+    return m * (b - a) ** 2 / (2 * h) - h * U(inside(a, b))
+
+
+def slope_of_U(q):
+    z = Symbol("z")
+    return diff(U(z), z).subs(z, q).doit()
+
+
+N = 4
+X, Y = symbols("x0:5"), symbols("y0:5")
+w = symbols("w0:5")                                 # weights of order alpha, any
+twice = [sum(w[i] * w[n - i] for i in range(n + 1)) for n in range(N + 1)]
+k = 2
+
+points = sum(lagrangian(X[j], X[j + 1]) for j in range(N))
+p = -diff(lagrangian(X[k], X[k + 1]), X[k])         # before: what (3d) makes of x_{k+1}
+before = m * (X[k + 1] - X[k]) / h + kappa * h * slope_of_U(inside(X[k], X[k + 1]))
+prove("(3d) the step is solved for the momentum before it", (p - before).doit())
+push = before - h * slope_of_U(inside(X[k], X[k + 1]))
+prove("(3e) the push is the slope at the end of the step",
+      (diff(lagrangian(X[k], X[k + 1]), X[k + 1]) - push).doit())
+after = diff(lagrangian(X[k - 1], X[k]), X[k])
+prove("(3c) stationary: the momentum after a step is the momentum before the next",
+      (diff(points, X[k]) - (after - p)).doit())
+
+# D_-^(1/2) t = 2 sqrt(t/pi), D_+^(1/2) (t - 1) = -2 sqrt((1 - t)/pi), each of path minus its held end.
+damping = Rational(1, 2) * 4 * sqrt(t * (1 - t)) / pi
+prove("(4c) the action of x = t, y = t - 1", Rational(1, 2) + Rational(1, 2) + integrate(damping, (t, 0, 1)) - Rational(5, 4))
+bump = 4 * t ** 2 * (1 - t)
+# D^(1/2) twice is a derivative: the change of the damping term is rho int (x' dy + y' dx)
+change_of_x = integrate(diff(bump, t) * 1, (t, 0, 1)) + Rational(1, 2) * integrate(bump, (t, 0, 1))
+change_of_y = integrate(diff(bump, t) * 1, (t, 0, 1)) - Rational(1, 2) * integrate(bump, (t, 0, 1))
+prove("(4d) x alone: slope 1/6", change_of_x - Rational(1, 6))
+prove("(4d) both: slope 0", change_of_x + change_of_y)
+
+z = [v - X[0] for v in X]
+u = [v - Y[N] for v in Y]
+memory = [sum(w[n] * z[j - n] for n in range(j + 1)) for j in range(N + 1)]
+ahead = [sum(w[n] * u[j + n] for n in range(N - j + 1)) for j in range(N + 1)]
+S = sum(lagrangian(X[j], X[j + 1]) + lagrangian(Y[j], Y[j + 1]) for j in range(N)) \
+    - h * rho * sum(a * b for a, b in zip(memory, ahead))     # the powers of h are in rho
+
+
+def residual(path, j):
+    """(5d)"""
+    step = diff(lagrangian(path[j], path[j + 1]), path[j]) + diff(lagrangian(path[j - 1], path[j]), path[j])
+    return step - h * rho * sum(twice[n] * (path[j - n] - path[0]) for n in range(j + 1))
+
+
+film = Y[::-1]
+#> two_residuals
+for j in (1, 2, 3):
+    moved = diff(S, X[j]) + diff(S, Y[j])
+    mirrored = residual(film, N - j).subs(kappa, 1 - kappa)   # a film shows the step the other way round
+    prove(f"(5e) node {j}: the change is the residual of x and of the film of y", (moved - residual(X, j) - mirrored).doit())
+#< two_residuals
+
+momentum = symbols("p")
+next_momentum = momentum - h * slope_of_U(inside(X[k], X[k + 1])) \
+    - h * rho * sum(twice[n] * (X[k + 1 - n] - X[0]) for n in range(k + 2))
+met = next_momentum.subs(momentum, before) + diff(lagrangian(X[k + 1], X[k + 2]), X[k + 1])
+prove("(6d) the run empties the residual at k + 1", (met - residual(X, k + 1)).doit())
+
+
+# A free body at alpha = 1/2: m d_{k+1}/h = (m/h - rho) d_k, so a step damps d by 1 - rho h/m.
+prove("(8d) the mass m - rho h/2 is right to second order",
+      series(1 - rho * h / m - sympy_exp(-rho * h / (m - rho * h / 2)), h, 0, 3).removeO())
+claim("(8d) the mass m is not", series(1 - rho * h / m - sympy_exp(-rho * h / m), h, 0, 3).removeO() != 0)
+
+# (10c) of the running body, kappa = 1/2: 4^alpha rho h^(2 - 2 alpha) / m = 4.
+longest = Rational(2) ** Rational(5, 3)
+prove("(10c) the longest step", 4 ** Rational(1, 4) * Rational(1, 2) * longest ** Rational(3, 2) - 4)
+
+theta = Symbol("theta")
+late = ((1 - sympy_exp(-h)) / h) ** (2 * alpha) * (1 - theta + theta * sympy_exp(h))
+slope_in_h = simplify(limit(diff(late, h), h, 0))
+prove("(12a) no delay if theta = alpha", slope_in_h - (theta - alpha))
+
+# ---- runs by the definition ----
+
+
+def weights_of(order, count):
+    """(2a): (1 - B)^order, by binomial coefficients."""
+    return [(-1) ** n * binomial(order, n) for n in range(count)]
+
+
+def binomial(order, n):
+    out = order * 0 + 1
+    for i in range(n):
+        out = out * (order - i) / (i + 1)
+    return out
+
+
+def run(order, steps, h, kappa, rho, x0=1, p0=0, past="held", theta=0, half=0, unit=None):
+    """(6c) and (6d), or (12b), of a body with m = c = 1; unit: h^(1 - order) rho, which is rho if h = 1."""
+    w = weights_of(order, steps + 1)
+    unit = rho if unit is None else unit
+    origin = 0 if past == "rl" else x0
+    drift = p0 if past == "caputo" else 0
+    x, p, z = [x0], [p0], [x0 - origin]
+
+    def memory(k):
+        return sum(w[n] * z[k - n] for n in range(k + 1))
+
+    for k in range(steps):
+        now = memory(k)
+        z.append(x[k] - origin - drift * h * (k + 1))
+        still = memory(k + 1)
+        r = p[k] - unit * (half - theta) * now
+        d = (r - unit * theta * still - kappa * h * x[k]) / (1 / h + theta * unit + kappa * (1 - kappa) * h)
+        z[-1] += d
+        x.append(x[k] + d)
+        p.append(r - h * (x[k] + (1 - kappa) * d) - unit * (1 - half + theta) * (still + d))
+    return x, p
+
+
+header("verify/course/course.py")
+one, half = Q(1), Q(1, 2)
+
+
+def root(n, digits):
+    """Half a derivative of t at 1 with n steps: a fraction times sqrt(n)."""
+    fraction = sum(weight * Q(n - j, n) for j, weight in enumerate(weights_of(half, n + 1)))
+    with mpmath.workdps(digits + 10):
+        return mpmath.sqrt(n) * fraction.numerator / fraction.denominator
+
+
+array("ref_half_weights", weights_of(half, 9), "(2b): the weights of order 1/2")
+table("ref_half_of_t", "int steps; double want;",
+      [[n, hexd_real(lambda digits: mpmath.nstr(root(n, digits), digits))]
+       for n in (4, 16, 64, 256)])
+for name, kappa_ in (("half", half), ("one", one)):
+    x, p = run(half, 6, one, kappa_, Q(0))
+    array(f"ref_undamped_{name}_x", x, f"(3d), (3e): h = 1, kappa = {kappa_}, no damping")
+    array(f"ref_undamped_{name}_p", p)
+
+grid = 16                                           # 1/16 is a double
+w_ = weights_of(half, grid + 1)
+H = Q(1, grid)
+x, y = [j * H for j in range(grid + 1)], [j * H - 1 for j in range(grid + 1)]
+
+
+def minus(path):
+    return [sum(w_[n] * path[j - n] for n in range(j + 1)) for j in range(len(path))]
+
+
+def coupling(x, y):
+    """h rho sum D_- x D_+ y with rho = 1/2: the two powers h^(-1/2) are 1/h."""
+    up = minus([v - y[-1] for v in y][::-1])[::-1]
+    return half * sum(a * b for a, b in zip(minus([v - x[0] for v in x]), up))
+
+
+def kinetic(path):
+    return sum((b - a) ** 2 for a, b in zip(path, path[1:])) / (2 * H)
+
+
+bump_ = [4 * (j * H) ** 2 * (1 - j * H) for j in range(grid + 1)]
+total = lambda a, b: kinetic(a) + kinetic(b) - coupling(a, b)
+bend = lambda path, e: [v + e * d for v, d in zip(path, bump_)]
+alone = (total(bend(x, one), y) - total(bend(x, -one), y)) / 2      # quadratic: exact
+both = (total(bend(x, one), bend(y, one)) - total(bend(x, -one), bend(y, -one))) / 2
+claim("both bent: no slope on the grid either", both == 0)
+print(f"\nenum {{ REF_GRID = {grid} }};")
+print(f"static const double ref_action = {hexd(total(x, y))}, /* {float(total(x, y)):.6f}; 5/4 in the limit */")
+print(f"                    ref_alone = {hexd(alone)}; /* {alone}; 1/6 in the limit */")
+
+table("ref_by_hand", "double kappa; double x[6]; double p[6];",
+      [[hexd(kappa_), *("{ " + ", ".join(map(hexd, part)) + " }" for part in run(half, 5, one, kappa_, half))]
+       for kappa_ in (one, half)])
+table("ref_pasts", "int past; double x[4];",
+      [[i, "{ " + ", ".join(map(hexd, run(Q(3, 2), 3, one, one, half, p0=half, past=past)[0])) + " }", past]
+       for i, past in enumerate(("held", "caputo", "rl"))])
+array("ref_friction", run(one, 4, one, one, half)[0], "alpha = 1/2, h = kappa = 1")
+array("ref_once", [sum(weights_of(half, 3)[n] * v[j - n] for n in range(j + 1))
+                   for v in [[one, Q(0), -half]] for j in range(3)], "half a derivative of 1, 0, -1/2")
+array("ref_paper", run(one, 3, half, half, Q(1, 5), p0=half, unit=Q(1, 5))[0], "the paper's oscillator, h = 1/2")
+x, p = run(half, 3, one, half, half, theta=Q(1, 4), half=half)
+array("ref_second_x", x, "(12b): h = 1, kappa = 1/2, alpha = 1/4")
+array("ref_second_p", p)
+
+mpmath.mp.dps = 50
+step_ = mpmath.mpf(0.1)
+for name, kappa_, alphas in (("ref_first", 1, [0.25]), ("ref_seven", 0.5, [0, 0.25, 0.4, 0.5, 0.6, 0.75, 1])):
+    rows = []
+    for alpha_ in alphas:
+        order = 2 * mpmath.mpf(alpha_)
+        x, p = run(order, 140, step_, mpmath.mpf(kappa_), mpmath.mpf(0.5), x0=mpmath.mpf(1), p0=mpmath.mpf(0),
+                   unit=step_ ** (1 - order) / 2)
+        rows += [[j, hexd(Rational(alpha_)), nearest(x[j]), nearest(p[j])] for j in (range(141) if name == "ref_first" else (70, 140))]
+    table(name, "int k; double alpha, x, p;", rows)
