@@ -124,6 +124,9 @@ int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
         return status;
     for (size_t i = 0; i < n && !status; i++) {
         double xi, vi;
+        status = fvi_interrupted();
+        if (status)
+            return status;
         if (fvi_exact_phase_is_lost(&S, t[i]))
             FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
         fvi_exact_at(&S, t[i], &xi, &vi);

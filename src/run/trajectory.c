@@ -175,13 +175,22 @@ static int is_finite(const fvi_stepper *s)
                    : finite(2 * d, s->x); /* x, then p */
 }
 
+/* Before steps that take long, before one of many if they do not: asking costs nothing. */
+static int is_time_to_ask(const fvi_stepper *s)
+{
+    enum { FEW = 32 /* coordinates */, MANY = 64 /* steps */ };
+    return s->k % MANY == 0 || s->run.system->d >= FEW || s->method->dense;
+}
+
 int fvi_step(fvi_stepper *s)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (s->k >= s->run.steps)
         FVI_FAIL("the run is over", FVI_EINVAL);
-    int status = s->method->step(s);
+    int status = is_time_to_ask(s) ? fvi_interrupted() : FVI_SUCCESS;
+    if (!status)
+        status = s->method->step(s);
     if (status)
         return status;
     if (s->run.system->force.impulse_count && !s->method->dense)

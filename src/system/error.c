@@ -21,11 +21,28 @@ int fvi_fail(const char *reason, const char *file, int line, int code)
     return code;
 }
 
+/* ---- an end from without ---- */
+
+static _Atomic(fvi_interrupter *) interrupter;
+
+fvi_interrupter *fvi_set_interrupter(fvi_interrupter *next)
+{
+    return atomic_exchange(&interrupter, next);
+}
+
+int fvi_interrupted(void)
+{
+    fvi_interrupter *now =
+        atomic_load_explicit(&interrupter, memory_order_relaxed);
+    return now ? now() : FVI_SUCCESS;
+}
+
 /* ---- GSL's handler ---- */
 
-static atomic_flag busy = ATOMIC_FLAG_INIT; /* a lock that is held for no time */
-static size_t quiet;                        /* pairs that are open */
-static gsl_error_handler_t *of_gsl;         /* what GSL had before the first */
+static atomic_flag busy =
+    ATOMIC_FLAG_INIT;               /* a lock that is held for no time */
+static size_t quiet;                /* pairs that are open */
+static gsl_error_handler_t *of_gsl; /* what GSL had before the first */
 
 void fvi_quiet(void)
 {

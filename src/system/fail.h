@@ -15,6 +15,9 @@ void fvi_loud(void);
 /* Tell the handler, if there is one; returns code. */
 int fvi_fail(const char *reason, const char *file, int line, int code);
 
+/* What the caller's interrupter says, 0 if there is none: a loop that may last asks. */
+int fvi_interrupted(void);
+
 #define FVI_FAIL(reason, code)                                                 \
     return fvi_fail(reason, __FILE__, __LINE__, code)
 

@@ -1,0 +1,98 @@
+/* tests/run/test_interrupter.c -- A call that lasts is ended from without.
+ * Run alone: make test-interrupter */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+enum { CODE = -5 };
+
+static int asked,
+    asks; /* how often, and how often until it says stop; 0: never */
+
+static int stop(void)
+{
+    return asks > 0 && ++asked >= asks ? CODE : 0;
+}
+
+static double one[40], p0[40];
+
+static fvi_run run_of(const fvi_system *system, double alpha, size_t steps)
+{
+    fvi_run run = fvi_run_default(system, one, p0, 0.01, steps);
+    run.alpha = alpha;
+    asked = 0;
+    return run;
+}
+
+/* Of a small system every 64th step asks, of a large one each, and each that chooses itself. */
+START_TEST(a_run_ends_with_the_code_that_was_given)
+{
+    for (size_t i = 0; i < LEN(one); i++)
+        one[i] = 1;
+    const fvi_system small = { .d = 1, .mass = one, .damping = one },
+                     large = { .d = 40, .mass = one, .damping = one };
+    static double x[10001];
+    double w[40 * 11];
+    fvi_run run = run_of(&small, 0.5, 10000);
+    fvi_stepper *s;
+    fvi_set_interrupter(stop);
+    asks = 3;
+    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    int status = 0;
+    while (!status)
+        status = fvi_step(s);
+    ck_assert_int_eq(status, CODE);
+    ck_assert_uint_eq(s->k, 128);
+    asks = 0; /* the run goes on as if nothing had been */
+    while (s->k < run.steps)
+        ck_assert_int_eq(fvi_step(s), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
+    ck_assert(s->x[0] == x[10000]);
+    fvi_stop(s);
+    run = run_of(&large, 0.5, 10);
+    asks = 5;
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, w, NULL, NULL),
+                     CODE);
+    ck_assert_int_eq(asked, 5);
+    run = run_of(&small, 0.3, 10000);
+    asks = 5;
+    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL), CODE);
+    ck_assert_int_eq(asked, 5);
+    ck_assert(fvi_set_interrupter(NULL) == stop);
+    ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
+}
+END_TEST
+
+START_TEST(a_search_and_the_exact_solution_end_too)
+{
+    *one = 1;
+    const fvi_system system = { .d = 1, .mass = one, .damping = one };
+    const fvi_linear problem = { .m = 1, .c = 1, .rho = 0.2, .alpha = 0.3 };
+    double x[101], t[10];
+    fvi_step_found found;
+    fvi_adaptive_found adaptive;
+    fvi_run run = run_of(&system, 0.3, 100);
+    fvi_set_interrupter(stop);
+    asks = 1;
+    ck_assert_int_eq(
+        fvi_step_search(&fvi_fractional, &run, 1e-9, 1 << 20, x, NULL, &found),
+        CODE);
+    ck_assert_int_eq(
+        fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
+    for (size_t i = 0; i < LEN(t); i++)
+        t[i] = (double)i;
+    asked = 0;
+    asks = 4;
+    ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), CODE);
+    ck_assert_int_eq(asked, 4);
+    fvi_set_interrupter(NULL);
+    ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("an end from without");
+    ADD_CASE(suite, "values", a_run_ends_with_the_code_that_was_given,
+             a_search_and_the_exact_solution_end_too);
+    return run_suite(suite);
+}
