@@ -38,6 +38,16 @@ typedef struct {
     fvi_square inverse; /* its inverse, if one asks for it */
 } fvi_kind;
 
+/* How many factors exp(L) a step may be longer than the one before, and after a trial
+ * shorter. After so many calm steps a longer one is tried again that could not be solved;
+ * after so many iterations that did not contract none is tried. */
+enum {
+    FVI_ADAPTIVE_GROWTH = 4,
+    FVI_ADAPTIVE_LESS = 12,
+    FVI_ADAPTIVE_CALM = 16,
+    FVI_ADAPTIVE_STUCK = 20
+};
+
 /* No step, and no t1, is shorter than that part of a run. */
 #define FVI_SHORTEST 1e-248
 

@@ -370,7 +370,7 @@ int fvi_adaptive_solve(fvi_stepper *s, fvi_adaptive_run *o)
         return FVI_EMAXITER; /* a shorter step does not lose its way */
     if (status != FVI_EMAXITER || o->solve != FVI_SOLVE_COUPLED || o->band)
         return status;
-    if (++o->stuck == 20) /* it is not worth trying */
+    if (++o->stuck == FVI_ADAPTIVE_STUCK) /* it is not worth trying */
         o->solve = FVI_SOLVE_TOGETHER;
     return solve_coupled(s, o);
 }

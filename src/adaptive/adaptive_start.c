@@ -152,7 +152,7 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->scale = scale;
     o->T = T;
     o->least = 1e-14 * T;
-    o->growth = 4;
+    o->growth = FVI_ADAPTIVE_GROWTH;
     o->first = (int)floor(log(0.1 * pow(fmin(wish, 1), 0.4) * T) / L);
     o->most = o->contracts = (int)ceil(log(T) / L);
     o->fresh = 1;

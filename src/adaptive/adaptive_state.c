@@ -6,7 +6,9 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
+#include <float.h>
 #include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -177,6 +179,43 @@ int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length)
 
 /* ---- what is saved ---- */
 
+/* Are these exponents of steps, and counts, that a run could have? Where a step is cut by an
+ * event its exponent may be as low as that of the least double. */
+static int has_possible_control(const fvi_adaptive_run *o)
+{
+    const double L = fvi_variable_spacing();
+    const int lowest = (int)floor(log(DBL_TRUE_MIN) / L) - FVI_ADAPTIVE_LESS,
+              highest = (int)ceil(log(o->T) / L);
+    return o->next >= lowest && o->next <= o->most && o->first >= lowest
+           && o->first <= o->most && o->contracts >= lowest
+           && o->contracts <= highest && o->most >= lowest && o->most <= highest
+           && o->growth >= 0 && o->growth <= FVI_ADAPTIVE_GROWTH && o->calm >= 0
+           && o->calm < FVI_ADAPTIVE_CALM && o->stuck >= 0
+           && o->stuck <= FVI_ADAPTIVE_STUCK && (o->fresh == 0 || o->fresh == 1)
+           && o->scale > 0 && gsl_finite(o->scale) && !isnan(o->rough);
+}
+
+/* Are these times that a run could be at, before the next event and after the impulses? */
+static int has_possible_times(const fvi_stepper *s, const fvi_adaptive_run *o)
+{
+    return o->t == s->t && o->t0 >= 0 && o->t0 <= o->t
+           && fabs(o->t_less) <= 4 * GSL_DBL_EPSILON * o->t
+           && o->event < o->event_count
+           && o->hits <= s->run.system->force.impulse_count
+           && (o->length.h == 0 || fvi_length_is_possible(o->length, o->T));
+}
+
+/* What is allocated for one way to solve does for another only between these two. */
+static int has_room_to_solve(const fvi_adaptive_run *o, fvi_solve before)
+{
+    const int may_change =
+        before == FVI_SOLVE_COUPLED || before == FVI_SOLVE_TOGETHER;
+    return o->solve == before
+           || (may_change
+               && (o->solve == FVI_SOLVE_COUPLED
+                   || o->solve == FVI_SOLVE_TOGETHER));
+}
+
 /* All that the next step reads and no start knows. Matrices, factors and rows of modes are
  * made anew, here and in the run that goes on: from the same numbers, the same digits. */
 //> visit
@@ -185,6 +224,7 @@ int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v)
     fvi_adaptive_run *o = s->own;
     const size_t number = sizeof(double), whole = sizeof(int);
     const size_t once = STATE * o->d * number;
+    const fvi_solve before = o->solve;
     const struct {
         void *data;
         size_t bytes;
@@ -223,6 +263,10 @@ int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v)
     for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
         status =
             v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    if (!status
+        && !(has_room_to_solve(o, before) && has_possible_times(s, o)
+             && has_possible_control(o)))
+        FVI_FAIL("not a state of this run", FVI_EINVAL);
     if (!status && o->modes)
         status = fvi_modes_visit(o->modes, v);
     if (status)

@@ -208,7 +208,9 @@ static int change(const fvi_adaptive_run *o, double error)
         return more < -1 ? -1 : more < o->growth ? (int)more : o->growth;
     }
     const double less = ceil(log(1.5) / order - room);
-    return less < 1 ? -1 : less <= 12 ? -(int)less : -12; /* NaN: 12 */
+    return less < 1                    ? -1
+           : less <= FVI_ADAPTIVE_LESS ? -(int)less
+                                       : -FVI_ADAPTIVE_LESS; /* NaN, too */
 }
 //< control
 
@@ -227,9 +229,6 @@ static double judge(fvi_adaptive_run *o, double error, double error_before,
 
 /* ---- a step ---- */
 
-/* After so many steps a longer one is tried again that could not be solved. */
-enum { CALM = 16 };
-
 /* The exponent of the next step, after one that is taken. A step that was made shorter
  * before is not followed by a longer one. */
 static void lengthen(fvi_adaptive_run *o, double error, int again)
@@ -239,7 +238,8 @@ static void lengthen(fvi_adaptive_run *o, double error, int again)
     o->next = o->length.k == FVI_OFF_LATTICE && !o->fresh
                   ? (int)fmax(o->next, k) /* it was cut by an event */
                   : k;
-    if (++o->calm % CALM == 0)
+    o->calm = (o->calm + 1) % FVI_ADAPTIVE_CALM;
+    if (o->calm == 0 && o->contracts < o->most)
         o->contracts++;
     o->next = (int)smaller(o->next, fmin(o->most, o->contracts));
     if (o->fresh) /* the next restart begins where this one got to */
@@ -284,7 +284,7 @@ static void show(fvi_stepper *s, fvi_adaptive_run *o)
 
 /* The velocities of coordinate j at the stages, as its memory wants them, to v. */
 FVI_VECTORS static void stage_velocities(const fvi_adaptive_run *o, size_t j,
-                                   double *v)
+                                         double *v)
 {
     const double more = o->beta < 0 ? o->v[j] : o->kick[j];
     const fvi_four *delta = LANES(o->delta + j * FVI_LANES);

@@ -139,8 +139,8 @@ int fvi_memory_copy(const fvi_memory *from, fvi_memory **to);
 
 /* fvi_memory_visit -- show the terms that came in, or what is left of them, to a visitor; as
  * fvi_visit (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL;
- * FVI_EINVAL if there are more terms than this memory was made for; what the visitor
- * returns. */
+ * FVI_EINVAL if what was loaded has more terms than this memory was made for, or not the
+ * same number everywhere: free the memory then; what the visitor returns. */
 int fvi_memory_visit(fvi_memory *memory, fvi_visitor *visitor);
 
 /* fvi_memory_free -- give everything back. NULL is allowed. */

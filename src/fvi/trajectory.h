@@ -83,7 +83,10 @@ typedef enum {
     FVI_SCHEME_MESH
 } fvi_scheme;
 
-/* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. */
+/* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. While a function
+ * works on a stepper, a callback (a potential, a force, a visitor) may read these four, and
+ * no more: fvi_step, fvi_copy, fvi_visit, fvi_reset and fvi_stop of the same stepper return
+ * FVI_EINVAL there, and change nothing. */
 typedef struct {
     size_t k;      /* steps done; rows that have been passed, if steps vary */
     double t;      /* k h, one product; that of x and p, if steps vary */
@@ -94,6 +97,7 @@ typedef struct {
     void *own; /* what only this method has */
     fvi_run run;
     const fvi_method *method;
+    int is_busy; /* nonzero while a function has it that calls the caller's */
 } fvi_stepper;
 
 /* fvi_method -- an integrator, and all that others ask about it. What counts are its
@@ -233,7 +237,7 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
  *   save   let the visitor copy the pieces, whatever `constant`
  *   load   fvi_start the same run, then let the visitor write them back: where constant != 0
  *          it must compare instead, and return a code of its own if they differ. After an
- *          error stop the stepper
+ *          error the stepper is of no use: stop it, or reset it
  *
  * The digits are then those of the run that was saved. The system is not among the pieces,
  * but for d, masses and dampings, which are constant; potential, matrices and force must be
@@ -243,8 +247,11 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
  * has them. O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
- * the method has data of its own and no visit; FVI_EINVAL if the k that was loaded is
- * beyond the run; what the visitor returns. */
+ * the method has data of its own and no visit; FVI_EINVAL if what was loaded is no state of
+ * this run (k beyond its end, a time, a place or a count that it cannot have), as soon as
+ * that is seen: no step ever reads it. So a state may come from a stranger. Of the numbers
+ * of its past nothing is asked: if one is not finite, a step fails. FVI_EINVAL, too, of a
+ * stepper whose last step failed; what the visitor returns. */
 int fvi_visit(fvi_stepper *s, fvi_visitor *visitor);
 
 /* fvi_reset -- back to k = 0 of the same run, also after a step that failed. The digits
@@ -254,8 +261,10 @@ int fvi_visit(fvi_stepper *s, fvi_visitor *visitor);
  * was. */
 int fvi_reset(fvi_stepper *s);
 
-/* fvi_stop -- give everything back. NULL is allowed. */
-void fvi_stop(fvi_stepper *s);
+/* fvi_stop -- give everything back. NULL is allowed.
+ *
+ * Returns FVI_SUCCESS; FVI_EINVAL in a callback of the same stepper: it lives on then. */
+int fvi_stop(fvi_stepper *s);
 
 /* fvi_trajectory -- a whole run into arrays.
  *

@@ -18,6 +18,7 @@
 #ifdef FVI_HAS_CHOLMOD
 
 #include <dlfcn.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <suitesparse/cholmod.h>
@@ -38,8 +39,10 @@ static struct {
     int (*finish)(cholmod_common *);
 } cholmod;
 
-/* Loaded once; two threads that come at once load the same. */
-static int load(void)
+static int is_there;
+
+/* Called once in a process, whatever threads ask. */
+static void load(void)
 {
     void *library = dlopen("libcholmod.so." TEXT(CHOLMOD_MAIN_VERSION),
                            RTLD_NOW | RTLD_LOCAL);
@@ -56,18 +59,17 @@ static int load(void)
     for (size_t i = 0; library && i < sizeof wanted / sizeof *wanted; i++) {
         void *found = dlsym(library, wanted[i].name);
         if (!found)
-            return 0;
+            return;
         memcpy(wanted[i].place, &found, sizeof found);
     }
-    return library != NULL;
+    is_there = library != NULL;
 }
 
 int fvi_cholmod_is_there(void)
 {
-    static int state; /* 0: not asked yet, 1: there, 2: not */
-    if (state == 0)
-        state = load() ? 1 : 2;
-    return state == 1;
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, load);
+    return is_there;
 }
 
 struct fvi_cholmod {

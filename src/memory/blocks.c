@@ -179,9 +179,11 @@ fvi_tiles *fvi_tiles_copy(const fvi_tiles *from)
     return t;
 }
 
-int fvi_tiles_visit(fvi_tiles *t, fvi_visitor *v)
+int fvi_tiles_visit(fvi_tiles *t, size_t k, fvi_visitor *v)
 {
     int status = v->visit(v, &t->k, sizeof t->k, 0);
+    if (!status)
+        status = fvi_check_count(t->k, k);
     return status ? status
                   : v->visit(v, t->z, state(t->d, t->Q) * sizeof *t->z, 0);
 }

@@ -48,7 +48,7 @@ void fvi_tiles_push_part(fvi_tiles *t, size_t first, size_t count,
  * memory_kinds.h. H may be term. Every 32nd push does nine tenths of the work. */
 void fvi_tiles_push(fvi_tiles *t, const double *term, double *H);
 void fvi_tiles_ahead(const fvi_tiles *t, double *sum);
-int fvi_tiles_visit(fvi_tiles *t, fvi_visitor *v);
+int fvi_tiles_visit(fvi_tiles *t, size_t k, fvi_visitor *v);
 void fvi_tiles_free(fvi_tiles *t);
 
 #endif

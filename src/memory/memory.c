@@ -232,12 +232,12 @@ int fvi_memory_visit(fvi_memory *m, fvi_visitor *v)
     if (!status && m->direct)
         status = fvi_direct_visit(m->direct, m->k, v);
     if (!status && m->blocks)
-        status = fvi_blocks_visit(m->blocks, v);
+        status = fvi_blocks_visit(m->blocks, m->k, v);
     if (!status && m->rate_blocks)
-        status = fvi_blocks_visit(m->rate_blocks, v);
+        status = fvi_blocks_visit(m->rate_blocks, m->k, v);
     return status || !m->exponentials
                ? status
-               : fvi_exponentials_visit(m->exponentials, v);
+               : fvi_exponentials_visit(m->exponentials, m->k, v);
 }
 
 void fvi_memory_free(fvi_memory *m)
@@ -281,6 +281,11 @@ int fvi_memory_push(fvi_memory *m, const double *x, const double *dx, double *H)
     return FVI_SUCCESS;
 }
 //< push
+
+size_t fvi_memory_terms(const fvi_memory *m)
+{
+    return m->k;
+}
 
 int fvi_memory_takes_parts(const fvi_memory *m)
 {

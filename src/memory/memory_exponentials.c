@@ -177,16 +177,18 @@ fvi_exponentials *fvi_exponentials_copy(const fvi_exponentials *from)
 }
 
 /* The nodes depend on N, and must be the same. */
-int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v)
+int fvi_exponentials_visit(fvi_exponentials *e, size_t k, fvi_visitor *v)
 {
     const size_t number = sizeof(double);
     int status = v->visit(v, &e->Q, sizeof e->Q, 1);
     if (!status)
         status = v->visit(v, e->p, 2 * e->Q * number, 1);
     if (!status && e->tiles)
-        return fvi_tiles_visit(e->tiles, v);
+        return fvi_tiles_visit(e->tiles, k, v);
     if (!status)
         status = v->visit(v, &e->k, sizeof e->k, 0);
+    if (!status)
+        status = fvi_check_count(e->k, k);
     if (!status)
         status = v->visit(
             v, e->z,
@@ -232,7 +234,7 @@ WITHIN void sweep(const fvi_exponentials *e, double *modes, double *past,
                   double new, int rated, double *far, double *slope)
 {
     const four *p = (four *)e->p, *c = (four *)e->c, *by = (four *)e->rates;
-    const four *w = (four *)e->window, *wdot = by + e->Q / 4;
+    const four *w = (four *)e->window, *wdot = rated ? by + e->Q / 4 : NULL;
     four *z = (four *)modes, sum[PAIR][2] = { 0 }, rate[PAIR][2] = { 0 };
     const four none = { 0 }, x[] = { none + past[1], none + past[2] };
     //> modes

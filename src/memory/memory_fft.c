@@ -149,11 +149,13 @@ fvi_blocks *fvi_blocks_copy(const fvi_blocks *from)
 }
 
 /* Where the blocks begin depends on N. */
-int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v)
+int fvi_blocks_visit(fvi_blocks *b, size_t k, fvi_visitor *v)
 {
     int status = v->visit(v, &b->steps, sizeof b->steps, 1);
     if (!status)
         status = v->visit(v, &b->k, sizeof b->k, 0);
+    if (!status)
+        status = fvi_check_count(b->k, k);
     return status ? status
                   : v->visit(v, b->terms,
                              2 * b->d * (b->steps + 1) * sizeof *b->terms, 0);

@@ -10,6 +10,8 @@
 #define FVI_MEMORY_KINDS_H
 
 #include <fvi/visit.h>
+#include "system/fail.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,6 +35,16 @@
 #else
 #define FVI_VECTORS
 #endif
+
+/* Of the places that a count k decides, those of another count may be out of the arrays: a
+ * visitor that writes must have written the same one everywhere. */
+static inline int fvi_check_count(size_t written, size_t k)
+{
+    if (written != k)
+        FVI_FAIL("the terms of a memory are not as many as its steps",
+                 FVI_EINVAL);
+    return FVI_SUCCESS;
+}
 
 /* ---- the sum as it stands (memory_direct.c) ---- */
 
@@ -63,7 +75,8 @@ fvi_blocks *fvi_blocks_alloc(double nu, int rate, size_t d, size_t steps);
 fvi_blocks *fvi_blocks_copy(const fvi_blocks *from);
 void fvi_blocks_push(fvi_blocks *b, const double *term, double *H);
 void fvi_blocks_ahead(const fvi_blocks *b, double *sum);
-int fvi_blocks_visit(fvi_blocks *b, fvi_visitor *v);
+/* k: how many terms there are, which what v has written must say, too, or FVI_EINVAL. */
+int fvi_blocks_visit(fvi_blocks *b, size_t k, fvi_visitor *v);
 void fvi_blocks_free(fvi_blocks *b);
 
 /* ---- a window and decaying exponentials (memory_exponentials.c, memory_nodes.c) ---- */
@@ -132,7 +145,7 @@ void fvi_exponentials_push_rate(fvi_exponentials *e, const double *term,
 /* NULL, or the blocks that many coordinates go by (blocks.h). */
 struct fvi_tiles *fvi_exponentials_tiles(const fvi_exponentials *e);
 void fvi_exponentials_ahead(const fvi_exponentials *e, double *sum);
-int fvi_exponentials_visit(fvi_exponentials *e, fvi_visitor *v);
+int fvi_exponentials_visit(fvi_exponentials *e, size_t k, fvi_visitor *v);
 void fvi_exponentials_free(fvi_exponentials *e);
 
 /* ---- a memory with weights of another's making (memory.c) ---- */

@@ -10,6 +10,9 @@
  * that go by blocks, and are not shared among threads. */
 int fvi_memory_takes_parts(const fvi_memory *m);
 
+/* fvi_memory_terms -- how many terms have come in. */
+size_t fvi_memory_terms(const fvi_memory *m);
+
 /* fvi_memory_push_part -- fvi_memory_push of `count` coordinates from `first` on.
  *
  *   first      a multiple of 16, where the part before ended; 0 after a whole push

@@ -209,10 +209,12 @@ static int visit_second_order(fvi_stepper *s, fvi_visitor *v)
     if (!o->damping)
         return FVI_SUCCESS;
     int status = v->visit(v, &o->place, sizeof o->place, 0);
+    if (!status && o->place > 0 && o->place >= o->taps)
+        FVI_FAIL("not a place among the last terms", FVI_EINVAL);
     if (!status)
         status =
             v->visit(v, o->H, rows(o, o->damping->count) * sizeof *o->H, 0);
-    return status ? status : fvi_damping_visit(o->damping, v);
+    return status ? status : fvi_damping_visit(o->damping, s->k, v);
 }
 
 /* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0:

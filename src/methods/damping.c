@@ -2,6 +2,8 @@
  *                                                                 [Chapter 9] */
 #include "damping.h"
 
+#include "memory/memory_kinds.h"
+#include "memory/memory_parts.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -190,8 +192,10 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     return fvi_memory_copy(from->memory, &(*to)->memory);
 }
 
-/* z and dz are of one step only. */
-int fvi_damping_visit(fvi_damping *d, fvi_visitor *v)
+/* z and dz are of one step only. A term came in at the start, and one in each step. */
+int fvi_damping_visit(fvi_damping *d, size_t k, fvi_visitor *v)
 {
-    return d ? fvi_memory_visit(d->memory, v) : FVI_SUCCESS;
+    const int status = d ? fvi_memory_visit(d->memory, v) : FVI_SUCCESS;
+    return status || !d ? status
+                        : fvi_check_count(fvi_memory_terms(d->memory), k + 1);
 }

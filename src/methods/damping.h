@@ -57,8 +57,8 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
  * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
 
-/* fvi_damping_visit -- what steps change, as fvi_visit; nothing of NULL. */
-int fvi_damping_visit(fvi_damping *damping, fvi_visitor *visitor);
+/* fvi_damping_visit -- what k steps have changed, as fvi_visit; nothing of NULL. */
+int fvi_damping_visit(fvi_damping *damping, size_t k, fvi_visitor *visitor);
 
 /* fvi_damping_free -- give everything back. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);

@@ -36,7 +36,7 @@ static int copy_fractional(const fvi_stepper *from, fvi_stepper *to)
 
 static int visit_fractional(fvi_stepper *s, fvi_visitor *v)
 {
-    return fvi_damping_visit(s->own, v);
+    return fvi_damping_visit(s->own, s->k, v);
 }
 
 //> damp

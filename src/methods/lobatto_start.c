@@ -187,14 +187,15 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
                : fvi_lobatto_memory_copy(old->memory, &o->memory);
 }
 
-/* The stages of the last step are where this one begins. */
+/* The stages of the last step are where this one begins, which gives them to the memory. */
 static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
 {
     fvi_lobatto_stages *o = s->own;
     int status =
         v->visit(v, o->share, (2 + 6 * o->s) * o->d * sizeof *o->share, 0);
     return status || !o->memory ? status
-                                : fvi_lobatto_memory_visit(o->memory, v);
+                                : fvi_lobatto_memory_visit(
+                                    o->memory, s->k > 0 ? s->k - 1 : 0, v);
 }
 
 /* ---- the methods ---- */

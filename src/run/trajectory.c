@@ -14,6 +14,13 @@
 
 enum { NUMBERS = 7 }; /* of a stepper, for each coordinate */
 
+/* A callback of a step, or a visitor, stands in the middle of what it would change. */
+#define REFUSE_CALLBACKS_OF(s)                                                 \
+    do {                                                                       \
+        if ((s)->is_busy)                                                      \
+            FVI_FAIL("called by a callback of this stepper", FVI_EINVAL);      \
+    } while (0)
+
 fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                         const double *p0, double h, size_t steps)
 {
@@ -182,15 +189,28 @@ static int is_time_to_ask(const fvi_stepper *s)
     return s->k % MANY == 0 || s->run.system->d >= FEW || s->method->dense;
 }
 
+/* How many rows a method that chooses its steps has passed at s->t. */
+static size_t rows_passed(const fvi_stepper *s)
+{
+    const double h = s->run.h,
+                 rows = floor(s->t / h); /* by a rounding too many or few */
+    size_t k = rows < (double)s->run.steps ? (size_t)rows : s->run.steps;
+    k -= (double)k * h > s->t;
+    return k + (k < s->run.steps && (double)(k + 1) * h <= s->t);
+}
+
 int fvi_step(fvi_stepper *s)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
+    REFUSE_CALLBACKS_OF(s);
     if (s->k >= s->run.steps)
         FVI_FAIL("the run is over", FVI_EINVAL);
+    s->is_busy = 1;
     int status = is_time_to_ask(s) ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
         status = s->method->step(s);
+    s->is_busy = 0;
     if (status)
         return status;
     if (s->run.system->force.impulse_count && !s->method->dense)
@@ -202,11 +222,7 @@ int fvi_step(fvi_stepper *s)
         s->t = (double)s->k * s->run.h;
         return FVI_SUCCESS;
     }
-    const double rows =
-        floor(s->t / s->run.h); /* by a rounding too many or too few */
-    s->k = rows < (double)s->run.steps ? (size_t)rows : s->run.steps;
-    s->k -= (double)s->k * s->run.h > s->t;
-    s->k += s->k < s->run.steps && (double)(s->k + 1) * s->run.h <= s->t;
+    s->k = rows_passed(s);
     return FVI_SUCCESS;
 }
 
@@ -245,6 +261,7 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
 {
     if (!from || !to)
         FVI_FAIL("null pointer", FVI_EFAULT);
+    REFUSE_CALLBACKS_OF(from);
     if (from->own && !from->method->copy)
         FVI_FAIL("the method has no copy", FVI_EUNSUP);
     fvi_stepper *s = make(from->method, &from->run);
@@ -265,12 +282,23 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
     return status;
 }
 
-int fvi_visit(fvi_stepper *s, fvi_visitor *v)
+/* Could a run be at such a k, t, x and p? A visitor may have written anything there. */
+static int check_state(const fvi_stepper *s)
 {
-    if (!s || !v)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    if (s->own && !s->method->visit)
-        FVI_FAIL("the method does not show its data", FVI_EUNSUP);
+    const fvi_run *run = &s->run;
+    if (s->k > run->steps)
+        FVI_FAIL("the run that was saved is longer", FVI_EINVAL);
+    const int in_time = s->method->dense
+                            ? s->t >= 0 && s->t <= (double)run->steps * run->h
+                                  && s->k == rows_passed(s)
+                            : s->t == (double)s->k * run->h;
+    if (!in_time || !is_finite(s))
+        FVI_FAIL("not a state of this run", FVI_EINVAL);
+    return FVI_SUCCESS;
+}
+
+static int visit_all(fvi_stepper *s, fvi_visitor *v)
+{
     fvi_system system = *s->run.system;
     const size_t d = system.d, bytes = d * sizeof *s->x;
     const struct {
@@ -289,36 +317,52 @@ int fvi_visit(fvi_stepper *s, fvi_visitor *v)
     for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
         status =
             v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
-    if (status)
-        return status;
-    if (s->k > s->run.steps)
-        FVI_FAIL("the run that was saved is longer", FVI_EINVAL);
-    return s->own ? s->method->visit(s, v) : FVI_SUCCESS;
+    if (!status)
+        status = check_state(s);
+    return status || !s->own ? status : s->method->visit(s, v);
+}
+
+int fvi_visit(fvi_stepper *s, fvi_visitor *v)
+{
+    if (!s || !v)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    REFUSE_CALLBACKS_OF(s);
+    if (s->own && !s->method->visit)
+        FVI_FAIL("the method does not show its data", FVI_EUNSUP);
+    s->is_busy = 1;
+    const int status = visit_all(s, v);
+    s->is_busy = 0;
+    return status;
 }
 
 int fvi_reset(fvi_stepper *s)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    fvi_stepper *fresh, old = *s;
+    REFUSE_CALLBACKS_OF(s);
+    fvi_stepper *fresh;
+    s->is_busy = 1;
     int status = fvi_start(s->method, &s->run, &fresh);
+    s->is_busy = 0;
     if (status)
         return status;
+    const fvi_stepper old = *s;
     *s = *fresh;
     *fresh = old;
-    fvi_stop(fresh);
-    return FVI_SUCCESS;
+    return fvi_stop(fresh);
 }
 
-void fvi_stop(fvi_stepper *s)
+int fvi_stop(fvi_stepper *s)
 {
     if (!s)
-        return;
+        return FVI_SUCCESS;
+    REFUSE_CALLBACKS_OF(s);
     if (s->method->stop)
         s->method->stop(s);
     fvi_newton_free(s->newton);
     free(s->x);
     free(s);
+    return FVI_SUCCESS;
 }
 
 /* Row k; dx and g have room for what nobody wants but the energy. */

@@ -3,6 +3,7 @@
 #include "lobatto_memory.h"
 
 #include "lobatto_law.h"
+#include "memory/memory_kinds.h" /* fvi_check_count */
 #include "system/fail.h"
 
 #include <stdint.h>
@@ -234,7 +235,7 @@ int fvi_lobatto_memory_copy(const fvi_lobatto_memory *from,
 }
 
 /* How many lags are kept, and the nodes, may depend on N, and must be the same. */
-int fvi_lobatto_memory_visit(fvi_lobatto_memory *m, fvi_visitor *v)
+int fvi_lobatto_memory_visit(fvi_lobatto_memory *m, size_t k, fvi_visitor *v)
 {
     const size_t number = sizeof(double);
     int status = v->visit(v, &m->lags, sizeof m->lags, 1);
@@ -244,6 +245,8 @@ int fvi_lobatto_memory_visit(fvi_lobatto_memory *m, fvi_visitor *v)
         status = v->visit(v, m->q, (2 + m->s) * m->Q * number, 1);
     if (!status)
         status = v->visit(v, &m->k, sizeof m->k, 0);
+    if (!status)
+        status = fvi_check_count(m->k, k);
     if (!status)
         status = v->visit(v, m->z, m->d * m->Q * number, 0);
     return status ? status

@@ -84,8 +84,10 @@ int fvi_lobatto_memory_push(fvi_lobatto_memory *memory, const double *v,
 int fvi_lobatto_memory_push_rate(fvi_lobatto_memory *memory, const double *v,
                                  double *H, double *Hdot);
 
-/* fvi_lobatto_memory_visit -- as fvi_memory_visit. */
-int fvi_lobatto_memory_visit(fvi_lobatto_memory *memory, fvi_visitor *visitor);
+/* fvi_lobatto_memory_visit -- as fvi_memory_visit; k is how many terms there are, which what
+ * the visitor has written must say, too, or FVI_EINVAL. */
+int fvi_lobatto_memory_visit(fvi_lobatto_memory *memory, size_t k,
+                             fvi_visitor *visitor);
 
 /* fvi_lobatto_memory_free -- give everything back. NULL is allowed. */
 void fvi_lobatto_memory_free(fvi_lobatto_memory *memory);

@@ -33,10 +33,10 @@ struct fvi_modes {
     const fvi_variable_rule *rule;
     const fvi_mode_row *table;
     range range;
-    size_t apart; /* nodes of an end */
-    double beta;
-    size_t d, Q;  /* coordinates; modes of each, a multiple of LANES */
-    int first;    /* sigma_q = exp(L (first + every q)) */
+    size_t apart;         /* nodes of an end */
+    double beta, longest; /* no step is longer */
+    size_t d, Q;          /* coordinates; modes of each, a multiple of LANES */
+    int first;            /* sigma_q = exp(L (first + every q)) */
     double reach; /* the last mode of a step exp(L k) is (reach - k) / every */
     size_t count, awake; /* modes that this step reads; that are up to date */
     fvi_length now, before; /* this step, the last that was taken */
@@ -49,6 +49,13 @@ struct fvi_modes {
 };
 
 /* ---- lengths, rows, sleep ---- */
+
+int fvi_length_is_possible(fvi_length length, double longest)
+{
+    const double k = log(length.h) / fvi_variable_spacing();
+    return length.h > 0 && length.h <= longest
+           && (length.k == FVI_OFF_LATTICE || fabs(k - length.k) < 1e-6);
+}
 
 /* The row of the modes from .. to - 1 for a step of such length: a piece of the table,
  * or made anew in m->own. */
@@ -218,6 +225,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                                      .range = of,
                                      .apart = fvi_variable_apart(of.every),
                                      .beta = beta,
+                                     .longest = T,
                                      .d = d,
                                      .Q = Q,
                                      .first = first,
@@ -274,7 +282,12 @@ int fvi_modes_visit(fvi_modes *m, fvi_visitor *v)
         status =
             v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
     m->now = (fvi_length){ 0 };
-    return status;
+    if (status)
+        return status;
+    if (m->awake > m->Q || m->awake % FVI_LANES != 0
+        || !(m->awake == m->Q || fvi_length_is_possible(m->before, m->longest)))
+        FVI_FAIL("not a state of these modes", FVI_EINVAL);
+    return FVI_SUCCESS;
 }
 
 void fvi_modes_free(fvi_modes *m)

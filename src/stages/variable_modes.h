@@ -31,6 +31,10 @@ typedef struct {
     int k;
 } fvi_length;
 
+/* fvi_length_is_possible -- could a step have this length, where no step is longer than
+ * `longest`? h must be what k says, but for roundings. */
+int fvi_length_is_possible(fvi_length length, double longest);
+
 typedef struct fvi_modes fvi_modes;
 
 /* How many modes: every point of the lattice; those of a narrower range; every second one of
@@ -67,7 +71,8 @@ int fvi_modes_add_rate(fvi_modes *modes);
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
 
 /* fvi_modes_visit -- between steps: what steps have changed; and where the modes are, which
- * they do not. Returns what the visitor does. */
+ * they do not. Returns FVI_EINVAL if what the visitor has written is no state of them; what
+ * the visitor does. */
 int fvi_modes_visit(fvi_modes *modes, fvi_visitor *visitor);
 
 /* fvi_modes_free -- give everything back. NULL is allowed. */

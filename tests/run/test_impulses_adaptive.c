@@ -104,7 +104,8 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("impulses that steps end at");
-    ADD_CASE(suite, "steps of its own", eq_22_22_at_its_time_whatever_the_memory,
+    ADD_CASE(suite, "steps of its own",
+             eq_22_22_at_its_time_whatever_the_memory,
              eq_22_22_at_the_ends_and_at_a_row,
              eq_22_22_a_search_asks_for_the_wanted_error,
              eq_22_22_a_copy_remembers_what_has_struck);

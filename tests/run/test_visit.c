@@ -11,7 +11,7 @@ enum { N = 120, HALF = 70, D = 3, ROOM = 1 << 20 };
 typedef struct {
     fvi_visitor visitor;
     unsigned char *at, *end;
-    size_t pieces, constants;
+    size_t pieces, constants, wrong; /* the number of a piece that is spoiled */
 } shelf;
 
 static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
@@ -38,24 +38,47 @@ static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
     return 0;
 }
 
-static unsigned char bytes[ROOM], aside[ROOM];
-
-static size_t saved_at(unsigned char *place, fvi_stepper *s)
+/* The same, but the number s->wrong of the pieces that are one count, or one number of
+ * that size, is far too large. */
+static int load_wrong(fvi_visitor *v, void *data, size_t bytes, int constant)
 {
-    shelf all = { { save }, place, place + ROOM, 0, 0 };
-    ck_assert_int_eq(fvi_visit(s, &all.visitor), 0);
-    ck_assert(all.pieces > all.constants && all.constants >= 5);
-    return (size_t)(all.at - place);
+    shelf *s = (shelf *)v;
+    const int status = load(v, data, bytes, constant);
+    if (!constant && (bytes == 4 || bytes == 8) && s->pieces++ == s->wrong)
+        memset(data, 0x7f,
+               bytes); /* 2^31 - 8 million or so; as a double 1e306 */
+    return status;
+}
+
+static unsigned char bytes[ROOM];
+
+static int add_if_constant(fvi_visitor *v, void *data, size_t length,
+                           int constant)
+{
+    (void)data;
+    ((shelf *)v)->constants += constant ? length : 0;
+    return 0;
+}
+
+/* The bytes that steps do not change, also of a stepper that is of no use any more. */
+static size_t constant_bytes(fvi_stepper *s)
+{
+    shelf all = { .visitor = { add_if_constant } };
+    fvi_visit(s, &all.visitor);
+    return all.constants;
 }
 
 static size_t saved(fvi_stepper *s)
 {
-    return saved_at(bytes, s);
+    shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
+    ck_assert_int_eq(fvi_visit(s, &all.visitor), 0);
+    ck_assert(all.pieces > all.constants && all.constants >= 5);
+    return (size_t)(all.at - bytes);
 }
 
 static int loaded(fvi_stepper *s, size_t size)
 {
-    shelf all = { { load }, bytes, bytes + size, 0, 0 };
+    shelf all = { { load }, bytes, bytes + size, 0, 0, 0 };
     int status = fvi_visit(s, &all.visitor);
     ck_assert(status != 0 || all.at == all.end);
     return status;
@@ -99,7 +122,8 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                         continue; /* 0, 1/2, 1: the kinds are one */
                     if (fvi_start(fvi_methods[m], &run, &whole))
                         continue; /* not for this method */
-                    if (fvi_methods[m]->dense) { /* steps of its own: chapter 22 */
+                    if (fvi_methods[m]
+                            ->dense) { /* steps of its own: chapter 22 */
                         fvi_stop(whole);
                         continue;
                     }
@@ -177,13 +201,67 @@ START_TEST(another_run_is_refused)
         run.steps = runs[n].steps;
         run.memory = runs[n].memory;
         ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
-        const size_t own = saved_at(aside, s);
+        const size_t own = constant_bytes(s);
         ck_assert_int_eq(loaded(s, size), runs[n].status);
         if (runs[n].status == -7)
-            ck_assert_uint_eq(saved_at(aside, s), own);
+            ck_assert_uint_eq(constant_bytes(s), own);
         fvi_stop(s);
     }
     ck_assert_int_eq(fvi_visit(NULL, NULL), FVI_EFAULT);
+}
+END_TEST
+
+/* Whoever wrote the state could make any checksum right: each count and each time in it is
+ * judged before it is used. Of variable steps the size of x, and what is known of the force
+ * and of the steps so far, may be any number: three numbers and two counts. */
+START_TEST(a_count_that_no_run_has_is_refused)
+{
+    enum { WIDE = 20 };
+    double many[4][WIDE];
+    for (size_t i = 0; i < 4 * WIDE; i++)
+        many[i / WIDE][i % WIDE] = 0.5 + (double)(i % 3);
+    const fvi_system small = duffing(), wide = {
+        WIDE, many[0], many[1], fvi_potential_chain(cg), fvi_force_cosine(aw),
+        NULL
+    };
+    const struct {
+        const fvi_method *method;
+        const fvi_system *system;
+        fvi_memory_kind memory;
+        size_t any;
+    } runs[] = { { &fvi_fractional, &small, FVI_MEMORY_DIRECT, 0 },
+                 { &fvi_fractional, &small, FVI_MEMORY_FFT, 0 },
+                 { &fvi_fractional, &small, FVI_MEMORY_EXPONENTIALS, 0 },
+                 { &fvi_fractional, &wide, FVI_MEMORY_EXPONENTIALS, 0 },
+                 { &fvi_bdf2, &small, FVI_MEMORY_EXPONENTIALS, 0 },
+                 { &fvi_lobatto3, &small, FVI_MEMORY_EXPONENTIALS, 0 },
+                 { &fvi_adaptive, &small, FVI_MEMORY_EXPONENTIALS, 5 } };
+    for (size_t n = 0; n < LEN(runs); n++) {
+        const int is_wide = runs[n].system == &wide;
+        fvi_run run = fvi_run_default(runs[n].system, is_wide ? many[2] : x0,
+                                      is_wide ? many[3] : p0, 0.05, N);
+        run.alpha = 0.3;
+        run.memory = runs[n].memory;
+        fvi_stepper *s;
+        size_t accepted = 0, wrong = 0;
+        ck_assert_int_eq(fvi_start(runs[n].method, &run, &s), 0);
+        while (s->k < HALF)
+            ck_assert_int_eq(fvi_step(s), 0);
+        const size_t size = saved(s);
+        for (;; wrong++) {
+            shelf all = { { load_wrong }, bytes, bytes + size, 0, 0, wrong };
+            const int status = fvi_visit(s, &all.visitor);
+            if (!status && all.pieces <= wrong)
+                break; /* there are no more */
+            ck_assert_msg(!status || status == FVI_EINVAL, "run %zu", n);
+            accepted += !status;
+            ck_assert_int_eq(fvi_reset(s), 0);
+        }
+        ck_assert_msg(wrong >= 3 && accepted == runs[n].any,
+                      "run %zu: of %zu counts %zu may be anything", n, wrong,
+                      accepted);
+        fvi_stop(s);
+    }
 }
 END_TEST
 
@@ -219,7 +297,7 @@ START_TEST(a_method_without_a_visit_is_refused)
     const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
     fvi_stepper *s;
     ck_assert_int_eq(fvi_start(&shy, &run, &s), 0);
-    shelf all = { { save }, bytes, bytes + ROOM, 0, 0 };
+    shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
     ck_assert_int_eq(fvi_visit(s, &all.visitor), FVI_EUNSUP);
     ck_assert_uint_eq(all.pieces, 0);
     fvi_stop(s);
@@ -233,6 +311,7 @@ int main(void)
              what_is_saved_is_short,
              a_run_with_the_direct_memory_may_be_made_longer);
     ADD_CASE(suite, "errors", another_run_is_refused,
+             a_count_that_no_run_has_is_refused,
              a_method_without_a_visit_is_refused);
     return run_suite(suite);
 }

@@ -1,13 +1,14 @@
 /* tests/random/fuzz/fuzz.c -- Random command lines and files for the program
  * build/fvi.
  *
- *     fuzz SEED LINES FILES [CASE]       (make fuzz; make test-fuzz for a short one)
+ *     fuzz SEED LINES FILES STATES [CASE]   (make fuzz; make test-fuzz for a short one)
  *
  * The program's main is called in this process, under the name fvi_main, so that the
  * sanitizers see all of it. It must return 0, 1 or 2; with 2 it must have printed
  * nothing but two lines on standard error; a file under -o must be
  * complete, or as it was; nothing else may be left. With CASE only that one is run, and its
- * words are printed. What the words are is in random_words.c. */
+ * words are printed. What the words are is in random_words.c. After them the library is
+ * given STATES states of runs that a stranger wrote (random_states.c), without files. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <fcntl.h>
@@ -17,6 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "random_states.h"
 #include "random_words.h"
 
 int fvi_main(int argc, char **argv);
@@ -275,14 +277,39 @@ static size_t cases(unsigned long long s, size_t from, size_t to, size_t only,
     return failed;
 }
 
+/* Those of states; returns how many failed, or all, if hardly one was refused or none. */
+static size_t cases_of_states(unsigned long long s, size_t from, size_t to,
+                              size_t only)
+{
+    size_t failed = 0, refused = 0;
+    for (size_t n = from; n < to; n++) {
+        if (only != 0 && n != only)
+            continue;
+        seed(s, n);
+        alarm(60);
+        const char *wrong = random_state(&refused);
+        alarm(0);
+        if (wrong || only)
+            printf("case %zu: %s: %s\n", n, wrong ? wrong : "well",
+                   random_state_words());
+        failed += wrong != NULL;
+    }
+    const size_t done = to - from;
+    printf("%zu random states: %zu refused; %zu failures\n", done, refused,
+           failed);
+    return only || (refused >= done / 5 && refused <= done - done / 5) ? failed
+                                                                       : done;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc < 4)
+    if (argc < 5)
         return 2;
     const unsigned long long s = strtoull(argv[1], NULL, 10);
     const size_t lines = strtoul(argv[2], NULL, 10),
                  files = strtoul(argv[3], NULL, 10),
-                 only = argc > 4 ? strtoul(argv[4], NULL, 10) : 0;
+                 states = strtoul(argv[4], NULL, 10),
+                 only = argc > 5 ? strtoul(argv[5], NULL, 10) : 0;
     char folder[] = "/tmp/fuzz-XXXXXX", line[100];
     const char *home = mkdtemp(folder);
     if (!home || chdir(home) != 0)
@@ -297,6 +324,8 @@ int main(int argc, char **argv)
     failed += cases(s, 1, 1 + lines, only, random_line);
     failed +=
         cases(s, 1 + lines, 1 + lines + files, only, random_file_and_line);
+    failed +=
+        cases_of_states(s, 1 + lines + files, 1 + lines + files + states, only);
     if (chdir("/") != 0)
         return 1;
     snprintf(line, sizeof line, "rm -rf %s", home);

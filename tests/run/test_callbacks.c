@@ -1,0 +1,123 @@
+/* tests/run/test_callbacks.c -- What a callback may not do with the stepper that called it.
+ *                                                     Run alone: make test-callbacks */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+enum { N = 20 };
+
+/* A spring, or a visitor, that tries everything with `of`, if there is one. */
+typedef struct {
+    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    fvi_stepper *of;
+    size_t refused, asked;
+} meddler;
+
+static int let_pass(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    (void)v, (void)data, (void)bytes, (void)constant;
+    return 0;
+}
+
+static void meddle(meddler *m)
+{
+    fvi_visitor visitor = { let_pass };
+    fvi_stepper *copy;
+    if (!m->of)
+        return;
+    const int codes[] = {
+        fvi_step(m->of),        fvi_run_to(m->of, N * 0.1, NULL, NULL),
+        fvi_copy(m->of, &copy), fvi_visit(m->of, &visitor),
+        fvi_reset(m->of),       fvi_stop(m->of)
+    };
+    for (size_t i = 0; i < LEN(codes); i++)
+        m->refused += codes[i] == FVI_EINVAL;
+    m->asked += LEN(codes);
+}
+
+static int gradient(size_t d, const double *x, const void *params, double *g)
+{
+    meddle(*(meddler *const *)params);
+    for (size_t i = 0; i < d; i++)
+        g[i] = x[i] + x[i] * x[i] * x[i];
+    return 0;
+}
+
+static int hessian(size_t d, const double *x, const void *params, double *H)
+{
+    meddle(*(meddler *const *)params);
+    for (size_t i = 0; i < d; i++)
+        H[i] = 1 + 3 * x[i] * x[i];
+    return 0;
+}
+
+static int force(double t, size_t d, const void *params, double *F)
+{
+    meddle(*(meddler *const *)params);
+    for (size_t i = 0; i < d; i++)
+        F[i] = t;
+    return 0;
+}
+
+static int meddle_and_pass(fvi_visitor *v, void *data, size_t bytes,
+                           int constant)
+{
+    (void)data, (void)bytes, (void)constant;
+    meddle((meddler *)v);
+    return 0;
+}
+
+static const double one = 1, half = 0.5;
+
+static fvi_system system_of(meddler **m)
+{
+    return (fvi_system){ .d = 1,
+                         .mass = &one,
+                         .damping = &half,
+                         .potential = { .gradient = gradient,
+                                        .hessian = hessian,
+                                        .diagonals = 1,
+                                        .params = m },
+                         .force = { .value = force, .params = m } };
+}
+
+/* Every method: a run whose callbacks try has the digits of one whose callbacks do not, and
+ * all that they try is refused. */
+START_TEST(a_callback_cannot_touch_its_stepper)
+{
+    for (size_t n = 0; fvi_methods[n]; n++) {
+        meddler m = { .visitor = { meddle_and_pass } }, *to = &m;
+        const fvi_system system = system_of(&to);
+        fvi_run run = fvi_run_default(&system, &one, &half, 0.1, N);
+        fvi_stepper *calm, *s;
+        if (fvi_start(fvi_methods[n], &run, &calm))
+            continue;
+        while (calm->t < N * 0.1)
+            ck_assert_int_eq(fvi_step(calm), 0);
+        ck_assert_int_eq(fvi_start(fvi_methods[n], &run, &s), 0);
+        m.of = s;
+        while (s->t < N * 0.1)
+            ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_uint_gt(m.asked, 0);
+        ck_assert_msg(s->k == calm->k && *s->x == *calm->x && *s->p == *calm->p
+                          && m.refused == m.asked,
+                      "%s: %zu of %zu refused", fvi_methods[n]->name, m.refused,
+                      m.asked);
+        m.refused = m.asked = 0;
+        ck_assert_int_eq(fvi_visit(s, &m.visitor), 0);
+        ck_assert_int_eq(fvi_reset(s), 0);
+        ck_assert_msg(m.asked > 0 && m.refused == m.asked,
+                      "%s: visit and reset", fvi_methods[n]->name);
+        m.of = NULL;
+        ck_assert_int_eq(fvi_step(s), 0); /* it is its own again */
+        ck_assert_int_eq(fvi_stop(s), 0);
+        ck_assert_int_eq(fvi_stop(calm), 0);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("callbacks of a run");
+    ADD_CASE(suite, "errors", a_callback_cannot_touch_its_stepper);
+    return run_suite(suite);
+}
