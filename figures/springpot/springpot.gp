@@ -1,7 +1,8 @@
 # figures/springpot/springpot.gp -- Chapter 0: spring, springpot, dashpot, mass and ladder.
-# A drawing, made of lines alone. Output: figures/springpot/springpot.svg.
+# A drawing, made of lines alone; the Course draws it with other letters. Output: figures/springpot/springpot.svg.
 width = 900; height = 330
 load 'figures/style.gp'
+if (!exists("force")) { force = "f"; stiffness = "k"; equation = "m x'' + U'(x) + ρ D^{2α} x = F"; joints = "x_0 x_1 x_2" }
 unset border; unset tics; unset grid; unset key
 set margins 0.5, 0.5, 0.5, 0.5
 set xrange [0:30]
@@ -51,28 +52,28 @@ $springpot << END
 4 0
 END
 set label 1 "spring, β = 0" at 3.5,9.9 center tc rgb ink
-set label 2 "f = k x" at 3.5,7.9 center tc rgb ink
+set label 2 force . " = " . stiffness . " x" at 3.5,7.9 center tc rgb ink
 set label 3 "springpot, 0 < β < 1" at 3.5,6.7 center tc rgb ink
-set label 4 "f = ρ D^{β} x" at 3.5,4.4 center tc rgb ink
+set label 4 force . " = ρ D^{β} x" at 3.5,4.4 center tc rgb ink
 set label 5 "dashpot, β = 1" at 3.5,3.4 center tc rgb ink
-set label 6 "f = η x'" at 3.5,1.2 center tc rgb ink
+set label 6 force . " = η x'" at 3.5,1.2 center tc rgb ink
 # The body on its spring and springpot.
 set object 1 rectangle from 13.9,4.0 to 16.1,7.6 fc rgb "#e8eef4" fs solid border rgb ink lw 1.6
 set label 10 "m" at 15,5.8 center tc rgb ink
 set arrow 1 from 9.2,3.4 to 9.2,8.2 nohead lc rgb ink lw 3
-set label 11 "m x'' + U'(x) + ρ D^{2α} x = F" at 12.6,9.9 center tc rgb ink
+set label 11 equation at 12.6,9.9 center tc rgb ink
 set label 12 "β = 2α" at 12.6,1.9 center tc rgb ink
 set arrow 2 from 15,3.3 to 16.4,3.3 head filled size .3,20 lc rgb ink lw 1.2
 set label 13 "x" at 16.6,3.3 left tc rgb ink
 # The ladder.
 set label 20 "a ladder, which is a springpot" at 24.2,9.9 center tc rgb ink
 set arrow 3 from 18.2,8.2 to 29.6,8.2 nohead lc rgb ink lw 3
-set label 21 "x_0" at 19.4,2.9 center tc rgb ink
-set label 22 "x_1" at 22.8,2.9 center tc rgb ink
-set label 23 "x_2" at 26.2,2.9 center tc rgb ink
-set label 24 "k" at 21.1,4.9 center tc rgb ink
+set label 21 word(joints, 1) at 19.4,2.9 center tc rgb ink
+set label 22 word(joints, 2) at 22.8,2.9 center tc rgb ink
+set label 23 word(joints, 3) at 26.2,2.9 center tc rgb ink
+set label 24 stiffness at 21.1,4.9 center tc rgb ink
 set label 25 "η" at 23.6,6.1 left tc rgb ink
-set label 26 "f" at 18.1,4.6 center tc rgb ink
+set label 26 force at 18.1,4.6 center tc rgb ink
 set label 27 ". . ." at 29.3,3.9 left tc rgb ink
 set arrow 4 from 19.3,3.9 to 17.6,3.9 head filled size .3,20 lc rgb "#0072B2" lw 2
 rung(i) = 19.4 + 3.4 * i

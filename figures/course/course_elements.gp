@@ -1,0 +1,4 @@
+# figures/course/course_elements.gp -- Chapter 1: figures/springpot/springpot.gp with the Course's letters.
+# Output: figures/course/course_elements.svg.
+force = "F"; stiffness = "c"; equation = "m x'' + c x + ρ D^{2α}(x − x_0) = 0"; joints = "first second third"
+load 'figures/springpot/springpot.gp'

@@ -1,0 +1,20 @@
+/* figures/course/course_weights.c -- Chapter 1: how much of the past a step adds up.
+ *
+ * The body of chapter 1 at the node NOW. Prints for each node its t, its distance x - x0
+ * from where the body was held, and the absolute value of the weight that the step to NOW
+ * gives to it. */
+#define main body_main
+#pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
+#include "course/body_02.c"
+#undef main
+
+enum { NOW = 40 };
+
+int main(void)
+{
+    run(NOW);
+    printf("# t, x - x0, weight without its sign\n");
+    for (int k = 0; k <= NOW; k++)
+        printf("%.17g %.17g %.17g\n", k * h, z[k], fabs(w[NOW - k]));
+    return 0;
+}
