@@ -214,7 +214,7 @@ int fvi_tangent_stages_step(fvi_tangent_run *o)
     const double *dX = ((const fvi_lobatto_stages *)s->own)->dX;
     if (g->pull != 0) {
         fvi_past_impulses(&g->fading, k, g->at);
-        fvi_past_impulses_rate(&g->fading, g->rule->c, k, g->slope);
+        fvi_past_impulses_rate(&g->fading, k, g->slope);
     }
     velocities(g, o->run->h, dX, line(o), g->own_v);
     damping_of(g, Y, Ydot);

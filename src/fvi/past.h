@@ -45,10 +45,10 @@ enum { FVI_PAST_NODES = 8, FVI_PAST_TERMS = 37 };
 typedef struct {
     double e;                                     /* its exponent */
     double size;                                  /* 1 / Gamma(1 + e) */
-    double binomial[FVI_PAST_TERMS];              /* e over j */
+    double series[FVI_PAST_TERMS][FVI_PAST_NODES / 2]; /* of its moments, k > 0 */
     size_t nodes;                                 /* n */
     double first[FVI_PAST_NODES];                 /* the impulses of step 0 */
-    double basis[FVI_PAST_NODES][FVI_PAST_NODES]; /* l_i by powers of s - 1/2 */
+    double basis[FVI_PAST_NODES][FVI_PAST_NODES]; /* l_i by P_n(2 s - 1) */
 } fvi_past_pull;
 
 /* fvi_past_prepare -- for one order and the nodes of one method.
@@ -71,18 +71,16 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
  *   k        the step, >= 0
  *   impulse  output, n numbers
  *
- * Accuracy: 16 u of their sum up to four nodes; with eight, 1000 u in step 0. Cost: one
+ * Accuracy: 16 u of their sum; 5.5 u was the most on Lobatto's nodes. Cost: one
  * power, and from 3 (k > 2 10^5) to 36 (k = 1) terms of a series. */
 void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse);
 
 /* fvi_past_impulses_rate -- their derivatives by the exponent e = pull->e.  [(23.12)]
  *
- *   n, c     the nodes that pull was prepared for
  *   k, rate  as k and impulse above
  *
  * Accuracy: of the order of u (1 + ln(1 + k)) of their sum; no proof. */
-void fvi_past_impulses_rate(const fvi_past_pull *pull, const double *c,
-                            size_t k, double *rate);
+void fvi_past_impulses_rate(const fvi_past_pull *pull, size_t k, double *rate);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -108,7 +108,6 @@ static void meet(mirror *m, const double *lambda, double share, double t,
 static int step(mirror *m, fvi_stepper *s, size_t k, const double *rows,
                 double *force)
 {
-    static const double nodes[] = { 0, 1 };
     const fvi_run *run = m->run;
     const size_t d = run->system->d;
     const double h = run->h, after = 1 - m->kappa, t = ((double)k + after) * h;
@@ -116,7 +115,7 @@ static int step(mirror *m, fvi_stepper *s, size_t k, const double *rows,
     if (m->is_pulled)
         fvi_past_impulses(&m->fading, k, at);
     if (m->is_pulled && m->factors.want.alpha)
-        fvi_past_impulses_rate(&m->fading, nodes, k, slope);
+        fvi_past_impulses_rate(&m->fading, k, slope);
     memcpy(m->right, s->x, d * sizeof *m->right);
     meet(m, s->x, after, t, at[1], slope[1]);
     const double share = m->printed || k + 1 < run->steps ? h : h / 2;

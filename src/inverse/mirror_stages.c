@@ -202,7 +202,7 @@ static void drive(fvi_mirror_stages *m, size_t k)
     if (m->is_pulled)
         fvi_past_impulses(&m->fading, k, at);
     if (m->is_pulled && m->want->alpha)
-        fvi_past_impulses_rate(&m->fading, m->rule->c, k, slope);
+        fvi_past_impulses_rate(&m->fading, k, slope);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < d; j++) {
             const double Lambda = m->Lambda[j * s + i];

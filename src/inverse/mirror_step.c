@@ -211,11 +211,10 @@ static int solve(fvi_mirror *m, const double *r)
 /* What the past gave to the two ends of step k. */
 static void meet_past(fvi_mirror *m, size_t k)
 {
-    static const double ends[] = { 0, 1 };
     double at[2] = { 0 }, slope[2] = { 0 };
     fvi_past_impulses(&m->fading, k, at);
     if (m->want->alpha)
-        fvi_past_impulses_rate(&m->fading, ends, k, slope);
+        fvi_past_impulses_rate(&m->fading, k, slope);
     for (size_t i = 0; i < m->d; i++) {
         const double left = m->lambda[i] + m->delta[i], right = m->lambda[i];
         m->pull[i] += at[0] * left + at[1] * right;

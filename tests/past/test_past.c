@@ -12,9 +12,9 @@ static double x[N + 1], p[N + 1], other_x[N + 1], other_p[N + 1];
 
 /* ---- the impulses ---- */
 
-/* (19.5): 16 u of the sum of one step, k from 0 to 10^9. The worst step is the first
- * with n = 4, where integrals of the powers of s up to 13 times the sum cancel, each
- * with a rounding or two. Seen: 9.5 u; 5 u for n < 4. */
+/* (19.5): 16 u of the sum of one step, k from 0 to 10^9, for two to eight of Lobatto's
+ * nodes. By powers of s in the place of Legendre's polynomials the first step is off by
+ * 3700 u with n = 8; without Newton's step for their coefficients, by 240 u. */
 START_TEST(eq_19_5_impulses_are_the_integrals)
 {
     for (size_t i = 0; i < LEN(ref_impulses); i++) {
@@ -32,6 +32,7 @@ START_TEST(eq_19_5_impulses_are_the_integrals)
                                "alpha = %.17g, n = %zu, k = %zu, node %zu",
                                alpha, n, k, j);
                 seen_worst(fabs(b[j] - ref_impulses[i].b[j]) / U / sum, "in u");
+                ck_assert(b[j] == 0 || ref_impulses[i].b[j] != 0);
             } else
                 ck_assert(b[j] == 0);
     }
@@ -45,7 +46,7 @@ START_TEST(eq_19_5_they_are_exact_on_polynomials)
 {
     const double alphas[] = { 0, 0.2, 0.49, 0.51, 0.7, 0.95 };
     for (size_t i = 0; i < LEN(alphas); i++)
-        for (size_t n = 2; n <= 4; n++)
+        for (size_t n = 2; n <= FVI_PAST_NODES; n++)
             for (size_t q = 0; q < n; q++) {
                 fvi_past_pull pull;
                 double b[FVI_PAST_NODES], sum = 0, all = 0;
