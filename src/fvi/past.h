@@ -43,9 +43,10 @@ int fvi_past_pulls(fvi_past past, double alpha);
 /* fvi_past_pull -- the impulses of the pull, to be prepared once a run. */
 enum { FVI_PAST_NODES = 8, FVI_PAST_TERMS = 37 };
 typedef struct {
-    double e;                                     /* its exponent */
-    double size;                                  /* 1 / Gamma(1 + e) */
-    double series[FVI_PAST_TERMS][FVI_PAST_NODES / 2]; /* of its moments, k > 0 */
+    double e;    /* its exponent */
+    double size; /* 1 / Gamma(1 + e) */
+    double series[FVI_PAST_TERMS]
+                 [FVI_PAST_NODES / 2];            /* of its moments, k > 0 */
     size_t nodes;                                 /* n */
     double first[FVI_PAST_NODES];                 /* the impulses of step 0 */
     double basis[FVI_PAST_NODES][FVI_PAST_NODES]; /* l_i by P_n(2 s - 1) */

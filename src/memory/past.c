@@ -215,8 +215,8 @@ static void first_moments_rate(double e, size_t count, double *rates)
     for (size_t degree = 1; degree < count; degree++) {
         const double by = e + 1 + (double)degree;
         const double part = part_of_lower(e, degree);
-        rates[degree] = rates[degree - 1] * part
-                        + moment * 2 * (double)degree / (by * by);
+        rates[degree] =
+            rates[degree - 1] * part + moment * 2 * (double)degree / (by * by);
         moment *= part;
     }
 }

@@ -13,11 +13,11 @@
 #include <unistd.h>
 
 /* Of a run, and not of a fit, which takes its times from the data. */
-static const char *const not_for_fit[] = { "steps",    "time",    "error",
-                                           "damping",  "columns", "every",
-                                           "format",   "plot",    "checkpoint",
-                                           "continue", "system",  "unknowns",
-                                           "snapshot", NULL };
+static const char *const not_for_fit[] = { "steps",      "time",     "error",
+                                           "step-error", "damping",  "columns",
+                                           "every",      "format",   "plot",
+                                           "checkpoint", "continue", "system",
+                                           "unknowns",   "snapshot", NULL };
 
 static const fvi_own_command fit = { "fit",
                                      { "fit", "sigma", "starts", "curve" },

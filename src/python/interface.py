@@ -58,7 +58,7 @@ typedef struct {
     double kappa, alpha;
     fvi_past past;
     fvi_memory_kind memory;
-    double tolerance;
+    double tolerance, step_error;
     const fvi_law *law;
     ...;
 } fvi_run;

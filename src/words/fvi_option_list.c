@@ -26,6 +26,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [STEPS] = { "steps", RUN | EXACT, "200" },
     [TIME] = { "time", RUN | EXACT, NULL },
     [ERROR] = { "error", RUN, NULL },
+    [STEP_ERROR] = { "step-error", RUN, NULL },
     [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
     [UNKNOWNS] = { "unknowns", RUN, NULL },
     [EVERY] = { "every", RUN | EXACT, "1" },

@@ -37,6 +37,7 @@ typedef struct {
     const fvi_method *method;
     double alpha, kappa, h, tolerance;
     double error; /* 0: the step is h; else it is to be found */
+    double step_error; /* of fvi-adaptive; 0: its own */
     size_t steps, every, count, d;
     fvi_potential_kind potential;
     double spring[2];           /* its parameters */
@@ -85,6 +86,7 @@ typedef enum {
     STEPS,
     TIME,
     ERROR,
+    STEP_ERROR,
     COLUMNS,
     UNKNOWNS,
     EVERY,

@@ -151,6 +151,8 @@ static int fill_in(fvi_options *o, fvi_complaint c)
     if (o->text[H] && o->text[instead])
         return fvi_refuse(c, "--h: not together with --%s",
                           fvi_option_list[instead].name);
+    if (o->text[STEP_ERROR] && o->text[ERROR])
+        return fvi_refuse(c, "--step-error: not together with --error");
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
     const int law = o->text[DAMPING] != NULL;
@@ -161,6 +163,8 @@ static int fill_in(fvi_options *o, fvi_complaint c)
         o->text[METHOD] = o->text[SYSTEM] ? fvi_stable.name
                           : law           ? fvi_bdf2.name
                                           : fvi_adaptive.name;
+    if (o->text[STEP_ERROR] && !o->text[METHOD])
+        o->text[METHOD] = fvi_adaptive.name;
     const int status = check_system(o, c);
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])

@@ -178,5 +178,6 @@ fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
                       .past = o->past,
                       .memory = o->memory,
                       .tolerance = o->tolerance,
+                      .step_error = o->step_error,
                       .law = o->text[DAMPING] ? &o->laws.law : NULL };
 }

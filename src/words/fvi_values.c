@@ -67,6 +67,17 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return status;
 }
 
+/* A step of a given length has no tolerance. */
+static int interpret_step_error(fvi_options *o, fvi_complaint c)
+{
+    if (!o->method->dense)
+        return fvi_refuse(c,
+                          "--step-error: '%s' is not for %s, whose steps are "
+                          "given; fvi-adaptive chooses its own",
+                          o->text[STEP_ERROR], o->method->name);
+    return number(o, STEP_ERROR, 0, INFINITY, "()", &o->step_error, c);
+}
+
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_complaint c)
 {
@@ -130,6 +141,8 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     o->memory = (fvi_memory_kind)which;
 
     status = interpret_method(o, c);
+    if (!status && o->text[STEP_ERROR])
+        status = interpret_step_error(o, c);
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 

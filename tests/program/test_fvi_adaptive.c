@@ -114,11 +114,74 @@ START_TEST(an_error_below_rounding_is_refused)
 }
 END_TEST
 
+/* The tolerance of a step, without a search: the rows are those that --error's runs would
+ * have, the method is fvi-adaptive, and a smaller number is more exact. Seen, of the
+ * number: 0.016, 0.012 and 0.0034. */
+START_TEST(a_step_has_a_tolerance)
+{
+    static const double wanted[] = { 1e-3, 1e-6, 1e-9 };
+    static const char problem[] = "--steps 40 --h 0.5 --alpha 0.3 --columns t,x";
+    static double want[41];
+    char line[400];
+    snprintf(line, sizeof line, "exact %s", problem);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k <= 40; k++)
+        want[k] = cell(k, 1);
+    double last = 1;
+    for (size_t i = 0; i < LEN(wanted); i++) {
+        double off = 0;
+        snprintf(line, sizeof line, "run --step-error %g %s", wanted[i],
+                 problem);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_str_eq(err, "");
+        ck_assert_ptr_nonnull(strstr(out, "\n# method = fvi-adaptive\n"));
+        ck_assert_ptr_nonnull(strstr(out, "\n# step-error = "));
+        ck_assert_uint_eq(count_rows(), 41);
+        for (size_t k = 0; k <= 40; k++)
+            off = larger(off, fabs(cell(k, 1) - want[k]));
+        ck_assert_near(off, 0, 0.1 * wanted[i], "%g", wanted[i]);
+        ck_assert_double_lt(off, last / 10);
+        last = off;
+    }
+}
+END_TEST
+
+/* Methods whose steps are given have no such tolerance, nor has a search. */
+START_TEST(a_tolerance_of_a_step_is_for_one_method)
+{
+    static const struct {
+        const char *words, *reason;
+    } bad[] = {
+        { "--step-error 1e-6 --error 1e-6",
+          "--step-error: not together with --error" },
+        { "--step-error 1e-6 --method fvi-lobatto4",
+          "--step-error: '1e-6' is not for fvi-lobatto4" },
+        { "--step-error 1e-6 --method fvi", "is not for fvi, whose steps" },
+        { "--step-error 0", "--step-error: '0' is outside (0, inf)" },
+        { "--step-error nan", "--step-error: " },
+        { "--step-error 1e-6x", "--step-error: " },
+        { "--step-error 1e-6 --damping zener:1,0.3,2", "fvi-adaptive" },
+    };
+    char line[200];
+    for (size_t i = 0; i < LEN(bad); i++) {
+        snprintf(line, sizeof line, "run %s", bad[i].words);
+        ck_assert_int_eq(fvi(line), 2);
+        ck_assert_str_eq(out, "");
+        ck_assert_msg(strstr(err, bad[i].reason), "%s: %s", line, err);
+    }
+    ck_assert_int_eq(fvi("gradient --step-error 1e-6 --steps 3"), 0);
+    ck_assert_int_eq(fvi("sweep --vary step-error=1e-8:1e-4:2:log --steps 3"),
+                     0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: steps of its own");
     ADD_CASE(suite, "error", a_wanted_error_needs_no_other_word,
              rows_are_where_they_are_wanted, kinks_of_a_table_are_met,
              an_error_below_rounding_is_refused);
+    ADD_CASE(suite, "step-error", a_step_has_a_tolerance,
+             a_tolerance_of_a_step_is_for_one_method);
     return run_suite_of_program(suite);
 }

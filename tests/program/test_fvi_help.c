@@ -138,6 +138,7 @@ START_TEST(completions_are_what_the_program_says)
     ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
     ck_assert_str_eq(offered("fvi sweep --al"), " --alpha \n");
     ck_assert_str_eq(offered("fvi sweep --ev"), "  \n");
+    ck_assert_str_eq(offered("fvi run --step-"), " --step-error \n");
     ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");
     offered("fvi run --method \"\"");
     for (size_t i = 0; fvi_methods[i]; i++)

@@ -246,6 +246,19 @@ def test_a_law_of_damping_is_the_programs(method):
         fvi.run(damping="power:1,0.7", method="fvi-shifted")
 
 
+def test_a_step_has_a_tolerance():
+    options = dict(h=0.5, steps=40, alpha=0.3)
+    x = fvi.exact(0.5 * np.arange(41), alpha=0.3)[0]
+    off = [abs(fvi.run(step_error=10.0**-e, **options).x - x).max() for e in (3, 6, 9)]
+    assert off[0] < 1e-4 and off[1] < 1e-7 and off[2] < 1e-10 < off[0] / 1000
+    for bad in dict(error=1e-6), dict(method="fvi-lobatto4"), dict(method="fvi"):
+        with pytest.raises(ValueError, match="step_error"):
+            fvi.run(step_error=1e-6, **bad)
+    for bad in 0.0, -1.0, float("nan"), float("inf"):
+        with pytest.raises(ValueError, match="step_error"):
+            fvi.run(step_error=bad)
+
+
 def test_an_error_is_kept_or_refused():
     for options, words in (({}, []), ({"method": "fvi-bdf2"}, ["--method", "fvi-bdf2"]),
                            ({"damping": LAW[0]}, ["--damping", LAW[0]])):

@@ -16,7 +16,7 @@ _fvi()
         --damping) known='power: zener: maxwell: distributed:' ;;
         --columns) known='t,x t,x,p,energy' ;;
         -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
-        *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u) ;;
+        *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u) ;;
         esac
     fi
     COMPREPLY=($(compgen -W "$known" -- "$word"))

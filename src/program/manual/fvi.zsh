@@ -14,7 +14,7 @@ else
     --damping) known=(power: zener: maxwell: distributed:) ;;
     --columns) known=(t,x t,x,p,energy) ;;
     -o|--plot|--snapshot|--system|--checkpoint|--curve|--forces) _files; return ;;
-    *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9]+' | sort -u)"}) ;;
+    *) known=(${(f)"$(fvi help $words[2] 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u)"}) ;;
     esac
 fi
 compadd -- $known

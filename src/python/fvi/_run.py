@@ -1,6 +1,7 @@
 """Runs: whole trajectories, single steps, exact solutions."""
 from __future__ import annotations
 
+import math
 from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
@@ -119,7 +120,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
-            memory: str = "auto", tolerance: float = 0.0) -> tuple:
+            memory: str = "auto", tolerance: float = 0.0, step_error: Optional[float] = None) -> tuple:
     if damping is not None and not (alpha is None and rho is None):
         raise ValueError("damping: not together with alpha or rho")
     default = 0.2 if damping is None else 1.0  # a law has its own
@@ -134,7 +135,12 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
+    if step_error is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
+        raise ValueError(f"step_error: not for {method}, whose steps are given; fvi-adaptive chooses its own")
+    if step_error is not None and not 0 < step_error < math.inf:
+        raise ValueError(f"step_error: {step_error} is not above 0, or not finite")
     run = ffi.new("fvi_run *")
+    run.step_error = step_error or 0.0
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = 0.1 if h is None else h, int(steps)
@@ -197,6 +203,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     error       instead of h: the rows to `time`, 20, with steps between them so chosen that x is
                 right to it by an estimate; by "fvi-adaptive", or "fvi-bdf2" with damping,
                 unless another method is named
+    step_error  instead of error: what x may be off by in one step of "fvi-adaptive", the method
+                then, by the estimate of that step
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, where the potential is taken; 0.5
     memory      "auto", "direct", "fft" or "exponentials"
@@ -210,10 +218,13 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     if not set(wanted) <= {"t", "x", "p", "energy"}:
         raise ValueError(f"columns: '{columns}' are not all among t,x,p,energy")
     if error is not None:
-        if "h" in options:
-            raise ValueError("h: not together with error")
+        for name in ("h", "step_error"):
+            if options.get(name) is not None:
+                raise ValueError(f"{name}: not together with error")
         options.setdefault("time", 20.0)
         options.setdefault("method", "fvi-adaptive" if options.get("damping") is None else "fvi-bdf2")
+    if options.get("step_error") is not None:
+        options.setdefault("method", "fvi-adaptive")
     problem, r, method = prepare(potential, **options)
     rows, d = r.steps + 1, problem.d
     shape = (rows,) if problem.scalar else (rows, d)
