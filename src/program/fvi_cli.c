@@ -173,9 +173,10 @@ static int print_methods(void)
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
-static int print_text(const char *text)
+static int print_text(const char *text, const char *more)
 {
     fputs(text, stdout);
+    fputs(more, stdout);
     return fvi_output_close(stdout, 1) ? fvi_cannot_write(NULL) : 0;
 }
 
@@ -220,7 +221,7 @@ int main(int argc, char **argv)
         status = print_methods();
         break;
     case FVI_COMMAND_VERSION:
-        status = print_text("fvi " FVI_VERSION "\n");
+        status = print_text("fvi " FVI_VERSION, "\n");
         break;
     default:
         status = print_text(o.about == FVI_COMMAND_RUN        ? usage_run
@@ -230,7 +231,9 @@ int main(int argc, char **argv)
                             : o.about == FVI_COMMAND_GRADIENT ? usage_gradient
                             : o.about == FVI_COMMAND_COEFFICIENTS
                                 ? usage_coefficients
-                                : usage);
+                                : usage,
+                            o.about == FVI_COMMAND_RUN ? usage_run_examples
+                                                       : "");
     }
     fvi_options_free(&o);
     return status;

@@ -82,7 +82,10 @@ static const char usage_run[] =
     "  --continue       go on from that file, with the same digits\n"
     "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
-    "[stdout]\n"
+    "[stdout]\n";
+
+/* Apart, as C promises 4095 characters in one string. */
+static const char usage_run_examples[] =
     "\n"
     "examples:\n"
     "  fvi run --potential 'x^4/4 - k*x^2/2' --let k=1 --force 'cos(2*t)/4'\n"
