@@ -123,22 +123,20 @@ static int covariance(search *o, const place *at, fvi_fitted *fitted)
 {
     const fvi_fit_model *m = &o->model;
     const size_t P = o->fdf.p, n = o->fdf.n;
-    double C[FVI_FIT_MOST][FVI_FIT_MOST];
-    const double variance =
-        m->fit->sigma > 0 ? 1 : at->sum / (double)(n - P); /* of f */
-    if (fvi_fit_invert(gsl_multifit_nlinear_jac(o->solver), C))
+    const double deviation =
+        m->fit->sigma > 0 ? 1 : sqrt(at->sum / (double)(n - P)); /* of f */
+    if (fvi_fit_errors(gsl_multifit_nlinear_jac(o->solver), fitted->sd,
+                       fitted->correlation))
         return FVI_ESING;
     for (size_t j = 0; j < P; j++) {
         const double slope =
             fabs(fvi_fit_model_slope(m, j, fitted->estimate[j]));
-        fitted->sd[j] = sqrt(variance * C[j][j]) * slope;
-        if (m->fit->which[j] <= FVI_PARAMETER_MASS
-            && !(sqrt(variance * C[j][j]) < VAGUE))
+        fitted->sd[j] *= deviation;
+        if (m->fit->which[j] <= FVI_PARAMETER_MASS && !(fitted->sd[j] < VAGUE))
             return FVI_ESING;
-        for (size_t i = 0; i < P; i++)
-            fitted->correlation[i][j] = C[i][j] / sqrt(C[i][i] * C[j][j]);
+        fitted->sd[j] *= slope;
     }
-    return FVI_SUCCESS;
+    return fvi_fit_is_finite(P, fitted) ? FVI_SUCCESS : FVI_EOVRFLW;
 }
 //< covariance
 

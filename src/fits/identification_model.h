@@ -54,9 +54,13 @@ double fvi_fit_first_step(const fvi_fit *fit);
 void fvi_fit_frequency(size_t n, const double *t, const double *x, double *w,
                        double *A);
 
-/* C = (J^T J)^-1 for at most FVI_FIT_MOST columns; J is lost. FVI_ESING if they are
- * dependent. GSL's handler is off. */
-int fvi_fit_invert(gsl_matrix *J, double C[][FVI_FIT_MOST]);
+/* Roots of the diagonal of C = (J^T J)^-1, and C over products of two of them, for at most
+ * FVI_FIT_MOST columns; J is lost. FVI_ESING if they are dependent. GSL's handler is off. */
+int fvi_fit_errors(gsl_matrix *J, double sd[],
+                   double correlation[][FVI_FIT_MOST]);
+
+/* Is everything in an answer with P parameters a finite number? bias is not asked. */
+int fvi_fit_is_finite(size_t P, const fvi_fitted *fitted);
 
 /* The answer of fvi_fit_search to a question that cannot be asked, or FVI_SUCCESS. */
 int fvi_fit_check(const fvi_fit *fit);

@@ -13,12 +13,14 @@
 #define DEPENDENT 1e-6 /* least singular value of J, its columns of length 1 */
 enum { SCAN = 100 };   /* orders that are looked at first */
 
-/* By J = Q S V^T, its columns scaled to length 1. Q is J before. */
-int fvi_fit_invert(gsl_matrix *Q, double C[][FVI_FIT_MOST])
+/* By J = Q S V^T, its columns scaled to length 1: only their lengths know the unit of a
+ * parameter, and a square of it may be too large, or too small, for a double. Q is J before. */
+int fvi_fit_errors(gsl_matrix *Q, double sd[],
+                   double correlation[][FVI_FIT_MOST])
 {
     const size_t P = Q->size2;
     double v[FVI_FIT_MOST * FVI_FIT_MOST], s[FVI_FIT_MOST], work[FVI_FIT_MOST],
-        length[FVI_FIT_MOST];
+        length[FVI_FIT_MOST], C[FVI_FIT_MOST][FVI_FIT_MOST];
     gsl_matrix_view V = gsl_matrix_view_array(v, P, P);
     gsl_vector_view S = gsl_vector_view_array(s, P),
                     W = gsl_vector_view_array(work, P);
@@ -36,10 +38,25 @@ int fvi_fit_invert(gsl_matrix *Q, double C[][FVI_FIT_MOST])
         for (size_t j = 0; j < P; j++) {
             C[i][j] = 0;
             for (size_t k = 0; k < P; k++)
-                C[i][j] += v[i * P + k] * v[j * P + k]
-                           / (s[k] * s[k] * length[i] * length[j]);
+                C[i][j] += v[i * P + k] * v[j * P + k] / (s[k] * s[k]);
         }
+    for (size_t i = 0; i < P; i++) {
+        sd[i] = sqrt(C[i][i]) / length[i];
+        for (size_t j = 0; j < P; j++)
+            correlation[i][j] = C[i][j] / sqrt(C[i][i] * C[j][j]);
+    }
     return FVI_SUCCESS;
+}
+
+int fvi_fit_is_finite(size_t P, const fvi_fitted *f)
+{
+    const double others[] = { f->quantile, f->sigma, f->chi2, f->probability,
+                              f->neighbours };
+    int is = fvi_all_finite(P, f->estimate) && fvi_all_finite(P, f->sd)
+             && fvi_all_finite(sizeof others / sizeof *others, others);
+    for (size_t j = 0; j < P; j++)
+        is = is && fvi_all_finite(P, f->correlation[j]);
+    return is;
 }
 
 /* ---- storage and loss ---- */
@@ -121,7 +138,7 @@ static int best_order(moduli *o, double *alpha)
 /* sd and correlations of alpha, rho, k. (24.3) */
 static int errors_of(const moduli *o, double alpha, fvi_fitted *fitted)
 {
-    double C[FVI_FIT_MOST][FVI_FIT_MOST], a, b, size;
+    double a, b, size;
     gsl_matrix *J = gsl_matrix_alloc(2 * o->n, 3);
     if (!J)
         FVI_FAIL("no memory for the errors", FVI_ENOMEM);
@@ -135,14 +152,11 @@ static int errors_of(const moduli *o, double alpha, fvi_fitted *fitted)
         gsl_matrix_set(J, 2 * i, 2, 1 / size);
         gsl_matrix_set(J, 2 * i + 1, 2, 0);
     }
-    const int status = fvi_fit_invert(J, C);
+    const int status = fvi_fit_errors(J, fitted->sd, fitted->correlation);
     gsl_matrix_free(J);
-    for (size_t j = 0; j < 3 && !status; j++) {
-        fitted->sd[j] = fitted->sigma * sqrt(C[j][j]);
-        for (size_t i = 0; i < 3; i++)
-            fitted->correlation[i][j] = C[i][j] / sqrt(C[i][i] * C[j][j]);
-    }
-    return status;
+    for (size_t j = 0; j < 3 && !status; j++)
+        fitted->sd[j] *= fitted->sigma;
+    return status || fvi_fit_is_finite(3, fitted) ? status : FVI_EOVRFLW;
 }
 
 static int check(const moduli *o, const fvi_fitted *fitted)

@@ -211,6 +211,8 @@ int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
         if (k == run->steps)
             break;
         status = fvi_tangent_step(&o);
+        if (!status && !fvi_all_finite(P, o.s))
+            status = FVI_EOVRFLW;
     }
     fvi_tangent_stop(&o);
     return status;

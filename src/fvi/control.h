@@ -48,7 +48,8 @@ typedef struct {
  * Returns FVI_SUCCESS; what fvi_trajectory and fvi_adjoint return, FVI_EUNSUP for other
  * methods; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if N < 2, or so many steps cannot
  * be addressed; FVI_EDOM if x or p is not finite; FVI_ESING if the force cannot reach x
- * and p; FVI_EMAXITER after 200 iterations, u and found being those of the last;
+ * and p; FVI_EOVRFLW if u, its cost or its miss is not finite; FVI_EMAXITER after 200
+ * iterations, u and found being those of the last;
  * FVI_ENOMEM. After another error u is of no use. */
 int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, double *u, fvi_controlled *found);

@@ -62,8 +62,8 @@ int fvi_law_check(const fvi_law *law);
  *                  tangent of the loss angle, loss / omega the viscosity
  *
  * Accuracy: some units of roundoff of the sum of the moduli of the terms. Returns
- * FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM as fvi_law_check, and for omega. On
- * error storage and loss are untouched. */
+ * FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM as fvi_law_check, and for omega;
+ * FVI_EOVRFLW if a modulus is not finite. On error storage and loss are untouched. */
 int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
                    double *loss);
 

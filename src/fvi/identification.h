@@ -133,7 +133,8 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * Returns FVI_SUCCESS; three answers of which no handler is called, *fitted and curve
  * being written: FVI_EMAXITER if fewer than two starts agree on the best, FVI_ETOL
  * if sigma is given and chi^2 has a probability below 1e-6, FVI_ESING if the data do
- * not determine the parameters (sd and correlation are of no use then). FVI_EFAULT if
+ * not determine the parameters (sd and correlation are of no use then). FVI_EOVRFLW if a
+ * number of the answer is not finite (bias may be NaN: no halving was asked for). FVI_EFAULT if
  * a pointer is NULL; FVI_EINVAL if the system has not d == 1, if parameters is 0 or
  * above FVI_FIT_MOST, if n is not larger, if starts < 2, if t does not increase, or
  * which has one twice; FVI_EDOM if sigma < 0 or a number is not finite or low is not
@@ -203,7 +204,8 @@ int fvi_fit_profile(const fvi_fit *fit, const fvi_fitted *fitted, size_t j,
  * searched: a scan of (0, 1), then Brent's method, to about 1e-8. The sign of rho is not
  * asked for. Cost: some 150 n powers. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is
  * NULL; FVI_EINVAL if n < 2; FVI_EDOM if a number is out of range; FVI_ESING, of which no
- * handler is called, if the data do not determine the three; FVI_ENOMEM. */
+ * handler is called, if the data do not determine the three; FVI_EOVRFLW if a number of the
+ * answer is not finite; FVI_ENOMEM. */
 int fvi_fit_moduli(size_t n, const double *w, const double *storage,
                    const double *loss, fvi_fitted *fitted);
 
@@ -223,8 +225,8 @@ int fvi_fit_moduli(size_t n, const double *w, const double *storage,
  * memory; no bound is proved for the rounding. Returns FVI_SUCCESS; FVI_EFAULT if a
  * pointer is NULL; FVI_EINVAL if the system has not d == 1, P == 0, or there is no such
  * constant; what fvi_start, fvi_step and fvi_memory_alloc_rate return; FVI_EUNSUP for a
- * run with a law; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0; FVI_ENOMEM; what a
- * callback returned. */
+ * run with a law; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0; FVI_EOVRFLW if a slope is
+ * not finite; FVI_ENOMEM; what a callback returned. */
 int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
                  double *x, double *slope);
 

@@ -163,8 +163,9 @@ int fvi_system_check(const fvi_system *system);
  *
  * With matrices it is theirs. Nothing is checked: this is called once a row. Cost O(d) and
  * one value of U.
- * Returns FVI_SUCCESS; FVI_EUNSUP if the matrices have no energy; or what the potential or
- * they returned. E is then untouched. */
+ * Returns FVI_SUCCESS; FVI_EOVRFLW if E is not a finite number, of which no handler is
+ * called; FVI_EUNSUP if the matrices have no energy; or what the potential or they returned.
+ * After an error E is untouched. */
 int fvi_energy(const fvi_system *system, const double *x, const double *p,
                double *E);
 

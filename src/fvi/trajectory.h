@@ -180,8 +180,9 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * method has stages and anything is damped;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
  * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law
- * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; what
- * the potential returned. On error *stepper is untouched. */
+ * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; FVI_EOVRFLW
+ * if an impulse at t = 0 makes p infinite; what the potential returned. On error *stepper is
+ * untouched. */
 int fvi_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
@@ -214,7 +215,7 @@ int fvi_force_at(fvi_stepper *s, double t);
  *   x, p  outputs, d numbers each, or NULL
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t to be
- * had; what fvi_step returns. */
+ * had; FVI_EOVRFLW if x or p is not finite there; what fvi_step returns. */
 int fvi_run_to(fvi_stepper *s, double t, double *x, double *p);
 
 /* fvi_copy -- the same trajectory again, at the same k, history included: a fork, or a

@@ -160,18 +160,43 @@ static int walk(const fvi_method *method, fvi_backward *path,
 }
 //< walk
 
-int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
-                const double *p, const fvi_objective *objective,
-                const fvi_gradients *want)
+/* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
+ * none by x0. */
+static int are_finite(const fvi_run *run, const fvi_gradients *want, size_t per)
+{
+    const int whole = run->system->matrices != NULL;
+    const size_t d = run->system->d, l = run->law ? run->law->count : 0,
+                 c = whole ? 1 : want->sensitivity.count;
+    const struct {
+        const double *by;
+        size_t count;
+    } outputs[] = { { run->past == FVI_PAST_RIEMANN_LIOUVILLE ? NULL : want->x0,
+                      d },
+                    { want->p0, d },
+                    { want->mass, whole ? 1 : d },
+                    { want->damping, whole ? 1 : d },
+                    { want->alpha, 1 },
+                    { want->terms, l },
+                    { want->orders, l },
+                    { want->times, l },
+                    { want->ends, l },
+                    { want->force, (run->steps * per + 1) * d },
+                    { want->parameters, c } };
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
+        if (outputs[i].by && !fvi_all_finite(outputs[i].count, outputs[i].by))
+            return 0;
+    return 1;
+}
+
+static int all_derivatives(const fvi_method *method, const fvi_run *run,
+                           const double *x, const double *p,
+                           const fvi_objective *objective,
+                           const fvi_gradients *want)
 {
     fvi_backward *path;
-    int status = check(method, run, x, p, objective, want);
-    if (status)
-        return status;
-    clear(run, want, forces_of(method));
     if (method->scheme == FVI_SCHEME_MESH)
         return fvi_mirror_mesh(run, objective, want);
-    status = fvi_backward_alloc(method, run, x, p, &path);
+    int status = fvi_backward_alloc(method, run, x, p, &path);
     if (status)
         return status;
     if (run->system->matrices) {
@@ -188,4 +213,17 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
     free(J);
     fvi_backward_free(path);
     return status;
+}
+
+int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
+                const double *p, const fvi_objective *objective,
+                const fvi_gradients *want)
+{
+    int status = check(method, run, x, p, objective, want);
+    if (status)
+        return status;
+    clear(run, want, forces_of(method));
+    status = all_derivatives(method, run, x, p, objective, want);
+    return status || are_finite(run, want, forces_of(method)) ? status
+                                                              : FVI_EOVRFLW;
 }

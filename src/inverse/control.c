@@ -330,6 +330,8 @@ int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
         found->cost = cost_of(&o, u);
         for (size_t i = 0; i < o.ends; i++)
             found->miss = larger(found->miss, fabs(o.gap[i]));
+        if (!isfinite(found->cost + found->miss) || !fvi_all_finite(o.rows, u))
+            status = FVI_EOVRFLW;
     }
     free(o.block);
     return status;

@@ -141,6 +141,8 @@ int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
         FVI_FAIL("omega must be finite and positive", FVI_EDOM);
     double complex slope;
     const double complex C = sum_at(law, omega, M_PI_2, &slope);
+    if (!isfinite(creal(C)) || !isfinite(cimag(C)))
+        FVI_FAIL("a modulus is not finite", FVI_EOVRFLW);
     *storage = creal(C);
     *loss = cimag(C);
     return FVI_SUCCESS;

@@ -59,5 +59,7 @@ int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
             p[k * d + j] +=
                 run->system->damping[j] * factor * sum; /* (17.14) */
         }
+    if (!fvi_all_finite((run->steps + 1) * d, p))
+        FVI_FAIL("a momentum is not finite", FVI_EOVRFLW);
     return FVI_SUCCESS;
 }

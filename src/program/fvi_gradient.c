@@ -79,6 +79,13 @@ static int interpret(request *r, fvi_complaint c)
 
 /* ---- derivatives ---- */
 
+/* By x0, p0, masses and dampings, by alpha, c and g, by each --let, by the terms of a law. */
+static size_t numbers_of(const request *r)
+{
+    return 4 * r->o.d + 3 + r->o.lets.count
+           + 4 * (r->run.law ? r->run.law->count : 0);
+}
+
 static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
 {
     double value;
@@ -164,6 +171,16 @@ static void add_forces(request *r)
         }
 }
 
+/* What an energy and forces add may be too large where the adjoint's part is not. With Riemann
+ * and Liouville's past NaN says that there is no derivative by x0. */
+static int are_finite(const request *r)
+{
+    const size_t d = r->o.d, end = numbers_of(r);
+    const int by_x0 = r->run.past != FVI_PAST_RIEMANN_LIOUVILLE;
+    return isfinite(r->value) && fvi_all_finite(end - d, r->numbers + d)
+           && (!by_x0 || fvi_all_finite(d, r->numbers));
+}
+
 /* The run, all its rows, and back. */
 static int differentiate(request *r)
 {
@@ -197,6 +214,8 @@ static int differentiate(request *r)
     if (!status && r->of == 2)
         status = add_energy(r, last, last + d);
     free(last);
+    if (status == FVI_EOVRFLW || (!status && !are_finite(r)))
+        return fvi_stopped_at(N, FVI_EOVRFLW);
     return status
                ? fvi_complain(status == FVI_ENOMEM ? "not enough memory"
                                                    : fvi_code_in_words(status))
@@ -225,8 +244,7 @@ static int make_room(request *r)
     const int wanted =
         r->words.own[FORCES] || (r->o.forces && r->o.lets.count > 0);
     const size_t terms = r->run.law ? r->run.law->count : 0;
-    r->numbers =
-        calloc(4 * d + 3 + r->o.lets.count + 4 * terms, sizeof(double));
+    r->numbers = calloc(numbers_of(r), sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
         r->force = malloc((r->o.steps * r->per + 1) * d * sizeof *r->force);
     if (!r->numbers || (wanted && !r->force))

@@ -116,7 +116,7 @@ fvi_force fvi_force_expression(const fvi_expression *e);
 
 typedef enum { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO, FVI_PARAMETER_MASS, FVI_PARAMETER_X0,
                FVI_PARAMETER_P0, FVI_PARAMETER_CONSTANT, ... } fvi_parameter;
-enum { FVI_FIT_MOST = 8, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_ESING = 21 };
+enum { FVI_FIT_MOST = 8, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;

@@ -138,28 +138,6 @@ static fvi_stepper *make(const fvi_method *method, const fvi_run *run)
     return s;
 }
 
-int fvi_start(const fvi_method *method, const fvi_run *run,
-              fvi_stepper **stepper)
-{
-    if (!stepper)
-        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
-    int status = check(method, run);
-    if (status)
-        return status;
-    fvi_stepper *s = make(method, run);
-    if (!s)
-        FVI_FAIL("no memory for the state", FVI_ENOMEM);
-    status = method->start ? method->start(s) : FVI_SUCCESS;
-    if (status) {
-        fvi_stop(s);
-        return status;
-    }
-    if (!method->dense)
-        fvi_impulses_act(s, 0);
-    *stepper = s;
-    return FVI_SUCCESS;
-}
-
 /* fvi_all_finite of x and p, of many: 0 v is 0, or NaN, and eight sums wait for nobody. */
 static int finite(size_t n, const double *v)
 {
@@ -180,6 +158,32 @@ static int is_finite(const fvi_stepper *s)
     return d == 1  ? isfinite(*s->x) && isfinite(*s->p)
            : d < 4 ? fvi_all_finite(2 * d, s->x)
                    : finite(2 * d, s->x); /* x, then p */
+}
+
+int fvi_start(const fvi_method *method, const fvi_run *run,
+              fvi_stepper **stepper)
+{
+    if (!stepper)
+        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
+    int status = check(method, run);
+    if (status)
+        return status;
+    fvi_stepper *s = make(method, run);
+    if (!s)
+        FVI_FAIL("no memory for the state", FVI_ENOMEM);
+    status = method->start ? method->start(s) : FVI_SUCCESS;
+    if (status) {
+        fvi_stop(s);
+        return status;
+    }
+    if (!method->dense)
+        fvi_impulses_act(s, 0);
+    if (!is_finite(s)) {
+        fvi_stop(s);
+        return FVI_EOVRFLW;
+    }
+    *stepper = s;
+    return FVI_SUCCESS;
 }
 
 /* Before steps that take long, before one of many if they do not: asking costs nothing. */
@@ -237,7 +241,7 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    const size_t bytes = s->run.system->d * sizeof(double);
+    const size_t d = s->run.system->d, bytes = d * sizeof *s->x;
     if (!(t <= (double)s->run.steps * s->run.h))
         FVI_FAIL("the run is over before", FVI_EDOM);
     int status = FVI_SUCCESS;
@@ -254,7 +258,9 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
     }
     if (!s->method->dense || s->method->dense(s, t, x, p))
         FVI_FAIL("no state at such a time", FVI_EDOM);
-    return FVI_SUCCESS;
+    return (x && !fvi_all_finite(d, x)) || (p && !fvi_all_finite(d, p))
+               ? FVI_EOVRFLW
+               : FVI_SUCCESS;
 }
 
 int fvi_copy(const fvi_stepper *from, fvi_stepper **to)

@@ -5,6 +5,7 @@
 #include "system/newton.h"
 
 #include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -69,17 +70,23 @@ int fvi_gradient(const fvi_system *s, const double *x, double *grad)
 
 int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
 {
-    double kinetic = 0, potential;
+    double kinetic = 0, value;
+    int status;
+    if (s->matrices && !s->matrices->energy)
+        return FVI_EUNSUP;
     if (s->matrices)
-        return s->matrices->energy
-                   ? s->matrices->energy(s->d, x, p, s->matrices->params, E)
-                   : FVI_EUNSUP;
-    for (size_t i = 0; i < s->d; i++)
+        status = s->matrices->energy(s->d, x, p, s->matrices->params, &value);
+    else
+        status = fvi_potential_value(s, x, &value);
+    for (size_t i = 0; i < s->d && !s->matrices; i++)
         kinetic += p[i] / s->mass[i] * p[i];
-    int status = fvi_potential_value(s, x, &potential);
-    if (!status)
-        *E = kinetic / 2 + potential; /* (2.4) */
-    return status;
+    if (status)
+        return status;
+    value += kinetic / 2; /* (2.4) */
+    if (!isfinite(value))
+        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+    *E = value;
+    return FVI_SUCCESS;
 }
 
 size_t fvi_hessian_room(const fvi_system *s)

@@ -332,12 +332,45 @@ START_TEST(eq_24_4_the_step_is_halved_until_nothing_moves)
 END_TEST
 //< halving
 
+/* Data in units of which not even the square is a double, up or down. The standard
+ * deviation and the correlations of a start were infinite, or NaN, there. */
+START_TEST(eq_24_3_a_start_in_any_unit)
+{
+    static const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
+                                           FVI_PARAMETER_RHO, FVI_PARAMETER_X0,
+                                           FVI_PARAMETER_P0 };
+    fvi_fitted f[3];
+    for (int i = 0; i < 3; i++) {
+        const double unit = ldexp(1, 525 * (i == 1) - 525 * (i == 2));
+        question q;
+        ask(&q, ref_low, LEN(which));
+        q.constants[0] = 1;
+        q.fit.which = which;
+        q.x0 *= unit;
+        q.p0 *= unit;
+        for (size_t k = 0; k < REF_POINTS; k++)
+            q.x[k] = unit * (q.x[k] + 1e-3 * sin(37 * (double)k));
+        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f[i]), FVI_SUCCESS);
+        for (size_t j = 0; j < LEN(which); j++) {
+            const double of = j < 2 ? 1 : unit;
+            ck_assert_near(f[i].estimate[j] / of, f[0].estimate[j], 1e-8,
+                           "estimate %zu", j);
+            ck_assert_near(f[i].sd[j] / of, f[0].sd[j], 1e-6 * f[0].sd[j],
+                           "sd %zu", j);
+            for (size_t k = 0; k < LEN(which); k++)
+                ck_assert_near(f[i].correlation[j][k], f[0].correlation[j][k],
+                               1e-6, "correlation %zu %zu", j, k);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("parameters from a measured motion");
     ADD_CASE(suite, "values", eq_24_2_exact_data_give_the_parameters_back,
              eq_24_2_exact_data_of_half_a_derivative_give_it_back,
-             eq_24_3_a_constant_in_any_unit,
+             eq_24_3_a_constant_in_any_unit, eq_24_3_a_start_in_any_unit,
              eq_26_1_a_fit_with_a_law_finds_what_multiplies_it,
              eq_24_4_the_error_of_a_method_is_one_of_the_parameters,
              eq_24_3_standard_deviations_and_correlations,

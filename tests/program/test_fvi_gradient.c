@@ -274,6 +274,17 @@ START_TEST(a_gradient_that_cannot_be_had_says_why)
     ck_assert_int_eq(fvi("gradient --potential duffing:1,-9 --p0 9"), 1);
     ck_assert_ptr_nonnull(strstr(err, "step "));
     ck_assert_str_eq(out, "");
+    static const char *const too_large[] = {
+        "gradient --x0 1e200 --of energy",
+        "gradient --x0 1e155 --of energy --potential harmonic:1e-3 --mass 1e3",
+        "gradient --potential 'exp(x)' --x0 700 --steps 200 --h 1e-160 --of "
+        "energy"
+    };
+    for (size_t i = 0; i < LEN(too_large); i++) {
+        ck_assert_int_eq(fvi(too_large[i]), 1);
+        ck_assert_str_eq(err, "fvi: step 200: a value is no longer finite\n");
+        ck_assert_str_eq(out, "");
+    }
     ck_assert_int_eq(fvi("gradient --forces no/where"), 1);
     ck_assert_int_eq(
         fvi("gradient --method fvi-shifted --derivative rl --alpha 0.7 --x0 0"),

@@ -273,6 +273,14 @@ def test_an_error_is_kept_or_refused():
     assert caught.value.code == 14
 
 
+def test_what_is_not_finite_is_an_error_with_its_step():
+    for options, step in (({"potential": "log(x) + 8*x", "columns": "t,x,energy"}, 6), ({"x0": 1e200, "columns": "energy"}, 0),
+                          ({"force": "1/(t - 1)", "h": 0.5, "steps": 4}, 2), ({"force": "1/(t - 1)", "h": 0.5, "steps": 4, "columns": "p"}, 2)):
+        with pytest.raises(fvi.Error, match=rf"finite \(step {step}\)") as caught:
+            fvi.run(**options)
+        assert caught.value.code == 16
+
+
 def test_weights_of_half_a_derivative():
     assert fvi.weights(0.5, 4).tolist() == [1, -0.5, -0.125, -0.0625]
     with pytest.raises(fvi.Error) as caught:

@@ -183,6 +183,15 @@ def search(problem: Problem, r: Any, method: Any, error: float, x: Any, p: Any) 
     return found.estimate
 
 
+STOPPED = (lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
+
+
+def where_it_stopped(out: list, rows: int) -> str:
+    """The first row that is not there, of arrays that were NaN before the run."""
+    whole = [np.isfinite(a.reshape(rows, -1)).all(axis=1) for a in out]
+    return f" (step {int(np.argmin(np.all(whole, axis=0)))})" if whole else ""
+
+
 def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,p",
         error: Optional[float] = None, **options: Any) -> Run:
     """A whole trajectory of m x'' + grad U(x) + rho D^{2 alpha} x = F(t).
@@ -228,13 +237,14 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     problem, r, method = prepare(potential, **options)
     rows, d = r.steps + 1, problem.d
     shape = (rows,) if problem.scalar else (rows, d)
-    out = {name: np.empty((rows,) if name == "energy" else shape)
+    out = {name: np.full((rows,) if name == "energy" else shape, np.nan)
            for name in ("x", "p", "energy") if name in wanted or (error is not None and name != "energy")}
     pointers = [ffi.from_buffer("double[]", out[n]) if n in out else ffi.NULL
                 for n in ("x", "p", "energy")]
     estimate = None
     if error is None:
-        problem.check(lib.fvi_trajectory(method, r, *pointers))
+        status = lib.fvi_trajectory(method, r, *pointers)
+        problem.check(status, where_it_stopped(list(out.values()), rows) if status in STOPPED else "")
     else:
         estimate = search(problem, r, method, error, *pointers[:2])
         for k in range(rows if "energy" in wanted else 0):
