@@ -176,7 +176,7 @@ $(UNDER:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --suppressions=tests/harness/valgrind.supp \
 	  --leak-check=full --error-exitcode=1 $<
 
-portability: | needs ## the same digits by other compilers, options, C libraries, in threads (ten minutes; PARTS=clang)
+portability: | needs ## the same digits by other compilers, options, C libraries, in threads; the two commands on a bare Debian (half an hour; PARTS=clang)
 	+$(PYTHON) src/make/portability.py $B $(PARTS)
 
 stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
@@ -484,7 +484,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,book pdf test-book,wasm) \
   $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check python notebook test-python,cffi wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
+  $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
 
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)

@@ -1,6 +1,6 @@
 """The same digits everywhere: other compilers, options, C libraries, locales, whole numbers.
 
-    portability.py BUILD [PART ...]     (make portability PARTS="clang san"; all, some ten minutes)
+    portability.py BUILD [PART ...]     (make portability PARTS="clang san"; all, half an hour)
 
 Each build has a folder of its own in BUILD/portability. It runs the tests, or those of
 them that concern it, and tests/run/trajectories.c, whose runs are compared
@@ -8,7 +8,8 @@ with those of gcc -O2: to the bit where the C library is the same, and where onl
 + - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
 that of another library, or -O3 -march=native may take what follows from them in
 another order (seen: 9 runs of 252, 2.1 u), a run of 96 steps may differ by LIMIT u of the
-largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. What this machine has not, or was not asked for, is
+largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. The part `bare` types the two commands of README.md on a
+Debian that has nothing else (bare.sh: root, debootstrap, a network). What this machine has not, or was not asked for, is
 left out, and said. Only the standard library
 is used."""
 import math
@@ -20,7 +21,7 @@ import subprocess
 import sys
 
 HOME = pathlib.Path(sys.argv[1]) / "portability"
-PARTS = "locale O0 native clang san threads valgrind m32 musl proofs".split()
+PARTS = "locale O0 native clang san threads valgrind m32 musl proofs bare".split()
 ASKED = sys.argv[2:] or PARTS
 LIMIT = 256     # seen: 18 with musl, 96 with GSL's LU factors on x87 (i386)
 ENV = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS", "LC_", "LANG"))}
@@ -232,6 +233,16 @@ def proofs():
         left_out.append(f"{label}: there is no gmpy2, or no sympy, so that `make verify` has no other numbers")
 
 
+def bare():
+    """README's two commands on a minimal Debian; 77 of bare.sh says that this machine cannot try it."""
+    label = "a bare Debian"
+    done = subprocess.run(["nice", "sh", "src/make/bare.sh", HOME / "bare"], env=ENV, text=True, stdout=subprocess.PIPE)
+    if done.returncode == 77:
+        left_out.append(f"{label}: {done.stdout.strip()}")
+    else:
+        say(label, done.returncode == 0, done.stdout, done.stdout.strip())
+
+
 def main():
     unknown = [part for part in ASKED if part not in PARTS]
     if unknown:
@@ -253,7 +264,7 @@ def main():
         "san": ("gcc AddressSanitizer, UBSan",
                 ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
                 {"ASAN_OPTIONS": "allocator_may_return_null=1"})}
-    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors, "proofs": proofs,
+    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors, "proofs": proofs, "bare": bare,
               "m32": lambda: thirty_two(reference), "musl": lambda: musl(reference)}
     for part in ASKED:
         if part in builds:
