@@ -84,12 +84,12 @@ static double order(const errors *e, double floor)
 
 static const double alphas[] = { 0.3, 0.4, 0.5, 0.6, 0.75, 0.9 };
 
-enum { GENERIC = 36 }; /* alphas, pasts, springs; 22 of them are taken */
+enum { GENERIC = 36 }; /* alphas, pasts, springs; 24 of them are taken */
 
 static series motions[GENERIC];
 
 /* c = 16 or U = x^4, F = cos(2 t)/2, x_0 = 0.7, v_0 = 1.3. No: held and alpha <= 1/2, which
- * is Caputo's, as Riemann-Liouville's with alpha = 1/2 is; above there is no motion. */
+ * is Caputo's; Riemann-Liouville's with alpha > 1/2, which has no motion. */
 static int generic(size_t i, duffing *q)
 {
     const double alpha = alphas[i % LEN(alphas)];
@@ -99,10 +99,20 @@ static int generic(size_t i, duffing *q)
                     0.7,          1.3,   bent ? 0 : 16,
                     bent ? 4 : 0, 0.5,   2 };
     if ((past == FVI_PAST_HELD && alpha <= 0.5)
-        || (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha >= 0.5))
+        || (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5))
         return 0;
     motion = &motions[i];
     return 1;
+}
+
+/* The motion that the runs go to. At alpha = 1/2 no run knows its past, so that all pasts
+ * have the motion of a held body; the equation of Riemann-Liouville's has a kick there. */
+static duffing limit_of_runs(const duffing *q)
+{
+    duffing limit = *q;
+    if (q->alpha == 0.5)
+        limit.past = FVI_PAST_CAPUTO;
+    return limit;
 }
 
 /* Once, before the tests, each of which is a process of its own. */
@@ -110,8 +120,10 @@ static void expand_all(void)
 {
     duffing q;
     for (size_t i = 0; i < GENERIC; i++)
-        if (generic(i, &q))
-            expand(&q, &motions[i]);
+        if (generic(i, &q)) {
+            const duffing limit = limit_of_runs(&q);
+            expand(&limit, &motions[i]);
+        }
 }
 
 /* ---- fits against the table ---- */
@@ -143,7 +155,25 @@ static void ck_assert_order(const duffing *q, const scheme *of, int what,
                   of->method->name, what == OF_X ? "x" : "p", got, want);
 }
 
-/* The orders of the first `count` schemes on [from T, T], none far below the table. */
+/* How far above the table a fit may be. Steps of order 1 are on it. Elsewhere a fit can see
+ * two terms of the error, the lower order with the smaller factor, and over all nodes those
+ * of the start and of a fixed t. Seen: 0.009; 0.61 over all nodes; then 0.02, 0.06 and 0.48,
+ * 0.91, and 1.58 where the error of four stages is near a change of its sign. */
+static double most_above(const scheme *of, const duffing *q, int all_t)
+{
+    if (of->family <= ONE)
+        return 0.02;
+    if (all_t)
+        return 0.65;
+    if (of->family == TWO)
+        return 0.03;
+    if (of->family == FORM_M)
+        return q->g == 0 ? 0.08 : 0.5;
+    return is_pulled(q) && q->alpha == 0.6 && q->g == 0 && of->s == 4 ? 1.65
+                                                                      : 0.95;
+}
+
+/* The orders of the first `count` schemes on [from T, T], none far from the table. */
 static void fit(double T, double from, size_t first, size_t last, size_t count,
                 int all_t, double below, const double floor[2], nearest n)
 {
@@ -165,7 +195,8 @@ static void fit(double T, double from, size_t first, size_t last, size_t count,
                 if (isnan(got)) /* rounding comes before the order */
                     continue;
                 seen_worst(want - got, "below the table");
-                ck_assert_order(&q, of, what, got, want, below, GSL_POSINF);
+                ck_assert_order(&q, of, what, got, want, below,
+                                most_above(of, &q, all_t));
                 keep(n, &q, of, what, got - want);
             }
         }
@@ -361,6 +392,7 @@ START_TEST(the_series_is_the_motion_of_a_spring)
         duffing q;
         if (!generic(i, &q))
             continue;
+        q = limit_of_runs(&q);
         q.A = 0;
         expand(&q, &alone);
         const fvi_linear linear = { .m = 1,

@@ -54,8 +54,10 @@ START_TEST(eq_26_12_orders_of_form_m)
                 if (fabs(off[1][i]) < 2e-13)
                     continue;
                 seen(want - order, i ? "p short" : "x short");
-                ck_assert_msg(order > want - 0.4, "law %zu %s %c: %g, %g", l,
-                              form_m[m]->name, "xp"[i], off[0][i], off[1][i]);
+                /* above: two powers of h meet; seen 0.73 */
+                ck_assert_msg(order > want - 0.4 && order < want + 0.8,
+                              "law %zu %s %c: %g, %g", l, form_m[m]->name,
+                              "xp"[i], off[0][i], off[1][i]);
             }
         }
 }
@@ -87,8 +89,8 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
             const double order =
                 log2(fabs((end[1] - end[0]) / (end[2] - end[1])));
             seen(want - order, "short");
-            ck_assert_msg(order > want - 0.4, "law %zu %s: %g", l,
-                          form_m[m]->name, order);
+            ck_assert_msg(order > want - 0.4 && order < want + 0.5,
+                          "law %zu %s: %g", l, form_m[m]->name, order);
         }
 }
 END_TEST

@@ -74,8 +74,8 @@ static void run_driven(const fvi_method *method, const driving *a, errors *ex,
 }
 
 //> nonlinear
-/* (17.27), nonlinear, all t: the path begins smoothly. Not a bound: a fit, and where
- * the order is not 2s - 2 it is met from both sides. */
+/* (17.27), nonlinear, all t: the path begins smoothly. Not a bound: a fit, met
+ * from both sides. */
 START_TEST(eq_17_27_orders_of_form_d_on_a_driven_duffing_oscillator)
 {
     const driving drivings[] = {
@@ -101,10 +101,13 @@ START_TEST(eq_17_27_orders_of_form_d_on_a_driven_duffing_oscillator)
                 ck_assert_msg(of[j] >= want[j] - 0.3,
                               "%c: s = %zu, alpha = %g: %g", j ? 'p' : 'x', s,
                               alpha, of[j]);
-                if (want[j] == full || alpha < 0.5)
-                    continue;
-                seen(of[j] - want[j], "above it, where it is not full");
-                ck_assert_msg(of[j] <= want[j] + 0.5,
+                if (want[j] < full && alpha > 0.5)
+                    seen(of[j] - want[j], "above it, where it is not full");
+                /* Of p, four stages and alpha = 1/4, h^6 is not yet seen below h^7. */
+                const double above = want[j] < full              ? 0.5
+                                     : s == 4 && j && alpha < 0.5 ? 1.4
+                                                                  : 0.05;
+                ck_assert_msg(of[j] <= want[j] + above,
                               "%c: s = %zu, alpha = %g: %g", j ? 'p' : 'x', s,
                               alpha, of[j]);
             }

@@ -127,7 +127,8 @@ END_TEST
 //< order
 
 /* (17.14): the momenta gain the order of x where alpha < 1/2, else 2 - 2 alpha at
- * most; measured, not proved. Seen: at most 0.16 below. */
+ * most; measured, not proved. Seen: at most 0.16 below; above, 1.07 with four stages,
+ * whose momenta may gain more. */
 START_TEST(eq_17_14_corrected_momenta_gain_order)
 {
     for (size_t s = 2; s <= 4; s++)
@@ -140,6 +141,7 @@ START_TEST(eq_17_14_corrected_momenta_gain_order)
             const double of_p = slope(&fixed, 3e-13);
             seen(order_p(s, alpha) + gain - of_p, "below");
             ck_assert_double_ge(of_p, order_p(s, alpha) + gain - 0.17);
+            ck_assert_double_le(of_p, order_p(s, alpha) + gain + 1.1);
             ck_assert(alpha == 0.5 || (s == 2 && alpha < 0.5)
                       || fixed.errors[4] < ep.errors[4]);
         }
