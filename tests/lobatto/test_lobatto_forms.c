@@ -104,7 +104,7 @@ START_TEST(eq_17_27_orders_of_form_d_on_a_driven_duffing_oscillator)
                 if (want[j] < full && alpha > 0.5)
                     seen(of[j] - want[j], "above it, where it is not full");
                 /* Of p, four stages and alpha = 1/4, h^6 is not yet seen below h^7. */
-                const double above = want[j] < full              ? 0.5
+                const double above = want[j] < full               ? 0.5
                                      : s == 4 && j && alpha < 0.5 ? 1.4
                                                                   : 0.05;
                 ck_assert_msg(of[j] <= want[j] + above,
