@@ -53,10 +53,12 @@ int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A);
 
 /* fvi_misread -- what is wrong in a file: in which line, from 1, or 0 if the file cannot be
- * read at all or ends before its size; and why, a static text. */
+ * read at all or ends before its size; why, a static text; and in which column of the line,
+ * from 1, or 0 if the line as a whole is wrong. */
 typedef struct {
     size_t line;
     const char *reason;
+    size_t column;
 } fvi_misread;
 
 /* fvi_sparse_read -- a symmetric matrix from a file in Matrix Market's format.
@@ -68,7 +70,7 @@ typedef struct {
  *   A      output; free it with fvi_sparse_free
  *   wrong  output after FVI_EDOM; may be NULL
  *
- * Refused with the line: what is not a number, or not finite, a pattern without numbers, a
+ * Refused with the line: what is no decimal number, or not finite, a NUL byte, a pattern without numbers, a
  * dense array, an entry that stands twice, a row or column beyond the size, too few entries
  * or too many, a matrix that is not square or not symmetric. Decimal points are points in
  * any locale that strtod is told of: none is set here.

@@ -1,213 +1,194 @@
 /* src/input/fvi_data.c -- Numbers from files. */
-#define _GNU_SOURCE /* getline */
 #include "fvi_data.h"
-#include "fvi_files.h"
+#include "fvi_rows.h"
 
-#include <errno.h>
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-static const char blank[] = " \t\r\n\v\f", between[] = " \t\r\n\v\f,;";
-
-/* A file that is read line by line. */
-typedef struct {
-    const char *option, *name;
-    FILE *file;
-    char *line;
-    size_t room, number; /* of the line, from 1 */
-    fvi_complaint c;
-} reader;
-
-static int begin(reader *r)
-{
-    fvi_mark_read(r->option, r->name);
-    r->file = fopen(r->name, "r");
-    return r->file ? 0
-                   : fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,
-                                r->name, strerror(errno));
-}
-
-/* Nonzero while there is a line. Spreadsheets begin a file with a mark of its encoding. */
-static int next_line(reader *r)
-{
-    static const char mark[] = "\xef\xbb\xbf";
-    const ssize_t length = getline(&r->line, &r->room, r->file);
-    if (++r->number == 1 && length >= 3 && memcmp(r->line, mark, 3) == 0)
-        memmove(r->line, r->line + 3, (size_t)length - 2);
-    return length >= 0;
-}
-
-/* A folder opens, and fails when it is read. */
-static int end(reader *r, int status)
-{
-    if (!status && ferror(r->file))
-        status = fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,
-                            r->name, strerror(errno));
-    free(r->line);
-    fclose(r->file);
-    return status;
-}
-
-/* Behind a number or a word stand blanks, and at most one comma. */
-static size_t gap(const char *at)
-{
-    const size_t blanks = strspn(at, blank);
-    const int comma = at[blanks] == ',' || at[blanks] == ';';
-    return blanks + (comma ? 1 + strspn(at + blanks + 1, blank) : 0);
-}
-
-/* The next number of the line: 1, 0 at its end, -1 if what stands there is none. */
-static int next_number(char **at, double *value)
-{
-    char *stop;
-    *at += strspn(*at, blank);
-    if (**at == '\0')
-        return 0;
-    *value = strtod(*at, &stop);
-    const int is = stop != *at && isfinite(*value)
-                   && (*stop == '\0' || strchr(between, *stop));
-    *at = stop + gap(stop);
-    return is ? 1 : -1;
-}
+static const char blank[] = " \t";
 
 int fvi_data_numbers(const char *option, const char *file, size_t most,
                      double *values, size_t *n, fvi_complaint c)
 {
-    reader r = { .option = option, .name = file, .c = c };
-    int status = begin(&r), found;
-    if (status)
-        return status;
+    fvi_rows r;
+    fvi_rows_kind kind = FVI_ROWS_COMMENT;
+    int status = fvi_rows_open(&r, option, file, c);
     *n = 0;
-    while (!status && next_line(&r)) {
-        double value;
-        char *at = r.line;
-        at[strcspn(at, "#")] = '\0';
-        for (; (found = next_number(&at, &value)) > 0; ++*n)
+    while (!status && kind != FVI_ROWS_END) {
+        status = fvi_rows_next(&r, &kind);
+        if (!status && kind == FVI_ROWS_WORDS)
+            status = fvi_rows_refuse(&r, 0, FVI_ROWS_NO_NUMBER);
+        for (size_t i = 0; !status && i < r.count; i++, ++*n)
             if (*n < most)
-                values[*n] = value;
-        if (found < 0)
-            status = fvi_refuse(c, "--%s: %s:%zu: not a finite number", option,
-                                file, r.number);
+                values[*n] = r.values[i];
     }
-    return end(&r, status);
+    fvi_rows_close(&r);
+    return status;
+}
+
+/* ---- columns by their names ---- */
+
+/* How a line of names may be separated: by whatever there is, or by one sign alone, where names are
+ * of several words. */
+static const char *const separators[] = { " \t,;", "\t", ",", ";" };
+enum { SEPARATORS = sizeof separators / sizeof *separators };
+
+/* The next name of a line: where the line goes on, and the name without blanks and quotes. */
+static const char *take_name(const char *line, const char *between,
+                             const char **name, size_t *length)
+{
+    size_t n = strcspn(line, between);
+    const char *rest = line + n;
+    const int any = between == separators[0];
+    if (any)
+        rest += strspn(rest, blank);
+    if (*rest && strchr(any ? ",;" : between, *rest))
+        rest++;
+    if (any)
+        rest += strspn(rest, blank);
+    for (; n > 0 && strchr(blank, *line); n--)
+        line++;
+    while (n > 0 && strchr(blank, line[n - 1]))
+        n--;
+    const size_t quoted = n >= 2 && *line == '"';
+    *name = line + quoted;
+    *length = n - 2 * quoted;
+    return rest;
+}
+
+/* Columns, and of how many. */
+typedef struct {
+    size_t column[2], of;
+} choice;
+
+/* The columns that a line names if it is separated so; of = 0 if it does not name both. */
+static choice choose(const char *line, const char *between,
+                     const char *const names[2])
+{
+    choice to = { { 0, 0 }, 0 };
+    int found[2] = { 0, 0 };
+    line += strspn(line, "# ");
+    if (between == separators[0])
+        line += strspn(line, blank);
+    for (; *line; to.of++) {
+        const char *name;
+        size_t length;
+        line = take_name(line, between, &name, &length);
+        for (int k = 0; k < 2; k++)
+            if (!found[k] && length == strlen(names[k])
+                && strncasecmp(name, names[k], length) == 0) {
+                found[k] = 1;
+                to.column[k] = to.of;
+            }
+    }
+    if (!found[0] || !found[1])
+        to.of = 0;
+    return to;
+}
+
+/* What the lines above the rows name: the last line of words that names both columns, and of
+ * the comments with so many words the last. A comment may have t and x among its words;
+ * names are as many as the numbers. */
+enum { WORDS = 1000 };
+typedef struct {
+    choice heading[SEPARATORS], comment[WORDS];
+} names_above;
+
+static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind,
+                       const char *const names[2])
+{
+    choice to[SEPARATORS];
+    int named = 0;
+    for (int i = 0; i < SEPARATORS; i++) {
+        to[i] = choose(r->lines.text, separators[i], names);
+        named = named || to[i].of;
+        if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
+            above->comment[to[i].of] = to[i];
+    }
+    if (kind == FVI_ROWS_COMMENT || !named)
+        return;
+    memcpy(above->heading, to, sizeof to);
+    r->between = to[SEPARATORS - 1].of ? ';' : 0;
+}
+
+/* Which columns are those of a row of so many numbers? */
+static int choose_columns(const names_above *above, const fvi_rows *r,
+                          choice *to)
+{
+    int named = 0;
+    *to = (choice){ { 0, 1 }, r->count };
+    for (int i = SEPARATORS; i-- > 0;) {
+        named = named || above->heading[i].of;
+        if (above->heading[i].of == r->count) {
+            *to = above->heading[i];
+            return 0;
+        }
+    }
+    if (named)
+        return fvi_rows_refuse(r, 0, "not as many numbers as names above them");
+    if (r->count > 0 && r->count < WORDS
+        && above->comment[r->count].of == r->count)
+        *to = above->comment[r->count];
+    return r->count < 2 ? fvi_rows_refuse(r, 1, FVI_ROWS_TOO_FEW) : 0;
 }
 
 /* ---- tables ---- */
 
-/* The number of a word in a line of words, or -1. */
-static int column_of(const char *line, const char *word)
+/* Room for one more pair. */
+static int make_room(size_t n, size_t *room, double **pairs, fvi_complaint c)
 {
-    const size_t length = strlen(word);
-    for (int i = 0; *line; i++) {
-        const size_t here = strcspn(line, between);
-        const size_t quoted = here >= 2 && *line == '"';
-        if (here == length + 2 * quoted
-            && strncasecmp(line + quoted, word, length) == 0)
-            return i;
-        line += here;
-        line += gap(line);
+    if (n < *room)
+        return 0;
+    *room = 2 * *room + 256;
+    double *more = realloc(*pairs, 2 * *room * sizeof *more);
+    if (!more) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
     }
-    return -1;
-}
-
-/* How many words, or numbers. */
-static int words_of(const char *line)
-{
-    int n = 0;
-    for (line += strspn(line, blank); *line; n++) {
-        line += strcspn(line, between);
-        line += gap(line);
-    }
-    return n;
-}
-
-/* Both columns of a row of numbers. */
-static int row(reader *r, const int column[2], double pair[2])
-{
-    char *at = r->line;
-    double value;
-    const int last = column[0] > column[1] ? column[0] : column[1];
-    for (int i = 0; i <= last; i++) {
-        const int found = next_number(&at, &value);
-        if (found <= 0)
-            return fvi_refuse(
-                r->c, "--%s: %s:%zu: %s", r->option, r->name, r->number,
-                found ? "not a finite number" : "a number is missing");
-        for (int k = 0; k < 2; k++)
-            if (i == column[k])
-                pair[k] = value;
-    }
+    *pairs = more;
     return 0;
 }
 
-/* Does a line of words stand here, not one that begins with a number, be it a wrong one?
- * "info" is none, though it begins with inf. */
-static int is_heading(const char *line)
+/* Both columns of a row of numbers. */
+static int take_row(const fvi_rows *r, const choice *from, int is_first,
+                    double pair[2])
 {
-    char *stop;
-    line += strspn(line, between);
-    const double value = strtod(line, &stop);
-    const int whole = *stop == '\0' || strchr(between, *stop);
-    return stop == line || (!isfinite(value) && !whole);
-}
-
-/* Columns, and of how many; of names behind # at most WORDS - 1. */
-enum { WORDS = 1000 };
-typedef struct {
-    int column[2], of;
-} choice;
-
-/* The columns that a line of words names, if it names both. */
-static void choose(const char *line, const char *const names[2], choice *to)
-{
-    line += strspn(line, "# \t");
-    const int t = names ? column_of(line, names[0]) : -1,
-              v = t >= 0 ? column_of(line, names[1]) : -1;
-    if (v >= 0)
-        *to = (choice){ { t, v }, words_of(line) };
+    int status = fvi_rows_check_width(r, from->of);
+    if (status)
+        return status;
+    for (int k = 0; k < 2; k++)
+        pair[k] = r->values[from->column[k]];
+    return is_first || pair[0] > pair[-2]
+               ? 0
+               : fvi_rows_refuse(r, from->column[0], "t does not increase");
 }
 
 /* All rows into pairs t, v. */
-static int rows(reader *r, const char *const names[2], size_t *n,
-                double **pairs)
+static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
+                     double **pairs)
 {
-    choice named = { { 0, 1 }, 0 }, behind[WORDS] = { 0 }, comment;
-    int status = 0;
+    names_above above = { 0 };
+    choice from = { { 0, 1 }, 0 };
+    fvi_rows_kind kind;
+    int status;
     size_t room = 0;
-    while (!status && next_line(r)) {
-        if (r->line[strspn(r->line, between)] == '\0')
-            continue;
-        if (*r->line == '#') {
-            comment.of = 0;
-            choose(r->line, *n == 0 ? names : NULL, &comment);
-            behind[comment.of < WORDS ? comment.of : 0] = comment;
-            continue;
-        }
-        if (*n == 0 && is_heading(r->line)) {
-            choose(r->line, names, &named);
+    while (!(status = fvi_rows_next(r, &kind)) && kind != FVI_ROWS_END) {
+        if (kind == FVI_ROWS_WORDS && *n > 0)
+            return fvi_rows_refuse(r, 0, FVI_ROWS_NO_NUMBER);
+        if (kind != FVI_ROWS_NUMBERS) {
+            if (*n == 0 && names)
+                read_names(&above, r, kind, names);
             continue;
         }
-        /* A comment may have t and x among its words; names are as many as the numbers. */
-        const int words = *n == 0 && named.of == 0 ? words_of(r->line) : 0;
-        if (words < WORDS && words > 0 && behind[words].of == words)
-            named = behind[words];
-        if (*n == room) {
-            room = 2 * room + 256;
-            double *more = realloc(*pairs, 2 * room * sizeof *more);
-            if (!more) {
-                fvi_refuse(r->c, "not enough memory");
-                return 1;
-            }
-            *pairs = more;
-        }
-        double *pair = *pairs + 2 * *n;
-        status = row(r, named.column, pair);
-        if (!status && *n > 0 && !(pair[0] > pair[-2]))
-            status = fvi_refuse(r->c, "--%s: %s:%zu: t does not increase",
-                                r->option, r->name, r->number);
+        if (*n == 0)
+            status = choose_columns(&above, r, &from);
+        if (!status)
+            status = make_room(*n, &room, pairs, r->c);
+        if (!status)
+            status = take_row(r, &from, *n == 0, *pairs + 2 * *n);
+        if (status)
+            return status;
         ++*n;
     }
     return status;
@@ -217,13 +198,13 @@ int fvi_data_table(const char *option, const char *file,
                    const char *const names[2], size_t *n, double **t,
                    double **v, fvi_complaint c)
 {
-    reader r = { .option = option, .name = file, .c = c };
+    fvi_rows r;
     double *pairs = NULL;
-    int status = begin(&r);
     *n = 0;
-    if (status)
-        return status;
-    status = end(&r, rows(&r, names, n, &pairs));
+    int status = fvi_rows_open(&r, option, file, c);
+    if (!status)
+        status = read_rows(&r, names, n, &pairs);
+    fvi_rows_close(&r);
     if (!status && *n == 0)
         status = fvi_refuse(c, "--%s: %s: has no rows", option, file);
     double *block = !status ? malloc(2 * *n * sizeof *block) : NULL;

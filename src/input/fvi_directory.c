@@ -1,13 +1,13 @@
 /* src/input/fvi_directory.c -- A system from the files of a folder. */
-#define _GNU_SOURCE /* getline */
+#define _GNU_SOURCE /* PATH_MAX */
 #include "fvi_directory.h"
 #include "fvi_files.h"
+#include "fvi_rows.h"
 
 #include "matrices/sparse.h"
 
 #include <fvi/error.h>
 
-#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -57,14 +57,17 @@ static int read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
                        fvi_complaint c)
 {
     char place[PATH_MAX + 8];
-    fvi_misread wrong = { 0, "" };
+    fvi_misread wrong = { 0, "", 0 };
     int status = fvi_sparse_read(path(d, file, place), A, &wrong);
     if (status == FVI_ENOMEM)
         return no_memory(c);
     if (status && wrong.line == 0)
         return fvi_refuse(c, "--system: %s: %s", place, wrong.reason);
-    return status ? fvi_refuse(c, "--system: %s:%zu: %s", place, wrong.line,
-                               wrong.reason)
+    if (status && wrong.column == 0)
+        return fvi_refuse(c, "--system: %s:%zu: %s", place, wrong.line,
+                          wrong.reason);
+    return status ? fvi_refuse(c, "--system: %s:%zu:%zu: %s", place, wrong.line,
+                               wrong.column, wrong.reason)
                   : 0;
 }
 
@@ -151,21 +154,7 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
 
 /* ---- forces ---- */
 
-static const char between[] = " \t\r\n,;";
-
-/* A table that is read line by line. */
-typedef struct {
-    const char *name;
-    FILE *file;
-    char *line;
-    size_t room, number, allocated;
-    fvi_complaint c;
-} reader;
-
-static int refuse(const reader *r, const char *reason)
-{
-    return fvi_refuse(r->c, "--system: %s:%zu: %s", r->name, r->number, reason);
-}
+static const char between[] = " \t\r,;";
 
 /* Columns 1 to d. */
 static int all_columns(loads *l, size_t d)
@@ -185,73 +174,81 @@ static int names_columns(const char *line)
            && next[1] <= '9';
 }
 
-/* "t f3 f7", perhaps behind #. */
-static int named_columns(const reader *r, loads *l, size_t d)
+/* A fault in the line of names. */
+static int refuse_name(const fvi_rows *r, const char *at, const char *reason)
 {
-    char *at = r->line + strspn(r->line, "# \t"), *stop;
+    return fvi_refuse(r->c, "--system: %s:%zu:%zu: %s", r->name,
+                      r->lines.number, (size_t)(at - r->lines.text) + 1,
+                      reason);
+}
+
+/* "t f3 f7", perhaps behind #. */
+static int named_columns(const fvi_rows *r, loads *l, size_t d)
+{
+    char *at = r->lines.text + strspn(r->lines.text, "# \t"), *stop;
     if (*at != 't' || !at[1] || !strchr(between, at[1]))
-        return refuse(r, "names are t, then f1, f2, ...");
+        return refuse_name(r, at, "names are t, then f1, f2, ...");
     l->unknown = malloc(d * sizeof *l->unknown);
     if (!l->unknown)
         return 1;
     for (at++; *(at += strspn(at, between)); at = stop) {
-        const double i = *at == 'f' ? strtod(at + 1, &stop) : 0;
-        if (*at != 'f' || stop == at + 1 || !strchr(between, *stop)
-            || i != floor(i) || !(i >= 1 && i <= (double)d))
-            return refuse(r, "a name that is none of the unknowns'");
+        const int digit = *at == 'f' && at[1] >= '0' && at[1] <= '9';
+        const double i = digit ? strtod(at + 1, &stop) : 0;
+        if (!digit || !strchr(between, *stop) || i != floor(i)
+            || !(i >= 1 && i <= (double)d))
+            return refuse_name(r, at, "a name that is none of the unknowns'");
         for (size_t k = 0; k < l->width; k++)
             if (l->unknown[k] == (size_t)i - 1)
-                return refuse(r, "an unknown that is named twice");
+                return refuse_name(r, at, "an unknown that is named twice");
         l->unknown[l->width++] = (size_t)i - 1;
     }
-    return l->width > 0 ? 0 : refuse(r, "names are t, then f1, f2, ...");
+    return l->width > 0 ? 0
+                        : refuse_name(r, at, "names are t, then f1, f2, ...");
 }
 
 /* One row of numbers; t increases. */
-static int read_row(reader *r, loads *l)
+static int take_row(const fvi_rows *r, loads *l, size_t *room)
 {
     const size_t width = l->width + 1, n = l->rows;
-    if (n == r->allocated) {
-        r->allocated = 2 * r->allocated + 64;
-        double *more = realloc(l->t, r->allocated * width * sizeof *more);
+    const int status = fvi_rows_check_width(r, width);
+    if (status)
+        return status;
+    if (n == *room) {
+        *room = 2 * *room + 64;
+        double *more = realloc(l->t, *room * width * sizeof *more);
         if (!more)
             return 1;
         l->t = more;
     }
-    char *at = r->line, *stop;
-    for (size_t i = 0; i < width; i++, at = stop) {
-        at += strspn(at, between);
-        if (!*at)
-            return refuse(r, "a number is missing");
-        const double value = strtod(at, &stop);
-        if (stop == at || !isfinite(value) || !strchr(between, *stop))
-            return refuse(r, "not a finite number");
-        l->t[n * width + i] = value;
-    }
-    if (at[strspn(at, between)])
-        return refuse(r, "more numbers than columns");
+    memcpy(l->t + n * width, r->values, width * sizeof *l->t);
     if (n > 0 && !(l->t[n * width] > l->t[(n - 1) * width]))
-        return refuse(r, "t does not increase");
+        return fvi_rows_refuse(r, 0, "t does not increase");
     l->rows++;
     return 0;
 }
 
-static int read_rows(reader *r, loads *l, size_t d)
+static int read_rows(fvi_rows *r, loads *l, size_t d)
 {
-    int status = 0;
-    while (!status && getline(&r->line, &r->room, r->file) >= 0) {
-        r->number++;
-        const char *at = r->line + strspn(r->line, between);
+    fvi_rows_kind kind;
+    size_t room = 0;
+    int status;
+    while (!(status = fvi_rows_next(r, &kind)) && kind != FVI_ROWS_END) {
+        const char *text = r->lines.text;
         const int is_name =
-            !l->unknown && (*at == 't' || (*at == '#' && names_columns(at)));
-        if (*at == '\0' || (*at == '#' && !is_name))
+            !l->unknown
+            && (kind == FVI_ROWS_COMMENT ? names_columns(text) : *text == 't');
+        if (kind == FVI_ROWS_COMMENT && !is_name)
             continue;
         if (is_name)
             status = named_columns(r, l, d);
+        else if (kind == FVI_ROWS_WORDS)
+            status = fvi_rows_refuse(r, 0, FVI_ROWS_NO_NUMBER);
         else if (!l->unknown && all_columns(l, d))
             status = 1;
         if (!status && !is_name)
-            status = read_row(r, l);
+            status = take_row(r, l, &room);
+        if (status)
+            return status;
     }
     return status;
 }
@@ -261,16 +258,14 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
 {
     char place[PATH_MAX + 8];
     loads *l = &d->loads;
-    reader r = { .name = path(d, "f.tsv", place), .c = c };
-    *found = is_there(place);
+    fvi_rows r;
+    *found = is_there(path(d, "f.tsv", place));
     if (!*found)
         return 0;
-    r.file = fopen(place, "r");
-    if (!r.file)
-        return fvi_refuse(c, "--system: %s: %s", place, strerror(errno));
-    int status = read_rows(&r, l, d->M.n);
-    free(r.line);
-    fclose(r.file);
+    int status = fvi_rows_open(&r, "system", place, c);
+    if (!status)
+        status = read_rows(&r, l, d->M.n);
+    fvi_rows_close(&r);
     if (status)
         return status == 1 ? no_memory(c) : status;
     if (l->rows == 0)

@@ -1,8 +1,8 @@
 /* src/matrices/matrix_market.c -- Symmetric matrices from files.       [Chapter 27] */
-#define _GNU_SOURCE /* getline */
 #include "sparse.h"
 
 #include "system/fail.h"
+#include "system/lines.h"
 
 #include <limits.h>
 #include <math.h>
@@ -13,35 +13,49 @@
 
 /* A file that is read line by line, and what is wrong with it. */
 typedef struct {
-    FILE *file;
-    char *line;
-    size_t room, number; /* of the line, from 1 */
+    fvi_lines lines;
     int general;
     size_t n, count, size_line;
     fvi_triplet
-        *triplets; /* of a symmetric file twice as many as stand there */
-    size_t *lines; /* of each triplet */
+        *triplets;    /* of a symmetric file twice as many as stand there */
+    size_t *lines_of; /* each triplet */
     size_t kept;
     fvi_misread wrong;
 } reader;
 
+static const char blank[] = " \t";
+
 /* Line 0 is the file as a whole. */
 static int refuse(reader *r, size_t line, const char *reason)
 {
-    r->wrong = (fvi_misread){ line, reason };
+    r->wrong = (fvi_misread){ line, reason, 0 };
     return FVI_EDOM;
 }
 
-/* The next line that says something: 0 at the end. Comments stand below the first line. */
-static int next_line(reader *r)
+/* Of this line, at a place in it. */
+static int refuse_at(reader *r, const char *at, const char *reason)
 {
-    while (getline(&r->line, &r->room, r->file) >= 0) {
-        r->number++;
-        const char *at = r->line + strspn(r->line, " \t\r\n");
-        if (r->number == 1 || (*at != '\0' && *at != '%'))
-            return 1;
-    }
-    return 0;
+    r->wrong = (fvi_misread){ r->lines.number, reason,
+                              (size_t)(at - r->lines.text) + 1 };
+    return FVI_EDOM;
+}
+
+/* The next line that says something; *found is 0 at the end. Comments stand below the first
+ * line. */
+static int next_line(reader *r, int *found)
+{
+    int status;
+    const char *at = NULL;
+    do {
+        status = fvi_lines_next(&r->lines, found);
+        if (!status && *found)
+            at = r->lines.text + strspn(r->lines.text, blank);
+    } while (!status && *found && r->lines.number > 1
+             && (*at == '\0' || *at == '%'));
+    if (status == FVI_EDOM)
+        r->wrong =
+            (fvi_misread){ r->lines.number, r->lines.reason, r->lines.column };
+    return status;
 }
 
 /* ---- the first lines ---- */
@@ -49,13 +63,15 @@ static int next_line(reader *r)
 static int read_head(reader *r)
 {
     char object[20], format[20], field[20], symmetry[20], more[2];
-    if (!next_line(r))
+    int found, status = next_line(r, &found);
+    if (status)
+        return status;
+    if (!found)
         return refuse(r, 0, "cannot be read, or is empty");
-    if (sscanf(r->line, "%%%%MatrixMarket %19s %19s %19s %19s %1s", object,
-               format, field, symmetry, more)
-            != 4
-        || r->number != 1)
-        return refuse(r, r->number,
+    if (sscanf(r->lines.text, "%%%%MatrixMarket %19s %19s %19s %19s %1s",
+               object, format, field, symmetry, more)
+        != 4)
+        return refuse(r, 1,
                       "not a head '%%MatrixMarket matrix coordinate real "
                       "symmetric'");
     if (strcasecmp(object, "matrix") != 0)
@@ -72,79 +88,92 @@ static int read_head(reader *r)
     return FVI_SUCCESS;
 }
 
+/* Three numbers, and no more, separated by blanks; at[i] is where number i begins. */
+static int read_three(reader *r, const char *what, const char *at[3],
+                      double value[3])
+{
+    char *next = r->lines.text;
+    for (int i = 0; i < 3; i++) {
+        next += strspn(next, blank);
+        at[i] = next;
+        next = fvi_lines_decimal(next, '.', &value[i]);
+        if (!next || (*next && !strchr(blank, *next)))
+            return refuse_at(r, at[i], what);
+    }
+    next += strspn(next, blank);
+    return *next ? refuse_at(r, next, what) : FVI_SUCCESS;
+}
+
 static int read_size(reader *r)
 {
-    double rows, columns, count;
-    char more[2];
-    if (!next_line(r))
-        return refuse(r, 0, "ends before its size");
-    if (sscanf(r->line, "%lf %lf %lf %1s", &rows, &columns, &count, more) != 3
-        || rows != floor(rows) || count != floor(count))
-        return refuse(r, r->number, "not a size: rows, columns, entries");
+    double value[3];
+    const char *at[3];
+    int found, status = next_line(r, &found);
+    if (!status && !found)
+        status = refuse(r, 0, "ends before its size");
+    if (!status)
+        status = read_three(r, "not a size: rows, columns, entries", at, value);
+    if (status)
+        return status;
+    const double rows = value[0], columns = value[1], count = value[2];
     if (rows != columns)
-        return refuse(r, r->number, "the matrix is not square");
+        return refuse_at(r, at[1], "the matrix is not square");
+    if (rows != floor(rows) || count != floor(count))
+        return refuse_at(r, at[rows != floor(rows) ? 0 : 2],
+                         "not a size: rows, columns, entries");
     if (!(rows >= 1 && rows < INT_MAX && count >= 0 && count < INT_MAX / 2))
-        return refuse(r, r->number, "a size from 1 to 2^31 is wanted");
-    r->size_line = r->number;
+        return refuse_at(r, at[0], "a size from 1 to 2^31 is wanted");
+    r->size_line = r->lines.number;
     r->n = (size_t)rows;
     r->count = (size_t)count;
     const size_t most = 2 * r->count + 1;
     r->triplets = malloc(most * sizeof *r->triplets);
-    r->lines = malloc(most * sizeof *r->lines);
-    return r->triplets && r->lines ? FVI_SUCCESS : FVI_ENOMEM;
+    r->lines_of = malloc(most * sizeof *r->lines_of);
+    return r->triplets && r->lines_of ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
 /* ---- the entries ---- */
 
-static int index_of(reader *r, char **at, int *index)
-{
-    char *stop;
-    const double value = strtod(*at, &stop);
-    if (stop == *at || (*stop != ' ' && *stop != '\t'))
-        return refuse(r, r->number, "not a row, a column and a number");
-    if (value != floor(value) || !(value >= 1 && value <= (double)r->n))
-        return refuse(r, r->number, "a row or column that is not there");
-    *at = stop;
-    *index = (int)value - 1;
-    return FVI_SUCCESS;
-}
-
 static void keep(reader *r, int row, int column, double entry)
 {
-    r->lines[r->kept] = r->number;
+    r->lines_of[r->kept] = r->lines.number;
     r->triplets[r->kept++] = (fvi_triplet){ row, column, entry };
 }
 
 static int read_entry(reader *r)
 {
-    int row = 0, column = 0;
-    char *at = r->line, *stop;
-    int status = index_of(r, &at, &row);
-    if (!status)
-        status = index_of(r, &at, &column);
+    double value[3];
+    const char *at[3];
+    const int status = read_three(
+        r, "not a row, a column and a finite decimal number", at, value);
     if (status)
         return status;
-    const double entry = strtod(at, &stop);
-    if (stop == at || stop[strspn(stop, " \t\r\n")] != '\0')
-        return refuse(r, r->number, "not a row, a column and a number");
-    if (!isfinite(entry))
-        return refuse(r, r->number, "not a finite number");
-    keep(r, row, column, entry);
+    for (int i = 0; i < 2; i++)
+        if (value[i] != floor(value[i])
+            || !(value[i] >= 1 && value[i] <= (double)r->n))
+            return refuse_at(r, at[i], "a row or column that is not there");
+    const int row = (int)value[0] - 1, column = (int)value[1] - 1;
+    keep(r, row, column, value[2]);
     if (!r->general && row != column)
-        keep(r, column, row, entry);
+        keep(r, column, row, value[2]);
     return FVI_SUCCESS;
 }
 
 static int read_entries(reader *r)
 {
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < r->count; i++)
-        status = next_line(r) ? read_entry(r)
-                              : refuse(r, r->size_line,
-                                       "fewer entries follow than it says");
-    if (!status && next_line(r))
-        status = refuse(r, r->number, "more entries than it says");
-    return status;
+    int found, status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < r->count; i++) {
+        status = next_line(r, &found);
+        if (!status)
+            status = found ? read_entry(r)
+                           : refuse(r, r->size_line,
+                                    "fewer entries follow than it says");
+    }
+    if (!status)
+        status = next_line(r, &found);
+    return !status && found
+               ? refuse(r, r->lines.number, "more entries than it says")
+               : status;
 }
 
 /* ---- what is wrong with the whole ---- */
@@ -154,7 +183,7 @@ static size_t line_of(const reader *r, int row, int column)
 {
     for (size_t i = r->kept; i-- > 0;)
         if (r->triplets[i].row == row && r->triplets[i].column == column)
-            return r->lines[i];
+            return r->lines_of[i];
     return 0;
 }
 
@@ -172,7 +201,7 @@ static int find_double(reader *r, const fvi_sparse *A)
         while (A->row[e] != t->row)
             e++;
         if (taken[e])
-            line = r->lines[l];
+            line = r->lines_of[l];
         taken[e] = 1;
     }
     free(taken);
@@ -210,8 +239,10 @@ static int finish(reader *r, fvi_sparse *A)
 /* What is made of a file, but the matrix; to be given back with end. */
 static int begin(reader *r, const char *file)
 {
-    *r = (reader){ .file = fopen(file, "r") };
-    int status = r->file ? read_head(r) : refuse(r, 0, "cannot be read");
+    *r = (reader){ .kept = 0 };
+    int status = fvi_lines_open(&r->lines, file)
+                     ? read_head(r)
+                     : refuse(r, 0, "cannot be read");
     if (!status)
         status = read_size(r);
     return status ? status : read_entries(r);
@@ -219,11 +250,9 @@ static int begin(reader *r, const char *file)
 
 static void end(reader *r)
 {
-    if (r->file)
-        fclose(r->file);
-    free(r->line);
+    fvi_lines_close(&r->lines);
     free(r->triplets);
-    free(r->lines);
+    free(r->lines_of);
 }
 
 size_t fvi_sparse_line(const char *file, int row, int column)

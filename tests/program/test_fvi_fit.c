@@ -268,7 +268,7 @@ static const char *const refused[][2] = {
     { "fit --alpha 2 d.tsv", "--alpha" },
     { "fit d.tsv --sigma", "a value is missing" },
     { "fit word.tsv", "word.tsv:3" },
-    { "fit back.tsv", "back.tsv:3: t does not increase" },
+    { "fit back.tsv", "back.tsv:3:1: t does not increase" },
     { "fit short.tsv", "short.tsv:2" },
     { "fit early.tsv", "before 0" },
     { "fit empty.tsv", "no rows" },

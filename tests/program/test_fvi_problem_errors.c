@@ -124,7 +124,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
                       "fvi: --rho: cannot read '.': Is a directory");
     write_file("odd", "1\n2,x\n");
     ck_assert_refused("run --dimension 2 --rho @odd",
-                      "fvi: --rho: odd:2: not a finite number");
+                      "fvi: --rho: odd:2:3: not a finite decimal number");
     write_file("empty", "# nothing\n");
     ck_assert_refused("run --rho @empty",
                       "fvi: --rho: '@empty' has 0 numbers, not 1");
@@ -132,7 +132,7 @@ START_TEST(wrong_parameters_and_lists_are_refused)
                       "fvi: --force: empty: has no rows");
     write_file("back", "t F\n0 1\n2 1\n# a rest\n2 1\n");
     ck_assert_refused("run --force file:back",
-                      "fvi: --force: back:5: t does not increase");
+                      "fvi: --force: back:5:1: t does not increase");
     write_file("short", "0 1\n19.9 1\n");
     ck_assert_refused("run --force file:short",
                       "fvi: --force: short ends at t = 19.9, the run at 20");
@@ -141,25 +141,27 @@ START_TEST(wrong_parameters_and_lists_are_refused)
                       "fvi: --force: late begins at t = 0.1, the run at 0");
     write_file("gap", "0 1\n1\n30 1\n");
     ck_assert_refused("run --force file:gap",
-                      "fvi: --force: gap:2: a number is missing");
+                      "fvi: --force: gap:2:2: a number is missing");
     write_file("nan", "0 1\n1 nan\n");
     ck_assert_refused("run --force file:nan",
-                      "fvi: --force: nan:2: not a finite number");
-    const char *const wrong[] = { "nan 1", "1e999 1", "0.0s 1", "0x 1",
-                                  ",1,2" };
+                      "fvi: --force: nan:2:3: not a finite decimal number");
+    const char *const wrong[] = { "nan 1", "1e999 1", "0.0s 1", "0x 1" };
     for (size_t i = 0; i < LEN(wrong); i++) {
         char text[40];
         snprintf(text, sizeof text, "%s\n0 1\n30 1\n", wrong[i]);
         write_file("first", text);
         ck_assert_refused("run --force file:first",
-                          "fvi: --force: first:1: not a finite number");
+                          "fvi: --force: first:1:1: not a finite decimal number");
     }
+    write_file("first", ",1,2\n0 1\n30 1\n");
+    ck_assert_refused("run --force file:first",
+                      "fvi: --force: first:1:1: an empty field");
     write_file("comma", "t,F,G\n0,1,9\n10,,9\n30,2,9\n");
     ck_assert_refused("run --force file:comma",
-                      "fvi: --force: comma:3: not a finite number");
+                      "fvi: --force: comma:3:4: an empty field");
     write_file("comma", "1,,2,\n");
     ck_assert_refused("run --dimension 2 --rho @comma",
-                      "fvi: --rho: comma:1: not a finite number");
+                      "fvi: --rho: comma:1:3: an empty field");
     ck_assert_refused("exact --force t",
                       "fvi: --force: 't' has no exact solution here; "
                       "none, step:A,T and cosine:A,W have");

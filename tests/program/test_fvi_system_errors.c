@@ -14,7 +14,7 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
     } bad[] = {
         { "M.mtx", "", "M.mtx: cannot be read, or is empty" },
         { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 nan\n3 3 1\n",
-          "M.mtx:4: not a finite number" },
+          "M.mtx:4:5: not a row, a column and a finite decimal number" },
         { "M.mtx", HEAD "3 3 3\n1 1 1\n2 2 -1\n3 3 1\n",
           "M.mtx:4: not positive definite" },
         { "M.mtx", HEAD "3 3 4\n1 1 1\n2 2 1\n2 1 2\n3 3 1\n",
@@ -43,22 +43,22 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "C.mtx", HEAD "3 3 1\n2 1 0.5\n",
           "C.mtx:3: not positive semidefinite: it would feed the motion" },
         { "f.tsv", "t f4\n0 1\n",
-          "f.tsv:1: a name that is none of the "
+          "f.tsv:1:3: a name that is none of the "
           "unknowns'" },
         { "f.tsv", "t f1 f1\n0 1 1\n",
-          "f.tsv:1: an unknown that is named "
+          "f.tsv:1:6: an unknown that is named "
           "twice" },
-        { "f.tsv", "0 1 2 3\n1 1 2\n", "f.tsv:2: a number is missing" },
+        { "f.tsv", "0 1 2 3\n1 1 2\n", "f.tsv:2:6: a number is missing" },
         { "f.tsv", "0 1 2 3\n1 1 2 3 4\n",
-          "f.tsv:2: more numbers than "
+          "f.tsv:2:9: more numbers than "
           "columns" },
-        { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2: t does not increase" },
-        { "f.tsv", "0 1 2 inf\n", "f.tsv:1: not a finite number" },
+        { "f.tsv", "0 1 2 3\n0 1 2 3\n", "f.tsv:2:1: t does not increase" },
+        { "f.tsv", "0 1 2 inf\n", "f.tsv:1:7: not a finite decimal number" },
         { "f.tsv", "# t\n", "f.tsv: has no rows" },
-        { "f.tsv", "t\n0\n30\n", "f.tsv:1: names are t, then f1, f2, ..." },
-        { "f.tsv", "t f1\n0 1\nt f2\n30 1\n", "f.tsv:3: not a finite number" },
+        { "f.tsv", "t\n0\n30\n", "f.tsv:1:1: names are t, then f1, f2, ..." },
+        { "f.tsv", "t f1\n0 1\nt f2\n30 1\n", "f.tsv:3:1: not a finite decimal number" },
         { "f.tsv", "0 1 2 3\ntrash 1\n30 1 2 3\n",
-          "f.tsv:2: not a finite number" },
+          "f.tsv:2:1: not a finite decimal number" },
         { "C.mtx", HEAD "3 3 3\n1 1 1\n2 2 0\n3 3 -1\n",
           "C.mtx:5: not positive semidefinite: it would feed the motion" },
         { "C.mtx", HEAD "3 3 2\n1 1 1\n2 2 -1e-15\n",
@@ -124,7 +124,7 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
                       "fvi: --system: chain/C.mtx: cannot be read");
     ck_assert_int_eq(shell("mv chain/C.mtx chain/f.tsv"), 0);
     ck_assert_refused("run --system chain --steps 3",
-                      "fvi: --system: chain/f.tsv: No such file or directory");
+                      "fvi: --system: cannot read 'chain/f.tsv': No such file or directory");
     ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
 }
 END_TEST

@@ -64,13 +64,13 @@ START_TEST(a_file_is_the_matrix_that_it_says)
 {
     static const char *const files[] = {
         HEAD "% comment\n\n2 2 3\n1 1 2\n2 1 -1e0\n% more\n2 2 0.5\n",
-        HEAD "2 2 3\n2 2 0x1p-1\n1 2 -1\n1 1 2", /* the upper triangle */
+        HEAD "2 2 3\n2 2 .5e0\n1 2 -1\n1 1 2", /* the upper triangle */
         GENERAL "2 2 4\n1 2 -1\n2 2 .5\n1 1 2\n\t2  1\t-1 \r\n",
         "%%matrixmarket matrix coordinate real symmetric\n1 1 1\n1 1 2\n"
     };
     for (size_t i = 0; i < LEN(files); i++) {
         fvi_sparse A;
-        fvi_misread wrong = { 0, "" };
+        fvi_misread wrong = { 0, "", 0 };
         const char *name = write_file(files[i]);
         const int status = fvi_sparse_read(name, &A, &wrong);
         remove(name);
@@ -115,14 +115,16 @@ START_TEST(bad_files_are_refused_with_their_line)
         { HEAD "1 1 -1\n", "1 to 2^31", 2 },
         { HEAD "2 2 2\n1 1 1\n", "fewer", 2 },
         { HEAD "2 2 1\n1 1 1\n2 2 1\n", "more", 4 },
-        { HEAD "2 2 1\n1 1\n", "a number", 3 },
-        { HEAD "2 2 1\n1 1 one\n", "a number", 3 },
-        { HEAD "2 2 1\n1 1 1 1\n", "a number", 3 },
-        { HEAD "2 2 1\n1,1,1\n", "a number", 3 },
+        { HEAD "2 2 1\n1 1\n", "a finite decimal number", 3 },
+        { HEAD "2 2 1\n1 1 one\n", "a finite decimal number", 3 },
+        { HEAD "2 2 1\n1 1 1 1\n", "a finite decimal number", 3 },
+        { HEAD "2 2 1\n1,1,1\n", "a finite decimal number", 3 },
         { HEAD "2 2 1\n3 1 1\n", "not there", 3 },
         { HEAD "2 2 1\n1 0 1\n", "not there", 3 },
         { HEAD "2 2 1\n1 1.5 1\n", "not there", 3 },
         { HEAD "2 2 1\n1 1 nan\n", "finite", 3 },
+        { HEAD "2 2 1\n1 1 0x10\n", "decimal", 3 },
+        { HEAD "0x2 2 1\n1 1 1\n", "size", 2 },
         { HEAD "2 2 1\n1 1 1e999\n", "finite", 3 },
         { HEAD "2 2 3\n1 1 1\n2 1 3\n1 2 3\n", "one triangle", 5 },
         { HEAD "2 2 3\n1 1 1\n2 2 3\n1 1 3\n", "twice", 5 },
@@ -132,7 +134,7 @@ START_TEST(bad_files_are_refused_with_their_line)
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         fvi_sparse A = { .n = 77 };
-        fvi_misread wrong = { 99, "" };
+        fvi_misread wrong = { 99, "", 99 };
         const char *name = write_file(bad[i].text);
         const int status = fvi_sparse_read(name, &A, &wrong);
         remove(name);
