@@ -4,23 +4,51 @@
 #include "words/fvi_shortest.h"
 
 #include <ctype.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-double fvi_grid_value(const fvi_grid *g, size_t i, size_t n)
+/* The decimal number of fewest digits that is as near to v as the formula of a point is to
+ * the point, or v if that number has more than 12 digits: 79.99999999999999 is 80. */
+static double nearest_decimal(double v, double error)
 {
-    const fvi_axis *a = &g->axis[n];
-    for (size_t m = g->count - 1; m > n; m--)
-        i /= g->axis[m].count;
-    i %= a->count;
+    if (!isfinite(error))
+        return v;
+    if (fabs(v) <= error)
+        return 0;
+    for (int digits = 1; digits <= 12; digits++) {
+        char text[32];
+        snprintf(text, sizeof text, "%.*g", digits, v);
+        const double decimal = strtod(text, NULL);
+        if (fabs(decimal - v) <= error)
+            return decimal;
+    }
+    return v;
+}
+
+/* Point i of the axis. Its roundings are bounded by 4 units of the larger end, or, where
+ * points grow by a factor, by 4 units and one for each power of e between the ends. */
+static double axis_value(const fvi_axis *a, size_t i)
+{
     if (i == 0 || i == a->count - 1)
         return i == 0 ? a->from : a->to;
     const double part = (double)i / (double)(a->count - 1);
-    return a->log ? a->from * pow(a->to / a->from, part)
-                  : a->from + part * (a->to - a->from);
+    if (!a->log)
+        return nearest_decimal(a->from + part * (a->to - a->from),
+                               4 * DBL_EPSILON
+                                   * fmax(fabs(a->from), fabs(a->to)));
+    const double ratio = a->to / a->from, v = a->from * pow(ratio, part);
+    return nearest_decimal(v, (4 + fabs(log(ratio))) * DBL_EPSILON * fabs(v));
+}
+
+double fvi_grid_value(const fvi_grid *g, size_t i, size_t n)
+{
+    for (size_t m = g->count - 1; m > n; m--)
+        i /= g->axis[m].count;
+    return axis_value(&g->axis[n], i % g->axis[n].count);
 }
 
 int fvi_grid_has(const fvi_grid *g, const char *name)
@@ -251,10 +279,8 @@ int fvi_grid_parse(int argc, char **argv, fvi_grid *g, char *complaint,
         all *= (double)g->axis[n].count;
     if (all > 1e9)
         return fvi_refuse(c, "--vary: %g runs are too many", all);
-    /* part I has the runs from (I - 1) R / K to I R / K */
+    /* part I has the runs from (I - 1) R / K to I R / K: none, if there are more parts than runs */
     const size_t runs = (size_t)all;
-    if (g->parts > runs)
-        return fvi_refuse(c, "--part: '%s' of %zu rows", g->part_text, runs);
     g->first = (g->part - 1) * runs / g->parts;
     g->runs = g->part * runs / g->parts - g->first;
     return 0;

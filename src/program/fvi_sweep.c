@@ -143,7 +143,7 @@ static int work_together(const fvi_grid *g, board *shared)
     }
     for (int state; ended < started && wait(&state) > 0;)
         ended += WIFEXITED(state) && WEXITSTATUS(state) == 0;
-    return started == 0 || ended < started;
+    return (started == 0 && shared->count > 0) || ended < started;
 }
 
 /* ---- the table ---- */

@@ -91,6 +91,48 @@ START_TEST(neither_jobs_nor_parts_change_a_row)
 }
 END_TEST
 
+/* Between decimal ends stand decimal points, also whole numbers and 0; where a point is no
+ * short decimal number, it is that of the formula. */
+START_TEST(points_between_decimal_ends_are_decimal)
+{
+    static const struct {
+        const char *vary, *rows;
+    } grids[] = {
+        { "steps=20:160:4:log", "20\n40\n80\n160\n" },
+        { "alpha=0:0.6:7", "0\n0.1\n0.2\n0.3\n0.4\n0.5\n0.6\n" },
+        { "x0=-0.3:0.6:4", "-0.3\n0\n0.3\n0.6\n" },
+        { "p0=-1:1:6", "-1\n-0.6\n-0.2\n0.2\n0.6\n1\n" },
+        { "h=1e-6:1:7:log", "1e-06\n1e-05\n0.0001\n0.001\n0.01\n0.1\n1\n" },
+        { "x0=-1000:-1:4:log", "-1000\n-100\n-10\n-1\n" },
+        { "x0=0:1:4", "0\n0.3333333333333333\n0.6666666666666666\n1\n" },
+        { "x0=1:2:3:log", "1\n1.4142135623730951\n2\n" },
+    };
+    char line[200];
+    for (size_t i = 0; i < LEN(grids); i++) {
+        snprintf(line, sizeof line,
+                 "\"$FVI\" sweep --vary %s %s --columns t | grep -v '#' | cut "
+                 "-f1",
+                 grids[i].vary, i == 0 ? "--time 1" : "--steps 1");
+        ck_assert_int_eq(shell(line), 0);
+        ck_assert_str_eq(out, grids[i].rows);
+    }
+}
+END_TEST
+
+/* More parts than rows: a script that asks for each of them gets each row once. */
+START_TEST(a_part_may_have_no_rows)
+{
+    ck_assert_int_eq(shell("for i in 1 2 3 4 5; do \"$FVI\" sweep --vary "
+                           "x0=1:2:2 --part $i/5 --format csv || exit 1; done "
+                           "| grep -v x0 | cut -d, -f1"),
+                     0);
+    ck_assert_str_eq(out, "1\n2\n");
+    ck_assert_int_eq(
+        fvi("sweep --vary x0=1:2:2 --part 1/5 --columns t --format json"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\"rows\": [\n]}"));
+}
+END_TEST
+
 START_TEST(bad_sweeps_are_refused)
 {
     static char lines[] =
@@ -106,8 +148,8 @@ START_TEST(bad_sweeps_are_refused)
         "sweep --vary a=1:2:2 --vary b=1:2:2 --vary c=1:2:2 --vary d=1:2:2;"
         "sweep --vary alpha=0:1:1e9 --vary rho=0:1:1e9;"
         "sweep --vary alpha=0:1:3 --part 0/2;sweep --vary alpha=0:1:3 --part "
-        "3/2;sweep --vary alpha=0:1:3 --part 1;sweep --vary x0=1:2:2 --part "
-        "1/5;sweep --vary alpha=0:1:3 "
+        "3/2;sweep --vary alpha=0:1:3 --part 1;"
+        "sweep --vary alpha=0:1:3 "
         "--jobs 0;sweep --vary alpha=0:1:3 --jobs;sweep --vary alpha=0:1:3 "
         "walk;sweep --vary h=0.1:0.2:2 --time 3;sweep --vary k=1:2:2 "
         "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
@@ -203,7 +245,8 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: a grid of runs");
     ADD_CASE(suite, "values", a_sweep_is_the_last_rows_of_its_runs,
-             what_can_be_varied, neither_jobs_nor_parts_change_a_row);
+             what_can_be_varied, points_between_decimal_ends_are_decimal,
+             a_part_may_have_no_rows, neither_jobs_nor_parts_change_a_row);
     ADD_CASE(suite, "errors", bad_sweeps_are_refused, a_run_that_fails_is_named,
              a_sweep_of_what_has_no_solution_warns,
              unstable_rows_of_a_sweep_are_counted);

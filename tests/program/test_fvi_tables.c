@@ -158,8 +158,7 @@ START_TEST(what_never_ends_is_refused_in_little_memory)
                  "status=$?; kill $one $two; exit $status",
                  endless[i].words);
         ck_assert_int_eq(shell(line), 2);
-        ck_assert_msg(strncmp(err + 5, endless[i].said,
-                              strlen(endless[i].said))
+        ck_assert_msg(strncmp(err + 5, endless[i].said, strlen(endless[i].said))
                           == 0,
                       "%s", err);
     }
