@@ -81,7 +81,7 @@ def where_from(match):
     """A pointer above quoted code -> a link to its first line."""
     file, region = match[1], match[2]
     lines = pathlib.Path(file).read_text().splitlines()
-    first = lines.index(function(file, region[:-2])[0]) + 1 if (region or "").endswith("()") else 1
+    first = lines.index(function(file, region.partition("()")[0])[0]) + 1 if (region or "").endswith("()") else 1
     for i, line in enumerate(lines, 1):
         mark = MARK.fullmatch(line)
         if mark and mark[1] == ">" and mark[2] == region:

@@ -6,7 +6,7 @@
 A block of a chapter that shows code stands under an invisible pointer:
     <!-- excerpt: src/stem.c#region -->
     <!-- excerpt: src/course/body_06.c#run() -->
-The second form is a function with the comment above it. A region lies between the lines `//> region` and `//< region` of the source
+The second form is a function with the comment above it, or several, as in #U(),dU(). A region lies between the lines `//> region` and `//< region` of the source
 (`#> region`, `#< region` in Python and gnuplot); without #region the whole file
 is meant. Below a pointer to words, such as those that a benchmark prints, stands a quote
 instead: lines that begin with `>`. A fenced block in a language other than text, sh and math must have a
@@ -18,7 +18,7 @@ import sys
 import textwrap
 
 FREE = {"", "text", "sh", "math", "mermaid"}
-POINTER = re.compile(r"<!-- excerpt: (\S+?)(?:#([\w-]+(?:\(\))?))? -->")
+POINTER = re.compile(r"<!-- excerpt: (\S+?)(?:#([\w-]+|\w+\(\)(?:,\w+\(\))*))? -->")
 MARK = re.compile(r"\s*(?://|#|/\*)([<>]) ([\w-]+)(?: \*/)?\s*")
 
 
@@ -39,7 +39,7 @@ def function(path, name):
 def region(path, name):
     """The lines of a region, without marks, moved to the left margin."""
     if name and name.endswith("()"):
-        return function(path, name[:-2])
+        return [line for word in name.split(",") for line in function(path, word[:-2])]
     lines = pathlib.Path(path).read_text().splitlines()
     marks = [(i, *m.groups()) for i, line in enumerate(lines) if (m := MARK.fullmatch(line))]
     if name:
