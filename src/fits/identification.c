@@ -68,6 +68,9 @@ static int try_all(search *o, const double *low, const double *high,
             fvi_fit_minimise(o, &o->found[k],
                              k > 0 && least < o->believed ? least : GSL_POSINF);
         keep(o, k, best);
+        const int end = fvi_interrupted();
+        if (end)
+            return end;
     }
     if (!(o->found[*best].sum < GSL_POSINF))
         FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
@@ -78,7 +81,7 @@ static int try_all(search *o, const double *low, const double *high,
 static int go_on(search *o, size_t *best)
 {
     int any = 0;
-    for (size_t k = 0; k < o->model.fit->starts; k++)
+    for (size_t k = 0; k < o->model.fit->starts && !fvi_interrupted(); k++)
         if (o->found[k].gave_up) {
             any = 1;
             fvi_fit_minimise(o, &o->found[k], GSL_POSINF);
@@ -175,6 +178,9 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
         const fvi_fitted before = *fitted;
         fvi_fit_model_step(&o->model, o->model.run.h / 2);
         fvi_fit_minimise(o, best, GSL_POSINF);
+        status = fvi_interrupted();
+        if (status)
+            return status;
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
         status = statistics(o, best, fitted);
@@ -226,6 +232,9 @@ static int whole(search *o, const double *low, const double *high,
     status = look(o, first, &best, fitted);
     if (fitted->agree < 2 && go_on(o, &first))
         status = look(o, first, &best, fitted);
+    const int end = fvi_interrupted();
+    if (end)
+        return end;
     if (!status && fit->h == 0)
         status = refine(o, &best, fitted);
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);

@@ -66,7 +66,7 @@ typedef struct {
     const char *name, *order, *memory;
     int lowest, highest, stages;
     double alpha_least, alpha_most;
-    int takes_kappa, implicit;
+    int takes_kappa, implicit, past_as_printed;
     ...;
 } fvi_method;
 typedef struct {
@@ -97,7 +97,13 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error, 
 typedef struct { double estimate; ...; } fvi_adaptive_found;
 int fvi_adaptive_search(const fvi_run *run, double error, size_t most, double *x, double *p,
                         fvi_adaptive_found *found);
-int fvi_stability_load(const fvi_method *method, const fvi_run *run, double *load);
+enum { FVI_WARNING_ROOM = 240 };
+const char *fvi_warning_of_past(const fvi_run *run);
+int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
+typedef struct { double stiffest; size_t next; } fvi_watch;
+fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_unstable);
+int fvi_warning_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t k,
+                      const double *x, size_t size, char *text);
 
 typedef struct fvi_expression fvi_expression;
 typedef struct {
@@ -116,7 +122,7 @@ fvi_force fvi_force_expression(const fvi_expression *e);
 
 typedef enum { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO, FVI_PARAMETER_MASS, FVI_PARAMETER_X0,
                FVI_PARAMETER_P0, FVI_PARAMETER_CONSTANT, ... } fvi_parameter;
-enum { FVI_FIT_MOST = 8, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+enum { FVI_FIT_MOST = 8, FVI_EINVAL = 4, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -149,6 +155,11 @@ typedef struct {
     double A, T, w;
     const fvi_law *law;
 } fvi_linear;
+int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j, const char *name_i,
+                            const char *name_j, size_t size, char *text);
+int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
+int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
+const char *fvi_fit_warning_of_past(const fvi_fit *fit, const fvi_fitted *fitted);
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
 int fvi_exact_rows(const fvi_linear *problem, double h, size_t n, double tolerance, double *x, double *v);
 
@@ -157,7 +168,12 @@ const char *fvi_strerror(int code);
 const char *fvi_version(void);
 
 const char *why(int code);
-void listen(void);
+void listen(unsigned long thread);
+void begin(void);
+int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
+int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, const double *x,
+               size_t size, char *text);
+extern "Python" int look_up(void);
 extern "Python" int ask_value(size_t d, const double *x, void *params, double *value);
 extern "Python" int ask_gradient(size_t d, const double *x, void *params, double *grad);
 extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);
@@ -175,6 +191,9 @@ ffi.set_source(
     "fvi._fvi",
     """
     #include <fvi/fvi.h>
+    #include <pthread.h>
+    #include <time.h>
+    static int look_up(void);
     /* The last error's reason and code, of this thread: for the text of the exception. */
     static _Thread_local const char *reason;
     static _Thread_local int reason_of;
@@ -184,9 +203,57 @@ ffi.set_source(
         reason = text;
         reason_of = code;
     }
-    static void listen(void)
+    /* Ctrl-C reaches the main thread, and is seen when that calls Python. */
+    static unsigned long main_thread;
+    static int stopped; /* what Python said; it stands until the call has returned */
+    static int ask_python(void)
     {
+        static struct timespec last;
+        struct timespec now;
+        if ((unsigned long)pthread_self() != main_thread)
+            return 0;
+        if (stopped)
+            return stopped;
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        if ((double)(now.tv_sec - last.tv_sec) + 1e-9 * (double)(now.tv_nsec - last.tv_nsec) < 0.05)
+            return 0;
+        last = now;
+        return stopped = look_up();
+    }
+    static void listen(unsigned long thread)
+    {
+        main_thread = thread;
         fvi_set_error_handler(note);
+        fvi_set_interrupter(ask_python);
+    }
+    /* Before a call of the library. */
+    static void begin(void)
+    {
+        reason = NULL;
+        if ((unsigned long)pthread_self() == main_thread)
+            stopped = 0;
+    }
+    /* At most so many steps, until it is time to look whether the run has got too stiff. */
+    static int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken)
+    {
+        int status = 0;
+        for (*taken = 0; *taken < count && !status;) {
+            status = fvi_step(s);
+            *taken += !status;
+            if (s->k >= watch->next)
+                break;
+        }
+        return status;
+    }
+    /* fvi_warning_along at the rows of a run, as far as they are finite. */
+    static int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run,
+                          const double *x, size_t size, char *text)
+    {
+        const size_t d = run->system->d;
+        for (size_t k = 1; k <= run->steps && fvi_all_finite(d, x + k * d); k++)
+            if (fvi_warning_along(watch, method, run, k, x + k * d, size, text))
+                return 1;
+        return 0;
     }
     /* The reason of this code, or NULL; no reason is given twice, or for another code. */
     static const char *why(int code)

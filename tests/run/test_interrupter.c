@@ -80,6 +80,20 @@ START_TEST(a_search_and_the_exact_solution_end_too)
         fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
     for (size_t i = 0; i < LEN(t); i++)
         t[i] = (double)i;
+    const fvi_parameter rho = FVI_PARAMETER_RHO;
+    const fvi_fit fit = { .method = &fvi_fractional,
+                          .run = &run,
+                          .n = LEN(t),
+                          .t = t,
+                          .x = one + 1,
+                          .parameters = 1,
+                          .which = &rho,
+                          .starts = 1000 };
+    fvi_fitted fitted;
+    asked = 0;
+    asks = 10; /* the first starts are over */
+    ck_assert_int_eq(fvi_fit_search(&fit, NULL, &fitted), CODE);
+    ck_assert_int_lt(asked, 1000);
     asked = 0;
     asks = 4;
     ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), CODE);

@@ -15,10 +15,13 @@ defaults; `help(fvi.run)` lists those that there are. Lengths, times and masses 
     weights     the Grunwald-Letnikov weights of any order up to 2
     potential   U from functions of Python's, or compiled ones
     Error       what is raised where the library returns a code
+    Warning     what warnings.warn says where the numbers are not those of a motion
 """
-from ._problem import Error, Potential, potential
-from ._run import Fit, Method, Run, Stepper, exact, fit, methods, run, version, weights
+from ._fit import Fit, fit
+from ._library import Error, Warning
+from ._problem import Potential, potential
+from ._run import Method, Run, Stepper, exact, methods, run, version, weights
 
 __version__ = version()
-__all__ = ["Error", "Fit", "Method", "Potential", "Run", "Stepper", "exact", "fit", "methods", "potential",
+__all__ = ["Error", "Fit", "Method", "Potential", "Run", "Stepper", "Warning", "exact", "fit", "methods", "potential",
            "run", "version", "weights"]

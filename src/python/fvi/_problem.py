@@ -1,29 +1,18 @@
-"""From what a user writes to the library's structs: potentials, forces, starts, errors."""
+"""From what a user writes to the library's structs: potentials, forces, starts."""
 from __future__ import annotations
 
 import math
 import numbers
 import re
+from collections.abc import Mapping
 from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
+from . import _arguments as arguments
+from ._arguments import Array, Numbers
 from ._fvi import ffi, lib
-
-Array = np.ndarray
-Numbers = Union[float, Sequence[float], Array]
-
-
-class Error(Exception):
-    """The library returned a code. `code` is its number (fvi/error.h), and the text says why."""
-
-    def __init__(self, code: int, where: str = ""):
-        why = lib.why(code)
-        words = ffi.string(lib.fvi_strerror(code)).decode()
-        reason = ffi.string(why).decode() if why != ffi.NULL else words
-        super().__init__(f"{reason}{where}")
-        self.code = code
-        self.fit: Any = None  # what a fit found that is not to be believed
+from ._library import is_interrupted, keep, succeed
 
 
 class Potential:
@@ -34,14 +23,15 @@ class Potential:
         self.quadratic, self.diagonals = quadratic, diagonals
 
 
+@arguments.spelt()
 def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = False,
               diagonals: int = 0) -> Potential:
     """A potential of your own.
 
     value, gradient, hessian
         Three functions of x: U, a number; the d numbers dU/dx_i; the Hessian, d x d numbers,
-        or as `diagonals` says. x is an array of d numbers that may be read only; where the
-        start is one number, x is one, too, and all three give a number.
+        or as `diagonals` says. x is an array of d numbers, a copy that the function may keep;
+        where the start is one number, x is one, too, and all three give a number.
         Or the addresses of three compiled functions, as integers (numba's
         ``cfunc(...).address``): each is the C function
         ``int f(size_t d, const double *x, void *, double *out)`` that returns 0; they
@@ -57,75 +47,71 @@ def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = Fals
     given = (value, gradient, hessian)
     if not (all(callable(f) for f in given) or all(isinstance(f, numbers.Integral) for f in given)):
         raise TypeError("value, gradient and hessian are three functions, or three addresses")
-    if diagonals < 0:
-        raise ValueError("diagonals must be 0 or more")
-    return Potential(value, gradient, hessian, quadratic, diagonals)
+    return Potential(value, gradient, hessian, bool(quadratic), arguments.whole("diagonals", diagonals, 0))
 
 
 class Asked:
-    """The functions of one run; what they raised waits here until the library has returned."""
+    """The functions of one run."""
 
     def __init__(self, U: Optional[Potential], F: Optional[Callable[[float], Numbers]], scalar: bool):
         self.U, self.F, self.scalar = U, F, scalar
-        self.raised: Optional[BaseException] = None
         self.views: dict = {}  # the library asks with the same few arrays again and again
 
     def view(self, pointer: Any, n: int) -> Array:
-        """n doubles of the library's as an array."""
+        """n doubles of the library's as an array, which is theirs and goes with them."""
         where = (int(ffi.cast("uintptr_t", pointer)), n)
         if where not in self.views:
+            if len(self.views) > 64:
+                self.views.clear()
             self.views[where] = np.frombuffer(ffi.buffer(pointer, 8 * n))
         return self.views[where]
 
     def at(self, x: Any, d: int) -> Any:
-        """x as the functions take it: a number, or an array that may be read only."""
+        """x as the functions take it: a number, or an array of their own."""
+        return x[0] if self.scalar else self.view(x, d).copy()
+
+    def answer(self, what: str, out: Any, shape: tuple, given: Any) -> int:
+        """What a function gave, into the library's array."""
         if self.scalar:
-            return x[0]
-        array = self.view(x, d).view()
-        array.flags.writeable = False
-        return array
-
-    def answer(self, out: Any, shape: tuple, function: Callable[[Any], Any], argument: Any) -> int:
-        if self.raised is not None and not isinstance(self.raised, Exception):
-            return -1  # an interrupt: a search of many runs has to end, too
-        try:
-            if self.scalar:
-                out[0] = function(argument)
-                return 0
-            given, n = np.asarray(function(argument), dtype=float), math.prod(shape)
-            if given.size != n and (given.ndim or len(shape) > 1 and shape[1] > 1):
-                raise ValueError(f"a function gave {given.size} numbers, not {n}")
-            if given.ndim > 1 and len(shape) > 1 and given.shape != shape:
-                raise ValueError(f"a function gave an array {given.shape}, not {shape}")
-            self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere but in a matrix
+            try:
+                out[0] = given
+            except TypeError as error:
+                raise TypeError(f"{what} gave {arguments.described(given)}, not a number") from error
             return 0
-        except BaseException as error:  # an interrupt, too, ends the run
-            self.raised = error
-            return -1
+        if given is None:
+            raise TypeError(f"{what} gave None, not numbers")
+        given, n = np.asarray(given, dtype=float), math.prod(shape)
+        if given.size != n and (given.ndim or len(shape) > 1 and shape[1] > 1):
+            raise ValueError(f"{what} gave {given.size} numbers, not {n}")
+        if given.ndim > 1 and len(shape) > 1 and given.shape != shape:
+            raise ValueError(f"{what} gave an array {given.shape}, not {shape}")
+        self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere but in a matrix
+        return 0
 
 
-@ffi.def_extern(error=-1)
+@ffi.def_extern(error=-1, onerror=keep)
 def ask_value(d, x, params, value):
     asked = ffi.from_handle(params)
-    return asked.answer(value, (1,), asked.U.value, asked.at(x, d))
+    return -1 if is_interrupted() else asked.answer("value", value, (1,), asked.U.value(asked.at(x, d)))
 
 
-@ffi.def_extern(error=-1)
+@ffi.def_extern(error=-1, onerror=keep)
 def ask_gradient(d, x, params, grad):
     asked = ffi.from_handle(params)
-    return asked.answer(grad, (d,), asked.U.gradient, asked.at(x, d))
+    return -1 if is_interrupted() else asked.answer("gradient", grad, (d,), asked.U.gradient(asked.at(x, d)))
 
 
-@ffi.def_extern(error=-1)
+@ffi.def_extern(error=-1, onerror=keep)
 def ask_hessian(d, x, params, H):
     asked = ffi.from_handle(params)
-    return asked.answer(H, (d, asked.U.diagonals or d), asked.U.hessian, asked.at(x, d))
+    return -1 if is_interrupted() else asked.answer("hessian", H, (d, asked.U.diagonals or d),
+                                                    asked.U.hessian(asked.at(x, d)))
 
 
-@ffi.def_extern(error=-1)
+@ffi.def_extern(error=-1, onerror=keep)
 def ask_force(t, d, params, F):
     asked = ffi.from_handle(params)
-    return asked.answer(F, (d,), asked.F, t)
+    return -1 if is_interrupted() else asked.answer("force", F, (d,), asked.F(t))
 
 
 @ffi.def_extern(error=0)
@@ -145,23 +131,11 @@ class Expression:
         out, wrong = ffi.new("fvi_expression **"), ffi.new("fvi_misprint *")
         status = lib.fvi_expression_parse(text.encode(), names, ffi.cast("double *", self.values.ctypes.data),
                                           out, wrong)
-        if status == 4:  # FVI_EINVAL
+        if status == lib.FVI_EINVAL:
             place = len(text.encode()[:wrong.at].decode(errors="ignore"))
             raise ValueError(f"{what}: {ffi.string(wrong.reason).decode()}\n  {text}\n  {' ' * place}^")
-        if status:
-            raise Error(status)
+        succeed(status)
         self.pointer = ffi.gc(out[0], lib.fvi_expression_free)
-
-
-def words(text: str, known: dict) -> tuple:
-    """'duffing:1,0.5' -> ('duffing', [1.0, 0.5]); known says how many numbers a word takes."""
-    name, _, rest = text.partition(":")
-    if name not in known:
-        raise ValueError(f"'{text}' is none of " + ", ".join(known))
-    given = [float(word) for word in rest.split(",")] if rest else []
-    if len(given) != known[name]:
-        raise ValueError(f"'{text}': {name} takes {known[name]} numbers")
-    return name, given
 
 
 LAWS = {"power": (lib.FVI_LAW_POWER, ("rho", "alpha")), "zener": (lib.FVI_LAW_ZENER, ("rho", "alpha", "time")),
@@ -171,22 +145,17 @@ LAWS = {"power": (lib.FVI_LAW_POWER, ("rho", "alpha")), "zener": (lib.FVI_LAW_ZE
 
 def law(given: Union[str, Sequence[str]]) -> tuple:
     """The terms "zener:1,0.3,2", a text or several, as the library's struct, and what it points to."""
-    terms = [given] if isinstance(given, str) else list(given)
+    if not isinstance(given, str) and not (isinstance(given, (list, tuple))
+                                           and all(isinstance(each, str) for each in given)):
+        raise TypeError(f"damping: {arguments.described(given)} is no text and no list of texts")
+    terms = [given] if isinstance(given, str) else given
     array_ = ffi.new("fvi_law_term[]", len(terms))
     for term, text in zip(array_, terms):
-        name, n = words(text, {word: len(fields) for word, (_, fields) in LAWS.items()})
+        name, n = arguments.words("damping", text, {word: len(fields) for word, (_, fields) in LAWS.items()})
         term.kind = LAWS[name][0]
         for field, value in zip(LAWS[name][1], n):
             setattr(term, field, value)
     return ffi.new("fvi_law *", {"count": len(terms), "term": array_}), array_
-
-
-def array(what: str, given: Numbers, d: int) -> Array:
-    """d finite numbers, of one for all or of d."""
-    a = np.array(given, dtype=float)
-    if a.shape not in ((), (1,), (d,)):
-        raise ValueError(f"{what} has the shape {a.shape}, not ({d},)")
-    return np.ascontiguousarray(np.broadcast_to(a, (d,)))
 
 
 class Problem:
@@ -195,7 +164,9 @@ class Problem:
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
                  x0: Numbers, p0: Numbers, let: Optional[dict] = None):
         self.keep: list = []
-        self.let = {name: float(value) for name, value in (let or {}).items()}
+        if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
+            raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
+        self.let = {name: arguments.number(f"let: {name}", value) for name, value in (let or {}).items()}
         self.values = np.array(list(self.let.values()) or [0.0])
         self.named: set = set()  # by the expressions
         for name in self.let:
@@ -203,8 +174,10 @@ class Problem:
                 raise ValueError(f"let: '{name}' is not a name for a parameter")
         self.constants: Optional[Array] = None  # of the potential, by names
         self.names: list = []
-        self.scalar = np.ndim(x0) == 0 and np.ndim(p0) == 0
-        self.d = max(np.size(a) for a in (mass, rho, x0, p0))
+        rows = {name: arguments.numbers(name, given)
+                for name, given in (("mass", mass), ("rho", rho), ("x0", x0), ("p0", p0))}
+        self.scalar = rows["x0"].ndim == 0 and rows["p0"].ndim == 0
+        self.d = max(a.size for a in rows.values())
         U = self.potential(potential)
         self.scalar &= self.d == 1
         self.asked = Asked(potential if isinstance(potential, Potential) else None,
@@ -212,11 +185,11 @@ class Problem:
         self.handle = ffi.new_handle(self.asked)
         if isinstance(potential, Potential) and callable(potential.value):
             U.params = self.handle
-        self.x0, self.p0 = array("x0", x0, self.d), array("p0", p0, self.d)
+        self.x0, self.p0 = (arguments.row(name, rows[name], self.d) for name in ("x0", "p0"))
         self.system = ffi.new("fvi_system *")
         self.system.d = self.d
-        self.system.mass = self.pointer(array("mass", mass, self.d))
-        self.system.damping = self.pointer(array("rho", rho, self.d))
+        self.system.mass = self.pointer(arguments.row("mass", rows["mass"], self.d))
+        self.system.damping = self.pointer(arguments.row("rho", rows["rho"], self.d))
         self.system.potential = U
         self.system.force = self.force(force)
         for name in self.let:
@@ -230,13 +203,18 @@ class Problem:
     def potential(self, given: Union[str, Potential]) -> Any:
         if isinstance(given, Potential):
             return self.own_potential(given)
+        if callable(given):
+            raise TypeError("potential: a function alone has no gradient and no hessian: "
+                            "fvi.potential(value, gradient, hessian) takes all three")
+        if not isinstance(given, str):
+            raise TypeError(f"potential: {arguments.described(given)} is no text, and not what fvi.potential makes")
         known = {"harmonic": 1, "duffing": 2, "pendulum": 1, "chain": 3, "free": 0}
         if given.partition(":")[0] not in known:
             return self.expression(given)
-        name, n = words(given, known)
+        name, n = arguments.words("potential", given, known)
         if name == "chain":
             if n[0] != int(n[0]) or n[0] < 1 or self.d not in (1, n[0]):
-                raise ValueError(f"'{given}': so many masses do not fit the other lists")
+                raise ValueError(f"potential: '{given}': so many masses do not fit the other lists")
             self.d = int(n.pop(0))
         if name == "free":
             return ffi.new("fvi_potential *")[0]
@@ -267,15 +245,18 @@ class Problem:
 
     def force(self, given: Any) -> Any:
         F = ffi.new("fvi_force *")
-        if given is None or given == "none":
+        if given is None or isinstance(given, str) and given == "none":
             return F[0]
         if callable(given):
             F.value, F.params = lib.ask_force, self.handle
             return F[0]
+        if not isinstance(given, str):
+            raise TypeError(f"force: {arguments.described(given)} is no text and no function of t; measured values "
+                            "are one by lambda t: numpy.interp(t, times, values)")
         known = {"step": 2, "cosine": 2, "impulse": 2}
         if given.partition(":")[0] not in known:
             return lib.fvi_force_expression(self.understood("force", given, "t", 1).pointer)
-        name, n = words(given, known)
+        name, n = arguments.words("force", given, known)
         if name == "impulse":
             F.impulses = self.impulse(*n)
             F.impulse_count = 1
@@ -287,12 +268,3 @@ class Problem:
         hit[0].t, hit[0].J = t, self.pointer(np.full(self.d, J))
         self.keep.append(hit)
         return hit
-
-    def check(self, status: int, where: str = "") -> None:
-        """Raise what the library, or a function that it asked, has to say."""
-        raised, self.asked.raised = self.asked.raised, None
-        if raised is None and status:
-            raise Error(status, where)
-        lib.why(0)  # what the library got over, or a function of the caller's made of it
-        if raised is not None:
-            raise raised

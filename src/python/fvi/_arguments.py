@@ -1,0 +1,100 @@
+"""What a user wrote, checked: each complaint begins with the name of the argument."""
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+from typing import Any, Callable, Sequence, Union
+
+import numpy as np
+
+Array = np.ndarray
+Numbers = Union[float, Sequence[float], Array]
+
+
+def described(given: Any) -> str:
+    """As it was written, or what it is if that is long."""
+    text = repr(given)
+    return text if len(text) <= 40 and "\n" not in text else f"a {type(given).__name__}"
+
+
+def spelt(*others: Callable) -> Callable:
+    """Of a function that hands keywords on to others: one that none of them knows is a
+    TypeError, with the nearest that there is."""
+    def decorate(function: Callable) -> Callable:
+        known = [name for each in (function, *others) for name, p in inspect.signature(each).parameters.items()
+                 if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and name != "self"]
+        own = function.__qualname__.replace(".__init__", "")
+
+        @functools.wraps(function)
+        def checked(*arguments: Any, **options: Any) -> Any:
+            for name in options:
+                if name not in known:
+                    near = difflib.get_close_matches(name.lower(), known, 1)
+                    raise TypeError(f"{own}: there is no argument '{name}'; " + (
+                        f"did you mean '{near[0]}'?" if near else "there are " + ", ".join(known)))
+            return function(*arguments, **options)
+        return checked
+    return decorate
+
+
+def word(what: str, given: Any) -> str:
+    if not isinstance(given, str):
+        raise TypeError(f"{what}: {described(given)} is no text")
+    return given
+
+
+def choice(what: str, given: Any, known: dict) -> Any:
+    if word(what, given) not in known:
+        raise ValueError(f"{what}: '{given}' is none of " + ", ".join(known))
+    return known[given]
+
+
+def number(what: str, given: Any) -> float:
+    if isinstance(given, (str, bytes)) or given is None:
+        raise TypeError(f"{what}: {described(given)} is no number")
+    try:
+        return float(given)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise TypeError(f"{what}: {described(given)} is no number") from error
+
+
+def whole(what: str, given: Any, least: int) -> int:
+    n = number(what, given)
+    if not least <= n < 2**53 or n != int(n):
+        raise ValueError(f"{what}: {given} is no whole number >= {least}")
+    return int(n)
+
+
+def numbers(what: str, given: Any) -> Array:
+    """An array of doubles, of whatever shape was given."""
+    try:
+        raw = np.asarray(given)
+        if raw.dtype.kind in "biuf":
+            return np.array(raw, dtype=float)
+        if raw.dtype.kind == "O":  # fractions, say
+            return np.array([number(what, each) for each in raw.flat]).reshape(raw.shape)
+    except ValueError as error:
+        raise ValueError(f"{what}: {error}") from error
+    raise TypeError(f"{what}: {described(given)} is no number and no list of numbers")
+
+
+def row(what: str, given: Array, d: int) -> Array:
+    """d numbers, of one for all or of d."""
+    if given.shape not in ((), (1,), (d,)):
+        raise ValueError(f"{what} has the shape {given.shape}, not ({d},)")
+    return np.ascontiguousarray(np.broadcast_to(given, (d,)))
+
+
+def words(what: str, text: Any, known: dict) -> tuple:
+    """'duffing:1,0.5' -> ('duffing', [1.0, 0.5]); known says how many numbers a word takes."""
+    name, _, rest = word(what, text).partition(":")
+    if name not in known:
+        raise ValueError(f"{what}: '{text}' is none of " + ", ".join(known))
+    try:
+        given = [float(each) for each in rest.split(",")] if rest else []
+    except ValueError as error:
+        raise ValueError(f"{what}: '{text}': {error}") from error
+    if len(given) != known[name]:
+        raise ValueError(f"{what}: '{text}': {name} takes {known[name]} numbers")
+    return name, given

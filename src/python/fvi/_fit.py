@@ -1,0 +1,111 @@
+"""Parameters from a measured motion."""
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+
+from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
+from ._fvi import ffi, lib
+from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
+from ._problem import Potential
+from ._run import prepare
+
+
+class Fit(NamedTuple):
+    """What a motion says of its parameters: `estimate`, `sd` and `interval` (95 %) by name;
+    `correlation`, an array in the order of the names; `chi2` with `sigma`, which is
+    estimated if it was not given, and its `probability` (1 then); how many starts `agree`;
+    `curve`, the fitted x at the times of the data; `neighbours`, the correlation of
+    neighbouring residuals, near 0 if the model is right."""
+    estimate: dict
+    sd: dict
+    interval: dict
+    correlation: Array
+    chi2: float
+    sigma: float
+    probability: float
+    agree: int
+    neighbours: float
+    curve: Array
+
+
+def warn_of(question: Any, f: Any, names: list) -> None:
+    """What the program says below its answer."""
+    for i, name in enumerate(names):
+        for j, other in enumerate(names[:i]):
+            ask_for_warning(lib.fvi_fit_warning_of_pair, f, j, i, other.encode(), name.encode())
+    past = lib.fvi_fit_warning_of_past(question, f)
+    if past != ffi.NULL:
+        warn(text_of(past))
+    ask_for_warning(lib.fvi_fit_warning_of_model, question, f)
+    ask_for_warning(lib.fvi_fit_warning_of_step, question, f)
+
+
+@spelt(prepare)
+def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1", *,
+        which: str = "alpha,rho", sigma: Optional[float] = None, starts: int = 20,
+        method: str = "fvi-lobatto4", h: float = 0.0, **options: Any) -> Fit:
+    """Parameters of one mass from its measured motion, by least squares from several starts.
+
+    t, x       the data: increasing times >= 0, and positions
+    which      any of alpha, rho, mass, x0, p0, and the potential's c, g or names of `let`
+    sigma      standard deviation of each x; None: estimated
+    starts     how many searches, the first from the values given
+    h          the longest step; 0: found
+    the rest   the model, as for `run`, but for steps and time: those are the data's. With
+               damping, rho (from 1) multiplies the law, and alpha is not among `which`
+
+    Raises fvi.Error where fewer than two starts agree on the best (code 11), chi^2 is out of
+    range for the given sigma (14) or the data do not determine the parameters (21); the
+    exception's `fit` has what was found all the same. What a function of yours raised comes out,
+    from whichever motion of the search; where it has no value, let it give nan. Warns by fvi.Warning of
+    parameters that the data hardly tell apart, of a model that is not that of the data, of a step
+    that is too long, and of estimates that no motion has.
+    """
+    starts = whole("starts", starts, 2)
+    times, xs = (np.ascontiguousarray(numbers(name, a)) for name, a in (("t", t), ("x", x)))
+    if times.ndim != 1 or times.shape != xs.shape:
+        raise ValueError("t and x are two arrays of one length")
+    for name in ("steps", "time"):
+        if name in options:
+            raise ValueError(f"{name}: not for a fit, whose times are those of the data")
+    problem, model, found = prepare(potential, method=method, **options)
+    places = {"alpha": lib.FVI_PARAMETER_ALPHA, "rho": lib.FVI_PARAMETER_RHO, "mass": lib.FVI_PARAMETER_MASS,
+              "x0": lib.FVI_PARAMETER_X0, "p0": lib.FVI_PARAMETER_P0}
+    places.update((name, lib.FVI_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))
+    names = word("which", which).split(",")
+    chosen = ffi.new("fvi_parameter[]", [int(choice("which", name, places)) for name in names])
+    question = ffi.new("fvi_fit *")
+    question.method, question.run, question.n = found, model, times.size
+    question.t, question.x = problem.pointer(times), problem.pointer(xs)
+    if problem.constants is not None:
+        question.constants = problem.pointer(problem.constants)
+    question.sigma = 0.0 if sigma is None else number("sigma", sigma)
+    question.parameters, question.which = len(names), chosen
+    question.starts, question.h = starts, number("h", h)
+    box = np.empty((2, len(names)))
+    low, high = (problem.pointer(side) for side in box)
+    succeed(ask(lib.fvi_fit_box, question, low, high))
+    for j, name in enumerate(names):  # the library knows nothing of the constants of an expression
+        if problem.constants is problem.values and name in problem.let:
+            k = problem.let[name]
+            box[:, j] = sorted((k / 10, 10 * k)) if k else (-1, 1)  # as the program
+    question.low, question.high = low, high
+    curve, f = np.empty_like(times), ffi.new("fvi_fitted *")
+    status = ask(lib.fvi_fit_search, question, ffi.from_buffer("double[]", curve), f)
+    if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
+        raise failure(status)
+    P = range(len(names))
+    answer = Fit({n: f.estimate[j] for j, n in enumerate(names)}, {n: f.sd[j] for j, n in enumerate(names)},
+                 {n: (f.estimate[j] - f.quantile * f.sd[j], f.estimate[j] + f.quantile * f.sd[j])
+                  for j, n in enumerate(names)},
+                 np.array([[f.correlation[i][j] for j in P] for i in P]),
+                 f.chi2, f.sigma, f.probability, f.agree, f.neighbours, curve)
+    if status != lib.FVI_ESING:
+        warn_of(question, f, names)
+    if status:
+        error = failure(status)
+        error.fit = answer
+        raise error
+    return answer

@@ -1,0 +1,120 @@
+"""Calls of the library: what a code, a warning and a function that raised become."""
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import warnings
+from typing import Any, Callable, Optional
+
+from ._fvi import ffi, lib
+
+
+class Error(Exception):
+    """The library returned a code. The text says why; `code` is its number (fvi/error.h), or
+    what a compiled function of yours returned; `fit` is what a fit found that is not to be
+    believed."""
+    __module__ = "fvi"
+
+    def __init__(self, text: str = "", code: int = 0):
+        super().__init__(text)
+        self.code = code
+        self.fit: Any = None
+
+
+class Warning(UserWarning):
+    """The numbers are those of the method, but not those of a motion: what the program says
+    with `fvi: warning:`, by warnings.warn."""
+    __module__ = "fvi"
+
+
+def text_of(pointer: Any) -> str:
+    return ffi.string(pointer).decode()
+
+
+def failure(code: int, where: str = "") -> Error:
+    """The exception for a code that the last call returned."""
+    why = lib.why(code)
+    words = text_of(lib.fvi_strerror(code) if why == ffi.NULL else why)
+    if text_of(lib.fvi_strerror(code)) == text_of(lib.fvi_strerror(-1)):  # which is never the library's
+        words += f", code {code}"
+    return Error(words + where, code)
+
+
+def warn(text: str) -> None:
+    """Said of the line that called this package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, Warning, stacklevel=level)
+
+
+class Waiting(threading.local):
+    """What was raised while the library ran in this thread, until it has returned."""
+    raised: Optional[BaseException] = None
+
+
+waiting = Waiting()
+
+
+def keep(kind: Any, error: BaseException, trace: Any) -> int:
+    """Of all that is raised, the first; but an interrupt before all."""
+    if waiting.raised is None or not isinstance(error, Exception):
+        waiting.raised = error.with_traceback(trace)
+    return -1
+
+
+def is_interrupted() -> bool:
+    """Then a search of many runs has to end, too."""
+    return waiting.raised is not None and not isinstance(waiting.raised, Exception)
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def look_up() -> int:
+    """The library calls this every 50 ms of a run in the main thread: Python then sees Ctrl-C."""
+    return 0
+
+
+def ask(function: Callable[..., int], *arguments: Any) -> int:
+    """The code that a function of the library returns; or what was raised meanwhile comes out."""
+    outer, waiting.raised = waiting.raised, None
+    lib.begin()
+    try:
+        status = function(*arguments)
+    finally:
+        raised, waiting.raised = waiting.raised, outer
+    if raised is not None:
+        lib.begin()
+        try:
+            raise raised
+        finally:
+            raised = None  # no circle of references
+    return status
+
+
+def succeed(status: int, where: str = "") -> None:
+    if status:
+        raise failure(status, where)
+
+
+def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
+    """Was there something to warn of? It is what a function of fvi/warnings.h writes into its
+    last argument. A function of the caller's that raises is the run's affair, which may never
+    ask it."""
+    text = ffi.new("char[]", lib.FVI_WARNING_ROOM)
+    try:
+        found = ask(function, *arguments, lib.FVI_WARNING_ROOM, text)
+    except Exception:
+        return False
+    if found:
+        warn(text_of(text))
+    return bool(found)
+
+
+def listen() -> None:
+    lib.listen(threading.main_thread().ident)
+
+
+listen()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=listen)  # whose main thread may be another
