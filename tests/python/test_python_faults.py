@@ -194,7 +194,7 @@ def test_a_wrong_argument_is_named(call, what, why):
 # ---- what could have ended a process ----
 
 LONG = {
-    "run": "fvi.run(alpha=0.5, rho=0, steps=10**8, columns='x')",
+    "run": "fvi.run(alpha=0.3, steps=2 * 10**7, columns='x')",
     "direct": "fvi.run(alpha=0.3, memory='direct', steps=10**6, columns='x')",
     "stages": "fvi.run(alpha=0.3, method='fvi-lobatto4', steps=10**7, columns='x')",
     "masses": "fvi.run('chain:2000,1,0.1', x0=1, p0=0, alpha=0.3, method='fvi', steps=10**5, columns='t')",
