@@ -178,9 +178,6 @@ static int refine(search *o, place *best, fvi_fitted *fitted)
         const fvi_fitted before = *fitted;
         fvi_fit_model_step(&o->model, o->model.run.h / 2);
         fvi_fit_minimise(o, best, GSL_POSINF);
-        status = fvi_interrupted();
-        if (status)
-            return status;
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
         status = statistics(o, best, fitted);
@@ -232,11 +229,11 @@ static int whole(search *o, const double *low, const double *high,
     status = look(o, first, &best, fitted);
     if (fitted->agree < 2 && go_on(o, &first))
         status = look(o, first, &best, fitted);
+    if (!status && fit->h == 0)
+        status = refine(o, &best, fitted);
     const int end = fvi_interrupted();
     if (end)
         return end;
-    if (!status && fit->h == 0)
-        status = refine(o, &best, fitted);
     gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
     fvi_fit_residuals(&u.vector, o, o->solver->f); /* for the motion there */
     if (curve)
