@@ -378,7 +378,7 @@ int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts)
 
 const fvi_method fvi_adaptive = {
     .name = "fvi-adaptive",
-    .order = "10 to 14",
+    .order = "about 10",
     .memory = "full",
     .lowest = 10,
     .highest = 14,

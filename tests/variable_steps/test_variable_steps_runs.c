@@ -6,6 +6,7 @@
 
 #include "variable_steps_runs_ref.h"
 
+#include <gsl/gsl_fit.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
@@ -207,10 +208,83 @@ START_TEST(every_strength_and_long_relaxations)
 }
 END_TEST
 
+/* ---- the order ---- */
+
+enum { DENSE = 4000 };
+static double fine[DENSE + 1], coarse[DENSE + 1];
+
+/* The rows of a run, and how many steps it took; 0 if it failed. */
+static size_t steps_taken(const fvi_run *run, double *rows)
+{
+    fvi_stepper *s;
+    fvi_adaptive_counts counts = { 0 };
+    int status = fvi_start(&fvi_adaptive, run, &s);
+    for (size_t k = 0; !status && k <= run->steps; k++)
+        status = fvi_run_to(s, (double)k * run->h, rows + k, NULL);
+    if (!status)
+        status = fvi_adaptive_look(s, &counts);
+    fvi_stop(s);
+    return status ? 0 : counts.steps;
+}
+
+/* The slope of -log error against log steps, tolerances of a step from 1e-4 to 1e-12. The
+ * truth is a run with 1e-15. */
+static double order_in_steps(fvi_run run)
+{
+    double log_steps[9], log_error[9], c0, c1, cov00, cov01, cov11, rest;
+    run.step_error = 1e-15;
+    ck_assert_uint_gt(steps_taken(&run, fine), 0);
+    for (int e = 4; e <= 12; e++) {
+        run.step_error = pow(10, -e);
+        const size_t steps = steps_taken(&run, coarse);
+        ck_assert_uint_gt(steps, 0);
+        double off = 0;
+        for (size_t k = 0; k <= run.steps; k++)
+            off = larger(off, fabs(coarse[k] - fine[k]));
+        log_steps[e - 4] = log((double)steps);
+        log_error[e - 4] = -log(off);
+    }
+    gsl_fit_linear(log_steps, 1, log_error, 1, 9, &c0, &c1, &cov00, &cov01,
+                   &cov11, &rest);
+    return c1;
+}
+
+/* Eight stages, and the power is about 10 in the number of steps, over all t, with every
+ * past, from a start that moves, for springs that are not linear: no 14 = 2 s - 2, which
+ * equal steps have far from the start. */
+START_TEST(the_order_in_the_number_of_steps)
+{
+    static const double alphas[] = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.9 };
+    const double half = 0.5, cg[2] = { 1, 1 };
+    for (size_t i = 0; i < 6 * LEN(alphas); i++) {
+        const fvi_past past = (fvi_past)(i % 3);
+        const double alpha = alphas[i / 6];
+        const fvi_system system = { 1,
+                                    &one,
+                                    &half,
+                                    i % 6 < 3 ? fvi_potential_duffing(cg)
+                                              : fvi_potential_pendulum(&one),
+                                    { 0 },
+                                    NULL };
+        fvi_run run =
+            fvi_run_default(&system, &one, &half, 20. / DENSE, DENSE);
+        run.alpha = alpha;
+        run.past = past;
+        if (!fvi_past_has_solution(past, alpha, half, one))
+            continue;
+        const double order = order_in_steps(run);
+        ck_assert_msg(order > 9 && order < 12.5, "alpha = %g, past %d: %g",
+                      alpha, (int)past, order);
+        seen(order, "order");
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("variable_steps: runs");
     ADD_CASE(suite, "step", eq_22_14_steps_of_given_lengths);
+    ADD_CASE(suite, "order", the_order_in_the_number_of_steps);
     ADD_CASE(suite, "exact", all_alphas_all_pasts_all_rows,
              the_end_of_runs_by_power_series,
              every_strength_and_long_relaxations);
