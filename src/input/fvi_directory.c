@@ -8,11 +8,13 @@
 
 #include <fvi/error.h>
 
+#include <dirent.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 /* Forces on some unknowns, in rows of t and `width` numbers. */
@@ -23,7 +25,7 @@ typedef struct {
 } loads;
 
 struct fvi_directory {
-    char name[PATH_MAX];
+    char name[PATH_MAX], force_name[PATH_MAX + 12];
     fvi_sparse M, K, C;
     fvi_structure *structure;
     loads loads;
@@ -132,6 +134,51 @@ static int read_all(fvi_directory *d, fvi_complaint c)
     return status ? refuse_matrices(d, status, fault, c) : 0;
 }
 
+/* ---- files that are not read ---- */
+
+/* Does this look like an input, and is it none? All that ends with .mtx, and tables of
+ * numbers whose names stand for a matrix or a force. */
+static int is_stranger(const char *name)
+{
+    static const char *const read[] = { "M.mtx", "K.mtx", "C.mtx", "f.tsv" };
+    static const char *const stems[] = {
+        "M", "K", "C", "f", "mass", "stiffness", "damping", "force"
+    };
+    static const char *const ends[] = { ".tsv", ".csv", ".txt", ".dat" };
+    const char *end = strrchr(name, '.');
+    for (size_t i = 0; i < sizeof read / sizeof *read; i++)
+        if (strcmp(name, read[i]) == 0)
+            return 0;
+    if (!end || *name == '.')
+        return 0;
+    int is_table = 0, is_stem = 0;
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        is_table = is_table || strcasecmp(end, ends[i]) == 0;
+    for (size_t i = 0; i < sizeof stems / sizeof *stems; i++)
+        is_stem = is_stem
+                  || (strlen(stems[i]) == (size_t)(end - name)
+                      && strncasecmp(name, stems[i], strlen(stems[i])) == 0);
+    return strcasecmp(end, ".mtx") == 0 || (is_table && is_stem);
+}
+
+/* Of several the first by its name. A folder that cannot be listed has none. */
+static int refuse_strangers(const fvi_directory *d, fvi_complaint c)
+{
+    char first[NAME_MAX + 1] = "";
+    DIR *folder = opendir(d->name);
+    for (struct dirent *file; folder && (file = readdir(folder));)
+        if (is_stranger(file->d_name)
+            && (!*first || strcmp(file->d_name, first) < 0))
+            snprintf(first, sizeof first, "%s", file->d_name);
+    if (folder)
+        closedir(folder);
+    return *first ? fvi_refuse(c,
+                               "--system: %s/%s would not be read: M.mtx, "
+                               "K.mtx, C.mtx and f.tsv are",
+                               d->name, first)
+                  : 0;
+}
+
 int fvi_directory_open(const char *name, fvi_directory **directory,
                        fvi_complaint c)
 {
@@ -143,8 +190,11 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
         status = fvi_refuse(c, "--system: '%s' is too long", name);
     else
         strcpy(d->name, name);
+    snprintf(d->force_name, sizeof d->force_name, "f.tsv of %s", d->name);
     if (!status)
         status = read_all(d, c);
+    if (!status)
+        status = refuse_strangers(d, c);
     if (status)
         fvi_directory_close(d);
     else
@@ -301,6 +351,11 @@ static int value(double t, size_t d, void *params, double *F)
             before[1 + i]
             + fmin(fmax(part, 0), 1) * (after[1 + i] - before[1 + i]);
     return 0;
+}
+
+const char *fvi_directory_force_name(const fvi_directory *d)
+{
+    return d->force_name;
 }
 
 /* ---- the system ---- */

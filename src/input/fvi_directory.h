@@ -7,7 +7,9 @@
 
 typedef struct fvi_directory fvi_directory;
 
-/* fvi_directory_open -- M.mtx, K.mtx and, if it is there, C.mtx of a folder.
+/* fvi_directory_open -- M.mtx, K.mtx and, if it is there, C.mtx of a folder. A file that looks
+ * like an input, but is not read, is refused by its name: another name.mtx, F.tsv, f.csv,
+ * stiffness.txt.
  *
  *   directory  output; close it with fvi_directory_close
  *
@@ -25,6 +27,9 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
  * Returns as fvi_directory_open. */
 int fvi_directory_force(fvi_directory *directory, double last, int *found,
                         fvi_complaint c);
+
+/* fvi_directory_force_name -- "f.tsv of DIR", for the head of a table; the directory's. */
+const char *fvi_directory_force_name(const fvi_directory *directory);
 
 /* fvi_directory_system -- the system, with that force. It points into the directory. */
 fvi_system fvi_directory_system(const fvi_directory *directory);

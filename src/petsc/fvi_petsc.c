@@ -6,9 +6,10 @@
  *
  * runs fvi-stable on M x'' + C D^{2 alpha} x + K x = F(t) from x = X and p = P for all
  * unknowns: with the matrices and forces of a folder, as `fvi run --system`, or on a grid
- * (petsc_share.h). Each rank has some of the rows, and the library's stepper and memory for
- * them: a memory never asks for another unknown. Ranks exchange numbers in the products
- * with M, K and C and in the conjugate gradients, which are PETSc's and take its options
+ * (petsc_share.h). If they are not given, P is 0, and X is 0 of a folder and 1 of a grid.
+ * Each rank has some of the rows, and the library's stepper and memory for them: a memory
+ * never asks for another unknown. Ranks exchange numbers in the products with M, K and C and
+ * in the conjugate gradients, which are PETSc's and take its options
  * (-pc_type icc, -ksp_monitor, ...). FILE of -o gets x and p at the end, as two vectors in
  * PETSc's binary format, which petsc_vectors.py reads. -checkpoint writes the state where
  * the run ends, at step K if -stop says so; -resume begins there (make petsc). */
@@ -32,6 +33,8 @@ static PetscErrorCode read_words(wishes *w)
     PetscFunctionBeginUser;
     PetscCall(PetscOptionsGetString(NULL, NULL, "-system", w->folder,
                                     sizeof w->folder, &w->has_folder));
+    if (w->has_folder)
+        w->x0 = 0; /* at rest, as `fvi run --system` */
     w->lengths = 3;
     PetscCall(PetscOptionsGetIntArray(NULL, NULL, "-grid", w->n, &w->lengths,
                                       &w->has_grid));

@@ -59,6 +59,7 @@ static const char usage_run[] =
     "                   (fvi-lobatto, -stable, -adaptive, euler: none)\n"
     "  --x0 X, --p0 P   start; a list 1,2,3 or @FILE, or one for all  [1, "
     "0.5]\n"
+    "                   with --system                                 [0, 0]\n"
     "  --h H            step, H > 0                                   [0.1]\n"
     "  --steps N        number of steps, N >= 1                       [200]\n"
     "  --time T         the last row's time, instead of --h: H = T/N\n"

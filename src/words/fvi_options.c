@@ -144,6 +144,13 @@ static int check_system(const fvi_options *o, fvi_complaint c)
     return 0;
 }
 
+/* A building is at rest until something acts on it. */
+static const char *preset(const fvi_options *o, option_index i)
+{
+    const int is_start = i == X0 || i == P0;
+    return is_start && o->text[SYSTEM] ? "0" : fvi_option_list[i].preset;
+}
+
 /* The presets; the step comes from --h, or from --time, or is looked for. */
 static int fill_in(fvi_options *o, fvi_complaint c)
 {
@@ -170,7 +177,7 @@ static int fill_in(fvi_options *o, fvi_complaint c)
         if (!o->text[i] && !(i == H && o->text[TIME])
             && !is_replaced(o, (option_index)i)
             && !(law && (i == ALPHA || i == RHO)))
-            o->text[i] = fvi_option_list[i].preset;
+            o->text[i] = preset(o, (option_index)i);
     return status;
 }
 

@@ -122,6 +122,10 @@ int fvi_problem_force(fvi_options *o, fvi_complaint c)
     if (found && strcmp(o->text[FORCE], "none") != 0)
         return fvi_refuse(c, "--force: '%s': there is %s/f.tsv, too",
                           o->text[FORCE], o->text[SYSTEM]);
+    if (found) { /* the head says what acts */
+        o->text[FORCE] = fvi_directory_force_name(o->directory);
+        return 0;
+    }
     if (!fvi_word_force(o->text[FORCE], &o->force, o->forcing))
         return fvi_forces_parse(o->text[FORCE], o->d, &o->lets, last, &o->forces, c);
     if (o->force == FVI_FORCING_STEP && o->forcing[1] < 0)

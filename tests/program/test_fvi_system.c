@@ -107,8 +107,9 @@ END_TEST
 /* A row of a law against a difference of two runs, as in test_fvi_gradient.c. */
 START_TEST(a_law_of_a_folder_has_its_rows)
 {
-    const char *law = "--system chain --method fvi-stable --damping "
-                      "zener:1,0.3,%.17g --damping distributed:0.5,0.1,0.4";
+    const char *law =
+        "--system chain --x0 1 --p0 0.5 --method fvi-stable --damping "
+        "zener:1,0.3,%.17g --damping distributed:0.5,0.1,0.4";
     char options[200], line[300];
     double v[2];
     write_chain();
@@ -165,15 +166,18 @@ START_TEST(forces_come_from_a_table_of_unknowns)
 {
     static char one[1 << 16], other[1 << 16];
     write_chain();
-    table("run --system chain --method fvi-stable --force 'step:1,9' --steps "
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --force "
+          "'step:1,9' --steps "
           "20",
           other, sizeof other);
     write_file("chain/f.tsv", "# the same to all\nt\tf1\tf3\tf2\n0\t1\t1\t1\n"
                               "3\t1\t1\t1\n");
-    table("run --system chain --method fvi-stable --steps 20", one, sizeof one);
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
+          one, sizeof one);
     ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
     write_file("chain/f.tsv", "0 1 1 1\n1.5 1 1 1\n3 1 1 1\n");
-    table("run --system chain --method fvi-stable --steps 20", one, sizeof one);
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --steps 20",
+          one, sizeof one);
     ck_assert_uint_eq(compare(one, other, 0), 21 * 8);
     /* 2 t on the second alone: linear in between, so two rows are enough */
     write_file("chain/f.tsv", "t f2\n0 0\n2 4\n");
@@ -199,12 +203,14 @@ START_TEST(unknowns_are_chosen_and_all_of_them_kept_in_a_snapshot)
 {
     static char one[1 << 16], file[1 << 12];
     write_chain();
-    table("run --system chain --steps 4 --columns t,p,x --unknowns 3,1 "
+    table("run --system chain --x0 1 --p0 0.5 --steps 4 --columns t,p,x "
+          "--unknowns 3,1 "
           "--snapshot end.tsv",
           one, sizeof one);
     ck_assert_ptr_nonnull(strstr(out, "# t\tp3\tp1\tx3\tx1\n"));
     ck_assert_ptr_nonnull(strstr(out, "# solver = band\n"));
-    ck_assert_int_eq(fvi("run --system chain --steps 1 --kappa 1"), 0);
+    ck_assert_int_eq(
+        fvi("run --system chain --x0 1 --p0 0.5 --steps 1 --kappa 1"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# solver = diagonal\n"));
     char path[PATH_MAX + 20];
     snprintf(path, sizeof path, "%s/end.tsv", folder);
@@ -246,22 +252,26 @@ START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
 {
     static char whole[1 << 16], parts[1 << 16], rest[1 << 16];
     write_chain();
-    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+          "--memory direct "
           "--steps 60",
           whole, sizeof whole);
-    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+          "--memory direct "
           "--steps 25 --checkpoint saved",
           parts, sizeof parts);
-    table("run --system chain --method fvi-stable --alpha 0.3 --memory direct "
+    table("run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+          "--memory direct "
           "--steps 60 --checkpoint saved --continue",
           rest, sizeof rest);
     strcat(parts, rest);
     ck_assert_str_eq(whole, parts);
     write_file("chain/C.mtx", HEAD "3 3 2\n1 1 0.3\n3 3 0.2\n");
-    ck_assert_refused_with("run --system chain --method fvi-stable --alpha 0.3 "
-                           "--memory direct --steps 80 --checkpoint saved "
-                           "--continue",
-                           "fvi: --continue: saved: a run with matrices = ");
+    ck_assert_refused_with(
+        "run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
+        "--memory direct --steps 80 --checkpoint saved "
+        "--continue",
+        "fvi: --continue: saved: a run with matrices = ");
 }
 END_TEST
 
@@ -273,18 +283,22 @@ START_TEST(eq_18_2_a_system_is_run_to_a_wanted_error)
     static char found[4096], fine[4096];
     write_chain();
     ck_assert_int_eq(shell("rm -f chain/f.tsv"), 0);
-    table("run --system chain --alpha 0.3 --time 4 --steps 16384 --every 4096 "
+    table("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps "
+          "16384 --every 4096 "
           "--method fvi-stable --columns x",
           fine, sizeof fine);
-    table("run --system chain --alpha 0.3 --time 4 --steps 4 --error 1e-5 "
+    table("run --system chain --x0 1 --p0 0.5 --alpha 0.3 --time 4 --steps 4 "
+          "--error 1e-5 "
           "--columns x",
           found, sizeof found);
     ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
     ck_assert_uint_eq(compare(found, fine, 1e-5), 5 * 3);
-    table("run --system chain --damping zener:1,0.3,0.5 --damping power:1,0.8 "
+    table("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
+          "--damping power:1,0.8 "
           "--time 4 --steps 16384 --every 4096 --method fvi-bdf2 --columns x",
           fine, sizeof fine);
-    table("run --system chain --damping zener:1,0.3,0.5 --damping power:1,0.8 "
+    table("run --system chain --x0 1 --p0 0.5 --damping zener:1,0.3,0.5 "
+          "--damping power:1,0.8 "
           "--time 4 --steps 4 --error 1e-5 --columns x",
           found, sizeof found);
     ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable"));
@@ -300,15 +314,20 @@ START_TEST(an_unstable_step_is_told_of_a_system_too)
 {
     write_chain();
     ck_assert_int_eq(shell("rm chain/C.mtx"), 0);
-    ck_assert_int_eq(fvi("run --system chain --kappa 0 --h 0.6 --steps 3"), 0);
+    ck_assert_int_eq(
+        fvi("run --system chain --x0 1 --p0 0.5 --kappa 0 --h 0.6 --steps 3"),
+        0);
     ck_assert_str_eq(err, "");
-    ck_assert_int_eq(fvi("run --system chain --kappa 0 --h 0.7 --steps 3"), 0);
+    ck_assert_int_eq(
+        fvi("run --system chain --x0 1 --p0 0.5 --kappa 0 --h 0.7 --steps 3"),
+        0);
     ck_assert_int_eq(
         strncmp(err, "fvi: warning: this step is unstable (load 1.", 44), 0);
     ck_assert_ptr_nonnull(strstr(out, "# warning = this step is unstable"));
     ck_assert_ptr_nonnull(strstr(err, "; stable below some h = 0.68\n"));
-    ck_assert_int_eq(
-        fvi("run --system chain --method fvi-stable --h 70 --steps 3"), 0);
+    ck_assert_int_eq(fvi("run --system chain --x0 1 --p0 0.5 --method "
+                         "fvi-stable --h 70 --steps 3"),
+                     0);
     ck_assert_str_eq(err, "");
 }
 END_TEST
