@@ -32,7 +32,7 @@ double derivative(double b, int k, const double *path)
     return pow(h, -b) * sum;
 }
 
-/* The same looking ahead, from the node k to the end N, (4b). */
+/* The same looking ahead, from the node k to the end N, (4a). */
 double ahead(double b, int k, int N, const double *path)
 {
     double sum = 0;

@@ -30,7 +30,7 @@ START_TEST(eq_4d_both_bent_alike_and_one_alone)
 END_TEST
 
 /* The derivative that looks ahead is that of the film, run backwards. */
-START_TEST(eq_4b_ahead_is_the_film)
+START_TEST(eq_4a_ahead_is_the_film)
 {
     enum { N = 30 };
     static double film[N + 1];
@@ -60,6 +60,6 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("stage 04");
-    ADD_CASE(suite, "a second body", eq_4c_the_action_of_two_bodies, eq_4d_both_bent_alike_and_one_alone, eq_4b_ahead_is_the_film, eq_4d_the_run_and_its_film);
+    ADD_CASE(suite, "a second body", eq_4c_the_action_of_two_bodies, eq_4d_both_bent_alike_and_one_alone, eq_4a_ahead_is_the_film, eq_4d_the_run_and_its_film);
     return run_suite(suite);
 }
