@@ -1,4 +1,5 @@
 /* src/fits/identification_warnings.c -- What to know before a fit is believed. [Chapter 24] */
+#include <fvi/error.h>
 #include <fvi/identification.h>
 
 #include <math.h>
@@ -65,4 +66,42 @@ const char *fvi_fit_warning_of_past(const fvi_fit *fit,
     run.system = &system;
     run.x0 = &x0;
     return fvi_warning_of_past(&run);
+}
+
+/* Without a force m x'' and all else may be multiplied by one number. */
+static int is_mass_free(const fvi_fit *fit)
+{
+    const fvi_force *force = &fit->run->system->force;
+    int fits_mass = 0;
+    for (size_t j = 0; j < fit->parameters; j++)
+        fits_mass |= fit->which[j] == FVI_PARAMETER_MASS;
+    return fits_mass && !force->value && force->impulse_count == 0;
+}
+
+int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted,
+                   const char *names, const char *dashes, size_t size,
+                   char *text)
+{
+    if (status == FVI_EMAXITER)
+        snprintf(text, size,
+                 "%zu of %zu starts agree on the best fit, which is not enough "
+                 "to believe it; try more %sstarts, or begin nearer",
+                 fitted->agree, fit->starts, dashes);
+    else if (status == FVI_ETOL)
+        snprintf(text, size,
+                 "chi2 = %.6g, where about %g is expected (probability %.1g): "
+                 "the model, its past, its force or %ssigma is not that of the "
+                 "data",
+                 fitted->chi2, (double)(fit->n - fit->parameters),
+                 fitted->probability, dashes);
+    else if (status == FVI_ESING)
+        snprintf(text, size, "these data do not determine %s%s%s", names,
+                 fit->parameters > 1 ? " together" : "",
+                 is_mass_free(fit)
+                     ? "; without a force mass, rho, c, g and p0 are known but "
+                       "for a common factor"
+                     : "");
+    else
+        return 0;
+    return 1;
 }

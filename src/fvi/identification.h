@@ -165,6 +165,17 @@ int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted,
 const char *fvi_fit_warning_of_past(const fvi_fit *fit,
                                     const fvi_fitted *fitted);
 
+/* fvi_fit_reason -- 1 and a text, why an answer with this code is not to be believed:
+ * FVI_EMAXITER, FVI_ETOL and FVI_ESING of fvi_fit_search; 0 for another code.
+ *
+ *   fit, fitted  the question and its answer
+ *   names   of the parameters, as the text has them: "alpha,rho"
+ *   dashes  what stands before the words starts and sigma: "--", or ""
+ *   size, text   as above */
+int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted,
+                   const char *names, const char *dashes, size_t size,
+                   char *text);
+
 /* fvi_fit_profile -- the interval of one parameter, the others making up for it. [(24.11)]
  *
  *   fit        the question

@@ -5,8 +5,6 @@
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 
-#include <string.h>
-
 typedef fvi_fit_request request;
 
 /* What the reader must know before he believes it; to the table and to standard error. */
@@ -108,40 +106,14 @@ int fvi_fit_print_curve(const request *r)
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 
-static int fits_mass(const request *r)
-{
-    for (size_t j = 0; j < r->fit.parameters; j++)
-        if (r->which[j] == FVI_PARAMETER_MASS)
-            return 1;
-    return 0;
-}
-
 int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
 {
-    const double freedom = (double)(r->fit.n - r->fit.parameters);
-    if (status == FVI_EMAXITER)
-        fprintf(stderr,
-                "fvi: %zu of %zu starts agree on the best fit, which is not "
-                "enough to believe it; try more --starts, or begin nearer\n",
-                f->agree, r->fit.starts);
-    else if (status == FVI_ETOL)
-        fprintf(stderr,
-                "fvi: chi2 = %.6g, where about %g is expected (probability "
-                "%.1g): the model, its past, its force or --sigma is not that "
-                "of the data\n",
-                f->chi2, freedom, f->probability);
-    else if (status == FVI_ESING)
-        fprintf(stderr, "fvi: these data do not determine %s%s%s\n",
-                r->words.own[FIT],
-                strchr(r->words.own[FIT], ',') ? " together" : "",
-                r->o.force == FVI_FORCING_NONE && fits_mass(r)
-                    ? "; without a force mass, rho, c, g and p0 are known but "
-                      "for a common factor"
-                    : "");
-    else
-        fvi_complain(status == FVI_EBADFUNC
-                         ? "no start gives a motion that can be computed"
-                     : status == FVI_ENOMEM ? "not enough memory"
-                                            : fvi_code_in_words(status));
-    return 1;
+    char text[FVI_WARNING_ROOM];
+    return fvi_complain(fvi_fit_reason(status, &r->fit, f, r->words.own[FIT],
+                                       "--", sizeof text, text)
+                            ? text
+                        : status == FVI_EBADFUNC
+                            ? "no start gives a motion that can be computed"
+                        : status == FVI_ENOMEM ? "not enough memory"
+                                               : fvi_code_in_words(status));
 }

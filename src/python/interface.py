@@ -159,6 +159,8 @@ int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j, const 
                             const char *name_j, size_t size, char *text);
 int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
 int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
+int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted, const char *names,
+                   const char *dashes, size_t size, char *text);
 const char *fvi_fit_warning_of_past(const fvi_fit *fit, const fvi_fitted *fitted);
 int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
 int fvi_exact_rows(const fvi_linear *problem, double h, size_t n, double tolerance, double *x, double *v);

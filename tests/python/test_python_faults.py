@@ -85,6 +85,25 @@ def test_a_fit_warns_as_the_program_does(tmp_path):
         assert part in seen
 
 
+@pytest.mark.parametrize("which, options, words", [
+    ("mass,rho,c,p0", {}, []), ("rho", {"sigma": 1e-3}, ["--sigma", "1e-3"]), ("c,g", {"starts": 2}, ["--starts", "2"])])
+def test_a_fit_that_is_not_believed_says_why(which, options, words, tmp_path):
+    """As the program does, but for the dashes of its options."""
+    t = 0.1 * np.arange(1, 41)
+    data = fvi.run("duffing:2,1.5", steps=40, alpha=0.3, h=0.1, method="fvi-lobatto4").x[1:]
+    path = tmp_path / "data.tsv"
+    path.write_text("".join(f"{a!r}\t{b!r}\n" for a, b in zip(t.tolist(), data.tolist())))
+    U = "duffing:40,-9" if which == "c,g" else "harmonic:1"
+    text = subprocess.run([PROGRAM, "fit", "--fit", which, "--potential", U, *words, str(path)],
+                          capture_output=True, text=True).stderr.splitlines()[-1]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        with pytest.raises(fvi.Error) as caught:
+            fvi.fit(t, data, U, which=which, **options)
+    assert "fvi: " + str(caught.value) == text.replace("--", "")
+    assert caught.value.fit.chi2 > 0
+
+
 def test_a_warning_is_no_error_of_a_function_of_ones_own():
     """Euler's explicit method never asks for the Hessian; what that raises is not the run's affair."""
     def hessian(x):
@@ -126,6 +145,19 @@ def test_an_exception_is_the_one_that_was_raised():
             function(fvi.potential(lambda x: x * x / 2, gradient, lambda x: 1.0))
         assert caught.value is error and error.__cause__ is cause
         assert "gradient" in [frame.name for frame in traceback.extract_tb(error.__traceback__)]
+
+
+def test_an_alarm_ends_a_run_with_its_own_exception():
+    def late(number, frame):
+        raise TimeoutError("too late")
+    before = signal.signal(signal.SIGALRM, late)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        with pytest.raises(TimeoutError, match="too late"):
+            fvi.Stepper(steps=10**8, alpha=0.3).step(10**8)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 def test_a_function_may_make_runs_of_its_own():

@@ -7,7 +7,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
+from ._library import Error, ask, ask_for_warning, failure, succeed, text_of, warn
 from ._problem import Potential
 from ._run import prepare
 
@@ -56,7 +56,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     the rest   the model, as for `run`, but for steps and time: those are the data's. With
                damping, rho (from 1) multiplies the law, and alpha is not among `which`
 
-    Raises fvi.Error where fewer than two starts agree on the best (code 11), chi^2 is out of
+    Raises fvi.Error with the program's words where fewer than two starts agree on the best (code 11), chi^2 is out of
     range for the given sigma (14) or the data do not determine the parameters (21); the
     exception's `fit` has what was found all the same. What a function of yours raised comes out,
     from whichever motion of the search; where it has no value, let it give nan. Warns by fvi.Warning of
@@ -105,7 +105,9 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     if status != lib.FVI_ESING:
         warn_of(question, f, names)
     if status:
-        error = failure(status)
+        text = ffi.new("char[]", lib.FVI_WARNING_ROOM)
+        lib.fvi_fit_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
+        error = Error(text_of(text), status)
         error.fit = answer
         raise error
     return answer
