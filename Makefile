@@ -387,7 +387,7 @@ $B/fuzz: $(wildcard tests/random/fuzz/*.[ch]) $(filter-out $B/program/fvi_cli.o,
 	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
 	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
 
-$B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_problems.h $B/libfvi.a
+$B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_problems.h tests/variable_steps/pulse_problems.h $B/libfvi.a
 	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
 
 ## -- the workshop ----------------------------------------------------------

@@ -129,6 +129,10 @@ typedef struct {
     int growth;       /* so much may k grow from step to step */
     int contracts; /* k to be tried at most, as the equation of a longer step */
     int calm;      /* has not been solved, so many steps ago */
+    /* up to this time, steps of this length and shorter ones hide nothing of the force; so
+     * many steps ahead its bounds, which are *most_of_force, are asked for */
+    double clear_to, clear_h, *most_of_force;
+    int ahead;
     double rough;  /* up to this time a force may jump that did not say so */
     int stuck;     /* so often has the iteration not contracted */
     fvi_adaptive_counts counts;
@@ -165,6 +169,24 @@ int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v);
 /* fvi_adaptive_allocate -- the arrays of o, whose sizes are known; what is missing stays
  * NULL. FVI_ENOMEM. */
 int fvi_adaptive_allocate(fvi_adaptive_run *o);
+
+/* fvi_adaptive_reach -- about how far a coordinate moves, until the end, for a velocity 1
+ * more at o->t. */
+static inline double fvi_adaptive_reach(const fvi_adaptive_run *o,
+                                        const fvi_kind *kind)
+{
+    return fmin(kind->reach, o->T - o->t);
+}
+
+/* fvi_adaptive_next_event -- the next time at which a step has to end.
+ * fvi_adaptive_exponent -- the k of a length exp(L k), which may be none of the lattice.
+ * fvi_adaptive_choose -- o->allowed, and the length of the next step: as o->next says, or
+ * shorter, where the step would pass over something of the force (22.25), or before an
+ * event. o->next then says so too. Returns what force.bound does. */
+double fvi_adaptive_next_event(fvi_adaptive_run *o);
+int fvi_adaptive_exponent(fvi_length length);
+int fvi_adaptive_choose(const fvi_stepper *s, fvi_adaptive_run *o, double event,
+                        fvi_length *length);
 
 /* fvi_adaptive_matrices -- those of steps of such length. FVI_ESING if one is singular. */
 int fvi_adaptive_matrices(fvi_adaptive_run *o, fvi_length length);

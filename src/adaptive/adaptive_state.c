@@ -16,8 +16,9 @@
 enum {
     STATE = 8,
     LANED = 5,
-    STAGED = 3
-}; /* arrays: of d, of LANES d, of s d */
+    STAGED = 3,
+    BOUNDS = FVI_BOUND_ORDER + 1
+}; /* arrays: of d, of LANES d, of s d; numbers for each coordinate */
 
 void fvi_adaptive_stop(fvi_stepper *s)
 {
@@ -37,7 +38,7 @@ void fvi_adaptive_stop(fvi_stepper *s)
 
 static size_t numbers(const fvi_adaptive_run *o)
 {
-    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED);
+    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED + BOUNDS);
 }
 
 int fvi_adaptive_allocate(fvi_adaptive_run *o)
@@ -71,6 +72,7 @@ int fvi_adaptive_allocate(fvi_adaptive_run *o)
     o->point = o->bend0 + FVI_LANES * d;
     o->gradient = o->point + o->rule->s * d;
     o->hessian = o->gradient + o->rule->s * d;
+    o->most_of_force = o->hessian + o->rule->s * d;
     return FVI_SUCCESS;
 }
 
@@ -275,6 +277,7 @@ int fvi_adaptive_visit(fvi_stepper *s, fvi_visitor *v)
     o->length.h = 0;
     o->coupled = 0;
     o->powers_known = 0;
+    o->clear_to = 0;
     return length.h > 0 ? fvi_adaptive_matrices(o, length) : FVI_SUCCESS;
 }
 //< visit

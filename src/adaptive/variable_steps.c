@@ -128,7 +128,7 @@ static double estimate(fvi_adaptive_run *o)
         fvi_square_apply(s, &rule->legendre, o->delta + j * FVI_LANES, bend);
         if (!isfinite(bend[s - 1]))
             return GSL_NAN;
-        const double reach = fmin(kind->reach, o->T - o->t),
+        const double reach = fvi_adaptive_reach(o, kind),
                      of_x = rule->stage * o->length.h,
                      of_v = o->slip * kind->drag / kind->mass + rule->alias;
         worst = larger(worst, (of_x + reach * of_v) * fabs(bend[s - 1]));
@@ -150,8 +150,6 @@ static int trial(fvi_stepper *s, fvi_adaptive_run *o, fvi_length length,
     if (status)
         return status;
     remember(o);
-    const double part = s->run.step_error > 0 ? FVI_FINEST : 1e-10;
-    o->allowed = fmax(s->run.step_error, part * o->scale);
     status = fvi_adaptive_solve(s, o);
     if (!status)
         *error = estimate(o);
@@ -159,42 +157,6 @@ static int trial(fvi_stepper *s, fvi_adaptive_run *o, fvi_length length,
 }
 
 /* ---- the length of a step ---- */
-
-/* The next time at which a step has to end. */
-static double next_event(fvi_adaptive_run *o)
-{
-    while (o->events[o->event] <= o->t * (1 + 8 * GSL_DBL_EPSILON)
-           && o->events[o->event] < o->T)
-        o->event++;
-    return o->events[o->event];
-}
-
-//> length
-/* h = exp(L k), but the last two steps before an event are equal, to the last bit: what is
- * made for one off the ladder does for both. */
-static fvi_length choose(const fvi_adaptive_run *o, double event)
-{
-    const double rest = event - o->t;
-    const fvi_length length = { o->next == o->length.k && o->length.h > 0
-                                    ? o->length.h
-                                    : exp(fvi_variable_spacing() * o->next),
-                                o->next };
-    if (length.h < rest / 2)
-        return length;
-    if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
-        && fabs(o->length.h - rest) <= 4 * GSL_DBL_EPSILON * event)
-        return o->length;
-    return (fvi_length){ length.h >= rest ? rest : rest / 2, FVI_OFF_LATTICE };
-}
-//< length
-
-/* The exponent of a length, which may be none of the lattice. */
-static int exponent(fvi_length length)
-{
-    return length.k != FVI_OFF_LATTICE
-               ? length.k
-               : (int)floor(log(length.h) / fvi_variable_spacing());
-}
 
 //> control
 /* How many factors exp(L) the next step is longer: the error is of order h^{s+1}. */
@@ -234,7 +196,7 @@ static double judge(fvi_adaptive_run *o, double error, double error_before,
 static void lengthen(fvi_adaptive_run *o, double error, int again)
 {
     const int more = change(o, error),
-              k = exponent(o->length) + (again && more > 0 ? 0 : more);
+              k = fvi_adaptive_exponent(o->length) + (again && more > 0 ? 0 : more);
     o->next = o->length.k == FVI_OFF_LATTICE && !o->fresh
                   ? (int)fmax(o->next, k) /* it was cut by an event */
                   : k;
@@ -251,7 +213,7 @@ static void lengthen(fvi_adaptive_run *o, double error, int again)
 static void shorten(fvi_adaptive_run *o, fvi_length length, double error,
                     int failed)
 {
-    const int now = exponent(length);
+    const int now = fvi_adaptive_exponent(length);
     if (failed) {
         o->contracts = now - 1;
         o->calm = 0;
@@ -328,12 +290,14 @@ static void take(fvi_adaptive_run *o, double event)
 static int step(fvi_stepper *s)
 {
     fvi_adaptive_run *o = s->own;
-    const double event = next_event(o);
+    const double event = fvi_adaptive_next_event(o);
     double found = 0, error = 0, found_before = 0, h_before = 0;
     o->powers_known = 0; /* bend stands there */
     for (;;) {
-        const fvi_length length = choose(o, event);
-        int status = trial(s, o, length, &found);
+        fvi_length length;
+        int status = fvi_adaptive_choose(s, o, event, &length);
+        if (!status)
+            status = trial(s, o, length, &found);
         const int failed = status == FVI_EMAXITER || status == FVI_ESING;
         if (status && !failed)
             return status;

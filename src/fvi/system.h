@@ -78,8 +78,16 @@ typedef struct {
  *
  *   jumps, jump_count  the times, in any order, at which F or a derivative of it jumps;
  *          NULL and 0 if there are none. Methods that choose their steps end one there
+ *   bound  NULL; or it tells what F can be at all times strictly between two, so that no
+ *          pulse hides between the times at which value is asked:
+ *              most[j]          half of the range of F_j, at least
+ *              most[k * d + j]  |d^k F_j / dt^k| / k! at most, k = 1, ..., order
+ *          INFINITY where nothing is known, or where that derivative does not exist. The
+ *          first derivative may jump. order <= FVI_BOUND_ORDER. Methods that choose their
+ *          steps, and searches, ask for it. Returns 0 or a code
  *   impulses, impulse_count  what hits the body, t not falling; NULL and 0 if nothing does.
  *          How methods take them: (2.14), trajectory.h */
+enum { FVI_BOUND_ORDER = 14 };
 typedef struct {
     int (*value)(double t, size_t d, void *params, double *F);
     void *params;
@@ -87,6 +95,8 @@ typedef struct {
     size_t jump_count;
     const fvi_impulse *impulses;
     size_t impulse_count;
+    int (*bound)(double from, double to, size_t order, size_t d, void *params,
+                 double *most);
 } fvi_force;
 
 /* fvi_matrices -- M, C and K of a linear system                          [Chapter 27]

@@ -51,7 +51,9 @@ extern "C" {
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
  * forty, or is overlooked where it is small: x was off by up to 21 step_error in what the
- * tests try. A pulse that is shorter than the steps may be passed over. An impulse acts at
+ * tests try. Where force.bound is there, no step is so long that it could pass over more of
+ * the force than the tolerance (22.25), but steps of 1e-10 of the run; else a pulse that is
+ * shorter than the steps may be passed over. An impulse acts at
  * its time, between two steps; for alpha > 1/2 those that follow begin as short as what it
  * leaves in x'' asks for, and there are more modes for them.
  *
@@ -120,8 +122,8 @@ typedef struct {
  *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL
  *   found  output
  *
- * It is an estimate, no bound: what both runs pass over, a pulse of the force shorter
- * than their steps, say, is not seen, nor perhaps a small jump that is not declared. The
+ * It is an estimate, no bound: what both runs pass over, a pulse of a force without bounds
+ * that is shorter than their steps, say, is not seen, nor perhaps a small jump that is not declared. The
  * error of p is another matter. Where five runs in a row fail within a thousandth of one t,
  * no finer one is tried.
  * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not

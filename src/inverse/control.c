@@ -320,6 +320,7 @@ int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
                   .wanted_x = x,
                   .wanted_p = p };
     o.system.force.value = driven; /* its impulses stay */
+    o.system.force.bound = NULL;
     o.system.force.params = &o;
     o.run.system = &o.system;
     *found = (fvi_controlled){ .iterations = 0 };

@@ -1,6 +1,7 @@
 /* src/system/expression.c -- A parsed sum, term by term.               [Chapter 9] */
 #include <fvi/expression.h>
 
+#include "enclosure.h"
 #include "fail.h"
 #include "tape.h"
 
@@ -348,7 +349,25 @@ static int force_value(double t, size_t d, void *params, double *F)
     return FVI_SUCCESS;
 }
 
+/* A sum of one variable is one term. */
+static int force_bound(double from, double to, size_t order, size_t d,
+                       void *params, double *most)
+{
+    const fvi_expression *e = params;
+    fvi_enclosure f;
+    int status = fvi_tape_enclose(e->terms->node, e->terms->count, from, to,
+                                  e->values, (int)order, &f);
+    for (size_t k = 0; !status && k <= order; k++)
+        for (size_t i = 0; i < d; i++)
+            most[k * d + i] = k == 0             ? fvi_enclosure_half(&f)
+                              : k <= (size_t)f.top ? f.most[k]
+                                                   : 0;
+    return status;
+}
+
 fvi_force fvi_force_expression(const fvi_expression *e)
 {
-    return (fvi_force){ .value = force_value, .params = (void *)e };
+    return (fvi_force){ .value = force_value,
+                        .bound = force_bound,
+                        .params = (void *)e };
 }

@@ -4,6 +4,7 @@
 #include "system/fail.h"
 #include "system/newton.h"
 
+#include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdint.h>
@@ -323,9 +324,28 @@ static int step_value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
+/* The same bounds for every mass. */
+static void fill_bounds(size_t k, size_t d, double bound, double *most)
+{
+    for (size_t i = 0; i < d; i++)
+        most[k * d + i] = bound;
+}
+
+static int step_bound(double from, double to, size_t order, size_t d,
+                      void *params, double *most)
+{
+    const double *aT = params;
+    const int jumps = from < aT[1] && aT[1] < to;
+    fill_bounds(0, d, jumps ? fabs(aT[0]) / 2 : 0, most);
+    for (size_t k = 1; k <= order; k++)
+        fill_bounds(k, d, jumps ? INFINITY : 0, most);
+    return 0;
+}
+
 fvi_force fvi_force_step(const double aT[2])
 {
     return (fvi_force){ .value = step_value,
+                        .bound = step_bound,
                         .params = (void *)aT,
                         .jumps = aT + 1,
                         .jump_count = 1 };
@@ -340,7 +360,23 @@ static int cosine_value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
+static int cosine_bound(double from, double to, size_t order, size_t d,
+                        void *params, double *most)
+{
+    const double *aw = params;
+    const double size = fabs(aw[0]) * (1 + 64 * DBL_EPSILON);
+    double bound = size; /* |a| |w|^k / k! */
+    fill_bounds(0, d, fmin(size, size * fabs(aw[1]) * (to - from)), most);
+    for (size_t k = 1; k <= order; k++) {
+        bound *= fabs(aw[1]) / (double)k;
+        fill_bounds(k, d, bound, most);
+    }
+    return 0;
+}
+
 fvi_force fvi_force_cosine(const double aw[2])
 {
-    return (fvi_force){ .value = cosine_value, .params = (void *)aw };
+    return (fvi_force){ .value = cosine_value,
+                        .bound = cosine_bound,
+                        .params = (void *)aw };
 }

@@ -4,6 +4,7 @@
 
 #include "input/fvi_data.h"
 #include <fvi/error.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,15 +34,10 @@ struct fvi_forces {
 
 /* ---- values ---- */
 
-/* Linear between two rows; the table reaches from 0 to the end of the run, but for
- * roundings, and holds its ends there. */
-static double between_rows(const part *p, double t)
+/* t_low <= t < t_{low + 1}, or the first or the last two rows; 0 of a table of one. */
+static size_t row_before(const part *p, double t)
 {
-    size_t low = 0, high = p->n - 1; /* t_low <= t < t_high */
-    if (t <= p->t[low])
-        return p->F[low];
-    if (t >= p->t[high])
-        return p->F[high];
+    size_t low = 0, high = p->n - 1;
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
         if (p->t[middle] <= t)
@@ -49,8 +45,53 @@ static double between_rows(const part *p, double t)
         else
             high = middle;
     }
+    return low;
+}
+
+/* Linear between two rows; the table reaches from 0 to the end of the run, but for
+ * roundings, and holds its ends there. */
+static double between_rows(const part *p, double t)
+{
+    if (t <= p->t[0])
+        return p->F[0];
+    if (t >= p->t[p->n - 1])
+        return p->F[p->n - 1];
+    const size_t low = row_before(p, t), high = low + 1;
     const double part_of = (t - p->t[low]) / (p->t[high] - p->t[low]);
     return p->F[low] + part_of * (p->F[high] - p->F[low]);
+}
+
+/* Of the lines that a table has between two times. A kink among them leaves no second
+ * derivative. */
+static void bound_rows(const part *p, double from, double to, size_t order,
+                       double *most)
+{
+    double low = between_rows(p, from), high = low, slope = 0, t = from, F = low;
+    size_t kinks = 0;
+    for (size_t i = row_before(p, from); t < to; i++) {
+        if (i < p->n && p->t[i] <= from)
+            continue;
+        const int is_row = i < p->n && p->t[i] < to;
+        const double next_t = is_row ? p->t[i] : to,
+                     next = is_row ? p->F[i] : between_rows(p, to);
+        kinks += is_row ? 1 : 0;
+        slope = larger(slope, fabs((next - F) / (next_t - t)));
+        low = smaller(low, next);
+        high = larger(high, next);
+        t = next_t;
+        F = next;
+    }
+    for (size_t k = 0; k <= order; k++)
+        most[k] = k == 0   ? (high - low) / 2 * (1 + 1e-15)
+                  : k == 1 ? slope * (1 + 1e-12)
+                  : kinks  ? INFINITY
+                           : 0;
+}
+
+static fvi_force ready_made(const part *p)
+{
+    return p->kind == FVI_FORCING_STEP ? fvi_force_step(p->p)
+                                       : fvi_force_cosine(p->p);
 }
 
 static int value_of(const part *p, double t, double *F)
@@ -66,10 +107,24 @@ static int value_of(const part *p, double t, double *F)
     *F = 0;
     if (p->hits)
         return 0;
-    const fvi_force force = p->kind == FVI_FORCING_STEP
-                                ? fvi_force_step(p->p)
-                                : fvi_force_cosine(p->p);
+    const fvi_force force = ready_made(p);
     return force.value(t, 1, force.params, F);
+}
+
+static int bound_of(const part *p, double from, double to, size_t order,
+                    double *most)
+{
+    memset(most, 0, (order + 1) * sizeof *most);
+    if (p->t) {
+        bound_rows(p, from, to, order, most);
+        return 0;
+    }
+    if (p->hits)
+        return 0;
+    const fvi_force force = p->expression
+                                ? fvi_force_expression(p->expression)
+                                : ready_made(p);
+    return force.bound(from, to, order, 1, force.params, most);
 }
 
 double fvi_forces_by_parameter(const fvi_forces *f, size_t j, double t)
@@ -101,9 +156,28 @@ static int force_value(double t, size_t d, void *params, double *F)
     return 0;
 }
 
+static int force_bound(double from, double to, size_t order, size_t d,
+                       void *params, double *most)
+{
+    const fvi_forces *f = params;
+    double one[FVI_BOUND_ORDER + 1], sum[FVI_BOUND_ORDER + 1] = { 0 };
+    for (size_t i = 0; i < f->count; i++) {
+        int status = bound_of(&f->parts[i], from, to, order, one);
+        if (status)
+            return status;
+        for (size_t k = 0; k <= order; k++)
+            sum[k] += one[k];
+    }
+    for (size_t k = 0; k <= order; k++)
+        for (size_t i = 0; i < d; i++)
+            most[k * d + i] = sum[k];
+    return 0;
+}
+
 fvi_force fvi_forces_force(const fvi_forces *f)
 {
     return (fvi_force){ .value = force_value,
+                        .bound = force_bound,
                         .params = (void *)f,
                         .jumps = f->jumps,
                         .jump_count = f->jump_count,

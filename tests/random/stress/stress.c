@@ -83,6 +83,7 @@ static const struct {
     { "refusals", "one wrong field is refused", stress_refusals, 20000 },
     { "halves", "a power in two halves has the exact solution of the power",
       stress_halves, 5000 },
+    { "pulses", "no pulse of an expression is missed", stress_pulses, 1000 },
 };
 
 /* All cases of a family, or one; returns the number of failures. */
