@@ -64,7 +64,8 @@ START_TEST(bounds_of_a_force_hold_what_it_does)
                              value = fvi_expression_value(e, &t);
                 low = smaller(low, value);
                 high = larger(high, value);
-                const double inner = fmin(fmax(t, from + 2 * step), to - 2 * step);
+                const double inner =
+                    smaller(larger(t, from + 2 * step), to - 2 * step);
                 for (int j = 1; j <= 4 && width > 0.1; j++) {
                     const double noise = 1e-14 * (1 + fabs(value))
                                          / gsl_pow_int(step / 2, j);

@@ -78,7 +78,7 @@ static inline double used_by_pulse(pulse_problem *q, const fvi_method *method)
                                   pulse_end / PULSE_ROWS, PULSE_ROWS);
     run.alpha = q->alpha;
     /* t is rounded: a pulse is moved by that, and its height at each time */
-    q->error = fmax(q->error, 1e-13 * q->impulse / q->width);
+    q->error = larger(q->error, 1e-13 * q->impulse / q->width);
     double worst = 0;
     int status = pulse_truth(q, system, run);
     if (method) {
