@@ -60,7 +60,8 @@ static double hidden_force(const double *most, size_t d, size_t order, double h)
     for (size_t k = 1; k <= order; k++) {
         power *= h / 4;
         const double rest = power * most[k * d];
-        least = rest < least ? rest : least;
+        if (rest < least) /* 0 times INFINITY tells nothing */
+            least = rest;
     }
     return least;
 }

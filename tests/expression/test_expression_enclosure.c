@@ -56,7 +56,7 @@ START_TEST(bounds_of_a_force_hold_what_it_does)
         for (int n = 0; n < 300; n++) {
             const double width = 4 * gsl_pow_int(0.7, n % 40),
                          from = (5 - width) * gsl_rng_uniform(r),
-                         to = from + width, step = 0.01 * fmin(width, 0.2);
+                         to = from + width, step = 0.01 * smaller(width, 0.2);
             double most[ORDER + 1], low = GSL_POSINF, high = GSL_NEGINF;
             ck_assert_int_eq(F.bound(from, to, ORDER, 1, F.params, most), 0);
             for (int m = 0; m < 60; m++) {
