@@ -94,18 +94,24 @@ static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
     return 0;
 }
 
+/* The row N comes first: it is kept, and so is the number of which these are the slopes. */
 static int slopes(size_t k, size_t d, const double *x, const double *p,
                   void *params, double *Jx, double *Jp)
 {
-    const request *r = params;
-    (void)k;
+    request *r = params;
+    fvi_progress(r->o.steps - k, r->o.steps);
     if (!p)
         return 0;
     if (r->of < 2) {
+        r->value = (r->of ? p : x)[r->i];
         (r->of ? Jp : Jx)[r->i] = 1;
         return 0;
     }
-    int status = 0;
+    memcpy(r->last, x, d * sizeof *x);
+    memcpy(r->last + d, p, d * sizeof *p);
+    int status = fvi_energy(&r->system, x, p, &r->value);
+    if (status)
+        return status;
     if (r->system.matrices)
         status = fvi_damping_velocity(&r->system, p, Jp);
     for (size_t i = 0; !r->system.matrices && i < d; i++)
@@ -181,45 +187,47 @@ static int are_finite(const request *r)
            && (!by_x0 || fvi_all_finite(d, r->numbers));
 }
 
+/* What the gradient failed of, and in which step, if the run alone fails, too. */
+static int complain_of(request *r, int status)
+{
+    const size_t N = r->o.steps;
+    fvi_stepper *s;
+    if (status == FVI_ENOMEM)
+        return fvi_complain("not enough memory");
+    int failed = fvi_start(r->o.method, &r->run, &s);
+    if (failed)
+        return fvi_complain(fvi_code_in_words(failed));
+    while (s->k < N && !(failed = fvi_step(s)))
+        ;
+    const size_t reached = s->k;
+    double value;
+    if (!failed && r->of == 2)
+        failed = fvi_energy(&r->system, s->x, s->p, &value);
+    fvi_stop(s);
+    if (failed)
+        return fvi_stopped_at(reached + (reached < N), failed);
+    return status == FVI_EOVRFLW ? fvi_stopped_at(N, status)
+                                 : fvi_complain(fvi_code_in_words(status));
+}
+
 /* The run, all its rows, and back. */
 static int differentiate(request *r)
 {
     const fvi_objective objective = { slopes, r };
-    const size_t d = r->o.d, N = r->o.steps;
-    fvi_stepper *s;
-    int status = fvi_start(r->o.method, &r->run, &s);
-    if (status)
-        return fvi_complain(fvi_code_in_words(status));
-    while (s->k < N && !(status = fvi_step(s)))
-        fvi_progress(s->k, N);
+    const size_t d = r->o.d;
+    r->last = calloc(2 * d, sizeof *r->last);
+    int status = !r->last ? FVI_ENOMEM
+                          : fvi_adjoint(r->o.method, &r->run, NULL, NULL,
+                                        &objective, &r->to);
     fvi_progress_clear();
-    const size_t reached = s->k;
-    if (!status)
-        status = r->of < 2 ? 0 : fvi_energy(&r->system, s->x, s->p, &r->value);
-    if (r->of < 2)
-        r->value = (r->of ? s->p : s->x)[r->i];
-    double *last = malloc(2 * d * sizeof *last);
-    if (last)
-        memcpy(last, s->x, 2 * d * sizeof *last); /* x, and p behind it */
-    fvi_stop(s);
-    if (status) {
-        free(last);
-        return fvi_stopped_at(reached + (reached < N), status);
-    }
-    status =
-        last ? fvi_adjoint(r->o.method, &r->run, NULL, NULL, &objective, &r->to)
-             : FVI_ENOMEM;
     if (!status)
         add_forces(r);
     if (!status && r->of == 2)
-        status = add_energy(r, last, last + d);
-    free(last);
-    if (status == FVI_EOVRFLW || (!status && !are_finite(r)))
-        return fvi_stopped_at(N, FVI_EOVRFLW);
-    return status
-               ? fvi_complain(status == FVI_ENOMEM ? "not enough memory"
-                                                   : fvi_code_in_words(status))
-               : 0;
+        status = add_energy(r, r->last, r->last + d);
+    free(r->last);
+    if (!status && !are_finite(r))
+        status = FVI_EOVRFLW;
+    return status ? complain_of(r, status) : 0;
 }
 
 /* A law has none. In form M p is another number at alpha = 1 than below, (17.17); a mesh that

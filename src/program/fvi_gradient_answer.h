@@ -17,6 +17,7 @@ typedef struct {
     fvi_system system;
     fvi_run run;
     double value; /* of what is differentiated */
+    double *last; /* x and p of the last row */
     fvi_gradients to;
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */

@@ -298,6 +298,47 @@ START_TEST(a_gradient_that_cannot_be_had_says_why)
 }
 END_TEST
 
+/* The value that is printed is of the run that the adjoint does: it does one, and one more in
+ * pieces. The potential counts how often it is asked for its gradient. */
+START_TEST(a_gradient_does_not_run_once_more_for_its_value)
+{
+    write_file("count.c",
+               "#include <fvi/system.h>\n#include <stdio.h>\n"
+               "static long asked;\n"
+               "static int value(size_t d, const double *x, void *p, double *U)"
+               "{ (void)d, (void)p; *U = x[0] * x[0]; return 0; }\n"
+               "static int gradient(size_t d, const double *x, void *p, double "
+               "*g) { (void)d, (void)p; asked++; g[0] = 2 * x[0]; return 0; }\n"
+               "static int hessian(size_t d, const double *x, void *p, double "
+               "*H) { (void)d, (void)p; (void)x; H[0] = 2; return 0; }\n"
+               "__attribute__((destructor)) static void say(void) { FILE *f = "
+               "fopen(\"asked\", \"w\"); fprintf(f, \"%ld\", asked); "
+               "fclose(f); }\n"
+               "const fvi_potential fvi_user_potential = { .value = value, "
+               ".gradient = gradient, .hessian = hessian };\n");
+    static const char *const of[] = { "x", "p", "energy" };
+    for (size_t i = 0; i < LEN(of); i++) {
+        char line[200];
+        ck_assert_int_eq(
+            fvi("run --potential count.c --alpha 0.3 --steps 1000 --columns "
+                "x,p,energy --every 1000"),
+            0);
+        const double want = cell(1, i);
+        ck_assert_int_eq(shell("cat asked"), 0);
+        const double of_run = atof(out);
+        snprintf(line, sizeof line,
+                 "gradient --potential count.c --alpha 0.3 --steps 1000 --of "
+                 "%s",
+                 of[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert(strtod(strstr(out, "# value = ") + 10, NULL) == want);
+        ck_assert_int_eq(shell("cat asked"), 0);
+        ck_assert_msg(of_run > 999 && atof(out) < 2.5 * of_run, "%s of %g", out,
+                      of_run);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("fvi gradient");
@@ -306,5 +347,6 @@ int main(void)
              the_forces_and_the_start_add_up_to_a_linear_motion,
              nothing_has_no_sign, bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);
+    ADD_CASE(suite, "work", a_gradient_does_not_run_once_more_for_its_value);
     return run_suite_of_program(suite);
 }
