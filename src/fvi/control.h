@@ -21,7 +21,8 @@ typedef struct {
     size_t iterations;
 } fvi_controlled;
 
-/* fvi_control -- the least force that ends a run at x, p.              [(25.1)]
+/* fvi_control -- the least force that ends a run at x, p, for quadratic U; for others a
+ * stationary one.                                                     [(25.1)]
  *
  *     min (h/2) sum_{k=0}^{N} |u_k|^2   so that   x_N = x, p_N = p,
  *

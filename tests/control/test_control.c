@@ -5,6 +5,7 @@
 #include "control_ref.h"
 
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
 #include <stdlib.h>
 
 /* A force from a table at the nodes. */
@@ -228,6 +229,45 @@ START_TEST(a_pendulum_swings_up)
 }
 END_TEST
 
+/* (25.2) is a condition for the least force, and other forces satisfy it: from guesses far
+ * away fvi_control ends at several costs for the same swing, each without a miss. */
+START_TEST(eq_25_2_a_pendulum_has_more_than_one_stationary_force)
+{
+    enum { STEPS = 320, STARTS = 120 };
+    double u[STEPS + 1], least = GSL_POSINF, most = 0;
+    size_t ended = 0, at_least = 0;
+    const double m = 1, g = 1, rho = 0.2, zero = 0, up = M_PI;
+    const fvi_system system = { .d = 1,
+                                .mass = &m,
+                                .damping = &rho,
+                                .potential = fvi_potential_pendulum(&g) };
+    fvi_run run = fvi_run_default(&system, &zero, &zero, 0.05, STEPS);
+    run.alpha = 0.3;
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (int i = 0; i < STARTS; i++) {
+        const double size = 2 * gsl_rng_uniform(random),
+                     w = gsl_rng_uniform(random),
+                     phase = 2 * M_PI * gsl_rng_uniform(random);
+        fvi_controlled found;
+        for (size_t k = 0; k <= STEPS; k++)
+            u[k] = size * cos(w * run.h * (double)k + phase);
+        if (fvi_control(&fvi_fractional, &run, &up, &zero, u, &found))
+            continue; /* it may go astray */
+        ck_assert_near(found.miss, 0, 1e-9, "miss");
+        ended++;
+        at_least += fabs(found.cost - 0.8635) < 1e-3;
+        least = smaller(least, found.cost);
+        most = larger(most, found.cost);
+    }
+    gsl_rng_free(random);
+    seen((double)ended, "ended");
+    seen((double)at_least, "at the least cost");
+    seen(most, "largest cost");
+    ck_assert_near(least, 0.8635, 1e-3, "least");
+    ck_assert(most > 1.1 * least && at_least > STARTS / 4);
+}
+END_TEST
+
 START_TEST(bad_arguments_of_a_control_are_refused)
 {
     double u[21] = { 0 };
@@ -266,7 +306,8 @@ int main(void)
     ADD_CASE(suite, "values",
              eq_25_3_the_least_force_is_that_of_the_dense_equations,
              eq_25_3_two_masses_and_any_guess, eq_25_6_rest_is_not_equilibrium,
-             a_pendulum_swings_up);
+             a_pendulum_swings_up,
+             eq_25_2_a_pendulum_has_more_than_one_stationary_force);
     ADD_CASE(suite, "errors", bad_arguments_of_a_control_are_refused);
     return run_suite(suite);
 }

@@ -174,6 +174,26 @@ for k in range(1, N4):
             m / h * (2 * lam[k] - lam[k - 1] - lam[k + 1]) - h * kappa * Hess[k] * MM[k]
             - h * (1 - kappa) * Hess[k - 1] * MM[k - 1]
             - c * sum(w4[j - k] * lam[j] for j in range(k, N4))).subs(ends)))
+# With the end x_N free, and p_0 at the start, lambda_0 and x_N say the two equations of a start.
+L, _, nu = lagrange("held", 0, 1, c)
+whole = (sum(lam[k] * diff(A, x[k]) for k in range(N4 + 1))
+         + sum(lam[k] * (h * F[k] - c * sum(w4[n] * held[k - n] for n in range(k + 1)))
+               for k in range(1, N4 + 1)))
+prove("(23.8) S_a + lambda_0 p_0 is what (23.3) varies, but for lambda_N p_N",
+      expand(whole + lam[0] * p0 - (L + lam[N4] * pN)))
+prove("(23.8) by lambda_0: the start of the run", expand(
+    diff(whole, lam[0]) + p0 - (p0 + diff(lagrangian(x[0], x[1]), x[0]))))
+# Without them the start is free: from x_0 = 0 a free body moves on with any velocity v, and
+# not with p_0 / m, and its mirror likewise.
+free = {k0: 0, g: 0, c: 0, **{f: 0 for f in F}}
+v = symbols("v")
+for k in range(1, N4):
+    prove("(23.8) 0 < k < N alone: any velocity", expand(diff(whole, lam[k]).subs(free).subs(
+        {x[j]: j * h * v for j in range(N4 + 1)})))
+    prove("(23.8) 0 < k < N alone: any mirrored velocity", expand(diff(whole, x[k]).subs(free).subs(
+        {lam[j]: j * h * v for j in range(N4 + 1)})))
+claim("(23.8) which is not p_0 / m", expand((diff(whole, lam[0]) + p0).subs(free).subs(
+    {x[j]: j * h * v for j in range(N4 + 1)}) - (p0 - m * v)) == 0)
 #< action
 
 # ---- the rates of the weights ----
