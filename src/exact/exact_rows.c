@@ -113,7 +113,7 @@ static void add_all_residues(rows *r, const fvi_window *w, fvi_event event,
     size_t carried = 0; /* the blocks since e^{st} was computed */
     if (of.a <= of.b)
         prepare_turns(r);
-    for (size_t k = of.a, count; k <= of.b; k += count) {
+    for (size_t k = of.a, count; k <= of.b && !fvi_interrupted(); k += count) {
         double x = 0, v = 0;
         event.t = time_of(r, k, of.since);
         const size_t near = resonant(r, w, event.t, &x, &v);
@@ -249,6 +249,8 @@ static int add_rows(rows *r, const fvi_event *event, range of)
     while (of.a <= of.b && !status) {
         range window = { of.a, last_of_window(r, of), of.since };
         status = add_window(r, event, &window);
+        if (!status)
+            status = fvi_interrupted();
         of.a = window.b + 1;
     }
     return status;
@@ -275,6 +277,9 @@ static int one_by_one(const rows *r, size_t n)
     for (size_t k = 1; k <= n; k++) {
         const double t = time_of(r, k, 0);
         double x = GSL_NAN, v = GSL_NAN;
+        const int end = fvi_interrupted();
+        if (end)
+            return end;
         if (fvi_exact_phase_is_lost(r->S, t))
             return lose(r, k, n, FVI_ELOSS);
         fvi_exact_at(r->S, t, &x, &v);

@@ -262,7 +262,8 @@ void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
 {
     size_t n = w->count;
     fvi_window_weigh(w, event);
-    for (size_t k = 0; k < rows && n > 0; k += FVI_BLOCK) {
+    for (size_t k = 0; k < rows && n > 0 && !fvi_interrupted();
+         k += FVI_BLOCK) {
         const double t = (event->t + (double)k * h) / w->unit;
         const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
         while (n > 0 && w->z.re[n - 1] * t < -w->folds)

@@ -94,6 +94,7 @@ int fvi_energy(const fvi_system *system, const double *x, const double *p, doubl
 typedef struct { size_t parts; double estimate, order; } fvi_step_found;
 int fvi_step_search(const fvi_method *method, const fvi_run *run, double error, size_t most,
                     double *x, double *p, fvi_step_found *found);
+const fvi_method *fvi_step_search_other(const fvi_method *method, const fvi_run *run);
 typedef struct { double estimate; ...; } fvi_adaptive_found;
 int fvi_adaptive_search(const fvi_run *run, double error, size_t most, double *x, double *p,
                         fvi_adaptive_found *found);

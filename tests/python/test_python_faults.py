@@ -235,6 +235,7 @@ LONG = {
     "search": "fvi.run(alpha=0.3, error=1e-13, method='fvi', steps=1000)",
     "fit": "t = np.arange(1, 20001) * 0.01; fvi.fit(t, np.cos(t) + 0.1 * np.sin(99 * t), 'x^4/4 + x^2/2', starts=2000)",
     "exact": "fvi.exact(np.random.default_rng(1).uniform(0, 9, 10**6), alpha=0.3)",
+    "grid": "fvi.exact(1e-4 * np.arange(2 * 10**7), alpha=0.3)",
     "own": "fvi.run(force=lambda t: 0.0, steps=10**7, columns='t')",
 }
 

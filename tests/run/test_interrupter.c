@@ -98,6 +98,8 @@ START_TEST(a_search_and_the_exact_solution_end_too)
     asks = 4;
     ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), CODE);
     ck_assert_int_eq(asked, 4);
+    asked = 0;
+    ck_assert_int_eq(fvi_exact_rows(&problem, 0.1, 100, 0, x, NULL), CODE);
     fvi_set_interrupter(NULL);
     ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), 0);
 }

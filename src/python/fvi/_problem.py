@@ -60,11 +60,12 @@ class Asked:
     def view(self, pointer: Any, n: int) -> Array:
         """n doubles of the library's as an array, which is theirs and goes with them."""
         where = (int(ffi.cast("uintptr_t", pointer)), n)
-        if where not in self.views:
+        view = self.views.get(where)
+        if view is None:
             if len(self.views) > 64:
-                self.views.clear()
-            self.views[where] = np.frombuffer(ffi.buffer(pointer, 8 * n))
-        return self.views[where]
+                self.views.clear()  # another thread may look here, too
+            self.views[where] = view = np.frombuffer(ffi.buffer(pointer, 8 * n))
+        return view
 
     def at(self, x: Any, d: int) -> Any:
         """x as the functions take it: a number, or an array of their own."""

@@ -241,7 +241,11 @@ def search(r: Any, method: Any, error: float, x: Any, p: Any) -> float:
         found = ffi.new("fvi_step_found *")
         status = ask(lib.fvi_step_search, method, r, error, MOST_STEPS, x, p, found)
     if status == lib.FVI_ETOL:
-        raise failure(status, f": the smallest estimate of the error was {found.estimate:.2g}")
+        if not math.isfinite(found.estimate):
+            raise failure(status, ": no step gives a result that can be trusted")
+        other = lib.fvi_step_search_other(method, r)
+        raise failure(status, f": the smallest estimate of the error was {found.estimate:.2g}" + (
+            f"; {text_of(other.name)} has a higher order" if other != ffi.NULL else ""))
     succeed(status)
     return found.estimate
 
