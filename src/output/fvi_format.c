@@ -5,6 +5,7 @@
 #include "words/fvi_shortest.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,17 +16,47 @@ void fvi_print_number(FILE *out, const char *before, double v)
     fwrite(text, 1, (size_t)fvi_shortest(v, text), out);
 }
 
-/* A text between quotes. */
+/* How many bytes the character at `at` has in UTF-8, or 0 if it is none: no surrogates, no
+ * longer form than need be, nothing behind U+10FFFF. */
+static size_t bytes_of_character(const char *at)
+{
+    static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
+    const unsigned char lead = (unsigned char)*at;
+    const size_t n = lead < 0x80    ? 1
+                     : lead >= 0xf8 ? 0
+                     : lead >= 0xf0 ? 4
+                     : lead >= 0xe0 ? 3
+                     : lead >= 0xc0 ? 2
+                                    : 0;
+    uint32_t code = n < 2 ? lead : lead & (0x7fU >> n);
+    for (size_t i = 1; i < n; i++) {
+        const unsigned char next = (unsigned char)at[i];
+        if ((next & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (next & 0x3f);
+    }
+    return code < least[n] || code > 0x10ffff
+                   || (code >= 0xd800 && code < 0xe000)
+               ? 0
+               : n;
+}
+
+/* A text between quotes. A file's name may be any bytes: of those that are no UTF-8 each
+ * becomes U+FFFD. */
 static void print_quoted(FILE *out, const char *text)
 {
     fputc('"', out);
-    for (; *text; text++)
-        if (*text == '"' || *text == '\\')
+    for (size_t n; *text; text += n > 0 ? n : 1) {
+        n = bytes_of_character(text);
+        if (n == 0)
+            fputs("\\ufffd", out);
+        else if (*text == '"' || *text == '\\')
             fprintf(out, "\\%c", *text);
         else if ((unsigned char)*text < ' ')
             fprintf(out, "\\u%04x", (unsigned char)*text);
         else
-            fputc(*text, out);
+            fwrite(text, 1, n, out);
+    }
     fputc('"', out);
 }
 

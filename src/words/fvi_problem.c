@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* What each mass has: x0, p0, mass, rho, one value for all, or a list. */
 int fvi_problem_lists(fvi_options *o, fvi_complaint c)
@@ -119,7 +120,7 @@ int fvi_problem_force(fvi_options *o, fvi_complaint c)
         if (status)
             return status;
     }
-    if (found && strcmp(o->text[FORCE], "none") != 0)
+    if (found && strcasecmp(o->text[FORCE], "none") != 0)
         return fvi_refuse(c, "--force: '%s': there is %s/f.tsv, too",
                           o->text[FORCE], o->text[SYSTEM]);
     if (found) { /* the head says what acts */

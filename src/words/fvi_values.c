@@ -33,11 +33,15 @@ static int whole(const fvi_options *o, option_index i, size_t *value,
                           value, c);
 }
 
-static int choice(const fvi_options *o, option_index i,
-                  const char *const *words, size_t *which, fvi_complaint c)
+/* The text becomes the word that is chosen, in small letters, as the head shows it. */
+static int choice(fvi_options *o, option_index i, const char *const *words,
+                  size_t *which, fvi_complaint c)
 {
-    return fvi_word_choice(fvi_option_list[i].name, o->text[i], words, which,
-                           c);
+    const int status = fvi_word_choice(fvi_option_list[i].name, o->text[i],
+                                       words, which, c);
+    if (!status)
+        o->text[i] = words[*which];
+    return status;
 }
 
 /* ---- what belongs together ---- */

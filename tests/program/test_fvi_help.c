@@ -137,6 +137,9 @@ START_TEST(completions_are_what_the_program_says)
     ck_assert_str_eq(offered("fvi run --al"), " --alpha \n");
     ck_assert_str_eq(offered("fvi coefficients --k"), "  \n");
     ck_assert_str_eq(offered("fvi sweep --al"), " --alpha \n");
+    ck_assert_str_eq(offered("fvi methods --"), "  \n");
+    ck_assert_str_eq(offered("fvi help run --"), "  \n");
+    ck_assert_str_eq(offered("fvi --version \"\""), "  \n");
     ck_assert_str_eq(offered("fvi sweep --ev"), "  \n");
     ck_assert_str_eq(offered("fvi run --step-"), " --step-error \n");
     ck_assert_str_eq(offered("fvi run --memory e"), " exponentials \n");

@@ -318,6 +318,34 @@ START_TEST(tables_in_three_formats)
 }
 END_TEST
 
+/* A file's name is bytes; in JSON stand characters. */
+START_TEST(a_name_of_any_bytes_is_json)
+{
+    ck_assert_int_eq(
+        shell("f=$(printf 'a\\377\\303\\251\\300\\257\\355\\240\\200\\364\\220"
+              "\\200\\200\\360\\237\\230\\200\\342'); printf '0 1\\n9 1\\n' > "
+              "\"$f\"; "
+              "\"$FVI\" run --steps 1 --force \"file:$f\" --format json"),
+        0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "\"force\": \"file:a\\ufffd\303\251\\ufffd\\ufffd"
+                    "\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd"
+                    "\360\237\230\200\\ufffd\""));
+}
+END_TEST
+
+/* The head has the words as the program knows them, however they are typed. */
+START_TEST(the_head_has_its_own_words)
+{
+    ck_assert_int_eq(fvi("run --method FVI-Stable --derivative HELD --memory "
+                         "Direct --steps 1"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# derivative = held\n"));
+    ck_assert_ptr_nonnull(strstr(out, "# memory = direct\n"));
+}
+END_TEST
+
 /* What other programs make of it: Python's json, numpy with names, gnuplot's columns by
  * name. Those that are not installed are not asked. */
 START_TEST(other_programs_read_the_tables)
@@ -387,7 +415,8 @@ int main(void)
              a_shared_object_is_a_potential,
              a_file_of_c_is_compiled_and_nothing_stays,
              masses_and_dampings_one_by_one, impulses_are_forces, forces_add_up,
-             case_does_not_matter_for_words, tables_in_three_formats,
+             case_does_not_matter_for_words, a_name_of_any_bytes_is_json,
+             the_head_has_its_own_words, tables_in_three_formats,
              other_programs_read_the_tables,
              digits_are_the_fewest_that_come_back);
     return run_suite_of_program(suite);

@@ -5,6 +5,8 @@ _fvi()
     COMPREPLY=()
     if ((COMP_CWORD == 1)) || [[ $before == help ]]; then
         known=$(fvi help 2>/dev/null | sed -n 's/^[a-z: ]*fvi \([a-z][a-z]*\) .*/\1/p' | sort -u)
+    elif [[ ${COMP_WORDS[1]} == methods || ${COMP_WORDS[1]} == help || ${COMP_WORDS[1]} == -* ]]; then
+        return # these take no options
     else
         case $before in
         --method) known=$(fvi methods 2>/dev/null | cut -f1) ;;

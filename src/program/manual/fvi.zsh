@@ -3,6 +3,8 @@
 local -a known
 if ((CURRENT == 2)) || [[ $words[CURRENT-1] == help ]]; then
     known=(${(f)"$(fvi help 2>/dev/null | sed -n 's/^[a-z: ]*fvi \([a-z][a-z]*\) .*/\1/p' | sort -u)"})
+elif [[ $words[2] == methods || $words[2] == help || $words[2] == -* ]]; then
+    return # these take no options
 else
     case $words[CURRENT-1] in
     --method) known=(${(f)"$(fvi methods 2>/dev/null | cut -f1)"}) ;;
