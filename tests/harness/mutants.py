@@ -8,8 +8,10 @@ An entry of tests/*/mutants.txt is four lines and a blank one:
     right  one piece of that file, standing there exactly once
     wrong  what it becomes
     named  the test that must fail
-and, where the test can tell them apart only with a header of an optional package, a fifth:
+and, where the test can tell them apart only with a header of an optional package, or under a
+sanitizer of the compiler, with which the wrong file is then compiled, a fifth:
     with   suitesparse/cholmod.h
+    under  address
 A mutant that does not compile, survives, or dies without its test fails the run; so does a
 test that fails without a mutant, which would name everything."""
 import concurrent.futures
@@ -39,8 +41,10 @@ def entries():
     for block in filter(str.strip, re.split(r"\n\s*\n", text)):
         entry = dict(line.split(None, 1) for line in block.strip().splitlines())
         header = entry.pop("with", None)
+        sanitizer = entry.pop("under", None)
         if set(entry) != {"file", "right", "wrong", "named"}:
             sys.exit(f"tests/*/mutants.txt: not four lines:\n{block}")
+        entry["options"] = [f"-fsanitize={sanitizer}"] if sanitizer else []
         if STEMS and pathlib.Path(entry["file"]).stem not in STEMS:
             continue
         if header and not pathlib.Path("/usr/include", header).exists():
@@ -64,7 +68,7 @@ def build(folder, entry, test):
         raise ValueError("a header is no mutant's place")
     mutant = folder / file.name
     mutant.write_text(text.replace(entry["right"], entry["wrong"]))
-    wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent))
+    wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent), *entry["options"])
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
     if file.parent.name == "course":  # a stage stands within its test
         return subprocess.run([*CC, "-w", "-Isrc", "-Itests", f'-DSTAGE="{mutant.resolve()}"', test, BUILD / "libfvi.a", *LIBS,
@@ -75,9 +79,9 @@ def build(folder, entry, test):
     parser.unlink(missing_ok=True)
     subprocess.run(["ar", "rcs", parser, *(o for o, p in zip(program, PROGRAM) if p != "fvi_cli")], check=True)
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", parser, *library, *LIBS,
-                    "-o", folder / "test"], check=True)
+                    *entry["options"], "-o", folder / "test"], check=True)
     if '"program.h"' in test.read_text():
-        subprocess.run([*CC, *program, *library, *LIBS, "-o", folder / "fvi"], check=True)
+        subprocess.run([*CC, *program, *library, *LIBS, *entry["options"], "-o", folder / "fvi"], check=True)
 
 
 def watched(command, environment):
@@ -101,7 +105,7 @@ def run(number, entry):
         folder.mkdir(parents=True, exist_ok=True)
         build(folder, entry, test)
         environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
-                           CK_DEFAULT_TIMEOUT="20", CPATH=str(pathlib.Path("src").resolve()))
+                           CK_DEFAULT_TIMEOUT="20", ASAN_OPTIONS="detect_leaks=0", CPATH=str(pathlib.Path("src").resolve()))
         status, said = watched([folder / "test"], environment)
     except KeyError:
         return f"there is no test {entry['named']}"
@@ -131,7 +135,7 @@ def main():
         compile_object(path, BUILD / "mutants" / f"{name}.o")
     for test in {TESTS[e["named"]] for e in todo if e["named"] in TESTS}:
         compile_object(test, BUILD / "mutants" / f"{test.stem}.o")
-    ones = {TESTS[e["named"]]: dict(e, wrong=e["right"]) for e in todo if e["named"] in TESTS}
+    ones = {(TESTS[e["named"]], *e["options"]): dict(e, wrong=e["right"]) for e in todo if e["named"] in TESTS}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for entry, verdict in zip(ones.values(), pool.map(run, range(len(ones)), ones.values())):
             if verdict != SURVIVED:

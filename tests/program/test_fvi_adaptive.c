@@ -45,14 +45,41 @@ START_TEST(a_wanted_error_needs_no_other_word)
                             "# error estimate = %lg\n",
                             &steps, &estimate)
                          == 2);
-        ck_assert_int_eq(sscanf(err,
-                                "fvi: the error of x is at most about %lg, in %u "
-                                "steps\n",
-                                &said, &of),
-                         2);
+        ck_assert_int_eq(
+            sscanf(err,
+                   "fvi: the error of x is at most about %lg, in %u "
+                   "steps\n",
+                   &said, &of),
+            2);
         ck_assert(said == estimate && estimate <= 1e-9 && steps == of
                   && steps > 20 && count_lines(err) == 1);
     }
+}
+END_TEST
+
+/* Two masses on a chain: x and p of each row, whichever of them are columns. */
+START_TEST(each_mass_has_its_momentum)
+{
+    const char *rest = "--potential chain:2,1,0 --x0 1,0.5 --p0 0.3,-0.4 "
+                       "--alpha 0.3 --steps 4 --time 5 --error 1e-8 --columns";
+    double found[5][4];
+    char line[200];
+    snprintf(line, sizeof line, "run %s p,x", rest);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert(cell(0, 0) == 0.3 && cell(0, 1) == -0.4);
+    ck_assert(cell(0, 2) == 1 && cell(0, 3) == 0.5);
+    for (size_t k = 0; k < 5; k++)
+        for (size_t i = 0; i < 4; i++)
+            found[k][i] = cell(k, i);
+    snprintf(line, sizeof line,
+             "run --method fvi-lobatto4 --potential chain:2,1,0 --x0 1,0.5 "
+             "--p0 0.3,-0.4 --alpha 0.3 --h 0.0125 --steps 400 --every 100 "
+             "--columns p,x");
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t k = 0; k < 5; k++)
+        for (size_t i = 0; i < 4; i++)
+            ck_assert_near(found[k][i], cell(k, i), 1e-6, "column %zu, row %zu",
+                           i, k);
 }
 END_TEST
 
@@ -120,7 +147,8 @@ END_TEST
 START_TEST(a_step_has_a_tolerance)
 {
     static const double wanted[] = { 1e-3, 1e-6, 1e-9 };
-    static const char problem[] = "--steps 40 --h 0.5 --alpha 0.3 --columns t,x";
+    static const char problem[] =
+        "--steps 40 --h 0.5 --alpha 0.3 --columns t,x";
     static double want[41];
     char line[400];
     snprintf(line, sizeof line, "exact %s", problem);
@@ -179,8 +207,8 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: steps of its own");
     ADD_CASE(suite, "error", a_wanted_error_needs_no_other_word,
-             rows_are_where_they_are_wanted, kinks_of_a_table_are_met,
-             an_error_below_rounding_is_refused);
+             each_mass_has_its_momentum, rows_are_where_they_are_wanted,
+             kinks_of_a_table_are_met, an_error_below_rounding_is_refused);
     ADD_CASE(suite, "step-error", a_step_has_a_tolerance,
              a_tolerance_of_a_step_is_for_one_method);
     return run_suite_of_program(suite);

@@ -1,6 +1,7 @@
 /* tests/program/test_fvi_options.c -- The parser of the command line, in the process.
  * Run alone: make test-fvi_options */
 #include "harness/ulp.h"
+#include "output/fvi_table.h"
 #include "words/fvi_options.h"
 #include "words/fvi_shortest.h"
 #include "words/fvi_words.h"
@@ -307,13 +308,47 @@ START_TEST(digits_are_those_of_the_c_library)
 }
 END_TEST
 
+/* A run of 10 steps, of which every 4th is printed: without the mirror nothing else is asked
+ * for; with it, wherever y stands among the columns, also the nodes 10 - k. */
+START_TEST(only_the_mirror_asks_for_other_nodes)
+{
+    static const struct {
+        const char *columns;
+        size_t count, nodes[6];
+    } some[] = { { "t,x", 4, { 0, 4, 8, 10 } },
+                 { "t,x,y", 6, { 0, 2, 4, 6, 8, 10 } },
+                 { "y,t", 6, { 0, 2, 4, 6, 8, 10 } } };
+    for (size_t i = 0; i < LEN(some); i++) {
+        char complaint[200], columns[8],
+            *line[] = { "fvi",     "run", "--steps",   "10",
+                        "--every", "4",   "--columns", columns };
+        fvi_options o;
+        fvi_table table;
+        const fvi_system system = { 0 };
+        strcpy(columns, some[i].columns);
+        ck_assert_int_eq(
+            fvi_options_parse(LEN(line), line, &o, complaint, sizeof complaint),
+            0);
+        fvi_table_shape(&table, &o, &system);
+        size_t k = 0;
+        for (size_t n = 1; n < some[i].count; n++) {
+            k = fvi_table_next(&table, k);
+            ck_assert_uint_eq(k, some[i].nodes[n]);
+        }
+        fvi_options_free(&o);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the words of fvi");
     ADD_CASE(suite, "values", defaults_are_those_of_the_manual,
              digits_are_those_of_the_c_library);
     ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
-             the_nearest_known_word_is_named, words_stay_within_their_bounds,
+             the_nearest_known_word_is_named,
+             only_the_mirror_asks_for_other_nodes,
+             words_stay_within_their_bounds,
              a_long_word_is_shortened_and_its_reason_stays);
     return run_suite(suite);
 }
