@@ -107,7 +107,8 @@ typedef struct {
  *   lowest, highest  the order as numbers: the lowest and the highest that x has at
  *          a fixed time, over all alpha, for Caputo's past and that of a held body (a
  *          kick, Riemann and Liouville's past, or a U that is not quadratic, (20.11),
- *          (20.12), or kappa != 1/2 may cost more)
+ *          (20.12), or kappa != 1/2 may cost more); of fvi_adaptive, in the number
+ *          of its steps, over all t
  *   stages  s, of the methods of Lobatto; 0 for all others
  *   damped_inertia  nonzero if the inertia is a damping of order 1 of the same kind,
  *          m DD^2 x, form D of chapter 17

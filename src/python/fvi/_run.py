@@ -25,7 +25,7 @@ def version() -> str:
 
 class Method(NamedTuple):
     """An integrator: `order` and `memory` in words, `lowest` and `highest` order of x at a
-    fixed time over all alpha, which alpha it knows, whether it has a kappa and solves an
+    fixed time over all alpha (of "fvi-adaptive", in the number of its steps), which alpha it knows, whether it has a kappa and solves an
     equation in each step."""
     name: str
     order: str
