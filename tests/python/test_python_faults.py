@@ -1,8 +1,11 @@
 """The Python package: what it says beside its numbers, and what could have ended a process."""
 import concurrent.futures
 import ctypes
+import doctest
+import inspect
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -86,7 +89,8 @@ def test_a_fit_warns_as_the_program_does(tmp_path):
 
 
 @pytest.mark.parametrize("which, options, words", [
-    ("mass,rho,c,p0", {}, []), ("rho", {"sigma": 1e-3}, ["--sigma", "1e-3"]), ("c,g", {"starts": 2}, ["--starts", "2"])])
+    ("mass,rho,c,p0", {}, []), ("rho", {"sigma": 1e-3}, ["--sigma", "1e-3"]),
+    ("c,g", {"starts": 2}, ["--starts", "2"])])
 def test_a_fit_that_is_not_believed_says_why(which, options, words, tmp_path):
     """As the program does, but for the dashes of its options."""
     t = 0.1 * np.arange(1, 41)
@@ -345,3 +349,20 @@ def test_threads_run_while_the_main_thread_runs():
     for thread in threads:
         thread.join()
     assert len(raised) == 4
+
+
+def test_the_examples_in_the_package_are_true():
+    found = doctest.testmod(fvi)
+    assert found.attempted >= 4 and found.failed == 0
+
+
+def test_each_keyword_is_explained():
+    for function in (fvi.run, fvi.exact, fvi.fit, fvi.weights, fvi.potential):
+        words = set(re.findall(r"\w+", function.__doc__))
+        names = [name for name, p in inspect.signature(function).parameters.items() if p.kind != p.VAR_KEYWORD]
+        assert not [name for name in names if name not in words]
+    with pytest.raises(TypeError, match="there are (.*)$") as caught:
+        fvi.run(qqqqq=1)
+    names = str(caught.value).partition("there are ")[2].split(", ")
+    words = set(re.findall(r"\w+", fvi.run.__doc__))
+    assert len(names) > 15 and not [name for name in names if name not in words]

@@ -1,8 +1,11 @@
 """Mechanics with memory, m x'' + grad U(x) + rho D^{2 alpha} x = F(t), by variational integrators.
 
-    import fvi
-    run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, h=0.1, steps=200)
-    run.t, run.x, run.p          # arrays of 201 numbers
+    >>> import fvi
+    >>> run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, h=0.1, steps=200)
+    >>> run.t.shape, run.x.shape, run.p.shape
+    ((201,), (201,), (201,))
+    >>> print(f"at t = {run.t[200]:g} the body is at {run.x[200]:.5f}")
+    at t = 20 the body is at -0.00651
 
 Its options bear the names that they have in the program `fvi run`, and have the same
 defaults; `help(fvi.run)` lists those that there are. Lengths, times and masses are in units of your own.

@@ -50,10 +50,11 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
 
     t, x       the data: increasing times >= 0, and positions
     which      any of alpha, rho, mass, x0, p0, and the potential's c, g or names of `let`
-    sigma      standard deviation of each x; None: estimated
-    starts     how many searches, the first from the values given
-    h          the longest step; 0: found
-    the rest   the model, as for `run`, but for steps and time: those are the data's. With
+    sigma      standard deviation of each x, a length > 0; None: estimated
+    starts     how many searches, a whole number >= 2, the first from the values given; 20
+    h          the longest step, a time > 0; 0: found
+    method     as for `run`, best one of high order, as its error counts as one of the data; "fvi-lobatto4"
+    the rest   the model, potential and all, as for `run`, but for steps and time: those are the data's. With
                damping, rho (from 1) multiplies the law, and alpha is not among `which`
 
     Raises fvi.Error with the program's words where fewer than two starts agree on the best (code 11), chi^2 is out of

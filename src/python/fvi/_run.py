@@ -259,24 +259,26 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 program has them; an expression in x, or in x1, x2, ...: "x^4/4 - k*x^2/2";
                 or what `fvi.potential` makes
     let         the numbers that expressions name: {"k": 3}; one that none names is a ValueError
-    alpha       0 ... 1, the damping is of order 2 alpha; 0.5
-    rho, mass   one number, or d of them; 0.2 and 1
+    alpha       0 ... 1, a pure number; the damping is of order 2 alpha; 0.5
+    rho, mass   one number, or d of them: rho >= 0 in mass time^(2 alpha - 2), 0.2; mass > 0, 1
     damping     instead of alpha and rho a law, "power:R,A", "zener:R,A,T", "maxwell:R,T" or
                 "distributed:R,A,B" as the program has them, or a list of such, which add
     force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T),
-                an expression in t, or a function of t that gives one number or d of them
-    derivative  the past: "held", "caputo" or "rl"
-    x0, p0      the start, one number or d of them; 1 and 0.5
-    h, steps    the step and how many; 0.1 and 200; time=T instead of h: h = T / steps
-    error       instead of h: the rows to `time`, 20, with steps between them so chosen that x is
+                an expression in t, or a function of t that gives one number or d of them, in
+                mass length / time^2
+    derivative  the past, what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
+    x0, p0      the start, one number or d of them: a length, 1; a momentum, mass length / time, 0.5
+    h, steps    the step, a time > 0, and how many, a whole number >= 1; 0.1 and 200
+    time        instead of h the time > 0 of the last row: h = time / steps
+    error       instead of h, a length > 0: the rows to `time`, 20, with steps between them so chosen that x is
                 right to it by an estimate; by "fvi-adaptive", or "fvi-bdf2" with damping,
                 unless another method is named
-    step_error  instead of error: what x may be off by in one step of "fvi-adaptive", the method
+    step_error  instead of error, a length > 0: what x may be off by in one step of "fvi-adaptive", the method
                 then, by the estimate of that step
     method      as `methods()` lists them; "fvi"
-    kappa       0 ... 1, where the potential is taken; 0.5
-    memory      "auto", "direct", "fft" or "exponentials"
-    tolerance   of the compressed memory, relative to the direct sum; 0 stands for 1e-13
+    kappa       0 ... 1, a pure number: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}; 0.5
+    memory      how the past is summed: "auto", "direct", "fft" or "exponentials"; "auto"
+    tolerance   of the compressed memory, relative to the direct sum, 0 ... 1 (not 1); 0 is 1e-13
     columns     any of t,x,p,energy: only these are computed
 
     Raises TypeError and ValueError for what cannot be meant, fvi.Error with the library's code
@@ -327,11 +329,14 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|, with
     damping to about 2e-13.
 
-    t      one time or an array of them, >= 0, in any order; the times of a grid, as the t of
+    t      one time or an array of them, >= 0 and finite, in any order; the times of a grid, as the t of
            a run or of numpy.linspace(0, T, n + 1), more than 513 of them, are computed together,
            to 7e-14, mostly more than ten times as fast
     force  None, "step:A,T" or "cosine:A,W"
-    v0     the velocity at 0, not the momentum
+    mass, c, rho, alpha  > 0, >= 0, >= 0 and 0 ... 1: 1, 1, 0.2, 0.5, in the units of `run`; c is
+           the spring's constant, a force / length
+    x0, v0  the start, 1 and 0.5: a length, and the velocity at 0, not the momentum
+    derivative  as for `run`
     damping  as for `run`, instead of rho (0.2) and alpha (0.5)
 
     Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
@@ -368,7 +373,7 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
 
 @spelt()
 def weights(order: float, count: int) -> Array:
-    """The first weights of (1 - z)^order, 0 <= order <= 2, each to the last bit or next to it."""
+    """The first `count` weights of (1 - z)^order, 0 <= order <= 2, each to the last bit or next to it."""
     w = np.empty(whole("count", count, 1))
     succeed(ask(lib.fvi_coefficients, number("order", order), w.size, ffi.from_buffer("double[]", w)))
     return w
