@@ -1,0 +1,36 @@
+/* figures/course/course_seven.c -- Chapter 6: the running body for seven orders of its damping.
+ *
+ * A block for each alpha: t and x of a run of stage 6 with h = 0.1; at every tenth node the exact
+ * x, else "-"; and in the last line the name of the curve. */
+#include <fvi/exact_solution.h>
+
+#define main body_main
+#pragma GCC diagnostic ignored "-Wreturn-type" /* main alone may end without a return */
+#include "course/body_06.c"
+#undef main
+
+enum { LAST = 140, EVERY = 10 };
+
+int main(void)
+{
+    const double alphas[] = { 0, 0.25, 0.4, 0.5, 0.6, 0.75, 1 };
+    for (int i = 0; i < 7; i++) {
+        alpha = alphas[i];
+        run(LAST);
+        printf("%s# t, x of the run, exact x; alpha = %g\n", i ? "\n\n" : "", alpha);
+        const fvi_linear motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
+        for (int k = 0; k <= LAST; k++) {
+            const double t = k * h;
+            double exact;
+            if (fvi_exact(&motion, 1, &t, &exact, NULL))
+                return 1;
+            printf("%.17g %.17g ", t, x[k]);
+            if (k % EVERY)
+                printf("-\n");
+            else
+                printf("%.17g\n", exact);
+        }
+        printf("%.17g %.17g - \"α = %g\"\n", LAST * h, x[LAST], alpha);
+    }
+    return 0;
+}
