@@ -72,6 +72,8 @@ static int try_all(search *o, const double *low, const double *high,
         if (end)
             return end;
     }
+    if (o->model.ended)
+        return o->model.ended;
     if (!(o->found[*best].sum < GSL_POSINF))
         FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
     return FVI_SUCCESS;
@@ -261,5 +263,7 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
     }
     fvi_fit_work_stop(&o);
     fvi_loud();
+    if (o.model.ended)
+        FVI_FAIL("no memory for a motion", o.model.ended);
     return status;
 }

@@ -124,7 +124,7 @@ static int is_possible(const fvi_fit_model *m)
 }
 
 //> run
-int fvi_fit_model_run(fvi_fit_model *m)
+static int run_motion(fvi_fit_model *m)
 {
     fvi_stepper *s;
     if (!is_possible(m)) /* what fvi_start would tell the handler */
@@ -154,6 +154,19 @@ int fvi_fit_model_run(fvi_fit_model *m)
     return status;
 }
 //< run
+
+/* A motion for which there was no memory is no bad one: the fit ends. */
+static int ended_by(fvi_fit_model *m, int status)
+{
+    if (status == FVI_ENOMEM)
+        m->ended = status;
+    return status;
+}
+
+int fvi_fit_model_run(fvi_fit_model *m)
+{
+    return m->ended ? m->ended : ended_by(m, run_motion(m));
+}
 
 /* ---- its slopes ---- */
 
@@ -189,7 +202,7 @@ static void read_slopes(const fvi_fit_model *m, const fvi_tangent_run *o,
     }
 }
 
-int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope)
+static int run_tangents(const fvi_fit_model *m, double *slope)
 {
     fvi_tangent_run o;
     const size_t P = m->fit->parameters;
@@ -213,5 +226,10 @@ int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope)
     }
     fvi_tangent_stop(&o);
     return status;
+}
+
+int fvi_fit_model_tangents(fvi_fit_model *m, double *slope)
+{
+    return m->ended ? m->ended : ended_by(m, run_tangents(m, slope));
 }
 //< tangents

@@ -19,6 +19,7 @@ typedef struct {
     double hopeless; /* the residual where there is no motion, or one a 10^8 times as far
                         off as the data are from 0 */
     double *motion; /* x(t_i), n numbers, of the last call */
+    int ended; /* FVI_ENOMEM once a motion had no memory: what was found counts no more */
 } fvi_fit_model;
 
 /* The model with the values of fit->run; `motion` is the caller's. */
@@ -36,7 +37,8 @@ double fvi_fit_model_free(const fvi_fit_model *m, size_t j, double theta);
 double fvi_fit_model_bound(const fvi_fit_model *m, size_t j, double u);
 double fvi_fit_model_slope(const fvi_fit_model *m, size_t j, double theta);
 
-/* m->motion for the present values. Returns what fvi_start and fvi_step return. */
+/* m->motion for the present values. Returns what fvi_start and fvi_step return; once that
+ * was FVI_ENOMEM, at once, for ever. */
 int fvi_fit_model_run(fvi_fit_model *m);
 
 /* Can the slopes of the motion be had without differences? */
@@ -44,7 +46,7 @@ int fvi_fit_model_has_tangents(const fvi_fit_model *m);
 
 /* d motion_i / d parameter j for the present values, at slope[i * P + j]. Errors as
  * fvi_tangents. */
-int fvi_fit_model_tangents(const fvi_fit_model *m, double *slope);
+int fvi_fit_model_tangents(fvi_fit_model *m, double *slope);
 
 /* The longest step for a first look: it meets all times if one does that is not much
  * shorter than their gaps; w h <= 1, w as below. */

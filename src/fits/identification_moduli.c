@@ -14,16 +14,17 @@
 enum { SCAN = 100 };   /* orders that are looked at first */
 
 /* By J = Q S V^T, its columns scaled to length 1: only their lengths know the unit of a
- * parameter, and a square of it may be too large, or too small, for a double. Q is J before. */
+ * parameter, and a square of it may be too large, or too small, for a double. Q is J before.
+ * Jacobi's way takes nothing from the heap; the others of GSL do not look whether they have
+ * got it. */
 int fvi_fit_errors(gsl_matrix *Q, double sd[],
                    double correlation[][FVI_FIT_MOST])
 {
     const size_t P = Q->size2;
-    double v[FVI_FIT_MOST * FVI_FIT_MOST], s[FVI_FIT_MOST], work[FVI_FIT_MOST],
-        length[FVI_FIT_MOST], C[FVI_FIT_MOST][FVI_FIT_MOST];
+    double v[FVI_FIT_MOST * FVI_FIT_MOST], s[FVI_FIT_MOST], length[FVI_FIT_MOST],
+        C[FVI_FIT_MOST][FVI_FIT_MOST];
     gsl_matrix_view V = gsl_matrix_view_array(v, P, P);
-    gsl_vector_view S = gsl_vector_view_array(s, P),
-                    W = gsl_vector_view_array(work, P);
+    gsl_vector_view S = gsl_vector_view_array(s, P);
     for (size_t j = 0; j < P; j++) {
         gsl_vector_view column = gsl_matrix_column(Q, j);
         length[j] = gsl_blas_dnrm2(&column.vector);
@@ -31,7 +32,7 @@ int fvi_fit_errors(gsl_matrix *Q, double sd[],
             return FVI_ESING;
         gsl_vector_scale(&column.vector, 1 / length[j]);
     }
-    if (gsl_linalg_SV_decomp(Q, &V.matrix, &S.vector, &W.vector)
+    if (gsl_linalg_SV_decomp_jacobi(Q, &V.matrix, &S.vector)
         || !(s[P - 1] > DEPENDENT))
         return FVI_ESING;
     for (size_t i = 0; i < P; i++)

@@ -30,7 +30,7 @@ int fvi_fit_residuals(const gsl_vector *u, void *params, gsl_vector *f)
         o->last[i] = !failed && fabs(r) < m->hopeless ? r : m->hopeless;
         gsl_vector_set(f, i, o->last[i]);
     }
-    return GSL_SUCCESS;
+    return m->ended ? GSL_ENOMEM : GSL_SUCCESS;
 }
 //< residuals
 
@@ -77,7 +77,7 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
             gsl_vector_set(&f.vector, i, (o->last[i] - o->base[i]) / step);
     }
     memcpy(o->last, o->base, J->size1 * sizeof *o->last);
-    return GSL_SUCCESS;
+    return o->model.ended ? GSL_ENOMEM : GSL_SUCCESS;
 }
 //< slopes
 

@@ -172,7 +172,11 @@ int fvi_law_flatten(const fvi_law *law, fvi_law_simple **terms, size_t *count)
             };
             continue;
         }
-        if (!gauss && !(gauss = gsl_integration_glfixed_table_alloc(ORDERS))) {
+        fvi_quiet();
+        if (!gauss)
+            gauss = gsl_integration_glfixed_table_alloc(ORDERS);
+        fvi_loud();
+        if (!gauss) {
             free(t);
             FVI_FAIL("no memory for the law", FVI_ENOMEM);
         }

@@ -5,6 +5,7 @@
 #include <fvi/discrete_mechanics.h>
 #include "lobatto_stages.h"
 #include "system/fail.h"
+#include "system/lu.h"
 #include "system/newton.h"
 
 #include <gsl/gsl_linalg.h>
@@ -64,8 +65,7 @@ static int make_G(const fvi_lobatto_stages *o, double m, double rho_h,
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
     gsl_matrix_view matrix = gsl_matrix_view_array(N, s, s);
-    int sign;
-    gsl_linalg_LU_decomp(&matrix.matrix, &permutation, &sign);
+    fvi_lu_factorise(&matrix.matrix, &permutation);
     for (size_t i = 0; i < s; i++)
         if (N[i * s + i] == 0)
             return FVI_ESING;

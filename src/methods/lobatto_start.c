@@ -6,6 +6,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/lu.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -47,8 +48,7 @@ static int invert(const fvi_lobatto_stages *o, double m, double rho, double h,
     gsl_permutation permutation = { n, order };
     gsl_matrix_view from = gsl_matrix_view_array(L, n, n),
                     to = gsl_matrix_view_array(M, n, n);
-    int sign;
-    gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
+    fvi_lu_factorise(&from.matrix, &permutation);
     for (size_t i = 0; i < n; i++)
         if (L[i * n + i] == 0)
             return FVI_ESING;

@@ -4,6 +4,7 @@
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/lu.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -198,13 +199,12 @@ static void divide(size_t s, double T, size_t n, double *Q, double *N)
     double first[FVI_STAGES * FVI_STAGES], column[FVI_STAGES];
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
-    int sign;
     for (size_t i = 0; i < n * s2; i++)
         Q[i] *= T;
     for (size_t i = 0; i < s2; i++)
         first[i] = Q[i] + (i % (s + 1) == 0);
     gsl_matrix_view matrix = gsl_matrix_view_array(first, s, s);
-    gsl_linalg_LU_decomp(&matrix.matrix, &permutation, &sign);
+    fvi_lu_factorise(&matrix.matrix, &permutation);
     for (size_t k = 0; k < n; k++) {
         double *V = N + k * s2;
         take_sum(s, k, Q, N, V);

@@ -1,6 +1,8 @@
 /* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [Chapter 17] */
 #include "lobatto_weights.h"
 
+#include "system/lu.h"
+
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 
@@ -11,7 +13,6 @@ void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
     double m[FVI_STAGES * FVI_STAGES], vector[FVI_STAGES] = { 0 };
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
-    int sign;
     for (size_t i = 0; i < s; i++) {
         for (size_t j = 0; j < s; j++)
             m[i * s + j] = rule->D[i][j];
@@ -21,7 +22,7 @@ void fvi_lobatto_node(size_t s, double mu, double *p, double *a, size_t stride)
     vector[0] = 1 / rule->b[0];
     gsl_matrix_view M = gsl_matrix_view_array(m, s, s);
     gsl_vector_view v = gsl_vector_view_array(vector, s);
-    gsl_linalg_LU_decomp(&M.matrix, &permutation, &sign);
+    fvi_lu_factorise(&M.matrix, &permutation);
     gsl_linalg_LU_svx(&M.matrix, &permutation, &v.vector);
     *p = 0;
     for (size_t i = 0; i < s; i++) {

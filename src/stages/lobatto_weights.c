@@ -4,6 +4,7 @@
 #include "memory/memory_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/lu.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
@@ -72,12 +73,11 @@ static series invert(size_t s, series *x)
     series y = { 0 }, work = *x;
     size_t order[FVI_STAGES];
     gsl_permutation permutation = { s, order };
-    int sign;
     gsl_matrix_view from =
         gsl_matrix_view_array_with_tda(work.w[0][0], s, s, FVI_STAGES);
     gsl_matrix_view to =
         gsl_matrix_view_array_with_tda(y.w[0][0], s, s, FVI_STAGES);
-    gsl_linalg_LU_decomp(&from.matrix, &permutation, &sign);
+    fvi_lu_factorise(&from.matrix, &permutation);
     gsl_linalg_LU_invert(&from.matrix, &permutation, &to.matrix);
     for (size_t n = 1; n < TERMS; n++) {
         double sum[FVI_STAGES][FVI_STAGES] = { 0 };

@@ -7,8 +7,9 @@
 /* fvi_quiet, fvi_loud -- around calls of GSL's that may fail: GSL's own handler, which
  * is one for the process and aborts, is off in between. Pairs may be nested, and may
  * overlap in several threads. Allocations, eigenvalues, roots, integrals and
- * Cholesky's factors may fail. Views, sums, transforms and the LU factors of a few
- * stages, whose arguments are checked, stand bare. */
+ * Cholesky's factors may fail. Views, sums, transforms and what is solved with the LU
+ * factors of a few stages (lu.h), whose arguments are checked, stand bare. None of
+ * them may ask for memory within: where there is none, GSL goes on without. */
 void fvi_quiet(void);
 void fvi_loud(void);
 

@@ -24,35 +24,42 @@ static void meddle(meddler *m)
     fvi_stepper *copy;
     if (!m->of)
         return;
-    const int codes[] = {
-        fvi_step(m->of),        fvi_run_to(m->of, N * 0.1, NULL, NULL),
-        fvi_copy(m->of, &copy), fvi_visit(m->of, &visitor),
-        fvi_reset(m->of),       fvi_stop(m->of)
-    };
+    const int codes[] = { fvi_step(m->of), fvi_copy(m->of, &copy),
+                          fvi_visit(m->of, &visitor), fvi_reset(m->of),
+                          fvi_stop(m->of) };
     for (size_t i = 0; i < LEN(codes); i++)
         m->refused += codes[i] == FVI_EINVAL;
     m->asked += LEN(codes);
 }
 
-static int gradient(size_t d, const double *x, const void *params, double *g)
+static int value(size_t d, const double *x, void *params, double *energy)
 {
-    meddle(*(meddler *const *)params);
+    meddle(*(meddler **)params);
+    *energy = 0;
+    for (size_t i = 0; i < d; i++)
+        *energy += x[i] * x[i] / 2 + x[i] * x[i] * x[i] * x[i] / 4;
+    return 0;
+}
+
+static int gradient(size_t d, const double *x, void *params, double *g)
+{
+    meddle(*(meddler **)params);
     for (size_t i = 0; i < d; i++)
         g[i] = x[i] + x[i] * x[i] * x[i];
     return 0;
 }
 
-static int hessian(size_t d, const double *x, const void *params, double *H)
+static int hessian(size_t d, const double *x, void *params, double *H)
 {
-    meddle(*(meddler *const *)params);
+    meddle(*(meddler **)params);
     for (size_t i = 0; i < d; i++)
         H[i] = 1 + 3 * x[i] * x[i];
     return 0;
 }
 
-static int force(double t, size_t d, const void *params, double *F)
+static int force(double t, size_t d, void *params, double *F)
 {
-    meddle(*(meddler *const *)params);
+    meddle(*(meddler **)params);
     for (size_t i = 0; i < d; i++)
         F[i] = t;
     return 0;
@@ -73,7 +80,8 @@ static fvi_system system_of(meddler **m)
     return (fvi_system){ .d = 1,
                          .mass = &one,
                          .damping = &half,
-                         .potential = { .gradient = gradient,
+                         .potential = { .value = value,
+                                        .gradient = gradient,
                                         .hessian = hessian,
                                         .diagonals = 1,
                                         .params = m },
@@ -84,6 +92,7 @@ static fvi_system system_of(meddler **m)
  * all that they try is refused. */
 START_TEST(a_callback_cannot_touch_its_stepper)
 {
+    size_t tried = 0;
     for (size_t n = 0; fvi_methods[n]; n++) {
         meddler m = { .visitor = { meddle_and_pass } }, *to = &m;
         const fvi_system system = system_of(&to);
@@ -111,7 +120,9 @@ START_TEST(a_callback_cannot_touch_its_stepper)
         ck_assert_int_eq(fvi_step(s), 0); /* it is its own again */
         ck_assert_int_eq(fvi_stop(s), 0);
         ck_assert_int_eq(fvi_stop(calm), 0);
+        tried++;
     }
+    ck_assert_uint_gt(tried, 20);
 }
 END_TEST
 

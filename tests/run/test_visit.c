@@ -45,8 +45,17 @@ static int load_wrong(fvi_visitor *v, void *data, size_t bytes, int constant)
     shelf *s = (shelf *)v;
     const int status = load(v, data, bytes, constant);
     if (!constant && (bytes == 4 || bytes == 8) && s->pieces++ == s->wrong)
-        memset(data, 0x7f,
-               bytes); /* 2^31 - 8 million or so; as a double 1e306 */
+        memset(data, 0x7f, bytes); /* a double is 1e306 */
+    return status;
+}
+
+/* The same, but it is one more, or a rounding. */
+static int load_one_more(fvi_visitor *v, void *data, size_t bytes, int constant)
+{
+    shelf *s = (shelf *)v;
+    const int status = load(v, data, bytes, constant);
+    if (!constant && bytes == 8 && s->pieces++ == s->wrong)
+        ++*(unsigned char *)data;
     return status;
 }
 
@@ -265,6 +274,28 @@ START_TEST(a_count_that_no_run_has_is_refused)
 }
 END_TEST
 
+/* A count that is possible must fit the others: k, t, and the terms of a memory that has no
+ * past. */
+START_TEST(counts_that_do_not_fit_are_refused)
+{
+    const fvi_system system = duffing();
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_fractional,
+                                          &fvi_adaptive };
+    const size_t wrong[] = { 0, 2, 0 };
+    for (size_t n = 0; n < LEN(wrong); n++) {
+        const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
+        fvi_stepper *s;
+        ck_assert_int_eq(fvi_start(methods[n], &run, &s), 0);
+        while (s->k < HALF)
+            ck_assert_int_eq(fvi_step(s), 0);
+        const size_t size = saved(s);
+        shelf all = { { load_one_more }, bytes, bytes + size, 0, 0, wrong[n] };
+        ck_assert_int_eq(fvi_visit(s, &all.visitor), FVI_EINVAL);
+        fvi_stop(s);
+    }
+}
+END_TEST
+
 /* The direct memory knows all that was, and so a run may be made longer. */
 START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
 {
@@ -312,6 +343,7 @@ int main(void)
              a_run_with_the_direct_memory_may_be_made_longer);
     ADD_CASE(suite, "errors", another_run_is_refused,
              a_count_that_no_run_has_is_refused,
+             counts_that_do_not_fit_are_refused,
              a_method_without_a_visit_is_refused);
     return run_suite(suite);
 }
