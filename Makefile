@@ -179,7 +179,8 @@ $(UNDER:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 portability: | needs ## the same digits by other compilers, options, C libraries, in threads; the two commands on a bare Debian (half an hour; PARTS=clang)
 	+$(PYTHON) src/make/portability.py $B $(PARTS)
 
-stress: $B/stress ## random runs against truths and identities, minutes (SEED=1 FAMILY=exact CASE=7)
+stress: $B/stress $B/tests/test_fvi_memory $B/failing_malloc.so $B/fvi ## random runs against truths and identities; each allocation failing once; minutes (SEED=1 FAMILY=exact CASE=7)
+	$(if $(FAMILY),,FVI=$B/fvi ALL=1 $B/tests/test_fvi_memory)
 	$< $(or $(SEED),1) $(FAMILY) $(CASE)
 
 bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into figures/*/*.tsv, minutes; then `make figures excerpts`
@@ -327,6 +328,10 @@ $B/tests/test_peers: $B/peers.a
 EXTRA_fvi_options := $B/program.a
 $B/tests/test_fvi_options: $B/program.a
 $(patsubst test_%.c,test-%,$(notdir $(wildcard tests/program/test_*.c))): $B/fvi
+test-fvi_memory: $B/failing_malloc.so
+
+$B/failing_malloc.so: tests/harness/failing_malloc.c | needs
+	$(CC) -std=c11 $(WARNINGS) -O1 -shared -fPIC $< -o $@
 
 $(TESTS:%=test-%): test-%: $B/tests/test_%
 	FVI=$B/fvi $< > $<.log 2>&1 || { cat $<.log; exit 1; }; tail -1 $<.log | sed 's/^[0-9]*%: //; s|^|$*: |'

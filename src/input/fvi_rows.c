@@ -11,15 +11,26 @@
 
 static const char blank[] = " \t", between[] = " \t,;";
 
+static int no_memory(const fvi_rows *r)
+{
+    fvi_refuse(r->c, "not enough memory");
+    return 1;
+}
+
+/* A file is opened, and read, with memory of the C library's own. */
+static int cannot_read(const fvi_rows *r)
+{
+    return errno == ENOMEM ? no_memory(r)
+                           : fvi_refuse(r->c, "--%s: cannot read '%s': %s",
+                                        r->option, r->name, strerror(errno));
+}
+
 int fvi_rows_open(fvi_rows *r, const char *option, const char *name,
                   fvi_complaint c)
 {
     *r = (fvi_rows){ .option = option, .name = name, .c = c };
     fvi_mark_read(option, name);
-    return fvi_lines_open(&r->lines, name)
-               ? 0
-               : fvi_refuse(c, "--%s: cannot read '%s': %s", option, name,
-                            strerror(errno));
+    return fvi_lines_open(&r->lines, name) ? 0 : cannot_read(r);
 }
 
 void fvi_rows_close(fvi_rows *r)
@@ -57,12 +68,6 @@ int fvi_rows_check_width(const fvi_rows *r, size_t width)
            : r->count > width
                ? fvi_rows_refuse(r, width, "more numbers than columns")
                : 0;
-}
-
-static int no_memory(const fvi_rows *r)
-{
-    fvi_refuse(r->c, "not enough memory");
-    return 1;
 }
 
 /* Keep a number that begins at `at`. */
@@ -171,10 +176,7 @@ int fvi_rows_next(fvi_rows *r, fvi_rows_kind *kind)
                    : refuse(r, r->lines.column, r->lines.reason);
     *kind = FVI_ROWS_END;
     if (!found) /* a folder opens, and fails when it is read */
-        return ferror(r->lines.file)
-                   ? fvi_refuse(r->c, "--%s: cannot read '%s': %s", r->option,
-                                r->name, strerror(errno))
-                   : 0;
+        return ferror(r->lines.file) ? cannot_read(r) : 0;
     *kind = text[strspn(text, blank)] == '#' ? FVI_ROWS_COMMENT
             : begins_with_word(text)         ? FVI_ROWS_WORDS
                                              : FVI_ROWS_NUMBERS;

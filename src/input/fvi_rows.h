@@ -30,8 +30,8 @@ typedef enum {
     FVI_ROWS_COMMENT  /* lines.text begins with '#' */
 } fvi_rows_kind;
 
-/* fvi_rows_open -- open the file, as the value of --option. Returns 0, or 2 after a complaint.
- * Close it with fvi_rows_close in any case. */
+/* fvi_rows_open -- open the file, as the value of --option. Returns 0; after a complaint 2, or 1
+ * if there is no memory. Close it with fvi_rows_close in any case. */
 int fvi_rows_open(fvi_rows *rows, const char *option, const char *name,
                   fvi_complaint c);
 

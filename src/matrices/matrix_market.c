@@ -4,6 +4,7 @@
 #include "system/fail.h"
 #include "system/lines.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -240,9 +241,10 @@ static int finish(reader *r, fvi_sparse *A)
 static int begin(reader *r, const char *file)
 {
     *r = (reader){ .kept = 0 };
-    int status = fvi_lines_open(&r->lines, file)
-                     ? read_head(r)
-                     : refuse(r, 0, "cannot be read");
+    errno = 0;
+    int status = fvi_lines_open(&r->lines, file) ? read_head(r)
+                 : errno == ENOMEM               ? FVI_ENOMEM
+                                   : refuse(r, 0, "cannot be read");
     if (!status)
         status = read_size(r);
     return status ? status : read_entries(r);

@@ -169,6 +169,9 @@ static const char *solver(const fvi_options *o)
 static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
 {
     const fvi_options *o = t->o;
+    const char *solved = o->directory ? solver(o) : NULL;
+    if (solved && !*solved)
+        return fvi_complain("not enough memory");
     if (fvi_table_open(t))
         return 1;
     if (o->checkpoint)
@@ -177,8 +180,8 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
     fvi_run_warn(o, r, sizeof unstable, unstable);
     fvi_table_head(t->out, o);
     fvi_run_head(t->out, o, unstable);
-    if (o->directory)
-        fvi_format_parameter(t->out, o->format, "solver", solver(o));
+    if (solved)
+        fvi_format_parameter(t->out, o->format, "solver", solved);
     fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
     fvi_adaptive_counts counts;
     if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
