@@ -322,11 +322,36 @@ START_TEST(the_decimal_point_is_a_point_everywhere)
 }
 END_TEST
 
+/* At alpha = 1/2 a free body has p = p0 e^{-rho t}. Numbers below 2^{-1022} are this motion,
+ * too, with fewer digits: they are printed, not made 0. t is one product. */
+START_TEST(a_motion_is_printed_down_to_the_smallest_number)
+{
+    static const struct {
+        const char *time;
+        double p, error; /* relative; a unit of the last digit is 5e-324 */
+    } late[] = { { "100 --steps 2000", 3.562288203370643e-218, 1e-11 },
+                 { "142 --steps 2840", 2.238143112837565e-309, 1e-11 },
+                 { "145 --steps 2900", 6.846531718e-316, 1e-7 },
+                 { "148 --steps 2960", 2.094e-322, 0.03 } };
+    char line[200];
+    for (size_t i = 0; i < LEN(late); i++) {
+        snprintf(line, sizeof line,
+                 "run --potential free --rho 5 --method fvi-lobatto8 --columns "
+                 "p --every 3000 --time %s",
+                 late[i].time);
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert(fabs(cell(1, 0) / late[i].p - 1) < late[i].error);
+    }
+    ck_assert_int_eq(fvi("run --h 0.1 --steps 3 --columns t"), 0);
+    ck_assert(cell(3, 0) == 3 * 0.1);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: what comes out");
-    ADD_CASE(suite, "values", run_prints_head_and_rows,
-             rows_are_the_numbers_of_the_library,
+    ADD_CASE(suite, "values", a_motion_is_printed_down_to_the_smallest_number,
+             run_prints_head_and_rows, rows_are_the_numbers_of_the_library,
              every_method_is_at_hand_by_its_name, a_time_is_as_good_as_a_step,
              an_error_is_as_good_as_a_step,
              every_keeps_each_kth_row_and_the_last,
