@@ -154,7 +154,10 @@ static void plan(fvi_stepper *s, fvi_adaptive_run *o, double scale)
     o->least = 1e-14 * T;
     o->growth = FVI_ADAPTIVE_GROWTH;
     o->first = (int)floor(log(0.1 * pow(fmin(wish, 1), 0.4) * T) / L);
-    o->most = o->contracts = (int)ceil(log(T) / L);
+    o->most = o->contracts =
+        run->longest > 0 ? (int)floor(log(fmin(run->longest, T)) / L)
+                         : (int)ceil(log(T) / L);
+    o->first = (int)smaller(o->first, o->most);
     o->fresh = 1;
 }
 

@@ -115,7 +115,8 @@ int fvi_adaptive_copy(const fvi_stepper *from, fvi_stepper *to)
 void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
 {
     fvi_adaptive_run *o = s->own;
-    o->most = (int)floor(log(longest) / fvi_variable_spacing());
+    const int most = (int)floor(log(longest) / fvi_variable_spacing());
+    o->most = (int)smaller(o->most, most);
     o->next = o->first = (int)smaller(o->first, o->most);
     o->growth = growth;
 }

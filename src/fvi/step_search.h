@@ -57,9 +57,11 @@ typedef struct {
  *   found   output
  *
  * It is an estimate, no bound: finitely many samples bound no error. What all steps
- * h / 2^j do wrong alike is not seen unless (18.7) sees it; a single jump of F
- * between two rows is not seen, nor a pulse shorter than the steps, nor a fast part
- * of F much smaller than the deviation in (18.7). The error of p is another matter.
+ * h / 2^j do wrong alike is not seen unless (18.7) sees it. Where force.bound is there, only
+ * steps are believed between whose nodes it leaves room for no more than the error (18.8);
+ * where it is not, a pulse shorter than the steps is not seen, nor a fast part
+ * of F much smaller than the deviation in (18.7), nor a single jump between two rows: no
+ * step that is believed is longer than run->longest. The error of p is another matter.
  * Time: at most twice that of the last run, which is about one halving more than
  * the estimate alone would ask for. Memory: three times that of x; a Hessian more
  * for (18.6), which is taken to fail if it cannot be had.

@@ -41,6 +41,9 @@ extern "C" {
  *              in one step may be, >= 0; 0 means 1e-10 of the largest |x_i| so far,
  *              and below 1e-17 of that it means 1e-17.
  *              h and steps say where the rows are, then, and not how long a step is
+ *   longest  for methods that choose their steps, and for searches: no step is longer,
+ *              >= 0; 0 means that there is no such limit. A force that swings, or has a
+ *              pulse, in less than this time is seen though it has no bound (system.h)
  *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
  *            not read, and the body was held before t = 0; must outlive the run. For
  *            methods that say so
@@ -60,6 +63,7 @@ typedef struct {
     fvi_memory_kind memory;
     double tolerance;
     double step_error;
+    double longest;
     const fvi_law *law;
 } fvi_run;
 

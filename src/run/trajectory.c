@@ -102,6 +102,8 @@ static int check(const fvi_method *method, const fvi_run *run)
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     if (!(run->step_error >= 0 && gsl_finite(run->step_error)))
         FVI_FAIL("step_error must be finite and not negative", FVI_EDOM);
+    if (!(run->longest >= 0 && gsl_finite(run->longest)))
+        FVI_FAIL("longest must be finite and not negative", FVI_EDOM);
     if (!fvi_all_finite(run->system->d, run->x0)
         || !fvi_all_finite(run->system->d, run->p0))
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);

@@ -3,6 +3,7 @@
 
 #include <fvi/fvi.h>
 #include "run/solution.h"
+#include "search_bound.h"
 #include "step_search_force.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -13,7 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEWEST = 128, PATIENCE = 3 };
+enum {
+    FEWEST = 128,
+    PATIENCE = 3,
+    RUNS = 8 /* a run and three with steps longer by 2, 4, 8: the fewest that are believed */
+};
 
 /* Rows 0, ..., rows of a run, parts steps apart. x and p have equal length. */
 typedef struct {
@@ -213,22 +218,31 @@ static comparison compare(const search *o, const comparison *last, int failed,
 }
 
 //> search
-/* Halve; the rows of the last run stay in o->x and o->p. What stands still by (18.6)
+/* Begin so that the first run that sees all of the force can be believed; where no run does,
+ * none is made. Halve; the rows of the last run stay in o->x and o->p. What stands still by (18.6)
  * and what F hides may yet be seen: only runs without such an excuse wear patience. */
 static int halve(search *o, double error, size_t most, fvi_step_found *found)
 {
     comparison c = { GSL_POSINF, GSL_POSINF, GSL_NEGINF, GSL_NEGINF, 0, 0 };
     double least, highest;
     int failed = 1, worse = 0;
+    size_t seen; /* so many parts see all of the force */
     orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
-    for (size_t parts = 1; o->rows <= most / parts; parts *= 2) {
+    int unknown = fvi_search_least_parts(o->run, error, most / o->run->steps,
+                                         &seen);
+    if (unknown)
+        return unknown;
+    seen /= o->first;
+    for (size_t parts = seen > RUNS ? seen / RUNS : 1;
+         seen <= most / o->rows && o->rows <= most / parts; parts *= 2) {
         const int failed_before = failed;
         int resolved, still = 0;
         int status = fvi_force_probe_look(&o->probe, o->run, o->first * parts,
                                           &resolved);
         if (status)
             return status;
+        resolved = resolved && parts >= seen;
         failed = trial(o, parts);
         if (failed && !too_long(failed))
             return failed;

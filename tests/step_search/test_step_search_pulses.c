@@ -1,0 +1,90 @@
+/* tests/step_search/test_step_search_pulses.c -- Chapter 18: no pulse of the force hides
+ * between the nodes. Run alone: make test-step_search_pulses */
+#include "harness/ulp.h"
+#include "variable_steps/pulse_problems.h"
+
+/* 60 random pulses: the rows are right to the wanted error, or it is said that the steps
+ * would be too many. */
+START_TEST(eq_18_8_no_pulse_of_an_expression_is_missed)
+{
+    static const fvi_method *const methods[] = { &fvi_stable, &fvi_lobatto3,
+                                                 &fvi_fractional };
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    ck_assert_ptr_nonnull(r);
+    size_t found = 0;
+    for (unsigned long i = 0; i < 60; i++) {
+        pulse_problem q;
+        char text[600];
+        gsl_rng_set(r, 5000 + i);
+        draw_pulse(r, &q);
+        q.error = larger(q.error, i % 3 == 1 ? 1e-6 : 1e-3);
+        if (q.width < 3e-3)
+            continue; /* a second each, and a refusal */
+        const double used = used_by_pulse(&q, methods[i % 3]);
+        describe_pulse(&q, text, sizeof text);
+        found += q.status == FVI_SUCCESS;
+        ck_assert_msg(q.status == FVI_ETOL || used <= 1, "%lu, %g: %s", i, used,
+                      text);
+    }
+    ck_assert_uint_ge(found, 10);
+    gsl_rng_free(r);
+}
+END_TEST
+
+static const double one = 1, zero = 0, rho = 0.2;
+
+/* x at the end is about the sine of what is left, 2 sqrt(pi) 10^-3 in all. */
+static int pulse(double t, size_t d, void *params, double *F)
+{
+    (void)d, (void)params;
+    *F = exp(-gsl_pow_2((t - 9.37) / 2e-3));
+    return 0;
+}
+
+/* What a callback does not say, the caller can: no step is longer than the pulse. */
+START_TEST(a_longest_step_sees_what_no_bound_says)
+{
+    const fvi_system system = { .d = 1,
+                                .mass = &one,
+                                .damping = &rho,
+                                .potential = fvi_potential_harmonic(&one),
+                                .force = { .value = pulse } };
+    fvi_run run = fvi_run_default(&system, &zero, &zero, 4, 5);
+    double x[6], y[6], z[6];
+    fvi_step_found found;
+    fvi_adaptive_found of_adaptive;
+    run.alpha = 0.3;
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL,
+                                         &of_adaptive),
+                     0);
+    ck_assert(x[5] == 0); /* it was missed */
+    run.longest = 4e-3;
+    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL,
+                                         &of_adaptive),
+                     0);
+    ck_assert_double_le(of_adaptive.counts.longest, 4e-3 * (1 + 1e-12));
+    ck_assert_int_eq(fvi_step_search(&fvi_stable, &run, 1e-3, 1 << 20, y, NULL,
+                                     &found),
+                     0);
+    ck_assert_double_le(run.h / (double)found.parts, 4e-3);
+    run.step_error = 1e-9;
+    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, z, NULL, NULL), 0);
+    ck_assert_double_gt(fabs(x[5]), 1e-4);
+    ck_assert_near(y[5], x[5], 1e-3, "halved");
+    ck_assert_near(z[5], x[5], 1e-7, "one run");
+    fvi_stepper *s;
+    run.longest = -1;
+    ck_assert_int_eq(fvi_start(&fvi_stable, &run, &s), FVI_EDOM);
+    run.longest = GSL_NAN;
+    ck_assert_int_eq(fvi_start(&fvi_stable, &run, &s), FVI_EDOM);
+}
+END_TEST
+
+int main(void)
+{
+    gsl_set_error_handler_off();
+    Suite *suite = suite_create("chapter 18: pulses of the force");
+    ADD_CASE(suite, "pulses", eq_18_8_no_pulse_of_an_expression_is_missed,
+             a_longest_step_sees_what_no_bound_says);
+    return run_suite(suite);
+}
