@@ -26,7 +26,7 @@ static double hidden_force(const double *most, size_t d, double nodes, double h)
     double least = most[0], factor = h / 2;
     for (int k = 1; k <= ORDER && k <= nodes; k++) {
         const double rest = factor * most[(size_t)k * d];
-        if (rest < least)
+        if (rest < least) /* 0 times INFINITY tells nothing */
             least = rest;
         factor = k == 1 ? h * h / 4 : factor * h * k;
     }
