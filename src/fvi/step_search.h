@@ -84,9 +84,10 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
  *   method, run  as above, not NULL; the run is one that fvi_start takes, and has a
  *                solution (19.2)
  *
- * Returns that of fvi_methods (methods.h) that has the highest order of those that
- * take such a run, the first if there are several; NULL if its order is not higher than
- * the order of method on this run. That it reaches the error is not tried here. */
+ * Of the methods in fvi_methods (methods.h) that take such a run, and have a higher order
+ * than method on this run: the one that chooses its steps, if there is one, or else that of
+ * the highest order, the first if there are several; NULL if there is none. That it reaches
+ * the error is not tried here. */
 const fvi_method *fvi_step_search_other(const fvi_method *method,
                                         const fvi_run *run);
 

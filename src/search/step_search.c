@@ -124,10 +124,12 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
     const fvi_method *best = NULL;
     double least, most, others;
     orders(method, run, &least, &most);
-    for (size_t i = 0; fvi_methods[i]; i++) {
+    const double own = most;
+    for (size_t i = 0; fvi_methods[i] && !(best && best->dense); i++) {
         const fvi_method *other = fvi_methods[i];
         orders(other, run, &least, &others);
-        if (others > most && run->alpha >= other->alpha_least
+        if (others > (other->dense ? own : most)
+            && run->alpha >= other->alpha_least
             && run->alpha <= other->alpha_most
             && fvi_method_has_memory(other, run->memory)
             && (other->takes_laws || !run->law)

@@ -121,6 +121,10 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
     ck_assert(fvi_step_search_other(&fvi_lobatto4, &run) == &fvi_adaptive);
     ck_assert(fvi_step_search_other(&fvi_adaptive, &run) == NULL);
+    const double alpha = run.alpha;
+    run.alpha = 0.5; /* where eight stages have order 14 */
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
+    run.alpha = alpha;
     const fvi_law_term term = { .kind = FVI_LAW_MAXWELL, .rho = 1, .time = 2 };
     const fvi_law law = { 1, &term };
     run.law = &law; /* not for fvi-adaptive */

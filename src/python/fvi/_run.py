@@ -243,7 +243,8 @@ def search(r: Any, method: Any, error: float, x: Any, p: Any) -> float:
     if status == lib.FVI_ETOL:
         if not math.isfinite(found.estimate):
             raise failure(status, ": no step gives a result that can be trusted")
-        other = lib.fvi_step_search_other(method, r)
+        is_adaptive = method == lib.fvi_method_named(b"fvi-adaptive")
+        other = ffi.NULL if is_adaptive else lib.fvi_step_search_other(method, r)
         raise failure(status, f": the smallest estimate of the error was {found.estimate:.2g}" + (
             f"; {text_of(other.name)} has a higher order" if other != ffi.NULL else ""))
     succeed(status)
