@@ -53,9 +53,72 @@ START_TEST(two_threads_give_the_digits_of_one)
 }
 END_TEST
 
+/* ---- a library that is loaded when the first matrix asks for it ---- */
+
+enum { WIDE = 40 };
+
+/* A spring from each mass to that `WIDE / 2` places on: no narrow band, so that CHOLMOD is
+ * asked for, where there is one. A few steps; x of the first mass, or NaN. */
+static void *run_of_wide_matrices(void *place)
+{
+    fvi_triplet triplets[3 * WIDE];
+    fvi_sparse M, K, none;
+    fvi_structure *structure;
+    fvi_stepper *s;
+    double x0[WIDE] = { 1 }, p0[WIDE] = { 0 }, *x = place;
+    size_t n = 0;
+    char fault;
+    for (int i = 0; i < WIDE; i++)
+        triplets[n++] = (fvi_triplet){ i, i, 1 };
+    *x = NAN;
+    pthread_barrier_wait(&ready);
+    if (fvi_sparse_sum(WIDE, n, triplets, &M)
+        || fvi_sparse_sum(WIDE, 0, triplets, &none))
+        return NULL;
+    for (int i = 0; i < WIDE; i++)
+        triplets[i].entry = 4;
+    for (int i = 0; i < WIDE / 2; i++) {
+        triplets[n++] = (fvi_triplet){ i, i + WIDE / 2, -1 };
+        triplets[n++] = (fvi_triplet){ i + WIDE / 2, i, -1 };
+    }
+    if (!fvi_sparse_sum(WIDE, n, triplets, &K)
+        && !fvi_structure_alloc(&M, &K, &none, &structure, &fault)) {
+        const fvi_system system = fvi_structure_system(structure);
+        const fvi_run run = fvi_run_default(&system, x0, p0, 0.1, 3);
+        if (!fvi_start(&fvi_stable, &run, &s)) {
+            while (s->k < 3 && !fvi_step(s))
+                *x = s->x[0];
+            fvi_stop(s);
+        }
+        fvi_structure_free(structure);
+        fvi_sparse_free(&K);
+    }
+    fvi_sparse_free(&M);
+    fvi_sparse_free(&none);
+    return NULL;
+}
+
+/* In a process that has not asked before. */
+START_TEST(two_threads_may_be_the_first_to_factorise)
+{
+    pthread_t thread[THREADS];
+    double x[THREADS] = { 0 };
+    ck_assert_int_eq(pthread_barrier_init(&ready, NULL, THREADS), 0);
+    for (size_t t = 0; t < THREADS; t++)
+        ck_assert_int_eq(
+            pthread_create(&thread[t], NULL, run_of_wide_matrices, &x[t]), 0);
+    for (size_t t = 0; t < THREADS; t++)
+        ck_assert_int_eq(pthread_join(thread[t], NULL), 0);
+    pthread_barrier_destroy(&ready);
+    ck_assert(x[0] == x[1]);
+    ck_assert(x[0] > 0.5 && x[0] < 1);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("runs in threads");
-    ADD_CASE(suite, "threads", two_threads_give_the_digits_of_one);
+    ADD_CASE(suite, "threads", two_threads_give_the_digits_of_one,
+             two_threads_may_be_the_first_to_factorise);
     return run_suite(suite);
 }
