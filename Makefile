@@ -176,6 +176,13 @@ $(UNDER:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --suppressions=tests/harness/valgrind.supp \
 	  --leak-check=full --error-exitcode=1 $<
 
+# cppcheck 2.10 does not know __has_include; without it, it looks at the code with CHOLMOD and at that without.
+cppcheck: | needs ## a static analyser of C has nothing to say of library, program and figures (cppcheck, half a minute)
+	mkdir -p $B/cppcheck
+	cppcheck -q -j $(shell nproc 2>/dev/null || echo 2) --std=c11 --cppcheck-build-dir=$B/cppcheck --error-exitcode=1 -Isrc -U__has_include \
+	  --enable=warning,performance,portability --suppressions-list=src/make/cppcheck.txt src figures
+	echo 'cppcheck: nothing to say of src/ and figures/'
+
 portability: | needs ## the same digits by other compilers, options, C libraries, in threads; the two commands on a bare Debian (half an hour; PARTS=clang)
 	+$(PYTHON) src/make/portability.py $B $(PARTS)
 
@@ -214,7 +221,7 @@ $(foreach s,$(sort $(foreach p,$(PAGES) $(CHAPTERS),$(call after,$p))),$(eval $(
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course)))
 $(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
-.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind portability stress bench petsc mutants clean needs \
+.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(UNDER:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -489,7 +496,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,book pdf test-book,wasm) \
   $(call goal,pdf test-book,chromium) $(call goal,pdf,pdfinfo qpdf) \
   $(call goal,play,wasm) $(call goal,check test-play test-page,node) $(call goal,test-page,chromium) \
-  $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,valgrind valgrind-%,valgrind))
+  $(call goal,check python notebook test-python,cffi setuptools wheel numpy Python.h) $(call goal,check test-python,pytest) $(call goal,cppcheck,cppcheck) $(call goal,valgrind valgrind-%,valgrind))
 
 needs:
 	sh src/make/need.sh $(if $(filter all $B/fvi install,$(GOALS)),,--bring) $(NEEDS)

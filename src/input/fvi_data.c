@@ -152,7 +152,7 @@ static int make_room(size_t n, size_t *room, double **pairs, fvi_complaint c)
 
 /* Both columns of a row of numbers. */
 static int take_row(const fvi_rows *r, const choice *from, int is_first,
-                    double pair[2])
+                    double *pair)
 {
     int status = fvi_rows_check_width(r, from->of);
     if (status)

@@ -85,9 +85,10 @@ static int energy(size_t d, const double *x, const double *p,
                   const void *params, double *E)
 {
     const fvi_structure *s = params;
-    double *y = malloc(2 * d * sizeof *y), *v = y + d, sum = 0;
+    double *y = malloc(2 * d * sizeof *y), sum = 0;
     if (!y)
         return FVI_ENOMEM;
+    double *v = y + d;
     fvi_sparse_product(s->K, x, y);
     memcpy(v, p, d * sizeof *v);
     int status = fvi_factors_solve(s->by_mass, v);

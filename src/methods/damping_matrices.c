@@ -52,8 +52,8 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     const fvi_matrices *m = run->system->matrices;
     const size_t d = run->system->d;
     int any = 0, status = FVI_SUCCESS;
-    double *A = calloc(d + 2 * m->remembered, sizeof *A), *z = A + d,
-           *none = z + m->remembered;
+    double *A = calloc(d + 2 * m->remembered, sizeof *A), *z = A ? A + d : NULL,
+           *none = A ? z + m->remembered : NULL;
     pull->size = calloc(d, sizeof *pull->size);
     if (!A || !pull->size)
         status = FVI_ENOMEM;

@@ -65,7 +65,8 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     const size_t last = o->steps * o->d;
-    double *x = malloc(2 * (last + o->d) * sizeof *x), *p = x + last + o->d;
+    double *x = malloc(2 * (last + o->d) * sizeof *x),
+           *p = x ? x + last + o->d : NULL;
     fvi_run_found found;
     verdict v = { .status = FVI_ENOMEM };
     if (x)

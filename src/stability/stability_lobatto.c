@@ -272,9 +272,10 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
     const fvi_potential *u = &system->potential;
     const size_t d = system->d,
                  room = u->hessian ? fvi_hessian_room(system) : 0;
-    double *R = malloc((d + room) * sizeof *R), *W = R + d, worst = 0;
+    double *R = malloc((d + room) * sizeof *R), worst = 0;
     if (!R)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
+    double *W = R + d;
     for (size_t i = 0; i < d; i++) {
         R[i] = pow(run->h, run->law ? 2 : 2 - 2 * run->alpha)
                * system->damping[i] / system->mass[i];

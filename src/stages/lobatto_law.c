@@ -225,9 +225,10 @@ static int add_divided(size_t s, const fvi_law_simple *t, double h, size_t n,
                        double *W)
 {
     const size_t s2 = s * s;
-    double *N = malloc(2 * n * s2 * sizeof *N), *Q = N + n * s2;
+    double *N = malloc(2 * n * s2 * sizeof *N);
     if (!N)
         FVI_FAIL("no memory for the weights", FVI_ENOMEM);
+    double *Q = N + n * s2;
     int status = fvi_lobatto_weights(s, 2 * t->alpha - 1, n, N);
     for (size_t i = 0; !status && i < n * s2; i++)
         N[i] *= pow(h, 1 - 2 * t->alpha);
