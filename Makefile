@@ -100,7 +100,7 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
-text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost and that the holes of the workshop fit
+text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost that the holes of the workshop fit, and that need.sh knows what targets start
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
@@ -108,6 +108,7 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) chapters/tools/colours.py
 	$(PYTHON) src/make/lost_nan.py
 	$(WORKSHOP) $B text
+	$(PYTHON) src/make/needs.py
 
 excerpts: | needs ## rewrite code and numbers quoted in the chapters from their sources
 	$(PYTHON) chapters/tools/excerpts.py
@@ -490,7 +491,7 @@ NEEDS := $(sort cc gsl \
   $(call goal,check test test-% $(NUMBERS) workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% $(NUMBERS) workshop-figure,gnuplot) \
   $(call goal,check verify verify-% refs refs-% $(NUMBERS),sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen,python) \
+  $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
   $(call goal,book pdf test-book,wasm) \

@@ -16,6 +16,7 @@ have() {
     python) command -v "$PYTHON" ;;
     sympy | numpy | cffi | setuptools | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
     Python.h) "$PYTHON" -c "import os, sysconfig; raise SystemExit(not os.path.exists(sysconfig.get_path('include') + '/Python.h'))" ;;
+    pdfinfo) command -v pdfinfo && command -v pdftotext ;;
     wasm) command -v clang && command -v wasm-ld && test -e /usr/lib/wasm32-wasi/libc.a ;;
     *) command -v "$1" ;;
     esac >/dev/null 2>&1
@@ -30,7 +31,7 @@ packages() {
     gnuplot) echo gnuplot-nox ;;
     python) echo python3 ;;
     Python.h) echo python3-dev ;;
-    sympy) echo python3-sympy python3-gmpy2 ;; # without the second proofs hold, too, a third more slowly
+    sympy) echo python3-sympy python3-mpmath python3-gmpy2 ;; # without the last proofs hold, too, a third more slowly
     numpy | cffi | setuptools | wheel | pytest) echo "python3-$1" ;;
     wasm) echo clang lld wasi-libc libclang-rt-dev-wasm32 ;;
     node) echo nodejs ;;
