@@ -17,7 +17,8 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "step-error", "damping",  "columns",
                                            "every",      "format",   "plot",
                                            "checkpoint", "continue", "system",
-                                           "unknowns",   "snapshot", NULL };
+                                           "unknowns",   "snapshot", "longest",
+                                           NULL };
 
 static const fvi_own_command fit = { "fit",
                                      { "fit", "sigma", "starts", "curve" },

@@ -88,7 +88,8 @@ int fvi_grid_options(const fvi_grid *g, size_t i, fvi_options *o,
 /* What a sweep can vary, besides the parameters of expressions. */
 static const char *const numbers[] = {
     "alpha", "rho",  "mass",  "kappa",      "x0",        "p0", "h",
-    "steps", "time", "error", "step-error", "tolerance", NULL
+    "steps", "time", "error", "step-error", "longest",
+    "tolerance", NULL
 };
 
 static int is_numeric(const char *name)

@@ -58,7 +58,7 @@ typedef struct {
     double kappa, alpha;
     fvi_past past;
     fvi_memory_kind memory;
-    double tolerance, step_error;
+    double tolerance, step_error, longest;
     const fvi_law *law;
     ...;
 } fvi_run;

@@ -27,6 +27,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [TIME] = { "time", RUN | EXACT, NULL },
     [ERROR] = { "error", RUN, NULL },
     [STEP_ERROR] = { "step-error", RUN, NULL },
+    [LONGEST] = { "longest", RUN, NULL },
     [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
     [UNKNOWNS] = { "unknowns", RUN, NULL },
     [EVERY] = { "every", RUN | EXACT, "1" },

@@ -38,6 +38,7 @@ typedef struct {
     double alpha, kappa, h, tolerance;
     double error; /* 0: the step is h; else it is to be found */
     double step_error; /* of fvi-adaptive; 0: its own */
+    double longest; /* step; 0: no limit */
     size_t steps, every, count, d;
     fvi_potential_kind potential;
     double spring[2];           /* its parameters */
@@ -87,6 +88,7 @@ typedef enum {
     TIME,
     ERROR,
     STEP_ERROR,
+    LONGEST,
     COLUMNS,
     UNKNOWNS,
     EVERY,

@@ -170,7 +170,7 @@ static int fill_in(fvi_options *o, fvi_complaint c)
         o->text[METHOD] = o->text[SYSTEM] ? fvi_stable.name
                           : law           ? fvi_bdf2.name
                                           : fvi_adaptive.name;
-    if (o->text[STEP_ERROR] && !o->text[METHOD])
+    if ((o->text[STEP_ERROR] || o->text[LONGEST]) && !o->text[METHOD])
         o->text[METHOD] = fvi_adaptive.name;
     const int status = check_system(o, c);
     for (int i = 0; i < OPTIONS; i++)

@@ -184,5 +184,6 @@ fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
                       .memory = o->memory,
                       .tolerance = o->tolerance,
                       .step_error = o->step_error,
+                      .longest = o->longest,
                       .law = o->text[DAMPING] ? &o->laws.law : NULL };
 }

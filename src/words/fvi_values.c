@@ -71,15 +71,16 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return status;
 }
 
-/* A step of a given length has no tolerance. */
-static int interpret_step_error(fvi_options *o, fvi_complaint c)
+/* A step of a given length has no tolerance, and is the longest, unless it is searched. */
+static int interpret_of_steps(fvi_options *o, option_index i, double *value,
+                              fvi_complaint c)
 {
-    if (!o->method->dense)
+    if (o->text[i] && !o->method->dense && !(i == LONGEST && o->text[ERROR]))
         return fvi_refuse(c,
-                          "--step-error: '%s' is not for %s, whose steps are "
+                          "--%s: '%s' is not for %s, whose steps are "
                           "given; fvi-adaptive chooses its own",
-                          o->text[STEP_ERROR], o->method->name);
-    return number(o, STEP_ERROR, 0, INFINITY, "()", &o->step_error, c);
+                          fvi_option_list[i].name, o->text[i], o->method->name);
+    return o->text[i] ? number(o, i, 0, INFINITY, "()", value, c) : 0;
 }
 
 /* What is asked for is done or refused: the words that a method cannot honour. */
@@ -145,8 +146,10 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     o->memory = (fvi_memory_kind)which;
 
     status = interpret_method(o, c);
-    if (!status && o->text[STEP_ERROR])
-        status = interpret_step_error(o, c);
+    if (!status)
+        status = interpret_of_steps(o, STEP_ERROR, &o->step_error, c);
+    if (!status)
+        status = interpret_of_steps(o, LONGEST, &o->longest, c);
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 

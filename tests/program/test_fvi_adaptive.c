@@ -203,6 +203,70 @@ START_TEST(a_tolerance_of_a_step_is_for_one_method)
 }
 END_TEST
 
+/* Where the force says nothing of itself between two times, the user may know: no step is
+ * longer than that, by any method that --error is for. */
+START_TEST(no_step_is_longer_than_the_longest)
+{
+    static const char *const runs[] = {
+        "run --error 1e-6 --longest 0.004 --steps 5",
+        "run --error 1e-6 --longest 0.004 --steps 5 --time 20 --method "
+        "fvi-lobatto4",
+        "run --longest 0.004 --steps 5 --time 20",
+    };
+    for (size_t i = 0; i < LEN(runs); i++) {
+        ck_assert_int_eq(fvi(runs[i]), 0);
+        ck_assert_ptr_nonnull(strstr(out, "\n# longest = 0.004\n"));
+        unsigned steps = 0;
+        double step = 1;
+        const char *head = strstr(out, "\n# steps taken = "),
+                   *own = strstr(out, "\n# step = ");
+        ck_assert((head && sscanf(head, "\n# steps taken = %u", &steps) == 1
+                   && steps >= 5000)
+                  || (own && sscanf(own, "\n# step = %lg", &step) == 1
+                      && step <= 0.004)
+                  || i == 2);
+        ck_assert(i < 2 || strstr(out, "\n# method = fvi-adaptive\n"));
+    }
+    ck_assert_int_eq(fvi("run --longest 0.1 --method fvi"), 2);
+    ck_assert_ptr_nonnull(
+        strstr(err, "--longest: '0.1' is not for fvi, whose steps are given"));
+    ck_assert_int_eq(fvi("run --longest 0"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "--longest: '0' is outside (0, inf)"));
+    ck_assert_int_eq(fvi("sweep --vary longest=0.1:1:2 --steps 3"), 0);
+    ck_assert_int_eq(fvi("fit --longest 1 data"), 2);
+}
+END_TEST
+
+/* A pulse that is typed is met, one in a table too, by both kinds of steps, or refused. */
+START_TEST(no_pulse_is_passed_over)
+{
+    static const char *const methods[] = { "fvi-adaptive", "fvi-lobatto4" };
+    ck_assert_int_eq(shell("printf 't F\n0 0\n9.36 0\n9.37 1\n9.38 0\n20 "
+                           "0\n' > P"),
+                     0);
+    for (size_t i = 0; i < LEN(methods); i++) {
+        char line[200];
+        double typed, tabled;
+        snprintf(line, sizeof line,
+                 "run --error 1e-6 --steps 4 --time 20 --x0 0 --p0 0 --method "
+                 "%s --force 'exp(-((t-9.37)/0.01)^2)'",
+                 methods[i]);
+        ck_assert_int_eq(fvi(line), 0);
+        typed = cell(4, 1);
+        snprintf(line, sizeof line,
+                 "run --error 1e-6 --steps 4 --time 20 --x0 0 --p0 0 --method "
+                 "%s --force file:P",
+                 methods[i]);
+        ck_assert_double_gt(fabs(typed), 1e-3);
+        if (fvi(line) == 1 && i == 1)
+            continue; /* kinks between its nodes take its order away */
+        tabled = cell(4, 1);
+        ck_assert_near(typed, 1.7724538509055159 * tabled, 1e-5, "%s",
+                       methods[i]);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: steps of its own");
@@ -211,5 +275,7 @@ int main(void)
              kinks_of_a_table_are_met, an_error_below_rounding_is_refused);
     ADD_CASE(suite, "step-error", a_step_has_a_tolerance,
              a_tolerance_of_a_step_is_for_one_method);
+    ADD_CASE(suite, "pulses", no_step_is_longer_than_the_longest,
+             no_pulse_is_passed_over);
     return run_suite_of_program(suite);
 }

@@ -246,6 +246,21 @@ def test_a_law_of_damping_is_the_programs(method):
         fvi.run(damping="power:1,0.7", method="fvi-shifted")
 
 
+def test_no_step_is_longer_than_the_longest():
+    def pulse(t):
+        return np.exp(-((t - 9.37) / 2e-3) ** 2)
+    options = dict(x0=0, p0=0, alpha=0.3, steps=5, error=1e-6)
+    assert fvi.run(force=pulse, **options).x[-1] == 0  # it was passed over
+    known = fvi.run(force="exp(-((t-9.37)/2e-3)^2)", **options).x[-1]
+    for method in "fvi-adaptive", "fvi-lobatto4":
+        x = fvi.run(force=pulse, longest=4e-3, method=method, **options).x[-1]
+        assert abs(x - known) < 2e-6 < abs(known)
+    assert abs(fvi.run(force=pulse, x0=0, p0=0, alpha=0.3, steps=5, h=4.0, longest=4e-3).x[-1] - known) < 2e-6
+    for bad in dict(longest=0.0), dict(longest=float("nan")), dict(longest=0.1, method="fvi", error=None):
+        with pytest.raises(ValueError, match="longest"):
+            fvi.run(force=pulse, **{**options, **bad})
+
+
 def test_a_step_has_a_tolerance():
     options = dict(h=0.5, steps=40, alpha=0.3)
     x = fvi.exact(0.5 * np.arange(41), alpha=0.3)[0]

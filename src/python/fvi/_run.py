@@ -59,12 +59,20 @@ def warn_of_start(method: Any, run: Any) -> Any:
     return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
 
 
+def length(what: str, given: Optional[float]) -> float:
+    """0 of what is not given."""
+    if given is not None and not 0 < number(what, given) < math.inf:
+        raise ValueError(f"{what}: {given} is not above 0, or not finite")
+    return given or 0.0
+
+
 def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[float] = None,
             rho: Optional[Numbers] = None, damping: Union[None, str, Sequence[str]] = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
-            memory: str = "auto", tolerance: float = 0.0, step_error: Optional[float] = None) -> tuple:
+            memory: str = "auto", tolerance: float = 0.0, step_error: Optional[float] = None,
+            longest: Optional[float] = None) -> tuple:
     if damping is not None and not (alpha is None and rho is None):
         raise ValueError("damping: not together with alpha or rho")
     default = 0.2 if damping is None else 1.0  # a law has its own
@@ -81,10 +89,10 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
         raise ValueError(f"kappa: {method} has none")
     if step_error is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
         raise ValueError(f"step_error: not for {method}, whose steps are given; fvi-adaptive chooses its own")
-    if step_error is not None and not 0 < number("step_error", step_error) < math.inf:
-        raise ValueError(f"step_error: {step_error} is not above 0, or not finite")
+    if longest is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
+        raise ValueError(f"longest: not for {method}, whose steps are given; fvi-adaptive chooses its own")
     run = ffi.new("fvi_run *")
-    run.step_error = step_error or 0.0
+    run.step_error, run.longest = length("step_error", step_error), length("longest", longest)
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = number("h", 0.1 if h is None else h), steps
@@ -276,6 +284,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 unless another method is named
     step_error  instead of error, a length > 0: what x may be off by in one step of "fvi-adaptive", the method
                 then, by the estimate of that step
+    longest     no step is longer, of "fvi-adaptive" or where `error` is given: shorter than the shortest
+                pulse of a force that is a function, which may be passed over else
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, a pure number: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}; 0.5
     memory      how the past is summed: "auto", "direct", "fft" or "exponentials"; "auto"
@@ -295,9 +305,12 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 raise ValueError(f"{name}: not together with error")
         options.setdefault("time", 20.0)
         options.setdefault("method", "fvi-adaptive" if options.get("damping") is None else "fvi-bdf2")
-    if options.get("step_error") is not None:
+    if options.get("step_error") is not None or options.get("longest") is not None:
         options.setdefault("method", "fvi-adaptive")
+    longest = options.pop("longest", None) if error is not None else None  # of a search by any method
     problem, r, method = prepare(potential, **options)
+    if error is not None:
+        r.longest = length("longest", longest)
     rows, d = r.steps + 1, problem.d
     shape = (rows,) if problem.scalar else (rows, d)
     out = {name: np.full((rows,) if name == "energy" else shape, np.nan)
