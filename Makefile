@@ -100,7 +100,7 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
-text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost that the holes of the workshop fit, and that need.sh knows what targets start
+text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost, that the holes of the workshop fit, and that need.sh knows what targets start
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
