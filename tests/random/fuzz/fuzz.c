@@ -52,7 +52,18 @@ static void random_file(const char *name)
     fclose(f);
 }
 
-/* The checkpoint with some bytes changed, or cut. */
+/* The last eight bytes become the checksum of all before, as whoever wants to deceive would
+ * make them: FNV-1a. */
+static void make_sum(unsigned char *bytes, size_t size)
+{
+    unsigned long long sum = 0xcbf29ce484222325u;
+    for (size_t i = 0; i + sizeof sum < size; i++)
+        sum = (sum ^ bytes[i]) * 0x100000001b3u;
+    if (size >= sizeof sum)
+        memcpy(bytes + size - sizeof sum, &sum, sizeof sum);
+}
+
+/* The checkpoint with some bytes changed, or cut; with a right checksum, mostly. */
 static void spoil_checkpoint(void)
 {
     static unsigned char bytes[1 << 16];
@@ -64,6 +75,8 @@ static void spoil_checkpoint(void)
         bytes[dice(size)] ^= (unsigned char)(1u << dice(8));
     if (size > 0 && dice(3) == 0)
         size = dice(size);
+    if (dice(3))
+        make_sum(bytes, size);
     if ((f = fopen("saved", "w"))) {
         fwrite(bytes, 1, size, f);
         fclose(f);
