@@ -4,6 +4,7 @@
 
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,7 +29,9 @@ int fvi_same_file(const char *a, const char *b)
 {
     struct stat of_a, of_b;
     const char *last_a, *last_b;
-    if (a && b && strcmp(a, b) == 0)
+    a = a && strcmp(a, "-") == 0 ? NULL : a;
+    b = b && strcmp(b, "-") == 0 ? NULL : b;
+    if (a == b || (a && b && strcmp(a, b) == 0))
         return 1;
     return find(a, &of_a, &last_a) && find(b, &of_b, &last_b)
            && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino
@@ -38,6 +41,7 @@ int fvi_same_file(const char *a, const char *b)
 enum { KEPT = 1000 };
 static struct {
     const char *option;
+    char *name;
     dev_t device;
     ino_t number;
 } inputs[KEPT];
@@ -48,16 +52,23 @@ void fvi_mark_read(const char *option, const char *name)
     struct stat file;
     if (stat(name, &file) != 0 || !S_ISREG(file.st_mode))
         return;
+    free(inputs[marks % KEPT].name);
+    inputs[marks % KEPT].name = strdup(name);
     inputs[marks % KEPT].option = option;
     inputs[marks % KEPT].device = file.st_dev;
     inputs[marks % KEPT].number = file.st_ino;
     marks++;
 }
 
+const char *fvi_marked_file(size_t i)
+{
+    return i < marks && i < KEPT ? inputs[i].name : NULL;
+}
+
 int fvi_check_output(const char *option, const char *name, fvi_complaint c)
 {
     struct stat file;
-    if (!name || stat(name, &file) != 0)
+    if (!name || strcmp(name, "-") == 0 || stat(name, &file) != 0)
         return 0;
     for (size_t i = 0; i < marks && i < KEPT; i++)
         if (inputs[i].device == file.st_dev && inputs[i].number == file.st_ino)

@@ -5,7 +5,7 @@
 #include "fvi_refuse.h"
 
 /* fvi_same_file -- nonzero if the names a and b, which may differ, stand for one ordinary file
- * that is there, or for one that both would make; NULL stands for standard output. Names of
+ * that is there, or for one that both would make; NULL and "-" stand for standard output. Names of
  * terminals, pipes and devices are the same only if they are equal. */
 int fvi_same_file(const char *a, const char *b);
 
@@ -13,6 +13,9 @@ int fvi_same_file(const char *a, const char *b);
  * for `option`, a constant without dashes, DATA for that of a fit. The last thousand marks are
  * kept. */
 void fvi_mark_read(const char *option, const char *name);
+
+/* fvi_marked_file -- the i-th name that was marked, from 0; NULL behind the last. */
+const char *fvi_marked_file(size_t i);
 
 /* fvi_check_output -- refuse an output that would take the place of what was read, by
  * whatever name. `option` is with its dashes; name NULL is standard output, which a shell

@@ -32,7 +32,7 @@ int fvi_cannot_write(const char *name)
     const int why = errno;
     fvi_progress_clear();
     fprintf(stderr, "fvi: cannot write %s: %s\n",
-            name ? name : "standard output", strerror(why));
+            name && strcmp(name, "-") != 0 ? name : "standard output", strerror(why));
     return 1;
 }
 

@@ -12,90 +12,128 @@
 #include <time.h>
 #include <unistd.h>
 
-static char target[PATH_MAX];    /* the name that the file is to have */
-static char temporary[PATH_MAX]; /* the name that it has; "" if there is none */
-static int shared;               /* does the target have other names, too? */
-static int nameless;             /* is the file without a name so far? */
+/* A file on its way; free where stream is NULL. */
+typedef struct {
+    FILE *stream;
+    char target[PATH_MAX];    /* the name that the file is to have */
+    char temporary[PATH_MAX]; /* the name that it has; "" if there is none */
+    int shared;               /* does the target have other names, too? */
+    int nameless;             /* is the file without a name so far? */
+} output;
+
+enum { MOST = 4 }; /* a table, a checkpoint, a picture, and one to spare */
+static output outputs[MOST];
+
+static output *place_of(const FILE *stream)
+{
+    for (int i = 0; i < MOST; i++)
+        if (outputs[i].stream == stream)
+            return &outputs[i];
+    return NULL;
+}
 
 static void remove_and_die(int signal_number)
 {
-    if (temporary[0])
-        unlink(temporary);
+    for (int i = 0; i < MOST; i++)
+        if (outputs[i].temporary[0])
+            unlink(outputs[i].temporary);
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }
 
-/* A signal that is ignored, as by nohup, stays ignored. */
+/* A signal that is ignored, as by nohup, stays ignored, and what another part of the
+ * program waits for is left to it. */
 static void watch_signals(void)
 {
     const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU };
+    struct sigaction now;
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
-        if (signal(deadly[i], remove_and_die) == SIG_IGN)
-            signal(deadly[i], SIG_IGN);
+        if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
+            signal(deadly[i], remove_and_die);
     signal(SIGXFSZ, SIG_IGN); /* a file too large is a failed write */
+}
+
+static void block_signals(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, before);
+}
+
+static void folder_of(const output *f, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(f->target, '/');
+    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash - f->target) + 1 : 1,
+             slash ? f->target : ".");
 }
 
 /* A file without a name in the folder of the target: nothing is left of it, however the
  * program ends. -1 where the system has no such thing, or could not name it later. */
-static int open_nameless(mode_t mode)
+static int open_nameless(const output *f, mode_t mode)
 {
 #ifdef O_TMPFILE
     char folder[PATH_MAX];
-    const char *slash = strrchr(target, '/');
-    snprintf(folder, sizeof folder, "%.*s",
-             slash ? (int)(slash - target) + 1 : 1, slash ? target : ".");
+    folder_of(f, folder);
     if (access("/proc/self/fd", X_OK) == 0)
         return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
 #endif
+    (void)f;
     (void)mode;
     return -1;
 }
 
 /* The name of a file beside the target, all but its last letters. */
-static int name_temporary(void)
+static int name_temporary(output *f)
 {
-    const char *slash = strrchr(target, '/');
-    int length = snprintf(temporary, sizeof temporary, "%.*s.fvi-XXXXXX",
-                          slash ? (int)(slash - target) + 1 : 0, target);
-    if (length < (int)sizeof temporary)
+    const char *slash = strrchr(f->target, '/');
+    int length = snprintf(f->temporary, sizeof f->temporary, "%.*s.fvi-XXXXXX",
+                          slash ? (int)(slash - f->target) + 1 : 0, f->target);
+    if (length < (int)sizeof f->temporary)
         return 0;
-    temporary[0] = '\0';
+    f->temporary[0] = '\0';
     errno = ENAMETOOLONG;
     return -1;
 }
 
-/* A file for the table, with these permissions. */
-static FILE *open_temporary(mode_t mode)
+/* A file for the output, with these permissions. No signal comes between the name of a
+ * temporary file and the file itself: the name may be that of another one before. */
+static FILE *open_temporary(output *f, mode_t mode)
 {
+    sigset_t before;
     watch_signals();
-    int file = open_nameless(mode);
-    nameless = file >= 0;
-    if (!nameless && name_temporary() == 0 && (file = mkstemp(temporary)) < 0)
-        temporary[0] = '\0';
+    int file = open_nameless(f, mode);
+    f->nameless = file >= 0;
+    block_signals(&before);
+    if (!f->nameless && name_temporary(f) == 0
+        && (file = mkstemp(f->temporary)) < 0)
+        f->temporary[0] = '\0';
+    sigprocmask(SIG_SETMASK, &before, NULL);
     if (file < 0)
         return NULL;
     fchmod(file, mode);
-    return fdopen(file, "w");
+    return f->stream = fdopen(file, "w");
 }
 
 /* A name beside the target for the file that has none, so that it can be renamed. */
-static int give_name(int file)
+static int give_name(output *f)
 {
     char open_file[64];
-    snprintf(open_file, sizeof open_file, "/proc/self/fd/%d", file);
-    if (!nameless)
+    snprintf(open_file, sizeof open_file, "/proc/self/fd/%d",
+             fileno(f->stream));
+    if (!f->nameless)
         return 0;
-    nameless = 0;
-    for (unsigned i = 0; name_temporary() == 0; i++) {
-        snprintf(strrchr(temporary, '-') + 1, 7, "%06x",
+    f->nameless = 0;
+    for (unsigned i = 0; name_temporary(f) == 0; i++) {
+        snprintf(strrchr(f->temporary, '-') + 1, 7, "%06x",
                  ((unsigned)getpid() + 0x9e3779u * i) & 0xffffff);
-        if (linkat(AT_FDCWD, open_file, AT_FDCWD, temporary, AT_SYMLINK_FOLLOW)
+        if (linkat(AT_FDCWD, open_file, AT_FDCWD, f->temporary,
+                   AT_SYMLINK_FOLLOW)
             == 0)
             return 0;
         if (errno != EEXIST || i == 1000)
             break;
     }
-    temporary[0] = '\0';
+    f->temporary[0] = '\0';
     return -1;
 }
 
@@ -129,38 +167,64 @@ static int descriptor(const char *name)
     return -1;
 }
 
+/* A temporary file for the ordinary one of this name, which is there and has this state, or
+ * is not there at all. */
+static FILE *open_beside(const char *name, const struct stat *old)
+{
+    output *f = place_of(NULL);
+    errno = !f ? EMFILE : strlen(name) >= sizeof f->target ? ENAMETOOLONG : 0;
+    if (errno)
+        return NULL;
+    f->temporary[0] = '\0';
+    f->shared = old && old->st_nlink > 1;
+    if (!old) {
+        const mode_t mask = umask(0);
+        umask(mask);
+        strcpy(f->target, name);
+        return open_temporary(f, 0666 & ~mask);
+    }
+    if (access(name, W_OK) != 0 || !realpath(name, f->target))
+        return NULL; /* a link stays a link */
+    FILE *stream = open_temporary(f, old->st_mode & 0777);
+    if (stream && fchown(fileno(stream), old->st_uid, old->st_gid) != 0)
+        errno = 0; /* only root may give files away */
+    return stream;
+}
+
+static FILE *open_ordinary(const char *name)
+{
+    struct stat old;
+    if (stat(name, &old) == 0)
+        return open_beside(name, &old);
+    if (errno != ENOENT || lstat(name, &old) == 0)
+        return NULL;
+    return open_beside(name, NULL);
+}
+
 FILE *fvi_output_open(const char *name)
 {
-    struct stat old = { 0 };
-    temporary[0] = '\0';
-    nameless = 0;
-    if (!name)
+    struct stat old;
+    if (!name || strcmp(name, "-") == 0)
         return stdout;
     int file = descriptor(name); /* >> has chosen where it goes on */
     if (file >= 0)
         return (file = dup(file)) < 0 ? NULL : fdopen(file, "w");
-    if (stat(name, &old) == 0) {
-        if (!S_ISREG(old.st_mode))
-            return fopen(name, "w");
-        shared = old.st_nlink > 1;
-        if (access(name, W_OK) != 0 || !realpath(name, target))
-            return NULL; /* a link stays a link */
-        FILE *stream = open_temporary(old.st_mode & 0777);
-        if (stream && fchown(fileno(stream), old.st_uid, old.st_gid) != 0)
-            errno = 0; /* only root may give files away */
-        return stream;
-    }
-    if (errno != ENOENT || lstat(name, &old) == 0)
-        return NULL;
-    if (strlen(name) >= sizeof target) {
-        errno = ENAMETOOLONG;
-        return NULL;
-    }
-    strcpy(target, name);
-    shared = 0;
-    mode_t mask = umask(0);
-    umask(mask);
-    return open_temporary(0666 & ~mask);
+    return stat(name, &old) == 0 && !S_ISREG(old.st_mode) ? fopen(name, "w")
+                                                          : open_ordinary(name);
+}
+
+FILE *fvi_output_open_file(const char *name)
+{
+    struct stat old;
+    if (descriptor(name) < 0 && (stat(name, &old) != 0 || S_ISREG(old.st_mode)))
+        return open_ordinary(name);
+    errno = EEXIST; /* a device, say, that must stay one */
+    return NULL;
+}
+
+int fvi_output_waits(FILE *stream)
+{
+    return place_of(stream) != NULL;
 }
 
 /* Make room for `size` bytes in a file of `old` bytes, or leave it as it is. */
@@ -185,18 +249,37 @@ static int copy(int from, int to, off_t size)
     return count < 0 ? -1 : ftruncate(to, size);
 }
 
-/* The complete table into the file that is there, under all its names. A full disk
- * or a signal comes before the old contents are touched, or not at all. */
-static int overwrite(void)
+/* What was written survives a power cut; some files and folders know no such thing. */
+static int sync_file(int file)
+{
+    return fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP ? -1 : 0;
+}
+
+/* The names in the folder survive it, too. One that cannot be read cannot be asked. */
+static int sync_folder(const output *f)
+{
+    char name[PATH_MAX];
+    folder_of(f, name);
+    const int folder = open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0)
+        return 0;
+    const int status = sync_file(folder), why = errno;
+    close(folder);
+    errno = why;
+    return status;
+}
+
+/* The complete file into the one that is there, under all its names. A full disk comes
+ * before the old contents are touched, or not at all. A power cut or SIGKILL within the
+ * copy leaves the complete one under its temporary name. */
+static int overwrite(const output *f)
 {
     struct stat new, old;
-    sigset_t all, before;
-    sigfillset(&all);
-    sigprocmask(SIG_BLOCK, &all, &before);
-    const int from = open(temporary, O_RDONLY), to = open(target, O_RDWR);
+    const int from = open(f->temporary, O_RDONLY | O_NOFOLLOW),
+              to = open(f->target, O_RDWR | O_NOFOLLOW);
     int failed = from < 0 || to < 0 || fstat(from, &new) || fstat(to, &old)
-                 || reserve(to, old.st_size, new.st_size)
-                 || copy(from, to, new.st_size);
+                 || sync_folder(f) || reserve(to, old.st_size, new.st_size)
+                 || copy(from, to, new.st_size) || sync_file(to);
     const int why = errno;
     if (from >= 0)
         close(from);
@@ -205,34 +288,47 @@ static int overwrite(void)
     else
         errno = why;
     if (!failed)
-        unlink(temporary);
-    sigprocmask(SIG_SETMASK, &before, NULL);
+        unlink(f->temporary);
     return failed ? -1 : 0;
 }
 
-static int put_in_place(void)
+/* On the disk first, then under its name, so that no cut leaves an empty file there. */
+static int put_in_place(output *f)
 {
-    return shared ? overwrite() : rename(temporary, target);
+    int failed = give_name(f) != 0 || sync_file(fileno(f->stream)) != 0;
+    int why = errno;
+    if (fclose(f->stream) != 0 && !failed) {
+        failed = 1;
+        why = errno;
+    }
+    errno = why;
+    return failed ? -1
+           : f->shared
+               ? overwrite(f)
+               : rename(f->temporary, f->target) != 0 || sync_folder(f) != 0;
 }
 
 int fvi_output_close(FILE *stream, int keep)
 {
-    int failed =
-        fflush(stream) != 0 || ferror(stream)
-        || (keep && stream != stdout && give_name(fileno(stream)) != 0);
-    int why = errno;
-    if (stream != stdout && fclose(stream) != 0 && !failed) {
+    output *f = place_of(stream); /* NULL: written to as it stands */
+    sigset_t before;
+    if (f) /* complete, or not there: nothing between */
+        block_signals(&before);
+    int failed = fflush(stream) != 0 || ferror(stream), why = errno;
+    if (f && keep && !failed) {
+        failed = put_in_place(f) != 0;
+        why = errno;
+    } else if (stream != stdout && fclose(stream) != 0 && !failed) {
         failed = 1;
         why = errno;
     }
-    if (temporary[0] && keep && !failed && put_in_place() != 0) {
-        failed = 1;
-        why = errno;
+    if (f && (failed || !keep) && f->temporary[0])
+        unlink(f->temporary);
+    if (f) {
+        f->temporary[0] = '\0';
+        f->stream = NULL;
+        sigprocmask(SIG_SETMASK, &before, NULL);
     }
-    if (temporary[0] && (failed || !keep))
-        unlink(temporary);
-    temporary[0] = '\0';
-    nameless = 0;
     errno = why;
     return failed ? -1 : 0;
 }

@@ -6,18 +6,27 @@
 
 /* fvi_output_open -- where the program writes.
  *
- *   name  a file's name, or NULL for standard output
+ *   name  a file's name; NULL or "-" for standard output
  *
  * An ordinary file is written without a name in its folder and takes its name in
  * fvi_output_close: nothing is left of it if the program is killed. Where a file cannot be
  * without a name (not on Linux, no /proc, some network file systems) it is .fvi-XXXXXX,
- * which a signal that can be caught removes, and SIGKILL leaves. It has the
- * permissions of the file that it replaces and, where that is allowed, its owner. A
- * file of several names (hard links) keeps them: the complete table is copied into
- * it. What is no ordinary file (a pipe, a device), and a file that is open already
- * (/dev/stdout), is written to as it stands; a link that leads nowhere is refused.
- * Returns the stream, or NULL with errno set. One output at a time. */
+ * a name that no other file has, which a signal that can be caught removes, and SIGKILL
+ * leaves. It has the permissions of the file that it replaces and, where that is allowed,
+ * its owner. It is on the disk before it has its name. A file of several names (hard links)
+ * keeps them: the complete file is copied into it, and while that lasts it is .fvi-XXXXXX,
+ * too, so that SIGKILL tears the old one only where the new one is there. What is no
+ * ordinary file (a pipe, a device), and a file that is open already (/dev/stdout), is
+ * written to as it stands; a link that leads nowhere is refused.
+ * Returns the stream, or NULL with errno set. At most four ordinary files at a time. */
 FILE *fvi_output_open(const char *name);
+
+/* fvi_output_open_file -- the same for what must be an ordinary file: EEXIST for others. */
+FILE *fvi_output_open_file(const char *name);
+
+/* fvi_output_waits -- nonzero if what is written here is in no file of the user's before
+ * fvi_output_close. It can then be read, too. */
+int fvi_output_waits(FILE *stream);
 
 /* fvi_output_close -- keep != 0: flush, check, put in place; else remove.
  * Returns 0, or -1 with errno set and nothing left behind. */

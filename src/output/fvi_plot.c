@@ -1,17 +1,20 @@
 /* src/output/fvi_plot.c -- A picture of a table, drawn by gnuplot. */
-#define _GNU_SOURCE /* popen */
+#define _GNU_SOURCE
 #include "fvi_plot.h"
 
 #include "fvi_complain.h"
+#include "fvi_output.h"
 
 #include <errno.h>
-#include <limits.h>
-#include <signal.h>
+#include <fcntl.h>
+#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+extern char **environ;
 
 enum { MOST_POINTS = 5000, MOST_LINES = 6 };
 
@@ -104,16 +107,14 @@ static void script(FILE *g, const fvi_options *o,
     fprintf(g, "unset multiplot\n");
 }
 
-/* A name between gnuplot's quotes, and where it draws. */
-static void terminal(FILE *g, const char *name, const char *type, size_t panels)
+/* What gnuplot draws it writes to its standard output: it sees no name of the user's, which
+ * it would take for a command after a |. */
+static void terminal(FILE *g, const char *name, size_t panels)
 {
-    const int svg = strcasecmp(type, ".svg") == 0;
-    fprintf(g, "set terminal %s size 800,%zu %s\nset output '",
+    const int svg = strcasecmp(name + strlen(name) - 4, ".svg") == 0;
+    fprintf(g, "set terminal %s size 800,%zu %s\n",
             svg ? "svg dynamic" : "pngcairo", 80 + 260 * panels,
             svg ? "background 'white'" : "");
-    for (; *name; name++)
-        fprintf(g, *name == '\'' ? "''" : "%c", *name);
-    fprintf(g, "'\n");
 }
 
 /* The rows; of many, each n-th, as gnuplot reads its input a byte at a time. */
@@ -132,33 +133,71 @@ static void copy_rows(FILE *rows, FILE *g)
     fprintf(g, "EOD\n");
 }
 
-/* gnuplot draws under another name, which becomes o->plot. Returns 0 if all went well. */
+/* Starts gnuplot, which reads the script and writes to the pipe. Returns 0 if it runs. */
+static int start_gnuplot(int script, const int ends[2], pid_t *child)
+{
+    static char name[] = "gnuplot";
+    char *const words[] = { name, NULL };
+    posix_spawn_file_actions_t files;
+    if (posix_spawn_file_actions_init(&files))
+        return -1;
+    posix_spawn_file_actions_adddup2(&files, script, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null",
+                                     O_WRONLY, 0);
+    posix_spawn_file_actions_addclose(&files, ends[0]);
+    posix_spawn_file_actions_addclose(&files, ends[1]);
+    const int status =
+        posix_spawnp(child, words[0], &files, NULL, words, environ);
+    posix_spawn_file_actions_destroy(&files);
+    return status ? -1 : 0;
+}
+
+/* The picture of this script, byte by byte: gnuplot itself does not notice a full disk.
+ * Returns 0 if gnuplot drew one; whether it could be written, the stream knows. */
+static int run_gnuplot(FILE *script, FILE *picture)
+{
+    int ends[2], ended = 1;
+    pid_t child;
+    char block[1 << 14];
+    size_t bytes = 0;
+    if (pipe(ends) != 0)
+        return -1;
+    const int started = start_gnuplot(fileno(script), ends, &child) == 0;
+    close(ends[1]);
+    for (ssize_t n = started; n > 0 || (n < 0 && errno == EINTR);
+         bytes += n > 0 ? (size_t)n : 0) {
+        n = read(ends[0], block, sizeof block);
+        if (n > 0)
+            fwrite(block, 1, (size_t)n, picture);
+    }
+    close(ends[0]);
+    while (started && waitpid(child, &ended, 0) < 0 && errno == EINTR)
+        ;
+    return started && ended == 0 && bytes > 0 ? 0 : -1;
+}
+
+/* Returns 0 if all went well, or 1 after it has said what did not. */
 static int draw(FILE *rows, const fvi_options *o)
 {
-    char new[PATH_MAX];
-    struct stat old;
     size_t at[FVI_ALL_COLUMNS];
     const size_t panels = place_columns(o, at);
-    const int length = snprintf(new, sizeof new, "%s.new", o->plot);
-    if (stat(o->plot, &old) == 0 && !S_ISREG(old.st_mode)) {
-        errno = EEXIST;
-        return -1;
-    }
-    errno = EINVAL;
-    if (length >= (int)sizeof new || panels == 0)
-        return -1;
-    void (*before)(int) = signal(SIGPIPE, SIG_IGN); /* a script that fails */
-    FILE *g = popen("gnuplot >/dev/null 2>&1", "w");
-    if (g) {
+    FILE *g = tmpfile(), *picture = g ? fvi_output_open_file(o->plot) : NULL;
+    int failed =
+        !picture ? fvi_cannot_write(g ? o->plot : "a temporary file") : 0;
+    if (!failed) {
         copy_rows(rows, g);
-        terminal(g, new, o->plot + strlen(o->plot) - 4, panels);
+        terminal(g, o->plot, panels);
         script(g, o, at, panels);
+        if (fflush(g) != 0 || ferror(g) || lseek(fileno(g), 0, SEEK_SET) != 0)
+            failed = fvi_cannot_write("a temporary file");
     }
-    const int failed = !g || pclose(g) != 0 || access(new, R_OK) != 0
-                       || rename(new, o->plot) != 0;
-    signal(SIGPIPE, before);
-    if (failed)
-        unlink(new);
+    if (!failed && run_gnuplot(g, picture) != 0)
+        failed = fvi_complain("--plot: gnuplot drew no picture");
+    if (picture && fvi_output_close(picture, !failed) != 0 && !failed)
+        failed = fvi_cannot_write(o->plot);
+    if (g)
+        fclose(g);
     return failed;
 }
 
@@ -166,9 +205,9 @@ int fvi_plot_end(FILE *rows, const fvi_options *o, int wanted)
 {
     int failed = 0;
     if (rows && wanted)
-        failed = fflush(rows) != 0 || ferror(rows) || draw(rows, o) != 0;
-    if (failed)
-        failed = fvi_cannot_write(o->plot);
+        failed = fflush(rows) != 0 || ferror(rows)
+                     ? fvi_cannot_write("a temporary file")
+                     : draw(rows, o);
     if (rows)
         fclose(rows);
     return failed;

@@ -52,6 +52,14 @@ void fvi_table_names(const fvi_table *t)
     fvi_table_column_names(t->out, t->o, 0);
 }
 
+void fvi_table_mark_last(fvi_table *t)
+{
+    if (t->o->steps % t->o->every == 0)
+        return;
+    t->last = ftello(t->out);
+    t->last_drawn = t->plot ? ftello(t->plot) : 0;
+}
+
 /* ---- rows ---- */
 
 static int is_printed(const fvi_options *o, size_t k)
@@ -147,7 +155,7 @@ int fvi_table_take(const fvi_table *t, size_t k, const double *x,
         if (!fvi_all_finite(t->width, row)) /* an energy may be too large */
             return FVI_EOVRFLW;
         if (!t->wait)
-            print_row(t, k, k - t->begin, row);
+            print_row(t, k, k - t->begin + (t->goes_on != 0), row);
     }
     if (t->wait && is_printed(o, o->steps - k))
         return fill(t, k, x, p, 1,

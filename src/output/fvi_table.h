@@ -6,6 +6,7 @@
 #include "words/fvi_option_list.h"
 
 #include <stdio.h>
+#include <sys/types.h>
 
 /* A table on its way out. Rows go out as they come, unless the mirror
  * y_k = x_{N-k} is asked for: then all wait for the end of the run. */
@@ -19,6 +20,11 @@ typedef struct {
     int wait;
     FILE *plot;   /* where rows are kept to be drawn; or NULL */
     size_t begin; /* the first row of a run that goes on; 0 */
+    int goes_on;  /* are there rows of it in the table before? */
+    off_t first;  /* where the rows begin in a file */
+    off_t last,
+        last_drawn; /* where the last one does, if a longer run has no such row, in
+                             * the table and in plot; else 0 */
 } fvi_table;
 
 /* fvi_table_shape -- fill everything but out and rows. */
@@ -50,6 +56,9 @@ size_t fvi_table_next(const fvi_table *t, size_t k);
  * row is not printed. */
 int fvi_table_take(const fvi_table *t, size_t k, const double *x,
                    const double *p);
+
+/* fvi_table_mark_last -- the row that is taken next is the last. */
+void fvi_table_mark_last(fvi_table *t);
 
 /* fvi_table_open -- open o->output, and a place for the rows of a picture if one is wanted.
  * fvi_table_close -- the rows that waited, and the end, if nothing failed; then the file

@@ -2,23 +2,21 @@
 #define _GNU_SOURCE
 #include "fvi_checkpoint.h"
 
+#include "fvi_checkpoint_head.h"
 #include "output/fvi_complain.h"
+#include "output/fvi_output.h"
 #include <fvi/error.h>
-#include <fvi/version.h>
 
 #include <errno.h>
-#include <inttypes.h>
-#include <limits.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
-/* A file is a line with the version, a line for each parameter, an empty line, then the
- * pieces that fvi_visit shows, each behind its length, then the checksum of all before. */
+/* A file is the head, up to an empty line; the form of the table, its rows and those of the
+ * picture, where these are in no file of the user's yet, each behind its length; the pieces
+ * that fvi_visit shows, each behind its length; the checksum of all before. */
 typedef struct {
     fvi_visitor visitor; /* the first: a pointer to it is one to this */
     FILE *file;
@@ -26,27 +24,17 @@ typedef struct {
     int failed; /* a read or a write */
 } state;
 
-#define FIRST_SUM 0xcbf29ce484222325u
-
-/* FNV-1a. */
-static void add_to_sum(state *f, const void *data, size_t bytes)
-{
-    const unsigned char *at = data;
-    for (size_t i = 0; i < bytes; i++)
-        f->sum = (f->sum ^ at[i]) * 0x100000001b3u;
-}
-
 static void put(state *f, const void *data, size_t bytes)
 {
     f->failed |= fwrite(data, 1, bytes, f->file) != bytes;
-    add_to_sum(f, data, bytes);
+    f->sum = fvi_add_to_sum(f->sum, data, bytes);
 }
 
 static int get(state *f, void *data, size_t bytes)
 {
     if (fread(data, 1, bytes, f->file) != bytes)
         return 0;
-    add_to_sum(f, data, bytes);
+    f->sum = fvi_add_to_sum(f->sum, data, bytes);
     return 1;
 }
 
@@ -81,154 +69,168 @@ static int load_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
     return (constant ? is_same(f, data, bytes) : get(f, data, bytes)) ? 0 : -1;
 }
 
-/* ---- the head ---- */
+/* ---- the rows ---- */
 
-/* What may be another one when a run goes on. */
-static int is_free(const char *name)
+/* What the rows of a table have in common: only such rows can follow them. */
+enum { FORM = 60 };
+static void form_of(const fvi_options *o, char text[FORM])
 {
-    static const char *const names[] = { "steps", "time", "columns", "unknowns",
-                                         "every" };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0)
-            return 1;
+    static const char *const asked[] = { "columns", "unknowns", "every" };
+    const char *name, *value;
+    uint64_t sum = FVI_FIRST_SUM; /* a list of unknowns may be long */
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        for (size_t n = 0; n < sizeof asked / sizeof *asked; n++)
+            if (strcmp(name, asked[n]) == 0) {
+                sum = fvi_add_to_sum(sum, name, strlen(name) + 1);
+                sum = fvi_add_to_sum(sum, value, strlen(value) + 1);
+            }
+    snprintf(text, FORM, "%016jx %s %s", (uintmax_t)sum,
+             fvi_format_names[o->format], o->plot ? "plot" : "");
+}
+
+/* The bytes of an open file from one place to another, or to its end if that is 0; of no
+ * file none. */
+static void put_part(state *f, FILE *from, off_t begin, off_t end)
+{
+    unsigned char part[1 << 14];
+    struct stat now = { 0 };
+    if (from && (fflush(from) != 0 || fstat(fileno(from), &now) != 0))
+        f->failed = 1;
+    const uint64_t length =
+        from ? (uint64_t)((end > 0 ? end : now.st_size) - begin) : 0;
+    put(f, &length, sizeof length);
+    for (uint64_t done = 0; done < length && !f->failed;) {
+        const size_t n =
+            length - done < sizeof part ? (size_t)(length - done) : sizeof part;
+        const ssize_t got = pread(fileno(from), part, n, begin + (off_t)done);
+        if (got <= 0)
+            f->failed = 1;
+        else
+            put(f, part, (size_t)got);
+        done += got > 0 ? (uint64_t)got : 0;
+    }
+}
+
+/* The last row may be none of a longer run: it stands behind the place `last`. */
+static void put_rows(state *f, const fvi_table *t)
+{
+    char form[FORM] = "";
+    const int waits = fvi_output_waits(t->out);
+    if (waits)
+        form_of(t->o, form);
+    const uint64_t length = strlen(form);
+    put(f, &length, sizeof length);
+    put(f, form, length);
+    put_part(f, waits ? t->out : NULL, t->first, t->last);
+    put_part(f, waits ? t->plot : NULL, 0, t->last_drawn);
+}
+
+/* Where the rows stand; the file is behind them then. Returns 0 if their lengths cannot be. */
+static int find_rows(fvi_checkpoint *c, off_t size)
+{
+    for (int i = 0; i < 3; i++) {
+        fvi_checkpoint_part *part = &c->part[i];
+        uint64_t length;
+        if (fread(&length, sizeof length, 1, c->saved) != 1
+            || (part->begin = ftello(c->saved)) < 0
+            || length > (uint64_t)(size - part->begin))
+            return 0;
+        part->length = (off_t)length;
+        if (fseeko(c->saved, part->length, SEEK_CUR) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+static int copy_part(const fvi_checkpoint *c, int i, FILE *to)
+{
+    char part[1 << 14];
+    const off_t length = c->part[i].length;
+    for (off_t done = 0; to && done < length && !ferror(to);) {
+        const off_t left = length - done;
+        const ssize_t got =
+            pread(fileno(c->saved), part,
+                  left < (off_t)sizeof part ? (size_t)left : sizeof part,
+                  c->part[i].begin + done);
+        if (got <= 0)
+            return -1;
+        fwrite(part, 1, (size_t)got, to);
+        done += got;
+    }
     return 0;
 }
 
-/* What the matrices of --system are, in a number: the folder's name does not tell. */
-static uint64_t sum_of(const fvi_directory *directory)
+int fvi_checkpoint_judge_rows(const fvi_checkpoint *c, fvi_table *t)
 {
-    const fvi_sparse *A[3];
-    state f = { .sum = FIRST_SUM };
-    fvi_directory_matrices(directory, A);
-    for (int l = 0; l < 3; l++) {
-        const size_t n = A[l]->n, count = n ? (size_t)A[l]->start[n] : 0;
-        add_to_sum(&f, &n, sizeof n);
-        add_to_sum(&f, A[l]->start, n ? (n + 1) * sizeof *A[l]->start : 0);
-        add_to_sum(&f, A[l]->row, count * sizeof *A[l]->row);
-        add_to_sum(&f, A[l]->entry, count * sizeof *A[l]->entry);
-    }
-    return f.sum;
+    const fvi_options *o = t->o;
+    char form[FORM], saved[FORM] = "";
+    const off_t length = c->part[0].length;
+    const int waits = fvi_output_waits(t->out);
+    if (!c->saved || (c->anew && (waits || length > 0)))
+        return 0; /* all rows are to come */
+    if (length == 0 && waits && c->done > 0)
+        return fvi_checkpoint_refuse(
+            o, "its rows are on standard output, where the rest must go");
+    t->begin = c->done < o->steps ? fvi_table_next(t, c->done) : o->steps + 1;
+    if (length == 0)
+        return 0;
+    form_of(o, form);
+    if (length < FORM
+        && pread(fileno(c->saved), saved, (size_t)length, c->part[0].begin)
+               != length)
+        return fvi_checkpoint_refuse(o, "damaged");
+    if (strcmp(form, saved) != 0)
+        return fvi_checkpoint_refuse(o, "its rows have other --columns, "
+                                        "--unknowns, --every, --format or "
+                                        "--plot");
+    t->goes_on = c->part[1].length > 0;
+    if (c->done == o->steps && o->steps % o->every != 0)
+        t->begin = o->steps; /* which is not among them */
+    return 0;
 }
 
-/* The head as a text of its own; NULL if there is no memory. */
-static char *head_of(const fvi_options *o)
+int fvi_checkpoint_rows(const fvi_checkpoint *c, fvi_table *t)
 {
-    const char *name, *value;
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    if (!f)
-        return NULL;
-    fprintf(f, "fvi " FVI_VERSION " checkpoint\n");
-    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
-        if (!is_free(name))
-            fprintf(f, "%s = %s\n", name, value);
-    if (o->directory)
-        fprintf(f, "matrices = %016" PRIx64 "\n", sum_of(o->directory));
-    fputc('\n', f);
-    if (fclose(f) == 0)
-        return text;
-    free(text);
-    return NULL;
-}
-
-static int refuse(const fvi_options *o, const char *why)
-{
-    char text[FVI_COMPLAINT];
-    const int status = fvi_refuse((fvi_complaint){ text, sizeof text },
-                                  "--continue: %s: %s", o->checkpoint, why);
-    fvi_refused(text, "run");
-    return status;
-}
-
-/* How the line of a saved head differs from the wanted one, "name = value" both: by its value,
- * or because one of the two heads has no such name. */
-static void tell_apart(const char *line, const char *want, const char *head,
-                       size_t size, char *why)
-{
-    const size_t name = strcspn(line, " "), length = strcspn(want, "\n");
-    char known[100];
-    snprintf(known, sizeof known, "\n%.*s = ", (int)name, line);
-    if (strncmp(line, want, name + 1) == 0)
-        snprintf(why, size, "a run with %.150s, not %.*s", line, (int)length,
-                 want);
-    else if (name > 0 && !strstr(head, known))
-        snprintf(why, size, "a run with %.150s, which is not given here", line);
-    else
-        snprintf(why, size, "a run without %.*s", (int)length, want);
-}
-
-/* The head, line by line: the first that differs is said. */
-static int compare_heads(const fvi_options *o, state *f, const char *head)
-{
-    char *line = NULL;
-    size_t room = 0;
-    int status = 0;
-    for (const char *want = head; !status && *want;) {
-        const size_t length = strcspn(want, "\n") + 1;
-        const ssize_t got = getline(&line, &room, f->file);
-        if (got > 0)
-            add_to_sum(f, line, (size_t)got);
-        if (got == (ssize_t)length && memcmp(line, want, length) == 0) {
-            want += length;
-            continue;
-        }
-        char why[400];
-        if (got > 0 && line[got - 1] == '\n')
-            line[got - 1] = '\0';
-        if (want == head)
-            snprintf(why, sizeof why, "%s",
-                     got > 4 && strncmp(line, "fvi ", 4) == 0
-                         ? "a checkpoint of another version"
-                         : "not a checkpoint");
-        else
-            tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
-        status = refuse(o, why);
-    }
-    free(line);
-    return status;
+    t->first = ftello(t->out); /* -1 of a pipe, which is not asked again */
+    if (t->goes_on
+        && (copy_part(c, 1, t->out) != 0 || copy_part(c, 2, t->plot) != 0))
+        return fvi_cannot_write(t->o->output);
+    return 0;
 }
 
 /* ---- files ---- */
 
-static int write_all(const char *name, const char *head, fvi_stepper *s)
+int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
+                         fvi_stepper *s)
 {
+    const char *name = t->o->checkpoint;
+    fvi_checkpoint_in_rows(1);
+    const int lost = fflush(t->out) != 0; /* rows before the state */
+    fvi_checkpoint_in_rows(0);
+    if (lost)
+        return fvi_cannot_write(t->o->output);
     state f = { .visitor = { save_piece },
-                .file = fopen(name, "w"),
-                .sum = FIRST_SUM };
+                .file = fvi_output_open_file(name),
+                .sum = FVI_FIRST_SUM };
     if (!f.file)
-        return 0;
-    put(&f, head, strlen(head));
-    int status = fvi_visit(s, &f.visitor);
+        return fvi_cannot_write(name);
+    put(&f, c->head, strlen(c->head));
+    put_rows(&f, t);
+    const int status = fvi_visit(s, &f.visitor);
     const uint64_t sum = f.sum;
     put(&f, &sum, sizeof sum);
-    status |= fflush(f.file) != 0 || fsync(fileno(f.file)) != 0;
-    return !(fclose(f.file) != 0 || status || f.failed);
-}
-
-int fvi_checkpoint_write(const fvi_options *o, fvi_stepper *s)
-{
-    char new[PATH_MAX], *head = head_of(o);
-    const int length = snprintf(new, sizeof new, "%s.new", o->checkpoint);
-    struct stat old;
-    int done = 0;
-    errno = ENAMETOOLONG;
-    if (stat(o->checkpoint, &old) == 0 && !S_ISREG(old.st_mode))
-        errno = EEXIST; /* a device, say, that must stay one */
-    else if (head && length < (int)sizeof new)
-        done = write_all(new, head, s) && rename(new, o->checkpoint) == 0;
-    const int why = errno;
-    if (!done && length < (int)sizeof new)
-        unlink(new);
-    free(head);
-    errno = why;
-    return done ? 0 : fvi_cannot_write(o->checkpoint);
+    const int why = errno, whole = !status && !f.failed;
+    if (fvi_output_close(f.file, whole) == 0 && whole)
+        return 0;
+    if (!whole)
+        errno = why;
+    return fvi_cannot_write(name);
 }
 
 /* Is the last number of the file the sum of all before? The file stays where it is. */
 static int is_whole(FILE *file)
 {
-    state f = { .file = file, .sum = FIRST_SUM };
+    state f = { .file = file, .sum = FVI_FIRST_SUM };
     const long at = ftell(file);
     struct stat now;
     uint64_t sum = 0;
@@ -251,42 +253,47 @@ static int is_whole(FILE *file)
  * on N, and N is another one: a run of the new N had other last digits from the first
  * step on, and so it begins anew. */
 static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
-                    size_t *done)
+                    fvi_checkpoint *c)
 {
     const int status = fvi_visit(s, &f->visitor);
-    *done = s->k;
+    c->done = s->k;
     if (s->k > o->steps)
-        return refuse(o, "it is further than --steps");
+        return fvi_checkpoint_refuse(o, "it is further than --steps");
     if (status == 0)
         return 0;
     fprintf(stderr,
             "fvi: --continue: the memory depends on --steps: the first %zu "
             "steps are done again\n",
-            *done);
+            c->done);
+    c->anew = 1;
     return fvi_reset(s) ? fvi_complain("not enough memory") : 0;
 }
 
-static int read_checkpoint(const fvi_options *o, fvi_stepper *s, size_t *done)
+static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
+                           fvi_checkpoint *c)
 {
+    struct stat now;
+    c->saved = fopen(o->checkpoint, "r");
     state f = { .visitor = { load_piece },
-                .file = fopen(o->checkpoint, "r"),
-                .sum = FIRST_SUM };
-    if (!f.file)
-        return refuse(o, strerror(errno));
-    char *head = head_of(o);
-    int status =
-        head ? compare_heads(o, &f, head) : fvi_complain("not enough memory");
-    if (!status)
-        status =
-            is_whole(f.file) ? load_all(o, &f, s, done) : refuse(o, "damaged");
-    free(head);
-    fclose(f.file);
-    return status;
+                .file = c->saved,
+                .sum = FVI_FIRST_SUM };
+    if (!c->saved)
+        return fvi_checkpoint_refuse(o, strerror(errno));
+    const int status = fvi_checkpoint_compare(o, c->saved, c->head);
+    if (status)
+        return status;
+    return is_whole(c->saved) && fstat(fileno(c->saved), &now) == 0
+                   && find_rows(c, now.st_size)
+               ? load_all(o, &f, s, c)
+               : fvi_checkpoint_refuse(o, "damaged");
 }
 
-int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s, size_t *done)
+int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
+                         fvi_checkpoint *c)
 {
-    *done = 0;
+    *c = (fvi_checkpoint){ .head = NULL };
+    if (!o->checkpoint)
+        return 0;
     if (s->own && !s->method->visit) {
         char text[FVI_COMPLAINT];
         const int status =
@@ -295,49 +302,14 @@ int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s, size_t *done)
         fvi_refused(text, "run");
         return status;
     }
-    return o->resume ? read_checkpoint(o, s, done) : 0;
+    if (!(c->head = fvi_checkpoint_head(o)))
+        return fvi_complain("not enough memory");
+    return o->resume ? read_checkpoint(o, s, c) : 0;
 }
 
-/* ---- when ---- */
-
-static volatile sig_atomic_t signal_number;
-
-static void note(int number)
+void fvi_checkpoint_free(fvi_checkpoint *c)
 {
-    signal_number = number;
-}
-
-void fvi_checkpoint_watch(void)
-{
-    static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
-    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
-        if (signal(ends[i], note) == SIG_IGN)
-            signal(ends[i], SIG_IGN);
-}
-
-int fvi_checkpoint_stopped(void)
-{
-    return signal_number != 0;
-}
-
-void fvi_checkpoint_end(void)
-{
-    if (!signal_number)
-        return;
-    signal(signal_number, SIG_DFL);
-    raise(signal_number);
-}
-
-int fvi_checkpoint_due(void)
-{
-    static double last = -1;
-    struct timespec clock;
-    clock_gettime(CLOCK_MONOTONIC, &clock);
-    const double now = (double)clock.tv_sec + 1e-9 * (double)clock.tv_nsec;
-    if (last < 0)
-        last = now;
-    if (now - last < 10)
-        return 0;
-    last = now;
-    return 1;
+    free(c->head);
+    if (c->saved)
+        fclose(c->saved);
 }

@@ -93,35 +93,43 @@ static void warn_along(fvi_watch *w, const fvi_stepper *s)
 }
 
 /* Returns 0, or 1 after it has said at which step the run ended. */
-static int steps_and_rows(const fvi_table *t, fvi_stepper *s, fvi_watch *w)
+static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
+                          const fvi_checkpoint *c)
 {
     const size_t steps = t->o->steps, d = t->o->d;
     const size_t often = d < 32 ? 1024 / (d * d) : 1; /* a step may cost d^3 */
     size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
            look = s->k + often; /* divided by at no step */
-    int status = t->begin == 0 ? fvi_table_take(t, 0, s->x, s->p) : FVI_SUCCESS;
+    int status = FVI_SUCCESS;
+    if (t->begin == s->k || t->begin == 0) /* the row where it stands */
+        status = fvi_run_row(t, s, t->begin);
     if (status)
-        return fvi_stopped_at(0, status);
+        return fvi_stopped_at(t->begin, status);
     while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
         status = fvi_step(s);
         if (status)
             return fvi_stopped_at(s->k + 1, status);
         warn_along(w, s);
-        if (s->k >= look) {
+        const int looks = s->k >= look;
+        if (looks) {
             fvi_progress(s->k, steps);
             look = s->k + often;
-            if (t->o->checkpoint && fvi_checkpoint_due()
-                && fvi_checkpoint_write(t->o, s))
-                return 1;
         }
+        fvi_checkpoint_in_rows(1);
         for (; s->k >= next; next = fvi_table_next(t, next)) {
             fvi_progress_clear(); /* the rows may go to the same terminal */
+            if (next == steps)
+                fvi_table_mark_last(t);
             status = fvi_run_row(t, s, next);
             if (status)
                 return fvi_stopped_at(next, status);
             if (next == steps)
                 break;
         }
+        fvi_checkpoint_in_rows(0);
+        if (looks && t->o->checkpoint && fvi_checkpoint_due()
+            && fvi_checkpoint_write(c, t, s))
+            return 1;
     }
     return 0;
 }
@@ -165,8 +173,27 @@ static const char *solver(const fvi_options *o)
     return fvi_directory_solver(o->directory, 1, damped, pulled);
 }
 
+/* What comes between the head and the end: rows that were saved, then those of the run, with
+ * its checkpoints. */
+static int rows_and_checkpoints(fvi_table *t, fvi_stepper *s, fvi_watch *w,
+                                const fvi_checkpoint *c)
+{
+    if (!t->o->checkpoint)
+        return steps_and_rows(t, s, w, c);
+    int failed = fvi_checkpoint_rows(c, t);
+    if (failed)
+        return failed;
+    fvi_checkpoint_watch();
+    failed = steps_and_rows(t, s, w, c);
+    if (!failed && !ferror(t->out))
+        failed = fvi_checkpoint_write(c, t, s);
+    fvi_checkpoint_unwatch();
+    return failed;
+}
+
 /* The table of a run that has been started, or goes on. */
-static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
+static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
+                          const fvi_checkpoint *c)
 {
     const fvi_options *o = t->o;
     const char *solved = o->directory ? solver(o) : NULL;
@@ -174,8 +201,10 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
         return fvi_complain("not enough memory");
     if (fvi_table_open(t))
         return 1;
-    if (o->checkpoint)
-        fvi_checkpoint_watch();
+    if (fvi_checkpoint_judge_rows(c, t)) {
+        fvi_table_close(t, 1);
+        return 2;
+    }
     char unstable[FVI_WARNING_ROOM];
     fvi_run_warn(o, r, sizeof unstable, unstable);
     fvi_table_head(t->out, o);
@@ -184,12 +213,12 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s)
         fvi_format_parameter(t->out, o->format, "solver", solved);
     fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
     fvi_adaptive_counts counts;
-    if (o->method->dense && fvi_adaptive_look(s, &counts) == 0)
+    if (o->method->dense && fvi_adaptive_look(s, &counts) == 0) {
+        counts.steps = 0; /* of a run that goes on, too: not before its end */
         fvi_adaptive_head(t->out, o, &counts);
+    }
     fvi_table_names(t);
-    int failed = steps_and_rows(t, s, &watch);
-    if (!failed && o->checkpoint && !ferror(t->out))
-        failed = fvi_checkpoint_write(o, s);
+    int failed = rows_and_checkpoints(t, s, &watch, c);
     const int whole = !failed && !fvi_checkpoint_stopped();
     failed = fvi_table_close(t, !whole);
     if (whole && !failed)
@@ -202,20 +231,18 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
     fvi_table t;
-    size_t done = 0; /* steps of a run that goes on */
+    fvi_checkpoint c = { .head = NULL };
     fvi_stepper *s = NULL;
     int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
         status = fvi_start(o->method, &r, &s);
-    failed = status          ? fvi_complain_of_start(o, status)
-             : o->checkpoint ? fvi_checkpoint_begin(o, s, &done)
-                             : 0;
-    if (!failed && done > 0)
-        t.begin = done < o->steps ? fvi_table_next(&t, done) : o->steps + 1;
+    failed = status ? fvi_complain_of_start(o, status)
+                    : fvi_checkpoint_begin(o, s, &c);
     if (!failed)
-        failed = run_to_the_end(&t, &r, s);
+        failed = run_to_the_end(&t, &r, s, &c);
     fvi_stop(s);
+    fvi_checkpoint_free(&c);
     free(t.rows);
     return failed;
 }

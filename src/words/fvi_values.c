@@ -337,8 +337,9 @@ static int interpret(fvi_options *o, fvi_complaint c)
         return fvi_refuse(c, "--snapshot: not together with --error");
     o->checkpoint = o->text[CHECKPOINT];
     o->resume = o->text[CONTINUE] != NULL;
-    if (o->checkpoint && !*o->checkpoint)
-        return fvi_refuse(c, "--checkpoint: '' is not a file's name");
+    if (o->checkpoint && (!*o->checkpoint || strcmp(o->checkpoint, "-") == 0))
+        return fvi_refuse(c, "--checkpoint: '%s' is not a file's name",
+                          o->checkpoint);
     if (o->checkpoint && o->text[ERROR])
         return fvi_refuse(c, "--checkpoint: not together with --error");
     if (o->resume && !o->checkpoint)

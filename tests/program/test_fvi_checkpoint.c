@@ -31,7 +31,7 @@ START_TEST(a_run_that_was_stopped_goes_on_to_the_bit)
         char line[900];
         snprintf(line, sizeof line,
                  "\"$FVI\" %s > whole; rm -f c first rest; "
-                 "\"$FVI\" %s --checkpoint c > first & pid=$!; sleep 0.1; "
+                 "\"$FVI\" %s --checkpoint c > first & pid=$!; sleep 0.4; "
                  "kill $pid; wait $pid; echo $?",
                  runs[n], runs[n]);
         ck_assert_int_eq(shell(line), 0);
@@ -169,15 +169,169 @@ START_TEST(another_problem_version_or_file_is_refused)
 }
 END_TEST
 
-/* With -o the run that is stopped leaves its checkpoint, and no table. */
+/* With -o the run that is stopped leaves its checkpoint, and no table. Gone on with, it leaves
+ * the table that it would have left, in each format, and the same picture: the checkpoint
+ * keeps the rows that no file has. */
 START_TEST(a_table_is_complete_or_absent_with_a_checkpoint_too)
 {
-    ck_assert_int_eq(shell("\"$FVI\" run --alpha 0.3 --steps 1e5 --memory "
-                           "direct -o t --checkpoint c & pid=$!; sleep 0.2; "
-                           "kill $pid; wait $pid; test $? = 143"),
+    static const char *const runs[] = {
+        "run --alpha 0.3 --steps 1e5 --memory direct --every 70",
+        "run --alpha 0.3 --steps 1e5 --memory direct --every 7 --format json",
+        "run --method fvi-adaptive --force cosine:1,1 --steps 1e6 --every 70 "
+        "--format csv",
+    };
+    for (size_t n = 0; n < LEN(runs); n++) {
+        char line[900];
+        snprintf(line, sizeof line,
+                 "rm -f c t; \"$FVI\" %s -o t --checkpoint c & pid=$!; sleep "
+                 "0.3; kill $pid; wait $pid; test $? = 143",
+                 runs[n]);
+        ck_assert_int_eq(shell(line), 0);
+        ck_assert(exists("c") && !exists("t"));
+        ck_assert_int_eq(shell("ls -A | grep '[.]fvi-\\|c.new'"), 1);
+    }
+    static const char *const short_runs[] = {
+        "run --alpha 0.3 --memory direct --every 7 --columns t,x",
+        "run --method lda --every 1 --format csv",
+        "run --method lda --every 7 --format json",
+        "run --potential chain:3,1,1 --method lda --unknowns 1,3",
+    };
+    for (size_t n = 0; n < LEN(short_runs); n++) {
+        const char *run = short_runs[n];
+        char line[900];
+        snprintf(line, sizeof line,
+                 "\"$FVI\" %s --steps 900 -o whole; "
+                 "\"$FVI\" %s --steps 300 -o t --checkpoint c; "
+                 "\"$FVI\" %s --steps 500 -o t --checkpoint c --continue; "
+                 "\"$FVI\" %s --steps 900 -o t --checkpoint c --continue; "
+                 "cmp t whole; rm t; "
+                 "\"$FVI\" %s --steps 900 -o t --checkpoint c --continue; "
+                 "cmp t whole",
+                 run, run, run, run, run);
+        ck_assert_msg(shell(line) == 0, "%s: %s%s", run, out, err);
+        snprintf(line, sizeof line,
+                 "\"$FVI\" %s --steps 900 --checkpoint c --continue | cmp - "
+                 "whole",
+                 run); /* no file has its rows: standard output has all */
+        ck_assert_msg(shell(line) == 0, "%s: %s%s", run, out, err);
+    }
+}
+END_TEST
+
+/* The same of what is stopped somewhere, the picture included. */
+START_TEST(a_table_that_was_stopped_is_that_of_the_whole_run)
+{
+    char plot[] = "--plot p.svg";
+    if (shell("command -v gnuplot > /dev/null") != 0)
+        *plot = '\0';
+    char line[900];
+    snprintf(line, sizeof line,
+             "run='run --alpha 0.3 --steps 1e5 --memory direct --every 7 %s'; "
+             "\"$FVI\" $run -o whole; test ! -e p.svg || mv p.svg whole.svg; "
+             "\"$FVI\" $run -o t --checkpoint c & pid=$!; sleep 0.4; "
+             "kill $pid; wait $pid; rm -f t p.svg; "
+             "\"$FVI\" $run -o t --checkpoint c --continue && cmp t whole && "
+             "{ test ! -e whole.svg || cmp p.svg whole.svg; }",
+             plot);
+    ck_assert_msg(shell(line) == 0, "%s%s", out, err);
+    /* other rows cannot follow those, and rows of a pipe are in no file */
+    refused(
+        "run --alpha 0.3 --steps 1e5 --memory direct --every 8 --checkpoint "
+        "c --continue -o t",
+        "fvi: --continue: c: its rows have other --columns, --unknowns, "
+        "--every, --format or --plot\n");
+    ck_assert_int_eq(fvi("run --method lda --checkpoint c"), 0);
+    refused("run --method lda --steps 300 --checkpoint c --continue -o t",
+            "fvi: --continue: c: its rows are on standard output, where the "
+            "rest must go\n");
+}
+END_TEST
+
+/* What the run reads is what it was: a file is known by what is in it. */
+START_TEST(a_file_that_has_changed_is_refused_by_its_name)
+{
+    static const struct {
+        const char *file, *first, *then, *run;
+    } runs[] = {
+        { "f.tsv", "0\t0\n100\t1\n", "0\t0\n100\t2\n", "--force file:f.tsv" },
+        { "x.txt", "1 2 3\n", "1 2 4\n",
+          "--potential chain:3,1,0 --x0 @x.txt" },
+        { "u.c",
+          "#include <fvi/trajectory.h>\n"
+          "static int u(size_t d, const double *x, void *p, double *U)\n"
+          "{ (void)d; (void)p; *U = x[0] * x[0] / 2; return 0; }\n"
+          "static int g(size_t d, const double *x, void *p, double *g)\n"
+          "{ (void)d; (void)p; g[0] = x[0]; return 0; }\n"
+          "static int h(size_t d, const double *x, void *p, double *h)\n"
+          "{ (void)d; (void)p; (void)x; h[0] = 1; return 0; }\n"
+          "const fvi_potential fvi_user_potential = { .value = u, .gradient = "
+          "g, .hessian = h };\n",
+          "#include <fvi/trajectory.h>\n"
+          "static int u(size_t d, const double *x, void *p, double *U)\n"
+          "{ (void)d; (void)p; *U = x[0] * x[0]; return 0; }\n"
+          "static int g(size_t d, const double *x, void *p, double *g)\n"
+          "{ (void)d; (void)p; g[0] = 2 * x[0]; return 0; }\n"
+          "static int h(size_t d, const double *x, void *p, double *h)\n"
+          "{ (void)d; (void)p; (void)x; h[0] = 2; return 0; }\n"
+          "const fvi_potential fvi_user_potential = { .value = u, .gradient = "
+          "g, .hessian = h };\n",
+          "--potential u.c" },
+    };
+    for (size_t n = 0; n < LEN(runs); n++) {
+        char line[400], said[200];
+        snprintf(line, sizeof line, "run %s --steps 10 --checkpoint c",
+                 runs[n].run);
+        write_file(runs[n].file, runs[n].first);
+        ck_assert_msg(fvi(line) == 0, "%s", err);
+        strcat(line, " --continue");
+        ck_assert_msg(fvi(line) == 0, "%s", err);
+        write_file(runs[n].file, runs[n].then);
+        snprintf(said, sizeof said,
+                 "fvi: --continue: c: the file %s%s has changed\n",
+                 strcmp(runs[n].file, "u.c") == 0 ? "./" : "", runs[n].file);
+        refused(line, said);
+        write_file(runs[n].file, runs[n].first);
+        ck_assert_msg(fvi(line) == 0, "%s", err);
+    }
+}
+END_TEST
+
+/* No other file is written to, followed or waited for; and runs that share one leave one. */
+START_TEST(a_checkpoint_touches_no_other_file)
+{
+    write_file("f.new", "0\t0\n100\t1\n");
+    ck_assert_int_eq(fvi("run --steps 5 --force file:f.new --checkpoint f"), 0);
+    ck_assert(exists("f.new"));
+    ck_assert_int_eq(shell("mkfifo g.new; ln -s f.new h.new; "
+                           "for c in g h; do \"$FVI\" run --steps 5 "
+                           "--checkpoint $c || exit 1; done; "
+                           "test -p g.new -a -L h.new && wc -l < f.new"),
                      0);
-    ck_assert(exists("c") && !exists("t"));
-    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-\\|c.new'"), 1);
+    ck_assert_str_eq(out + strlen(out) - 2, "2\n");
+    ck_assert_int_eq(shell("for i in 1 2 3 4 5 6 7 8 9; do \"$FVI\" run "
+                           "--steps 2000 --checkpoint s -o /dev/null & all=\""
+                           "$all $!\"; done; for i in $all; do wait $i || "
+                           "exit 1; done; \"$FVI\" run --steps 2000 "
+                           "--checkpoint s --continue"),
+                     0);
+    ck_assert_int_eq(shell("umask 022; : > k; chmod 600 k; ln -s k l; \"$FVI\" "
+                           "run --steps 5 --checkpoint l > /dev/null; test -L "
+                           "l -a -s k && ls -l k"),
+                     0);
+    ck_assert(strncmp(out, "-rw-------", 10) == 0);
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
+}
+END_TEST
+
+/* A reader that does not read keeps no run: the signal ends it a second later. */
+START_TEST(a_pipe_that_nobody_reads_keeps_no_run)
+{
+    ck_assert_int_eq(shell("mkfifo p; sleep 60 < p & reader=$!; \"$FVI\" run "
+                           "--steps 1e6 --method lda --checkpoint c -o p & "
+                           "pid=$!; sleep 0.5; kill $pid; sleep 3; "
+                           "kill -9 $pid; wait $pid; code=$?; kill $reader; "
+                           "test $code = 143"),
+                     0);
 }
 END_TEST
 
@@ -186,7 +340,11 @@ int main(void)
     Suite *suite = suite_create("the program fvi: stopped and gone on with");
     ADD_CASE(suite, "values", a_run_that_was_stopped_goes_on_to_the_bit,
              a_run_that_is_over_can_be_made_longer,
-             a_table_is_complete_or_absent_with_a_checkpoint_too);
-    ADD_CASE(suite, "errors", another_problem_version_or_file_is_refused);
+             a_table_is_complete_or_absent_with_a_checkpoint_too,
+             a_table_that_was_stopped_is_that_of_the_whole_run,
+             a_checkpoint_touches_no_other_file);
+    ADD_CASE(suite, "errors", another_problem_version_or_file_is_refused,
+             a_file_that_has_changed_is_refused_by_its_name,
+             a_pipe_that_nobody_reads_keeps_no_run);
     return run_suite_of_program(suite);
 }

@@ -44,7 +44,40 @@ START_TEST(a_picture_is_drawn_beside_the_table)
     ck_assert_int_eq(fvi("exact --plot e.png --columns x,p"), 0);
     ck_assert_int_eq(shell("head -c 4 e.png | tail -c 3"), 0);
     ck_assert_str_eq(out, "PNG");
-    ck_assert_int_eq(shell("ls -A | grep '[.]new'"), 1);
+    ck_assert_int_eq(shell("ls -A | grep '[.]new\\|[.]fvi-'"), 1);
+}
+END_TEST
+
+/* gnuplot would take what stands behind a | for a command: it sees no name. */
+START_TEST(a_name_is_no_command)
+{
+    if (!is_drawn())
+        return;
+    ck_assert_int_eq(fvi("run --steps 3 --plot '|id>owned;#.svg'"), 0);
+    ck_assert_int_eq(fvi("exact --steps 3 --plot '| id >owned; #.png'"), 0);
+    ck_assert_int_eq(fvi("run --steps 3 --plot '`id>owned`.svg'"), 0);
+    ck_assert(!exists("owned"));
+    ck_assert(exists("|id>owned;#.svg") && exists("`id>owned`.svg"));
+    ck_assert_int_eq(shell("rm '|id>owned;#.svg' '| id >owned; #.png' "
+                           "'`id>owned`.svg'"),
+                     0);
+}
+END_TEST
+
+/* A file of the user's beside it is not touched, whatever its name; the picture keeps its
+ * permissions, and a link stays one. */
+START_TEST(what_stands_beside_a_picture_is_not_touched)
+{
+    if (!is_drawn())
+        return;
+    ck_assert_int_eq(shell("echo mine > n.svg.new; : > n.svg; chmod 640 n.svg; "
+                           "ln -s n.svg l.svg; mkfifo l.svg.new; \"$FVI\" run "
+                           "--steps 3 --plot l.svg > /dev/null && "
+                           "cat n.svg.new && test -L l.svg -a -s n.svg -a -p "
+                           "l.svg.new && ls -l n.svg"),
+                     0);
+    ck_assert(strncmp(out, "mine\n-rw-r-----", 15) == 0);
+    ck_assert_int_eq(shell("rm n.svg* l.svg*"), 0);
 }
 END_TEST
 
@@ -76,6 +109,13 @@ START_TEST(no_picture_without_a_whole_run)
     ck_assert_int_eq(shell("\"$FVI\" run --plot missing/p.svg > /dev/null; "
                            "test $? = 1"),
                      0);
+    /* The script has room, the picture has not. */
+    ck_assert_int_eq(shell("echo old > f.svg; (ulimit -f 8; \"$FVI\" run "
+                           "--steps 9 --plot f.svg > /dev/null; echo $?); "
+                           "cat f.svg"),
+                     0);
+    ck_assert_str_eq(out, "1\nold\n");
+    ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
     /* where gnuplot is not: nothing is begun */
     ck_assert_int_eq(shell("mkdir -p empty; PATH=$PWD/empty \"$FVI\" run "
                            "--plot none.svg; test $? = 1"),
@@ -108,7 +148,8 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: a picture");
     ADD_CASE(suite, "values", a_picture_is_drawn_beside_the_table,
-             a_picture_of_a_long_table_is_short);
+             a_picture_of_a_long_table_is_short, a_name_is_no_command,
+             what_stands_beside_a_picture_is_not_touched);
     ADD_CASE(suite, "errors", no_picture_without_a_whole_run,
              other_pictures_are_refused);
     return run_suite_of_program(suite);

@@ -271,7 +271,7 @@ START_TEST(a_system_goes_on_from_a_checkpoint_with_the_same_digits)
         "run --system chain --x0 1 --p0 0.5 --method fvi-stable --alpha 0.3 "
         "--memory direct --steps 80 --checkpoint saved "
         "--continue",
-        "fvi: --continue: saved: a run with matrices = ");
+        "fvi: --continue: saved: the file chain/C.mtx has changed\n");
 }
 END_TEST
 

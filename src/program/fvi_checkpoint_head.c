@@ -1,0 +1,157 @@
+/* src/program/fvi_checkpoint_head.c -- Of which run is a checkpoint? */
+#define _GNU_SOURCE
+#include "fvi_checkpoint_head.h"
+
+#include "input/fvi_files.h"
+#include "output/fvi_complain.h"
+#include <fvi/version.h>
+
+#include <inttypes.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* FNV-1a. */
+uint64_t fvi_add_to_sum(uint64_t sum, const void *data, size_t bytes)
+{
+    const unsigned char *at = data;
+    for (size_t i = 0; i < bytes; i++)
+        sum = (sum ^ at[i]) * 0x100000001b3u;
+    return sum;
+}
+
+/* What may be another one when a run goes on. */
+static int is_free(const char *name)
+{
+    static const char *const names[] = { "steps", "time", "columns", "unknowns",
+                                         "every" };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i]) == 0)
+            return 1;
+    return 0;
+}
+
+/* A line for each file that was read for the problem, with a digest of what is in it: a file
+ * may change, and its name does not tell. */
+static void describe_files(FILE *head)
+{
+    const char *name;
+    char part[1 << 14];
+    for (size_t i = 0; (name = fvi_marked_file(i)); i++) {
+        uint64_t sum = FVI_FIRST_SUM;
+        FILE *f = fopen(name, "r");
+        for (size_t n; f && (n = fread(part, 1, sizeof part, f)) > 0;)
+            sum = fvi_add_to_sum(sum, part, n);
+        if (f)
+            fclose(f);
+        fputs("file ", head);
+        for (const char *c = name; *c; c++) /* it stays one line */
+            fputc((unsigned char)*c < ' ' ? '?' : *c, head);
+        fprintf(head, " = %016" PRIx64 "\n", sum);
+    }
+}
+
+char *fvi_checkpoint_head(const fvi_options *o)
+{
+    const char *name, *value;
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
+        return NULL;
+    fprintf(f, "fvi " FVI_VERSION " checkpoint 2\n");
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        if (!is_free(name))
+            fprintf(f, "%s = %s\n", name, value);
+    describe_files(f);
+    fputc('\n', f);
+    if (fclose(f) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+int fvi_checkpoint_refuse(const fvi_options *o, const char *why)
+{
+    char text[FVI_COMPLAINT];
+    const int status = fvi_refuse((fvi_complaint){ text, sizeof text },
+                                  "--continue: %s: %s", o->checkpoint, why);
+    fvi_refused(text, "run");
+    return status;
+}
+
+/* The length of "file NAME" in a line; 0 if it is none of those. */
+static size_t file_in(const char *line)
+{
+    const size_t length = strcspn(line, "\n");
+    const int is = strncmp(line, "file ", 5) == 0 && length > 24;
+    return is ? length - 19 : 0; /* " = " and 16 digits */
+}
+
+/* The same of a line with a file: it has changed, or only one of the runs reads it. */
+static void tell_files_apart(const char *line, const char *want,
+                             const char *head, size_t size, char *why)
+{
+    const size_t saved = file_in(line), wanted = file_in(want);
+    const char *at = head;
+    while (saved > 0 && *at
+           && !(strncmp(at, line, saved) == 0 && file_in(at) == saved))
+        at += strcspn(at, "\n") + 1;
+    if (saved > 0 && *at)
+        snprintf(why, size, "the %.*s has changed", (int)saved, line);
+    else if (saved > 0)
+        snprintf(why, size, "a run with the %.*s, which is not given here",
+                 (int)saved, line);
+    else
+        snprintf(why, size, "a run without the %.*s", (int)wanted, want);
+}
+
+/* How the line of a saved head differs from the wanted one, "name = value" both: by its value,
+ * or because one of the two heads has no such name. */
+static void tell_apart(const char *line, const char *want, const char *head,
+                       size_t size, char *why)
+{
+    const size_t name = strcspn(line, " "), length = strcspn(want, "\n");
+    char known[100];
+    if (file_in(line) > 0 || file_in(want) > 0) {
+        tell_files_apart(line, want, head, size, why);
+        return;
+    }
+    snprintf(known, sizeof known, "\n%.*s = ", (int)name, line);
+    if (strncmp(line, want, name + 1) == 0)
+        snprintf(why, size, "a run with %.150s, not %.*s", line, (int)length,
+                 want);
+    else if (name > 0 && !strstr(head, known))
+        snprintf(why, size, "a run with %.150s, which is not given here", line);
+    else
+        snprintf(why, size, "a run without %.*s", (int)length, want);
+}
+
+int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
+{
+    char *line = NULL;
+    size_t room = 0;
+    int status = 0;
+    for (const char *want = head; !status && *want;) {
+        const size_t length = strcspn(want, "\n") + 1;
+        const ssize_t got = getline(&line, &room, file);
+        if (got == (ssize_t)length && memcmp(line, want, length) == 0) {
+            want += length;
+            continue;
+        }
+        char why[PATH_MAX + 100];
+        if (got > 0 && line[got - 1] == '\n')
+            line[got - 1] = '\0';
+        if (want == head)
+            snprintf(why, sizeof why, "%s",
+                     got > 4 && strncmp(line, "fvi ", 4) == 0
+                         ? "a checkpoint of another version"
+                         : "not a checkpoint");
+        else
+            tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
+        status = fvi_checkpoint_refuse(o, why);
+    }
+    free(line);
+    return status;
+}
