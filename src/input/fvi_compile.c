@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -50,41 +51,93 @@ static size_t split(char *cc, const char **words)
     return count;
 }
 
-/* Runs the compiler, under these blocked signals; it says what it has to say into the file
- * `log`. Returns 0, or 1. */
+/* The signals that end the program, unless it ignores them. */
+static void find_ends(sigset_t *ends)
+{
+    const int deadly[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU };
+    struct sigaction now;
+    sigemptyset(ends);
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++)
+        if (sigaction(deadly[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaddset(ends, deadly[i]);
+}
+
+/* Ends the compiler and what it has started: it has a second to remove its own files. */
+static void end_compiler(pid_t child)
+{
+    const struct timespec pause = { .tv_nsec = 50000000 };
+    int ended;
+    kill(-child, SIGTERM);
+    for (int i = 0; i < 20 && waitpid(child, &ended, WNOHANG) == 0; i++)
+        nanosleep(&pause, NULL);
+    kill(-child, SIGKILL);
+    waitpid(child, &ended, 0);
+}
+
+/* Waits for the compiler, which may hang: a signal that ends the program ends it, and comes
+ * again when signals are let through. Returns 0 if the compiler ended well. */
+static int wait_for(pid_t child)
+{
+    const struct timespec pause = { .tv_nsec = 200000000 };
+    sigset_t awaited, ends;
+    int ended = 1;
+    pid_t found;
+    find_ends(&ends);
+    awaited = ends;
+    sigaddset(&awaited, SIGCHLD);
+    while ((found = waitpid(child, &ended, WNOHANG)) == 0) {
+        const int number = sigtimedwait(&awaited, NULL, &pause);
+        if (number <= 0 || !sigismember(&ends, number))
+            continue;
+        end_compiler(child);
+        raise(number);
+        return 1;
+    }
+    return found != child || ended != 0;
+}
+
+/* Starts the compiler, under these blocked signals, in a group of its own; it says what it has
+ * to say into the file `log`, and reads nothing. Returns 0 if it runs. */
+static int start(const char **words, const char *log, const sigset_t *blocked,
+                 pid_t *child)
+{
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t signals;
+    if (posix_spawn_file_actions_init(&files))
+        return 1;
+    posix_spawnattr_init(&signals);
+    posix_spawnattr_setsigmask(&signals, blocked);
+    posix_spawnattr_setpgroup(&signals, 0);
+    posix_spawnattr_setflags(&signals,
+                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, 2, log,
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int failed = posix_spawnp(child, words[0], &files, &signals,
+                                    (char *const *)words, environ);
+    posix_spawnattr_destroy(&signals);
+    posix_spawn_file_actions_destroy(&files);
+    return failed;
+}
+
+/* Runs the compiler. Returns 0, or 1. */
 static int run_compiler(const char *file, const char *object, const char *log,
                         const sigset_t *blocked)
 {
     char flag[2][PATH], cc[PATH];
+    pid_t child;
     if (strlen(compiler()) >= sizeof cc)
         return 1;
     includes(flag);
-    const char *const options[] = { "-O2",   "-fPIC", "-ffp-contract=off",
+    const char *const options[] = { "-O2",     "-fPIC", "-ffp-contract=off",
                                     "-shared", flag[0], flag[1],
                                     "-o",      object,  file,
                                     "-lm",     NULL };
     const char *words[PATH / 2 + sizeof options / sizeof *options];
     memcpy(words + split(strcpy(cc, compiler()), words), options,
            sizeof options);
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t signals;
-    pid_t child;
-    int ended = 1;
-    if (posix_spawn_file_actions_init(&files))
-        return 1;
-    posix_spawnattr_init(&signals);
-    posix_spawnattr_setsigmask(&signals, blocked);
-    posix_spawnattr_setflags(&signals, POSIX_SPAWN_SETSIGMASK);
-    posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, 2, log,
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int spawned = posix_spawnp(&child, words[0], &files, &signals,
-                                     (char *const *)words, environ);
-    while (spawned == 0 && waitpid(child, &ended, 0) < 0 && errno == EINTR)
-        ;
-    posix_spawnattr_destroy(&signals);
-    posix_spawn_file_actions_destroy(&files);
-    return ended != 0;
+    return start(words, log, blocked, &child) || wait_for(child);
 }
 
 /* The first line of the log that speaks of an error. */

@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -195,6 +196,7 @@ int main(int argc, char **argv)
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
+    signal(SIGCHLD, SIG_DFL); /* or a child that has ended could not be asked */
     int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
     if (status) {
         fvi_refused(complaint, fvi_command_name(o.command));

@@ -101,6 +101,8 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     size_t next = t->begin > 0 ? t->begin : fvi_table_next(t, 0),
            look = s->k + often; /* divided by at no step */
     int status = FVI_SUCCESS;
+    if (t->begin == steps)
+        fvi_table_mark_last(t);
     if (t->begin == s->k || t->begin == 0) /* the row where it stands */
         status = fvi_run_row(t, s, t->begin);
     if (status)

@@ -12,11 +12,15 @@
 #include "words/fvi_shortest.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/mman.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -120,10 +124,22 @@ static int board_open(board *b, size_t count, size_t width)
     return b->map != MAP_FAILED;
 }
 
-/* Take runs until there are none; ends the process. */
-static void work(const fvi_grid *g, board *shared)
+/* However the parent ends, this process does, too: on Linux at once, elsewhere after its
+ * run. */
+static void end_with(pid_t parent)
 {
-    for (size_t i; (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (getppid() != parent) /* it was over before that was asked for */
+        _exit(1);
+}
+
+/* Take runs until there are none; ends the process. */
+static void work(const fvi_grid *g, board *shared, pid_t parent)
+{
+    for (size_t i; getppid() == parent
+                   && (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
         shared->verdicts[i] =
             one_run(g, g->first + i, shared->rows + i * shared->width);
     _exit(0);
@@ -134,11 +150,14 @@ static void work(const fvi_grid *g, board *shared)
 static int work_together(const fvi_grid *g, board *shared)
 {
     size_t started = 0, ended = 0;
+    const pid_t parent = getpid();
     fflush(NULL);
     for (; started < g->jobs && started < shared->count; started++) {
         const pid_t child = fork();
-        if (child == 0)
-            work(g, shared);
+        if (child == 0) {
+            end_with(parent);
+            work(g, shared, parent);
+        }
         if (child < 0)
             break; /* fewer do */
     }

@@ -244,8 +244,9 @@ START_TEST(no_output_takes_the_place_of_what_is_read)
                       "fvi: --snapshot: 'start' is the file of --x0, too");
     ck_assert_refused("run --p0 @start --checkpoint ./start",
                       "fvi: --checkpoint: './start' is the file of --p0, too");
-    ck_assert_refused("run --system plate --snapshot here/K.mtx",
-                      "fvi: --snapshot: 'here/K.mtx' is the file of --system, too");
+    ck_assert_refused(
+        "run --system plate --snapshot here/K.mtx",
+        "fvi: --snapshot: 'here/K.mtx' is the file of --system, too");
     ck_assert_refused("exact --x0 @start -o start",
                       "fvi: -o: 'start' is the file of --x0, too");
     ck_assert_refused("gradient --x0 @start --forces start",
@@ -261,6 +262,48 @@ START_TEST(no_output_takes_the_place_of_what_is_read)
 }
 END_TEST
 
+/* "-" is standard output, for each table; two tables there would be one file. */
+START_TEST(a_dash_is_standard_output)
+{
+    ck_assert_int_eq(fvi("run --steps 3"), 0);
+    char *want = strdup(out);
+    ck_assert_int_eq(fvi("run --steps 3 -o -"), 0);
+    ck_assert_str_eq(out, want);
+    free(want);
+    ck_assert(!exists("-"));
+    ck_assert_int_eq(fvi("run --steps 3 -o ignored --snapshot -"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "# unknown\tx\tp\n"));
+    ck_assert_refused("run --steps 3 --snapshot -",
+                      "fvi: --snapshot: '-' is the table's file, too");
+    ck_assert_refused("run --checkpoint -",
+                      "fvi: --checkpoint: '-' is not a file's name");
+    ck_assert_int_eq(fvi("run --steps 3 -o ./-"), 0);
+    ck_assert(exists("-"));
+    ck_assert_int_eq(shell("\"$FVI\" run -o - > /dev/full; test $? = 1"), 0);
+    ck_assert_ptr_nonnull(strstr(err, "cannot write standard output"));
+}
+END_TEST
+
+/* A compiler that does not end, be it by itself or by the file that it reads, ends with the
+ * program, which a signal ends at once, and whose folder goes. */
+START_TEST(a_compiler_that_hangs_keeps_no_program)
+{
+    write_file("hangs", "#!/bin/sh\necho $$ > compiler\nexec sleep 60\n");
+    write_file("u.c", "int a;\n");
+    ck_assert_int_eq(
+        shell("chmod +x hangs; mkfifo pipe.c; mkdir -p tmp; "
+              "export TMPDIR=$PWD/tmp; "
+              "for cc in ./hangs cc; do u=u.c; "
+              "test $cc = cc && u=pipe.c; "
+              "CC=$cc \"$FVI\" run --potential $u & pid=$!; "
+              "sleep 0.7; kill $pid; sleep 1.5; "
+              "kill -9 $pid; wait $pid; test $? = 143 || exit 1; "
+              "test -z \"$(ls tmp)\" || exit 1; done; "
+              "! grep -q '^State:.[RSD]' /proc/$(cat compiler)/status"),
+        0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: where it writes");
@@ -269,7 +312,9 @@ int main(void)
              a_killed_run_leaves_no_file, progress_is_shown_on_a_terminal,
              the_rows_before_a_failure_are_kept_on_standard_output_alone,
              an_open_file_is_written_to_where_it_stands,
-             a_file_keeps_all_its_names, two_outputs_in_one_file_are_refused,
+             a_file_keeps_all_its_names, a_dash_is_standard_output,
+             a_compiler_that_hangs_keeps_no_program,
+             two_outputs_in_one_file_are_refused,
              no_output_takes_the_place_of_what_is_read);
     return run_suite_of_program(suite);
 }

@@ -241,13 +241,29 @@ START_TEST(unstable_rows_of_a_sweep_are_counted)
 }
 END_TEST
 
+/* However the parent ends, its processes end, too: there is nobody to read their rows. */
+START_TEST(no_process_outlives_the_sweep)
+{
+    ck_assert_int_eq(
+        shell("\"$FVI\" sweep --vary x0=1:2:8 --jobs 2 --alpha 0.3 --memory "
+              "direct --steps 1e6 & pid=$!; sleep 0.5; "
+              "all=$(grep -l \"^PPid:.$pid$\" /proc/[0-9]*/status "
+              "2>/dev/null | tr -dc '0-9\\n'); kill -9 $pid; sleep 0.5; "
+              "for i in $all; do grep -q '^State:.[RSD]' /proc/$i/status && "
+              "exit 1; done; "
+              "test ! -d /proc/self || test \"$all\""),
+        0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: a grid of runs");
     ADD_CASE(suite, "values", a_sweep_is_the_last_rows_of_its_runs,
              what_can_be_varied, points_between_decimal_ends_are_decimal,
              a_part_may_have_no_rows, neither_jobs_nor_parts_change_a_row);
-    ADD_CASE(suite, "errors", bad_sweeps_are_refused, a_run_that_fails_is_named,
+    ADD_CASE(suite, "errors", no_process_outlives_the_sweep,
+             bad_sweeps_are_refused, a_run_that_fails_is_named,
              a_sweep_of_what_has_no_solution_warns,
              unstable_rows_of_a_sweep_are_counted);
     return run_suite_of_program(suite);
