@@ -291,6 +291,8 @@ static void power(const enclosure *u, const enclosure *w, int order,
             invert(&g, order, f);
     } else if (constant) {
         real_power(u, p, order, f);
+    } else if (!(u->low > 0)) { /* the C library knows (-2)^w where w is rounded to 1 */
+        set_unknown(f, order);
     } else {
         logarithm(u, order, &g);
         multiply(w, &g, order, &h);

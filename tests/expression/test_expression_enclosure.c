@@ -23,6 +23,8 @@ static const char *const texts[] = {
     "abs(t-3)*cos(t)",
     "(t-2)^5+(t-2)^2*k",
     "-abs(-1-t)",
+    "1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t*(1+t/9)))))))"
+    ")))))",
 };
 static const double k = 1.25;
 static const char *const letters[] = { "k" };
@@ -113,6 +115,7 @@ START_TEST(bounds_of_a_force_are_no_larger_than_they_must_be)
         { "log(t-1)", 0, 3, 0, INFINITY },
         { "sqrt(t-1)", 0, 3, 0, INFINITY },
         { "tan(t)", 1, 2, 0, INFINITY },
+        { "(t-9)^tanh(9*t)", 4, 8, 0, INFINITY },
     };
     for (size_t i = 0; i < LEN(cases); i++) {
         double most[FVI_BOUND_ORDER + 1];
