@@ -136,7 +136,13 @@ typedef struct {
     double rough;  /* up to this time a force may jump that did not say so */
     int stuck;     /* so often has the iteration not contracted */
     fvi_adaptive_counts counts;
+    size_t next_look; /* so many steps, and at what time the pace was looked at */
+    double looked_at;
 } fvi_adaptive_run;
+
+/* fvi_adaptive_runs_away -- has the run taken run.most_steps, or is it so slow that it comes to
+ * no end? Asked before each step that is tried. */
+int fvi_adaptive_runs_away(fvi_adaptive_run *o, size_t most_steps);
 
 /* fvi_adaptive_limit -- before the first step: no step longer than `longest`, nor than
  * the last by more than `growth` factors exp(FVI_SPACING). */

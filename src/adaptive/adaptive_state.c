@@ -121,6 +121,24 @@ void fvi_adaptive_limit(fvi_stepper *s, double longest, int growth)
     o->growth = growth;
 }
 
+/* How far it came in the last PACE steps says how many the rest will take. No run that ends
+ * within weeks asks for ENDLESS, but where the motion, or a force, is singular. */
+int fvi_adaptive_runs_away(fvi_adaptive_run *o, size_t most_steps)
+{
+    enum { PACE = 1 << 18 };
+    static const double ENDLESS = 0x1p40;
+    const size_t steps = o->counts.steps + o->counts.rejected;
+    if (most_steps > 0)
+        return steps >= most_steps;
+    if (steps < o->next_look)
+        return 0;
+    const double came = o->t - o->looked_at, rest = o->T - o->t;
+    const int is_first = o->next_look == 0; /* of a run, or after a saved one */
+    o->next_look = steps + PACE;
+    o->looked_at = o->t;
+    return !is_first && rest * PACE > came * ENDLESS;
+}
+
 //> strike
 void fvi_adaptive_strike(const fvi_stepper *s, fvi_adaptive_run *o)
 {

@@ -294,6 +294,8 @@ static int step(fvi_stepper *s)
     double found = 0, error = 0, found_before = 0, h_before = 0;
     o->powers_known = 0; /* bend stands there */
     for (;;) {
+        if (fvi_adaptive_runs_away(o, s->run.most_steps))
+            return FVI_ERUNAWAY;
         fvi_length length;
         int status = fvi_adaptive_choose(s, o, event, &length);
         if (!status)

@@ -263,6 +263,10 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted)
     }
     fvi_fit_work_stop(&o);
     fvi_loud();
+    if (o.model.ended == FVI_ERUNAWAY) { /* no mistake of the caller */
+        *fitted = (fvi_fitted){ .reached = o.model.reached };
+        return o.model.ended;
+    }
     if (o.model.ended)
         FVI_FAIL("no memory for a motion", o.model.ended);
     return status;

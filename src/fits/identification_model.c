@@ -21,6 +21,8 @@ void fvi_fit_model_init(fvi_fit_model *m, const fvi_fit *fit, double *motion)
     m->system.mass = &m->mass;
     m->system.damping = &m->damping;
     m->run = *fit->run;
+    if (m->run.most_steps == 0)
+        m->run.most_steps = FVI_FIT_MOST_STEPS;
     m->run.system = &m->system;
     m->run.x0 = &m->x0;
     m->run.p0 = &m->p0;
@@ -150,15 +152,19 @@ static int run_motion(fvi_fit_model *m)
                                           s->x[0], drift * s->p[0])
                                 : s->x[0];
     }
+    m->reached = s->t;
     fvi_stop(s);
     return status;
 }
 //< run
 
-/* A motion for which there was no memory is no bad one: the fit ends. */
+/* A motion for which there was no memory is no bad one: the fit ends. So it does after some that
+ * took all the steps that they may. */
 static int ended_by(fvi_fit_model *m, int status)
 {
     if (status == FVI_ENOMEM)
+        m->ended = status;
+    if (status == FVI_ERUNAWAY && ++m->ran_away == FVI_FIT_RUNAWAYS)
         m->ended = status;
     return status;
 }

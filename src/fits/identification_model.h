@@ -9,6 +9,8 @@
 
 #include <gsl/gsl_matrix.h>
 
+enum { FVI_FIT_RUNAWAYS = 3 }; /* end a fit: each may take seconds, and hundreds follow */
+
 typedef struct {
     const fvi_fit *fit;
     fvi_system system;
@@ -19,7 +21,10 @@ typedef struct {
     double hopeless; /* the residual where there is no motion, or one a 10^8 times as far
                         off as the data are from 0 */
     double *motion; /* x(t_i), n numbers, of the last call */
-    int ended; /* FVI_ENOMEM once a motion had no memory: what was found counts no more */
+    int ended; /* FVI_ENOMEM once a motion had no memory, FVI_ERUNAWAY once FVI_FIT_RUNAWAYS took
+                * all the steps that they may: what was found counts no more */
+    int ran_away;   /* so many did */
+    double reached; /* the time that the last of them came to */
 } fvi_fit_model;
 
 /* The model with the values of fit->run; `motion` is the caller's. */

@@ -191,6 +191,8 @@ int fvi_fit_profile(const fvi_fit *fit, const fvi_fitted *fitted, size_t j,
     }
     fvi_fit_work_stop(&o.work);
     fvi_loud();
+    if (o.work.model.ended == FVI_ERUNAWAY)
+        return FVI_ERUNAWAY;
     if (o.work.model.ended)
         FVI_FAIL("no memory for a motion", o.work.model.ended);
     return status || o.is_least ? status : FVI_EMAXITER;

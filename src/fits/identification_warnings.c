@@ -101,6 +101,14 @@ int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted,
                      ? "; without a force mass, rho, c, g and p0 are known but "
                        "for a common factor"
                      : "");
+    else if (status == FVI_ERUNAWAY)
+        snprintf(text, size,
+                 "three motions took more than %zu steps, and the last came to "
+                 "t = %.10g, where the data go to t = %.10g; %s N allows N",
+                 fit->run->most_steps > 0 ? fit->run->most_steps
+                                          : (size_t)FVI_FIT_MOST_STEPS,
+                 fitted->reached, fit->t[fit->n - 1],
+                 *dashes ? "--most-steps" : "most_steps");
     else
         return 0;
     return 1;

@@ -25,6 +25,7 @@ enum {
     FVI_EINVAL = 4,    /* a length, a count or a name that cannot be */
     FVI_ENOMEM = 8,    /* no memory */
     FVI_EBADFUNC = 9,  /* a function of the caller gave what is not finite */
+    FVI_ERUNAWAY = 10, /* a run is not at its end after the most steps it may take */
     FVI_EMAXITER = 11, /* an iteration did not come to its end */
     FVI_ETOL = 14,     /* the accuracy that was asked for cannot be had */
     FVI_EOVRFLW = 16,  /* a value stopped being finite */

@@ -22,7 +22,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-enum { FVI_FIT_MOST = 8 }; /* parameters in a fit */
+enum { FVI_FIT_MOST = 8 };              /* parameters in a fit */
+enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
 
 /* fvi_parameter -- what a fit may look for. FVI_PARAMETER_CONSTANT + i is number i of
  * the constants of the potential. */
@@ -86,6 +87,7 @@ typedef struct {
     double h;     /* step of the last run */
     double bias;  /* what the last halving changed, in sd, at most; changes
                            below 1e-7 of an estimate's size do not count */
+    double reached; /* after FVI_ERUNAWAY: the time that the last run came to */
 } fvi_fitted;
 
 /* fvi_fit_box -- a box of plausible starts, by the size and the frequency of the data.
@@ -134,7 +136,8 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * being written: FVI_EMAXITER if fewer than two starts agree on the best, FVI_ETOL
  * if sigma is given and chi^2 has a probability below 1e-6, FVI_ESING if the data do
  * not determine the parameters (sd and correlation are of no use then). FVI_EOVRFLW if a
- * number of the answer is not finite (bias may be NaN: no halving was asked for). FVI_EFAULT if
+ * number of the answer is not finite, FVI_ERUNAWAY if three runs take more steps than
+ * run->most_steps, or FVI_FIT_MOST_STEPS if that is 0 (bias may be NaN: no halving was asked for). FVI_EFAULT if
  * a pointer is NULL; FVI_EINVAL if the system has not d == 1, if parameters is 0 or
  * above FVI_FIT_MOST, if n is not larger, if starts < 2, if t does not increase, or
  * which has one twice; FVI_EDOM if sigma < 0 or a number is not finite or low is not
@@ -166,7 +169,7 @@ const char *fvi_fit_warning_of_past(const fvi_fit *fit,
                                     const fvi_fitted *fitted);
 
 /* fvi_fit_reason -- 1 and a text, why an answer with this code is not to be believed:
- * FVI_EMAXITER, FVI_ETOL and FVI_ESING of fvi_fit_search; 0 for another code.
+ * FVI_EMAXITER, FVI_ETOL, FVI_ESING and FVI_ERUNAWAY of fvi_fit_search; 0 for another code.
  *
  *   fit, fitted  the question and its answer
  *   names   of the parameters, as the text has them: "alpha,rho"

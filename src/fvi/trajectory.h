@@ -44,6 +44,9 @@ extern "C" {
  *   longest  for methods that choose their steps, and for searches: no step is longer,
  *              >= 0; 0 means that there is no such limit. A force that swings, or has a
  *              pulse, in less than this time is seen though it has no bound (system.h)
+ *   most_steps  for methods that choose their steps: so many may be taken, with those that were
+ *              given up; then FVI_ERUNAWAY. 0: no number, but a run ends so if the rest would
+ *              take more than 2^40 steps at the pace of the last 2^18
  *   law      NULL, or what stands in place of D^{2 alpha} (damping_laws.h): alpha is then
  *            not read, and the body was held before t = 0; must outlive the run. For
  *            methods that say so
@@ -64,6 +67,7 @@ typedef struct {
     double tolerance;
     double step_error;
     double longest;
+    size_t most_steps;
     const fvi_law *law;
 } fvi_run;
 
@@ -203,8 +207,8 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EINVAL if the run is over;
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
- * FVI_EOVRFLW if a value stopped being finite; what the force or the potential
- * returned. These four are what came out, no mistake of the caller: the error handler
+ * FVI_EOVRFLW if a value stopped being finite; FVI_ERUNAWAY after most_steps; what the force
+ * or the potential returned. These five are what came out, no mistake of the caller: the error handler
  * is not called for them, here or by fvi_start. After an error, but for FVI_EFAULT
  * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
 int fvi_step(fvi_stepper *s);

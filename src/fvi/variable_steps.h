@@ -116,7 +116,7 @@ typedef struct {
  * the rows are those of the second, and mostly some 500 times better. While the estimate is above `error`, a run with
  * a tenth again is compared with the last.
  *
- *   run    as for fvi_start; step_error is not read
+ *   run    as for fvi_start; step_error and most_steps are not read
  *   error  what max |x_k - x(t_k)| may be, finite, > 0
  *   most   no run of more steps than this is made
  *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL

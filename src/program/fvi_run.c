@@ -92,6 +92,22 @@ static void warn_along(fvi_watch *w, const fvi_stepper *s)
         fvi_warn(text);
 }
 
+/* Between which rows a step failed; of a run that took too many, how far it came. */
+static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
+{
+    fvi_adaptive_counts counts;
+    if (status != FVI_ERUNAWAY || fvi_adaptive_look(s, &counts))
+        return fvi_stopped_at(s->k + 1, status);
+    fvi_progress_clear();
+    fprintf(stderr, "fvi: step %zu: t = %.10g after %zu steps%s\n", s->k + 1,
+            s->t, counts.steps + counts.rejected,
+            o->most_steps > 0
+                ? ", and --most-steps allows no more"
+                : ", of which the rest would take a million million at this "
+                  "pace; --most-steps N would allow N");
+    return 1;
+}
+
 /* Returns 0, or 1 after it has said at which step the run ended. */
 static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
                           const fvi_checkpoint *c)
@@ -110,7 +126,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
         status = fvi_step(s);
         if (status)
-            return fvi_stopped_at(s->k + 1, status);
+            return stopped(t->o, s, status);
         warn_along(w, s);
         const int looks = s->k >= look;
         if (looks) {

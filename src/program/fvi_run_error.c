@@ -13,15 +13,15 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { MOST_STEPS = 1 << 24 };
+enum { USUAL_MOST_STEPS = 1 << 24 };
 
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p, fvi_run_found *found)
 {
-    return method->dense ? fvi_adaptive_search(r, o->error, MOST_STEPS, x, p,
-                                               &found->adaptive)
-                         : fvi_step_search(method, r, o->error, MOST_STEPS, x,
-                                           p, &found->step);
+    const size_t most = o->most_steps > 0 ? o->most_steps : USUAL_MOST_STEPS;
+    return method->dense
+               ? fvi_adaptive_search(r, o->error, most, x, p, &found->adaptive)
+               : fvi_step_search(method, r, o->error, most, x, p, &found->step);
 }
 
 static int search(const fvi_options *o, const fvi_method *method,
@@ -58,6 +58,13 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
 {
     char own[80], others[80], advice[160] = "";
     const double estimate = estimate_of(o, o->method, found, sizeof own, own);
+    if (!isfinite(estimate) && o->most_steps > 0) {
+        fprintf(stderr,
+                "fvi: --error: of the runs that --most-steps allows, up to %zu "
+                "steps, no two can be compared\n",
+                o->most_steps);
+        return;
+    }
     if (!isfinite(estimate)) {
         fvi_complain("--error: no step gives a result that can be trusted");
         return;

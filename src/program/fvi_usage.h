@@ -70,6 +70,7 @@ static const char usage_run[] =
     "  --step-error E   what fvi-adaptive, the method then, lets one step be\n"
     "                   off by; not with --error\n"
     "  --longest H      no step of fvi-adaptive, or of --error, is longer\n"
+    "  --most-steps N   fvi-adaptive and --error: no run takes more steps\n"
     "  --columns LIST   any of t,x,p,energy,y                         "
     "[t,x,p,energy]\n"
     "  --unknowns LIST  which of x, p, y are columns: 1,17,20         [all]\n"
@@ -82,12 +83,12 @@ static const char usage_run[] =
     "  --snapshot FILE  all x and p at the end, a line each\n"
     "  --checkpoint F   the state of the run, into a file, every 10 seconds\n"
     "  --continue       go on from that file, with the same digits\n"
-    "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
-    "  -o FILE          write there, complete or not at all           "
-    "[stdout]\n";
+    "  --format F       tsv; csv (names in the first line); json      [tsv]\n";
 
 /* Apart, as C promises 4095 characters in one string. */
 static const char usage_run_examples[] =
+    "  -o FILE          write there, complete or not at all           "
+    "[stdout]\n"
     "\n"
     "examples:\n"
     "  fvi run --potential 'x^4/4 - k*x^2/2' --let k=1 --force 'cos(2*t)/4'\n"
@@ -123,8 +124,8 @@ static const char usage_sweep[] =
     "  --part I/K         the I-th of K parts of the rows, I from 1    [1/1]\n"
     "and of run: --method --alpha --rho --damping --mass --potential --let\n"
     "--dimension --system --force --derivative --kappa --x0 --p0 --h --steps\n"
-    "--time --error --step-error --longest --columns --unknowns --memory\n"
-    "--tolerance --format -o\n"
+    "--time --error --step-error --longest --most-steps --columns --unknowns\n"
+    "--memory --tolerance --format -o\n"
     "\n"
     "examples:\n"
     "  fvi sweep --vary alpha=0:1:101 --steps 400 --columns x,energy\n"
@@ -155,7 +156,7 @@ static const char usage_fit[] =
     "and of run: --alpha --rho --mass --potential --x0 --p0 (what is not "
     "fitted;\n"
     "of what is, one of the starts) --let --force --derivative --kappa\n"
-    "--memory --tolerance --method [fvi-lobatto4] -o\n"
+    "--most-steps --memory --tolerance --method [fvi-lobatto4] -o\n"
     "\n"
     "example:\n"
     "  fvi fit --fit alpha,rho,x0 measured.tsv\n";
@@ -170,7 +171,7 @@ static const char usage_gradient[] =
     "and fvi-adaptive)\n"
     "--alpha --rho --damping --mass --potential --let --dimension --system\n"
     "--force --derivative --kappa --x0 --p0 --h --steps --time --step-error\n"
-    "--longest --memory --tolerance -o\n"
+    "--longest --most-steps --memory --tolerance -o\n"
     "\n"
     "example:\n"
     "  fvi gradient --alpha 0.3 --potential duffing:1,0.5 --of energy\n";

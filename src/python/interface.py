@@ -59,6 +59,7 @@ typedef struct {
     fvi_past past;
     fvi_memory_kind memory;
     double tolerance, step_error, longest;
+    size_t most_steps;
     const fvi_law *law;
     ...;
 } fvi_run;
@@ -123,7 +124,7 @@ fvi_force fvi_force_expression(const fvi_expression *e);
 
 typedef enum { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO, FVI_PARAMETER_MASS, FVI_PARAMETER_X0,
                FVI_PARAMETER_P0, FVI_PARAMETER_CONSTANT, ... } fvi_parameter;
-enum { FVI_FIT_MOST = 8, FVI_EINVAL = 4, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+enum { FVI_FIT_MOST = 8, FVI_EINVAL = 4, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -142,7 +143,7 @@ typedef struct {
     double estimate[8], sd[8], correlation[8][8];
     double quantile, sigma, chi2, probability, neighbours;
     size_t agree;
-    double h, bias;
+    double h, bias, reached;
 } fvi_fitted;
 int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
 int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);

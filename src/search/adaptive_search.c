@@ -36,6 +36,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
     run.h /= (double)o->first; /* a power of two: exact */
     run.steps *= o->first;
     run.step_error = step_error;
+    run.most_steps = o->most;
     if (o->fine)
         run.tolerance = FVI_FINE_MODES;
     fvi_stepper *s;
@@ -48,7 +49,7 @@ static int trial(pair *o, double step_error, double longest, int growth)
         while (s->t < t && !status) {
             status = fvi_step(s);
             fvi_adaptive_look(s, &o->counts);
-            if (!status && o->counts.steps + o->counts.rejected > o->most)
+            if (status == FVI_ERUNAWAY)
                 status = FVI_ETOL;
         }
         if (!status)

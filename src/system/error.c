@@ -79,6 +79,8 @@ const char *fvi_strerror(int code)
         return "no memory";
     case FVI_EBADFUNC:
         return "a function of the caller gave what is not finite";
+    case FVI_ERUNAWAY:
+        return "the end is not reached with the most steps that a run may take";
     case FVI_EMAXITER:
         return "the iteration did not converge";
     case FVI_ETOL:

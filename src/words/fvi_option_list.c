@@ -34,6 +34,7 @@ const fvi_option fvi_option_list[OPTIONS] = {
     [MEMORY] = { "memory", RUN, "auto" },
     [TOLERANCE] = { "tolerance", RUN, "1e-13" },
     [COUNT] = { "count", COEFFICIENTS, "10" },
+    [MOST_STEPS] = { "most-steps", RUN, NULL },
     [FORMAT] = { "format", RUN | EXACT | COEFFICIENTS, "tsv" },
     [PLOT] = { "plot", RUN | EXACT, NULL },
     [SNAPSHOT] = { "snapshot", RUN, NULL },

@@ -40,6 +40,7 @@ typedef struct {
     double step_error; /* of fvi-adaptive; 0: its own */
     double longest; /* step; 0: no limit */
     size_t steps, every, count, d;
+    size_t most_steps; /* of a method that chooses its own; 0: see fvi_run */
     fvi_potential_kind potential;
     double spring[2];           /* its parameters */
     fvi_lets lets;              /* those of the expressions */
@@ -96,6 +97,7 @@ typedef enum {
     TOLERANCE,
     COUNT,
     FORMAT, /* from here on what does not change a number: not in the head */
+    MOST_STEPS,
     PLOT,
     SNAPSHOT,
     CHECKPOINT,

@@ -185,5 +185,6 @@ fvi_run fvi_options_run(const fvi_options *o, const fvi_system *system)
                       .tolerance = o->tolerance,
                       .step_error = o->step_error,
                       .longest = o->longest,
+                      .most_steps = o->most_steps,
                       .law = o->text[DAMPING] ? &o->laws.law : NULL };
 }

@@ -37,8 +37,8 @@ static int whole(const fvi_options *o, option_index i, size_t *value,
 static int choice(fvi_options *o, option_index i, const char *const *words,
                   size_t *which, fvi_complaint c)
 {
-    const int status = fvi_word_choice(fvi_option_list[i].name, o->text[i],
-                                       words, which, c);
+    const int status =
+        fvi_word_choice(fvi_option_list[i].name, o->text[i], words, which, c);
     if (!status)
         o->text[i] = words[*which];
     return status;
@@ -71,16 +71,18 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
     return status;
 }
 
-/* A step of a given length has no tolerance, and is the longest, unless it is searched. */
+/* Steps of a given length have no tolerance, and no limit unless they are searched for. */
 static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                               fvi_complaint c)
 {
-    if (o->text[i] && !o->method->dense && !(i == LONGEST && o->text[ERROR]))
+    if (o->text[i] && !o->method->dense && !(i != STEP_ERROR && o->text[ERROR]))
         return fvi_refuse(c,
                           "--%s: '%s' is not for %s, whose steps are "
                           "given; fvi-adaptive chooses its own",
                           fvi_option_list[i].name, o->text[i], o->method->name);
-    return o->text[i] ? number(o, i, 0, INFINITY, "()", value, c) : 0;
+    return !o->text[i]       ? 0
+           : i == MOST_STEPS ? whole(o, i, &o->most_steps, c)
+                             : number(o, i, 0, INFINITY, "()", value, c);
 }
 
 /* What is asked for is done or refused: the words that a method cannot honour. */
@@ -144,12 +146,13 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
     if (status)
         return status;
     o->memory = (fvi_memory_kind)which;
-
     status = interpret_method(o, c);
     if (!status)
         status = interpret_of_steps(o, STEP_ERROR, &o->step_error, c);
     if (!status)
         status = interpret_of_steps(o, LONGEST, &o->longest, c);
+    if (!status)
+        status = interpret_of_steps(o, MOST_STEPS, NULL, c);
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 

@@ -27,7 +27,8 @@ START_TEST(codes_are_gsl_s_numbers_and_have_words)
         { FVI_EMAXITER, GSL_EMAXITER }, { FVI_ETOL, GSL_ETOL },
         { FVI_EOVRFLW, GSL_EOVRFLW },   { FVI_ELOSS, GSL_ELOSS },
         { FVI_EROUND, GSL_EROUND },     { FVI_ESING, GSL_ESING },
-        { FVI_EUNSUP, GSL_EUNSUP },     { -1, -1 }
+        { FVI_EUNSUP, GSL_EUNSUP },     { FVI_ERUNAWAY, GSL_ERUNAWAY },
+        { -1, -1 }
     };
     for (size_t i = 0; i < LEN(codes); i++) {
         ck_assert_int_eq(codes[i][0], codes[i][1]);

@@ -267,6 +267,54 @@ START_TEST(no_pulse_is_passed_over)
 }
 END_TEST
 
+/* A force, or a spring, that takes more steps than anybody has time for; and what is long but
+ * comes to its end. */
+START_TEST(a_run_that_comes_to_no_end_says_how_far_it_came)
+{
+    static const char *const endless[] = {
+        "run --method fvi-adaptive --force '1/(t-1.7)^2' --h 1 --steps 3",
+        "run --method fvi-adaptive --potential duffing:1,1e20 --h 1 --steps 3 "
+        "--most-steps 1000",
+    };
+    for (size_t i = 0; i < LEN(endless); i++) {
+        ck_assert_int_eq(fvi(endless[i]), 1);
+        double t = -1;
+        unsigned long steps = 0, row = 0;
+        ck_assert_int_eq(sscanf(err, "fvi: step %lu: t = %lf after %lu steps",
+                                &row, &t, &steps),
+                         3);
+        ck_assert_uint_eq(row, i == 0 ? 2 : 1);
+        ck_assert_uint_eq(count_rows(), row);
+        ck_assert(i == 0 ? t > 1.6 && t < 1.7 : t > 0 && t < 1e-6);
+        ck_assert(i == 0 ? steps < 2000000 : steps == 1000);
+        ck_assert_ptr_nonnull(strstr(err, "--most-steps"));
+    }
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --potential harmonic:1e10 "
+                         "--mass 0.01 --rho 0 --h 1 --steps 1"),
+                     0);
+}
+END_TEST
+
+START_TEST(most_steps_are_for_steps_that_are_chosen)
+{
+    ck_assert_int_eq(fvi("run --most-steps 10"), 2);
+    ck_assert_ptr_nonnull(strstr(err,
+                                 "--most-steps: '10' is not for fvi, whose "
+                                 "steps are given"));
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --most-steps 0"), 2);
+    ck_assert_int_eq(fvi("run --error 1e-6 --most-steps 20"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "up to 20 steps"));
+    ck_assert_int_eq(
+        fvi("run --error 1e-9 --method fvi-bdf2 --most-steps 5000"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "is out of reach"));
+    ck_assert_int_eq(fvi("run --error 1e-6 --most-steps 20000"), 0);
+    static char rows[sizeof out];
+    strcpy(rows, strstr(out, "# t\t"));
+    ck_assert_int_eq(fvi("run --error 1e-6"), 0);
+    ck_assert_str_eq(strstr(out, "# t\t"), rows);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: steps of its own");
@@ -277,5 +325,8 @@ int main(void)
              a_tolerance_of_a_step_is_for_one_method);
     ADD_CASE(suite, "pulses", no_step_is_longer_than_the_longest,
              no_pulse_is_passed_over);
+    ADD_CASE(suite, "most-steps",
+             a_run_that_comes_to_no_end_says_how_far_it_came,
+             most_steps_are_for_steps_that_are_chosen);
     return run_suite_of_program(suite);
 }

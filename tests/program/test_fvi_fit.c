@@ -345,6 +345,24 @@ START_TEST(fit_is_helped)
 }
 END_TEST
 
+/* With alpha near 0 a body swings on up to the last datum. */
+START_TEST(a_fit_whose_motions_come_to_no_end_says_how_far_they_came)
+{
+    char line[sizeof folder + 200];
+    write_text("far.tsv",
+               "0\t1\n1\t0.6\n2\t-0.3\n3\t-0.9\n4\t-0.8\n1e9\t0.1\n");
+    snprintf(line, sizeof line,
+             "fit --method fvi-adaptive --alpha 0 --rho 1e-9 --most-steps 3000 "
+             "%s/far.tsv",
+             folder);
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert_str_eq(out, "");
+    ck_assert_ptr_nonnull(strstr(err, "more than 3000 steps, and the last came "
+                                      "to t = "));
+    ck_assert_ptr_nonnull(strstr(err, "where the data go to t = 1000000000"));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("build/fvi fit");
@@ -353,6 +371,7 @@ int main(void)
              fit_reads_tables_of_many_kinds,
              fit_says_what_is_not_to_be_believed);
     ADD_CASE(suite, "words", fit_refuses_words_and_tables,
-             fit_of_any_bytes_ends, fit_knows_the_names_of_let, fit_is_helped);
+             fit_of_any_bytes_ends, fit_knows_the_names_of_let, fit_is_helped,
+             a_fit_whose_motions_come_to_no_end_says_how_far_they_came);
     return run_suite_of_program(suite);
 }

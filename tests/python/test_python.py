@@ -274,6 +274,19 @@ def test_a_step_has_a_tolerance():
             fvi.run(step_error=bad)
 
 
+def test_most_steps_end_a_run():
+    stiff = dict(potential="duffing:1,1e20", method="fvi-adaptive", h=1.0, steps=3)
+    with pytest.raises(fvi.Error, match=r"\(step 1\)") as caught:
+        fvi.run(most_steps=1000, **stiff)
+    assert caught.value.code == 10
+    with pytest.raises(fvi.Error) as caught:
+        fvi.run(error=1e-6, most_steps=20)
+    assert caught.value.code == 14
+    assert np.array_equal(fvi.run(error=1e-6, most_steps=20000).x, fvi.run(error=1e-6).x)
+    with pytest.raises(ValueError, match="most_steps"):
+        fvi.run(most_steps=10)
+
+
 def test_an_error_is_kept_or_refused():
     for options, words in (({}, []), ({"method": "fvi-bdf2"}, ["--method", "fvi-bdf2"]),
                            ({"damping": LAW[0]}, ["--damping", LAW[0]])):

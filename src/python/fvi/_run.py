@@ -72,7 +72,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
             memory: str = "auto", tolerance: float = 0.0, step_error: Optional[float] = None,
-            longest: Optional[float] = None) -> tuple:
+            longest: Optional[float] = None, most_steps: Optional[int] = None) -> tuple:
     if damping is not None and not (alpha is None and rho is None):
         raise ValueError("damping: not together with alpha or rho")
     default = 0.2 if damping is None else 1.0  # a law has its own
@@ -87,12 +87,12 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
-    if step_error is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
-        raise ValueError(f"step_error: not for {method}, whose steps are given; fvi-adaptive chooses its own")
-    if longest is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
-        raise ValueError(f"longest: not for {method}, whose steps are given; fvi-adaptive chooses its own")
+    for name, value in (("step_error", step_error), ("longest", longest), ("most_steps", most_steps)):
+        if value is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
+            raise ValueError(f"{name}: not for {method}, whose steps are given; fvi-adaptive chooses its own")
     run = ffi.new("fvi_run *")
     run.step_error, run.longest = length("step_error", step_error), length("longest", longest)
+    run.most_steps = 0 if most_steps is None else whole("most_steps", most_steps, 1)
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = number("h", 0.1 if h is None else h), steps
@@ -215,7 +215,7 @@ class Run(NamedTuple):
 MOST_STEPS = 1 << 24  # as the program
 
 
-STOPPED = (lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
+STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
 
 
 def where_it_stopped(out: list, rows: int) -> str:
@@ -240,14 +240,14 @@ def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
         raise failed
 
 
-def search(r: Any, method: Any, error: float, x: Any, p: Any) -> float:
+def search(r: Any, method: Any, error: float, most: int, x: Any, p: Any) -> float:
     """Rows with an error of at most that by an estimate, which is returned."""
     if method == lib.fvi_method_named(b"fvi-adaptive"):
         found = ffi.new("fvi_adaptive_found *")
-        status = ask(lib.fvi_adaptive_search, r, error, MOST_STEPS, x, p, found)
+        status = ask(lib.fvi_adaptive_search, r, error, most, x, p, found)
     else:
         found = ffi.new("fvi_step_found *")
-        status = ask(lib.fvi_step_search, method, r, error, MOST_STEPS, x, p, found)
+        status = ask(lib.fvi_step_search, method, r, error, most, x, p, found)
     if status == lib.FVI_ETOL:
         if not math.isfinite(found.estimate):
             raise failure(status, ": no step gives a result that can be trusted")
@@ -286,6 +286,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 then, by the estimate of that step
     longest     no step is longer, of "fvi-adaptive" or where `error` is given: shorter than the shortest
                 pulse of a force that is a function, which may be passed over else
+    most_steps  of "fvi-adaptive", and with error: no run takes more steps; fvi.Error (10, or 14
+                with error) says between which rows it ended
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, a pure number: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}; 0.5
     memory      how the past is summed: "auto", "direct", "fft" or "exponentials"; "auto"
@@ -299,12 +301,15 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     wanted = word("columns", columns).split(",")
     if not set(wanted) <= {"t", "x", "p", "energy"}:
         raise ValueError(f"columns: '{columns}' are not all among t,x,p,energy")
+    most = MOST_STEPS
     if error is not None:
         for name in ("h", "step_error"):
             if options.get(name) is not None:
                 raise ValueError(f"{name}: not together with error")
         options.setdefault("time", 20.0)
         options.setdefault("method", "fvi-adaptive" if options.get("damping") is None else "fvi-bdf2")
+        if options.get("most_steps") is not None:
+            most = whole("most_steps", options.pop("most_steps"), 1)
     if options.get("step_error") is not None or options.get("longest") is not None:
         options.setdefault("method", "fvi-adaptive")
     longest = options.pop("longest", None) if error is not None else None  # of a search by any method
@@ -321,7 +326,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     if error is None:
         by_steps(method, r, out, pointers)
     else:
-        estimate = search(r, method, number("error", error), *pointers[:2])
+        estimate = search(r, method, number("error", error), most, *pointers[:2])
         for k in range(rows if "energy" in wanted else 0):
             succeed(ask(lib.fvi_energy, r.system, *(q + k * d for q in pointers[:2]), pointers[2] + k))
     return Run(np.arange(rows) * r.h, *(out[n] if n in wanted else None for n in ("x", "p", "energy")), estimate)
