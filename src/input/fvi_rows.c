@@ -156,6 +156,8 @@ static int begins_with_word(const char *line)
 {
     char *stop;
     line += strspn(line, between);
+    if (*line >= '0' && *line <= '9') /* most rows: strtod takes longest */
+        return 0;
     const double value = strtod(line, &stop);
     const int whole = *stop == '\0' || strchr(between, *stop);
     return stop == line || (!isfinite(value) && !whole);

@@ -69,7 +69,7 @@ static int read_bytes(fvi_lines *l, size_t *length)
             return refuse(l, *length + 1, "a NUL byte: this is no text");
         if (*length == FVI_LINE_BYTES)
             return refuse(l, *length + 1, "a line of more than 64 MiB");
-        if (make_room(l, *length))
+        if (*length + 2 > l->room && make_room(l, *length))
             return FVI_ENOMEM;
         l->text[*length] = (char)byte;
     }
