@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { ORDER = 8 };
+enum { ORDER = FVI_BOUND_ORDER };
 
 typedef struct {
     const fvi_run *run;
