@@ -1,0 +1,183 @@
+/* tests/run/test_allocations.c -- Of all allocations within a call of the library one fails: the
+ * call says FVI_ENOMEM, and nothing ends the process.  Run alone: make test-allocations
+ *
+ * malloc and its kin are those of this file, on top of glibc's. Where a sanitizer brings its
+ * own allocator nothing is tested. */
+#include <fvi/fvi.h>
+#include "harness/ulp.h"
+
+#include <stdlib.h>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define OTHER_ALLOCATOR
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)              \
+    || !defined(__GLIBC__)
+#define OTHER_ALLOCATOR
+#endif
+
+static size_t made,
+    failing; /* allocations since the last call; which one fails */
+static int has_failed;
+
+#ifndef OTHER_ALLOCATOR
+void *__libc_malloc(size_t bytes);
+void *__libc_calloc(size_t count, size_t bytes);
+void *__libc_realloc(void *old, size_t bytes);
+void *__libc_memalign(size_t alignment, size_t bytes);
+
+static int fails(void)
+{
+    if (failing == 0 || ++made != failing)
+        return 0;
+    has_failed = 1;
+    return 1;
+}
+
+void *malloc(size_t bytes)
+{
+    return fails() ? NULL : __libc_malloc(bytes);
+}
+
+void *calloc(size_t count, size_t bytes)
+{
+    return fails() ? NULL : __libc_calloc(count, bytes);
+}
+
+void *realloc(void *old, size_t bytes)
+{
+    return fails() ? NULL : __libc_realloc(old, bytes);
+}
+
+void *aligned_alloc(size_t alignment, size_t bytes)
+{
+    return fails() ? NULL : __libc_memalign(alignment, bytes);
+}
+#endif
+
+/* ---- calls ---- */
+
+static const double mass[] = { 1, 2, 1 }, rho[] = { 0.3, 0.2, 0.1 },
+                    x0[] = { 1, 0, 0.5 }, p0[] = { 0.5, 0.1, 0 },
+                    cg[] = { 1, 0.5 };
+
+static fvi_run run_of(fvi_system *system, const fvi_law *law)
+{
+    *system = (fvi_system){ .d = 3,
+                            .mass = mass,
+                            .damping = rho,
+                            .potential = fvi_potential_chain(cg) };
+    fvi_run run = fvi_run_default(system, x0, p0, 0.1, 80);
+    run.alpha = law ? 0.5 : 0.3;
+    run.law = law;
+    return run;
+}
+
+static int whole_life(const fvi_method *method, const fvi_law *law)
+{
+    fvi_system system;
+    const fvi_run run = run_of(&system, law);
+    fvi_stepper *s, *copy;
+    int status = fvi_start(method, &run, &s);
+    if (status)
+        return status;
+    for (size_t k = 0; k < 3 && !status; k++)
+        status = fvi_step(s);
+    if (!status)
+        status = fvi_copy(s, &copy);
+    if (!status) {
+        status = fvi_step(copy);
+        fvi_stop(copy);
+    }
+    if (!status)
+        status = fvi_reset(s);
+    fvi_stop(s);
+    return status;
+}
+
+static int life(const fvi_method *method)
+{
+    return whole_life(method, NULL);
+}
+
+static int life_with_a_law(const fvi_method *method)
+{
+    static const fvi_law_term terms[] = {
+        { .kind = FVI_LAW_DISTRIBUTED, .rho = 0.5, .alpha = 0.1, .end = 0.4 },
+        { .kind = FVI_LAW_MAXWELL, .rho = 0.5, .alpha = 0.3, .time = 1 }
+    };
+    static const fvi_law law = { LEN(terms), terms };
+    return whole_life(method, &law);
+}
+
+static int load(const fvi_method *method)
+{
+    fvi_system system;
+    const fvi_run run = run_of(&system, NULL);
+    double growth;
+    return fvi_stability_load(method, &run, &growth);
+}
+
+static int control(const fvi_method *method)
+{
+    enum { N = 20 };
+    fvi_system system;
+    fvi_run run = run_of(&system, NULL);
+    double u[3 * (N + 1)];
+    fvi_controlled found;
+    run.steps = N;
+    return fvi_control(method, &run, x0, p0, u, &found);
+}
+
+static int moduli(const fvi_method *method)
+{
+    double w[10], storage[10], loss[10];
+    fvi_fitted fitted;
+    (void)method;
+    for (size_t i = 0; i < LEN(w); i++) {
+        w[i] = 1 + (double)i;
+        storage[i] = 2 + 0.1 * (double)i;
+        loss[i] = 0.5 + 0.2 * (double)i;
+    }
+    return fvi_fit_moduli(LEN(w), w, storage, loss, &fitted);
+}
+
+typedef int call(const fvi_method *method);
+
+START_TEST(a_call_without_memory_says_so)
+{
+    call *const calls[] = { life, life_with_a_law, load, control, moduli };
+    size_t said = 0;
+#ifdef OTHER_ALLOCATOR
+    return;
+#endif
+    for (size_t c = 0; c < LEN(calls); c++)
+        for (size_t m = 0; fvi_methods[m]; m++) {
+            failing = 0;
+            if (calls[c](fvi_methods[m]))
+                continue; /* not for this method */
+            for (size_t n = 1;; n += 1 + n / 8) {
+                made = 0;
+                has_failed = 0;
+                failing = n;
+                const int status = calls[c](fvi_methods[m]);
+                failing = 0;
+                if (!has_failed)
+                    break;
+                ck_assert_msg(status == FVI_ENOMEM, "call %zu of %s: %zu: %d",
+                              c, fvi_methods[m]->name, n, status);
+                said++;
+            }
+        }
+    ck_assert_uint_gt(said, 500);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("allocations that fail");
+    ADD_CASE(suite, "errors", a_call_without_memory_says_so);
+    return run_suite(suite);
+}
