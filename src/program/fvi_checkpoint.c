@@ -259,6 +259,8 @@ static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
     c->done = s->k;
     if (s->k > o->steps)
         return fvi_checkpoint_refuse(o, "it is further than --steps");
+    if (status > 0) /* of the library, not of load_piece */
+        return fvi_checkpoint_refuse(o, "not a state of such a run");
     if (status == 0)
         return 0;
     fprintf(stderr,
