@@ -16,10 +16,8 @@ enum { NUMBERS = 7 }; /* of a stepper, for each coordinate */
 
 /* A callback of a step, or a visitor, stands in the middle of what it would change. */
 #define REFUSE_CALLBACKS_OF(s)                                                 \
-    do {                                                                       \
-        if ((s)->is_busy)                                                      \
-            FVI_FAIL("called by a callback of this stepper", FVI_EINVAL);      \
-    } while (0)
+    if ((s)->is_busy)                                                          \
+    FVI_FAIL("called by a callback of this stepper", FVI_EINVAL)
 
 fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                         const double *p0, double h, size_t steps)
@@ -223,12 +221,9 @@ int fvi_step(fvi_stepper *s)
         fvi_impulses_act(s, s->k + 1);
     if (!is_finite(s))
         return FVI_EOVRFLW; /* no mistake of the caller: no handler */
-    if (!s->method->dense) {
-        s->k++;
+    s->k = s->method->dense ? rows_passed(s) : s->k + 1;
+    if (!s->method->dense)
         s->t = (double)s->k * s->run.h;
-        return FVI_SUCCESS;
-    }
-    s->k = rows_passed(s);
     return FVI_SUCCESS;
 }
 
