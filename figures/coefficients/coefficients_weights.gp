@@ -3,7 +3,7 @@
 # Output: figures/coefficients/coefficients_weights.svg.
 width = 900; height = 400
 load 'figures/style.gp'
-if (!exists("order")) { weight = "α_n"; order = "α" } # the Course has other letters
+if (!exists("order")) { weight = "α_n"; order = "α"; law = "lines: n^{−1−α} / Γ(−α)" } # the Course has other letters
 set multiplot layout 1,2 margins 0.08,0.985,0.15,0.9 spacing 0.1
 unset key
 set title "the present against the past"
@@ -29,7 +29,7 @@ set yrange [1e-10:1]
 set label 1 at 1.4e5,1.3e-7
 set label 2 at 1.4e5,1e-8
 set label 3 at 1.4e5,4e-10
-set label 4 "lines: n^{−1−" . order . "} / Γ(−" . order . ")" at 2,1e-9 left tc rgb "#222222"
+set label 4 law at 2,1e-9 left tc rgb "#222222"
 plot for [i=1:3] dat index i-1 using 1:(-$3) with lines ls look[i], \
      for [i=1:3] dat index i-1 every 4 using 1:(-$2) with points ls look[i]
 unset multiplot

@@ -2,10 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 
+//> head
 enum { MAX = 20001 };
 double m = 1, c = 1, rho = 0.5, alpha = 0.25; /* the body */
 double x0 = 1, p0 = 0, h = 0.1;               /* the run */
 double x[MAX], p[MAX], z[MAX], w[MAX];
+//< head
 
 /* w becomes the first count weights of order b, (2b). */
 void weights(double b, int count)

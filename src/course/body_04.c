@@ -2,10 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 
+//> head
 enum { MAX = 20001 };
 double m = 1, c = 1, g = 0, rho = 0.5, alpha = 0.25; /* the body */
 double x0 = 1, p0 = 0, h = 0.1, kappa = 0.5;         /* the run */
 double x[MAX], p[MAX], y[MAX], z[MAX], u[MAX], w[MAX];
+//< head
 
 /* The potential, its slope and its curvature. */
 double U(double q) { return c * q * q / 2 + g * q * q * q * q / 4; }

@@ -2,10 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 
+//> head
 enum { MAX = 20001, DIM = 2 };
 double m[DIM] = { 1, 2 }, rho[DIM] = { 0.5, 0.2 }, alpha = 0.25;
 double x0[DIM] = { 1, 0 }, p0[DIM], h = 0.1, kappa = 0.5;
 double x[MAX][DIM], p[MAX][DIM], z[MAX][DIM], w[MAX];
+//< head
 
 /* U = (x1^2 + x2^2 + (x1 - x2)^4) / 2: its slopes and curvatures. */
 void dU(const double *q, double *out)

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+//> head
 enum { MAX = 20001 };
 double m = 1, c = 1, g = 0, rho = 0.5, alpha = 0.25; /* the body */
 double x0 = 1, p0 = 0, h = 0.1, kappa = 0.5;         /* the run */
@@ -9,6 +10,7 @@ enum { HELD, CAPUTO, RL };
 int past = HELD;            /* before t = 0, (7a) */
 double push = 0, until = 0; /* a force */
 double x[MAX], p[MAX], z[MAX], w[MAX];
+//< head
 
 /* The potential, its slope and its curvature. */
 double U(double q) { return c * q * q / 2 + g * q * q * q * q / 4; }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <time.h>
 
+//> head
 enum { MAX = 1000001, NEAR = 32, MODES = 200 };
 double m = 1, c = 1, g = 0, rho = 0.5, alpha = 0.25; /* the body */
 double x0 = 1, p0 = 0, h = 0.1, kappa = 0.5;         /* the run */
@@ -12,6 +13,7 @@ double push = 0, until = 0; /* a force */
 double x[MAX], p[MAX], z[MAX], w[MAX];
 int fast = 0, modes; /* exponentials in the place of old weights, (11b) */
 double decay[MODES], share[MODES], mode[MODES];
+//< head
 
 /* The potential, its slope and its curvature. */
 double U(double q) { return c * q * q / 2 + g * q * q * q * q / 4; }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <time.h>
 
+//> head
 enum { MAX = 1000001, NEAR = 32, MODES = 200 };
 double m = 1, c = 1, g = 0, rho = 0.5, alpha = 0.25; /* the body */
 double x0 = 1, p0 = 0, h = 0.1, kappa = 0.5;         /* the run */
@@ -13,6 +14,7 @@ double x[MAX], p[MAX], z[MAX], w[MAX];
 int second = 0;      /* damp half a step later, (12b) */
 int fast = 0, modes; /* exponentials in the place of old weights, (11b) */
 double decay[MODES], share[MODES], mode[MODES];
+//< head
 
 /* The potential, its slope and its curvature. */
 double U(double q) { return c * q * q / 2 + g * q * q * q * q / 4; }
