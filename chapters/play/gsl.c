@@ -86,7 +86,7 @@ void gsl_eigen_symm_free(gsl_eigen_symm_workspace *work)
     (void)work;
 }
 
-/* ---- LU factors of the small matrices of lobatto*.c ----
+/* ---- what lu.c asks for, and what is done with its factors ----
  *
  * Each sum is taken in the order in which GSL 2.7 and its BLAS take it: the digits
  * are theirs. The callers look for zero pivots themselves. */
@@ -106,43 +106,38 @@ void gsl_permutation_free(gsl_permutation *p)
     free(p);
 }
 
-static void swap_rows(gsl_matrix *A, size_t i, size_t j)
+void gsl_permutation_init(gsl_permutation *p)
 {
-    for (size_t k = 0; k < A->size2; k++) {
+    for (size_t i = 0; i < p->size; i++)
+        p->data[i] = i;
+}
+
+int gsl_permutation_swap(gsl_permutation *p, size_t i, size_t j)
+{
+    const size_t old = p->data[i];
+    p->data[i] = p->data[j];
+    p->data[j] = old;
+    return FVI_SUCCESS;
+}
+
+int gsl_matrix_swap_rows(gsl_matrix *A, size_t i, size_t j)
+{
+    for (size_t k = 0; i != j && k < A->size2; k++) {
         const double old = A->data[i * A->tda + k];
         A->data[i * A->tda + k] = A->data[j * A->tda + k];
         A->data[j * A->tda + k] = old;
     }
+    return FVI_SUCCESS;
 }
 
-/* P A = L U by columns. A column of L is multiplied by 1 / pivot, not divided. */
-int gsl_linalg_LU_decomp(gsl_matrix *A, gsl_permutation *p, int *sign)
+double gsl_matrix_get(const gsl_matrix *A, size_t i, size_t j)
 {
-    const size_t n = A->size1, row = A->tda;
-    *sign = 1;
-    for (size_t i = 0; i < n; i++)
-        p->data[i] = i;
-    for (size_t j = 0; j < n; j++) {
-        size_t best = j;
-        for (size_t i = j + 1; i < n; i++)
-            if (fabs(A->data[i * row + j]) > fabs(A->data[best * row + j]))
-                best = i;
-        if (best != j) {
-            const size_t old = p->data[j];
-            p->data[j] = p->data[best];
-            p->data[best] = old;
-            *sign = -*sign;
-            swap_rows(A, j, best);
-        }
-        const double inverse = 1 / A->data[j * row + j];
-        for (size_t i = j + 1; i < n; i++) {
-            double *of_i = A->data + i * row;
-            of_i[j] *= inverse;
-            for (size_t k = j + 1; k < n; k++)
-                of_i[k] -= of_i[j] * A->data[j * row + k];
-        }
-    }
-    return FVI_SUCCESS;
+    return A->data[i * A->tda + j];
+}
+
+double *gsl_matrix_ptr(gsl_matrix *A, size_t i, size_t j)
+{
+    return A->data + i * A->tda + j;
 }
 
 int gsl_linalg_LU_svx(const gsl_matrix *LU, const gsl_permutation *p,
