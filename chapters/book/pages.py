@@ -27,13 +27,18 @@ FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stan
 CUT = "page-ends-here"
 
 
+def file_name(path):
+    """In the site, without .html: 05-... is of the Course, h05-... of Further or the Handbook."""
+    return ("h" if path.parent.name in FOLDERS else "") + path.stem
+
+
 class Page:
     """name: of the file, without .html; path: of the Markdown; number: "4" of the Course, "H 04" or "";
     title, body: HTML; headings: [(level, id, title as HTML)]; sections: see search.py."""
 
     def __init__(self, path):
         self.path = path
-        self.name = OTHERS.get(str(path), path.stem)
+        self.name = OTHERS.get(str(path), file_name(path))
         number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
         self.number = f"H {number}" if path.parent.name in FOLDERS else number.lstrip("0")
         self.headings = []
@@ -124,7 +129,7 @@ def to_places(page):
         if str(file) in places:
             new = f"{places[str(file)]}.html"
         elif file.parent in [pathlib.Path("chapters", folder) for folder in FOLDERS] and file.suffix == ".md":
-            new = f"{file.stem}.html"
+            new = f"{file_name(file)}.html"
         elif file == pathlib.Path("chapters/play/index.html"):
             new = "play/index.html"
         elif file.suffix == ".svg":

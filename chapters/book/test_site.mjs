@@ -9,16 +9,16 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
   await test("site", "a theme lasts over a click, and into the folder of the sources; figures follow it", async () => {
     await size(1600);
     await scheme("light");
-    await go(url("04-coefficients.html"));
+    await go(url("h04-coefficients.html"));
     assert.equal(await evaluate("getComputedStyle(document.querySelector('main img')).colorScheme"), "light dark");
     const ground = () => evaluate("getComputedStyle(document.body).backgroundColor"), light = await ground();
     await evaluate("document.getElementById('theme').click()");
-    for (const next of ["05-integration_by_parts.html", "source/src-memory-coefficients.c.html"]) {
+    for (const next of ["h05-integration_by_parts.html", "source/src-memory-coefficients.c.html"]) {
       await go(url(next));
       assert.equal(await evaluate("document.documentElement.dataset.theme"), "dark", next);
       assert.notEqual(await ground(), light);
     }
-    await go(url("04-coefficients.html"));
+    await go(url("h04-coefficients.html"));
     assert.equal(await evaluate("getComputedStyle(document.querySelector('main img')).colorScheme"), "dark");
     await evaluate("document.getElementById('theme').click()");
     assert.equal(await evaluate("document.documentElement.dataset.theme"), "light");
@@ -27,7 +27,7 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
 
   // A line of letters is up to 3.2 pixels higher than they are, as Chromium measures it.
   if (browser === "Chromium") await test("site", "no word of a figure is cut by its edge", async () => {
-    await go(url("04-coefficients.html"));
+    await go(url("h04-coefficients.html"));
     for (const name of readdirSync(join(out, "figures"))) {
       const svg = readFileSync(join(out, "figures", name), "utf8").replace(/^[^]*?(?=<svg)/, "");
       assert.deepEqual(await evaluate(`(() => {
@@ -43,7 +43,7 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
   });
 
   await test("site", "the search field answers, with the keyboard", async () => {
-    await go(url("09-fvi.html"));
+    await go(url("h09-fvi.html"));
     await evaluate(`document.getElementById("query").focus()`);
     await type("memory exponentials");
     await until(`document.querySelectorAll("#found a").length > 3`);
@@ -54,8 +54,8 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
   });
 
   await test("site", "an equation shows itself at its number, from this page and from another", async () => {
-    await go(url("07-half_derivative.html"));
-    for (const start of ["#eq-7", "04-coefficients.html#eq-4"]) {
+    await go(url("h07-half_derivative.html"));
+    for (const start of ["#eq-7", "h04-coefficients.html#eq-4"]) {
       await evaluate(`document.querySelector('main a.eq[href^="${start}"]').focus()`);
       await until(`document.getElementById("preview").hidden === false && document.querySelector("#preview .katex-html")`);
       await key("Escape");
@@ -65,7 +65,7 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
   });
 
   await test("site", "a copy button takes the code as it stands in the source", async () => {
-    await go(url("04-coefficients.html"));
+    await go(url("h04-coefficients.html"));
     await evaluate(`navigator.clipboard.writeText = async text => { window.taken = text; }, 0`);
     await evaluate(`document.querySelector(".copied button").click()`);
     await until("window.taken");
@@ -75,7 +75,7 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
   await test("site", "without scripts a page has its contents, its figures and no dead button", async () => {
     await scripts(false);
     await size(320);
-    await go(url("04-coefficients.html"));
+    await go(url("h04-coefficients.html"));
     const visible = async selector => evaluate(`(e => e !== null && e.getClientRects().length > 0)(document.querySelector("${selector}"))`);
     assert.equal(await evaluate(`document.documentElement.className`), "", "scripts are off");
     for (const there of ["#contents a", "main figure img", ".formula", ".turn a"]) assert.ok(await visible(there), there);
@@ -88,7 +88,7 @@ export async function testSite({ evaluate, go, key, name: browser, scheme, scrip
     try {
       symlinkSync(resolve(out), join(there, "a book"));
       await size(1600);
-      for (const name of ["source/src-memory-coefficients.c.html", "04-coefficients.html"])
+      for (const name of ["source/src-memory-coefficients.c.html", "h04-coefficients.html"])
         await go(pathToFileURL(join(there, "a book", name)).href);
       await evaluate(`document.querySelector("[data-live]").scrollIntoView()`);
       await until(`document.querySelector("[data-live]").live`);
