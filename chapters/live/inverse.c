@@ -2,8 +2,8 @@
  * control. Numbers go in and out by the arrays of live.c; mass 1, a held past, Algorithm 3.
  *
  * Each function returns 0, or an error of <fvi/error.h>. */
-#include "fits/identification_tangent.h"
-#include "inverse/mirror_stages.h"
+#include "estimation/identification_tangent.h"
+#include "sensitivity/adjoint_lobatto.h"
 #include "system/larger.h"
 
 #include <fvi/adjoint.h>
@@ -78,7 +78,7 @@ int EXPORT(live_gradient)(double alpha, double rho, double g, double x0,
     if (status || !slopes)
         return status;
     const fvi_objective J = { last_position, NULL };
-    const fvi_gradients want = { .x0 = live_array(4), .force = live_array(2) };
+    const fvi_sensitivities want = { .x0 = live_array(4), .force = live_array(2) };
     status = fvi_adjoint(&fvi_fractional, &run, x, &zero, &J,
                          &want); /* J has no p */
     if (status)
@@ -90,7 +90,7 @@ int EXPORT(live_gradient)(double alpha, double rho, double g, double x0,
 }
 
 /* Algorithm 3 has no stages to give back. */
-void fvi_mirror_stages_stop(fvi_mirror_stages *m)
+void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
 {
     (void)m;
 }
@@ -154,9 +154,9 @@ typedef struct {
 /* Arrays 1 and 2 become x and its slopes by theta = alpha, rho, c, (24.6): a run, unless they are. */
 static int ride(const data *o, const double theta[P])
 {
-    static const fvi_parameter which[P] = { FVI_PARAMETER_ALPHA,
-                                            FVI_PARAMETER_RHO,
-                                            FVI_PARAMETER_CONSTANT };
+    static const fvi_free_parameter which[P] = { FVI_FREE_PARAMETER_ALPHA,
+                                            FVI_FREE_PARAMETER_RHO,
+                                            FVI_FREE_PARAMETER_CONSTANT };
     static double last[P];
     const fvi_system system = { .d = 1,
                                 .mass = &one,
@@ -169,7 +169,7 @@ static int ride(const data *o, const double theta[P])
     if (memcmp(last, theta, sizeof last) == 0)
         return FVI_SUCCESS;
     last[0] = NAN;
-    int status = fvi_tangents(&run, P, which, live_array(1), live_array(2));
+    int status = fvi_tangent(&run, P, which, live_array(1), live_array(2));
     if (!status)
         memcpy(last, theta, sizeof last);
     return status;
@@ -260,20 +260,20 @@ int EXPORT(live_fit)(double x0, double p0, double h, int n, int every,
 static int hold(double alpha, double c, const double *x, int N, int last,
                 double *u)
 {
-    fvi_memory *m;
+    fvi_history *m;
     int status =
-        fvi_memory_alloc(2 * alpha, 1, (size_t)last, FVI_MEMORY_AUTO, 0, &m);
+        fvi_history_alloc(2 * alpha, 1, (size_t)last, FVI_HISTORY_AUTO, 0, &m);
     if (status)
         return status;
     double before = 0, H;
     for (int k = 0; k <= last && !status; k++) {
         const double z = (k < N ? x[k] : 0) - x[0], dz = z - before;
-        status = fvi_memory_push(m, &z, &dz, &H);
+        status = fvi_history_push(m, &z, &dz, &H);
         if (k > N)
             u[k] = c * H;
         before = z;
     }
-    fvi_memory_free(m);
+    fvi_history_free(m);
     return status;
 }
 
@@ -289,10 +289,10 @@ int EXPORT(live_control)(double alpha, double rho, double x0, double p0,
                           .damping = &rho,
                           .potential = fvi_potential_harmonic(&one) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, h, (size_t)N);
-    fvi_controlled found;
+    fvi_control_result found;
     run.alpha = alpha;
     memset(u, 0, (size_t)(last + 1) * sizeof *u);
-    int status = fvi_control(&fvi_fractional, &run, &zero, &zero, u, &found);
+    int status = fvi_control_solve(&fvi_fractional, &run, &zero, &zero, u, &found);
     if (status)
         return status;
     system.force = (fvi_force){ .value = table, .params = &h };

@@ -3,8 +3,8 @@
  *
  * Five arrays for numbers in and out; nothing is printed. What asks for
  * gradients, fits and controls is in inverse.c. */
-#include "memory/blocks.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_tiled.h"
+#include "memory/history_kinds.h"
 
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
@@ -29,35 +29,35 @@ double *EXPORT(live_array)(int which)
 /* Array 0: the weights w_n of that order, n < count <= ROOM. */
 int EXPORT(live_weights)(double order, int count)
 {
-    return fvi_coefficients(order, (size_t)count, arrays[0]);
+    return fvi_gl_weights(order, (size_t)count, arrays[0]);
 }
 
 /* The body of unit mass and spring, held at 1 and let go: array 0 gets n times from 0 to
  * T, array 1 the motion, array 2 the part of it that swings; if there is none, 0. */
 int EXPORT(live_release)(double alpha, double rho, double T, int n)
 {
-    const fvi_linear problem = {
-        .m = 1, .c = 1, .rho = rho, .alpha = alpha, .past = FVI_PAST_HELD, .x0 = 1
+    const fvi_linear_oscillator problem = {
+        .m = 1, .c = 1, .rho = rho, .alpha = alpha, .past = FVI_INITIAL_HISTORY_HELD, .x0 = 1
     };
     for (int i = 0; i < n; i++) {
         arrays[0][i] = T * i / (n - 1);
         arrays[2][i] = 0;
     }
     fvi_exact_oscillation(&problem, (size_t)n, arrays[0], arrays[2], NULL);
-    return fvi_exact(&problem, (size_t)n, arrays[0], arrays[1], NULL);
+    return fvi_exact_at(&problem, (size_t)n, arrays[0], arrays[1], NULL);
 }
 
 /* Its pole, to array 3: re, im. Not 0 if there is none. */
 int EXPORT(live_pole)(double alpha, double rho)
 {
-    const fvi_linear problem = { .m = 1, .c = 1, .rho = rho, .alpha = alpha };
+    const fvi_linear_oscillator problem = { .m = 1, .c = 1, .rho = rho, .alpha = alpha };
     return fvi_exact_pole(&problem, arrays[3], arrays[3] + 1);
 }
 
 /* The nodes of (12.6): array 0 gets s, array 1 c; returns how many. */
 int EXPORT(live_nodes)(double order, double N, double tolerance)
 {
-    return (int)fvi_exponentials_nodes(order, N, tolerance, arrays[0], arrays[1],
+    return (int)fvi_history_modes_nodes(order, N, tolerance, arrays[0], arrays[1],
                                        NULL);
 }
 
@@ -86,7 +86,7 @@ void EXPORT(live_powers)(double order, int n)
 /* ---- what the exponentials call ---- */
 
 /* Tiles are for many masses; here there is one, and none. */
-void fvi_tiles_free(fvi_tiles *t)
+void fvi_history_tiled_free(fvi_history_tiled *t)
 {
     (void)t;
 }

@@ -4,7 +4,7 @@
  * call is here. In one dimension an eigenvalue is the number itself, and linear
  * equations come from the stages of chapter 17 only: at most four. What neither this nor
  * wasm.py's modules have is listed there as absent: no page reaches it. */
-#include "memory/memory_kinds.h"
+#include "memory/history_kinds.h"
 
 #include <fvi/error.h>
 #include <gsl/gsl_eigen.h>
@@ -216,12 +216,12 @@ gsl_error_handler_t *gsl_set_error_handler(gsl_error_handler_t *handler)
 
 /* ---- what memory.c gives back although it is not there ---- */
 
-void fvi_blocks_free(fvi_blocks *b)
+void fvi_history_fft_free(fvi_history_fft *b)
 {
     (void)b;
 }
 
-__attribute__((weak)) void fvi_exponentials_free(fvi_exponentials *e)
+__attribute__((weak)) void fvi_history_modes_free(fvi_history_modes *e)
 {
-    (void)e; /* where memory_exponentials.c is linked, its own takes this place */
+    (void)e; /* where history_modes.c is linked, its own takes this place */
 }

@@ -11,7 +11,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_history.h"
 #include <fvi/past.h>
 #include <fvi/stability.h>
 
@@ -61,7 +61,7 @@ char *EXPORT(play_text)(void)
  * the last block has come. */
 static int understand(void)
 {
-    static const fvi_names names = { .variable = "x", .d = 1 };
+    static const fvi_symbols names = { .variable = "x", .d = 1 };
     wrong = (fvi_misprint){ 0, "" };
     return input.potential == 4
            && fvi_expression_parse(text, &names, NULL, &own, &wrong);
@@ -96,8 +96,8 @@ static const fvi_method *the_method(void)
 {
     static const fvi_method *const known[] = {
         &fvi_fractional,     &fvi_lagrange_dalembert, &fvi_euler_explicit,
-        &fvi_euler_implicit, &fvi_shifted,            &fvi_bdf2,
-        &fvi_lobatto2,       &fvi_lobatto3,           &fvi_lobatto4
+        &fvi_euler_implicit, &fvi_cq2_shifted,            &fvi_cq_bdf2,
+        &fvi_lobatto_m2,       &fvi_lobatto_m3,           &fvi_lobatto_m4
     };
     return known[(int)input.method];
 }
@@ -146,17 +146,17 @@ static fvi_run the_run(const fvi_system *system)
                       .steps = (size_t)input.steps,
                       .kappa = input.kappa,
                       .alpha = input.alpha,
-                      .past = (fvi_past)input.past,
+                      .past = (fvi_initial_history)input.past,
                       .memory =
-                          stages() ? FVI_MEMORY_AUTO : FVI_MEMORY_DIRECT };
+                          stages() ? FVI_HISTORY_AUTO : FVI_HISTORY_DIRECT };
 }
 
 /* ---- runs ---- */
 
-/* 0 if no motion starts there: fvi_start then refuses but for Algorithm 3. */
+/* 0 if no motion starts there: fvi_stepper_start then refuses but for Algorithm 3. */
 int EXPORT(play_solvable)(void)
 {
-    return fvi_past_has_solution((fvi_past)input.past, input.alpha, input.rho,
+    return fvi_initial_history_solvable((fvi_initial_history)input.past, input.alpha, input.rho,
                                  input.x0);
 }
 
@@ -173,7 +173,7 @@ static int run_of(const fvi_system *system)
 {
     const fvi_run run = the_run(system);
     fvi_stepper *s;
-    if (!(input.steps <= MOST_STEPS) || fvi_start(the_method(), &run, &s))
+    if (!(input.steps <= MOST_STEPS) || fvi_stepper_start(the_method(), &run, &s))
         return 0;
     int rows = 0, status;
     do {
@@ -183,9 +183,9 @@ static int run_of(const fvi_system *system)
             || !isfinite(energy[rows])) /* no row, as in build/fvi */
             break;
         rows++;
-        status = s->k < run.steps ? fvi_step(s) : FVI_EINVAL;
+        status = s->k < run.steps ? fvi_stepper_step(s) : FVI_EINVAL;
     } while (!status);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return rows;
 }
 
@@ -205,11 +205,11 @@ int EXPORT(play_run)(void)
  * problem has no exact solution here. */
 int EXPORT(play_exact)(int every, int parts)
 {
-    const fvi_linear problem = { .m = mass,
+    const fvi_linear_oscillator problem = { .m = mass,
                                  .c = input.potential == 3 ? 0 : input.c,
                                  .rho = input.rho,
                                  .alpha = input.alpha,
-                                 .past = (fvi_past)input.past,
+                                 .past = (fvi_initial_history)input.past,
                                  .x0 = input.x0,
                                  .v0 = input.p0 / mass,
                                  .forcing = (fvi_forcing)input.force,
@@ -221,7 +221,7 @@ int EXPORT(play_exact)(int every, int parts)
     size_t n = 0;
     for (int k = 0; k <= (int)input.steps * parts; k += every)
         exact_t[n++] = (double)k / parts * input.h;
-    return fvi_exact(&problem, n, exact_t, exact_x, exact_v) ? 0 : (int)n;
+    return fvi_exact_at(&problem, n, exact_t, exact_x, exact_v) ? 0 : (int)n;
 }
 
 /* ---- weights ---- */
@@ -231,21 +231,21 @@ int EXPORT(play_exact)(int every, int parts)
 static int stage_weights(size_t s, size_t count)
 {
     double v[FVI_STAGES] = { 1, 1, 1, 1 }, H[FVI_STAGES];
-    fvi_lobatto_memory *m;
-    int status = fvi_lobatto_memory_alloc(s, 2 * input.alpha - 1, 1, count,
-                                          FVI_MEMORY_EXPONENTIALS, 0, &m);
+    fvi_lobatto_history *m;
+    int status = fvi_lobatto_history_alloc(s, 2 * input.alpha - 1, 1, count,
+                                          FVI_HISTORY_MODES, 0, &m);
     if (status)
         return status;
-    const double *last = fvi_lobatto_memory_now(m) + s * (s - 1);
+    const double *last = fvi_lobatto_history_now(m) + s * (s - 1);
     weights[0] = 0;
     for (size_t i = 0; i < s; i++)
         weights[0] += last[i];
     for (size_t n = 1; n < count; n++) {
-        fvi_lobatto_memory_push(m, v, H);
+        fvi_lobatto_history_push(m, v, H);
         weights[n] = H[s - 1];
         memset(v, 0, sizeof v);
     }
-    fvi_lobatto_memory_free(m);
+    fvi_lobatto_history_free(m);
     return FVI_SUCCESS;
 }
 
@@ -255,7 +255,7 @@ int EXPORT(play_weights)(int count)
 {
     if (stages())
         return stage_weights(stages(), (size_t)count);
-    return fvi_quadrature_weights(the_method()->quadrature, 2 * input.alpha,
+    return fvi_cq_weights(the_method()->quadrature, 2 * input.alpha,
                                   (size_t)count, weights);
 }
 
@@ -292,7 +292,7 @@ double EXPORT(play_load)(void)
     if (!understand()) {
         const fvi_system system = the_system(&input.rho);
         const fvi_run run = the_run(&system);
-        if (fvi_stability_load(the_method(), &run, &load))
+        if (fvi_stability_number(the_method(), &run, &load))
             load = -1;
     }
     forget();
@@ -308,8 +308,8 @@ double EXPORT(play_step)(void)
         const fvi_system system = the_system(&input.rho);
         const fvi_run run = the_run(&system);
         fvi_method method = *the_method();
-        method.load_grows = 1;
-        if (fvi_stability_step(&method, &run, &h))
+        method.stability_number_grows = 1;
+        if (fvi_stability_longest_step(&method, &run, &h))
             h = -1;
     }
     forget();

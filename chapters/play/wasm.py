@@ -7,23 +7,23 @@ import zlib
 
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
-MODULES = """band error expression expression_parse lu newton newton_stages system tape coefficients convolution_quadrature lobatto_memory lobatto_modes
-    lobatto_nodes lobatto_rules lobatto_weights memory memory_direct past impulses solution trajectory
+MODULES = """band error expression expression_parse lu newton newton_stages system tape coefficients convolution_quadrature lobatto_history lobatto_modes
+    lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses solution trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
-    convolution_quadrature_methods damping discrete_mechanics fvi loads lobatto lobatto_damped
-    lobatto_start pull exact_inverse exact_pole exact_solution""".split()
+    convolution_quadrature_methods damping discrete_mechanics fvi stability_number lobatto lobatto_damped
+    lobatto_start initial_history_force exact_inverse exact_pole exact_solution""".split()
 # What they call and no page reaches: other laws of damping, matrices, many masses at once, the
 # stability of the explicit method. It is imported, and says its name if it is called all the same
 # (kernel() of model.js); any other name that is missing stops the link.
-ABSENT = """fvi_law_at fvi_law_check fvi_law_growth fvi_law_memory fvi_law_symbol
-    fvi_lobatto_law_free fvi_lobatto_law_nodes fvi_lobatto_law_of fvi_lobatto_law_weights
-    fvi_damping_begin_matrices fvi_pull_of_matrices fvi_stability_of_matrices fvi_tiles_push_part
-    fvi_blocks_ahead fvi_blocks_alloc fvi_blocks_bytes fvi_blocks_copy fvi_blocks_push fvi_blocks_visit
+ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
+    fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
+    fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
+    fvi_history_fft_ahead fvi_history_fft_alloc fvi_history_fft_bytes fvi_history_fft_copy fvi_history_fft_push fvi_history_fft_archive
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params gsl_matrix_alloc gsl_matrix_free gsl_matrix_set gsl_matrix_set_zero
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()
 # A run of the live page keeps its whole past.
-NO_EXPONENTIALS = [f"fvi_exponentials_{act}" for act in "ahead alloc bytes copy delta plan push tiles visit".split()]
+NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "ahead alloc bytes copy delta plan push tiles archive".split()]
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the last digits
 # would differ. The stack comes first in memory: what needs more of it ends in a trap, and does not
 # write over other numbers. Of the figures that move one needs between 128 and 160 kB.

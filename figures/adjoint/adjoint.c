@@ -40,7 +40,7 @@ static int draw(double g)
     kicked.x0 = &zero;
     kicked.p0 = &m;
     const fvi_objective J = { last_position, NULL };
-    const fvi_gradients want = { .force = by_force };
+    const fvi_sensitivities want = { .force = by_force };
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL)
         || fvi_trajectory(&fvi_fractional, &kicked, mirror, NULL, NULL)
         || fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want))

@@ -13,7 +13,7 @@
 
 enum { N = 400, MASSES = 5, STEPS = 300 };
 
-static int motion(const fvi_system *system, double alpha, fvi_past past,
+static int motion(const fvi_system *system, double alpha, fvi_initial_history past,
                   double h, size_t steps, const double *x0, const double *p0,
                   double *x)
 {
@@ -34,12 +34,12 @@ static int pairs(void)
     fvi_system undamped = system;
     undamped.damping = &zero;
     const fvi_balance_scheme scheme = {
-        &system, alpha, 0.5, h, FVI_QUADRATURE_EULER, 0
+        &system, alpha, 0.5, h, FVI_DELTA_EULER, 0
     };
     fvi_balance_scheme step = scheme;
     step.system = &undamped;
-    if (motion(&system, alpha, FVI_PAST_RIEMANN_LIOUVILLE, h, N, &zero, &one, u)
-        || motion(&system, alpha, FVI_PAST_RIEMANN_LIOUVILLE, h, N, &one, &zero,
+    if (motion(&system, alpha, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, h, N, &zero, &one, u)
+        || motion(&system, alpha, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, h, N, &one, &zero,
                   w))
         return EXIT_FAILURE;
     for (size_t k = 0; k <= N; k++)
@@ -68,8 +68,8 @@ static int masses(void)
                                 .mass = mass,
                                 .damping = damping,
                                 .potential = fvi_potential_chain(spring) };
-    if (motion(&system, 0.3, FVI_PAST_HELD, 0.1, STEPS, rest, push_one, one)
-        || motion(&system, 0.3, FVI_PAST_HELD, 0.1, STEPS, rest, push_four,
+    if (motion(&system, 0.3, FVI_INITIAL_HISTORY_HELD, 0.1, STEPS, rest, push_one, one)
+        || motion(&system, 0.3, FVI_INITIAL_HISTORY_HELD, 0.1, STEPS, rest, push_four,
                   four))
         return EXIT_FAILURE;
     printf("# t  4 from 1  1 from 4  1 from 1  4 from 4\n");

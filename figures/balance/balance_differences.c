@@ -53,10 +53,10 @@ static differenced problem(size_t N)
 
 int main(void)
 {
-    const fvi_method *methods[] = { &fvi_fractional, &fvi_shifted,
-                                    &fvi_lobatto4 };
+    const fvi_method *methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                    &fvi_lobatto_m4 };
     const differenced fine = problem(MOST);
-    if (varied(&fvi_lobatto4, &fine, truth))
+    if (varied(&fvi_lobatto_m4, &fine, truth))
         return EXIT_FAILURE;
     printf("# N, error of NODE MEAN BACK fvi fvi-shifted fvi-lobatto4\n");
     for (size_t N = 32; N <= 512; N *= 2) {

@@ -59,7 +59,7 @@ int main(void)
     const double alphas[] = { 0.1, 0.25 };
     double *fast = malloc(MANY * sizeof *fast);
     for (size_t i = 0; fast && i < 2; i++)
-        if (fvi_coefficients(alphas[i], MANY, fast) == 0)
+        if (fvi_gl_weights(alphas[i], MANY, fast) == 0)
             race(alphas[i], fast);
     free(fast);
     return fast ? EXIT_SUCCESS : EXIT_FAILURE;

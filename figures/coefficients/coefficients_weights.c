@@ -16,7 +16,7 @@ int main(void)
     for (int i = 1; i <= 3; i++) {
         const double alpha = i / 4.0;
         double sum = 0;
-        if (fvi_coefficients(alpha, N + 1, w))
+        if (fvi_gl_weights(alpha, N + 1, w))
             return EXIT_FAILURE;
         printf("%s# n, alpha_n, power law, sum; alpha = %g\n",
                i > 1 ? "\n\n" : "", alpha);

@@ -33,8 +33,8 @@ static int spring(void)
                           .potential = fvi_potential_harmonic(&m) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 1. / 32, N);
     run.alpha = 0.3125;
-    fvi_controlled found;
-    if (fvi_control(&fvi_fractional, &run, &rest, &rest, f.u, &found))
+    fvi_control_result found;
+    if (fvi_control_solve(&fvi_fractional, &run, &rest, &rest, f.u, &found))
         return 1;
     f.h = run.h;
     system.force = (fvi_force){ .value = table_value, .params = &f };
@@ -50,7 +50,7 @@ static int spring(void)
             printf("%.6g %.6g\n", (double)k * run.h, x[k]);
     }
     printf("\n\n");
-    fvi_coefficients(2 * run.alpha, 2 * N + 1, w);
+    fvi_gl_weights(2 * run.alpha, 2 * N + 1, w);
     for (size_t k = N + 1; k <= 2 * N; k++) { /* x_j = 0 from N on */
         double H = 0;
         for (size_t j = 0; j <= k; j++)
@@ -74,8 +74,8 @@ static int pendulum(void)
                           .potential = fvi_potential_pendulum(&g) };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 0.05, N);
     run.alpha = 0.3;
-    fvi_controlled found;
-    if (fvi_control(&fvi_fractional, &run, &up, &zero, u, &found))
+    fvi_control_result found;
+    if (fvi_control_solve(&fvi_fractional, &run, &up, &zero, u, &found))
         return 1;
     f.h = run.h;
     memcpy(f.u, u, sizeof u);

@@ -33,16 +33,16 @@ static void solve(const fvi_method *method, double alpha, size_t steps,
     };
     fvi_run run = fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.alpha = alpha;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     if (fvi_trajectory(method, &run, at_x, at_p, NULL))
         exit(EXIT_FAILURE);
 }
 
 /* The motion, into want_x and want_p, and the constants of the theorem. */
-static fvi_convergence know(double alpha, fvi_motion *q)
+static fvi_error_bound know(double alpha, fvi_smoothness *q)
 {
-    solve(&fvi_lobatto4, alpha, FINE, want_x, want_p);
-    *q = (fvi_motion){ .alpha = alpha,
+    solve(&fvi_lobatto_m4, alpha, FINE, want_x, want_p);
+    *q = (fvi_smoothness){ .alpha = alpha,
                        .kappa = 0.5,
                        .T = T,
                        .damping = rho,
@@ -56,16 +56,16 @@ static fvi_convergence know(double alpha, fvi_motion *q)
         q->speed = GSL_MAX(q->speed, 1.01 * fabs(want_p[k]));
         q->acceleration = GSL_MAX(q->acceleration, 1.05 * fabs(a));
     }
-    fvi_convergence bound;
-    if (fvi_convergence_bound(q, &bound))
+    fvi_error_bound bound;
+    if (fvi_error_bound_compute(q, &bound))
         exit(EXIT_FAILURE);
     return bound;
 }
 
 static void over_steps(double alpha)
 {
-    fvi_motion q;
-    const fvi_convergence bound = know(alpha, &q);
+    fvi_smoothness q;
+    const fvi_error_bound bound = know(alpha, &q);
     const double C = bound.C, l = bound.lambda;
     printf("# alpha = %g: h, errors of x, v, their bounds; C = %.3g, "
            "lambda = %.3g\n",
@@ -87,8 +87,8 @@ static void over_steps(double alpha)
 
 static void over_time(double alpha)
 {
-    fvi_motion q;
-    const fvi_convergence bound = know(alpha, &q);
+    fvi_smoothness q;
+    const fvi_error_bound bound = know(alpha, &q);
     for (size_t steps = 64; steps <= N; steps *= 4) {
         const double h = T / (double)steps;
         solve(&fvi_fractional, alpha, steps, x, p);

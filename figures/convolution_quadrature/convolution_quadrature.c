@@ -50,8 +50,8 @@ static void row(const fvi_system *system, double alpha, double T, size_t N)
 {
     printf("%.17g %.17g %.17g %.17g\n", T / (double)N,
            error(&fvi_fractional, system, alpha, T, N),
-           error(&fvi_shifted, system, alpha, T, N),
-           error(&fvi_bdf2, system, alpha, T, N));
+           error(&fvi_cq2_shifted, system, alpha, T, N),
+           error(&fvi_cq_bdf2, system, alpha, T, N));
 }
 
 int main(void)
@@ -63,7 +63,7 @@ int main(void)
     const fvi_system duffing = {
         1, &one, &one, fvi_potential_duffing(spring), { .value = drive }, NULL
     };
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,
@@ -75,7 +75,7 @@ int main(void)
     for (size_t N = 200; N <= MOST; N *= 2) {
         for (size_t k = 0; k <= N; k++)
             t[k] = (double)k * (20 / (double)N);
-        if (fvi_exact(&problem, N + 1, t, want, NULL))
+        if (fvi_exact_at(&problem, N + 1, t, want, NULL))
             return EXIT_FAILURE;
         row(&torvik, 0.75, 20, N);
     }

@@ -30,7 +30,7 @@ static int grows(const fvi_method *method, double alpha, double R)
                           .steps = STEPS,
                           .kappa = 0.5,
                           .alpha = alpha,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .memory = FVI_HISTORY_DIRECT };
     double half[2] = { 0, 0 };
     if (fvi_trajectory(method, &run, x, NULL, NULL))
         return 1;
@@ -68,20 +68,20 @@ static void boundaries(void)
         else
             printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", a,
                    measured(&fvi_fractional, a, euler), euler,
-                   isnan(shifted) ? NAN : measured(&fvi_shifted, a, shifted),
-                   shifted, measured(&fvi_bdf2, a, bdf2), bdf2);
+                   isnan(shifted) ? NAN : measured(&fvi_cq2_shifted, a, shifted),
+                   shifted, measured(&fvi_cq_bdf2, a, bdf2), bdf2);
     }
 }
 
-static void growths(fvi_quadrature kind, double theta, const char *name)
+static void growths(fvi_delta kind, double theta, const char *name)
 {
     const double alpha = 0.25;
     printf("\n\n# %s, alpha = 1/4: R, growth - 1 predicted, measured\n", name);
-    fvi_quadrature_weights(kind, 2 * alpha, LONG + 1, w);
+    fvi_cq_weights(kind, 2 * alpha, LONG + 1, w);
     for (int i = 0; i <= 160; i++) {
         const double R = pow(10, -2 + 0.025 * i);
         double growth;
-        fvi_quadrature_growth(kind, theta, alpha, 0.5, 1, R, &growth);
+        fvi_cq_amplification(kind, theta, alpha, 0.5, 1, R, &growth);
         if (growth == 1)
             continue;
         /* until it has grown by 10^100, and long enough to be alone */
@@ -91,7 +91,7 @@ static void growths(fvi_quadrature kind, double theta, const char *name)
             continue;
         }
         const size_t n = (size_t)enough, half = n / 2;
-        fvi_quadrature_oscillator(w, theta, 0.5, 1, R, n, x);
+        fvi_cq_oscillator(w, theta, 0.5, 1, R, n, x);
         printf("%.17g %.17g %.17g\n", R, growth - 1,
                pow(fabs(x[n] / x[half]), 1 / (double)(n - half)) - 1);
     }
@@ -100,9 +100,9 @@ static void growths(fvi_quadrature kind, double theta, const char *name)
 int main(void)
 {
     boundaries();
-    growths(FVI_QUADRATURE_EULER, 0, "fvi");
-    growths(FVI_QUADRATURE_EULER, 0.25, "fvi-shifted");
-    growths(FVI_QUADRATURE_BDF2, 0, "fvi-bdf2");
-    growths(FVI_QUADRATURE_TRAPEZOID, 0, "trapezoidal weights");
+    growths(FVI_DELTA_EULER, 0, "fvi");
+    growths(FVI_DELTA_EULER, 0.25, "fvi-shifted");
+    growths(FVI_DELTA_BDF2, 0, "fvi-bdf2");
+    growths(FVI_DELTA_TRAPEZOID, 0, "trapezoidal weights");
     return 0;
 }

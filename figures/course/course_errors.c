@@ -13,9 +13,9 @@ int main(void)
 {
     const double two = 2, steps[] = { 3.1, 3.2, 3.4 };
     for (alpha = 0; alpha <= 1; alpha += 0.25) {
-        const fvi_linear motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
+        const fvi_linear_oscillator motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
         double exact;
-        if (fvi_exact(&motion, 1, &two, &exact, NULL))
+        if (fvi_exact_at(&motion, 1, &two, &exact, NULL))
             return 1;
         printf("%s# h, error of x(2); alpha = %g\n", alpha > 0 ? "\n\n" : "", alpha);
         for (int N = 10; N <= 2560; N *= 2) {

@@ -18,11 +18,11 @@ int main(void)
         alpha = alphas[i];
         run(LAST);
         printf("%s# t, x of the run, exact x; alpha = %g\n", i ? "\n\n" : "", alpha);
-        const fvi_linear motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
+        const fvi_linear_oscillator motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
         for (int k = 0; k <= LAST; k++) {
             const double t = k * h;
             double exact;
-            if (fvi_exact(&motion, 1, &t, &exact, NULL))
+            if (fvi_exact_at(&motion, 1, &t, &exact, NULL))
                 return 1;
             printf("%.17g %.17g ", t, x[k]);
             if (k % EVERY)

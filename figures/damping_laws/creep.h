@@ -11,12 +11,12 @@ enum { PIECES = 1000 };
 
 //> creep
 /* The force at t after a stretch of 1, and the stretch at t under a force of 1, by PIECES
- * steps of BDF2. Returns what fvi_law_weights returns. */
-static inline int relaxation_and_creep(const fvi_law *law, double t,
+ * steps of BDF2. Returns what fvi_kernel_weights returns. */
+static inline int relaxation_and_creep(const fvi_kernel *law, double t,
                                        double *force, double *stretch)
 {
     double w[PIECES + 1], z[PIECES + 1];
-    const int status = fvi_law_weights(law, FVI_QUADRATURE_BDF2, t / PIECES,
+    const int status = fvi_kernel_weights(law, FVI_DELTA_BDF2, t / PIECES,
                                        PIECES + 1, w);
     *force = 0;
     for (int k = 0; k <= PIECES && !status; k++) {

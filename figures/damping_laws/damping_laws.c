@@ -11,13 +11,13 @@ int main(void)
 {
     printf("# omega, storage, loss; loss is 0.2 at omega = 1\n");
     for (int i = 0; i < LAWS; i++) {
-        const fvi_law_term term = scaled(i);
+        const fvi_kernel_term term = scaled(i);
         printf("%s# %s, rho = %.17g\n", i ? "\n\n" : "", laws[i].name,
                term.rho);
         for (int k = -30; k <= 30; k++) {
             const double omega = pow(10, k / 10.0);
             double storage, loss;
-            if (fvi_law_moduli(&(fvi_law){ 1, &term }, omega, &storage, &loss))
+            if (fvi_kernel_moduli(&(fvi_kernel){ 1, &term }, omega, &storage, &loss))
                 return EXIT_FAILURE;
             printf("%.17g %.17g %.17g\n", omega, storage, loss);
         }

@@ -13,14 +13,14 @@ int main(void)
 {
     printf("# x; force and stretch at t = x, loss factor at omega = x\n");
     for (int i = 0; i < LAWS; i++) {
-        const fvi_law_term term = scaled(i);
-        const fvi_law law = { 1, &term };
+        const fvi_kernel_term term = scaled(i);
+        const fvi_kernel law = { 1, &term };
         printf("%s# %s, rho = %.17g\n", i ? "\n\n" : "", laws[i].name,
                term.rho);
         for (int k = -12; k <= 12; k++) {
             const double x = pow(10, k / 4.0);
             double storage, loss, force, stretch;
-            if (fvi_law_moduli(&law, x, &storage, &loss)
+            if (fvi_kernel_moduli(&law, x, &storage, &loss)
                 || relaxation_and_creep(&law, x, &force, &stretch))
                 return EXIT_FAILURE;
             printf("%.17g %.17g %.17g %.17g\n", x, force, stretch,

@@ -21,11 +21,11 @@ int main(void)
     static double x[N + 1];
     printf("# t, x; fvi-bdf2, h = 1/32\n");
     for (int i = 0; i < LAWS; i++) {
-        const fvi_law_term term = scaled(i);
-        const fvi_law law = { 1, &term };
+        const fvi_kernel_term term = scaled(i);
+        const fvi_kernel law = { 1, &term };
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1.0 / 32, N);
         run.law = &law;
-        if (fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL))
+        if (fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL))
             return EXIT_FAILURE;
         printf("%s# %s\n", i ? "\n\n" : "", laws[i].name);
         for (size_t k = 0; k <= N; k += k < FIRST ? 4 : k / 64)

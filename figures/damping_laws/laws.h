@@ -8,20 +8,20 @@ enum { LAWS = 4 };
 
 static const struct {
     const char *name;
-    fvi_law_term term;
+    fvi_kernel_term term;
 } laws[LAWS] = {
-    { "springpot, 2α = 1/2", { FVI_LAW_POWER, 1, 0.25, 0, 0 } },
-    { "fractional Zener, 2α = 1/2, τ = 1", { FVI_LAW_ZENER, 1, 0.25, 1, 0 } },
-    { "Maxwell, τ = 1", { FVI_LAW_MAXWELL, 1, 0, 1, 0 } },
-    { "all orders from 0 to 1", { FVI_LAW_DISTRIBUTED, 1, 0, 0, 0.5 } },
+    { "springpot, 2α = 1/2", { FVI_KERNEL_POWER, 1, 0.25, 0, 0 } },
+    { "fractional Zener, 2α = 1/2, τ = 1", { FVI_KERNEL_ZENER, 1, 0.25, 1, 0 } },
+    { "Maxwell, τ = 1", { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 } },
+    { "all orders from 0 to 1", { FVI_KERNEL_DISTRIBUTED, 1, 0, 0, 0.5 } },
 };
 
 /* The term with the rho that makes its loss 0.2 where the oscillator swings. */
-static inline fvi_law_term scaled(int i)
+static inline fvi_kernel_term scaled(int i)
 {
-    fvi_law_term term = laws[i].term;
+    fvi_kernel_term term = laws[i].term;
     double storage, loss = 1;
-    fvi_law_moduli(&(fvi_law){ 1, &term }, 1, &storage, &loss);
+    fvi_kernel_moduli(&(fvi_kernel){ 1, &term }, 1, &storage, &loss);
     term.rho = 0.2 / loss;
     return term;
 }

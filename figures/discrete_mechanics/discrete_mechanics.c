@@ -25,14 +25,14 @@ static double energy(const fvi_system *system, const double *x, const double *p)
 static fvi_stepper *start(const fvi_method *method, const fvi_run *run)
 {
     fvi_stepper *s;
-    if (fvi_start(method, run, &s) != FVI_SUCCESS)
+    if (fvi_stepper_start(method, run, &s) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
     return s;
 }
 
 static void advance(fvi_stepper *s)
 {
-    if (fvi_step(s) != FVI_SUCCESS)
+    if (fvi_stepper_step(s) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
 }
 
@@ -50,7 +50,7 @@ static void harmonic(void)
                           .alpha = 0.5 };
     fvi_stepper *s[] = { start(&fvi_euler_explicit, &run),
                          start(&fvi_euler_implicit, &run),
-                         start(&fvi_variational, &run) };
+                         start(&fvi_midpoint_variational, &run) };
     const double E0 = energy(&system, run.x0, run.p0);
     const double factor = 1 + run.h * run.h;
     printf(
@@ -69,7 +69,7 @@ static void harmonic(void)
             advance(s[i]);
     }
     for (size_t i = 0; i < 3; i++)
-        fvi_stop(s[i]);
+        fvi_stepper_free(s[i]);
     printf("\n\n");
 }
 
@@ -92,7 +92,7 @@ static void pendulum(const fvi_method *method, double kappa, size_t steps)
            run.h);
     for (; s->k < steps && fabs(s->x[0]) <= 4; advance(s))
         printf("%.9g %.9g\n", s->x[0], s->p[0]);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     printf("\n\n");
 }
 
@@ -101,7 +101,7 @@ int main(void)
     harmonic();
     pendulum(&fvi_euler_explicit, 0.5, 200);
     pendulum(&fvi_euler_implicit, 0.5, 200);
-    pendulum(&fvi_variational, 0, 2000);
-    pendulum(&fvi_variational, 0.5, 2000);
+    pendulum(&fvi_midpoint_variational, 0, 2000);
+    pendulum(&fvi_midpoint_variational, 0.5, 2000);
     return EXIT_SUCCESS;
 }

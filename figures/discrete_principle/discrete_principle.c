@@ -44,7 +44,7 @@ int main(void)
                     .steps = N,
                     .kappa = kappa,
                     .alpha = alpha,
-                    .past = FVI_PAST_RIEMANN_LIOUVILLE };
+                    .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     int bad = fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
     run.kappa = 1 - kappa;
     bad |= fvi_trajectory(&fvi_fractional, &run, z, NULL, NULL);
@@ -52,7 +52,7 @@ int main(void)
         y[k] = z[N - k];
         same[k] = x[N - k];
     }
-    bad = bad || fvi_coefficients(alpha, N + 1, w)
+    bad = bad || fvi_gl_weights(alpha, N + 1, w)
           || fvi_discrete_action_gradient(&system, alpha, kappa, h, N, 0, N, x,
                                           y, gx, gy)
           || fvi_discrete_action_gradient(&system, alpha, kappa, h, N, 0, N - 1,

@@ -44,7 +44,7 @@ int main(void)
                                 .potential = fvi_potential_harmonic(&one) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, h, N);
     run.alpha = alpha;
-    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL))
         return EXIT_FAILURE;
     for (int k = 0; k <= N; k++)

@@ -13,16 +13,16 @@ static double t[COUNT], x[COUNT], wave[COUNT];
 
 static int solve(double alpha)
 {
-    const fvi_linear p = { .m = 1,
+    const fvi_linear_oscillator p = { .m = 1,
                            .c = 1,
                            .rho = 0.5,
                            .alpha = alpha,
-                           .past = FVI_PAST_CAPUTO,
+                           .past = FVI_INITIAL_HISTORY_CAPUTO,
                            .x0 = 1 };
     double re, im;
     for (size_t i = 0; i < COUNT; i++)
         t[i] = 30.0 * (double)i / (COUNT - 1);
-    if (fvi_exact(&p, COUNT, t, x, NULL)
+    if (fvi_exact_at(&p, COUNT, t, x, NULL)
         || fvi_exact_oscillation(&p, COUNT, t, wave, NULL)
         || fvi_exact_pole(&p, &re, &im))
         return 1;

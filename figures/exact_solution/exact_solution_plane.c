@@ -9,11 +9,11 @@
 
 static int pole(double alpha, double rho)
 {
-    const fvi_linear linear = { .m = 1,
+    const fvi_linear_oscillator linear = { .m = 1,
                                 .c = 1,
                                 .rho = rho,
                                 .alpha = alpha,
-                                .past = FVI_PAST_HELD,
+                                .past = FVI_INITIAL_HISTORY_HELD,
                                 .x0 = 1 };
     double re, im;
     if (fvi_exact_pole(&linear, &re, &im))

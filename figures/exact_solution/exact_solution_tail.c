@@ -16,17 +16,17 @@ static double t[COUNT], x[COUNT];
 static int solve(double alpha, int caputo)
 {
     const double b = 2 * alpha, rho = 0.5;
-    const fvi_linear p = { .m = 1,
+    const fvi_linear_oscillator p = { .m = 1,
                            .c = 1,
                            .rho = rho,
                            .alpha = alpha,
-                           .past = caputo ? FVI_PAST_CAPUTO
-                                          : FVI_PAST_RIEMANN_LIOUVILLE,
+                           .past = caputo ? FVI_INITIAL_HISTORY_CAPUTO
+                                          : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                            .x0 = caputo,
                            .v0 = !caputo };
     const double power = caputo ? -b : -1 - b;
     const double factor = rho / tgamma(power + 1); /* 0 at alpha = 1/2 */
-    if (fvi_exact(&p, COUNT, t, x, NULL))
+    if (fvi_exact_at(&p, COUNT, t, x, NULL))
         return 1;
     printf("# alpha = %g, m = c = 1, rho = 1/2, %s\n# t  |x|  tail\n", alpha,
            caputo ? "Caputo, x0 = 1, v0 = 0" : "x0 = 0, v0 = 1");

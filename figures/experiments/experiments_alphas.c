@@ -36,7 +36,7 @@ int main(void)
                               N,
                               .kappa = 0.5,
                               .alpha = alphas[i],
-                              .past = FVI_PAST_RIEMANN_LIOUVILLE };
+                              .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
         if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL))
             return EXIT_FAILURE;
         printf("\n\nt \"α = %g\"\n", alphas[i]);

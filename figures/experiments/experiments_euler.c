@@ -28,15 +28,15 @@ static int print_run(const fvi_system *system, const fvi_method *method,
         system, &x0, &p0, h, steps, .kappa = 0.5, .alpha = 0.5
     };
     fvi_stepper *s;
-    int status = fvi_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s);
     if (status)
         return status;
     printf("\n\n# %s, h = %g: t x energy\n", method->name, h);
     do {
         printf("%.17g %.17g %.17g\n", s->t, s->x[0],
                energy(system, s->x, s->p));
-    } while (s->k < steps && (status = fvi_step(s)) == 0);
-    fvi_stop(s);
+    } while (s->k < steps && (status = fvi_stepper_step(s)) == 0);
+    fvi_stepper_free(s);
     return status;
 }
 

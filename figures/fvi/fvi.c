@@ -47,8 +47,8 @@ static double error(double alpha, int held, size_t N)
                           .steps = N,
                           .kappa = 0.5,
                           .alpha = alpha,
-                          .past = held ? FVI_PAST_HELD
-                                       : FVI_PAST_RIEMANN_LIOUVILLE };
+                          .past = held ? FVI_INITIAL_HISTORY_HELD
+                                       : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
     double worst = 0;

@@ -25,7 +25,7 @@ static void run(size_t N, int held, double *x)
                         .kappa = 0.5,
                         .alpha = 0.9,
                         .past =
-                            held ? FVI_PAST_HELD : FVI_PAST_RIEMANN_LIOUVILLE };
+                            held ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     if (fvi_trajectory(&fvi_fractional, &r, x, NULL, NULL) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
 }

@@ -56,7 +56,7 @@ int main(void)
                               .steps = N,
                               .kappa = 0.5,
                               .alpha = 0.75,
-                              .memory = FVI_MEMORY_DIRECT };
+                              .memory = FVI_HISTORY_DIRECT };
         if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL)
             || fvi_algorithm_3(&system, 0.75, 0.5, h, N, 0, 0, printed))
             return EXIT_FAILURE;

@@ -19,8 +19,8 @@ enum { N = 10000, WINDOW = 20 };
 static int weights(void)
 {
     static double w[N + 1], c[N + 1];
-    if (fvi_coefficients(0.5, N + 1, w)
-        || fvi_coefficients_product(0.5, 0.5, N + 1, c))
+    if (fvi_gl_weights(0.5, N + 1, w)
+        || fvi_gl_weights_product(0.5, 0.5, N + 1, c))
         return EXIT_FAILURE;
     printf("# n  |alpha_n|  |c_n| = |sum alpha_j alpha_(n-j)|\n"
            "# (n + 14) u |alpha_n|  (alpha = 1/2)\n");

@@ -14,12 +14,12 @@ enum { N = 200, P = 5 };
 
 int main(void)
 {
-    const fvi_linear truth = {
+    const fvi_linear_oscillator truth = {
         .m = 1, .c = 1, .rho = 0.4, .alpha = 0.3, .x0 = 1, .v0 = 0.25
     };
-    const fvi_parameter which[P] = { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO,
-                                     FVI_PARAMETER_CONSTANT, FVI_PARAMETER_X0,
-                                     FVI_PARAMETER_P0 };
+    const fvi_free_parameter which[P] = { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO,
+                                     FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_X0,
+                                     FVI_FREE_PARAMETER_P0 };
     const char *const name[P] = { "alpha", "rho", "c", "x0", "p0" };
     const double put_in[P] = { 0.3, 0.4, 1, 1, 0.25 }, sigma = 0.02, m = 1,
                  rho = 0.2, x0 = 0.9, p0 = 0.5;
@@ -27,7 +27,7 @@ int main(void)
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < N; i++)
         t[i] = 0.1 * (i + 1);
-    if (fvi_exact(&truth, N, t, x, NULL))
+    if (fvi_exact_at(&truth, N, t, x, NULL))
         return 1;
     for (int i = 0; i < N; i++)
         x[i] += gsl_ran_gaussian(r, sigma);
@@ -38,7 +38,7 @@ int main(void)
                                 .damping = &rho,
                                 .potential = fvi_potential_harmonic(&c) };
     const fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
-    const fvi_fit fit = { .method = &fvi_lobatto4,
+    const fvi_estimation fit = { .method = &fvi_lobatto_m4,
                           .run = &run,
                           .constants = &c,
                           .n = N,
@@ -48,8 +48,8 @@ int main(void)
                           .parameters = P,
                           .which = which,
                           .starts = 20 };
-    fvi_fitted f;
-    if (fvi_fit_search(&fit, curve, &f))
+    fvi_estimate f;
+    if (fvi_estimate_multistart(&fit, curve, &f))
         return 1;
     for (int i = 0; i < N; i++)
         printf("%g %.6f %.6f %.4f\n", t[i], x[i], curve[i],

@@ -29,7 +29,7 @@ static double cost(double alpha, double rho, double c)
         fvi_run_default(&system, &x0, &p0, t[N - 1] / (N * PARTS), N * PARTS);
     double sum = 0;
     run.alpha = alpha;
-    if (fvi_trajectory(&fvi_lobatto3, &run, x, NULL, NULL))
+    if (fvi_trajectory(&fvi_lobatto_m3, &run, x, NULL, NULL))
         return GSL_POSINF;
     for (int i = 0; i < N; i++)
         sum += gsl_pow_2((x[(i + 1) * PARTS] - data[i]) / sigma) / N;
@@ -48,7 +48,7 @@ static double c_at(int j)
 
 /* The least mean over P of alpha, c (rho known) or alpha, rho (c known), from `starts`
  * places in the box; theta: where it is. */
-static double least(size_t P, const fvi_parameter *which, const double *low,
+static double least(size_t P, const fvi_free_parameter *which, const double *low,
                     const double *high, size_t starts, double c, double *theta)
 {
     const double m = 1, rho = 0.05, x0 = 1, p0 = 0.25;
@@ -58,7 +58,7 @@ static double least(size_t P, const fvi_parameter *which, const double *low,
                                 .potential = fvi_potential_harmonic(&c) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
     run.alpha = low[0];
-    const fvi_fit fit = { .method = &fvi_lobatto3,
+    const fvi_estimation fit = { .method = &fvi_lobatto_m3,
                           .run = &run,
                           .constants = &c,
                           .n = N,
@@ -71,8 +71,8 @@ static double least(size_t P, const fvi_parameter *which, const double *low,
                           .high = high,
                           .starts = starts,
                           .h = 0.15 };
-    fvi_fitted f;
-    fvi_fit_search(&fit, NULL, &f);
+    fvi_estimate f;
+    fvi_estimate_multistart(&fit, NULL, &f);
     for (size_t j = 0; j < P; j++)
         theta[j] = f.estimate[j];
     return f.chi2 / N;
@@ -92,13 +92,13 @@ static int is_minimum(int i, int j)
 
 int main(void)
 {
-    const fvi_linear truth = {
+    const fvi_linear_oscillator truth = {
         .m = 1, .c = 1, .rho = 0.05, .alpha = 0.3, .x0 = 1, .v0 = 0.25
     };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < N; i++)
         t[i] = 0.3 * (i + 1);
-    if (fvi_exact(&truth, N, t, data, NULL))
+    if (fvi_exact_at(&truth, N, t, data, NULL))
         return 1;
     for (int i = 0; i < N; i++)
         data[i] += gsl_ran_gaussian(r, sigma);
@@ -110,9 +110,9 @@ int main(void)
             printf("%.3f %.4f %.4g\n", alpha_at(i), c_at(j), map[i][j]);
         }
     printf("\n");
-    const fvi_parameter with_c[] = { FVI_PARAMETER_ALPHA,
-                                     FVI_PARAMETER_CONSTANT },
-                        with_rho[] = { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO };
+    const fvi_free_parameter with_c[] = { FVI_FREE_PARAMETER_ALPHA,
+                                     FVI_FREE_PARAMETER_CONSTANT },
+                        with_rho[] = { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO };
     double theta[2];
     for (int i = 0; i < ALPHAS; i++)
         for (int j = 0; j < SPRINGS; j++)

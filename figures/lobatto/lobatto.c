@@ -35,7 +35,7 @@ static void row(const fvi_method *method, size_t N)
                           .h = 20 / (double)N,
                           .steps = N,
                           .alpha = 0.75 };
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,
@@ -45,18 +45,18 @@ static void row(const fvi_method *method, size_t N)
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
         exit(EXIT_FAILURE);
     printf("%.17g %.17g %.17g", run.h, farthest(N, x, exact_x),
            farthest(N, p, exact_p));
-    fvi_lobatto_momenta(method, &run, x, p);
+    fvi_lobatto_correct_momenta(method, &run, x, p);
     printf(" %.17g\n", farthest(N, p, exact_p));
 }
 
 int main(void)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2, &fvi_lobatto3,
-                                          &fvi_lobatto4 };
+    const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
+                                          &fvi_lobatto_m4 };
     for (size_t s = 2; s <= 4; s++) {
         printf("# h, errors of x, p and corrected p, s = %zu; Bagley-Torvik, "
                "2 <= t <= 20\n",

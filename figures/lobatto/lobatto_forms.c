@@ -23,7 +23,7 @@ static void errors(const fvi_method *method, size_t N)
         1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
     };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 20 / (double)N, N);
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,
@@ -34,7 +34,7 @@ static void errors(const fvi_method *method, size_t N)
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
         exit(EXIT_FAILURE);
     double of_x = 0, of_p = 0;
     for (size_t k = N / 10; k <= N; k++) {
@@ -46,10 +46,10 @@ static void errors(const fvi_method *method, size_t N)
 
 int main(void)
 {
-    const fvi_method *const forms[][2] = { { &fvi_lobatto3, &fvi_lobatto3d },
-                                           { &fvi_lobatto4, &fvi_lobatto4d },
-                                           { &fvi_lobatto5, &fvi_lobatto5d },
-                                           { &fvi_lobatto6, &fvi_lobatto6d } };
+    const fvi_method *const forms[][2] = { { &fvi_lobatto_m3, &fvi_lobatto_d3 },
+                                           { &fvi_lobatto_m4, &fvi_lobatto_d4 },
+                                           { &fvi_lobatto_m5, &fvi_lobatto_d5 },
+                                           { &fvi_lobatto_m6, &fvi_lobatto_d6 } };
     for (size_t i = 0; i < 4; i++) {
         printf("# h, errors of x and p: M, D; s = %zu\n", i + 3);
         for (size_t N = 20; N <= MOST; N *= 2) {

@@ -37,18 +37,18 @@ static void errors(const fvi_method *method, double alpha, size_t N, double *ex,
                           .h = 4 / (double)N,
                           .steps = N,
                           .alpha = alpha,
-                          .past = FVI_PAST_CAPUTO };
-    const fvi_linear problem = { .m = 1,
+                          .past = FVI_INITIAL_HISTORY_CAPUTO };
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = RHO,
                                  .alpha = alpha,
-                                 .past = FVI_PAST_CAPUTO,
+                                 .past = FVI_INITIAL_HISTORY_CAPUTO,
                                  .x0 = X0,
                                  .v0 = P0 };
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
         exit(EXIT_FAILURE);
     *ex = farthest(N, x, exact_x);
     *ep = farthest(N, p, exact_p);
@@ -64,8 +64,8 @@ static double slope(const double *e)
 
 int main(void)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2, &fvi_lobatto3,
-                                          &fvi_lobatto4 };
+    const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
+                                          &fvi_lobatto_m4 };
     for (size_t s = 2; s <= 4; s++) {
         printf("# alpha, order of x, order of p, s = %zu; x0 = 1, p0 = 1/2, "
                "rho = 0.3, 1 <= t <= 4\n",

@@ -3,7 +3,7 @@
  * Prints, for nu = 1/2 and N = 10^6: the weights and their sum of exponentials;
  * the relative error of that sum for three delta; its modes. */
 #include <fvi/coefficients.h>
-#include "memory/memory_kinds.h"
+#include "memory/history_kinds.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -68,10 +68,10 @@ int main(void)
     static double s[DELTAS][MOST], c[DELTAS][MOST];
     size_t Q[DELTAS];
     double *w = malloc((N + 1) * sizeof *w);
-    if (!w || fvi_coefficients(nu, N + 1, w))
+    if (!w || fvi_gl_weights(nu, N + 1, w))
         return EXIT_FAILURE;
     for (size_t i = 0; i < DELTAS; i++)
-        Q[i] = fvi_exponentials_nodes(nu, N, deltas[i], s[i], c[i], NULL);
+        Q[i] = fvi_history_modes_nodes(nu, N, deltas[i], s[i], c[i], NULL);
     print_weights(w, Q[0], s[0], c[0]);
     print_errors(w, Q, s, c);
     print_modes(Q[0], s[0], c[0]);

@@ -13,16 +13,16 @@
 enum { BEFORE = 4, AFTER = 12, FINE = 50 };
 
 /* What a damping of this order takes for the path before t = 0. */
-static double before(const fvi_linear *p, double t)
+static double before(const fvi_linear_oscillator *p, double t)
 {
-    if (p->past == FVI_PAST_RIEMANN_LIOUVILLE)
+    if (p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return 0;
-    return p->x0 + (p->past == FVI_PAST_CAPUTO ? t * p->v0 : 0);
+    return p->x0 + (p->past == FVI_INITIAL_HISTORY_CAPUTO ? t * p->v0 : 0);
 }
 
-static int draw(fvi_past past, double alpha)
+static int draw(fvi_initial_history past, double alpha)
 {
-    const fvi_linear p = { .m = 1,
+    const fvi_linear_oscillator p = { .m = 1,
                            .c = 1,
                            .rho = 1,
                            .alpha = alpha,
@@ -34,7 +34,7 @@ static int draw(fvi_past past, double alpha)
     printf("0 %.17g\n", before(&p, 0));
     for (int k = 0; k <= AFTER * FINE; k++) {
         double t = (double)k / FINE, x;
-        if (fvi_exact(&p, 1, &t, &x, NULL))
+        if (fvi_exact_at(&p, 1, &t, &x, NULL))
             return EXIT_FAILURE;
         printf("%g %.17g\n", t, x);
     }
@@ -44,6 +44,6 @@ static int draw(fvi_past past, double alpha)
 
 int main(void)
 {
-    return draw(FVI_PAST_HELD, 0.25) || draw(FVI_PAST_RIEMANN_LIOUVILLE, 0.25)
-           || draw(FVI_PAST_HELD, 0.75) || draw(FVI_PAST_CAPUTO, 0.75);
+    return draw(FVI_INITIAL_HISTORY_HELD, 0.25) || draw(FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.25)
+           || draw(FVI_INITIAL_HISTORY_HELD, 0.75) || draw(FVI_INITIAL_HISTORY_CAPUTO, 0.75);
 }

@@ -23,7 +23,7 @@ int main(void)
     printf("# t, x of the run, exact x; fvi-lobatto4, h = %g\n", h);
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
         double x[N + 1];
-        const fvi_linear problem = { .m = one,
+        const fvi_linear_oscillator problem = { .m = one,
                                      .c = one,
                                      .rho = rho,
                                      .alpha = alphas[i],
@@ -31,13 +31,13 @@ int main(void)
                                      .v0 = p0 };
         fvi_run run = fvi_run_default(&system, &x0, &p0, h, N);
         run.alpha = alphas[i];
-        if (fvi_trajectory(&fvi_lobatto4, &run, x, NULL, NULL))
+        if (fvi_trajectory(&fvi_lobatto_m4, &run, x, NULL, NULL))
             return EXIT_FAILURE;
         printf("%s", i ? "\n\n" : "");
         for (size_t k = 0; k <= N; k++) {
             const double t = (double)k * h;
             double exact;
-            if (fvi_exact(&problem, 1, &t, &exact, NULL))
+            if (fvi_exact_at(&problem, 1, &t, &exact, NULL))
                 return EXIT_FAILURE;
             printf("%.17g %.17g ", t, x[k]);
             if (k % EVERY)

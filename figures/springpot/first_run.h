@@ -21,7 +21,7 @@ static inline int first_run(double x0, double p0, double *x, double *p)
                                 .potential = fvi_potential_harmonic(&one) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, STEP, ROWS);
     run.alpha = 0.25;
-    return fvi_trajectory(&fvi_lobatto4, &run, x, p, NULL);
+    return fvi_trajectory(&fvi_lobatto_m4, &run, x, p, NULL);
 }
 
 /* The same body on a ladder of order 1/2, whose time eta / k is 1/1000 and whose rho,

@@ -29,14 +29,14 @@ static size_t scalar_run(double alpha, double kappa, double W, double R)
                           .kappa = kappa,
                           .alpha = alpha };
     fvi_stepper *s;
-    if (fvi_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s))
         return 0;
     size_t reached = 0;
     x[0] = 0;
-    while (reached < STEPS && fvi_step(s) == FVI_SUCCESS
+    while (reached < STEPS && fvi_stepper_step(s) == FVI_SUCCESS
            && fabs(s->x[0]) < 1e200)
         x[reached = s->k] = s->x[0];
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return reached;
 }
 
@@ -92,7 +92,7 @@ int main(void)
         for (int j = 1; j <= 10; j++) {
             double ratio = 1 + 0.02 * j, R = ratio * pow(4, 1 - alphas[i]),
                    growth;
-            fvi_growth(alphas[i], 0.5, 1, R, &growth);
+            fvi_amplification(alphas[i], 0.5, 1, R, &growth);
             printf("%.17g %.17g %.17g\n", ratio,
                    measured_growth(alphas[i], 1, R), growth);
         }

@@ -25,7 +25,7 @@ static int has_load(double W, double R)
 {
     const fvi_run run = scalar(&W, &R);
     double load = NAN;
-    fvi_stability_load(&fvi_euler_explicit, &run, &load);
+    fvi_stability_number(&fvi_euler_explicit, &run, &load);
     return load > 1;
 }
 

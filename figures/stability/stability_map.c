@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdio.h>
 
-static const fvi_method *const list[] = { &fvi_fractional, &fvi_shifted,
-                                          &fvi_bdf2,       &fvi_lobatto2,
-                                          &fvi_lobatto3,   &fvi_lobatto4,
-                                          &fvi_lobatto6,   &fvi_lobatto8 };
+static const fvi_method *const list[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                          &fvi_cq_bdf2,       &fvi_lobatto_m2,
+                                          &fvi_lobatto_m3,   &fvi_lobatto_m4,
+                                          &fvi_lobatto_m6,   &fvi_lobatto_m8 };
 enum { COUNT = sizeof list / sizeof *list };
 
 static double load(const fvi_method *method, double alpha, double W, double R)
@@ -22,7 +22,7 @@ static double load(const fvi_method *method, double alpha, double W, double R)
     fvi_run run = fvi_run_default(&system, &zero, &zero, 1, 1);
     double load = NAN;
     run.alpha = alpha;
-    fvi_stability_load(method, &run, &load);
+    fvi_stability_number(method, &run, &load);
     return load;
 }
 

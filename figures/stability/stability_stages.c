@@ -22,7 +22,7 @@ static int grows(double W, double R)
     fvi_run run = fvi_run_default(&system, &zero, &one, 1, STEPS);
     run.alpha = 0.5;
     double half[2] = { 0, 0 };
-    if (fvi_trajectory(&fvi_lobatto3, &run, x, NULL, NULL))
+    if (fvi_trajectory(&fvi_lobatto_m3, &run, x, NULL, NULL))
         return 1;
     for (size_t k = 0; k <= STEPS; k++)
         half[k > STEPS / 2] = larger(half[k > STEPS / 2], fabs(x[k]));

@@ -37,7 +37,7 @@ static inline int cantilever_sum(int n, const double element[4][4],
                     list[count++] =
                         (fvi_triplet){ row, column, factor * element[i][j] };
             }
-    int status = fvi_sparse_sum(2 * (size_t)n, count, list, A);
+    int status = fvi_sparse_assemble(2 * (size_t)n, count, list, A);
     free(list);
     return status;
 }

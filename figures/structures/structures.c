@@ -63,8 +63,8 @@ static void swing(double alpha, int shapes)
     fvi_run run = fvi_run_default(&system, x0, p0, 1.0 / 400, STEPS);
     run.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_start(&fvi_stable, &run, &s));
-    for (;; fail(fvi_step(s))) {
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
+    for (;; fail(fvi_stepper_step(s))) {
         if (!shapes && s->k % 4 == 0)
             printf("%g %.6g\n", s->t, s->x[D - 2]);
         if (shapes && s->k % 71 == 0
@@ -74,7 +74,7 @@ static void swing(double alpha, int shapes)
             break;
     }
     printf("\n\n");
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_structure_free(structure);
     fvi_sparse_free(&M);
     fvi_sparse_free(&K);

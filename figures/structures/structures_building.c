@@ -80,9 +80,9 @@ static void build(double size, fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
     }
     for (int l = 0; l < DAMPERS && size > 0; l++)
         add(c, &dampers, lower[l], lower[l] + 1, size);
-    fail(fvi_sparse_sum(FLOORS, FLOORS, m, M));
-    fail(fvi_sparse_sum(FLOORS, count, k, K));
-    fail(fvi_sparse_sum(FLOORS, dampers, c, C));
+    fail(fvi_sparse_assemble(FLOORS, FLOORS, m, M));
+    fail(fvi_sparse_assemble(FLOORS, count, k, K));
+    fail(fvi_sparse_assemble(FLOORS, dampers, c, C));
 }
 //< springs
 
@@ -99,8 +99,8 @@ static void run(double size, double *ground, double *roof, double *drift)
     fvi_run r = fvi_run_default(&system, rest, rest, h, STEPS);
     r.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_start(&fvi_stable, &r, &s));
-    for (;; fail(fvi_step(s))) {
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &r, &s));
+    for (;; fail(fvi_stepper_step(s))) {
         roof[s->k] = s->x[FLOORS - 1];
         for (int i = 0; i < FLOORS; i++)
             drift[i] =
@@ -108,7 +108,7 @@ static void run(double size, double *ground, double *roof, double *drift)
         if (s->k == STEPS)
             break;
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_structure_free(structure);
     fvi_sparse_free(&M);
     fvi_sparse_free(&K);

@@ -33,7 +33,7 @@ static void laplace(double factor, fvi_sparse *A)
             if (beside[l] >= 0 && beside[l] < D)
                 list[count++] = (fvi_triplet){ i, beside[l], -k };
     }
-    fail(fvi_sparse_sum(D, count, list, A));
+    fail(fvi_sparse_assemble(D, count, list, A));
     free(list);
 }
 
@@ -62,7 +62,7 @@ int main(void)
         x0[i] = exp(-150 * (x * x + y * y));
         ones[i] = (fvi_triplet){ i, i, 1 };
     }
-    fail(fvi_sparse_sum(D, D, ones, &mass));
+    fail(fvi_sparse_assemble(D, D, ones, &mass));
     free(ones);
     laplace(1, &K);
     laplace(tau, &C);
@@ -72,13 +72,13 @@ int main(void)
         fvi_run_default(&system, x0, p0, 1.0 / (M + 1), at[TIMES - 1]);
     run.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_start(&fvi_stable, &run, &s));
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
     for (int l = 0; l < TIMES; l++) {
         while (s->k < at[l])
-            fail(fvi_step(s));
+            fail(fvi_stepper_step(s));
         snapshot(s->x);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_structure_free(structure);
     fvi_sparse_free(&mass);
     fvi_sparse_free(&K);

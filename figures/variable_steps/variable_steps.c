@@ -1,7 +1,7 @@
 /* figures/variable_steps/variable_steps.c -- Chapter 22: steps and modes on one ladder.
  *
  * Bagley and Torvik's problem, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, by
- * fvi_adaptive. Blocks: t and x of 400 rows between the steps; for each step its number,
+ * fvi_variable_step. Blocks: t and x of 400 rows between the steps; for each step its number,
  * its end, x there, its length, and 1 if that is a rung of the ladder; for each mode the
  * pieces of the run in which it is awake: number of a step, 1 / sigma. */
 #include <fvi/error.h>
@@ -31,7 +31,7 @@ static fvi_stepper *started(fvi_run *run)
                       .steps = ROWS,
                       .alpha = 0.75,
                       .step_error = 1e-8 };
-    if (fvi_start(&fvi_adaptive, run, &s))
+    if (fvi_stepper_start(&fvi_variable_step, run, &s))
         exit(EXIT_FAILURE);
     return s;
 }
@@ -43,11 +43,11 @@ static void rows(void)
     printf("# t, x\n");
     for (size_t k = 0; k <= ROWS; k++) {
         double x, p;
-        if (fvi_run_to(s, (double)k * run.h, &x, &p))
+        if (fvi_stepper_advance_to(s, (double)k * run.h, &x, &p))
             exit(EXIT_FAILURE);
         printf("%.6g %.6g\n", (double)k * run.h, x);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
 /* The lengths of the steps, and how many there are. */
@@ -58,14 +58,14 @@ static size_t steps(double *h)
     size_t n = 0;
     printf("\n\n# step, its end, x there, its length, 1 on a rung\n");
     for (double t = 0; t < T && n < MOST; t = s->t) {
-        if (fvi_step(s))
+        if (fvi_stepper_step(s))
             exit(EXIT_FAILURE);
         h[n++] = s->t - t;
         const double k = log(h[n - 1]) / fvi_variable_spacing();
         printf("%zu %.6g %.6g %.6g %d\n", n, s->t, s->x[0], h[n - 1],
                fabs(k - round(k)) < 1e-9);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return n;
 }
 

@@ -28,7 +28,7 @@ typedef struct {
     void *params;
 } fvi_objective;
 
-/* fvi_gradients -- where the derivatives go; what is NULL is not wanted. Of a system with
+/* fvi_sensitivities -- where the derivatives go; what is NULL is not wanted. Of a system with
  * matrices mass, damping and parameters are one number each: by a factor of M, of C and of
  * K, at 1; the sensitivity is not read.
  *
@@ -46,15 +46,15 @@ typedef struct {
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends,
         *force, *parameters;
-    fvi_sensitivity sensitivity;
-} fvi_gradients;
+    fvi_parameter_gradient sensitivity;
+} fvi_sensitivities;
 
 /* fvi_adjoint -- the derivatives of J by all that determines a run.
  *                [(23.4), (23.6), (23.13), (23.15), (23.16), (23.18), (23.19), (23.21), (23.25)]
  *
- *   method     fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable; or with x and p
- *              NULL fvi_lobatto2 to 8d, of which form M has no derivative by alpha at
- *              alpha = 1, where its p jumps, (17.17); and fvi_adaptive, see mesh
+ *   method     fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint; or with x and p
+ *              NULL fvi_lobatto_m2 to 8d, of which form M has no derivative by alpha at
+ *              alpha = 1, where its p jumps, (17.17); and fvi_variable_step, see mesh
  *   run        as it was run
  *   x, p       the trajectory as fvi_trajectory writes it: (N + 1) d positions, and the
  *              d momenta p_N of its last row. Or both NULL: the run is done here, and
@@ -75,7 +75,7 @@ typedef struct {
  *          pasts with all but fvi_fractional: likewise, if less. RIEMANN_LIOUVILLE
  *          with all but fvi_fractional and alpha > 1/2 runs from x0 = 0 alone, and
  *          where rho > 0 the derivative by x0 does not exist: NaN is written
- *   mesh   of fvi_adaptive the steps count as given: the derivatives are those on these
+ *   mesh   of fvi_variable_step the steps count as given: the derivatives are those on these
  *          steps. Where the past pulls the start, (19.3), so does the singular part of it,
  *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by
  *          A is wanted, steps end where it would; and there is none by alpha at 1, nor at 0
@@ -83,18 +83,18 @@ typedef struct {
  *          and t_{k+1}
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
- *          fvi_adaptive, where nothing is damped, is the one of form M with such a damping
+ *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
  * always one, s - 1 times as large, in form D s times), and no iteration. Measured,
  * fvi_fractional, one coordinate, all derivatives, the rows given: half the time of the
  * run, a little less without that by alpha (figures/adjoint/adjoint_bench.tsv).
- * fvi_adaptive keeps 11 d numbers a step.
+ * fvi_variable_step keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
  * that is more, N = 2000; with eight stages and alpha near 0 an identity of all derivatives
  * is off by 1e-11.
  *
- * Returns FVI_SUCCESS; what fvi_start and fvi_step return; FVI_EFAULT if method, run,
+ * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if
  * parameters are wanted and sensitivity.column is NULL, alpha of a law or terms, orders,
  * times or ends of none; FVI_EUNSUP if the method has no adjoint, or not this one, or mass
@@ -104,7 +104,7 @@ typedef struct {
  * derivative is not finite; what a callback returned. On error the outputs are of no use. */
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
                 const double *p, const fvi_objective *objective,
-                const fvi_gradients *gradients);
+                const fvi_sensitivities *gradients);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_controlled -- what was found.
+/* fvi_control_result -- what was found.
  *
  *   cost        (h/2) sum_k |u_k|^2
  *   miss        the largest |x_N - x| and |p_N - p| of the run with this u: look at it, as
@@ -19,16 +19,16 @@ extern "C" {
 typedef struct {
     double cost, miss, change;
     size_t iterations;
-} fvi_controlled;
+} fvi_control_result;
 
-/* fvi_control -- the least force that ends a run at x, p, for quadratic U; for others a
+/* fvi_control_solve -- the least force that ends a run at x, p, for quadratic U; for others a
  * stationary one.                                                     [(25.1)]
  *
  *     min (h/2) sum_{k=0}^{N} |u_k|^2   so that   x_N = x, p_N = p,
  *
  * u_k being added to the force F(t_k) of the system.
  *
- *   method  fvi_fractional, fvi_shifted, fvi_bdf2 or fvi_stable
+ *   method  fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2 or fvi_cq2_midpoint
  *   run     the start, the steps, the past, a law if the method takes it; N >= 2
  *   x, p    where it is to end, d numbers each
  *   u       in: a guess, zeros will do; out: (N + 1) d numbers, component i at t_k at
@@ -52,8 +52,8 @@ typedef struct {
  * and p; FVI_EOVRFLW if u, its cost or its miss is not finite; FVI_EMAXITER after 200
  * iterations, u and found being those of the last;
  * FVI_ENOMEM. After another error u is of no use. */
-int fvi_control(const fvi_method *method, const fvi_run *run, const double *x,
-                const double *p, double *u, fvi_controlled *found);
+int fvi_control_solve(const fvi_method *method, const fvi_run *run, const double *x,
+                const double *p, double *u, fvi_control_result *found);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -7,7 +7,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_motion -- what the theorem of chapter 20 has to know of a motion x on [0, T].
+/* fvi_smoothness -- what the theorem of chapter 20 has to know of a motion x on [0, T].
  * With f = F/m, g = grad U/m, and B the points that are at most `room` away from the
  * convex hull of the path:
  *
@@ -32,17 +32,17 @@ typedef struct {
     double variation;
     double start, speed, acceleration;
     double room;
-} fvi_motion;
+} fvi_smoothness;
 //< motion
 
-/* fvi_convergence -- the constants of the theorem. */
+/* fvi_error_bound -- the constants of the theorem. */
 typedef struct {
     double C;      /* (20.5) */
     double lambda; /* (20.6) */
     double h;      /* it speaks of all steps below this, GSL_POSINF if of all */
-} fvi_convergence;
+} fvi_error_bound;
 
-/* fvi_convergence_bound -- the constants of the bound                [(20.8)]
+/* fvi_error_bound_compute -- the constants of the bound                [(20.8)]
  *
  *     |x_k - x(t_k)|      <= 2 C h (e^(lambda t_k) - 1) / lambda,
  *     |p_k / m - v(t_k)|  <= 2 C h e^(lambda t_k),
@@ -56,7 +56,7 @@ typedef struct {
  * FVI_EOVRFLW if C or lambda is not finite, as it happens near alpha = 1 if 4 r > 1.
  * On error *bound is untouched. bound->h is 0 if e^(lambda T) overflows and room is
  * finite. */
-int fvi_convergence_bound(const fvi_motion *motion, fvi_convergence *bound);
+int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -18,12 +18,12 @@ extern "C" {
  *
  * D_k = h^(-2 alpha) sum_n w_n z_{k-n}. p_k is the momentum (13.9), from p_0 on.
  *
- *   fvi_shifted  theta = alpha, EULER: implicit; for a quadratic U >= 0 stable for
+ *   fvi_cq2_shifted  theta = alpha, EULER: implicit; for a quadratic U >= 0 stable for
  *                every step if alpha >= 1/2 and kappa = 1/2 (13.14); at alpha = 1
  *                nothing is lost
- *   fvi_bdf2     theta = 0, BDF2: explicit memory, stable for shorter steps than
+ *   fvi_cq_bdf2     theta = 0, BDF2: explicit memory, stable for shorter steps than
  *                Algorithm 3
- *   fvi_stable   theta = kappa = 1/2 (run->kappa is not used), EULER, of the mean
+ *   fvi_cq2_midpoint   theta = kappa = 1/2 (run->kappa is not used), EULER, of the mean
  *                (1/2 + alpha) z_k + (1/2 - alpha) z_{k-1} in place of z_k: implicit, and
  *                for a quadratic U >= 0 stable for every step and alpha (13.17), but
  *                what alternates from step to step is hardly damped. Of a law: BDF2 and
@@ -36,12 +36,12 @@ extern "C" {
  * limit on its own side: F may jump at nodes (13.12). In the first few steps after
  * the start, or after a jump of F, the error of p is larger and falls more slowly
  * with h; that does not spread. Cost of a step: as Algorithm 3, and two values of
- * F; DIRECT and FFT memories of fvi_shifted sum twice; BDF2 takes 36 products a
- * damped coordinate more, fvi_stable 2. Errors as fvi_start and fvi_step; fvi_start also
+ * F; DIRECT and FFT memories of fvi_cq2_shifted sum twice; BDF2 takes 36 products a
+ * damped coordinate more, fvi_cq2_midpoint 2. Errors as fvi_stepper_start and fvi_stepper_step; fvi_stepper_start also
  * returns FVI_EDOM if m/h + theta rho h^(1 - 2 alpha) overflows. */
-extern const fvi_method fvi_shifted;
-extern const fvi_method fvi_bdf2;
-extern const fvi_method fvi_stable;
+extern const fvi_method fvi_cq2_shifted;
+extern const fvi_method fvi_cq_bdf2;
+extern const fvi_method fvi_cq2_midpoint;
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

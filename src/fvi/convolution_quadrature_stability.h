@@ -10,7 +10,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_quadrature_oscillator -- the linear recurrence with any weights. [(13.13)]
+/* fvi_cq_oscillator -- the linear recurrence with any weights. [(13.13)]
  *
  *     (1 + kappa (1 - kappa) W) (x_{k+1} - 2 x_k + x_{k-1}) + W x_k
  *         + R sum_n w_n ((1 - theta) x_{k-n} + theta x_{k+1-n}) = 0,
@@ -26,10 +26,10 @@ extern "C" {
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if N == 0;
  * FVI_EDOM if a number is out of range. On error x is untouched. Values may
  * overflow. */
-int fvi_quadrature_oscillator(const double *w, double theta, double kappa,
+int fvi_cq_oscillator(const double *w, double theta, double kappa,
                               double W, double R, size_t N, double *x);
 
-/* fvi_quadrature_growth -- the factor 1/|z| by which a solution of that
+/* fvi_cq_amplification -- the factor 1/|z| by which a solution of that
  * recurrence grows in a step while it alternates in sign, 1 if none does: z is
  * the root in (-1, 0) of                                            [(13.15)]
  *
@@ -44,7 +44,7 @@ int fvi_quadrature_oscillator(const double *w, double theta, double kappa,
  * By GSL's Brent solver, to 8 ulp of z. Returns FVI_SUCCESS; FVI_EFAULT if growth
  * is NULL; FVI_EINVAL for another kind; FVI_EDOM if a number is out of range;
  * FVI_ENOMEM. On error growth is untouched. */
-int fvi_quadrature_growth(fvi_quadrature kind, double theta, double alpha,
+int fvi_cq_amplification(fvi_delta kind, double theta, double alpha,
                           double kappa, double W, double R, double *growth);
 
 #pragma GCC visibility pop

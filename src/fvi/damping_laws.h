@@ -26,13 +26,13 @@ extern "C" {
  *   MAXWELL      s / (1 + time s)
  *   DISTRIBUTED  int_alpha^end s^{2 a} da */
 typedef enum {
-    FVI_LAW_POWER,
-    FVI_LAW_ZENER,
-    FVI_LAW_MAXWELL,
-    FVI_LAW_DISTRIBUTED
-} fvi_law_kind;
+    FVI_KERNEL_POWER,
+    FVI_KERNEL_ZENER,
+    FVI_KERNEL_MAXWELL,
+    FVI_KERNEL_DISTRIBUTED
+} fvi_kernel_kind;
 
-/* fvi_law_term -- one term; what its kind does not name is not read.
+/* fvi_kernel_term -- one term; what its kind does not name is not read.
  *
  *   rho         finite, >= 0
  *   alpha       0 <= alpha <= 1
@@ -40,46 +40,46 @@ typedef enum {
  *               it is a time to the power 2 alpha
  *   end         alpha < end <= 1 */
 typedef struct {
-    fvi_law_kind kind;
+    fvi_kernel_kind kind;
     double rho, alpha, time, end;
-} fvi_law_term;
+} fvi_kernel_term;
 
-/* fvi_law -- a sum of terms; they belong to the caller. */
+/* fvi_kernel -- a sum of terms; they belong to the caller. */
 typedef struct {
     size_t count;
-    const fvi_law_term *term;
-} fvi_law;
+    const fvi_kernel_term *term;
+} fvi_kernel;
 
-/* fvi_law_check -- is it a law?
+/* fvi_kernel_check -- is it a law?
  * Returns FVI_SUCCESS; FVI_EFAULT if law, or the terms of a law that has some, is NULL;
  * FVI_EINVAL for no terms and an unknown kind; FVI_EDOM for a number out of range. */
-int fvi_law_check(const fvi_law *law);
+int fvi_kernel_check(const fvi_kernel *law);
 
-/* fvi_law_moduli -- C(i omega): what an experiment at one frequency sees.  [(26.2)]
+/* fvi_kernel_moduli -- C(i omega): what an experiment at one frequency sees.  [(26.2)]
  *
  *   omega          finite, > 0
  *   storage, loss  outputs: Re C, a stiffness, and Im C >= 0; loss / storage is the
  *                  tangent of the loss angle, loss / omega the viscosity
  *
  * Accuracy: some units of roundoff of the sum of the moduli of the terms. Returns
- * FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM as fvi_law_check, and for omega;
+ * FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM as fvi_kernel_check, and for omega;
  * FVI_EOVRFLW if a modulus is not finite. On error storage and loss are untouched. */
-int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
+int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
                    double *loss);
 
-/* fvi_law_symbol -- C(s) of s > 0, where it is real. Of a law that has passed
- * fvi_law_check; nothing is checked. */
-double fvi_law_symbol(const fvi_law *law, double s);
+/* fvi_kernel_symbol -- C(s) of s > 0, where it is real. Of a law that has passed
+ * fvi_kernel_check; nothing is checked. */
+double fvi_kernel_symbol(const fvi_kernel *law, double s);
 
-/* fvi_law_growth -- the largest nu with which |C(s)| grows like |s|^nu at infinity, but
+/* fvi_kernel_growth -- the largest nu with which |C(s)| grows like |s|^nu at infinity, but
  * for a logarithm: 2 alpha of a POWER, 0 of a MAXWELL or a ZENER with a time, 2 end of
- * a DISTRIBUTED. The law has passed fvi_law_check. */
-double fvi_law_growth(const fvi_law *law);
+ * a DISTRIBUTED. The law has passed fvi_kernel_check. */
+double fvi_kernel_growth(const fvi_kernel *law);
 
-/* fvi_law_weights -- w_n of sum_n w_n z^n = C(delta(z)/h).             [(26.3)]
+/* fvi_kernel_weights -- w_n of sum_n w_n z^n = C(delta(z)/h).             [(26.3)]
  *
  *   law    as above
- *   kind   FVI_QUADRATURE_EULER or FVI_QUADRATURE_BDF2
+ *   kind   FVI_DELTA_EULER or FVI_DELTA_BDF2
  *   h      step, finite, > 0. It IS included here
  *   count  number of weights, count >= 1
  *   w      output, length count, owned by the caller
@@ -88,33 +88,33 @@ double fvi_law_growth(const fvi_law *law);
  * for a ZENER with 2 alpha > 1: it rings, and keeps roundings for as long as it does (seen
  * 1800 u in 1500 weights, alpha = 0.985).
  * Cost: O(count), and O(count^2) for a ZENER with alpha other than 1/2.
- * Returns FVI_SUCCESS; what fvi_law_check returns; FVI_EFAULT if w is NULL; FVI_EINVAL
+ * Returns FVI_SUCCESS; what fvi_kernel_check returns; FVI_EFAULT if w is NULL; FVI_EINVAL
  * if count == 0 or kind is another; FVI_EDOM for h; FVI_ENOMEM. On error w is
  * untouched. */
-int fvi_law_weights(const fvi_law *law, fvi_quadrature kind, double h,
+int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
                     size_t count, double *w);
 
-/* fvi_law_memory -- the sums of a law as a memory (memory.h).          [(26.4)]
+/* fvi_kernel_history -- the sums of a law as a memory (memory.h).          [(26.4)]
  *
- *     sum_{n=0}^{k} w_n x_{k-n} = *first H_k,     H_k as fvi_memory_push gives it
+ *     sum_{n=0}^{k} w_n x_{k-n} = *first H_k,     H_k as fvi_history_push gives it
  *
- *   law, kind, h   as fvi_law_weights
- *   d, steps       as fvi_memory_alloc
+ *   law, kind, h   as fvi_kernel_weights
+ *   d, steps       as fvi_history_alloc
  *   how            DIRECT, with all weights; EXPONENTIALS, the last 32 terms and one set
  *                  of decaying modes for all terms of the law; AUTO: DIRECT up to 256
  *                  steps and where there are no modes (26.6)
- *   tolerance      as fvi_memory_alloc
+ *   tolerance      as fvi_history_alloc
  *   first          output, w_0: it is taken out, so that x_k stands in H_k with 1
- *   memory         output; free it with fvi_memory_free
+ *   memory         output; free it with fvi_history_free
  *
  * As there, increments are summed where the law grows faster than s: *first is then
  * the factor of x_k - x_{k-1}.
- * Returns FVI_SUCCESS; what fvi_law_weights and fvi_memory_alloc return; FVI_EUNSUP for
+ * Returns FVI_SUCCESS; what fvi_kernel_weights and fvi_history_alloc return; FVI_EUNSUP for
  * FFT, and for EXPONENTIALS where there are no modes. On error *first and *memory are
  * untouched. */
-int fvi_law_memory(const fvi_law *law, fvi_quadrature kind, double h, size_t d,
-                   size_t steps, fvi_memory_kind how, double tolerance,
-                   double *first, fvi_memory **memory);
+int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d,
+                   size_t steps, fvi_history_kind how, double tolerance,
+                   double *first, fvi_history **memory);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -42,7 +42,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
 /* Algorithm 1: x_{k+1} from D1 L_d(x_k, x_{k+1}) + D2 L_d(x_{k-1}, x_k) = 0,
  * x_1 from p_0 = -D1 L_d(x_0, x_1). Symplectic. Refuses damping and force
  * (FVI_EINVAL): it has no place for them. Order 2 for kappa = 1/2, else 1. */
-extern const fvi_method fvi_variational;
+extern const fvi_method fvi_midpoint_variational;
 
 /* Algorithm 2 with f^- = 0 and f^+ = -rho (x_{k+1} - x_k) + h F(t_{k+1}), the
  * forced (Lagrange-d'Alembert) integrator for linear damping. alpha = 1/2 only

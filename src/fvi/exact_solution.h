@@ -18,7 +18,7 @@ typedef enum {
     FVI_FORCING_COSINE /* F = A cos(w t) */
 } fvi_forcing;
 
-/* fvi_linear -- one linear problem in one dimension.               [(11.1)]
+/* fvi_linear_oscillator -- one linear problem in one dimension.               [(11.1)]
  *
  *     m x'' + c x + rho D^{2 alpha} x = F(t),   x(0) = x0,  x'(0) = v0
  *
@@ -39,14 +39,14 @@ typedef enum {
  * What is left out of an initialiser is zero and does nothing. */
 typedef struct {
     double m, c, rho, alpha;
-    fvi_past past;
+    fvi_initial_history past;
     double x0, v0;
     fvi_forcing forcing;
     double A, T, w;
-    const fvi_law *law;
-} fvi_linear;
+    const fvi_kernel *law;
+} fvi_linear_oscillator;
 
-/* fvi_exact -- the solution at n times.                    [(11.7), (11.10)]
+/* fvi_exact_at -- the solution at n times.                    [(11.7), (11.10)]
  *
  *   problem  as above
  *   n        number of times, n >= 1
@@ -71,50 +71,50 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if problem or t is NULL, or x and v both are;
  * FVI_EINVAL if n == 0 or forcing is unknown; FVI_EDOM if a number is out of its
  * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
- * these errors x and v are untouched, and on those of a law: what fvi_law_check returns;
+ * these errors x and v are untouched, and on those of a law: what fvi_kernel_check returns;
  * FVI_EUNSUP for another past, and for more than three zeros of (26.11), which a sum of
  * three ZENERs with alpha > 1/2 may have; FVI_EMAXITER if they were not found.
  * FVI_EOVRFLW if x or x' is not finite, also if only the other one is asked for, and
  * FVI_ELOSS if the body has swung so often, w t above 8e17, that twice the digits of a
  * double do not hold the phase (not where the swing has died away): the values before it
  * stand. */
-int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x,
+int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x,
               double *v);
 
-/* fvi_exact_rows -- the solution at t_k, the doubles nearest to k h, k = 0, ..., n.
+/* fvi_exact_grid -- the solution at t_k, the doubles nearest to k h, k = 0, ..., n.
  *                                                          [(11.15) to (11.19)]
  *
  *   problem    as above
  *   h          > 0, finite, as n h is
  *   n          n >= 1
  *   tolerance  in [0, 1): the error of x is at most the larger of this and 7e-14, times max|x|
- *              over [0, n h]; that of x' at t times max|x'| + max|x| / t. 0: as fvi_exact
+ *              over [0, n h]; that of x' at t times max|x'| + max|x| / t. 0: as fvi_exact_at
  *   x, v       outputs, n + 1 numbers each, x and x' at t_k; one of them may be NULL
  *
  * Accuracy: no proof; 0.7 of the tolerance was seen in 26 000 random problems, and at 0
  * 1e-14, where the bound is a count of roundings. With a law that is not one power: what
- * fvi_exact promises, or the tolerance, the larger.
+ * fvi_exact_at promises, or the tolerance, the larger.
  * Cost: some microseconds a window, of times up to a factor of 100, and then 4 operations
  * a node, row and output, and for a law its poles, as there; 80 rows took as long as one to
- * five times of fvi_exact. Row by row, as there, goes what is out of range: c t^2 / m > 10^70
+ * five times of fvi_exact_at. Row by row, as there, goes what is out of range: c t^2 / m > 10^70
  * for one.
  * Memory: 80 kB of stack, and 352 bytes a node, by (11.16) at most 350 of them, with a law 620.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if problem is NULL, or x and v both are; FVI_EINVAL if
- * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact for the problem.
+ * n == 0; FVI_EDOM if h or tolerance is out of its range; and as fvi_exact_at for the problem.
  * On these errors x and v are untouched. FVI_ENOMEM: they then hold nothing of use.
- * FVI_EOVRFLW, here for what is asked for, and FVI_ELOSS as fvi_exact: the values before it
+ * FVI_EOVRFLW, here for what is asked for, and FVI_ELOSS as fvi_exact_at: the values before it
  * stand, and then come NaNs. */
-int fvi_exact_rows(const fvi_linear *problem, double h, size_t n,
+int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
                    double tolerance, double *x, double *v);
 
 /* fvi_exact_oscillation -- the part 2 Re(a e^{s t}) of the solution.  [(11.7)]
  *
  * Only the two complex poles s, conj(s) of the equation; of a law all those of (26.11).
  * What is left, after the answer A Re(e^{iwt} / Q(iw)) to a cosine is also taken away, is
- * the integral along the branch cut: the tail. Arguments, errors: as fvi_exact;
+ * the integral along the branch cut: the tail. Arguments, errors: as fvi_exact_at;
  * also FVI_EDOM if there are no complex poles (see fvi_exact_pole). */
-int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
+int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const double *t,
                           double *x, double *v);
 
 /* fvi_exact_pole -- s = re + i im with m s^2 + c + rho s^{2 alpha} = 0, the only
@@ -125,10 +125,10 @@ int fvi_exact_oscillation(const fvi_linear *problem, size_t n, const double *t,
  *
  * Accuracy: nearest doubles but for some units of roundoff of |re|.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL, FVI_EDOM as
- * fvi_exact for the problem; FVI_EDOM if there is none: alpha = 1/2 and
+ * fvi_exact_at for the problem; FVI_EDOM if there is none: alpha = 1/2 and
  * rho >= 2 sqrt(m c), or c = 0 and alpha >= 1/2, or c = rho = 0. On error re and
  * im are untouched. */
-int fvi_exact_pole(const fvi_linear *problem, double *re, double *im);
+int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

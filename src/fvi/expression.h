@@ -1,7 +1,7 @@
 /* src/fvi/expression.h -- Potentials and forces as they are typed.     [Chapter 9]
  *
  *     const char *const k[] = { "k" };
- *     const fvi_names names = { "x", 1, k, 1 };
+ *     const fvi_symbols names = { "x", 1, k, 1 };
  *     double value = 3;
  *     fvi_expression *e;
  *     if (fvi_expression_parse("k*x^4/4 - x^2/2", &names, &value, &e, NULL) == 0)
@@ -39,7 +39,7 @@ extern "C" {
 
 typedef struct fvi_expression fvi_expression;
 
-/* fvi_names -- what an expression may speak of, besides pi and the functions.
+/* fvi_symbols -- what an expression may speak of, besides pi and the functions.
  *
  *   variable    a letter or more, "x". The coordinates are x1, ..., x<d>; with d = 1
  *               also x alone
@@ -50,7 +50,7 @@ typedef struct {
     size_t d;
     const char *const *parameter;
     size_t parameters;
-} fvi_names;
+} fvi_symbols;
 
 /* fvi_misprint -- what is wrong with a text, and at which of its bytes, from 0. The
  * reason is a constant text. */
@@ -59,9 +59,9 @@ typedef struct {
     const char *reason;
 } fvi_misprint;
 
-/* fvi_name_is_free -- nonzero if a parameter may have this name: it is made as fvi_names
+/* fvi_symbol_is_free -- nonzero if a parameter may have this name: it is made as fvi_symbols
  * says, and is no function, not pi, and no coordinate. */
-int fvi_name_is_free(const char *name, const char *variable);
+int fvi_symbol_is_free(const char *name, const char *variable);
 
 /* fvi_expression_parse -- understand a text.
  *
@@ -79,7 +79,7 @@ int fvi_name_is_free(const char *name, const char *variable);
  * none that is understood, is nested 100 deep, or has a term of more than 1024 operations;
  * FVI_ENOMEM. On error *e is untouched. No call of the error handler: a misprint is the
  * user's. */
-int fvi_expression_parse(const char *text, const fvi_names *names,
+int fvi_expression_parse(const char *text, const fvi_symbols *names,
                          const double *values, fvi_expression **e,
                          fvi_misprint *wrong);
 
@@ -87,13 +87,13 @@ int fvi_expression_parse(const char *text, const fvi_names *names,
  * defined. Nothing is checked. */
 double fvi_expression_value(const fvi_expression *e, const double *x);
 
-/* fvi_expression_by_parameter -- the derivative by parameter number j, from 0, of the value
+/* fvi_expression_parameter_gradient -- the derivative by parameter number j, from 0, of the value
  * and of the gradient.
  *
  *   value  output, dU/dk     grad  output, d numbers, d^2U/(dx_i dk); or NULL
  *
  * Nothing is checked. Cost: of a Hessian's row. */
-void fvi_expression_by_parameter(const fvi_expression *e, size_t j,
+void fvi_expression_parameter_gradient(const fvi_expression *e, size_t j,
                                  const double *x, double *value, double *grad);
 
 /* fvi_expression_free -- give everything back. NULL is allowed. */

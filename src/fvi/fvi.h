@@ -57,8 +57,8 @@ extern "C" {
  * for Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha if alpha < 1/2, and
  * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, F(0) = 0 (9.8).
  * run->past says on what the memory acts (9.6).
- * Steps must be short enough (fvi_stability_step); at alpha = 1 and rho >= m none is.
- * Cost of a step: as fvi_step says, and fvi_memory_push for the damped
+ * Steps must be short enough (fvi_stability_longest_step); at alpha = 1 and rho >= m none is.
+ * Cost of a step: as fvi_stepper_step says, and fvi_history_push for the damped
  * coordinates. rho = 0 has no memory at all. */
 extern const fvi_method fvi_fractional;
 

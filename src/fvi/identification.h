@@ -22,23 +22,23 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-enum { FVI_FIT_MOST = 8 };              /* parameters in a fit */
+enum { FVI_ESTIMATION_MOST = 8 };              /* parameters in a fit */
 enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
 
-/* fvi_parameter -- what a fit may look for. FVI_PARAMETER_CONSTANT + i is number i of
+/* fvi_free_parameter -- what a fit may look for. FVI_FREE_PARAMETER_CONSTANT + i is number i of
  * the constants of the potential. */
 typedef enum {
-    FVI_PARAMETER_ALPHA,
-    FVI_PARAMETER_RHO,
-    FVI_PARAMETER_MASS,
-    FVI_PARAMETER_X0,
-    FVI_PARAMETER_P0,
-    FVI_PARAMETER_CONSTANT
-} fvi_parameter;
+    FVI_FREE_PARAMETER_ALPHA,
+    FVI_FREE_PARAMETER_RHO,
+    FVI_FREE_PARAMETER_MASS,
+    FVI_FREE_PARAMETER_X0,
+    FVI_FREE_PARAMETER_P0,
+    FVI_FREE_PARAMETER_CONSTANT
+} fvi_free_parameter;
 
-/* fvi_fit -- a question: data, model, what is unknown in it.
+/* fvi_estimation -- a question: data, model, what is unknown in it.
  *
- *   method     integrator; one of high order, best fvi_lobatto4: its error counts as
+ *   method     integrator; one of high order, best fvi_lobatto_m4: its error counts as
  *              if it were in the data
  *   run        the model: one mass, potential, force, past, and the values of all
  *              parameters that are not fitted; those that are, are one of the starts.
@@ -48,9 +48,9 @@ typedef enum {
  *   n, t, x    data, n > parameters; t from t[0] >= 0 on increasing, finite, in any
  *              spacing
  *   sigma      standard deviation of each x, finite; 0: unknown
- *   parameters, which  how many, at most FVI_FIT_MOST, and which, all different
+ *   parameters, which  how many, at most FVI_ESTIMATION_MOST, and which, all different
  *   low, high  NULL, or the box from which the starts are taken, a number for each
- *              parameter, low < high; fvi_fit_box stands for NULL. No bounds: the
+ *              parameter, low < high; fvi_estimate_box stands for NULL. No bounds: the
  *              search may leave it, but alpha stays within what the method knows and
  *              rho and the mass stay positive
  *   starts     how many searches, >= 2
@@ -63,17 +63,17 @@ typedef struct {
     const double *t, *x;
     double sigma;
     size_t parameters;
-    const fvi_parameter *which;
+    const fvi_free_parameter *which;
     const double *low, *high;
     size_t starts;
     double h;
-} fvi_fit;
+} fvi_estimation;
 
-/* fvi_fitted -- the answer. Numbers of parameter j stand at [j]. */
+/* fvi_estimate -- the answer. Numbers of parameter j stand at [j]. */
 typedef struct {
-    double estimate[FVI_FIT_MOST];
-    double sd[FVI_FIT_MOST]; /* (24.3) */
-    double correlation[FVI_FIT_MOST][FVI_FIT_MOST];
+    double estimate[FVI_ESTIMATION_MOST];
+    double sd[FVI_ESTIMATION_MOST]; /* (24.3) */
+    double correlation[FVI_ESTIMATION_MOST][FVI_ESTIMATION_MOST];
     double quantile; /* 95 %: estimate -+ quantile sd; normal's, or Student's */
     double sigma;    /* as given, or sqrt(sum of squares / (n - parameters)) */
     double chi2;     /* (24.1) with that sigma */
@@ -88,9 +88,9 @@ typedef struct {
     double bias;  /* what the last halving changed, in sd, at most; changes
                            below 1e-7 of an estimate's size do not count */
     double reached; /* after FVI_ERUNAWAY: the time that the last run came to */
-} fvi_fitted;
+} fvi_estimate;
 
-/* fvi_fit_box -- a box of plausible starts, by the size and the frequency of the data.
+/* fvi_estimate_box -- a box of plausible starts, by the size and the frequency of the data.
  *
  *   fit        low and high are not read
  *   low, high  output, fit->parameters numbers each
@@ -103,10 +103,10 @@ typedef struct {
  *     x0     mean -+ 3/2 A                 constant 0   m w^2 (1/10 ... 4)
  *     p0     -+ 3/2 m w A                  others       m w^2 / A^2 (-1/2 ... 2)
  *
- * Cost: min(n, 1024)^2 sines. Errors as fvi_fit_search. */
-int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
+ * Cost: min(n, 1024)^2 sines. Errors as fvi_estimate_multistart. */
+int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
 
-/* fvi_fit_search -- the least chi^2, from several starts.     [(24.1) - (24.4)]
+/* fvi_estimate_multistart -- the least chi^2, from several starts.     [(24.1) - (24.4)]
  *
  *   fit     the question
  *   curve   NULL, or output: x(t_i) of the fitted motion, n numbers
@@ -114,14 +114,14 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  *
  * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
  * and of (24.12) for form M of chapter 17, without a law and with constants that
- * fvi_sensitivity_of knows, else with differences, in
+ * fvi_parameter_gradient_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
  * points of Sobol's sequence in the box. If sigma is given and the best chi^2 so far is below
  * its quantile of 0.99, a start whose last ten iterations promise no better one is given up,
  * and taken up again if fewer than two agree without it. A start agrees with the best if all its
  * parameters come within sd / 10 of those, or within 1e-6 of their size, which is
  * |theta|, but of x0, p0 and constants at least a sixteenth of the box, or of that of
- * fvi_fit_box if it is smaller. Then the step, at first the longest that meets all times
+ * fvi_estimate_box if it is smaller. Then the step, at first the longest that meets all times
  * and is no longer than 1/w, is halved until no estimate moves by more than sd / 100, or
  * 1e-7 of its size; no further than to 2^17 steps, and only while that shortens the moves
  * (bias is the last). Times that no step meets are read off by Hermite's cubic through x
@@ -139,13 +139,13 @@ int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
  * number of the answer is not finite, FVI_ERUNAWAY if three runs take more steps than
  * run->most_steps, or FVI_FIT_MOST_STEPS if that is 0 (bias may be NaN: no halving was asked for). FVI_EFAULT if
  * a pointer is NULL; FVI_EINVAL if the system has not d == 1, if parameters is 0 or
- * above FVI_FIT_MOST, if n is not larger, if starts < 2, if t does not increase, or
+ * above FVI_ESTIMATION_MOST, if n is not larger, if starts < 2, if t does not increase, or
  * which has one twice; FVI_EDOM if sigma < 0 or a number is not finite or low is not
  * below high; FVI_EUNSUP if alpha is to be fitted and the method knows but one, or the run
  * has a law, which does not read it (rho, then, is what multiplies the law); what
  * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start;
  * FVI_ENOMEM. */
-int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 /* fvi_fit_warning_of_... -- what to know before an answer is believed, as the functions of
  * warnings.h: 1 and a text, or 0, and the text is untouched. Nothing is checked.
@@ -154,35 +154,35 @@ int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
  *          an answer with FVI_ESING. The names are for the text
  *   model  neighbouring residuals are alike, by more than 5 n^(-1/2)
  *   step   the last halving still moved the estimates, by more than sd / 50
- *   past   no motion has these estimates (fvi_warning_of_past); a constant text, or NULL
+ *   past   no motion has these estimates (fvi_warning_of_initial_history); a constant text, or NULL
  *
  *   fit, fitted  the question and its answer
  *   size, text   room for FVI_WARNING_ROOM characters; longer names are cut */
-int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j,
+int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j,
                             const char *name_i, const char *name_j, size_t size,
                             char *text);
-int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted,
+int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted,
                              size_t size, char *text);
-int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted,
+int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *fitted,
                             size_t size, char *text);
-const char *fvi_fit_warning_of_past(const fvi_fit *fit,
-                                    const fvi_fitted *fitted);
+const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
+                                    const fvi_estimate *fitted);
 
-/* fvi_fit_reason -- 1 and a text, why an answer with this code is not to be believed:
- * FVI_EMAXITER, FVI_ETOL, FVI_ESING and FVI_ERUNAWAY of fvi_fit_search; 0 for another code.
+/* fvi_estimate_reason -- 1 and a text, why an answer with this code is not to be believed:
+ * FVI_EMAXITER, FVI_ETOL, FVI_ESING and FVI_ERUNAWAY of fvi_estimate_multistart; 0 for another code.
  *
  *   fit, fitted  the question and its answer
  *   names   of the parameters, as the text has them: "alpha,rho"
  *   dashes  what stands before the words starts and sigma: "--", or ""
  *   size, text   as above */
-int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted,
+int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted,
                    const char *names, const char *dashes, size_t size,
                    char *text);
 
-/* fvi_fit_profile -- the interval of one parameter, the others making up for it. [(24.11)]
+/* fvi_estimate_profile -- the interval of one parameter, the others making up for it. [(24.11)]
  *
  *   fit        the question
- *   fitted     its answer, by fvi_fit_search
+ *   fitted     its answer, by fvi_estimate_multistart
  *   j          which parameter, below fit->parameters
  *   low, high  output: all values between them have, with the others at their best, a
  *              chi^2, with fitted->sigma, of at most fitted->chi2 + fitted->quantile^2.
@@ -196,12 +196,12 @@ int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted,
  *
  * Returns FVI_SUCCESS; FVI_EMAXITER, of which no handler is called, if a lower chi^2 than
  * that of the fit was met; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if there is no such
- * parameter; FVI_EDOM if fitted is no answer; what fvi_fit_search returns for a question
+ * parameter; FVI_EDOM if fitted is no answer; what fvi_estimate_multistart returns for a question
  * that cannot be asked; FVI_ENOMEM. */
-int fvi_fit_profile(const fvi_fit *fit, const fvi_fitted *fitted, size_t j,
+int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,
                     double *low, double *high);
 
-/* fvi_fit_moduli -- alpha, rho and k from storage and loss.             [(24.9)]
+/* fvi_estimate_moduli -- alpha, rho and k from storage and loss.             [(24.9)]
  *
  *     storage = k + rho w^{2 alpha} cos(pi alpha),   loss = rho w^{2 alpha} sin(pi alpha)
  *
@@ -220,28 +220,28 @@ int fvi_fit_profile(const fvi_fit *fit, const fvi_fitted *fitted, size_t j,
  * NULL; FVI_EINVAL if n < 2; FVI_EDOM if a number is out of range; FVI_ESING, of which no
  * handler is called, if the data do not determine the three; FVI_EOVRFLW if a number of the
  * answer is not finite; FVI_ENOMEM. */
-int fvi_fit_moduli(size_t n, const double *w, const double *storage,
-                   const double *loss, fvi_fitted *fitted);
+int fvi_estimate_moduli(size_t n, const double *w, const double *storage,
+                   const double *loss, fvi_estimate *fitted);
 
-/* fvi_tangents -- a run of Algorithm 3 and its derivatives, side by side.  [(24.6)]
+/* fvi_tangent -- a run of Algorithm 3 and its derivatives, side by side.  [(24.6)]
  *
  *   run    of one mass, for the method fvi_fractional
  *   P, which  the parameters by which it is differentiated, P >= 1, all different; a
- *          constant is one that fvi_sensitivity_of knows (sensitivity.h)
+ *          constant is one that fvi_parameter_gradient_of knows (sensitivity.h)
  *   x      output: x_k, N + 1 numbers
  *   slope  output: d x_k / d which[j] at [k * P + j], (N + 1) P numbers
  *
- * For those who solve least squares of their own; fvi_fit_search takes them where it can.
+ * For those who solve least squares of their own; fvi_estimate_multistart takes them where it can.
  * They are the derivatives of what the program computes, as (24.6) solves the derived
  * equation of each step: no difference is taken. At alpha = 1/2, CAPUTO, the derivative
  * by alpha is that from below. Cost: a run, a second memory of P coordinates, a third of
  * x with its rate if alpha or rho is asked for. Accuracy: that of the run with the same
  * memory; no bound is proved for the rounding. Returns FVI_SUCCESS; FVI_EFAULT if a
  * pointer is NULL; FVI_EINVAL if the system has not d == 1, P == 0, or there is no such
- * constant; what fvi_start, fvi_step and fvi_memory_alloc_rate return; FVI_EUNSUP for a
+ * constant; what fvi_stepper_start, fvi_stepper_step and fvi_history_alloc_by_order return; FVI_EUNSUP for a
  * run with a law; FVI_ESING if m/h + kappa (1 - kappa) h U'' is 0; FVI_EOVRFLW if a slope is
  * not finite; FVI_ENOMEM; what a callback returned. */
-int fvi_tangents(const fvi_run *run, size_t P, const fvi_parameter *which,
+int fvi_tangent(const fvi_run *run, size_t P, const fvi_free_parameter *which,
                  double *x, double *slope);
 
 #pragma GCC visibility pop

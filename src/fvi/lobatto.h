@@ -9,7 +9,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_lobatto2 to 8, form M -- Galerkin variational integrators on s = 2, ..., 8
+/* fvi_lobatto_m2 to 8, form M -- Galerkin variational integrators on s = 2, ..., 8
  * Lobatto nodes, with Lobatto IIIC convolution quadrature for the damping. [(17.8)]
  *
  * The path of a step is a polynomial with the values X_1 = x_k, X_2, ..., X_s =
@@ -36,9 +36,9 @@ extern "C" {
  *     x: min(2s - 2, s + 2 - 2 alpha)      p: min(2s - 2, s + 1 - 2 alpha)
  *
  * (x as p for Riemann-Liouville with x0 != 0)
- * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0; of a law with its fvi_law_growth for
+ * and 2s - 2 for alpha = 0, 1/2, 1 and for rho = 0; of a law with its fvi_kernel_growth for
  * 2 alpha. p_k is the momentum of the
- * scheme, uncorrected; see fvi_lobatto_momenta. alpha = 0 is a spring rho from
+ * scheme, uncorrected; see fvi_lobatto_correct_momenta. alpha = 0 is a spring rho from
  * x_0, alpha = 1 a mass: m + rho with F and U scaled by m / (m + rho). As alpha
  * goes to 1 the order of x goes to s and that of p to s - 1.
  * Stable for rho = 0 and U = m w^2 x^2 / 2 if h w < 2, 2 sqrt(2), 3.1127 for s = 2, 3, 4
@@ -54,12 +54,12 @@ extern "C" {
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the factors of an (s - 2) d matrix with s - 2 times
  * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each
- * damped coordinate, Q about 90. Errors as fvi_start and fvi_step, and FVI_EUNSUP for
+ * damped coordinate, Q about 90. Errors as fvi_stepper_start and fvi_stepper_step, and FVI_EUNSUP for
  * FFT. */
-extern const fvi_method fvi_lobatto2, fvi_lobatto3, fvi_lobatto4;
-extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
+extern const fvi_method fvi_lobatto_m2, fvi_lobatto_m3, fvi_lobatto_m4;
+extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_lobatto_m8;
 
-/* fvi_lobatto2d to 8d, form D -- the same with the inertia as one more damping, of order
+/* fvi_lobatto_d2 to 8d, form D -- the same with the inertia as one more damping, of order
  * 1, of the same kind: s stages V of the velocity, of which none is shared by two
  * steps,                                                           [(17.24), (17.25)]
  *
@@ -87,10 +87,10 @@ extern const fvi_method fvi_lobatto5, fvi_lobatto6, fvi_lobatto7, fvi_lobatto8;
  * damping it is not symplectic: it loses half the squares of the jumps of V.
  * Cost of a step: s gradients; nonlinear U: three or four times s, with Hessians, and
  * factors of an s d matrix with s times the diagonals of a Hessian; history as above. */
-extern const fvi_method fvi_lobatto2d, fvi_lobatto3d, fvi_lobatto4d,
-    fvi_lobatto5d, fvi_lobatto6d, fvi_lobatto7d, fvi_lobatto8d;
+extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
+    fvi_lobatto_d5, fvi_lobatto_d6, fvi_lobatto_d7, fvi_lobatto_d8;
 
-/* fvi_lobatto_momenta -- better momenta of a finished run.     [(17.14)]
+/* fvi_lobatto_correct_momenta -- better momenta of a finished run.     [(17.14)]
  *
  *     p_k += rho c_{s,beta} h^(s - beta) x^(s)(t_k),    0 < k < N
  *
@@ -100,7 +100,7 @@ extern const fvi_method fvi_lobatto2d, fvi_lobatto3d, fvi_lobatto4d,
  * 1/2, 1, nor for s = 2 and alpha < 1/2, where the leading error is another one.
  * No order is gained for Riemann-Liouville with x0 != 0.
  *
- *   method  fvi_lobatto2, 3 or 4, no other
+ *   method  fvi_lobatto_m2, 3 or 4, no other
  *   run     as it was run
  *   x       (steps + 1) d positions, rows k = 0, ..., N
  *   p       as x: momenta, corrected in place
@@ -109,7 +109,7 @@ extern const fvi_method fvi_lobatto2d, fvi_lobatto3d, fvi_lobatto4d,
  * pointer is NULL; what fvi_system_check returns; FVI_EINVAL for another method
  * or no steps; FVI_EDOM if alpha is not in [0, 1], or h not finite and positive.
  * On error p is untouched. */
-int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
+int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p);
 
 #pragma GCC visibility pop

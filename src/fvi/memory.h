@@ -7,7 +7,7 @@
 #ifndef FVI_MEMORY_H
 #define FVI_MEMORY_H
 
-#include "visit.h"
+#include "archive.h"
 
 #include <stddef.h>
 
@@ -18,21 +18,21 @@ extern "C" {
 
 /* How the sum is done. N is the number of steps, Q about 40 to 100 by default.
  *
- *   AUTO          what fvi_memory_choose says
+ *   AUTO          what fvi_history_choose says
  *   DIRECT        the sum as it stands: O(N^2) time, O(N d) memory
  *   FFT           convolutions in blocks that double: O(N log^2 N), O(N d)
  *   EXPONENTIALS  the last 32 terms and Q decaying modes: O(N Q), O(Q d); from d = 16 on
  *                 as products of matrices, with the same weights (chapter 28) */
 typedef enum {
-    FVI_MEMORY_AUTO,
-    FVI_MEMORY_DIRECT,
-    FVI_MEMORY_FFT,
-    FVI_MEMORY_EXPONENTIALS,
-} fvi_memory_kind;
+    FVI_HISTORY_AUTO,
+    FVI_HISTORY_DIRECT,
+    FVI_HISTORY_FFT,
+    FVI_HISTORY_MODES,
+} fvi_history_kind;
 
-typedef struct fvi_memory fvi_memory;
+typedef struct fvi_history fvi_history;
 
-/* fvi_memory_alloc -- prepare for at most steps + 1 terms.     [(12.2), (12.6)]
+/* fvi_history_alloc -- prepare for at most steps + 1 terms.     [(12.2), (12.6)]
  *
  *   beta   order of the derivative, 0 <= beta <= 2 (2 alpha for the damping)
  *   d      dimension, d >= 1
@@ -42,7 +42,7 @@ typedef struct fvi_memory fvi_memory;
  *          Every weight that is replaced is kept to a relative error of
  *          tolerance / 10, and trajectories to tolerance max |x| as far as
  *          (12.14) says. The other kinds have only rounding errors.
- *   memory output; free it with fvi_memory_free
+ *   memory output; free it with fvi_history_free
  *
  * beta = 0, 1, 2 have 1, 2, 3 weights that are not zero: nothing is stored then
  * but the last term, whatever the kind. Cost, on the machine of memory_bench.tsv:
@@ -54,46 +54,46 @@ typedef struct fvi_memory fvi_memory;
  * steps of EXPONENTIALS; FVI_EDOM if beta is not in [0, 2] or tolerance not in
  * [0, 1); FVI_ETOL if EXPONENTIALS would have to keep less than 1e-14;
  * FVI_ENOMEM. On error *memory is untouched. */
-int fvi_memory_alloc(double beta, size_t d, size_t steps, fvi_memory_kind kind,
-                     double tolerance, fvi_memory **memory);
+int fvi_history_alloc(double beta, size_t d, size_t steps, fvi_history_kind kind,
+                     double tolerance, fvi_history **memory);
 
-/* fvi_memory_choose -- what AUTO stands for: DIRECT up to 256 steps, where its weights are
+/* fvi_history_choose -- what AUTO stands for: DIRECT up to 256 steps, where its weights are
  * exact and it is the faster one or loses microseconds (figures/memory/memory_bench.tsv),
  * and where no memory is needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
-fvi_memory_kind fvi_memory_choose(double beta, size_t steps);
+fvi_history_kind fvi_history_choose(double beta, size_t steps);
 
-/* fvi_memory_bytes -- what fvi_memory_alloc will take from the heap. Arguments
+/* fvi_history_bytes -- what fvi_history_alloc will take from the heap. Arguments
  * as there. Returns 0 where that would refuse. */
-size_t fvi_memory_bytes(double beta, size_t d, size_t steps,
-                        fvi_memory_kind kind, double tolerance);
+size_t fvi_history_bytes(double beta, size_t d, size_t steps,
+                        fvi_history_kind kind, double tolerance);
 
-/* fvi_memory_alloc_rate -- a memory that also knows dH_k/d beta.          [(23.10)]
+/* fvi_history_alloc_by_order -- a memory that also knows dH_k/d beta.          [(23.10)]
  *
- * Arguments, errors and what is promised of H: as fvi_memory_alloc. The rate needs the
+ * Arguments, errors and what is promised of H: as fvi_history_alloc. The rate needs the
  * whole past even where beta is 0, 1 or 2 and H does not, so nothing is saved there.
- * Cost: DIRECT and FFT twice the time and the weights of fvi_memory_alloc;
+ * Cost: DIRECT and FFT twice the time and the weights of fvi_history_alloc;
  * EXPONENTIALS reads the same modes a second time. */
-int fvi_memory_alloc_rate(double beta, size_t d, size_t steps,
-                          fvi_memory_kind kind, double tolerance,
-                          fvi_memory **memory);
+int fvi_history_alloc_by_order(double beta, size_t d, size_t steps,
+                          fvi_history_kind kind, double tolerance,
+                          fvi_history **memory);
 
-/* fvi_memory_push_rate -- take in x_k, give out H_k and its derivative by the order.
+/* fvi_history_push_by_order -- take in x_k, give out H_k and its derivative by the order.
  *
  *     rate = sum_{n=1}^{k} (d w_n / d beta) x_{k-n}                       (23.10)
  *
- *   memory   made by fvi_memory_alloc_rate
- *   x, dx, H  as fvi_memory_push
+ *   memory   made by fvi_history_alloc_by_order
+ *   x, dx, H  as fvi_history_push
  *   rate      output, d numbers, none of the other arrays
  *
  * The powers of the step size are NOT included: d/d beta of h^(-beta) H is
  * h^(-beta) (rate - ln(h) H).
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the memory was
- * made by fvi_memory_alloc; FVI_EINVAL after steps + 1 terms. On error H and rate are
+ * made by fvi_history_alloc; FVI_EINVAL after steps + 1 terms. On error H and rate are
  * untouched. */
-int fvi_memory_push_rate(fvi_memory *memory, const double *x, const double *dx,
+int fvi_history_push_by_order(fvi_history *memory, const double *x, const double *dx,
                          double *H, double *rate);
 
-/* fvi_memory_push -- take in x_k, give out H_k.                        [(12.1)]
+/* fvi_history_push -- take in x_k, give out H_k.                        [(12.1)]
  * The step size is NOT included: the derivative is h^(-beta) H_k.
  *
  *   x   x_k, d numbers
@@ -108,10 +108,10 @@ int fvi_memory_push_rate(fvi_memory *memory, const double *x, const double *dx,
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
  * steps + 1 terms. On error H is untouched. */
-int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
+int fvi_history_push(fvi_history *memory, const double *x, const double *dx,
                     double *H);
 
-/* fvi_memory_ahead -- H_{k+1} as it will be if x_{k+1} = x_k.          [(12.1)]
+/* fvi_history_ahead -- H_{k+1} as it will be if x_{k+1} = x_k.          [(12.1)]
  *
  *     H_{k+1} = ahead + (x_{k+1} - x_k)      for any x_{k+1}, as w_0 = 1:
  *
@@ -124,27 +124,27 @@ int fvi_memory_push(fvi_memory *memory, const double *x, const double *dx,
  * at most 64 d products.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
  * steps + 1 terms. On error ahead is untouched. */
-int fvi_memory_ahead(const fvi_memory *memory, const double *x, double *ahead);
+int fvi_history_ahead(const fvi_history *memory, const double *x, double *ahead);
 
-/* fvi_memory_copy -- the same memory again, at the same term: both go on with the same
+/* fvi_history_copy -- the same memory again, at the same term: both go on with the same
  * digits, and neither knows of the other.
  *
  *   from  a memory
- *   to    output; free it with fvi_memory_free
+ *   to    output; free it with fvi_history_free
  *
- * Cost: as many bytes as fvi_memory_bytes says are copied; FFT also makes its tables
+ * Cost: as many bytes as fvi_history_bytes says are copied; FFT also makes its tables
  * of cosines anew. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM.
  * On error *to is untouched. */
-int fvi_memory_copy(const fvi_memory *from, fvi_memory **to);
+int fvi_history_copy(const fvi_history *from, fvi_history **to);
 
-/* fvi_memory_visit -- show the terms that came in, or what is left of them, to a visitor; as
- * fvi_visit (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL;
+/* fvi_history_archive -- show the terms that came in, or what is left of them, to a visitor; as
+ * fvi_stepper_archive (trajectory.h). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL;
  * FVI_EINVAL if what was loaded has more terms than this memory was made for, or not the
  * same number everywhere: free the memory then; what the visitor returns. */
-int fvi_memory_visit(fvi_memory *memory, fvi_visitor *visitor);
+int fvi_history_archive(fvi_history *memory, fvi_archive *archive);
 
-/* fvi_memory_free -- give everything back. NULL is allowed. */
-void fvi_memory_free(fvi_memory *memory);
+/* fvi_history_free -- give everything back. NULL is allowed. */
+void fvi_history_free(fvi_history *memory);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

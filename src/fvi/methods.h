@@ -11,19 +11,19 @@ extern "C" {
 
 /* fvi_methods -- the integrators of damped systems, ended by NULL: fvi_fractional
  * (fvi.h), fvi_lagrange_dalembert, fvi_euler_explicit, fvi_euler_implicit
- * (discrete_mechanics.h), fvi_shifted, fvi_bdf2 (convolution_quadrature_methods.h),
- * fvi_lobatto2 to 8, fvi_lobatto2d to 8d (lobatto.h), fvi_adaptive (variable_steps.h),
+ * (discrete_mechanics.h), fvi_cq2_shifted, fvi_cq_bdf2 (convolution_quadrature_methods.h),
+ * fvi_lobatto_m2 to 8, fvi_lobatto_d2 to 8d (lobatto.h), fvi_variable_step (variable_steps.h),
  * whose steps are its own. `fvi methods` prints it, and
- * all that has to know the methods reads it. Without fvi_variational, which refuses
+ * all that has to know the methods reads it. Without fvi_midpoint_variational, which refuses
  * damping.
  *
  *     for (size_t i = 0; fvi_methods[i]; i++)
  *         puts(fvi_methods[i]->name); */
 extern const fvi_method *const fvi_methods[];
 
-/* fvi_method_named -- the method of the table with this name, as `run --method` takes
+/* fvi_method_find -- the method of the table with this name, as `run --method` takes
  * it ("fvi-shifted"); NULL if there is none, or name is NULL. */
-const fvi_method *fvi_method_named(const char *name);
+const fvi_method *fvi_method_find(const char *name);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_sensitivity -- the derivatives of grad U by numbers on which U depends.
+/* fvi_parameter_gradient -- the derivatives of grad U by numbers on which U depends.
  *
  *   count   how many such numbers theta_0, ..., theta_{count-1} there are
  *   column  writes the d numbers d^2U / dx_i dtheta_j at x to S, and returns as the
@@ -18,12 +18,12 @@ extern "C" {
 typedef struct {
     size_t count;
     int (*column)(size_t j, size_t d, const double *x, void *params, double *S);
-} fvi_sensitivity;
+} fvi_parameter_gradient;
 
-/* fvi_sensitivity_of -- that of a potential which is ready to use (system.h), its
+/* fvi_parameter_gradient_of -- that of a potential which is ready to use (system.h), its
  * parameters in the order of its params: c; c, g; g; c, g. A count of 0 for every other
  * potential, and for none. Nothing is checked. */
-fvi_sensitivity fvi_sensitivity_of(const fvi_potential *potential);
+fvi_parameter_gradient fvi_parameter_gradient_of(const fvi_potential *potential);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

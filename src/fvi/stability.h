@@ -11,7 +11,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_stability_load -- how much of the stable range a run takes.   [(14.3)]
+/* fvi_stability_number -- how much of the stable range a run takes.   [(14.3)]
  *
  *     load = lambda / 4,  lambda = the largest eigenvalue of
  *         M^{-1/2} ((1 - 2 kappa)^2 h^2 K + share 4^alpha h^(2 - 2 alpha) rho) M^{-1/2}
@@ -57,10 +57,10 @@ extern "C" {
  * does not take run->law, or for euler-explicit and more than 64 masses with springs
  * between them; FVI_EOVRFLW if an entry is not finite; FVI_ENOMEM; what the Hessian
  * returned. On error *load is untouched. */
-int fvi_stability_load(const fvi_method *method, const fvi_run *run,
+int fvi_stability_number(const fvi_method *method, const fvi_run *run,
                        double *load);
 
-/* fvi_stability_step -- the largest stable step: the h of load = 1.  [(14.4)]
+/* fvi_stability_longest_step -- the largest stable step: the h of load = 1.  [(14.4)]
  *
  *   method  as above, with load_grows: all but fvi-adaptive, fvi-lobatto3 to 8
  *   run  as above; its h is not read
@@ -74,21 +74,21 @@ int fvi_stability_load(const fvi_method *method, const fvi_run *run,
  * what the load is too small, some percent (h^2 to h^(2 - 2 alpha) grow as the load does). A load that overflows on the way is one above 1, and
  * yet told to the error handler. Errors as above, and FVI_EUNSUP if the load of the
  * method may fall while h grows. On error *h is untouched. */
-int fvi_stability_step(const fvi_method *method, const fvi_run *run, double *h);
+int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, double *h);
 
-/* fvi_stability_along -- the load where a run has come to, if it is stiffer there than it
+/* fvi_stability_along_run -- the load where a run has come to, if it is stiffer there than it
  * was: U is not quadratic.                                               [(14.6)]
  *
- *   method  as for fvi_stability_load; run  as there, but for x0, which is not read
+ *   method  as for fvi_stability_number; run  as there, but for x0, which is not read
  *   x         d numbers: small motions about x are what is asked about
  *   stiffest  in: the largest max_i sum_j |U_ij| / m_i so far, 0 at first; out: that at x,
  *             where it is more than 1.05 times as much
  *   load      output: the load at x, if *stiffest has changed; else 0
  *
  * Cost: a Hessian, and where it is stiffer a load: along a run whose stiffness grows by a
- * factor q, ln q / ln 1.05 of them at most. Errors as fvi_stability_load; on error both
+ * factor q, ln q / ln 1.05 of them at most. Errors as fvi_stability_number; on error both
  * are untouched. */
-int fvi_stability_along(const fvi_method *method, const fvi_run *run,
+int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
                         const double *x, double *stiffest, double *load);
 
 /* fvi_stability_lobatto -- the same for form M of chapter 17. [(17.18)]
@@ -115,12 +115,12 @@ int fvi_stability_along(const fvi_method *method, const fvi_run *run,
  * Accuracy 1e-12 max(1, load) (no proof; seen 4e-15 for s <= 4, 4e-14 for s = 8).
  * Returns FVI_SUCCESS; what fvi_system_check returns;
  * FVI_EFAULT if a pointer is NULL; FVI_EINVAL if s is another number; FVI_EDOM if h
- * or alpha is out of range; what fvi_law_check returns; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM;
+ * or alpha is out of range; what fvi_kernel_check returns; FVI_EOVRFLW if W or R is not finite; FVI_ENOMEM;
  * FVI_EMAXITER if eigenvalues were not found; what the Hessian returned. On error
  * *load is untouched. */
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
 
-/* fvi_unstable_modes -- how many solutions z^{-k} of the scalar recurrence grow:
+/* fvi_unstable_roots -- how many solutions z^{-k} of the scalar recurrence grow:
  * the zeros in |z| < 1 of Q(z) = z P(z),                            [(14.2)]
  *
  *     P(z) = (1 + kappa (1 - kappa) W) (1/z - 2 + z) + W + R (1 - z)^{2 alpha},
@@ -134,16 +134,16 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load);
  * Not for values on the boundary, where P vanishes on the circle. Cost: some
  * thousand values of P. Returns FVI_SUCCESS; FVI_EFAULT if the output is NULL;
  * FVI_EDOM if a number is out of range. */
-int fvi_unstable_modes(double alpha, double kappa, double W, double R,
+int fvi_unstable_roots(double alpha, double kappa, double W, double R,
                        int *modes);
 
-/* fvi_growth -- the factor 1/|z| by which the unstable mode grows in a step, 1
- * if there is none. Arguments as fvi_unstable_modes.               [(14.5)]
- * Cost and accuracy as fvi_growth_of_symbol. Returns FVI_SUCCESS; FVI_EFAULT and
- * FVI_EDOM as fvi_unstable_modes; FVI_ENOMEM. */
-int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
+/* fvi_amplification -- the factor 1/|z| by which the unstable mode grows in a step, 1
+ * if there is none. Arguments as fvi_unstable_roots.               [(14.5)]
+ * Cost and accuracy as fvi_amplification_of_kernel. Returns FVI_SUCCESS; FVI_EFAULT and
+ * FVI_EDOM as fvi_unstable_roots; FVI_ENOMEM. */
+int fvi_amplification(double alpha, double kappa, double W, double R, double *growth);
 
-/* fvi_growth_of_symbol -- the same for any symbol, with Q(0) > 0 on (end, 0) and
+/* fvi_amplification_of_kernel -- the same for any symbol, with Q(0) > 0 on (end, 0) and
  * one change of sign there if Q(end) < 0.                          [(14.5)]
  *
  *   Q       Q(z) = z P(z) for real z
@@ -153,7 +153,7 @@ int fvi_growth(double alpha, double kappa, double W, double R, double *growth);
  * By GSL's Brent solver, to 8 ulp of z. Returns FVI_SUCCESS; FVI_ENOMEM;
  * FVI_EBADFUNC if Q is not finite; FVI_EINVAL if Q(0) < 0. On error *growth is
  * untouched. */
-int fvi_growth_of_symbol(gsl_function Q, double end, double *growth);
+int fvi_amplification_of_kernel(gsl_function Q, double end, double *growth);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -31,9 +31,9 @@ typedef struct {
  * <= error and is believed, which takes four runs at least:
  *
  *     q_{j-1}, q_j >= p' - min(1/2, p'/2)                                 (18.5)
- *         (p' = p but for fvi_variational, 1, and three stages and more, whose
+ *         (p' = p but for fvi_midpoint_variational, 1, and three stages and more, whose
  *         order over all t may be as low as 3 - 2 alpha, 2 with a law. p = 1 - 2 alpha for
- *         a method with past_as_printed, Riemann-Liouville, alpha < 1/2, where a damped
+ *         a method with paper_convention, Riemann-Liouville, alpha < 1/2, where a damped
  *         coordinate does not start at 0; p = 1 for kappa != 1/2 but in Lobatto's methods);
  *     F, at 128 random times, is at most half as far from its linear interpolant
  *         between nodes as with steps twice as long                       (18.7)
@@ -42,12 +42,12 @@ typedef struct {
  *         D_j + tolerance max |x| and, in place of (18.5),
  *         h_j^2 max_i sum_j |U_ij| / m_i <= 1 at the rows of the run      (18.6);
  *     with matrices (18.6) is 4 times the load of Algorithm 3, kappa = 0, instead
- *     (fvi_stability_load, from below by some percent).
+ *     (fvi_stability_number, from below by some percent).
  *
  * A run that overflows, or does not converge, says only that its step is too long.
  *
- *   method  which integrator; its lowest, highest, stages and past_as_printed are read
- *   run     as for fvi_start; run->h and run->steps give the rows t_k = k h, which
+ *   method  which integrator; its lowest, highest, stages and paper_convention are read
+ *   run     as for fvi_stepper_start; run->h and run->steps give the rows t_k = k h, which
  *           stay where they are. If there are less than 128 of them, more times,
  *           evenly between, are compared too
  *   error   what max |x_k - x(t_k)| may be, finite, > 0
@@ -68,7 +68,7 @@ typedef struct {
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if method, run, x or found is NULL; FVI_EDOM if
  * error is not finite and > 0, or if the run has no solution (19.2); FVI_EINVAL if
- * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_start
+ * (steps + 1) d numbers cannot be addressed or method->lowest < 1; what fvi_stepper_start
  * returns; FVI_EUNSUP for a method that chooses its steps; FVI_ENOMEM; FVI_ETOL if the
  * error was not reached, because of most or because rounding made it grow again: *found
  * then is the smallest estimate that was believed (infinite if there was none). FVI_ETOL
@@ -81,7 +81,7 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
 
 /* fvi_step_search_other -- a method that may reach what this one did not.
  *
- *   method, run  as above, not NULL; the run is one that fvi_start takes, and has a
+ *   method, run  as above, not NULL; the run is one that fvi_stepper_start takes, and has a
  *                solution (19.2)
  *
  * Of the methods in fvi_methods (methods.h) that take such a run, and have a higher order

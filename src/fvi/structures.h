@@ -3,8 +3,8 @@
  *     M x'' + C D^{2 alpha} x + K x = F(t),     x in R^d                  (27.1)
  *
  * with symmetric matrices M, K and C. Element matrices are summed to them by
- * fvi_sparse_sum, files are read by fvi_sparse_read; fvi_structure_system is then a system
- * for the methods that take matrices: fvi_fractional, fvi_shifted, fvi_bdf2, fvi_stable. */
+ * fvi_sparse_assemble, files are read by fvi_sparse_read; fvi_structure_system is then a system
+ * for the methods that take matrices: fvi_fractional, fvi_cq2_shifted, fvi_cq_bdf2, fvi_cq2_midpoint. */
 #ifndef FVI_STRUCTURES_H
 #define FVI_STRUCTURES_H
 
@@ -36,7 +36,7 @@ typedef struct {
     double entry;
 } fvi_triplet;
 
-/* fvi_sparse_sum -- the matrix that a list of triplets sums up to.
+/* fvi_sparse_assemble -- the matrix that a list of triplets sums up to.
  *
  *   n      rows and columns, 1 <= n < 2^31
  *   count  how many triplets, < 2^31; in any order, an entry may be met many times, and
@@ -49,7 +49,7 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if n or count is out of
  * range; FVI_EDOM if a row or a column is not in 0 ... n - 1, or an entry not finite;
  * FVI_ENOMEM. On error *A is untouched. */
-int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
+int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A);
 
 /* fvi_misread -- what is wrong in a file: in which line, from 1, or 0 if the file cannot be
@@ -78,8 +78,8 @@ typedef struct {
  * FVI_ENOMEM. On error *A is untouched; the error handler is not called for FVI_EDOM. */
 int fvi_sparse_read(const char *file, fvi_sparse *A, fvi_misread *wrong);
 
-/* fvi_sparse_product -- y = A x, n numbers each, y not x. Nothing is checked. */
-void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y);
+/* fvi_sparse_multiply -- y = A x, n numbers each, y not x. Nothing is checked. */
+void fvi_sparse_multiply(const fvi_sparse *A, const double *x, double *y);
 
 /* fvi_sparse_free -- give the arrays back; a zeroed matrix is allowed. */
 void fvi_sparse_free(fvi_sparse *A);
@@ -101,7 +101,7 @@ typedef struct fvi_structure fvi_structure;
  * half their number in rank, or less, C = B B^T and B^T x is remembered; else the
  * unknowns that C touches. (27.4)
  * Cost: that of one factorisation of M, and of one of C if it touches more than 512
- * unknowns; where no factors can be had (see fvi_structure_solver) this definiteness is not
+ * unknowns; where no factors can be had (see fvi_structure_solver_name) this definiteness is not
  * looked at beyond the diagonal.
  * Returns FVI_SUCCESS; FVI_EFAULT if M, K or structure is NULL; FVI_EINVAL if sizes differ;
  * FVI_EDOM if a matrix is not symmetric to the last bit or has an entry that is not finite,
@@ -115,7 +115,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
  * several threads may share it, but for its energies, which are those of one at a time. */
 fvi_system fvi_structure_system(const fvi_structure *structure);
 
-/* fvi_structure_solver -- how m M + c C + k K is solved with: "diagonal", "band",
+/* fvi_structure_solver_name -- how m M + c C + k K is solved with: "diagonal", "band",
  * "CHOLMOD" or "conjugate gradients". Half bandwidths up to 8 are eliminated as they stand;
  * wider matrices by CHOLMOD, with an ordering that keeps them sparse, where the library was
  * built beside its header and finds it when it runs; else as a band, if that takes up to
@@ -125,7 +125,7 @@ fvi_system fvi_structure_system(const fvi_structure *structure);
  *   m, c, k  zero or not is all that counts
  *
  * Returns a static text, "" if there is no memory. */
-const char *fvi_structure_solver(const fvi_structure *structure, double m,
+const char *fvi_structure_solver_name(const fvi_structure *structure, double m,
                                  double c, double k);
 
 /* fvi_structure_free -- give everything back but the matrices. NULL is allowed. */

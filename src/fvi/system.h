@@ -47,13 +47,13 @@ extern "C" {
  *
  * The first three functions, or none: a zeroed potential is that of a free particle.
  * With solve a step of one equation makes no matrix and does not ask for the Hessian;
- * methods with stages, fvi_stability_load and the adjoint may. A Hessian that is out of
+ * methods with stages, fvi_stability_number and the adjoint may. A Hessian that is out of
  * reach returns a code, which those calls then return.
  * The library calls them with arrays that do not overlap. A function that cannot
  * give a number returns a code, or writes NaN: the step then ends with FVI_EOVRFLW, or
  * with FVI_EMAXITER where only a Hessian that changes is NaN.
  *
- * The params may change until fvi_start. From then until fvi_stop the functions must
+ * The params may change until fvi_stepper_start. From then until fvi_stepper_free the functions must
  * give the same numbers for the same x; what else stands in the params, a count of the
  * calls, say, is theirs to write. Runs in several threads share it. A force may be
  * another one from a step on, as no method keeps it. */
@@ -164,7 +164,7 @@ typedef struct {
  * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
  * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
  * if a mass is not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if it has
- * matrices, which fvi_start and fvi_stability_load take, and not everything. Cost O(d). */
+ * matrices, which fvi_stepper_start and fvi_stability_number take, and not everything. Cost O(d). */
 int fvi_system_check(const fvi_system *system);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
@@ -179,7 +179,7 @@ int fvi_system_check(const fvi_system *system);
 int fvi_energy(const fvi_system *system, const double *x, const double *p,
                double *E);
 
-/* fvi_potential_value, fvi_gradient -- U and grad U at x; 0 if there is no U. The gradient
+/* fvi_potential_value, fvi_potential_gradient -- U and grad U at x; 0 if there is no U. The gradient
  * with matrices is K x.
  *
  *   x     d numbers
@@ -189,21 +189,21 @@ int fvi_energy(const fvi_system *system, const double *x, const double *p,
  * Nothing is checked. Returns FVI_SUCCESS, or what the potential returned. */
 int fvi_potential_value(const fvi_system *system, const double *x,
                         double *value);
-int fvi_gradient(const fvi_system *system, const double *x, double *grad);
+int fvi_potential_gradient(const fvi_system *system, const double *x, double *grad);
 
-/* fvi_hessian_room -- d * d numbers, or d * diagonals if that is more: a Hessian in
+/* fvi_potential_hessian_size -- d * d numbers, or d * diagonals if that is more: a Hessian in
  * full and in diagonals. SIZE_MAX / 64, which no allocator has, if it cannot be
  * addressed. Nothing is checked. */
-size_t fvi_hessian_room(const fvi_system *system);
+size_t fvi_potential_hessian_size(const fvi_system *system);
 
-/* fvi_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
+/* fvi_potential_hessian -- the Hessian of U at x as a full matrix, whatever its diagonals.
  *
  *   x  d numbers     H  output: d * d numbers, row by row; 0 if there is no U.
- *                       Room for fvi_hessian_room numbers, the rest is of no use
+ *                       Room for fvi_potential_hessian_size numbers, the rest is of no use
  *
  * Nothing is checked. Cost O(d^2) and one Hessian.
  * Returns FVI_SUCCESS, or what the potential returned; H is then of no use. */
-int fvi_hessian(const fvi_system *system, const double *x, double *H);
+int fvi_potential_hessian(const fvi_system *system, const double *x, double *H);
 
 /* fvi_all_finite -- are all n numbers of v finite? In the header, because every
  * step asks: isfinite is a macro, and no call is made. */

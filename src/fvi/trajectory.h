@@ -5,10 +5,10 @@
  * caller reads x and p between steps, so rows can be printed as they come:
  *
  *     fvi_stepper *s;
- *     if (fvi_start(&fvi_fractional, &run, &s) == FVI_SUCCESS) {
- *         while (s->k < run.steps && fvi_step(s) == FVI_SUCCESS)
+ *     if (fvi_stepper_start(&fvi_fractional, &run, &s) == FVI_SUCCESS) {
+ *         while (s->k < run.steps && fvi_stepper_step(s) == FVI_SUCCESS)
  *             printf("%g %g\n", s->t, s->x[0]);
- *         fvi_stop(s);
+ *         fvi_stepper_free(s);
  *     } */
 #ifndef FVI_TRAJECTORY_H
 #define FVI_TRAJECTORY_H
@@ -18,7 +18,7 @@
 #include "memory.h"
 #include "past.h"
 #include "system.h"
-#include "visit.h"
+#include "archive.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -62,13 +62,13 @@ typedef struct {
     size_t steps;
     double kappa;
     double alpha;
-    fvi_past past;
-    fvi_memory_kind memory;
+    fvi_initial_history past;
+    fvi_history_kind memory;
     double tolerance;
     double step_error;
     double longest;
     size_t most_steps;
-    const fvi_law *law;
+    const fvi_kernel *law;
 } fvi_run;
 
 /* fvi_run_default -- a run with kappa = 1/2 and alpha = 1/2, of a body that was held
@@ -82,18 +82,18 @@ typedef struct fvi_method fvi_method;
  * (adjoint.h): those of Algorithm 3, (13.7) with the shift alpha, (13.7) with the weights
  * of BDF2, (13.16), (17.8) or (17.24), (22.14); or others. */
 typedef enum {
-    FVI_SCHEME_OTHER,
-    FVI_SCHEME_ALGORITHM_3,
-    FVI_SCHEME_SHIFTED,
-    FVI_SCHEME_BDF2,
-    FVI_SCHEME_STABLE,
-    FVI_SCHEME_STAGES,
-    FVI_SCHEME_MESH
+    FVI_SCHEME_CLASSICAL,
+    FVI_SCHEME_FVI,
+    FVI_SCHEME_CQ2_SHIFTED,
+    FVI_SCHEME_CQ_BDF2,
+    FVI_SCHEME_CQ2_MIDPOINT,
+    FVI_SCHEME_LOBATTO,
+    FVI_SCHEME_VARIABLE_STEP
 } fvi_scheme;
 
 /* fvi_stepper -- one trajectory on its way. Read k, t, x, p; leave the rest. While a function
  * works on a stepper, a callback (a potential, a force, a visitor) may read these four, and
- * no more: fvi_step, fvi_copy, fvi_visit, fvi_reset and fvi_stop of the same stepper return
+ * no more: fvi_stepper_step, fvi_stepper_copy, fvi_stepper_archive, fvi_stepper_reset and fvi_stepper_free of the same stepper return
  * FVI_EINVAL there, and change nothing. */
 typedef struct {
     size_t k;      /* steps done; rows that have been passed, if steps vary */
@@ -102,7 +102,7 @@ typedef struct {
 
     double *dx, *g, *F; /* the last increment, gradient and force */
     struct fvi_newton *newton;
-    void *own; /* what only this method has */
+    void *method_state; /* what only this method has */
     fvi_run run;
     const fvi_method *method;
     int is_busy; /* nonzero while a function has it that calls the caller's */
@@ -115,15 +115,15 @@ typedef struct {
  *   lowest, highest  the order as numbers: the lowest and the highest that x has at
  *          a fixed time, over all alpha, for Caputo's past and that of a held body (a
  *          kick, Riemann and Liouville's past, or a U that is not quadratic, (20.11),
- *          (20.12), or kappa != 1/2 may cost more); of fvi_adaptive, in the number
+ *          (20.12), or kappa != 1/2 may cost more); of fvi_variable_step, in the number
  *          of its steps, over all t
  *   stages  s, of the methods of Lobatto; 0 for all others
  *   damped_inertia  nonzero if the inertia is a damping of order 1 of the same kind,
  *          m DD^2 x, form D of chapter 17
  *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
- *          linear damping only; fvi_start refuses other runs (FVI_EDOM)
+ *          linear damping only; fvi_stepper_start refuses other runs (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory that it can sum with;
- *          fvi_start refuses the others (FVI_EUNSUP). 0: it remembers nothing, and
+ *          fvi_stepper_start refuses the others (FVI_EUNSUP). 0: it remembers nothing, and
  *          run->memory is not read
  *   quadrature  whose weights stand before the positions of the past; not read of
  *          methods that remember nothing, or have stages
@@ -131,56 +131,56 @@ typedef struct {
  *   takes_kappa  nonzero if run->kappa is used where there is a potential
  *   implicit  nonzero if a step solves an equation in which grad U stands, by Newton's
  *          method with the Hessian of U
- *   takes_laws  nonzero if run->law need not be NULL; fvi_start refuses it else
+ *   takes_laws  nonzero if run->law need not be NULL; fvi_stepper_start refuses it else
  *   (FVI_EUNSUP)
- *   takes_matrices  nonzero if the system may have matrices; fvi_start refuses it else
+ *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses it else
  *          (FVI_EUNSUP)
- *   past_as_printed  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
+ *   paper_convention  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
  *          its exact impulses (19.5), and is refused where there is no solution (19.2,
  *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2
  *          alpha is all there is of a kick (9.5), and what has no solution is run too
- *   load   of run, above 1 if a mode grows, as fvi_stability_load (stability.h) has it;
+ *   stability_number   of run, above 1 if a mode grows, as fvi_stability_number (stability.h) has it;
  *          of U it asks for the Hessian at x0 alone. NULL if it is not known
- *   load_grows  nonzero if that load does not fall while h grows: the stable steps are
- *          then all those up to the longest, fvi_stability_step
- *   start  refuses runs that the method does not know; prepares newton and own;
+ *   stability_number_grows  nonzero if that load does not fall while h grows: the stable steps are
+ *          then all those up to the longest, fvi_stability_longest_step
+ *   start  refuses runs that the method does not know; prepares newton and method_state;
  *          may be NULL
  *   step   x_k, p_k -> x_{k+1}, p_{k+1}; k and t still belong to step k
  *   dense  NULL, or of a method that chooses its steps: x and p (either may be NULL) at a
  *          time t <= s->t within the last step; FVI_EDOM before it. Such a method's step
  *          sets s->t, to steps h in the end
- *   copy   makes to->own out of from->own; NULL only if own is never set. The rest of
+ *   copy   makes to->method_state out of from->method_state; NULL only if method_state is never set. The rest of
  *          *to is there, and stop will be called for it, whatever copy returns
  *   visit  shows what steps change of own to a visitor, and what must be the same
- *          (visit.h). NULL if own is never set, or the method has no such function
+ *          (archive.h). NULL if own is never set, or the method has no such function
  *   stop   gives own back; may be NULL */
 struct fvi_method {
     const char *name, *order, *memory;
     int lowest, highest, stages, damped_inertia;
     double alpha_least, alpha_most;
     unsigned memories;
-    fvi_quadrature quadrature;
+    fvi_delta quadrature;
     fvi_scheme scheme;
-    int takes_kappa, takes_laws, takes_matrices, implicit, past_as_printed;
-    int (*load)(const fvi_run *run, double *load);
-    int load_grows;
+    int takes_kappa, takes_laws, takes_matrices, implicit, paper_convention;
+    int (*stability_number)(const fvi_run *run, double *load);
+    int stability_number_grows;
     int (*start)(fvi_stepper *s);
     int (*step)(fvi_stepper *s);
     int (*dense)(const fvi_stepper *s, double t, double *x, double *p);
     int (*copy)(const fvi_stepper *from, fvi_stepper *to);
-    int (*visit)(fvi_stepper *s, fvi_visitor *visitor);
+    int (*serialize)(fvi_stepper *s, fvi_archive *archive);
     void (*stop)(fvi_stepper *s);
 };
 
-/* fvi_method_has_memory -- nonzero if the method can sum with such a memory, or remembers
- * nothing. What is no kind at all is not judged here: fvi_memory_alloc refuses it. */
-int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
+/* fvi_method_takes_history -- nonzero if the method can sum with such a memory, or remembers
+ * nothing. What is no kind at all is not judged here: fvi_history_alloc refuses it. */
+int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 
-/* fvi_start -- check the run, stand at k = 0.
+/* fvi_stepper_start -- check the run, stand at k = 0.
  *
  * Memory O(d), O(d w) for the 2 w - 1 diagonals of a Hessian (O(d^2) if full) where
  * the step is implicit, and what the method's memory takes. Returns FVI_SUCCESS; what
- * fvi_system_check and fvi_memory_alloc return; FVI_EFAULT if a pointer is NULL;
+ * fvi_system_check and fvi_history_alloc return; FVI_EFAULT if a pointer is NULL;
  * FVI_EINVAL if steps == 0 or the method does not take such a system; FVI_EDOM if h,
  * kappa, alpha, tolerance, x0 or p0 is out of range or the method does not know this
  * alpha, or if the run has no solution (19.2) and the method does not run it as printed;
@@ -188,14 +188,14 @@ int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind);
  * FVI_EDOM if a number is not finite or a time negative, FVI_EUNSUP at alpha = 1 if the
  * method has stages and anything is damped;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
- * of a law is not FVI_PAST_HELD; what fvi_law_memory returns, and FVI_EUNSUP for a law
+ * of a law is not FVI_INITIAL_HISTORY_HELD; what fvi_kernel_history returns, and FVI_EUNSUP for a law
  * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; FVI_EOVRFLW
  * if an impulse at t = 0 makes p infinite; what the potential returned. On error *stepper is
  * untouched. */
-int fvi_start(const fvi_method *method, const fvi_run *run,
+int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper);
 
-/* fvi_step -- from k to k + 1, where p then holds what impulses give to that node, (2.15);
+/* fvi_stepper_step -- from k to k + 1, where p then holds what impulses give to that node, (2.15);
  * or, of a method that chooses its steps, one of these: from
  * s->t to a later s->t, the last of them to steps h.
  *
@@ -209,52 +209,52 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
  * FVI_EMAXITER or FVI_ESING if the equation of the step could not be solved;
  * FVI_EOVRFLW if a value stopped being finite; FVI_ERUNAWAY after most_steps; what the force
  * or the potential returned. These five are what came out, no mistake of the caller: the error handler
- * is not called for them, here or by fvi_start. After an error, but for FVI_EFAULT
+ * is not called for them, here or by fvi_stepper_start. After an error, but for FVI_EFAULT
  * and a run that is over, s->k is still k and x, p are not those of any step: stop. */
-int fvi_step(fvi_stepper *s);
+int fvi_stepper_step(fvi_stepper *s);
 
-/* fvi_force_at -- for methods: s->F = F(t). A system without force leaves s->F
+/* fvi_force_value -- for methods: s->F = F(t). A system without force leaves s->F
  * zero, as it was made. Returns FVI_SUCCESS, or what the force returned. */
-int fvi_force_at(fvi_stepper *s, double t);
+int fvi_force_value(fvi_stepper *s, double t);
 
-/* fvi_run_to -- as many steps as it takes to a time, and x and p there.
+/* fvi_stepper_advance_to -- as many steps as it takes to a time, and x and p there.
  *
  *   t     not before the last step, not after steps h; one of the times k h, but for
  *         methods that choose their steps, which give out any time
  *   x, p  outputs, d numbers each, or NULL
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; FVI_EDOM if there is no state at t to be
- * had; FVI_EOVRFLW if x or p is not finite there; what fvi_step returns. */
-int fvi_run_to(fvi_stepper *s, double t, double *x, double *p);
+ * had; FVI_EOVRFLW if x or p is not finite there; what fvi_stepper_step returns. */
+int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p);
 
-/* fvi_copy -- the same trajectory again, at the same k, history included: a fork, or a
+/* fvi_stepper_copy -- the same trajectory again, at the same k, history included: a fork, or a
  * place to come back to. Both go on with the same digits, and neither knows of the
  * other; the system is the one and only, and must outlive both.
  *
  *   from  a stepper in which no step failed
- *   to    output; stop it with fvi_stop
+ *   to    output; stop it with fvi_stepper_free
  *
- * Cost: the bytes of the stepper and of its memory are copied; with FVI_MEMORY_FFT the
+ * Cost: the bytes of the stepper and of its memory are copied; with FVI_HISTORY_FFT the
  * tables of cosines are made anew. No callback is called, but for factorise of matrices,
  * whose code is then returned.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
  * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
-int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
+int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 
-/* fvi_visit -- show a visitor all that steps have changed, so that a run can be saved, and
+/* fvi_stepper_archive -- show a visitor all that steps have changed, so that a run can be saved, and
  * gone on with in another process:
  *
  *   save   let the visitor copy the pieces, whatever `constant`
- *   load   fvi_start the same run, then let the visitor write them back: where constant != 0
+ *   stability_number   fvi_stepper_start the same run, then let the visitor write them back: where constant != 0
  *          it must compare instead, and return a code of its own if they differ. After an
  *          error the stepper is of no use: stop it, or reset it
  *
  * The digits are then those of the run that was saved. The system is not among the pieces,
  * but for d, masses and dampings, which are constant; potential, matrices and force must be
  * the same.
- * `steps` may be another one where the memory is none or FVI_MEMORY_DIRECT, and at least
+ * `steps` may be another one where the memory is none or FVI_HISTORY_DIRECT, and at least
  * k; in the other memories what depends on it is constant. All pieces are as this machine
- * has them. O(Q d) bytes with FVI_MEMORY_EXPONENTIALS, O(k d) with DIRECT, O(N d) with FFT.
+ * has them. O(Q d) bytes with FVI_HISTORY_MODES, O(k d) with DIRECT, O(N d) with FFT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
  * the method has data of its own and no visit; FVI_EINVAL if what was loaded is no state of
@@ -262,27 +262,27 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
  * that is seen: no step ever reads it. So a state may come from a stranger. Of the numbers
  * of its past nothing is asked: if one is not finite, a step fails. FVI_EINVAL, too, of a
  * stepper whose last step failed; what the visitor returns. */
-int fvi_visit(fvi_stepper *s, fvi_visitor *visitor);
+int fvi_stepper_archive(fvi_stepper *s, fvi_archive *archive);
 
-/* fvi_reset -- back to k = 0 of the same run, also after a step that failed. The digits
+/* fvi_stepper_reset -- back to k = 0 of the same run, also after a step that failed. The digits
  * are the same again. s->x and s->p are other arrays then.
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; what fvi_start returns: s is then as it
+ * Returns FVI_SUCCESS; FVI_EFAULT if s is NULL; what fvi_stepper_start returns: s is then as it
  * was. */
-int fvi_reset(fvi_stepper *s);
+int fvi_stepper_reset(fvi_stepper *s);
 
-/* fvi_stop -- give everything back. NULL is allowed.
+/* fvi_stepper_free -- give everything back. NULL is allowed.
  *
  * Returns FVI_SUCCESS; FVI_EINVAL in a callback of the same stepper: it lives on then. */
-int fvi_stop(fvi_stepper *s);
+int fvi_stepper_free(fvi_stepper *s);
 
 /* fvi_trajectory -- a whole run into arrays.
  *
  *   x, p    NULL, or (steps + 1) d numbers: component i of row k at [k * d + i]
  *   energy  NULL, or steps + 1 numbers
  *
- * What is NULL is not computed. Returns what fvi_start and fvi_step return, and
- * FVI_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_start
+ * What is NULL is not computed. Returns what fvi_stepper_start and fvi_stepper_step return, and
+ * FVI_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_stepper_start
  * refuses, the arrays are untouched; if the step to row k, or U in its energy, fails,
  * rows 0 ... k - 1 stand. */
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,

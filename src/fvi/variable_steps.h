@@ -22,15 +22,15 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_adaptive -- variable steps, s = 6 or 8 stages.
+/* fvi_variable_step -- variable steps, s = 6 or 8 stages.
  *
  * Order: the steps follow the motion, so no power of h is an order. With n steps of eight
  * stages the error of x over all t falls about like n^-10: fits lie between 9 and 12.
  *
  * Any system in R^d but those of matrices, all coordinates with the same steps; any alpha
  * in [0, 1], any rho, any past, no law of damping. run->h and run->steps say where the
- * rows are, t_k = k h; the steps are the method's own, see fvi_step: s->k counts rows that
- * have been passed, s->t is the time of x and p. Between the ends of its steps fvi_run_to
+ * rows are, t_k = k h; the steps are the method's own, see fvi_stepper_step: s->k counts rows that
+ * have been passed, s->t is the time of x and p. Between the ends of its steps fvi_stepper_advance_to
  * and fvi_trajectory interpolate, with about the same error as far as the force is smooth.
  *
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
@@ -46,7 +46,7 @@ extern "C" {
  * compared with what is possible in that time, c / m the largest sum_j |H_ij| / m_i. s = 8,
  * or 6 if step_error is above 1e-3 of that size. Where nothing is damped the step is form M
  * instead, that of the variational methods of chapter 17, which has no numerical damping;
- * fvi_adaptive_look says which.
+ * fvi_stepper_statistics says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the
  * next begin small. A jump that is not declared is come near to by rejected steps, some
@@ -57,7 +57,7 @@ extern "C" {
  * its time, between two steps; for alpha > 1/2 those that follow begin as short as what it
  * leaves in x'' asks for, and there are more modes for them.
  *
- * fvi_copy and fvi_visit know it; a run that was saved goes on only to the same end,
+ * fvi_stepper_copy and fvi_stepper_archive know it; a run that was saved goes on only to the same end,
  * h times steps.
  *
  * Equation of a step: one linear solution if U is quadratic and its Hessian diagonal. Else,
@@ -74,15 +74,15 @@ extern "C" {
  * spring where h changes. Newton's method is O(d s b^2) more for a Hessian of b
  * diagonals, O(d s^3) coordinate by coordinate, and for all together O(d s^3 b^2) or
  * O(d^3 s^3). Memory O(d (Q + s^2) + d s b), Q 190, or up to 2300 where a start is
- * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_start and
- * fvi_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_start if it is
+ * singular; with all together O(d s^2 b) or O(d^2 s^2) more. Errors as fvi_stepper_start and
+ * fvi_stepper_step; FVI_EMAXITER if no step is short enough; FVI_EUNSUP from fvi_stepper_start if it is
  * clear beforehand: a past that bodies have to forget, HELD or RIEMANN_LIOUVILLE with
  * p0 != 0, where alpha < 1 is near 1, one damping strong and another weak (22.23), or
  * RIEMANN_LIOUVILLE with alpha < 1/2 and a damping above 1e248 of the mass; an impulse, for
  * 1 - (4 + n) / 498 < alpha < 1 and a step_error of 10^-n of the size. */
-extern const fvi_method fvi_adaptive;
+extern const fvi_method fvi_variable_step;
 
-/* fvi_adaptive_counts -- what a run of fvi_adaptive has done so far.
+/* fvi_step_statistics -- what a run of fvi_variable_step has done so far.
  *
  *   steps, rejected  steps taken; trials that were given up
  *   stages           s
@@ -94,20 +94,20 @@ typedef struct {
     int stages;
     char form;
     double longest, memory;
-} fvi_adaptive_counts;
+} fvi_step_statistics;
 
-/* fvi_adaptive_look -- of a stepper of fvi_adaptive, at any time.
+/* fvi_stepper_statistics -- of a stepper of fvi_variable_step, at any time.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for a stepper of
  * another method. */
-int fvi_adaptive_look(const fvi_stepper *s, fvi_adaptive_counts *counts);
+int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts);
 
-/* What fvi_adaptive_search found. */
+/* What fvi_variable_step_search found. */
 typedef struct {
     double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
-    fvi_adaptive_counts counts; /* of the run whose rows are given out */
-} fvi_adaptive_found;
+    fvi_step_statistics counts; /* of the run whose rows are given out */
+} fvi_variable_step_found;
 
-/* fvi_adaptive_search -- the rows of a run, right to a wanted error.
+/* fvi_variable_step_search -- the rows of a run, right to a wanted error.
  *
  * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
  * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
@@ -116,7 +116,7 @@ typedef struct {
  * the rows are those of the second, and mostly some 500 times better. While the estimate is above `error`, a run with
  * a tenth again is compared with the last.
  *
- *   run    as for fvi_start; step_error and most_steps are not read
+ *   run    as for fvi_stepper_start; step_error and most_steps are not read
  *   error  what max |x_k - x(t_k)| may be, finite, > 0
  *   most   no run of more steps than this is made
  *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL
@@ -127,12 +127,12 @@ typedef struct {
  * error of p is another matter. Where five runs in a row fail within a thousandth of one t,
  * no finer one is tried.
  * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
- * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_start
- * and fvi_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
+ * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_stepper_start
+ * and fvi_stepper_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
  * because of most: found->estimate is then the smallest one, infinite if there was none. On
  * error x, p and, but for FVI_ETOL, *found are untouched. */
-int fvi_adaptive_search(const fvi_run *run, double error, size_t most,
-                        double *x, double *p, fvi_adaptive_found *found);
+int fvi_variable_step_search(const fvi_run *run, double error, size_t most,
+                        double *x, double *p, fvi_variable_step_found *found);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -16,22 +16,22 @@ extern "C" {
 
 enum { FVI_WARNING_ROOM = 240 }; /* characters for a text, with its end */
 
-/* fvi_warning_of_past -- a constant text if no motion starts like this run:
+/* fvi_warning_of_initial_history -- a constant text if no motion starts like this run:
  * Riemann-Liouville with a damped x0 != 0 and alpha > 1/2; else NULL.       [(19.2)]
  *
- *   run  of a system that fvi_start takes
+ *   run  of a system that fvi_stepper_start takes
  *
  * The method fvi runs it all the same; the others refuse it. NULL, too, if there is no
  * memory to find out. Cost O(d), one product by C. */
-const char *fvi_warning_of_past(const fvi_run *run);
+const char *fvi_warning_of_initial_history(const fvi_run *run);
 
 /* fvi_warning_of_step -- 1 if a mode of the run grows from step to step, and the text then;
  * else 0, and the text is empty.                                     [(14.3), (14.4)]
  *
- *   method, run  as for fvi_start; the load is that of small motions about x0
+ *   method, run  as for fvi_stepper_start; the load is that of small motions about x0
  *   size, text   output, room for FVI_WARNING_ROOM characters
  *
- * The text has the load of fvi_stability_load, and where it is known the step below which
+ * The text has the load of fvi_stability_number, and where it is known the step below which
  * no mode grows. 0, too, where a load is not known, fails, or would cost d^3 operations:
  * methods with stages and more than 256 masses. Cost: one load; some sixty if it is above 1. */
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
@@ -39,14 +39,14 @@ int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
 
 /* fvi_watch -- for runs that get stiffer on their way; owned by the caller. */
 typedef struct {
-    double stiffest; /* so far, see fvi_stability_along */
+    double stiffest; /* so far, see fvi_stability_along_run */
     size_t next; /* the step of the next look; no look where it is SIZE_MAX */
 } fvi_watch;
 
 /* fvi_watch_begin -- before the first step. Nothing will be looked at if U is quadratic,
  * or the load does not depend on U, or is not known, or would cost d^3 operations.
  *
- *   method, run  as for fvi_start
+ *   method, run  as for fvi_stepper_start
  *   is_unstable  nonzero if fvi_warning_of_step has spoken: nothing will be looked at */
 fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
                           int is_unstable);
@@ -60,7 +60,7 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
  *   size, text   as above
  *
  * Call it after each step, k = 1, 2, ...: it looks after the first eight and after every
- * eighth. Cost: a comparison; a look costs what fvi_stability_along does. */
+ * eighth. Cost: a comparison; a look costs what fvi_stability_along_run does. */
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
                       const fvi_run *run, size_t k, const double *x,
                       size_t size, char *text);

@@ -378,7 +378,7 @@ void fvi_directory_matrices(const fvi_directory *d, const fvi_sparse *A[3])
 const char *fvi_directory_solver(const fvi_directory *d, double m, double c,
                                  double k)
 {
-    return fvi_structure_solver(d->structure, m, c, k);
+    return fvi_structure_solver_name(d->structure, m, c, k);
 }
 
 void fvi_directory_close(fvi_directory *d)

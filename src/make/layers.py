@@ -16,12 +16,12 @@ SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
 FLOORS = [
     {"course": "the program that the Course writes; it knows no other file", "program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},
     {"output": "tables, pictures, complaints; files are whole or absent"},
-    {"words": "from the command line to values"},
+    {"options": "from the command line to values"},
     {"input": "what stands in files, and what is wrong with it"},
-    {"fits": "what is unknown, from what was measured", "inverse": "gradients and control"},
-    {"search": "the step that a wanted error needs", "paper": "what only the paper needs"},
-    {"methods": "the integrators", "exact": "the exact solution of the linear problem"},
-    {"stability": "the longest step", "adaptive": "an integrator whose steps are its own"},
+    {"estimation": "what is unknown, from what was measured", "sensitivity": "gradients and control"},
+    {"error_control": "the step that a wanted error needs", "paper": "what only the paper needs"},
+    {"methods": "the integrators", "reference": "the exact solution of the linear problem"},
+    {"analysis": "the longest step", "variable_step": "an integrator whose steps are its own"},
     {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},
@@ -83,7 +83,7 @@ def drawing(arrows):
     for rooms in FLOORS:
         for room, what in rooms.items():
             known = sorted((low for high, low in arrows if high == room), key=list(FLOOR).index)
-            yield f"{room:>9}  {what:<58}{'-> ' + ', '.join(known) if known else ''}".rstrip()
+            yield f"{room:>13}  {what:<58}{'-> ' + ', '.join(known) if known else ''}".rstrip()
 
 
 def main():

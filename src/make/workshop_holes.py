@@ -53,7 +53,7 @@ def equation(number):
 
 @functools.cache
 def declarations():
-    """Of each public function what its header says: {"fvi_coefficients": "/* ... */"}."""
+    """Of each public function what its header says: {"fvi_gl_weights": "/* ... */"}."""
     found = {}
     for path in pathlib.Path("src/fvi").glob("**/*.h"):
         for comment, name in re.findall(r"(/\*(?:(?!\*/).)*\*/)\n\w[\w *]*?\b(fvi_\w+)\(",

@@ -145,7 +145,7 @@ static int solve_gradients(fvi_factors *f, double *x)
             return FVI_SUCCESS;
         for (size_t i = 0; i < n; i++)
             p[i] = z[i] + rz / last * p[i];
-        fvi_sparse_product(&f->A, p, Ap);
+        fvi_sparse_multiply(&f->A, p, Ap);
         const double curvature = dot(n, p, Ap);
         if (!(curvature > 0))
             return isfinite(rz) ? FVI_ESING : FVI_EOVRFLW;

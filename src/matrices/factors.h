@@ -5,7 +5,7 @@
 
 #include "sparse.h"
 
-/* How; see fvi_structure_solver. */
+/* How; see fvi_structure_solver_name. */
 typedef enum {
     FVI_BY_DIAGONAL,
     FVI_BY_BAND,

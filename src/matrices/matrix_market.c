@@ -216,7 +216,7 @@ static int find_double(reader *r, const fvi_sparse *A)
 static int finish(reader *r, fvi_sparse *A)
 {
     fvi_sparse whole;
-    int place = 0, status = fvi_sparse_sum(r->n, r->kept, r->triplets, &whole);
+    int place = 0, status = fvi_sparse_assemble(r->n, r->kept, r->triplets, &whole);
     if (status)
         return status;
     if ((size_t)whole.start[r->n] < r->kept)

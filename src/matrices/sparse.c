@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_sparse_room(size_t n, size_t count, fvi_sparse *A)
+int fvi_sparse_alloc(size_t n, size_t count, fvi_sparse *A)
 {
     *A = (fvi_sparse){ .n = n,
                        .start = calloc(n + 1, sizeof *A->start),
@@ -29,7 +29,7 @@ void fvi_sparse_free(fvi_sparse *A)
 }
 
 //> product
-void fvi_sparse_product(const fvi_sparse *A, const double *x, double *y)
+void fvi_sparse_multiply(const fvi_sparse *A, const double *x, double *y)
 {
     for (size_t j = 0; j < A->n; j++) { /* column j is row j */
         double sum = 0;
@@ -91,7 +91,7 @@ static int order_column(int count, int *row, double *entry)
 }
 
 //> sum
-int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
+int fvi_sparse_assemble(size_t n, size_t count, const fvi_triplet *triplets,
                    fvi_sparse *A)
 {
     fvi_sparse whole;
@@ -105,7 +105,7 @@ int fvi_sparse_sum(size_t n, size_t count, const fvi_triplet *triplets,
             || !isfinite(triplets[l].entry))
             FVI_FAIL("a triplet is outside of the matrix, or not finite",
                      FVI_EDOM);
-    if (fvi_sparse_room(n, count, &whole))
+    if (fvi_sparse_alloc(n, count, &whole))
         FVI_FAIL("no memory for the matrix", FVI_ENOMEM);
     by_columns(count, triplets, &whole);
     int to = 0;
@@ -182,7 +182,7 @@ int fvi_sparse_add(const fvi_sparse *const A[3], const double a[3],
         n = A[l] ? A[l]->n : n;
         count += terms[l] ? (size_t)terms[l]->start[n] : 0;
     }
-    int status = count >= INT_MAX ? FVI_ENOMEM : fvi_sparse_room(n, count, sum);
+    int status = count >= INT_MAX ? FVI_ENOMEM : fvi_sparse_alloc(n, count, sum);
     for (size_t j = 0; !status && j < n; j++)
         sum->start[j + 1] = add_column(j, terms, a, sum, sum->start[j]);
     return status;

@@ -7,9 +7,9 @@
 
 #include <fvi/structures.h>
 
-/* fvi_sparse_room -- arrays for n columns with `count` entries, start all zero.
+/* fvi_sparse_alloc -- arrays for n columns with `count` entries, start all zero.
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_sparse_room(size_t n, size_t count, fvi_sparse *A);
+int fvi_sparse_alloc(size_t n, size_t count, fvi_sparse *A);
 
 /* fvi_sparse_entry -- A_ij, 0 where nothing is stored.  Cost: of the length of column j. */
 double fvi_sparse_entry(const fvi_sparse *A, size_t i, size_t j);

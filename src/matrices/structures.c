@@ -1,6 +1,6 @@
 /* src/matrices/structures.c -- Systems of sparse matrices.             [Chapter 27] */
 #include "factors.h"
-#include "remembered.h"
+#include "history_space.h"
 
 #include "system/fail.h"
 
@@ -11,7 +11,7 @@
 struct fvi_structure {
     const fvi_sparse *M, *K, *C;
     double *mass, *damping; /* the diagonals, one block */
-    fvi_remembered B;
+    fvi_history_space B;
     fvi_factors *by_mass; /* for energies */
     fvi_matrices matrices;
 };
@@ -22,7 +22,7 @@ static int stiffness(size_t d, const double *x, const void *params, double *y)
 {
     const fvi_structure *s = params;
     (void)d;
-    fvi_sparse_product(s->K, x, y);
+    fvi_sparse_multiply(s->K, x, y);
     return FVI_SUCCESS;
 }
 
@@ -30,15 +30,15 @@ static int inertia(size_t d, const double *x, const void *params, double *y)
 {
     const fvi_structure *s = params;
     (void)d;
-    fvi_sparse_product(s->M, x, y);
+    fvi_sparse_multiply(s->M, x, y);
     return FVI_SUCCESS;
 }
 
-static int remember(size_t d, const double *x, const double *from,
+static int select_history(size_t d, const double *x, const double *from,
                     const void *params, double *z)
 {
     (void)d;
-    fvi_remembered_gather(&((const fvi_structure *)params)->B, x, from, z);
+    fvi_history_space_gather(&((const fvi_structure *)params)->B, x, from, z);
     return FVI_SUCCESS;
 }
 
@@ -46,7 +46,7 @@ static int damp(size_t d, double a, const double *z, const void *params,
                 double *p)
 {
     (void)d;
-    fvi_remembered_damp(&((const fvi_structure *)params)->B, a, z, p);
+    fvi_history_space_apply_damping(&((const fvi_structure *)params)->B, a, z, p);
     return FVI_SUCCESS;
 }
 
@@ -89,7 +89,7 @@ static int energy(size_t d, const double *x, const double *p,
     if (!y)
         return FVI_ENOMEM;
     double *v = y + d;
-    fvi_sparse_product(s->K, x, y);
+    fvi_sparse_multiply(s->K, x, y);
     memcpy(v, p, d * sizeof *v);
     int status = fvi_factors_solve(s->by_mass, v);
     for (size_t i = 0; i < d; i++)
@@ -119,7 +119,7 @@ static int look_at_mass(fvi_structure *s)
 }
 
 /* Returns a code, and says of which matrix. */
-static int look(fvi_structure *s, char *fault)
+static int check_matrices(fvi_structure *s, char *fault)
 {
     const struct {
         const fvi_sparse *matrix;
@@ -139,7 +139,7 @@ static int look(fvi_structure *s, char *fault)
     }
     if (!status) {
         *fault = 'C';
-        status = fvi_remembered_find(s->M, s->C, &s->B);
+        status = fvi_history_space_find(s->M, s->C, &s->B);
         s->matrices.remembered = s->B.r;
     }
     if (!status)
@@ -167,7 +167,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
     *s = (fvi_structure){
         .M = M, .K = K, .C = C, .mass = block, .damping = block + M->n
     };
-    s->matrices = (fvi_matrices){ .remember = remember,
+    s->matrices = (fvi_matrices){ .remember = select_history,
                                   .damp = damp,
                                   .stiffness = stiffness,
                                   .inertia = inertia,
@@ -176,7 +176,7 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                                   .forget = forget,
                                   .energy = energy,
                                   .params = s };
-    const int status = look(s, fault);
+    const int status = check_matrices(s, fault);
     if (status) {
         fvi_structure_free(s);
         FVI_FAIL(status == FVI_EINVAL  ? "matrices of different sizes"
@@ -197,7 +197,7 @@ fvi_system fvi_structure_system(const fvi_structure *s)
                          .matrices = &s->matrices };
 }
 
-const char *fvi_structure_solver(const fvi_structure *s, double m, double c,
+const char *fvi_structure_solver_name(const fvi_structure *s, double m, double c,
                                  double k)
 {
     static const char *const names[] = { "diagonal", "band", "CHOLMOD",
@@ -218,7 +218,7 @@ void fvi_structure_free(fvi_structure *s)
     if (!s)
         return;
     fvi_factors_free(s->by_mass);
-    fvi_remembered_free(&s->B);
+    fvi_history_space_free(&s->B);
     free(s->mass);
     free(s);
 }

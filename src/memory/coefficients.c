@@ -2,7 +2,7 @@
 #include <fvi/coefficients.h>
 
 #include "double_double.h"
-#include "memory_kinds.h" /* FVI_VECTORS */
+#include "history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static int check(double alpha, size_t count, const double *w)
     return FVI_SUCCESS;
 }
 
-int fvi_coefficients_simple(double alpha, size_t count, double *w)
+int fvi_gl_weights_simple(double alpha, size_t count, double *w)
 {
     int status = check(alpha, count, w);
     if (status)
@@ -57,7 +57,7 @@ FVI_VECTORS static void make_weights(double alpha, size_t count, double *w)
     //< weights
 }
 
-int fvi_coefficients(double alpha, size_t count, double *w)
+int fvi_gl_weights(double alpha, size_t count, double *w)
 {
     int status = check(alpha, count, w);
     if (!status)
@@ -72,7 +72,7 @@ static dd plus(dd a, dd b)
     return two_sum(s.hi, s.lo + (a.lo + b.lo));
 }
 
-int fvi_coefficients_rate(double alpha, size_t count, double *rate)
+int fvi_gl_weights_by_order(double alpha, size_t count, double *rate)
 {
     int status = check(alpha, count, rate);
     if (status)

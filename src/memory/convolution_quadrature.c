@@ -8,10 +8,10 @@
 #include <math.h>
 
 //> factor
-size_t fvi_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
+size_t fvi_cq_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
 {
     double power = pow(1.5, beta); /* (3/2)^beta (1 - z/3)^beta */
-    fvi_coefficients(beta, FVI_BDF2_TAPS, g);
+    fvi_gl_weights(beta, FVI_BDF2_TAPS, g);
     for (size_t n = 0; n < FVI_BDF2_TAPS; n++) {
         g[n] *= power; /* (13.11) */
         power /= 3;
@@ -28,8 +28,8 @@ size_t fvi_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
 static void bdf2(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
-    const size_t taps = fvi_bdf2_factor(beta, g);
-    fvi_coefficients(beta, count, w);
+    const size_t taps = fvi_cq_bdf2_factor(beta, g);
+    fvi_gl_weights(beta, count, w);
     for (size_t n = count; n-- > 0;) {
         double sum = 0;
         for (size_t j = 0; j < taps && j <= n; j++)
@@ -63,23 +63,23 @@ static void l1(double beta, size_t count, double *w)
     }
 }
 
-int fvi_quadrature_weights(fvi_quadrature kind, double beta, size_t count,
+int fvi_cq_weights(fvi_delta kind, double beta, size_t count,
                            double *w)
 {
     if (!w)
         FVI_FAIL("w is a null pointer", FVI_EFAULT);
     if (count == 0)
         FVI_FAIL("count must be at least 1", FVI_EINVAL);
-    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2
-        && kind != FVI_QUADRATURE_TRAPEZOID && kind != FVI_QUADRATURE_L1)
+    if (kind != FVI_DELTA_EULER && kind != FVI_DELTA_BDF2
+        && kind != FVI_DELTA_TRAPEZOID && kind != FVI_DELTA_L1)
         FVI_FAIL("unknown quadrature", FVI_EINVAL);
-    if (!(beta >= 0 && (kind == FVI_QUADRATURE_L1 ? beta < 1 : beta <= 2)))
+    if (!(beta >= 0 && (kind == FVI_DELTA_L1 ? beta < 1 : beta <= 2)))
         FVI_FAIL("beta is out of range", FVI_EDOM);
-    if (kind == FVI_QUADRATURE_EULER)
-        fvi_coefficients(beta, count, w);
-    else if (kind == FVI_QUADRATURE_BDF2)
+    if (kind == FVI_DELTA_EULER)
+        fvi_gl_weights(beta, count, w);
+    else if (kind == FVI_DELTA_BDF2)
         bdf2(beta, count, w);
-    else if (kind == FVI_QUADRATURE_TRAPEZOID)
+    else if (kind == FVI_DELTA_TRAPEZOID)
         trapezoid(beta, count, w);
     else
         l1(beta, count, w);

@@ -2,7 +2,7 @@
 #include <fvi/damping_laws.h>
 
 #include <fvi/coefficients.h>
-#include "law_terms.h"
+#include "kernel_terms.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -15,25 +15,25 @@
 
 /* ---- what a law is ---- */
 
-static int check_term(const fvi_law_term *t)
+static int check_term(const fvi_kernel_term *t)
 {
-    if (t->kind != FVI_LAW_POWER && t->kind != FVI_LAW_ZENER
-        && t->kind != FVI_LAW_MAXWELL && t->kind != FVI_LAW_DISTRIBUTED)
+    if (t->kind != FVI_KERNEL_POWER && t->kind != FVI_KERNEL_ZENER
+        && t->kind != FVI_KERNEL_MAXWELL && t->kind != FVI_KERNEL_DISTRIBUTED)
         FVI_FAIL("unknown law of damping", FVI_EINVAL);
     if (!(isfinite(t->rho) && t->rho >= 0))
         FVI_FAIL("rho of a law must be finite and not negative", FVI_EDOM);
-    if (t->kind != FVI_LAW_MAXWELL && !(t->alpha >= 0 && t->alpha <= 1))
+    if (t->kind != FVI_KERNEL_MAXWELL && !(t->alpha >= 0 && t->alpha <= 1))
         FVI_FAIL("alpha of a law must be in [0, 1]", FVI_EDOM);
-    if ((t->kind == FVI_LAW_ZENER || t->kind == FVI_LAW_MAXWELL)
+    if ((t->kind == FVI_KERNEL_ZENER || t->kind == FVI_KERNEL_MAXWELL)
         && !(isfinite(t->time) && t->time >= 0))
         FVI_FAIL("the time of a law must be finite and not negative", FVI_EDOM);
-    if (t->kind == FVI_LAW_DISTRIBUTED && !(t->end > t->alpha && t->end <= 1))
+    if (t->kind == FVI_KERNEL_DISTRIBUTED && !(t->end > t->alpha && t->end <= 1))
         FVI_FAIL("the end of a range of orders must be in (alpha, 1]",
                  FVI_EDOM);
     return FVI_SUCCESS;
 }
 
-int fvi_law_check(const fvi_law *law)
+int fvi_kernel_check(const fvi_kernel *law)
 {
     if (!law || (law->count && !law->term))
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -47,18 +47,18 @@ int fvi_law_check(const fvi_law *law)
     return FVI_SUCCESS;
 }
 
-static double growth_of(const fvi_law_term *t)
+static double growth_of(const fvi_kernel_term *t)
 {
-    const double last = t->kind == FVI_LAW_DISTRIBUTED ? t->end
-                        : t->kind == FVI_LAW_MAXWELL   ? 0.5
+    const double last = t->kind == FVI_KERNEL_DISTRIBUTED ? t->end
+                        : t->kind == FVI_KERNEL_MAXWELL   ? 0.5
                                                        : t->alpha;
-    return t->kind == FVI_LAW_POWER || t->kind == FVI_LAW_DISTRIBUTED
+    return t->kind == FVI_KERNEL_POWER || t->kind == FVI_KERNEL_DISTRIBUTED
                    || t->time == 0
                ? 2 * last
                : 0;
 }
 
-double fvi_law_growth(const fvi_law *law)
+double fvi_kernel_growth(const fvi_kernel *law)
 {
     double most = 0;
     for (size_t i = 0; i < law->count; i++)
@@ -74,7 +74,7 @@ static double complex power_at(double a, double modulus, double angle)
 }
 
 /* The integral of e^{2 a L}, L = ln s, over a range of orders, and its derivative by L. */
-static double complex range_at(const fvi_law_term *t, double modulus,
+static double complex range_at(const fvi_kernel_term *t, double modulus,
                                double angle, double complex *slope)
 {
     const double middle = (t->alpha + t->end) / 2, width = t->end - t->alpha;
@@ -90,20 +90,20 @@ static double complex range_at(const fvi_law_term *t, double modulus,
 }
 
 //> symbol
-static double complex symbol_at(const fvi_law_term *t, double modulus,
+static double complex symbol_at(const fvi_kernel_term *t, double modulus,
                                 double angle, double complex *slope)
 {
-    if (t->kind == FVI_LAW_DISTRIBUTED)
+    if (t->kind == FVI_KERNEL_DISTRIBUTED)
         return range_at(t, modulus, angle, slope);
-    const double a = t->kind == FVI_LAW_MAXWELL ? 0.5 : t->alpha,
-                 time = t->kind == FVI_LAW_POWER ? 0 : t->time;
+    const double a = t->kind == FVI_KERNEL_MAXWELL ? 0.5 : t->alpha,
+                 time = t->kind == FVI_KERNEL_POWER ? 0 : t->time;
     const double complex q = power_at(a, modulus, angle), part = 1 + time * q;
     *slope = 2 * a * q / (part * part); /* s C'(s) */
     return q / part;
 }
 //< symbol
 
-static double complex sum_at(const fvi_law *law, double modulus, double angle,
+static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
                              double complex *slope)
 {
     double complex C = 0;
@@ -117,22 +117,22 @@ static double complex sum_at(const fvi_law *law, double modulus, double angle,
     return C;
 }
 
-double complex fvi_law_at(const fvi_law *law, double complex s,
+double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
                           double complex *slope)
 {
     return sum_at(law, cabs(s), carg(s), slope);
 }
 
-double fvi_law_symbol(const fvi_law *law, double s)
+double fvi_kernel_symbol(const fvi_kernel *law, double s)
 {
     double complex slope;
     return creal(sum_at(law, s, 0, &slope));
 }
 
-int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
+int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
                    double *loss)
 {
-    int status = fvi_law_check(law);
+    int status = fvi_kernel_check(law);
     if (status)
         return status;
     if (!storage || !loss)
@@ -155,19 +155,19 @@ int fvi_law_moduli(const fvi_law *law, double omega, double *storage,
  * for |x| up to 70. */
 enum { ORDERS = 64 };
 
-int fvi_law_flatten(const fvi_law *law, fvi_law_simple **terms, size_t *count)
+int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t *count)
 {
     gsl_integration_glfixed_table *gauss = NULL;
-    fvi_law_simple *t = malloc(law->count * ORDERS * sizeof *t);
+    fvi_kernel_simple *t = malloc(law->count * ORDERS * sizeof *t);
     size_t n = 0;
     if (!t)
         FVI_FAIL("no memory for the law", FVI_ENOMEM);
     for (size_t i = 0; i < law->count; i++) {
-        const fvi_law_term *from = &law->term[i];
-        if (from->kind != FVI_LAW_DISTRIBUTED) {
-            const int fraction = from->kind != FVI_LAW_POWER;
-            t[n++] = (fvi_law_simple){
-                from->rho, from->kind == FVI_LAW_MAXWELL ? 0.5 : from->alpha,
+        const fvi_kernel_term *from = &law->term[i];
+        if (from->kind != FVI_KERNEL_DISTRIBUTED) {
+            const int fraction = from->kind != FVI_KERNEL_POWER;
+            t[n++] = (fvi_kernel_simple){
+                from->rho, from->kind == FVI_KERNEL_MAXWELL ? 0.5 : from->alpha,
                 fraction ? from->time : 0
             };
             continue;
@@ -184,7 +184,7 @@ int fvi_law_flatten(const fvi_law *law, fvi_law_simple **terms, size_t *count)
             double a, weight;
             gsl_integration_glfixed_point(from->alpha, from->end, j, &a,
                                           &weight, gauss);
-            t[n++] = (fvi_law_simple){ from->rho * weight, a, 0 };
+            t[n++] = (fvi_kernel_simple){ from->rho * weight, a, 0 };
         }
     }
     if (gauss)
@@ -208,7 +208,7 @@ static void negative_power(double nu, size_t count, double *w)
 static void times_bdf2(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
-    const size_t taps = fvi_bdf2_factor(beta, g);
+    const size_t taps = fvi_cq_bdf2_factor(beta, g);
     for (size_t n = count; n-- > 0;) {
         double sum = 0;
         for (size_t j = 0; j < taps && j <= n; j++)
@@ -218,15 +218,15 @@ static void times_bdf2(double beta, size_t count, double *w)
 }
 
 /* (delta(z)/h)^{2 alpha} (1 - z)^{-increments} */
-static void power(double alpha, fvi_quadrature kind, double h, int increments,
+static void power(double alpha, fvi_delta kind, double h, int increments,
                   size_t count, double *w)
 {
     const double nu = 2 * alpha - increments;
     if (nu < 0)
         negative_power(nu, count, w);
     else
-        fvi_coefficients(nu, count, w);
-    if (kind == FVI_QUADRATURE_BDF2)
+        fvi_gl_weights(nu, count, w);
+    if (kind == FVI_DELTA_BDF2)
         times_bdf2(2 * alpha, count, w);
     const double scale = pow(h, -2 * alpha);
     for (size_t n = 0; n < count; n++)
@@ -250,7 +250,7 @@ static void divide(double T, size_t count, const double *q, double *W)
 }
 //< division
 
-void fvi_law_series(const fvi_law_simple *t, fvi_quadrature kind, double h,
+void fvi_kernel_series(const fvi_kernel_simple *t, fvi_delta kind, double h,
                     int increments, size_t count, double *room, double *w)
 {
     const int fraction = t->time > 0;
@@ -268,31 +268,31 @@ void fvi_law_series(const fvi_law_simple *t, fvi_quadrature kind, double h,
     }
 }
 
-int fvi_law_check_weights(const fvi_law *law, fvi_quadrature kind, double h)
+int fvi_kernel_check_weights(const fvi_kernel *law, fvi_delta kind, double h)
 {
-    int status = fvi_law_check(law);
+    int status = fvi_kernel_check(law);
     if (status)
         return status;
-    if (kind != FVI_QUADRATURE_EULER && kind != FVI_QUADRATURE_BDF2)
+    if (kind != FVI_DELTA_EULER && kind != FVI_DELTA_BDF2)
         FVI_FAIL("a law has weights of Euler and of BDF2", FVI_EINVAL);
     if (!(isfinite(h) && h > 0))
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
     return FVI_SUCCESS;
 }
 
-int fvi_law_weights(const fvi_law *law, fvi_quadrature kind, double h,
+int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
                     size_t count, double *w)
 {
-    int status = fvi_law_check_weights(law, kind, h);
+    int status = fvi_kernel_check_weights(law, kind, h);
     if (status)
         return status;
     if (!w)
         FVI_FAIL("w is a null pointer", FVI_EFAULT);
     if (count == 0 || count > (size_t)-1 / 4 / sizeof *w)
         FVI_FAIL("count must be at least 1 and addressable", FVI_EINVAL);
-    fvi_law_simple *term;
+    fvi_kernel_simple *term;
     size_t terms;
-    status = fvi_law_flatten(law, &term, &terms);
+    status = fvi_kernel_flatten(law, &term, &terms);
     if (status)
         return status;
     double *room = malloc(2 * count * sizeof *room);
@@ -302,7 +302,7 @@ int fvi_law_weights(const fvi_law *law, fvi_quadrature kind, double h,
     }
     memset(w, 0, count * sizeof *w);
     for (size_t i = 0; i < terms; i++)
-        fvi_law_series(&term[i], kind, h, 0, count, room, w);
+        fvi_kernel_series(&term[i], kind, h, 0, count, room, w);
     free(room);
     free(term);
     return FVI_SUCCESS;

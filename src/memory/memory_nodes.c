@@ -1,5 +1,5 @@
 /* src/memory/memory_nodes.c -- A power as a sum of exponentials.        [Chapter 12] */
-#include "memory_kinds.h"
+#include "history_kinds.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_gamma.h>
@@ -42,7 +42,7 @@ static double log_of_lambert(double A)
 }
 
 //> nodes
-fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip)
+fvi_node_range fvi_node_range_of(double nu, double N, double delta, double strip)
 {
     const double x = FVI_TAIL - nu, L = log(4 / delta);
     const double h = strip * step(nu, delta);
@@ -51,10 +51,10 @@ fvi_grid fvi_exponentials_grid(double nu, double N, double delta, double strip)
     const double X =
         N * (L + nu * log(x + 1) - gsl_sf_lngamma(1 + nu)) / x; /* (12.10) */
     const double right = log(X) + 1 / X;
-    return (fvi_grid){ left, h, 1 + (size_t)ceil((right - left) / h) };
+    return (fvi_node_range){ left, h, 1 + (size_t)ceil((right - left) / h) };
 }
 
-void fvi_exponentials_rule(const fvi_grid *g, double nu, double N, double *s,
+void fvi_history_modes_rule(const fvi_node_range *g, double nu, double N, double *s,
                            double *c, double *rate)
 {
     const double sine = sin(M_PI * fmin(nu, 1 - nu)) / M_PI;
@@ -73,18 +73,18 @@ void fvi_exponentials_rule(const fvi_grid *g, double nu, double N, double *s,
 }
 //< nodes
 
-size_t fvi_exponentials_nodes(double nu, double N, double delta, double *s,
+size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
                               double *c, double *rate)
 {
-    const fvi_grid g = fvi_exponentials_grid(nu, N, delta, 1);
+    const fvi_node_range g = fvi_node_range_of(nu, N, delta, 1);
     if (s)
-        fvi_exponentials_rule(&g, nu, N, s, c, rate);
+        fvi_history_modes_rule(&g, nu, N, s, c, rate);
     return g.Q;
 }
 
 //> delta
 /* (12.11): a tenth of the tolerance; small enough for the proof of (12.13). */
-double fvi_exponentials_delta(size_t steps, double tolerance)
+double fvi_history_modes_delta(size_t steps, double tolerance)
 {
     double wish = tolerance == 0 ? 1e-14 : tolerance / 10;
     return fmin(wish, 16 / fmax((double)steps, 32000));

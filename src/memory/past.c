@@ -6,26 +6,26 @@
 #include <math.h>
 #include <string.h>
 
-int fvi_past_has_solution(fvi_past past, double alpha, double rho, double x0)
+int fvi_initial_history_solvable(fvi_initial_history past, double alpha, double rho, double x0)
 {
-    return past != FVI_PAST_RIEMANN_LIOUVILLE || alpha <= 0.5 || rho == 0
+    return past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || alpha <= 0.5 || rho == 0
            || x0 == 0;
 }
 
 //> amplitude
-double fvi_past_amplitude(fvi_past past, double alpha, double x0, double v0)
+double fvi_initial_history_amplitude(fvi_initial_history past, double alpha, double x0, double v0)
 {
-    if (past == FVI_PAST_CAPUTO || alpha == 0.5)
+    if (past == FVI_INITIAL_HISTORY_CAPUTO || alpha == 0.5)
         return 0;
     if (alpha > 0.5)
         return v0;
-    return past == FVI_PAST_RIEMANN_LIOUVILLE ? x0 : 0; /* (19.3) */
+    return past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? x0 : 0; /* (19.3) */
 }
 //< amplitude
 
-int fvi_past_pulls(fvi_past past, double alpha)
+int fvi_initial_history_acts(fvi_initial_history past, double alpha)
 {
-    return fvi_past_amplitude(past, alpha, 1, 1) != 0;
+    return fvi_initial_history_amplitude(past, alpha, 1, 1) != 0;
 }
 
 /* l_i(s), s in [0, 1], by Legendre's polynomials P_degree(2 s - 1): a product of
@@ -68,10 +68,10 @@ static double lagrange_at(size_t n, const double *l, double c)
 
 /* Newton's step for the inverse of the matrix P_degree(2 c_i - 1), which basis is: with
  * eight nodes the products of lagrange alone leave 240 u in the first step. */
-static void refine_basis(const double *c, fvi_past_pull *pull)
+static void refine_basis(const double *c, fvi_kernel_impulse *pull)
 {
     const size_t n = pull->nodes;
-    double basis[FVI_PAST_NODES][FVI_PAST_NODES];
+    double basis[FVI_KERNEL_IMPULSE_NODES][FVI_KERNEL_IMPULSE_NODES];
     memcpy(basis, pull->basis, sizeof basis);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
@@ -107,10 +107,10 @@ static double power_times_legendre(size_t j, size_t degree, double lower)
 }
 
 /* pull->series: the binomial series of (1 + x y)^e, times those integrals. */
-static void prepare_series(fvi_past_pull *pull)
+static void prepare_series(fvi_kernel_impulse *pull)
 {
     double binomial = 1;
-    for (size_t j = 0; j < FVI_PAST_TERMS; j++) {
+    for (size_t j = 0; j < FVI_KERNEL_IMPULSE_TERMS; j++) {
         double integral = 0;
         for (size_t degree = j % 2; degree < pull->nodes; degree += 2) {
             integral = power_times_legendre(j, degree, integral);
@@ -120,12 +120,12 @@ static void prepare_series(fvi_past_pull *pull)
     }
 }
 
-void fvi_past_prepare(double alpha, size_t n, const double *c,
-                      fvi_past_pull *pull)
+void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
+                      fvi_kernel_impulse *pull)
 {
     const double e = alpha < 0.5 ? -2 * alpha : 1 - 2 * alpha;
     const double whole = 1 / tgamma(2 + e); /* int_0^1 s^e / Gamma(1 + e) ds */
-    *pull = (fvi_past_pull){ .e = e, .size = (1 + e) * whole, .nodes = n };
+    *pull = (fvi_kernel_impulse){ .e = e, .size = (1 + e) * whole, .nodes = n };
     prepare_series(pull);
     for (size_t i = 0; i < n; i++)
         lagrange(n, c, i, pull->basis[i]);
@@ -146,13 +146,13 @@ void fvi_past_prepare(double alpha, size_t n, const double *c,
 /* moments[degree] = int_0^1 (k + s)^e P_degree(2 s - 1) ds, k > 0, by the binomial series
  * about k + 1/2. Its terms fall at least like (2 k + 1)^-j; the first that is left out is
  * below u / 8, and it is the 37th at most. No term waits for a division. */
-static void legendre_moments(const fvi_past_pull *pull, size_t k,
+static void legendre_moments(const fvi_kernel_impulse *pull, size_t k,
                              double *moments)
 {
     const double middle = (double)k + 0.5, x = 0.5 / middle;
     const double scale = pow(middle, pull->e);
     double x_j = 1;
-    for (size_t j = 0; j < FVI_PAST_TERMS; j++, x_j *= x) {
+    for (size_t j = 0; j < FVI_KERNEL_IMPULSE_TERMS; j++, x_j *= x) {
         const double *series = pull->series[j];
         if (!(fabs(series[0] * x_j) > GSL_DBL_EPSILON / 16))
             break;
@@ -163,13 +163,13 @@ static void legendre_moments(const fvi_past_pull *pull, size_t k,
         moments[degree] *= scale;
 }
 
-void fvi_past_impulses(const fvi_past_pull *pull, size_t k, double *impulse)
+void fvi_kernel_impulses(const fvi_kernel_impulse *pull, size_t k, double *impulse)
 {
     if (k == 0) {
         memcpy(impulse, pull->first, pull->nodes * sizeof *impulse);
         return;
     }
-    double moments[FVI_PAST_NODES] = { 0 };
+    double moments[FVI_KERNEL_IMPULSE_NODES] = { 0 };
     if (pull->size != 0) /* alpha = 1: all was at t = 0 */
         legendre_moments(pull, k, moments);
     for (size_t i = 0; i < pull->nodes; i++) {
@@ -223,11 +223,11 @@ static void first_moments_rate(double e, size_t count, double *rates)
 
 //> impulses-rate
 /* 1 / Gamma(z) is z / Gamma(1 + z), whose slope is finite at z = 1 + e = 0. */
-void fvi_past_impulses_rate(const fvi_past_pull *pull, size_t k, double *rate)
+void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, double *rate)
 {
     const double z = 1 + pull->e;
     const double slope = (1 - z * gsl_sf_psi(1 + z)) / tgamma(1 + z);
-    double moments[FVI_PAST_NODES], rates[FVI_PAST_NODES];
+    double moments[FVI_KERNEL_IMPULSE_NODES], rates[FVI_KERNEL_IMPULSE_NODES];
     if (k == 0)
         first_moments_rate(pull->e, pull->nodes, rates);
     else

@@ -3,8 +3,8 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
 #include "damping.h"
-#include "loads.h"
-#include "pull.h"
+#include "stability_number.h"
+#include "initial_history_force.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -23,7 +23,7 @@ typedef struct {
     size_t taps, place;      /* taps == 0: no factor */
     int increments;          /* are summed, and stand in past */
     double *past; /* the last terms of each, the latest at [place], twice */
-    fvi_pull pull;
+    fvi_initial_history_force history_force;
     double impulse[2]; /* of this step, at its ends (19.5) */
 } second_order;
 
@@ -35,13 +35,13 @@ typedef struct {
  * ulp on either side are enough. (13.12) */
 static int force_before(fvi_stepper *s, size_t k)
 {
-    return fvi_force_at(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
+    return fvi_force_value(s, (double)k * s->run.h * (1 - 4 * GSL_DBL_EPSILON));
 }
 
 static int force_after(fvi_stepper *s, size_t k)
 {
     double t = (double)k * s->run.h * (1 + 4 * GSL_DBL_EPSILON);
-    return fvi_force_at(s, fmax(t, GSL_DBL_MIN));
+    return fvi_force_value(s, fmax(t, GSL_DBL_MIN));
 }
 //< force
 
@@ -64,25 +64,25 @@ static void filter(second_order *o, size_t count, double *term)
 //< filter
 
 /* x_{k+1} has come: H of step k + 1. */
-static int remember(fvi_stepper *s, second_order *o)
+static int update_history(fvi_stepper *s, second_order *o)
 {
     fvi_damping *d = o->damping;
     int status = fvi_damping_terms(d, s);
     if (status)
         return status;
     filter(o, d->count, o->increments ? d->dz : d->z);
-    return fvi_memory_push(d->memory, d->z, d->dz, o->H);
+    return fvi_history_push(d->memory, d->z, d->dz, o->H);
 }
 
 /* What the past does at the left or the right end of this step. */
-static void pull(fvi_stepper *s, second_order *o, size_t end)
+static void apply_initial_history(fvi_stepper *s, second_order *o, size_t end)
 {
-    if (!o->pull.size)
+    if (!o->history_force.size)
         return;
     if (end == 0)
-        fvi_past_impulses(&o->pull.fading, s->k, o->impulse);
+        fvi_kernel_impulses(&o->history_force.initial_impulse, s->k, o->impulse);
     for (size_t i = 0; i < s->run.system->d; i++)
-        s->p[i] -= o->pull.size[i] * o->impulse[end];
+        s->p[i] -= o->history_force.size[i] * o->impulse[end];
 }
 
 /* The weight of z_{k+1} in H_{k+1}: w_0 = 1, times g_0. */
@@ -105,27 +105,27 @@ static int right_hand_side(fvi_stepper *s, second_order *o)
     for (size_t i = 0; i < dim; i++)
         s->p[i] += half * s->F[i];
     if (count > 0 && theta != 0.5)
-        status = fvi_damping_pull(d, 0.5 - theta, o->H, s->p);
-    pull(s, o, 0);
+        status = fvi_damping_apply_force(d, 0.5 - theta, o->H, s->p);
+    apply_initial_history(s, o, 0);
     memcpy(o->r, s->p, dim * sizeof *o->r);
     if (status || count == 0 || theta == 0)
         return status;
     status = fvi_damping_gather(d, s->x, d->origin, d->z);
     if (!status)
-        status = fvi_memory_ahead(d->memory, d->z, o->ahead);
+        status = fvi_history_ahead(d->memory, d->z, o->ahead);
     for (size_t j = 0; j < count; j++) {
         o->ahead[j] -= first(o) * d->drift[j];
         if (o->taps && o->increments) /* g_1 times the last increment */
             o->ahead[j] += o->g[1] * o->past[j * 2 * o->taps + o->place];
     }
-    return status ? status : fvi_damping_pull(d, theta, o->ahead, o->r);
+    return status ? status : fvi_damping_apply_force(d, theta, o->ahead, o->r);
 }
 //< right-hand-side
 
 //> step
 static int step_second_order(fvi_stepper *s)
 {
-    second_order *o = s->own;
+    second_order *o = s->method_state;
     const fvi_damping *d = o->damping;
     const double h = s->run.h;
     int status = right_hand_side(s, o);
@@ -141,10 +141,10 @@ static int step_second_order(fvi_stepper *s)
     }
     if (!d)
         return FVI_SUCCESS;
-    status = remember(s, o);
+    status = update_history(s, o);
     if (!status)
-        status = fvi_damping_pull(d, 0.5 + o->theta, o->H, s->p);
-    pull(s, o, 1);
+        status = fvi_damping_apply_force(d, 0.5 + o->theta, o->H, s->p);
+    apply_initial_history(s, o, 1);
     return status;
 }
 //< step
@@ -153,13 +153,13 @@ static int step_second_order(fvi_stepper *s)
 
 static void stop_second_order(fvi_stepper *s)
 {
-    second_order *o = s->own;
+    second_order *o = s->method_state;
     if (!o)
         return;
     fvi_damping_free(o->damping);
     free(o->r);
     free(o->H);
-    free(o->pull.size);
+    free(o->history_force.size);
     free(o);
 }
 
@@ -181,17 +181,17 @@ static int make_rows(second_order *o, size_t count)
 
 static int copy_second_order(const fvi_stepper *from, fvi_stepper *to)
 {
-    const second_order *old = from->own;
-    second_order *o = to->own = malloc(sizeof *o);
+    const second_order *old = from->method_state;
+    second_order *o = to->method_state = malloc(sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     *o = *old;
     o->damping = NULL;
-    o->H = o->ahead = o->past = o->pull.size = NULL;
+    o->H = o->ahead = o->past = o->history_force.size = NULL;
     o->r = calloc(from->run.system->d, sizeof *o->r); /* of one step only */
     if (!o->r)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    int status = fvi_pull_copy(&old->pull, from->run.system->d, &o->pull);
+    int status = fvi_initial_history_force_copy(&old->history_force, from->run.system->d, &o->history_force);
     if (!status)
         status = fvi_damping_copy(old->damping, &o->damping);
     if (status || !old->damping)
@@ -203,18 +203,18 @@ static int copy_second_order(const fvi_stepper *from, fvi_stepper *to)
     return status;
 }
 
-static int visit_second_order(fvi_stepper *s, fvi_visitor *v)
+static int serialize_second_order(fvi_stepper *s, fvi_archive *v)
 {
-    second_order *o = s->own;
+    second_order *o = s->method_state;
     if (!o->damping)
         return FVI_SUCCESS;
-    int status = v->visit(v, &o->place, sizeof o->place, 0);
+    int status = v->serialize(v, &o->place, sizeof o->place, 0);
     if (!status && o->place > 0 && o->place >= o->taps)
         FVI_FAIL("not a place among the last terms", FVI_EINVAL);
     if (!status)
         status =
-            v->visit(v, o->H, rows(o, o->damping->count) * sizeof *o->H, 0);
-    return status ? status : fvi_damping_visit(o->damping, s->k, v);
+            v->serialize(v, o->H, rows(o, o->damping->count) * sizeof *o->H, 0);
+    return status ? status : fvi_damping_archive(o->damping, s->k, v);
 }
 
 /* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0:
@@ -251,7 +251,7 @@ typedef enum { SHIFTED, BDF2, STABLE } scheme;
 static int start(fvi_stepper *s, double theta, scheme which)
 {
     static const double ends[] = { 0, 1 };
-    second_order *o = s->own = calloc(1, sizeof *o);
+    second_order *o = s->method_state = calloc(1, sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     o->theta = theta;
@@ -261,20 +261,20 @@ static int start(fvi_stepper *s, double theta, scheme which)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
     const int law = s->run.law != NULL;
     o->increments =
-        law ? fvi_law_growth(s->run.law) > 1 : 2 * s->run.alpha >= 1;
-    int status = fvi_damping_start(s, law ? FVI_PAST_HELD : FVI_PAST_CAPUTO,
+        law ? fvi_kernel_growth(s->run.law) > 1 : 2 * s->run.alpha >= 1;
+    int status = fvi_damping_start(s, law ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_CAPUTO,
                                    &o->damping); /* D_0 = 0 */
     if (status)
         return status;
     if (o->damping) {
         const size_t count = o->damping->count;
         if (which == BDF2 && !law)
-            o->taps = fvi_bdf2_factor(2 * s->run.alpha, o->g);
+            o->taps = fvi_cq_bdf2_factor(2 * s->run.alpha, o->g);
         if (which == STABLE)
             o->taps = two_taps(law ? 0 : s->run.alpha, o->g);
         status = make_rows(o, count);
         if (!status && !law)
-            status = fvi_pull_start(s, 2, ends, &o->pull); /* (19.3) */
+            status = fvi_initial_history_force_start(s, 2, ends, &o->history_force); /* (19.3) */
         if (status)
             return status;
     }
@@ -296,59 +296,59 @@ static int start_stable(fvi_stepper *s)
     return start(s, 0.5, STABLE);
 }
 
-const fvi_method fvi_shifted = { .name = "fvi-shifted",
+const fvi_method fvi_cq2_shifted = { .name = "fvi-shifted",
                                  .order = "2",
                                  .lowest = 2,
                                  .highest = 2,
                                  .memory = "full",
                                  .alpha_most = 1,
                                  .memories = FVI_ALL_MEMORIES,
-                                 .scheme = FVI_SCHEME_SHIFTED,
+                                 .scheme = FVI_SCHEME_CQ2_SHIFTED,
                                  .takes_kappa = 1,
                                  .takes_matrices = 1,
                                  .implicit = 1,
-                                 .load = fvi_load_shifted,
-                                 .load_grows = 1,
+                                 .stability_number = fvi_stability_number_shifted,
+                                 .stability_number_grows = 1,
                                  .start = start_shifted,
                                  .step = step_second_order,
                                  .copy = copy_second_order,
-                                 .visit = visit_second_order,
+                                 .serialize = serialize_second_order,
                                  .stop = stop_second_order };
-const fvi_method fvi_bdf2 = { .name = "fvi-bdf2",
+const fvi_method fvi_cq_bdf2 = { .name = "fvi-bdf2",
                               .order = "2",
                               .lowest = 2,
                               .highest = 2,
                               .memory = "full",
                               .alpha_most = 1,
                               .memories = FVI_ALL_MEMORIES,
-                              .quadrature = FVI_QUADRATURE_BDF2,
-                              .scheme = FVI_SCHEME_BDF2,
+                              .quadrature = FVI_DELTA_BDF2,
+                              .scheme = FVI_SCHEME_CQ_BDF2,
                               .takes_kappa = 1,
                               .takes_laws = 1,
                               .takes_matrices = 1,
                               .implicit = 1,
-                              .load = fvi_load_bdf2,
-                              .load_grows = 1,
+                              .stability_number = fvi_stability_number_bdf2,
+                              .stability_number_grows = 1,
                               .start = start_bdf2,
                               .step = step_second_order,
                               .copy = copy_second_order,
-                              .visit = visit_second_order,
+                              .serialize = serialize_second_order,
                               .stop = stop_second_order };
-const fvi_method fvi_stable = { .name = "fvi-stable",
+const fvi_method fvi_cq2_midpoint = { .name = "fvi-stable",
                                 .order = "2",
                                 .lowest = 2,
                                 .highest = 2,
                                 .memory = "full",
                                 .alpha_most = 1,
                                 .memories = FVI_ALL_MEMORIES,
-                                .scheme = FVI_SCHEME_STABLE,
+                                .scheme = FVI_SCHEME_CQ2_MIDPOINT,
                                 .takes_laws = 1,
                                 .takes_matrices = 1,
                                 .implicit = 1,
-                                .load = fvi_load_none,
-                                .load_grows = 1,
+                                .stability_number = fvi_stability_number_none,
+                                .stability_number_grows = 1,
                                 .start = start_stable,
                                 .step = step_second_order,
                                 .copy = copy_second_order,
-                                .visit = visit_second_order,
+                                .serialize = serialize_second_order,
                                 .stop = stop_second_order };

@@ -2,8 +2,8 @@
  *                                                                 [Chapter 9] */
 #include "damping.h"
 
-#include "memory/memory_kinds.h"
-#include "memory/memory_parts.h"
+#include "memory/history_kinds.h"
+#include "memory/history_parts.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ void fvi_damping_free(fvi_damping *d)
 {
     if (!d)
         return;
-    fvi_memory_free(d->memory);
+    fvi_history_free(d->memory);
     free(d->index);
     free(d->factor);
     free(d);
@@ -41,9 +41,9 @@ static int damping_alloc(const fvi_system *system, size_t count,
     return FVI_SUCCESS;
 }
 
-fvi_quadrature fvi_damping_quadrature(const fvi_method *method)
+fvi_delta fvi_damping_quadrature(const fvi_method *method)
 {
-    return method->scheme == FVI_SCHEME_STABLE ? FVI_QUADRATURE_BDF2
+    return method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? FVI_DELTA_BDF2
                                                : method->quadrature;
 }
 
@@ -52,7 +52,7 @@ static int law_of(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     double first = 0;
-    int status = fvi_law_memory(run->law, fvi_damping_quadrature(s->method),
+    int status = fvi_kernel_history(run->law, fvi_damping_quadrature(s->method),
                                 run->h, d->count, run->steps, run->memory,
                                 run->tolerance, &first, &d->memory);
     for (size_t j = 0; j < d->count; j++)
@@ -96,7 +96,7 @@ int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-int fvi_damping_pull(const fvi_damping *d, double share, const double *H,
+int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
                      double *p)
 {
     const fvi_matrices *m = d->system->matrices;
@@ -126,7 +126,7 @@ static size_t damped(const fvi_system *system)
     return count;
 }
 
-static void begin(const fvi_stepper *s, fvi_past past, fvi_damping *d)
+static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
@@ -140,16 +140,16 @@ static void begin(const fvi_stepper *s, fvi_past past, fvi_damping *d)
         d->index[j] = i;
         d->factor[j] =
             system->damping[i] * (run->law ? run->h : pow(run->h, 1 - order));
-        if (past != FVI_PAST_RIEMANN_LIOUVILLE)
+        if (past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
             d->origin[j] = s->x[i]; /* (9.6) */
-        if (past == FVI_PAST_CAPUTO && order > 1)
+        if (past == FVI_INITIAL_HISTORY_CAPUTO && order > 1)
             d->drift[j] = run->h * s->p[i] / system->mass[i];
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
     //< start
 }
 
-int fvi_damping_start(const fvi_stepper *s, fvi_past past,
+int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
                       fvi_damping **damping)
 {
     const fvi_run *run = &s->run;
@@ -170,10 +170,10 @@ int fvi_damping_start(const fvi_stepper *s, fvi_past past,
         return status;
     status = run->law
                  ? law_of(s, d)
-                 : fvi_memory_alloc(2 * run->alpha, count, run->steps,
+                 : fvi_history_alloc(2 * run->alpha, count, run->steps,
                                     run->memory, run->tolerance, &d->memory);
     if (!status)
-        status = fvi_memory_push(d->memory, d->z, d->dz, d->dz);
+        status = fvi_history_push(d->memory, d->z, d->dz, d->dz);
     return status;
 }
 
@@ -189,13 +189,13 @@ int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
     if (!from->system->matrices)
         memcpy((*to)->index, from->index, from->count * sizeof *from->index);
     memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);
-    return fvi_memory_copy(from->memory, &(*to)->memory);
+    return fvi_history_copy(from->memory, &(*to)->memory);
 }
 
 /* z and dz are of one step only. A term came in at the start, and one in each step. */
-int fvi_damping_visit(fvi_damping *d, size_t k, fvi_visitor *v)
+int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
 {
-    const int status = d ? fvi_memory_visit(d->memory, v) : FVI_SUCCESS;
+    const int status = d ? fvi_history_archive(d->memory, v) : FVI_SUCCESS;
     return status || !d ? status
-                        : fvi_check_count(fvi_memory_terms(d->memory), k + 1);
+                        : fvi_check_count(fvi_history_terms(d->memory), k + 1);
 }

@@ -15,7 +15,7 @@ typedef struct {
     double *origin; /* x_0 of each, 0 for Riemann-Liouville */
     double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
     double *z, *dz; /* x - origin and its increment, gathered */
-    fvi_memory *memory;
+    fvi_history *memory;
     const fvi_system *system;
 } fvi_damping;
 
@@ -25,7 +25,7 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 
 /* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of a system with
  * matrices. Returns FVI_SUCCESS, or what their functions returned. */
-int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
+int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *damping);
 
 /* fvi_damping_gather -- what is remembered of x, less `from`, to z: x_i - from_i of the damped
@@ -37,9 +37,9 @@ int fvi_damping_gather(const fvi_damping *damping, const double *x,
  * memory sums positions, dz is left as it is. Returns as fvi_damping_gather. */
 int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
 
-/* fvi_damping_pull -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
+/* fvi_damping_apply_force -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
  * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what damp returned. */
-int fvi_damping_pull(const fvi_damping *damping, double share, const double *H,
+int fvi_damping_apply_force(const fvi_damping *damping, double share, const double *H,
                      double *p);
 
 /* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
@@ -48,23 +48,23 @@ int fvi_damping_pull(const fvi_damping *damping, double share, const double *H,
  *   past     of the memory; s->run.past is not read
  *   damping  output; NULL, and no memory at all, if nothing is damped
  *
- * Returns FVI_SUCCESS; what fvi_memory_alloc returns; FVI_ENOMEM. After an error
+ * Returns FVI_SUCCESS; what fvi_history_alloc returns; FVI_ENOMEM. After an error
  * what was made so far is in *damping: free it in any case. */
-int fvi_damping_start(const fvi_stepper *s, fvi_past past,
+int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
                       fvi_damping **damping);
 
 /* fvi_damping_copy -- the same again, memory included; NULL of NULL.
  * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
 
-/* fvi_damping_visit -- what k steps have changed, as fvi_visit; nothing of NULL. */
-int fvi_damping_visit(fvi_damping *damping, size_t k, fvi_visitor *visitor);
+/* fvi_damping_archive -- what k steps have changed, as fvi_stepper_archive; nothing of NULL. */
+int fvi_damping_archive(fvi_damping *damping, size_t k, fvi_archive *archive);
 
 /* fvi_damping_free -- give everything back. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);
 
-/* fvi_damping_quadrature -- of the weights of a law: those of the method, but fvi_stable
+/* fvi_damping_quadrature -- of the weights of a law: those of the method, but fvi_cq2_midpoint
  * takes means of BDF2's (26.15). */
-fvi_quadrature fvi_damping_quadrature(const fvi_method *method);
+fvi_delta fvi_damping_quadrature(const fvi_method *method);
 
 #endif

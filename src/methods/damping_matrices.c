@@ -1,6 +1,6 @@
 /* src/methods/damping_matrices.c -- What a run with matrices begins with.  [Chapter 27] */
 #include "damping.h"
-#include "pull.h"
+#include "initial_history_force.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -20,14 +20,14 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
     return status;
 }
 
-int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
+int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     const double order = 2 * run->alpha;
     d->factor[0] = run->law ? run->h : pow(run->h, 1 - order);
     int status = FVI_SUCCESS;
-    if (past == FVI_PAST_CAPUTO && order > 1) {
+    if (past == FVI_INITIAL_HISTORY_CAPUTO && order > 1) {
         double *v = s->dx; /* nothing stands there yet */
         status = fvi_damping_velocity(run->system, s->p, v);
         for (size_t i = 0; i < run->system->d; i++)
@@ -36,7 +36,7 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
             status = fvi_damping_gather(d, v, d->z, d->drift);
         memset(v, 0, run->system->d * sizeof *v);
     }
-    if (!status && past != FVI_PAST_RIEMANN_LIOUVILLE)
+    if (!status && past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         status = fvi_damping_gather(d, s->x, d->z, d->origin);
     if (!status)
         status = fvi_damping_gather(d, s->x, d->origin, d->dz);
@@ -45,8 +45,8 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_past past,
 }
 
 /* C A h^(1 + e), A the amplitudes of all coordinates. (19.3) */
-int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
-                         fvi_pull *pull)
+int fvi_initial_history_force_of_matrices(const fvi_stepper *s, size_t n, const double *c,
+                         fvi_initial_history_force *history_force)
 {
     const fvi_run *run = &s->run;
     const fvi_matrices *m = run->system->matrices;
@@ -54,26 +54,26 @@ int fvi_pull_of_matrices(const fvi_stepper *s, size_t n, const double *c,
     int any = 0, status = FVI_SUCCESS;
     double *A = calloc(d + 2 * m->remembered, sizeof *A), *z = A ? A + d : NULL,
            *none = A ? z + m->remembered : NULL;
-    pull->size = calloc(d, sizeof *pull->size);
-    if (!A || !pull->size)
+    history_force->size = calloc(d, sizeof *history_force->size);
+    if (!A || !history_force->size)
         status = FVI_ENOMEM;
     else if (run->alpha > 0.5) /* else no velocity is asked for */
         status = fvi_damping_velocity(run->system, s->p, A);
     for (size_t i = 0; !status && i < d; i++) {
-        A[i] = fvi_past_amplitude(run->past, run->alpha, s->x[i], A[i]);
+        A[i] = fvi_initial_history_amplitude(run->past, run->alpha, s->x[i], A[i]);
         any |= A[i] != 0;
     }
     if (any) {
-        fvi_past_prepare(run->alpha, n, c, &pull->fading);
+        fvi_kernel_impulse_prepare(run->alpha, n, c, &history_force->initial_impulse);
         status = m->remember(d, A, none, m->params, z);
     }
     if (any && !status)
-        status = m->damp(d, -pow(run->h, 1 + pull->fading.e), z, m->params,
-                         pull->size);
+        status = m->damp(d, -pow(run->h, 1 + history_force->initial_impulse.e), z, m->params,
+                         history_force->size);
     free(A);
     if (!any || status) {
-        free(pull->size);
-        pull->size = NULL;
+        free(history_force->size);
+        history_force->size = NULL;
     }
     if (status == FVI_ENOMEM)
         FVI_FAIL("no memory for the past", FVI_ENOMEM);

@@ -1,7 +1,7 @@
 /* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [Chapter 2] */
 #include <fvi/discrete_mechanics.h>
 
-#include "loads.h"
+#include "stability_number.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -60,7 +60,7 @@ int fvi_discrete_slopes(const fvi_system *system, double kappa, double h,
         return status;
     const size_t d = system->d;
     double *g = S + d;
-    status = fvi_gradient(system, S, g);
+    status = fvi_potential_gradient(system, S, g);
     //> slopes
     for (size_t i = 0; !status && i < d; i++) {
         double momentum = system->mass[i] * (y[i] - x[i]) / h;
@@ -80,9 +80,9 @@ int fvi_variational_solver(fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
     const size_t d = run->system->d;
-    const double pull = run->kappa * run->h;
+    const double history_force = run->kappa * run->h;
     if (run->system->matrices)
-        return fvi_newton_matrices_alloc(run->system, 1 / run->h, 0, pull,
+        return fvi_newton_matrices_alloc(run->system, 1 / run->h, 0, history_force,
                                          1 - run->kappa, &s->newton);
     double *A = malloc(d * sizeof *A);
     if (!A)
@@ -90,7 +90,7 @@ int fvi_variational_solver(fvi_stepper *s)
     for (size_t i = 0; i < d; i++)
         A[i] = run->system->mass[i] / run->h;
     int status =
-        fvi_newton_alloc(run->system, A, pull, 1 - run->kappa, &s->newton);
+        fvi_newton_alloc(run->system, A, history_force, 1 - run->kappa, &s->newton);
     free(A);
     return status;
 }
@@ -121,7 +121,7 @@ static int step_forced(fvi_stepper *s)
     const fvi_system *system = s->run.system;
     int status = step_variational(s);
     if (!status)
-        status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
+        status = fvi_force_value(s, (double)(s->k + 1) * s->run.h);
     if (status)
         return status;
     for (size_t i = 0; i < system->d; i++)
@@ -141,7 +141,7 @@ static int start_variational(fvi_stepper *s)
     return fvi_variational_solver(s);
 }
 
-const fvi_method fvi_variational = { .name = "variational",
+const fvi_method fvi_midpoint_variational = { .name = "variational",
                                      .order = "1 or 2",
                                      .lowest = 1,
                                      .highest = 2,
@@ -149,8 +149,8 @@ const fvi_method fvi_variational = { .name = "variational",
                                      .alpha_most = 1,
                                      .takes_kappa = 1,
                                      .implicit = 1,
-                                     .load = fvi_load_backward,
-                                     .load_grows = 1,
+                                     .stability_number = fvi_stability_number_backward,
+                                     .stability_number_grows = 1,
                                      .start = start_variational,
                                      .step = step_variational };
 const fvi_method fvi_lagrange_dalembert = { .name = "lda",
@@ -162,8 +162,8 @@ const fvi_method fvi_lagrange_dalembert = { .name = "lda",
                                             .alpha_most = 0.5,
                                             .takes_kappa = 1,
                                             .implicit = 1,
-                                            .load = fvi_load_backward,
-                                            .load_grows = 1,
+                                            .stability_number = fvi_stability_number_backward,
+                                            .stability_number_grows = 1,
                                             .start = fvi_variational_solver,
                                             .step = step_forced };
 
@@ -173,9 +173,9 @@ static int step_euler_explicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
     const double h = s->run.h;
-    int status = fvi_gradient(system, s->x, s->g);
+    int status = fvi_potential_gradient(system, s->x, s->g);
     if (!status)
-        status = fvi_force_at(s, s->t);
+        status = fvi_force_value(s, s->t);
     if (status)
         return status;
     for (size_t i = 0; i < system->d; i++) {
@@ -205,7 +205,7 @@ static int step_euler_implicit(fvi_stepper *s)
 {
     const fvi_system *system = s->run.system;
     const double h = s->run.h;
-    int status = fvi_force_at(s, (double)(s->k + 1) * h);
+    int status = fvi_force_value(s, (double)(s->k + 1) * h);
     if (status)
         return status;
     for (size_t i = 0; i < system->d; i++)
@@ -227,8 +227,8 @@ const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
                                         .memory = "none",
                                         .alpha_least = 0.5,
                                         .alpha_most = 0.5,
-                                        .load = fvi_load_explicit,
-                                        .load_grows = 1,
+                                        .stability_number = fvi_stability_number_explicit,
+                                        .stability_number_grows = 1,
                                         .step = step_euler_explicit };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .order = "1",
@@ -238,7 +238,7 @@ const fvi_method fvi_euler_implicit = { .name = "euler-implicit",
                                         .alpha_least = 0.5,
                                         .alpha_most = 0.5,
                                         .implicit = 1,
-                                        .load = fvi_load_none,
-                                        .load_grows = 1,
+                                        .stability_number = fvi_stability_number_none,
+                                        .stability_number_grows = 1,
                                         .start = start_euler_implicit,
                                         .step = step_euler_implicit };

@@ -2,9 +2,9 @@
 #include <fvi/fvi.h>
 
 #include "damping.h"
-#include "loads.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
-#include "memory/memory_parts.h"
+#include "stability_number.h"
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "memory/history_parts.h"
 #include "system/fail.h"
 #include "system/newton_stages.h"
 
@@ -17,26 +17,26 @@ static int start_fractional(fvi_stepper *s)
     if (status)
         return status;
     status = fvi_damping_start(s, s->run.past, &d);
-    s->own = d;
+    s->method_state = d;
     return status;
 }
 
 static void stop_fractional(fvi_stepper *s)
 {
-    fvi_damping_free(s->own);
+    fvi_damping_free(s->method_state);
 }
 
 static int copy_fractional(const fvi_stepper *from, fvi_stepper *to)
 {
     fvi_damping *d;
-    int status = fvi_damping_copy(from->own, &d);
-    to->own = d;
+    int status = fvi_damping_copy(from->method_state, &d);
+    to->method_state = d;
     return status;
 }
 
-static int visit_fractional(fvi_stepper *s, fvi_visitor *v)
+static int serialize_fractional(fvi_stepper *s, fvi_archive *v)
 {
-    return fvi_damping_visit(s->own, s->k, v);
+    return fvi_damping_archive(s->method_state, s->k, v);
 }
 
 //> damp
@@ -45,8 +45,8 @@ static int damp(fvi_stepper *s, fvi_damping *d)
 {
     int status = fvi_damping_terms(d, s);
     if (!status)
-        status = fvi_memory_push(d->memory, d->z, d->dz, d->z);
-    return status ? status : fvi_damping_pull(d, 1, d->z, s->p);
+        status = fvi_history_push(d->memory, d->z, d->dz, d->z);
+    return status ? status : fvi_damping_apply_force(d, 1, d->z, s->p);
 }
 //< damp
 
@@ -56,7 +56,7 @@ static int step_fractional(fvi_stepper *s)
     const double h = s->run.h;
     int status = fvi_newton_solve(s->newton, s->x, s->p, s->dx, s->g);
     if (!status)
-        status = fvi_force_at(s, (double)(s->k + 1) * h);
+        status = fvi_force_value(s, (double)(s->k + 1) * h);
     if (status)
         return status;
 #pragma omp simd
@@ -64,7 +64,7 @@ static int step_fractional(fvi_stepper *s)
         s->x[i] += s->dx[i];
         s->p[i] += h * (s->F[i] - s->g[i]);
     }
-    return s->own ? damp(s, s->own) : FVI_SUCCESS; /* (9.4) */
+    return s->method_state ? damp(s, s->method_state) : FVI_SUCCESS; /* (9.4) */
 }
 //< step
 
@@ -73,7 +73,7 @@ static int step_fractional(fvi_stepper *s)
 /* Is there one coordinate, damped, whose equation is a division? */
 static int is_alone(const fvi_stepper *s)
 {
-    const fvi_damping *d = s->own;
+    const fvi_damping *d = s->method_state;
     return d && d->all && d->count == 1 && fvi_newton_is_diagonal(s->newton);
 }
 
@@ -81,20 +81,20 @@ static int is_alone(const fvi_stepper *s)
  * coordinate waits for: no loop has to find out that it runs once. */
 static int step_alone(fvi_stepper *s)
 {
-    const fvi_damping *d = s->own;
+    const fvi_damping *d = s->method_state;
     const fvi_newton *n = s->newton;
     const fvi_potential *u = &s->run.system->potential;
     const double h = s->run.h, t = (double)(s->k + 1) * h;
     double g, H;
     int status = u->gradient(1, s->x, u->params, &g);
     if (!status)
-        status = fvi_force_at(s, t);
+        status = fvi_force_value(s, t);
     if (status)
         return status;
     const double dx = (*s->p - *n->s * g) / *fvi_band_row(&n->J, 0);
     g += n->theta * *n->H * dx;
     const double x = *s->x + dx, z = x - *d->origin, dz = dx - *d->drift;
-    status = fvi_memory_push(d->memory, &z, &dz, &H);
+    status = fvi_history_push(d->memory, &z, &dz, &H);
     *s->x = x;
     *s->dx = dx;
     *s->g = g;
@@ -107,9 +107,9 @@ static int step_alone(fvi_stepper *s)
 /* Is the next position explicit, kappa = 1, and every coordinate damped? */
 static int goes_by_parts(const fvi_stepper *s)
 {
-    const fvi_damping *d = s->own;
+    const fvi_damping *d = s->method_state;
     return d && s->run.kappa == 1 && d->all
-           && fvi_memory_takes_parts(d->memory);
+           && fvi_history_takes_parts(d->memory);
 }
 
 //> drift
@@ -135,12 +135,12 @@ FVI_VECTORS static void drift_part(double h, size_t count, const double *A,
 static int step_by_parts(fvi_stepper *s)
 {
     static const double none[PART];
-    fvi_damping *d = s->own;
+    fvi_damping *d = s->method_state;
     const size_t dim = s->run.system->d;
     const double *A = fvi_newton_diagonal(s->newton);
-    int status = fvi_gradient(s->run.system, s->x, s->g);
+    int status = fvi_potential_gradient(s->run.system, s->x, s->g);
     if (!status)
-        status = fvi_force_at(s, (double)(s->k + 1) * s->run.h);
+        status = fvi_force_value(s, (double)(s->k + 1) * s->run.h);
     for (size_t i = 0; i < dim && !status; i += PART) {
         const size_t count = dim - i < PART ? dim - i : PART;
         const double *factor = d->factor + i,
@@ -149,7 +149,7 @@ static int step_by_parts(fvi_stepper *s)
         drift_part(s->run.h, count, A + i, s->g + i, F, d->origin + i,
                    d->increments ? d->drift + i : none, s->x + i, p, d->z,
                    d->dz);
-        status = fvi_memory_push_part(d->memory, i, count, d->z, d->dz, d->z);
+        status = fvi_history_push_part(d->memory, i, count, d->z, d->dz, d->z);
 #pragma omp simd
         for (size_t j = 0; j < count; j++)
             p[j] -= factor[j] * d->z[j];
@@ -176,16 +176,16 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .memory = "full",
                                     .alpha_most = 1,
                                     .memories = FVI_ALL_MEMORIES,
-                                    .scheme = FVI_SCHEME_ALGORITHM_3,
+                                    .scheme = FVI_SCHEME_FVI,
                                     .takes_kappa = 1,
                                     .takes_laws = 1,
                                     .takes_matrices = 1,
                                     .implicit = 1,
-                                    .past_as_printed = 1,
-                                    .load = fvi_load_backward,
-                                    .load_grows = 1,
+                                    .paper_convention = 1,
+                                    .stability_number = fvi_stability_number_backward,
+                                    .stability_number_grows = 1,
                                     .start = start_fractional,
                                     .step = step,
                                     .copy = copy_fractional,
-                                    .visit = visit_fractional,
+                                    .serialize = serialize_fractional,
                                     .stop = stop_fractional };

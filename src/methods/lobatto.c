@@ -26,7 +26,7 @@ static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 {
     for (size_t j = 0; j < o->d; j++)
         s->dx[j] = s->x[j] + o->dX[i * o->d + j];
-    return fvi_gradient(s->run.system, s->dx, o->grad + i * o->d);
+    return fvi_potential_gradient(s->run.system, s->dx, o->grad + i * o->d);
 }
 
 /* X_i - x_k of (17.8), coordinate j, for the forces in S and grad. */
@@ -81,11 +81,11 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 
 /* The history of the damped coordinates, as forces: S += h b rho (Y - v0 part).
  * o->v holds the v of the step before. */
-static int remember(fvi_stepper *s, fvi_lobatto_stages *o)
+static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s;
     if (o->memory && s->k > 0) {
-        int status = fvi_lobatto_memory_push(o->memory, o->v, o->Y);
+        int status = fvi_lobatto_history_push(o->memory, o->v, o->Y);
         if (status)
             return status;
     }
@@ -101,7 +101,7 @@ static int remember(fvi_stepper *s, fvi_lobatto_stages *o)
 }
 
 /* v = D X / h - v0, and S += h b rho W v: the part of the present. */
-static void damp(fvi_stepper *s, fvi_lobatto_stages *o)
+static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s, d = o->d;
     for (size_t l = 0; l < o->damped; l++) {
@@ -128,7 +128,7 @@ static void damp(fvi_stepper *s, fvi_lobatto_stages *o)
 //> force
 /* S = -h b F, from within the step at its ends: a jump at a node t_k belongs to
  * neither side; and the impulses of the past. */
-static int drive(fvi_stepper *s, fvi_lobatto_stages *o)
+static int apply_forces(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const double h = s->run.h, left = (double)s->k * h,
                  right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
@@ -138,35 +138,35 @@ static int drive(fvi_stepper *s, fvi_lobatto_stages *o)
             t = left + in * fmax(left, h);
         else if (i + 1 == o->s)
             t = right - in * right;
-        int status = fvi_force_at(s, t);
+        int status = fvi_force_value(s, t);
         if (status)
             return status;
         for (size_t j = 0; j < o->d; j++)
             o->S[i * o->d + j] = -weight(s, o, i, j) * s->F[j];
     }
-    if (!o->pull.size)
+    if (!o->history_force.size)
         return FVI_SUCCESS;
     double impulse[FVI_STAGES];
-    fvi_past_impulses(&o->pull.fading, s->k, impulse);
+    fvi_kernel_impulses(&o->history_force.initial_impulse, s->k, impulse);
     for (size_t i = 0; i < o->s; i++)
         for (size_t j = 0; j < o->d; j++)
-            o->S[i * o->d + j] += o->share[j] * o->pull.size[j] * impulse[i];
+            o->S[i * o->d + j] += o->share[j] * o->history_force.size[j] * impulse[i];
     return FVI_SUCCESS;
 }
 //< force
 
-int fvi_lobatto_known(fvi_stepper *s, fvi_lobatto_stages *o)
+int fvi_lobatto_assemble_known_rhs(fvi_stepper *s, fvi_lobatto_stages *o)
 {
-    int status = drive(s, o);
-    return status ? status : remember(s, o);
+    int status = apply_forces(s, o);
+    return status ? status : update_history(s, o);
 }
 
 //> step
 int fvi_lobatto_step(fvi_stepper *s)
 {
-    fvi_lobatto_stages *o = s->own;
+    fvi_lobatto_stages *o = s->method_state;
     const size_t d = o->d, end = o->s - 1;
-    int status = fvi_lobatto_known(s, o);
+    int status = fvi_lobatto_assemble_known_rhs(s, o);
     if (!status && end > 1 && s->run.system->potential.gradient)
         status = solve_inner(s, o);
     for (size_t i = 1; !status && i < end; i++)
@@ -179,7 +179,7 @@ int fvi_lobatto_step(fvi_stepper *s)
     status = gradient(s, o, end);
     if (status)
         return status;
-    damp(s, o);
+    apply_damping(s, o);
     for (size_t j = 0; j < d; j++) {
         for (size_t i = 0; i <= end; i++) /* (17.8) */
             s->p[j] -=

@@ -130,7 +130,7 @@ static int solve(fvi_stepper *s, fvi_lobatto_stages *o)
 }
 
 /* S += h b rho W v_k: what the memory of the present makes of a constant velocity. */
-static void damp(const fvi_stepper *s, fvi_lobatto_stages *o)
+static void apply_damping(const fvi_stepper *s, fvi_lobatto_stages *o)
 {
     for (size_t l = 0; l < o->damped; l++) {
         const size_t j = o->index[l];
@@ -148,13 +148,13 @@ static void damp(const fvi_stepper *s, fvi_lobatto_stages *o)
 //> step
 int fvi_lobatto_damped_step(fvi_stepper *s)
 {
-    fvi_lobatto_stages *o = s->own;
+    fvi_lobatto_stages *o = s->method_state;
     const size_t n = o->s, d = o->d;
     const int is_free = !s->run.system->potential.gradient;
-    int status = fvi_lobatto_known(s, o);
+    int status = fvi_lobatto_assemble_known_rhs(s, o);
     if (status)
         return status;
-    damp(s, o);
+    apply_damping(s, o);
     if (!is_free)
         status = solve(s, o);
     if (status)

@@ -25,7 +25,7 @@ static double constant(size_t s, double beta)
 }
 //< constant
 
-int fvi_lobatto_momenta(const fvi_method *method, const fvi_run *run,
+int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p)
 {
     /* h^s x^(s)(t_k) from x_{k-2}, ..., x_{k+2} */

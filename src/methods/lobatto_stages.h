@@ -4,8 +4,8 @@
 #ifndef FVI_LOBATTO_STAGES_H
 #define FVI_LOBATTO_STAGES_H
 
-#include "stages/lobatto_memory.h"
-#include "pull.h"
+#include "stages/lobatto_history.h"
+#include "initial_history_force.h"
 
 /* Stage i of coordinate j stands at [i * d + j]; of the l-th damped coordinate,
  * in v, Y and v0, at [l * s + i]. Stages count from 0 here. */
@@ -21,23 +21,23 @@ typedef struct {
     double *v, *Y, *v0;
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
     double A[FVI_STAGES][FVI_STAGES];        /* of Lobatto IIIC (17.3) */
-    fvi_lobatto_memory *memory;              /* NULL: there is no history */
-    fvi_pull pull;
+    fvi_lobatto_history *memory;              /* NULL: there is no history */
+    fvi_initial_history_force history_force;
 } fvi_lobatto_stages;
 
 /* fvi_lobatto_table -- A of Lobatto IIIC with s stages, the inverse of (17.3). */
 void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
                        double A[FVI_STAGES][FVI_STAGES]);
 
-/* fvi_lobatto_finer -- the tolerance that the memory of a run is asked for, (17.21). */
-double fvi_lobatto_finer(const fvi_run *run);
+/* fvi_lobatto_history_tolerance -- the tolerance that the memory of a run is asked for, (17.21). */
+double fvi_lobatto_history_tolerance(const fvi_run *run);
 
-/* fvi_lobatto_known -- S_i but for grad U and the part of the present in the memory:
+/* fvi_lobatto_assemble_known_rhs -- S_i but for grad U and the part of the present in the memory:
  * force, impulses of the past and history. o->v holds the v of the step before.
- * Returns what the force and fvi_lobatto_memory_push return. */
-int fvi_lobatto_known(fvi_stepper *s, fvi_lobatto_stages *o);
+ * Returns what the force and fvi_lobatto_history_push return. */
+int fvi_lobatto_assemble_known_rhs(fvi_stepper *s, fvi_lobatto_stages *o);
 
-/* fvi_lobatto_step -- (17.8), as fvi_step. */
+/* fvi_lobatto_step -- (17.8), as fvi_stepper_step. */
 int fvi_lobatto_step(fvi_stepper *s);
 
 /* fvi_lobatto_prepare -- at k = 0, M and the stages being there: the solver of the inner

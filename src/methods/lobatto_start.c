@@ -2,7 +2,7 @@
  *                                                                 [Chapter 17] */
 #include <fvi/lobatto.h>
 
-#include "loads.h"
+#include "stability_number.h"
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -15,13 +15,13 @@
 
 static void stop_lobatto(fvi_stepper *s)
 {
-    fvi_lobatto_stages *o = s->own;
+    fvi_lobatto_stages *o = s->method_state;
     if (!o)
         return;
-    fvi_lobatto_memory_free(o->memory);
+    fvi_lobatto_history_free(o->memory);
     free(o->share);
     free(o->M);
-    free(o->pull.size);
+    free(o->history_force.size);
     free(o->index);
     free(o);
 }
@@ -73,7 +73,7 @@ static int invert_for(const fvi_stepper *s, fvi_lobatto_stages *o, size_t j)
 static int allocate(fvi_stepper *s, size_t stages, size_t n)
 {
     const size_t d = s->run.system->d;
-    fvi_lobatto_stages *o = s->own = calloc(1, sizeof *o);
+    fvi_lobatto_stages *o = s->method_state = calloc(1, sizeof *o);
     if (!o)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->rule = fvi_lobatto(stages);
@@ -98,7 +98,7 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
 //> finer
 /* What the memory has to keep, so that the impulse of its error, over the whole time
  * T, is no more than the tolerance of m max|v|. (17.21) */
-double fvi_lobatto_finer(const fvi_run *run)
+double fvi_lobatto_history_tolerance(const fvi_run *run)
 {
     const fvi_system *system = run->system;
     const double beta = 2 * run->alpha - 1, T = run->h * (double)run->steps,
@@ -106,8 +106,8 @@ double fvi_lobatto_finer(const fvi_run *run)
     double Y = pow(beta > 0 ? run->h : T, -beta);
     double worst = 1;
     if (run->law) /* C(s)/s at s = 1/t: what a velocity of 1 makes */
-        Y = fmax(run->h * fvi_law_symbol(run->law, 1 / run->h),
-                 T * fvi_law_symbol(run->law, 1 / T));
+        Y = fmax(run->h * fvi_kernel_symbol(run->law, 1 / run->h),
+                 T * fvi_kernel_symbol(run->law, 1 / T));
     for (size_t j = 0; j < system->d; j++)
         worst = larger(worst, T * system->damping[j] * Y / system->mass[j]);
     return fmin(wish, fmax(wish / worst, 1e-14)); /* the finest there is */
@@ -125,17 +125,17 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
             o->W[i][i] = o->damped > 0;
         return FVI_SUCCESS;
     }
-    const double keep = fvi_lobatto_finer(run);
+    const double keep = fvi_lobatto_history_tolerance(run);
     int status =
-        run->law ? fvi_lobatto_memory_of_law(o->s, run->law, run->h, o->damped,
+        run->law ? fvi_lobatto_history_of_kernel(o->s, run->law, run->h, o->damped,
                                              run->steps, run->memory, keep,
                                              &o->memory)
-                 : fvi_lobatto_memory_alloc(o->s, beta, o->damped, run->steps,
+                 : fvi_lobatto_history_alloc(o->s, beta, o->damped, run->steps,
                                             run->memory, keep, &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
-                o->scale * fvi_lobatto_memory_now(o->memory)[i * o->s + j];
+                o->scale * fvi_lobatto_history_now(o->memory)[i * o->s + j];
     return status;
 }
 
@@ -145,7 +145,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     int status = allocate(s, stages, damped ? stages : stages - 1);
     if (status)
         return status;
-    fvi_lobatto_stages *o = s->own;
+    fvi_lobatto_stages *o = s->method_state;
     if (s->run.law) /* it acts on V as it is: nothing pulls */
         s->run.alpha = 0.5;
     for (size_t j = 0; j < o->d; j++) {
@@ -156,7 +156,7 @@ static int start(fvi_stepper *s, size_t stages, int damped)
         o->v0[o->damped] = s->run.alpha > 0.5 ? s->p[j] / m : 0;
         o->index[o->damped++] = j;
     }
-    status = fvi_pull_start(s, stages, o->rule->c, &o->pull);
+    status = fvi_initial_history_force_start(s, stages, o->rule->c, &o->history_force);
     if (!status)
         status = prepare(s, o);
     if (!status && damped)
@@ -168,11 +168,11 @@ static int start(fvi_stepper *s, size_t stages, int damped)
 
 static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
 {
-    const fvi_lobatto_stages *old = from->own;
+    const fvi_lobatto_stages *old = from->method_state;
     int status = allocate(to, old->s, old->n);
     if (status)
         return status;
-    fvi_lobatto_stages *o = to->own;
+    fvi_lobatto_stages *o = to->method_state;
     const size_t d = o->d;
     o->damped = old->damped;
     o->scale = old->scale;
@@ -181,31 +181,31 @@ static int copy_lobatto(const fvi_stepper *from, fvi_stepper *to)
     memcpy(o->M, old->M, d * o->n * o->n * sizeof *o->M);
     memcpy(o->index, old->index, d * sizeof *o->index);
     memcpy(o->share, old->share, (2 + 6 * o->s) * d * sizeof *o->share);
-    status = fvi_pull_copy(&old->pull, d, &o->pull);
+    status = fvi_initial_history_force_copy(&old->history_force, d, &o->history_force);
     return status || !old->memory
                ? status
-               : fvi_lobatto_memory_copy(old->memory, &o->memory);
+               : fvi_lobatto_history_copy(old->memory, &o->memory);
 }
 
 /* The stages of the last step are where this one begins, which gives them to the memory. */
-static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
+static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
 {
-    fvi_lobatto_stages *o = s->own;
+    fvi_lobatto_stages *o = s->method_state;
     int status =
-        v->visit(v, o->share, (2 + 6 * o->s) * o->d * sizeof *o->share, 0);
+        v->serialize(v, o->share, (2 + 6 * o->s) * o->d * sizeof *o->share, 0);
     return status || !o->memory ? status
-                                : fvi_lobatto_memory_visit(
+                                : fvi_lobatto_history_archive(
                                     o->memory, s->k > 0 ? s->k - 1 : 0, v);
 }
 
 /* ---- the methods ---- */
 
-#define BOTH(s, orders, form, damped, is_implicit, its_load)                   \
+#define BOTH(s, orders, symbol, form, damped, is_implicit, its_load)                   \
     static int start_##form(fvi_stepper *stepper)                              \
     {                                                                          \
         return start(stepper, s, damped);                                      \
     }                                                                          \
-    const fvi_method fvi_lobatto##form = {                                     \
+    const fvi_method fvi_lobatto_##symbol = {                                     \
         .name = "fvi-lobatto" #form,                                           \
         .order = orders,                                                       \
         .memory = "full",                                                      \
@@ -213,22 +213,22 @@ static int visit_lobatto(fvi_stepper *s, fvi_visitor *v)
         .highest = 2 * s - 2,                                                  \
         .stages = s,                                                           \
         .damped_inertia = damped,                                              \
-        .scheme = FVI_SCHEME_STAGES,                                           \
+        .scheme = FVI_SCHEME_LOBATTO,                                           \
         .alpha_most = 1,                                                       \
         .takes_laws = 1,                                                       \
-        .memories = FVI_ALL_MEMORIES & ~(1u << FVI_MEMORY_FFT),                \
+        .memories = FVI_ALL_MEMORIES & ~(1u << FVI_HISTORY_FFT),                \
         .implicit = is_implicit,                                               \
-        .load = its_load,                                                      \
-        .load_grows = s == 2 || damped,                                        \
+        .stability_number = its_load,                                                      \
+        .stability_number_grows = s == 2 || damped,                                        \
         .start = start_##form,                                                 \
         .step = damped ? fvi_lobatto_damped_step : fvi_lobatto_step,           \
         .copy = copy_lobatto,                                                  \
-        .visit = visit_lobatto,                                                \
+        .serialize = serialize_lobatto,                                                \
         .stop = stop_lobatto                                                   \
     }
 
-#define FORM_M(s, orders) BOTH(s, orders, s, 0, s > 2, fvi_load_lobatto##s)
-#define FORM_D(s, orders) BOTH(s, orders, s##d, 1, 1, fvi_load_none)
+#define FORM_M(s, orders) BOTH(s, orders, m##s, s, 0, s > 2, fvi_stability_number_lobatto##s)
+#define FORM_D(s, orders) BOTH(s, orders, d##s, s##d, 1, 1, fvi_stability_number_none)
 
 FORM_M(2, "2");
 FORM_M(3, "3 to 4");

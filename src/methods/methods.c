@@ -12,19 +12,19 @@
 const fvi_method *const fvi_methods[] = {
     &fvi_fractional,     &fvi_lagrange_dalembert,
     &fvi_euler_explicit, &fvi_euler_implicit,
-    &fvi_shifted,        &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,
-    &fvi_lobatto4,       &fvi_adaptive,
-    &fvi_lobatto5,       &fvi_lobatto6,
-    &fvi_lobatto7,       &fvi_lobatto8,
-    &fvi_lobatto2d,      &fvi_lobatto3d,
-    &fvi_lobatto4d,      &fvi_lobatto5d,
-    &fvi_lobatto6d,      &fvi_lobatto7d,
-    &fvi_lobatto8d,      &fvi_stable,
+    &fvi_cq2_shifted,        &fvi_cq_bdf2,
+    &fvi_lobatto_m2,       &fvi_lobatto_m3,
+    &fvi_lobatto_m4,       &fvi_variable_step,
+    &fvi_lobatto_m5,       &fvi_lobatto_m6,
+    &fvi_lobatto_m7,       &fvi_lobatto_m8,
+    &fvi_lobatto_d2,      &fvi_lobatto_d3,
+    &fvi_lobatto_d4,      &fvi_lobatto_d5,
+    &fvi_lobatto_d6,      &fvi_lobatto_d7,
+    &fvi_lobatto_d8,      &fvi_cq2_midpoint,
     NULL
 };
 
-const fvi_method *fvi_method_named(const char *name)
+const fvi_method *fvi_method_find(const char *name)
 {
     for (size_t i = 0; name && fvi_methods[i]; i++)
         if (strcmp(name, fvi_methods[i]->name) == 0)

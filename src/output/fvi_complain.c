@@ -39,8 +39,8 @@ int fvi_cannot_write(const char *name)
 const char *fvi_code_in_words(int status)
 {
     static char own[80];
-    const char *words = fvi_strerror(status);
-    if (strcmp(words, fvi_strerror(-1)) != 0) /* which is never the library's */
+    const char *words = fvi_error_name(status);
+    if (strcmp(words, fvi_error_name(-1)) != 0) /* which is never the library's */
         return words;
     snprintf(own, sizeof own, "%s, code %d", words, status);
     return own;

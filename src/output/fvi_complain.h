@@ -18,7 +18,7 @@ void fvi_warn(const char *what);
  * at the beginning of the second. */
 void fvi_refused(const char *complaint, const char *command);
 
-/* fvi_code_in_words -- what fvi_strerror says, and the number of a code that a function of
+/* fvi_code_in_words -- what fvi_error_name says, and the number of a code that a function of
  * the user's own returned; good until the next call. */
 const char *fvi_code_in_words(int status);
 

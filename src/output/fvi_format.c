@@ -2,7 +2,7 @@
 #include "fvi_format.h"
 
 #include <fvi/version.h>
-#include "words/fvi_shortest.h"
+#include "options/fvi_format_double.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -13,7 +13,7 @@ void fvi_print_number(FILE *out, const char *before, double v)
 {
     char text[32];
     fputs(before, out);
-    fwrite(text, 1, (size_t)fvi_shortest(v, text), out);
+    fwrite(text, 1, (size_t)fvi_format_double(v, text), out);
 }
 
 /* How many bytes the character at `at` has in UTF-8, or 0 if it is none: no surrogates, no

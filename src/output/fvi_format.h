@@ -2,7 +2,7 @@
 #ifndef FVI_FORMAT_H
 #define FVI_FORMAT_H
 
-#include "words/fvi_option_list.h"
+#include "options/fvi_option_list.h"
 
 #include <stdio.h>
 

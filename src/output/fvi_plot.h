@@ -2,7 +2,7 @@
 #ifndef FVI_PLOT_H
 #define FVI_PLOT_H
 
-#include "words/fvi_option_list.h"
+#include "options/fvi_option_list.h"
 
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
 #define FVI_TABLE_H
 
 #include <fvi/version.h>
-#include "words/fvi_option_list.h"
+#include "options/fvi_option_list.h"
 
 #include <stdio.h>
 #include <sys/types.h>

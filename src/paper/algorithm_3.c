@@ -66,18 +66,18 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                           .steps = N,
                           .kappa = kappa,
                           .alpha = alpha,
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE };
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     fvi_stepper *s;
-    status = fvi_start(&fvi_fractional, &run, &s); /* only to check them */
+    status = fvi_stepper_start(&fvi_fractional, &run, &s); /* only to check them */
     if (status)
         return status;
-    fvi_stop(s);
+    fvi_stepper_free(s);
     double *c = malloc(2 * (N + 1) * sizeof *c);
     if (!c)
         FVI_FAIL("no memory for the weights", FVI_ENOMEM);
     double *path = c + N + 1;
     path[0] = x0;
-    status = fvi_coefficients_product(alpha, alpha, N + 1, c);
+    status = fvi_gl_weights_product(alpha, alpha, N + 1, c);
     if (!status)
         status =
             three_terms(system, kappa, h, N, p0, c, pow(h, -2 * alpha), path);

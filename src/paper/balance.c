@@ -23,8 +23,8 @@ static int check(const fvi_balance_scheme *scheme, size_t N)
         FVI_FAIL("theta must be in [0, 1]", FVI_EDOM);
     if (!(gsl_finite(scheme->h) && scheme->h > 0))
         FVI_FAIL("h must be finite and positive", FVI_EDOM);
-    if (scheme->weights != FVI_QUADRATURE_EULER
-        && scheme->weights != FVI_QUADRATURE_BDF2)
+    if (scheme->weights != FVI_DELTA_EULER
+        && scheme->weights != FVI_DELTA_BDF2)
         FVI_FAIL("the weights must be those of EULER or BDF2", FVI_EINVAL);
     if (N == 0 || N >= SIZE_MAX / sizeof(double) / 2 / scheme->system->d - 2)
         FVI_FAIL("N must be at least 1 and 2 (N + 2) d addressable",
@@ -57,7 +57,7 @@ static int near(const fvi_balance_scheme *s, const double *x, const double *u,
         point[i] = x ? s->kappa * x[i] + (1 - s->kappa) * x[d + i] : 0;
         *C -= s->system->mass[i] / s->h * (v[i] * u[d + i] - u[i] * v[d + i]);
     }
-    int status = fvi_hessian(s->system, point, B);
+    int status = fvi_potential_hessian(s->system, point, B);
     if (status)
         return status;
     add_form(d, B, factor, v, u + d, C);
@@ -97,14 +97,14 @@ int fvi_green_form(const fvi_balance_scheme *scheme, size_t N, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     const size_t d = scheme->system->d;
     double *t = calloc(N + 2 + (N + 1) * d, sizeof *t);
-    double *room = calloc(d + fvi_hessian_room(scheme->system), sizeof *room);
+    double *room = calloc(d + fvi_potential_hessian_size(scheme->system), sizeof *room);
     if (!t || !room) {
         free(t);
         free(room);
         FVI_FAIL("no memory for the form", FVI_ENOMEM);
     }
     status =
-        fvi_quadrature_weights(scheme->weights, 2 * scheme->alpha, N + 2, t);
+        fvi_cq_weights(scheme->weights, 2 * scheme->alpha, N + 2, t);
     //> green
     const double theta = scheme->theta;
     double *later = t + N + 2;
@@ -128,7 +128,7 @@ int fvi_green_form(const fvi_balance_scheme *scheme, size_t N, const double *x,
 /* delta(-1)^(2 alpha) (1 - 2 theta): the damping of what alternates. */
 static double chi_at_minus_one(const fvi_balance_scheme *s)
 {
-    const double delta = s->weights == FVI_QUADRATURE_BDF2 ? 4 : 2;
+    const double delta = s->weights == FVI_DELTA_BDF2 ? 4 : 2;
     return pow(delta, 2 * s->alpha) * (1 - 2 * s->theta);
 }
 
@@ -142,7 +142,7 @@ int fvi_scheme_energy(const fvi_balance_scheme *scheme, size_t N,
         FVI_FAIL("null pointer", FVI_EFAULT);
     const fvi_system *system = scheme->system;
     const size_t d = system->d;
-    double *room = calloc(3 * d + fvi_hessian_room(system), sizeof *room);
+    double *room = calloc(3 * d + fvi_potential_hessian_size(system), sizeof *room);
     if (!room)
         FVI_FAIL("no memory for the energy", FVI_ENOMEM);
     double *dx = room, *p = dx + d, *middle = p + d, *B = middle + d;
@@ -160,7 +160,7 @@ int fvi_scheme_energy(const fvi_balance_scheme *scheme, size_t N,
         }
         status = fvi_energy(system, middle, p, E + n); /* (12.15) */
         if (share > 0 && !status) {
-            status = fvi_hessian(system, middle, B);
+            status = fvi_potential_hessian(system, middle, B);
             add_form(d, B, -share, dx, dx, E + n);
         }
         hat[n] = E[n] - eighth * damped; /* (12.16) */

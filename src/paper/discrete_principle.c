@@ -152,7 +152,7 @@ int fvi_discrete_action_gradient(const fvi_system *system, double alpha,
     status = derivatives(&p, &X);
     if (!status) {
         double *Y = X + length, *fx = Y + length, *fy = fx + length;
-        status = fvi_coefficients(alpha, N + 1, w);
+        status = fvi_gl_weights(alpha, N + 1, w);
         if (!status)
             status = mechanical(&p, x, w + N + 1, fx);
         if (!status)

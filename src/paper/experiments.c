@@ -90,12 +90,12 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
                           .kappa = 0.5,
                           .alpha = 0.5 };
     fvi_stepper *s;
-    int status = fvi_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s);
     if (status)
         return status;
     double worst[3] = { 0 };
     //> errors
-    while (s->k < N && (status = fvi_step(s)) == FVI_SUCCESS) {
+    while (s->k < N && (status = fvi_stepper_step(s)) == FVI_SUCCESS) {
         double x, p, E, E_k; /* the row k = 0 is exact */
         status = fvi_damped_oscillator(m, rho, c, x0, p0, s->t, &x, &p);
         if (!status)
@@ -109,7 +109,7 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
         worst[2] = larger(worst[2], fabs(E_k - E));
     }
     //< errors
-    fvi_stop(s);
+    fvi_stepper_free(s);
     if (!status)
         memcpy(errors, worst, sizeof worst);
     return status;
@@ -139,7 +139,7 @@ static int check_matrix_method(double m, double rho, double c, double alpha,
 static int column(double m, double rho, double c, double alpha, double h,
                   size_t N, double *a)
 {
-    int status = fvi_coefficients(2 * alpha, N + 1, a);
+    int status = fvi_gl_weights(2 * alpha, N + 1, a);
     if (status)
         return status;
     const double inertia[] = { m / (h * h), -2 * m / (h * h), m / (h * h) };

@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-int fvi_coefficients_product(double alpha, double beta, size_t count, double *c)
+int fvi_gl_weights_product(double alpha, double beta, size_t count, double *c)
 {
     if (!c)
         FVI_FAIL("c is a null pointer", FVI_EFAULT);
@@ -20,8 +20,8 @@ int fvi_coefficients_product(double alpha, double beta, size_t count, double *c)
     double *a = malloc(2 * count * sizeof *a), *b = a ? a + count : NULL;
     if (!a)
         FVI_FAIL("no memory for the weights", FVI_ENOMEM);
-    fvi_coefficients(alpha, count, a);
-    fvi_coefficients(beta, count, b);
+    fvi_gl_weights(alpha, count, a);
+    fvi_gl_weights(beta, count, b);
     //> product
     for (size_t k = 0; k < count; k++) {
         c[k] = 0;

@@ -23,7 +23,7 @@ static int prepare(double alpha, double h, size_t N, size_t d, const double *z,
     *w = malloc((N + 1) * sizeof **w);
     if (!*w)
         FVI_FAIL("no memory for the weights", FVI_ENOMEM);
-    return fvi_coefficients(alpha, N + 1, *w);
+    return fvi_gl_weights(alpha, N + 1, *w);
 }
 
 int fvi_delta_minus(double alpha, double h, size_t N, size_t d, const double *z,

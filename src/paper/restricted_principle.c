@@ -122,7 +122,7 @@ static int density_variation(const fvi_system *system, const sample *z,
                  - z[0].fractional * rho * z[3].fractional;
     for (size_t i = 0; i < 2; i++) {
         double dU;
-        int status = fvi_gradient(system, &z[i].value, &dU);
+        int status = fvi_potential_gradient(system, &z[i].value, &dU);
         if (status)
             return status;
         sum += m * z[i].slope * z[i + 2].slope - dU * z[i + 2].value;

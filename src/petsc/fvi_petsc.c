@@ -97,10 +97,10 @@ static PetscErrorCode go_on(const share *s, const wishes *w,
                "step %zu has been reached before", first);
     PetscCall(PetscTime(&begin));
     while (!status && stepper->k < (size_t)w->stop)
-        status = fvi_step(stepper);
+        status = fvi_stepper_step(stepper);
     PetscCall(PetscTime(&end));
     PetscCheck(!status, PETSC_COMM_SELF, PETSC_ERR_USER, "step %zu: %s",
-               stepper->k + 1, fvi_strerror(status));
+               stepper->k + 1, fvi_error_name(status));
     PetscCallMPI(MPI_Comm_size(PETSC_COMM_WORLD, &ranks));
     PetscCall(PetscPrintf(PETSC_COMM_WORLD,
                           "%d unknowns on %d ranks, %d steps: %.0f ns an "
@@ -126,9 +126,9 @@ static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
     wish.alpha = w->alpha;
     fvi_stepper *stepper;
     PetscFunctionBeginUser;
-    const int status = fvi_start(&fvi_stable, &wish, &stepper);
+    const int status = fvi_stepper_start(&fvi_cq2_midpoint, &wish, &stepper);
     PetscCheck(!status, PETSC_COMM_SELF, PETSC_ERR_USER, "%s",
-               fvi_strerror(status));
+               fvi_error_name(status));
     if (w->resumes)
         PetscCall(petsc_load(s, w->checkpoint, stepper));
     PetscCall(go_on(s, w, stepper));
@@ -136,7 +136,7 @@ static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
         PetscCall(petsc_save(s, w->checkpoint, stepper));
     if (w->writes)
         PetscCall(petsc_write(s, w->file, stepper));
-    fvi_stop(stepper);
+    fvi_stepper_free(stepper);
     PetscFunctionReturn(0);
 }
 //< run

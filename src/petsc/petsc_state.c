@@ -27,7 +27,7 @@ PetscErrorCode petsc_write(const share *s, const char *file,
 
 /* ---- the state ---- */
 
-/* A file is a head, the pieces that fvi_visit shows, and the sum of all before. */
+/* A file is a head, the pieces that fvi_stepper_archive shows, and the sum of all before. */
 typedef struct {
     char mark[16];
     PetscInt ranks, rank, all, first;
@@ -37,7 +37,7 @@ typedef struct {
 } head;
 
 typedef struct {
-    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first: a pointer to it is one to this */
     FILE *file;
     uint64_t sum;
     double *room; /* what is compared, `bytes` of it */
@@ -52,7 +52,7 @@ static void add_to_sum(state *f, const void *data, size_t bytes)
         f->sum = (f->sum ^ at[i]) * 0x100000001b3u;
 }
 
-static int save_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int save_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     state *f = (state *)v;
     (void)constant;
@@ -60,7 +60,7 @@ static int save_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
     return fwrite(data, 1, bytes, f->file) == bytes ? 0 : -1;
 }
 
-static int load_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     state *f = (state *)v;
     void *to = data;
@@ -102,11 +102,11 @@ static PetscErrorCode make_head(const share *s, const fvi_stepper *run, head *h)
 /* Zero if all goes well. */
 static int save(const char *name, head *h, fvi_stepper *run)
 {
-    state f = { .visitor = { save_piece }, .file = fopen(name, "wb") };
+    state f = { .archive = { save_piece }, .file = fopen(name, "wb") };
     if (!f.file)
         return 1;
-    int failed = save_piece(&f.visitor, h, sizeof *h, 0)
-                 || fvi_visit(run, &f.visitor)
+    int failed = save_piece(&f.archive, h, sizeof *h, 0)
+                 || fvi_stepper_archive(run, &f.archive)
                  || fwrite(&f.sum, sizeof f.sum, 1, f.file) != 1;
     failed |= fclose(f.file) != 0;
     return failed;
@@ -114,12 +114,12 @@ static int save(const char *name, head *h, fvi_stepper *run)
 
 static int load(const char *name, head *h, fvi_stepper *run)
 {
-    state f = { .visitor = { load_piece }, .file = fopen(name, "rb") };
+    state f = { .archive = { load_piece }, .file = fopen(name, "rb") };
     uint64_t sum;
     if (!f.file)
         return 1;
     const int failed =
-        load_piece(&f.visitor, h, sizeof *h, 1) || fvi_visit(run, &f.visitor)
+        load_piece(&f.archive, h, sizeof *h, 1) || fvi_stepper_archive(run, &f.archive)
         || fread(&sum, sizeof sum, 1, f.file) != 1 || sum != f.sum;
     fclose(f.file);
     free(f.room);

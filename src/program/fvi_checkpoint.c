@@ -16,9 +16,9 @@
 
 /* A file is the head, up to an empty line; the form of the table, its rows and those of the
  * picture, where these are in no file of the user's yet, each behind its length; the pieces
- * that fvi_visit shows, each behind its length; the checksum of all before. */
+ * that fvi_stepper_archive shows, each behind its length; the checksum of all before. */
 typedef struct {
-    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first: a pointer to it is one to this */
     FILE *file;
     uint64_t sum;
     int failed; /* a read or a write */
@@ -38,7 +38,7 @@ static int get(state *f, void *data, size_t bytes)
     return 1;
 }
 
-static int save_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int save_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     state *f = (state *)v;
     const uint64_t length = bytes;
@@ -60,7 +60,7 @@ static int is_same(state *f, const unsigned char *data, size_t bytes)
     return 1;
 }
 
-static int load_piece(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load_piece(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     state *f = (state *)v;
     uint64_t length;
@@ -209,14 +209,14 @@ int fvi_checkpoint_write(const fvi_checkpoint *c, const fvi_table *t,
     fvi_checkpoint_in_rows(0);
     if (lost)
         return fvi_cannot_write(t->o->output);
-    state f = { .visitor = { save_piece },
+    state f = { .archive = { save_piece },
                 .file = fvi_output_open_file(name),
                 .sum = FVI_FIRST_SUM };
     if (!f.file)
         return fvi_cannot_write(name);
     put(&f, c->head, strlen(c->head));
     put_rows(&f, t);
-    const int status = fvi_visit(s, &f.visitor);
+    const int status = fvi_stepper_archive(s, &f.archive);
     const uint64_t sum = f.sum;
     put(&f, &sum, sizeof sum);
     const int why = errno, whole = !status && !f.failed;
@@ -255,7 +255,7 @@ static int is_whole(FILE *file)
 static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
                     fvi_checkpoint *c)
 {
-    const int status = fvi_visit(s, &f->visitor);
+    const int status = fvi_stepper_archive(s, &f->archive);
     c->done = s->k;
     if (s->k > o->steps)
         return fvi_checkpoint_refuse(o, "it is further than --steps");
@@ -268,7 +268,7 @@ static int load_all(const fvi_options *o, state *f, fvi_stepper *s,
             "steps are done again\n",
             c->done);
     c->anew = 1;
-    return fvi_reset(s) ? fvi_complain("not enough memory") : 0;
+    return fvi_stepper_reset(s) ? fvi_complain("not enough memory") : 0;
 }
 
 static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
@@ -276,7 +276,7 @@ static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
 {
     struct stat now;
     c->saved = fopen(o->checkpoint, "r");
-    state f = { .visitor = { load_piece },
+    state f = { .archive = { load_piece },
                 .file = c->saved,
                 .sum = FVI_FIRST_SUM };
     if (!c->saved)
@@ -296,7 +296,7 @@ int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
     *c = (fvi_checkpoint){ .head = NULL };
     if (!o->checkpoint)
         return 0;
-    if (s->own && !s->method->visit) {
+    if (s->method_state && !s->method->serialize) {
         char text[FVI_COMPLAINT];
         const int status =
             fvi_refuse((fvi_complaint){ text, sizeof text },

@@ -2,7 +2,7 @@
 #ifndef FVI_CHECKPOINT_HEAD_H
 #define FVI_CHECKPOINT_HEAD_H
 
-#include "words/fvi_option_list.h"
+#include "options/fvi_option_list.h"
 
 #include <stdint.h>
 #include <stdio.h>

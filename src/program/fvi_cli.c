@@ -10,7 +10,7 @@
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 #include "fvi_usage.h"
-#include "words/fvi_options.h"
+#include "options/fvi_options.h"
 
 #include <fcntl.h>
 #include <math.h>
@@ -24,11 +24,11 @@ typedef struct {
     int status;
 } long_table;
 
-/* The rows of the steps in a batch, at most BATCH: each call of fvi_exact costs one
+/* The rows of the steps in a batch, at most BATCH: each call of fvi_exact_at costs one
  * search for the poles. What it did not compute stays NaN. Returns 0, or 1 after it
  * has said what is wrong. */
 enum { BATCH = 512 };
-static int exact_batch(const fvi_table *t, const fvi_linear *problem,
+static int exact_batch(const fvi_table *t, const fvi_linear_oscillator *problem,
                        const long_table *all, size_t count, const size_t *step)
 {
     double time[BATCH], x[BATCH], v[BATCH];
@@ -40,7 +40,7 @@ static int exact_batch(const fvi_table *t, const fvi_linear *problem,
         v[i] = all->x ? all->v[step[i]] : NAN;
     }
     int status = all->x  ? all->status
-                 : n > 0 ? fvi_exact(problem, n, time, x, v)
+                 : n > 0 ? fvi_exact_at(problem, n, time, x, v)
                          : FVI_SUCCESS;
     fvi_progress_clear(); /* the rows may go to the same terminal */
     for (size_t i = 0; i < count; i++) {
@@ -55,7 +55,7 @@ static int exact_batch(const fvi_table *t, const fvi_linear *problem,
     return 0;
 }
 
-static int exact_batches(const fvi_table *t, const fvi_linear *problem,
+static int exact_batches(const fvi_table *t, const fvi_linear_oscillator *problem,
                          const long_table *all)
 {
     size_t step[BATCH], count = 1;
@@ -76,8 +76,8 @@ static int exact_batches(const fvi_table *t, const fvi_linear *problem,
 
 /* All steps at once where they are more than a batch and one in 31 or more is a row, as a
  * row by itself costs what tens of them do; or in batches: then, too, if there is no memory
- * for them. With a law fvi_exact promises more. */
-static int exact_rows(const fvi_table *t, const fvi_linear *problem)
+ * for them. With a law fvi_exact_at promises more. */
+static int exact_rows(const fvi_table *t, const fvi_linear_oscillator *problem)
 {
     const size_t N = t->o->steps, MOST = (size_t)1 << 24; /* 256 MB */
     long_table all = { NULL, NULL, FVI_SUCCESS };
@@ -86,7 +86,7 @@ static int exact_rows(const fvi_table *t, const fvi_linear *problem)
         all.x = malloc(2 * (N + 1) * sizeof *all.x);
     if (all.x) {
         all.v = all.x + N + 1;
-        all.status = fvi_exact_rows(problem, t->o->h, N, 0, all.x, all.v);
+        all.status = fvi_exact_grid(problem, t->o->h, N, 0, all.x, all.v);
         if (all.status != FVI_SUCCESS && all.status != FVI_EOVRFLW
             && all.status != FVI_ELOSS) { /* nothing was computed */
             free(all.x);
@@ -98,9 +98,9 @@ static int exact_rows(const fvi_table *t, const fvi_linear *problem)
     return failed;
 }
 
-static fvi_linear linear_problem(const fvi_options *o)
+static fvi_linear_oscillator linear_problem(const fvi_options *o)
 {
-    return (fvi_linear){ .m = o->mass[0],
+    return (fvi_linear_oscillator){ .m = o->mass[0],
                          .c = o->spring[0],
                          .rho = o->rho[0],
                          .alpha = o->alpha,
@@ -117,7 +117,7 @@ static fvi_linear linear_problem(const fvi_options *o)
 /* The same table from the exact solution; p = m v. */
 static int exact(const fvi_options *o, const fvi_system *system)
 {
-    const fvi_linear problem = linear_problem(o);
+    const fvi_linear_oscillator problem = linear_problem(o);
     fvi_table t;
     double re, im;
     const int status = problem.law ? fvi_exact_pole(&problem, &re, &im) : 0;
@@ -148,7 +148,7 @@ static int coefficients(const fvi_options *o)
         bytes < fvi_machine_bytes() ? malloc(o->count * sizeof *w) : NULL;
     if (!w)
         return fvi_complain("not enough memory");
-    fvi_coefficients(o->alpha, o->count, w);
+    fvi_gl_weights(o->alpha, o->count, w);
     FILE *out = fvi_output_open(o->output);
     int failed = !out;
     if (out) {

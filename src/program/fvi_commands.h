@@ -5,7 +5,7 @@
 #ifndef FVI_COMMANDS_H
 #define FVI_COMMANDS_H
 
-#include "words/fvi_option_list.h"
+#include "options/fvi_option_list.h"
 
 /* fvi_command_run -- `fvi run`: o->steps steps of o->h. */
 int fvi_command_run(const fvi_options *o, const fvi_system *system);

@@ -51,17 +51,17 @@ static const char *constant_name(const fvi_options *o, size_t i)
 }
 
 static int parameter_named(const request *r, const char *name,
-                           fvi_parameter *which, fvi_complaint c)
+                           fvi_free_parameter *which, fvi_complaint c)
 {
-    /* in the order of fvi_parameter, then the constants */
-    const char *known[FVI_PARAMETER_CONSTANT + FVI_MOST_LETS + 1] = {
+    /* in the order of fvi_free_parameter, then the constants */
+    const char *known[FVI_FREE_PARAMETER_CONSTANT + FVI_MOST_LETS + 1] = {
         "alpha", "rho", "mass", "x0", "p0"
     };
     size_t found = 0;
     for (size_t i = 0; constant_name(&r->o, i); i++)
-        known[FVI_PARAMETER_CONSTANT + i] = constant_name(&r->o, i);
+        known[FVI_FREE_PARAMETER_CONSTANT + i] = constant_name(&r->o, i);
     const int status = fvi_word_choice("fit", name, known, &found, c);
-    *which = (fvi_parameter)found;
+    *which = (fvi_free_parameter)found;
     return status;
 }
 
@@ -77,20 +77,20 @@ static int interpret_names(request *r, fvi_complaint c)
         char *comma = strchr(at, ',');
         if (comma)
             *comma++ = '\0';
-        if (n == FVI_FIT_MOST)
+        if (n == FVI_ESTIMATION_MOST)
             return fvi_refuse(c, "--fit: more than %d parameters",
-                              FVI_FIT_MOST);
+                              FVI_ESTIMATION_MOST);
         if (parameter_named(r, at, &r->which[n], c))
             return 2;
         for (size_t i = 0; i < n; i++)
             if (r->which[i] == r->which[n])
                 return fvi_refuse(c, "--fit: '%s' stands twice", at);
-        if (r->which[n] == FVI_PARAMETER_ALPHA
+        if (r->which[n] == FVI_FREE_PARAMETER_ALPHA
             && r->o.method->alpha_least == r->o.method->alpha_most)
             return fvi_refuse(c, "--fit: 'alpha' is %g for %s, and no other",
                               r->o.method->alpha_least, r->o.method->name);
-        const size_t constant = (size_t)r->which[n] - FVI_PARAMETER_CONSTANT;
-        if (r->which[n] >= FVI_PARAMETER_CONSTANT && r->o.expression
+        const size_t constant = (size_t)r->which[n] - FVI_FREE_PARAMETER_CONSTANT;
+        if (r->which[n] >= FVI_FREE_PARAMETER_CONSTANT && r->o.expression
             && r->o.lets.used[constant] & 4)
             return fvi_refuse(c,
                               "--fit: another --let was made of '%s', and "
@@ -106,7 +106,7 @@ static int interpret_names(request *r, fvi_complaint c)
 static int interpret(request *r, fvi_complaint c)
 {
     fvi_options *o = &r->o;
-    r->fit = (fvi_fit){ .method = o->method,
+    r->fit = (fvi_estimation){ .method = o->method,
                         .constants = o->expression ? o->lets.value : o->spring,
                         .which = r->which,
                         .h = r->words.given[H] ? o->h : 0 };
@@ -179,11 +179,11 @@ static int read_data(request *r, fvi_complaint c)
  * be ten times as large or as small as --let says, or have either sign. */
 static int make_box(request *r)
 {
-    const int status = fvi_fit_box(&r->fit, r->low, r->high);
+    const int status = fvi_estimate_box(&r->fit, r->low, r->high);
     for (size_t j = 0; j < r->fit.parameters && r->o.expression; j++)
-        if (r->which[j] >= FVI_PARAMETER_CONSTANT) {
+        if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT) {
             const double k =
-                r->o.lets.value[r->which[j] - FVI_PARAMETER_CONSTANT];
+                r->o.lets.value[r->which[j] - FVI_FREE_PARAMETER_CONSTANT];
             r->low[j] = k > 0 ? k / 10 : k < 0 ? 10 * k : -1;
             r->high[j] = k > 0 ? 10 * k : k < 0 ? k / 10 : 1;
         }
@@ -198,13 +198,13 @@ static int search_and_print(request *r)
     const fvi_system system = fvi_options_system(&r->o);
     const fvi_run run = fvi_options_run(&r->o, &system);
     r->fit.run = &run;
-    fvi_fitted f = { .agree = 0 };
+    fvi_estimate f = { .agree = 0 };
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
         fprintf(stderr, "looking for %s ...", r->words.own[FIT]);
     int status = make_box(r);
     if (!status)
-        status = fvi_fit_search(&r->fit, r->curve, &f);
+        status = fvi_estimate_multistart(&r->fit, r->curve, &f);
     if (terminal)
         fprintf(stderr, "\r\033[K");
     int failed = status != 0;
@@ -213,7 +213,7 @@ static int search_and_print(request *r)
         FILE *out = fvi_output_open(r->o.output);
         if (!out)
             return fvi_cannot_write(r->o.output);
-        fvi_own_words_head(out, &fit, &r->words, &r->o);
+        fvi_subcommand_options_head(out, &fit, &r->words, &r->o);
         fvi_fit_print_answer(out, r, &f);
         if (fvi_output_close(out, 1))
             failed = fvi_cannot_write(r->o.output);
@@ -230,14 +230,14 @@ int fvi_command_fit(int argc, char **argv)
     char complaint[FVI_COMPLAINT] = "";
     const fvi_complaint c = { complaint, sizeof complaint };
     request r = { .t = NULL };
-    int status = fvi_own_words_parse(&fit, argc, argv, &r.words, &r.o, c);
+    int status = fvi_subcommand_options_parse(&fit, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (!status)
         status = read_data(&r, c);
     if (status)
-        fvi_own_words_refuse(
+        fvi_subcommand_options_refuse(
             &fit, complaint + 2 * (strncmp(complaint, "--DATA", 6) == 0));
     else
         status = search_and_print(&r);

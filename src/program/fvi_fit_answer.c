@@ -15,13 +15,13 @@ static void warn(FILE *out, const char *text)
 }
 
 /* Pairs that the data can hardly tell apart; how many there are. */
-static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
+static int warn_alike(FILE *out, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
     int pairs = 0;
     for (size_t i = 0; i < r->fit.parameters; i++)
         for (size_t j = 0; j < i; j++)
-            if (fvi_fit_warning_of_pair(f, j, i, r->name[j], r->name[i],
+            if (fvi_estimate_warning_of_pair(f, j, i, r->name[j], r->name[i],
                                         sizeof text, text)) {
                 warn(out, text);
                 pairs++;
@@ -29,24 +29,24 @@ static int warn_alike(FILE *out, const request *r, const fvi_fitted *f)
     return pairs;
 }
 
-static void warnings(FILE *out, const request *r, const fvi_fitted *f)
+static void warnings(FILE *out, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
-    const char *past = fvi_fit_warning_of_past(&r->fit, f);
+    const char *past = fvi_estimate_warning_of_initial_history(&r->fit, f);
     if (past)
         warn(out, past);
-    if (fvi_fit_warning_of_model(&r->fit, f, sizeof text, text))
+    if (fvi_estimate_warning_of_model(&r->fit, f, sizeof text, text))
         warn(out, text);
-    if (fvi_fit_warning_of_step(&r->fit, f, sizeof text, text))
+    if (fvi_estimate_warning_of_step(&r->fit, f, sizeof text, text))
         warn(out, text);
 }
 
 /* How far each can really go while the others make up for it. */
-static void print_profiles(FILE *out, const request *r, const fvi_fitted *f)
+static void print_profiles(FILE *out, const request *r, const fvi_estimate *f)
 {
     for (size_t j = 0; j < r->fit.parameters; j++) {
         double low, high;
-        const int status = fvi_fit_profile(&r->fit, f, j, &low, &high);
+        const int status = fvi_estimate_profile(&r->fit, f, j, &low, &high);
         if (status == FVI_EMAXITER)
             warn(out, "on the way along a profile the fit became better: try "
                       "more --starts");
@@ -59,7 +59,7 @@ static void print_profiles(FILE *out, const request *r, const fvi_fitted *f)
     }
 }
 
-void fvi_fit_print_answer(FILE *out, const request *r, const fvi_fitted *f)
+void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f)
 {
     fprintf(out, "# data = %s\n# name\testimate\tsd\tlower\tupper\n",
             r->words.operand);
@@ -106,10 +106,10 @@ int fvi_fit_print_curve(const request *r)
     return fvi_output_close(out, 1) ? fvi_cannot_write(r->words.own[CURVE]) : 0;
 }
 
-int fvi_fit_complain(int status, const request *r, const fvi_fitted *f)
+int fvi_fit_complain(int status, const request *r, const fvi_estimate *f)
 {
     char text[FVI_WARNING_ROOM];
-    return fvi_complain(fvi_fit_reason(status, &r->fit, f, r->words.own[FIT],
+    return fvi_complain(fvi_estimate_reason(status, &r->fit, f, r->words.own[FIT],
                                        "--", sizeof text, text)
                             ? text
                         : status == FVI_EBADFUNC

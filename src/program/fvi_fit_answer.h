@@ -3,7 +3,7 @@
 #define FVI_FIT_ANSWER_H
 
 #include <fvi/fvi.h>
-#include "fvi_own_words.h"
+#include "fvi_subcommand_options.h"
 
 #include <stdio.h>
 
@@ -12,24 +12,24 @@ enum { FIT, SIGMA, STARTS, CURVE };
 
 /* What the words say, and what is read. */
 typedef struct {
-    fvi_own_words words;
+    fvi_subcommand_options words;
     fvi_options o;
-    fvi_parameter which[FVI_FIT_MOST];
-    const char *name[FVI_FIT_MOST];
+    fvi_free_parameter which[FVI_ESTIMATION_MOST];
+    const char *name[FVI_ESTIMATION_MOST];
     char names[80]; /* in pieces */
-    fvi_fit fit;
-    double low[FVI_FIT_MOST], high[FVI_FIT_MOST];
+    fvi_estimation fit;
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
     double *t, *x, *curve;
 } fvi_fit_request;
 
 /* Behind the words: estimates, correlations, warnings, profiles. */
 void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,
-                          const fvi_fitted *f);
+                          const fvi_estimate *f);
 
 /* The table of --curve, if it is asked for. Returns the exit code. */
 int fvi_fit_print_curve(const fvi_fit_request *r);
 
 /* Why there is no answer that can be believed, to standard error. Returns 1. */
-int fvi_fit_complain(int status, const fvi_fit_request *r, const fvi_fitted *f);
+int fvi_fit_complain(int status, const fvi_fit_request *r, const fvi_estimate *f);
 
 #endif

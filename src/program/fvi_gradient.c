@@ -54,14 +54,14 @@ static int interpret(request *r, fvi_complaint c)
     const fvi_method *m = r->o.method;
     r->system = fvi_options_system(&r->o);
     r->run = fvi_options_run(&r->o, &r->system);
-    if (m->scheme == FVI_SCHEME_OTHER)
+    if (m->scheme == FVI_SCHEME_CLASSICAL)
         return fvi_refuse(c,
                           "--method: '%s' has no gradient; fvi, fvi-shifted, "
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
     for (size_t j = 0; j < r->o.lets.count; j++)
-        if (m->scheme == FVI_SCHEME_MESH && r->o.lets.used[j] & 2)
+        if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & 2)
             return fvi_refuse(c,
                               "--let: '%s' has no gradient with %s, which "
                               "asks for the force between the rows",
@@ -90,7 +90,7 @@ static int by_let(size_t j, size_t d, const double *x, void *params, double *S)
 {
     double value;
     (void)d;
-    fvi_expression_by_parameter(params, j, x, &value, S);
+    fvi_expression_parameter_gradient(params, j, x, &value, S);
     return 0;
 }
 
@@ -116,14 +116,14 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
         status = fvi_damping_velocity(&r->system, p, Jp);
     for (size_t i = 0; !r->system.matrices && i < d; i++)
         Jp[i] = p[i] / r->system.mass[i];
-    return status ? status : fvi_gradient(&r->system, x, Jx);
+    return status ? status : fvi_potential_gradient(&r->system, x, Jx);
 }
 
 /* dU/dtheta_j at x: U is linear in the parameters of what is ready to use. */
 static int energy_by(const request *r, size_t j, const double *x, double *value)
 {
     if (r->o.expression) {
-        fvi_expression_by_parameter(r->o.expression, j, x, value, NULL);
+        fvi_expression_parameter_gradient(r->o.expression, j, x, value, NULL);
         return 0;
     }
     const double unit[2] = { j == 0, j == 1 };
@@ -182,7 +182,7 @@ static void add_forces(request *r)
 static int are_finite(const request *r)
 {
     const size_t d = r->o.d, end = numbers_of(r);
-    const int by_x0 = r->run.past != FVI_PAST_RIEMANN_LIOUVILLE;
+    const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     return isfinite(r->value) && fvi_all_finite(end - d, r->numbers + d)
            && (!by_x0 || fvi_all_finite(d, r->numbers));
 }
@@ -194,16 +194,16 @@ static int complain_of(request *r, int status)
     fvi_stepper *s;
     if (status == FVI_ENOMEM)
         return fvi_complain("not enough memory");
-    int failed = fvi_start(r->o.method, &r->run, &s);
+    int failed = fvi_stepper_start(r->o.method, &r->run, &s);
     if (failed)
         return fvi_complain(fvi_code_in_words(failed));
-    while (s->k < N && !(failed = fvi_step(s)))
+    while (s->k < N && !(failed = fvi_stepper_step(s)))
         ;
     const size_t reached = s->k;
     double value;
     if (!failed && r->of == 2)
         failed = fvi_energy(&r->system, s->x, s->p, &value);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     if (failed)
         return fvi_stopped_at(reached + (reached < N), failed);
     return status == FVI_EOVRFLW ? fvi_stopped_at(N, status)
@@ -235,18 +235,18 @@ static int differentiate(request *r)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
-    if (m->scheme == FVI_SCHEME_MESH
+    if (m->scheme == FVI_SCHEME_VARIABLE_STEP
         && (r->run.alpha == 0 || r->run.alpha == 1))
-        return !fvi_past_pulls(r->run.past, r->run.alpha);
+        return !fvi_initial_history_acts(r->run.past, r->run.alpha);
     return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
 }
 
 static int make_room(request *r)
 {
     const size_t d = r->o.d;
-    r->to.sensitivity = fvi_sensitivity_of(&r->system.potential);
+    r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
     if (r->o.expression)
-        r->to.sensitivity = (fvi_sensitivity){ r->o.lets.count, by_let };
+        r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };
     const double rows =
         8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
     const int wanted =
@@ -297,12 +297,12 @@ int fvi_command_gradient(int argc, char **argv)
     char complaint[FVI_COMPLAINT] = "";
     const fvi_complaint c = { complaint, sizeof complaint };
     request r = { .i = 0 };
-    int status = fvi_own_words_parse(&gradient, argc, argv, &r.words, &r.o, c);
+    int status = fvi_subcommand_options_parse(&gradient, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (status)
-        fvi_own_words_refuse(&gradient, complaint);
+        fvi_subcommand_options_refuse(&gradient, complaint);
     else
         status = answer(&r);
     if (parsed)

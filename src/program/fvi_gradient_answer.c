@@ -20,7 +20,7 @@ double fvi_gradient_row_time(const request *r, size_t k)
 static void print_head(FILE *f, const fvi_own_command *command,
                        const request *r)
 {
-    fvi_own_words_head(f, command, &r->words, &r->o);
+    fvi_subcommand_options_head(f, command, &r->words, &r->o);
     if (r->o.no_solution)
         fprintf(f, "# warning = %s\n", r->o.no_solution);
     if (*r->unstable)
@@ -55,9 +55,9 @@ static void print_each(FILE *f, const request *r, const char *name,
 /* By each number of one --damping, R without a letter. */
 static void print_term(FILE *f, const request *r, size_t i)
 {
-    const fvi_law_kind kind = r->run.law->term[i].kind;
-    const int is_maxwell = kind == FVI_LAW_MAXWELL,
-              is_range = kind == FVI_LAW_DISTRIBUTED;
+    const fvi_kernel_kind kind = r->run.law->term[i].kind;
+    const int is_maxwell = kind == FVI_KERNEL_MAXWELL,
+              is_range = kind == FVI_KERNEL_DISTRIBUTED;
     char number[24] = "", name[32];
     if (r->run.law->count > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
@@ -67,7 +67,7 @@ static void print_term(FILE *f, const request *r, size_t i)
         print_row(f, name, "_A", r->to.orders[i]);
     if (is_range)
         print_row(f, name, "_B", r->to.ends[i]);
-    if (is_maxwell || kind == FVI_LAW_ZENER)
+    if (is_maxwell || kind == FVI_KERNEL_ZENER)
         print_row(f, name, "_T", r->to.times[i]);
 }
 
@@ -101,7 +101,7 @@ static void print_numbers(FILE *f, const request *r)
         print_row(f, "alpha", "", *r->to.alpha);
     else if (!r->run.law)
         fprintf(f, "# warning = no derivative by alpha: %s\n",
-                r->o.method->scheme == FVI_SCHEME_MESH
+                r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
                     ? "there x has a logarithm at 0, for which these "
                       "steps are not made"
                     : "p of this method jumps at 1");

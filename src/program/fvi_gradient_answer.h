@@ -3,7 +3,7 @@
 #define FVI_GRADIENT_ANSWER_H
 
 #include <fvi/fvi.h>
-#include "fvi_own_words.h"
+#include "fvi_subcommand_options.h"
 #include "fvi_run.h"
 
 /* Its own options, words.own[OF] and so on. */
@@ -11,14 +11,14 @@ enum { OF, FORCES };
 
 /* What the words say, and what comes out. */
 typedef struct {
-    fvi_own_words words;
+    fvi_subcommand_options words;
     fvi_options o;
     size_t of, i; /* 0, 1, 2: x, p, energy; the coordinate, from 0 */
     fvi_system system;
     fvi_run run;
     double value; /* of what is differentiated */
     double *last; /* x and p of the last row */
-    fvi_gradients to;
+    fvi_sensitivities to;
     size_t per;                     /* rows of the force in a step */
     double *numbers, *lets, *force; /* by each --let, by each F */
     char unstable[FVI_WARNING_ROOM];    /* what is said of the step */

@@ -6,8 +6,8 @@
 #include "fvi_run.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
-#include "words/fvi_values.h"
-#include "stages/lobatto_memory.h"
+#include "options/fvi_values.h"
+#include "stages/lobatto_history.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -53,12 +53,12 @@ static double run_bytes(const fvi_options *o)
         return bytes;
     if (s > 0)
         return bytes
-               + fvi_lobatto_memory_bytes(
+               + fvi_lobatto_history_bytes(
                    s, o->laws.law.count > 0 ? -0.5 : 2 * o->alpha - 1, d,
                    o->steps, o->memory, o->tolerance);
     const double order = o->laws.law.count > 0 ? 0.5 : 2 * o->alpha;
     return bytes
-           + (double)fvi_memory_bytes(order, d, o->steps, o->memory,
+           + (double)fvi_history_bytes(order, d, o->steps, o->memory,
                                       o->tolerance);
 }
 
@@ -77,7 +77,7 @@ int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
     if (s->t == time)
         return fvi_table_take(t, k, s->x, s->p);
     double *x = malloc(2 * d * sizeof *x);
-    int status = x ? fvi_run_to(s, time, x, x + d) : FVI_ENOMEM;
+    int status = x ? fvi_stepper_advance_to(s, time, x, x + d) : FVI_ENOMEM;
     if (!status)
         status = fvi_table_take(t, k, x, x + d);
     free(x);
@@ -95,8 +95,8 @@ static void warn_along(fvi_watch *w, const fvi_stepper *s)
 /* Between which rows a step failed; of a run that took too many, how far it came. */
 static int stopped(const fvi_options *o, const fvi_stepper *s, int status)
 {
-    fvi_adaptive_counts counts;
-    if (status != FVI_ERUNAWAY || fvi_adaptive_look(s, &counts))
+    fvi_step_statistics counts;
+    if (status != FVI_ERUNAWAY || fvi_stepper_statistics(s, &counts))
         return fvi_stopped_at(s->k + 1, status);
     fvi_progress_clear();
     fprintf(stderr, "fvi: step %zu: t = %.10g after %zu steps%s\n", s->k + 1,
@@ -124,7 +124,7 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     if (status)
         return fvi_stopped_at(t->begin, status);
     while (s->k < steps && !ferror(t->out) && !fvi_checkpoint_stopped()) {
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
         if (status)
             return stopped(t->o, s, status);
         warn_along(w, s);
@@ -169,8 +169,8 @@ void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
                              unstable);
 }
 
-void fvi_adaptive_head(FILE *out, const fvi_options *o,
-                       const fvi_adaptive_counts *counts)
+void fvi_variable_step_head(FILE *out, const fvi_options *o,
+                       const fvi_step_statistics *counts)
 {
     char text[32];
     snprintf(text, sizeof text, "%c, %d stages", counts->form, counts->stages);
@@ -185,8 +185,8 @@ void fvi_adaptive_head(FILE *out, const fvi_options *o,
 static const char *solver(const fvi_options *o)
 {
     const fvi_scheme scheme = o->method->scheme;
-    const int stable = scheme == FVI_SCHEME_STABLE,
-              damped = stable || scheme == FVI_SCHEME_SHIFTED,
+    const int stable = scheme == FVI_SCHEME_CQ2_MIDPOINT,
+              damped = stable || scheme == FVI_SCHEME_CQ2_SHIFTED,
               pulled = stable || (o->kappa > 0 && o->kappa < 1);
     return fvi_directory_solver(o->directory, 1, damped, pulled);
 }
@@ -230,10 +230,10 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     if (solved)
         fvi_format_parameter(t->out, o->format, "solver", solved);
     fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
-    fvi_adaptive_counts counts;
-    if (o->method->dense && fvi_adaptive_look(s, &counts) == 0) {
+    fvi_step_statistics counts;
+    if (o->method->dense && fvi_stepper_statistics(s, &counts) == 0) {
         counts.steps = 0; /* of a run that goes on, too: not before its end */
-        fvi_adaptive_head(t->out, o, &counts);
+        fvi_variable_step_head(t->out, o, &counts);
     }
     fvi_table_names(t);
     int failed = rows_and_checkpoints(t, s, &watch, c);
@@ -254,12 +254,12 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
-        status = fvi_start(o->method, &r, &s);
+        status = fvi_stepper_start(o->method, &r, &s);
     failed = status ? fvi_complain_of_start(o, status)
                     : fvi_checkpoint_begin(o, s, &c);
     if (!failed)
         failed = run_to_the_end(&t, &r, s, &c);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_checkpoint_free(&c);
     free(t.rows);
     return failed;

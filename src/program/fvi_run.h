@@ -27,7 +27,7 @@ void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
 void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable);
 
 /* fvi_run_row -- take row k, which the run has reached or just passed. Returns what
- * fvi_table_take and fvi_run_to return, or FVI_ENOMEM. */
+ * fvi_table_take and fvi_stepper_advance_to return, or FVI_ENOMEM. */
 int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k);
 
 /* fvi_snapshot -- a line for each unknown of s, number, x and p, into o->snapshot, complete or
@@ -37,18 +37,18 @@ int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 /* What a search found: one of a step, or of a method that chooses its steps. */
 typedef struct {
     fvi_step_found step;
-    fvi_adaptive_found adaptive;
+    fvi_variable_step_found adaptive;
 } fvi_run_found;
 
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
- * have room for them. Returns what fvi_step_search and fvi_adaptive_search return. */
+ * have room for them. Returns what fvi_step_search and fvi_variable_step_search return. */
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
                    const fvi_run *r, double *x, double *p,
                    fvi_run_found *found);
 
-/* fvi_adaptive_head -- two lines of the head: what a method that chooses its steps has
+/* fvi_variable_step_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */
-void fvi_adaptive_head(FILE *out, const fvi_options *o,
-                       const fvi_adaptive_counts *counts);
+void fvi_variable_step_head(FILE *out, const fvi_options *o,
+                       const fvi_step_statistics *counts);
 
 #endif

@@ -5,8 +5,8 @@
 #include "output/fvi_output.h"
 #include "output/fvi_format.h"
 #include "fvi_run.h"
-#include "words/fvi_shortest.h"
-#include "words/fvi_values.h"
+#include "options/fvi_format_double.h"
+#include "options/fvi_values.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ int fvi_run_search(const fvi_options *o, const fvi_method *method,
 {
     const size_t most = o->most_steps > 0 ? o->most_steps : USUAL_MOST_STEPS;
     return method->dense
-               ? fvi_adaptive_search(r, o->error, most, x, p, &found->adaptive)
+               ? fvi_variable_step_search(r, o->error, most, x, p, &found->adaptive)
                : fvi_step_search(method, r, o->error, most, x, p, &found->step);
 }
 
@@ -111,9 +111,9 @@ static void head_of_search(FILE *out, const fvi_options *o,
     const int dense = o->method->dense != NULL;
     char text[32];
     if (dense) {
-        fvi_adaptive_head(out, o, &found->adaptive.counts);
+        fvi_variable_step_head(out, o, &found->adaptive.counts);
     } else {
-        fvi_shortest(o->h / (double)found->step.parts, text);
+        fvi_format_double(o->h / (double)found->step.parts, text);
         fvi_format_parameter(out, o->format, "step", text);
     }
     snprintf(text, sizeof text, "%.2g",

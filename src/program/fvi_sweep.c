@@ -4,12 +4,12 @@
 #include <fvi/fvi.h>
 #include "fvi_commands.h"
 #include "output/fvi_format.h"
-#include "fvi_grid.h"
+#include "sweep_grid.h"
 #include "output/fvi_output.h"
 #include "fvi_run.h"
 #include "output/fvi_table.h"
-#include "words/fvi_options.h"
-#include "words/fvi_shortest.h"
+#include "options/fvi_options.h"
+#include "options/fvi_format_double.h"
 
 #include <math.h>
 #include <signal.h>
@@ -49,7 +49,7 @@ typedef struct {
 static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
-    verdict v = { .status = fvi_start(o->method, r, &s) };
+    verdict v = { .status = fvi_stepper_start(o->method, r, &s) };
     char unstable[FVI_WARNING_ROOM];
     if (v.status)
         return v;
@@ -57,11 +57,11 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
     v.status = fvi_table_take(t, 0, s->x, s->p);
     while (!v.status && s->k < o->steps) {
         v.step = s->k + 1;
-        v.status = fvi_step(s);
+        v.status = fvi_stepper_step(s);
     }
     if (!v.status)
         v.status = fvi_run_row(t, s, o->steps);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return v;
 }
 
@@ -84,12 +84,12 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 }
 
 /* Run number i into its row: the values of the grid, then the columns of step N. */
-static verdict one_run(const fvi_grid *g, size_t i, double *row)
+static verdict one_run(const sweep_grid *g, size_t i, double *row)
 {
     char complaint[FVI_COMPLAINT];
     fvi_options o;
     verdict v = { .status = FVI_ENOMEM };
-    if (fvi_grid_options(g, i, &o, complaint, sizeof complaint))
+    if (sweep_grid_options(g, i, &o, complaint, sizeof complaint))
         return v; /* it was understood before */
     const fvi_system system = fvi_options_system(&o);
     const fvi_run r = fvi_options_run(&o, &system);
@@ -101,7 +101,7 @@ static verdict one_run(const fvi_grid *g, size_t i, double *row)
     if ((t.rows = fvi_table_room(&t, 0)))
         v = (o.error > 0 ? by_error : by_steps)(&o, &r, &t);
     for (size_t n = 0; n < g->count; n++)
-        row[n] = fvi_grid_value(g, i, n);
+        row[n] = sweep_grid_value(g, i, n);
     if (!v.status)
         memcpy(row + g->count, t.rows + t.width, t.width * sizeof *row);
     free(t.rows);
@@ -136,7 +136,7 @@ static void end_with(pid_t parent)
 }
 
 /* Take runs until there are none; ends the process. */
-static void work(const fvi_grid *g, board *shared, pid_t parent)
+static void work(const sweep_grid *g, board *shared, pid_t parent)
 {
     for (size_t i; getppid() == parent
                    && (i = atomic_fetch_add(&shared->next, 1)) < shared->count;)
@@ -147,7 +147,7 @@ static void work(const fvi_grid *g, board *shared, pid_t parent)
 
 /* All runs, by so many processes. Returns 0, or 1 if a process did not come to its
  * end. */
-static int work_together(const fvi_grid *g, board *shared)
+static int work_together(const sweep_grid *g, board *shared)
 {
     size_t started = 0, ended = 0;
     const pid_t parent = getpid();
@@ -169,17 +169,17 @@ static int work_together(const fvi_grid *g, board *shared)
 /* ---- the table ---- */
 
 /* The varied values of run i of the whole grid, "h = 10, rho = 1". */
-static void name_run(FILE *out, const fvi_grid *g, size_t i)
+static void name_run(FILE *out, const sweep_grid *g, size_t i)
 {
     for (size_t n = 0; n < g->count; n++) {
         char text[32];
-        fvi_shortest(fvi_grid_value(g, i, n), text);
+        fvi_format_double(sweep_grid_value(g, i, n), text);
         fprintf(out, "%s%s = %s", n ? ", " : "", g->axis[n].name, text);
     }
 }
 
 /* How many steps are unstable, and the first of them; on standard error, and left in text. */
-static void warn_of_unstable(const fvi_grid *g, const board *b, size_t size,
+static void warn_of_unstable(const sweep_grid *g, const board *b, size_t size,
                              char *text)
 {
     size_t many = 0, first = 0;
@@ -198,7 +198,7 @@ static void warn_of_unstable(const fvi_grid *g, const board *b, size_t size,
     fputc('\n', stderr);
 }
 
-static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
+static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
                        const char *no_solution, const char *unstable)
 {
     const char *name, *value;
@@ -207,7 +207,7 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
         if (strcasecmp(name, "let") == 0) {
             if (*g->lets)
                 fvi_format_parameter(out, o->format, name, g->lets);
-        } else if (!fvi_grid_has(g, name) && strcmp(name, "every") != 0
+        } else if (!sweep_grid_has(g, name) && strcmp(name, "every") != 0
                    && !(strcmp(name, "h") == 0 && o->text[TIME])) {
             fvi_format_parameter(out, o->format, name, value);
         }
@@ -227,7 +227,7 @@ static void print_head(FILE *out, const fvi_grid *g, const fvi_options *o,
 }
 
 /* Which run failed, and how. */
-static int complain_of(const fvi_grid *g, size_t i, verdict v)
+static int complain_of(const sweep_grid *g, size_t i, verdict v)
 {
     fputs("fvi: with ", stderr);
     name_run(stderr, g, i);
@@ -239,7 +239,7 @@ static int complain_of(const fvi_grid *g, size_t i, verdict v)
 
 /* Rows in the order of the grid; those before a run that failed stand where the output
  * is standard output. */
-static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
+static int print_table(const sweep_grid *g, const fvi_options *o, const board *b,
                        const char *no_solution)
 {
     FILE *out = fvi_output_open(o->output);
@@ -263,14 +263,14 @@ static int print_table(const fvi_grid *g, const fvi_options *o, const board *b,
 }
 
 /* Every point of the grid is understood before the first run begins. Returns 0, or 2. */
-static int check_all(const fvi_grid *g, const char **no_solution,
+static int check_all(const sweep_grid *g, const char **no_solution,
                      char *complaint, size_t size)
 {
-    int status = fvi_grid_check(g, (fvi_complaint){ complaint, size });
+    int status = sweep_grid_check(g, (fvi_complaint){ complaint, size });
     *no_solution = NULL;
     for (size_t i = 0; !status && i < g->runs; i++) {
         fvi_options o;
-        status = fvi_grid_options(g, g->first + i, &o, complaint, size);
+        status = sweep_grid_options(g, g->first + i, &o, complaint, size);
         if (status)
             return status;
         if (o.no_solution)
@@ -280,7 +280,7 @@ static int check_all(const fvi_grid *g, const char **no_solution,
     return status;
 }
 
-static int run_all(const fvi_grid *g, const fvi_options *o,
+static int run_all(const sweep_grid *g, const fvi_options *o,
                    const char *no_solution)
 {
     const fvi_system system = fvi_options_system(o);
@@ -305,20 +305,20 @@ static int run_all(const fvi_grid *g, const fvi_options *o,
 int fvi_command_sweep(int argc, char **argv)
 {
     char complaint[FVI_COMPLAINT];
-    fvi_grid g;
+    sweep_grid g;
     fvi_options o;
     const char *no_solution;
-    int status = fvi_grid_parse(argc, argv, &g, complaint, sizeof complaint);
+    int status = sweep_grid_parse(argc, argv, &g, complaint, sizeof complaint);
     if (!status)
         status = check_all(&g, &no_solution, complaint, sizeof complaint);
     if (!status)
-        status = fvi_grid_options(&g, g.first, &o, complaint, sizeof complaint);
+        status = sweep_grid_options(&g, g.first, &o, complaint, sizeof complaint);
     if (status) {
         fvi_refused(complaint, "sweep");
     } else {
         status = run_all(&g, &o, no_solution);
         fvi_options_free(&o);
     }
-    fvi_grid_free(&g);
+    sweep_grid_free(&g);
     return status;
 }

@@ -39,35 +39,35 @@ typedef struct {
     fvi_force force;
     ...;
 } fvi_system;
-typedef enum { FVI_PAST_HELD, FVI_PAST_CAPUTO, FVI_PAST_RIEMANN_LIOUVILLE, ... } fvi_past;
-typedef enum { FVI_MEMORY_AUTO, FVI_MEMORY_DIRECT, FVI_MEMORY_FFT, FVI_MEMORY_EXPONENTIALS, ... } fvi_memory_kind;
-typedef enum { FVI_LAW_POWER, FVI_LAW_ZENER, FVI_LAW_MAXWELL, FVI_LAW_DISTRIBUTED } fvi_law_kind;
+typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
+typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_FFT, FVI_HISTORY_MODES, ... } fvi_history_kind;
+typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED } fvi_kernel_kind;
 typedef struct {
-    fvi_law_kind kind;
+    fvi_kernel_kind kind;
     double rho, alpha, time, end;
-} fvi_law_term;
+} fvi_kernel_term;
 typedef struct {
     size_t count;
-    const fvi_law_term *term;
-} fvi_law;
+    const fvi_kernel_term *term;
+} fvi_kernel;
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
     double h;
     size_t steps;
     double kappa, alpha;
-    fvi_past past;
-    fvi_memory_kind memory;
+    fvi_initial_history past;
+    fvi_history_kind memory;
     double tolerance, step_error, longest;
     size_t most_steps;
-    const fvi_law *law;
+    const fvi_kernel *law;
     ...;
 } fvi_run;
 typedef struct {
     const char *name, *order, *memory;
     int lowest, highest, stages;
     double alpha_least, alpha_most;
-    int takes_kappa, implicit, past_as_printed;
+    int takes_kappa, implicit, paper_convention;
     ...;
 } fvi_method;
 typedef struct {
@@ -77,7 +77,7 @@ typedef struct {
     ...;
 } fvi_stepper;
 extern const fvi_method *const fvi_methods[];
-const fvi_method *fvi_method_named(const char *name);
+const fvi_method *fvi_method_find(const char *name);
 fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
 fvi_potential fvi_potential_harmonic(const double *c);
 fvi_potential fvi_potential_duffing(const double *cg);
@@ -85,22 +85,22 @@ fvi_potential fvi_potential_pendulum(const double *g);
 fvi_potential fvi_potential_chain(const double *cg);
 fvi_force fvi_force_step(const double *aT);
 fvi_force fvi_force_cosine(const double *aw);
-int fvi_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper);
-int fvi_step(fvi_stepper *s);
-int fvi_copy(const fvi_stepper *from, fvi_stepper **to);
-int fvi_reset(fvi_stepper *s);
-void fvi_stop(fvi_stepper *s);
+int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper);
+int fvi_stepper_step(fvi_stepper *s);
+int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
+int fvi_stepper_reset(fvi_stepper *s);
+void fvi_stepper_free(fvi_stepper *s);
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x, double *p, double *energy);
 int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
 typedef struct { size_t parts; double estimate, order; } fvi_step_found;
 int fvi_step_search(const fvi_method *method, const fvi_run *run, double error, size_t most,
                     double *x, double *p, fvi_step_found *found);
 const fvi_method *fvi_step_search_other(const fvi_method *method, const fvi_run *run);
-typedef struct { double estimate; ...; } fvi_adaptive_found;
-int fvi_adaptive_search(const fvi_run *run, double error, size_t most, double *x, double *p,
-                        fvi_adaptive_found *found);
+typedef struct { double estimate; ...; } fvi_variable_step_found;
+int fvi_variable_step_search(const fvi_run *run, double error, size_t most, double *x, double *p,
+                        fvi_variable_step_found *found);
 enum { FVI_WARNING_ROOM = 240 };
-const char *fvi_warning_of_past(const fvi_run *run);
+const char *fvi_warning_of_initial_history(const fvi_run *run);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 typedef struct { double stiffest; size_t next; } fvi_watch;
 fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_unstable);
@@ -113,18 +113,18 @@ typedef struct {
     size_t d;
     const char *const *parameter;
     size_t parameters;
-} fvi_names;
+} fvi_symbols;
 typedef struct { size_t at; const char *reason; } fvi_misprint;
-int fvi_name_is_free(const char *name, const char *variable);
-int fvi_expression_parse(const char *text, const fvi_names *names, const double *values,
+int fvi_symbol_is_free(const char *name, const char *variable);
+int fvi_expression_parse(const char *text, const fvi_symbols *names, const double *values,
                          fvi_expression **e, fvi_misprint *wrong);
 void fvi_expression_free(fvi_expression *e);
 fvi_potential fvi_potential_expression(const fvi_expression *e);
 fvi_force fvi_force_expression(const fvi_expression *e);
 
-typedef enum { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO, FVI_PARAMETER_MASS, FVI_PARAMETER_X0,
-               FVI_PARAMETER_P0, FVI_PARAMETER_CONSTANT, ... } fvi_parameter;
-enum { FVI_FIT_MOST = 8, FVI_EINVAL = 4, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
+               FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
+enum { FVI_ESTIMATION_MOST = 8, FVI_EINVAL = 4, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -133,42 +133,42 @@ typedef struct {
     const double *t, *x;
     double sigma;
     size_t parameters;
-    const fvi_parameter *which;
+    const fvi_free_parameter *which;
     size_t starts;
     double h;
     const double *low, *high;
     ...;
-} fvi_fit;
+} fvi_estimation;
 typedef struct {
     double estimate[8], sd[8], correlation[8][8];
     double quantile, sigma, chi2, probability, neighbours;
     size_t agree;
     double h, bias, reached;
-} fvi_fitted;
-int fvi_fit_box(const fvi_fit *fit, double *low, double *high);
-int fvi_fit_search(const fvi_fit *fit, double *curve, fvi_fitted *fitted);
+} fvi_estimate;
+int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
+int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 typedef enum { FVI_FORCING_NONE, FVI_FORCING_STEP, FVI_FORCING_COSINE } fvi_forcing;
 typedef struct {
     double m, c, rho, alpha;
-    fvi_past past;
+    fvi_initial_history past;
     double x0, v0;
     fvi_forcing forcing;
     double A, T, w;
-    const fvi_law *law;
-} fvi_linear;
-int fvi_fit_warning_of_pair(const fvi_fitted *fitted, size_t i, size_t j, const char *name_i,
+    const fvi_kernel *law;
+} fvi_linear_oscillator;
+int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j, const char *name_i,
                             const char *name_j, size_t size, char *text);
-int fvi_fit_warning_of_model(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
-int fvi_fit_warning_of_step(const fvi_fit *fit, const fvi_fitted *fitted, size_t size, char *text);
-int fvi_fit_reason(int status, const fvi_fit *fit, const fvi_fitted *fitted, const char *names,
+int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted, size_t size, char *text);
+int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *fitted, size_t size, char *text);
+int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted, const char *names,
                    const char *dashes, size_t size, char *text);
-const char *fvi_fit_warning_of_past(const fvi_fit *fit, const fvi_fitted *fitted);
-int fvi_exact(const fvi_linear *problem, size_t n, const double *t, double *x, double *v);
-int fvi_exact_rows(const fvi_linear *problem, double h, size_t n, double tolerance, double *x, double *v);
+const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit, const fvi_estimate *fitted);
+int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x, double *v);
+int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n, double tolerance, double *x, double *v);
 
-int fvi_coefficients(double alpha, size_t count, double *w);
-const char *fvi_strerror(int code);
+int fvi_gl_weights(double alpha, size_t count, double *w);
+const char *fvi_error_name(int code);
 const char *fvi_version(void);
 
 const char *why(int code);
@@ -242,7 +242,7 @@ ffi.set_source(
     {
         int status = 0;
         for (*taken = 0; *taken < count && !status;) {
-            status = fvi_step(s);
+            status = fvi_stepper_step(s);
             *taken += !status;
             if (s->k >= watch->next)
                 break;

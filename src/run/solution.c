@@ -30,7 +30,7 @@ static int is_felt(const fvi_run *run, const double *y)
     return felt;
 }
 
-int fvi_run_feels_start(const fvi_run *run, int *felt)
+int fvi_run_start_is_damped(const fvi_run *run, int *felt)
 {
     const fvi_system *system = run->system;
     const size_t d = system->d;
@@ -57,9 +57,9 @@ int fvi_run_has_solution(const fvi_run *run, int *has)
 {
     int felt, status;
     *has = 1;
-    if (fvi_past_has_solution(run->past, run->alpha, 1, 1))
+    if (fvi_initial_history_solvable(run->past, run->alpha, 1, 1))
         return FVI_SUCCESS; /* from everywhere */
-    status = fvi_run_feels_start(run, &felt);
+    status = fvi_run_start_is_damped(run, &felt);
     if (!status)
         *has = !felt;
     return status;

@@ -4,7 +4,7 @@
 
 #include <fvi/trajectory.h>
 
-/* fvi_run_feels_start -- does the damping take hold of x0 itself: rho_i x0_i != 0 for some
+/* fvi_run_start_is_damped -- does the damping take hold of x0 itself: rho_i x0_i != 0 for some
  * i, or C x0 != 0?
  *
  *   run   of a system that fvi_system_check_any takes, x0 finite
@@ -21,7 +21,7 @@
  * What is felt less than that, against the place that is damped most, counts as not felt.
  * Cost O(d), one product by C. Returns FVI_SUCCESS; FVI_ENOMEM; or what the matrices
  * returned. */
-int fvi_run_feels_start(const fvi_run *run, int *felt);
+int fvi_run_start_is_damped(const fvi_run *run, int *felt);
 
 /* fvi_run_has_solution -- 0 if no motion with a finite velocity starts there:
  * Riemann-Liouville, alpha > 1/2, and a damping that feels x0; else 1.  [(19.2)]

@@ -29,8 +29,8 @@ fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                       .steps = steps,
                       .kappa = 0.5,
                       .alpha = 0.5,
-                      .past = FVI_PAST_HELD,
-                      .memory = FVI_MEMORY_AUTO };
+                      .past = FVI_INITIAL_HISTORY_HELD,
+                      .memory = FVI_HISTORY_AUTO };
 }
 
 static int check_law(const fvi_method *method, const fvi_run *run)
@@ -39,10 +39,10 @@ static int check_law(const fvi_method *method, const fvi_run *run)
         return FVI_SUCCESS;
     if (!method->takes_laws)
         FVI_FAIL("this method knows no laws of damping", FVI_EUNSUP);
-    if (run->past != FVI_PAST_HELD)
+    if (run->past != FVI_INITIAL_HISTORY_HELD)
         FVI_FAIL("a law of damping is that of a body that was held",
                  FVI_EUNSUP);
-    return fvi_law_check(run->law);
+    return fvi_kernel_check(run->law);
 }
 
 static int check_impulses(const fvi_method *method, const fvi_run *run)
@@ -60,11 +60,11 @@ static int check_impulses(const fvi_method *method, const fvi_run *run)
 
 static int check_past(const fvi_method *method, const fvi_run *run)
 {
-    if (run->past != FVI_PAST_HELD && run->past != FVI_PAST_CAPUTO
-        && run->past != FVI_PAST_RIEMANN_LIOUVILLE)
+    if (run->past != FVI_INITIAL_HISTORY_HELD && run->past != FVI_INITIAL_HISTORY_CAPUTO
+        && run->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         FVI_FAIL("unknown past", FVI_EINVAL);
     int has = 1, status = FVI_SUCCESS;
-    if (!method->past_as_printed)
+    if (!method->paper_convention)
         status = fvi_run_has_solution(run, &has);
     if (!has)
         FVI_FAIL("Riemann-Liouville with a damped x0 != 0 has no solution for "
@@ -73,9 +73,9 @@ static int check_past(const fvi_method *method, const fvi_run *run)
     return status;
 }
 
-int fvi_method_has_memory(const fvi_method *method, fvi_memory_kind kind)
+int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind)
 {
-    return method->memories == 0 || kind > FVI_MEMORY_EXPONENTIALS
+    return method->memories == 0 || kind > FVI_HISTORY_MODES
            || method->memories & 1u << kind;
 }
 
@@ -105,7 +105,7 @@ static int check(const fvi_method *method, const fvi_run *run)
     if (!fvi_all_finite(run->system->d, run->x0)
         || !fvi_all_finite(run->system->d, run->p0))
         FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
-    if (!fvi_method_has_memory(method, run->memory))
+    if (!fvi_method_takes_history(method, run->memory))
         FVI_FAIL("this method has no such memory", FVI_EUNSUP);
     status = check_impulses(method, run);
     if (!status)
@@ -160,7 +160,7 @@ static int is_finite(const fvi_stepper *s)
                    : finite(2 * d, s->x); /* x, then p */
 }
 
-int fvi_start(const fvi_method *method, const fvi_run *run,
+int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
               fvi_stepper **stepper)
 {
     if (!stepper)
@@ -173,13 +173,13 @@ int fvi_start(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("no memory for the state", FVI_ENOMEM);
     status = method->start ? method->start(s) : FVI_SUCCESS;
     if (status) {
-        fvi_stop(s);
+        fvi_stepper_free(s);
         return status;
     }
     if (!method->dense)
         fvi_impulses_act(s, 0);
     if (!is_finite(s)) {
-        fvi_stop(s);
+        fvi_stepper_free(s);
         return FVI_EOVRFLW;
     }
     *stepper = s;
@@ -203,7 +203,7 @@ static size_t rows_passed(const fvi_stepper *s)
     return k + (k < s->run.steps && (double)(k + 1) * h <= s->t);
 }
 
-int fvi_step(fvi_stepper *s)
+int fvi_stepper_step(fvi_stepper *s)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -227,14 +227,14 @@ int fvi_step(fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-int fvi_force_at(fvi_stepper *s, double t)
+int fvi_force_value(fvi_stepper *s, double t)
 {
     const fvi_force *force = &s->run.system->force;
     return force->value ? force->value(t, s->run.system->d, force->params, s->F)
                         : FVI_SUCCESS;
 }
 
-int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
+int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -243,7 +243,7 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
         FVI_FAIL("the run is over before", FVI_EDOM);
     int status = FVI_SUCCESS;
     while (s->t < t && !status)
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
     if (status)
         return status;
     if (s->t == t) {
@@ -260,12 +260,12 @@ int fvi_run_to(fvi_stepper *s, double t, double *x, double *p)
                : FVI_SUCCESS;
 }
 
-int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
+int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
 {
     if (!from || !to)
         FVI_FAIL("null pointer", FVI_EFAULT);
     REFUSE_CALLBACKS_OF(from);
-    if (from->own && !from->method->copy)
+    if (from->method_state && !from->method->copy)
         FVI_FAIL("the method has no copy", FVI_EUNSUP);
     fvi_stepper *s = make(from->method, &from->run);
     if (!s)
@@ -276,10 +276,10 @@ int fvi_copy(const fvi_stepper *from, fvi_stepper **to)
     int status = FVI_SUCCESS;
     if (from->newton)
         status = fvi_newton_copy(from->newton, &s->newton);
-    if (!status && from->own)
+    if (!status && from->method_state)
         status = s->method->copy(from, s);
     if (status)
-        fvi_stop(s);
+        fvi_stepper_free(s);
     else
         *to = s;
     return status;
@@ -300,7 +300,7 @@ static int check_state(const fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
-static int visit_all(fvi_stepper *s, fvi_visitor *v)
+static int serialize_all(fvi_stepper *s, fvi_archive *v)
 {
     fvi_system system = *s->run.system;
     const size_t d = system.d, bytes = d * sizeof *s->x;
@@ -319,43 +319,43 @@ static int visit_all(fvi_stepper *s, fvi_visitor *v)
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
         status =
-            v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
     if (!status)
         status = check_state(s);
-    return status || !s->own ? status : s->method->visit(s, v);
+    return status || !s->method_state ? status : s->method->serialize(s, v);
 }
 
-int fvi_visit(fvi_stepper *s, fvi_visitor *v)
+int fvi_stepper_archive(fvi_stepper *s, fvi_archive *v)
 {
     if (!s || !v)
         FVI_FAIL("null pointer", FVI_EFAULT);
     REFUSE_CALLBACKS_OF(s);
-    if (s->own && !s->method->visit)
+    if (s->method_state && !s->method->serialize)
         FVI_FAIL("the method does not show its data", FVI_EUNSUP);
     s->is_busy = 1;
-    const int status = visit_all(s, v);
+    const int status = serialize_all(s, v);
     s->is_busy = 0;
     return status;
 }
 
-int fvi_reset(fvi_stepper *s)
+int fvi_stepper_reset(fvi_stepper *s)
 {
     if (!s)
         FVI_FAIL("null pointer", FVI_EFAULT);
     REFUSE_CALLBACKS_OF(s);
     fvi_stepper *fresh;
     s->is_busy = 1;
-    int status = fvi_start(s->method, &s->run, &fresh);
+    int status = fvi_stepper_start(s->method, &s->run, &fresh);
     s->is_busy = 0;
     if (status)
         return status;
     const fvi_stepper old = *s;
     *s = *fresh;
     *fresh = old;
-    return fvi_stop(fresh);
+    return fvi_stepper_free(fresh);
 }
 
-int fvi_stop(fvi_stepper *s)
+int fvi_stepper_free(fvi_stepper *s)
 {
     if (!s)
         return FVI_SUCCESS;
@@ -373,12 +373,12 @@ static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
 {
     const size_t d = s->run.system->d;
     const double t = (double)k * s->run.h;
-    int status = fvi_run_to(s, t, x ? x + k * d : NULL, p ? p + k * d : NULL);
+    int status = fvi_stepper_advance_to(s, t, x ? x + k * d : NULL, p ? p + k * d : NULL);
     if (status || !energy)
         return status;
     if (s->t == t)
         return fvi_energy(s->run.system, s->x, s->p, energy + k);
-    status = fvi_run_to(s, t, s->dx, s->g);
+    status = fvi_stepper_advance_to(s, t, s->dx, s->g);
     return status ? status : fvi_energy(s->run.system, s->dx, s->g, energy + k);
 }
 
@@ -386,15 +386,15 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
                    double *p, double *energy)
 {
     fvi_stepper *s;
-    int status = fvi_start(method, run, &s);
+    int status = fvi_stepper_start(method, run, &s);
     if (status)
         return status;
     if (run->steps >= SIZE_MAX / sizeof(double) / run->system->d) {
-        fvi_stop(s);
+        fvi_stepper_free(s);
         FVI_FAIL("steps must be addressable", FVI_EINVAL);
     }
     for (size_t k = 0; !status && k <= run->steps; k++)
         status = store(s, k, x, p, energy);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return status;
 }

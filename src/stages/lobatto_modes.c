@@ -2,7 +2,7 @@
  *                                                               [Chapter 17] */
 #include "lobatto_weights.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 
 enum { LANES = FVI_MODE_LANES };
 

@@ -79,7 +79,7 @@ fvi_lobatto_span fvi_lobatto_span_of(size_t s, double least, double most,
 
 //> nodes
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
-                         int rated, double *q, double *rate, double *p,
+                         int by_order, double *q, double *rate, double *p,
                          double *a, size_t stride)
 {
     const fvi_lobatto_span span =
@@ -88,14 +88,14 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
     const double sine = -sin(M_PI * fmin(fabs(beta), 1 - fabs(beta))) / M_PI;
     const double factor = beta < 0 ? -sine * step : sine * step;
     size_t Q = 1 + (size_t)ceil((span.last - first) / step);
-    Q = rated || (beta != 0 && beta != -1) ? Q + 1 /* and the tail */
+    Q = by_order || (beta != 0 && beta != -1) ? Q + 1 /* and the tail */
                                            : beta == -1;
     const double slope = step * cos(M_PI * e0);
     double low = 0;
     for (size_t j = 0; q && j < Q; j++) {
         double mu = exp(first + ((double)j - 1) * step);
         q[j] = factor * pow(mu, e0);
-        if (rated)
+        if (by_order)
             rate[j] = pow(mu, e0) * (slope + factor * log(mu));
         if (j == 0) { /* all nodes below the first, by two moments: (17.12) */
             mu *= exp(step);
@@ -106,7 +106,7 @@ size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
         }
         fvi_lobatto_node(s, mu, &p[j], a + j, stride);
     }
-    if (q && rated)
+    if (q && by_order)
         tail_rates(e0, step, exp(first), low, factor, slope, q, rate);
     return Q;
 }

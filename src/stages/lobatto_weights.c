@@ -1,7 +1,7 @@
 /* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
 #include "lobatto_weights.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
 #include "system/lu.h"
@@ -252,10 +252,10 @@ static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
 
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
 {
-    return fvi_lobatto_weights_rate(s, beta, n, W, NULL);
+    return fvi_lobatto_weights_by_order(s, beta, n, W, NULL);
 }
 
-int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
+int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
                              double *rate)
 {
     if (!W)
@@ -266,26 +266,26 @@ int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
         FVI_FAIL("n must be at least 1 and addressable", FVI_EINVAL);
     if (!(beta >= -1 && beta <= 1))
         FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
-    const int rated = rate != NULL;
+    const int by_order = rate != NULL;
     size_t Q = 0;
     if (n > TERMS) /* else the series has them all */
-        Q = fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, rated, NULL, NULL,
+        Q = fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, by_order, NULL, NULL,
                               NULL, NULL, 0);
     double *q = calloc((3 + s) * Q + 1, sizeof *q);
     if (!q)
         FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
     double *p = q + Q, *r = p + Q, *a = r + Q;
     if (Q > 0)
-        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, rated, q, r, p, a, Q);
+        fvi_lobatto_nodes(s, beta, (double)n, TOLERANCE, by_order, q, r, p, a, Q);
     series slope;
-    const series first = near(s, beta, rated ? &slope : NULL);
+    const series first = near(s, beta, by_order ? &slope : NULL);
     for (size_t k = 0; k < n; k++) {
         for (size_t j = 0; k >= 2 && j < Q; j++) {
             q[j] -= p[j] * q[j]; /* q_j r_j^(k-1) */
             r[j] -= p[j] * r[j];
         }
         copy_or_sum(s, k, &first, Q, q, a, W + k * s * s);
-        if (rated)
+        if (by_order)
             copy_or_sum(s, k, &slope, Q, r, a, rate + k * s * s);
     }
     free(q);

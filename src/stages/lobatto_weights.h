@@ -36,17 +36,17 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s);
  * FVI_ENOMEM. On error W is untouched. */
 int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
 
-/* fvi_lobatto_weights_rate -- W_0, ..., W_{n-1}, and their derivatives by beta.  [(23.14)]
+/* fvi_lobatto_weights_by_order -- W_0, ..., W_{n-1}, and their derivatives by beta.  [(23.14)]
  *
  *   s, beta, n, W  as above
  *   rate           output, as W; NULL: not wanted
  *
  * Cost and errors as above. Accuracy of the rates, in units of 2^-53 of the largest: the
  * first four 2000 (no proof; seen 240), the others 1000 (seen 52). */
-int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
+int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
                              double *rate);
 
-/* ---- lobatto_nodes.c; for lobatto_memory.c: nothing is checked ---- */
+/* ---- lobatto_nodes.c; for lobatto_history.c: nothing is checked ---- */
 
 /* fvi_lobatto_nodes -- W_n as a sum over nodes, for FVI_LAGS < n <= N.  [(17.10)]
  *
@@ -65,10 +65,10 @@ int fvi_lobatto_weights_rate(size_t s, double beta, size_t n, double *W,
  * q may be NULL, and then only Q is returned: about (ln N + 20) ln(10/tolerance)
  * / 10; if not rated none for beta = 0, one for beta = -1. Cost 0.5 us a node. */
 size_t fvi_lobatto_nodes(size_t s, double beta, double N, double tolerance,
-                         int rated, double *q, double *rate, double *p,
+                         int by_order, double *q, double *rate, double *p,
                          double *a, size_t stride);
 
-/* ---- lobatto_modes.c; for lobatto_memory.c: nothing is checked ---- */
+/* ---- lobatto_modes.c; for lobatto_history.c: nothing is checked ---- */
 
 enum { FVI_MODE_LANES = 8 }; /* Q below is a multiple of it */
 
@@ -83,7 +83,7 @@ enum { FVI_MODE_LANES = 8 }; /* Q below is a multiple of it */
 void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
                          const double *a, const double *u, double *z, double *H);
 
-/* ---- for lobatto_law.c: nothing is checked ---- */
+/* ---- for lobatto_kernel.c: nothing is checked ---- */
 
 /* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of rho s^(2 alpha - 1) /
  * (1 + T s^(2 alpha)) at Delta(z)/h. The step size IS included. */

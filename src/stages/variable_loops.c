@@ -1,7 +1,7 @@
 /* src/stages/variable_loops.c -- The two loops over the modes.        [Chapter 22] */
 #include "variable_loops.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 
 /* H = sum over the modes, for all s stages in one reading. Partial sum l takes every fourth
  * mode from the l-th on, whatever the machine: no digit depends on the width of its

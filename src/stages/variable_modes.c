@@ -95,7 +95,7 @@ static void wake(fvi_modes *m, size_t to)
     m->awake = to;
 }
 
-void fvi_modes_wake_all(fvi_modes *m)
+void fvi_modes_activate_all(fvi_modes *m)
 {
     wake(m, m->Q);
     m->now = (fvi_length){ 0 }; /* its row may have been written over */
@@ -151,7 +151,7 @@ void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
     read_modes(m, m->value.closed, j, H);
 }
 
-void fvi_modes_history_rate(const fvi_modes *m, size_t j, double *H)
+void fvi_modes_history_by_order(const fvi_modes *m, size_t j, double *H)
 {
     read_modes(m, m->rate.closed, j, H);
 }
@@ -241,7 +241,7 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
     return FVI_SUCCESS;
 }
 
-int fvi_modes_add_rate(fvi_modes *m)
+int fvi_modes_add_order(fvi_modes *m)
 {
     const fvi_mode_ladder ladder = ladder_of(m);
     reading *rate = &m->rate;
@@ -249,7 +249,7 @@ int fvi_modes_add_rate(fvi_modes *m)
     if (!rate->weight)
         FVI_FAIL("no memory for the rates", FVI_ENOMEM);
     rate->closed = rate->weight + m->Q;
-    fvi_mode_weights_rate(&ladder, rate->weight, rate->top);
+    fvi_mode_weights_by_order(&ladder, rate->weight, rate->top);
     return FVI_SUCCESS;
 }
 
@@ -264,7 +264,7 @@ int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
     return FVI_SUCCESS;
 }
 
-int fvi_modes_visit(fvi_modes *m, fvi_visitor *v)
+int fvi_modes_archive(fvi_modes *m, fvi_archive *v)
 {
     const struct {
         void *data;
@@ -280,7 +280,7 @@ int fvi_modes_visit(fvi_modes *m, fvi_visitor *v)
     int status = 0;
     for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
         status =
-            v->visit(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
     m->now = (fvi_length){ 0 };
     if (status)
         return status;
@@ -304,7 +304,7 @@ size_t fvi_modes_count(const fvi_modes *m)
     return m->Q;
 }
 
-double fvi_modes_rate(const fvi_modes *m, size_t q)
+double fvi_modes_decay(const fvi_modes *m, size_t q)
 {
     return m->sigma[q];
 }
@@ -323,7 +323,7 @@ static double term(const fvi_modes *m, size_t j, const double *more, double ve,
     return more[q] * (m->beta <= 0 ? y : (ve - y) / m->sigma[q]);
 }
 
-double fvi_modes_meet(const fvi_modes *m, size_t j, const double *more,
+double fvi_modes_accumulate(const fvi_modes *m, size_t j, const double *more,
                       double ve, double *rate)
 {
     double sum = 0, slope = 0;

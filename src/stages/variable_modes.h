@@ -22,7 +22,7 @@
 #define FVI_VARIABLE_MODES_H
 
 #include "variable_rule.h"
-#include <fvi/visit.h>
+#include <fvi/archive.h>
 
 /* The length of a step: h = exp(L k), or any h with k = FVI_OFF_LATTICE. */
 enum { FVI_OFF_LATTICE = -100000 };
@@ -63,17 +63,17 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,
                     fvi_modes **modes);
 
-/* fvi_modes_add_rate -- before the first step: make what fvi_modes_history_rate reads. A
+/* fvi_modes_add_order -- before the first step: make what fvi_modes_history_by_order reads. A
  * copy has no rate. Memory O(Q). Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_modes_add_rate(fvi_modes *modes);
+int fvi_modes_add_order(fvi_modes *modes);
 
 /* fvi_modes_copy -- the same again. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_copy(const fvi_modes *from, fvi_modes **to);
 
-/* fvi_modes_visit -- between steps: what steps have changed; and where the modes are, which
+/* fvi_modes_archive -- between steps: what steps have changed; and where the modes are, which
  * they do not. Returns FVI_EINVAL if what the visitor has written is no state of them; what
  * the visitor does. */
-int fvi_modes_visit(fvi_modes *modes, fvi_visitor *visitor);
+int fvi_modes_archive(fvi_modes *modes, fvi_archive *archive);
 
 /* fvi_modes_free -- give everything back. NULL is allowed. */
 void fvi_modes_free(fvi_modes *modes);
@@ -86,10 +86,10 @@ void fvi_modes_begin(fvi_modes *modes, fvi_length length);
  *   H  output: FVI_LANES numbers, those behind the s-th zero. Cost O(Q s) */
 void fvi_modes_history(const fvi_modes *modes, size_t j, double *H);
 
-/* fvi_modes_history_rate -- dH/dbeta, y or z as they are: a second reading of the modes.
- * fvi_modes_add_rate must have been called.                                    (23.18)
+/* fvi_modes_history_by_order -- dH/dbeta, y or z as they are: a second reading of the modes.
+ * fvi_modes_add_order must have been called.                                    (23.18)
  *   H  output, as above. Cost O(Q s) */
-void fvi_modes_history_rate(const fvi_modes *modes, size_t j, double *H);
+void fvi_modes_history_by_order(const fvi_modes *modes, size_t j, double *H);
 
 /* fvi_modes_advance -- the step that has begun is taken: (22.6), (22.7) for coordinate j. All
  * coordinates must be advanced before the next fvi_modes_begin.
@@ -97,23 +97,23 @@ void fvi_modes_history_rate(const fvi_modes *modes, size_t j, double *H);
  *   ve  v_e, the last velocity of the step before */
 void fvi_modes_advance(fvi_modes *modes, size_t j, const double *v, double ve);
 
-/* fvi_modes_wake_all -- between steps: all modes of all coordinates are awake. */
-void fvi_modes_wake_all(fvi_modes *modes);
+/* fvi_modes_activate_all -- between steps: all modes of all coordinates are awake. */
+void fvi_modes_activate_all(fvi_modes *modes);
 
-/* fvi_modes_count, fvi_modes_rate, fvi_modes_add -- the modes of a coordinate: their
+/* fvi_modes_count, fvi_modes_decay, fvi_modes_add -- the modes of a coordinate: their
  * number, the sigma of the q-th, and `more` to be added to its y or z, when all are
  * awake. */
 size_t fvi_modes_count(const fvi_modes *modes);
-double fvi_modes_rate(const fvi_modes *modes, size_t q);
+double fvi_modes_decay(const fvi_modes *modes, size_t q);
 void fvi_modes_add(fvi_modes *modes, size_t j, size_t q, double more);
 
-/* fvi_modes_meet -- of a mirrored run, when all modes are awake: what a run that remembers `more`
+/* fvi_modes_accumulate -- of a mirrored run, when all modes are awake: what a run that remembers `more`
  * besides would do to what mu multiplies, sum_q weight_q more_q w_q.           (23.25)
  *   more   for each mode: what y would be more, over sigma; or z
  *   ve     the last mu
- *   rate   output, its derivative by beta; fvi_modes_add_rate must have been called.
+ *   rate   output, its derivative by beta; fvi_modes_add_order must have been called.
  *          NULL: not wanted */
-double fvi_modes_meet(const fvi_modes *modes, size_t j, const double *more,
+double fvi_modes_accumulate(const fvi_modes *modes, size_t j, const double *more,
                       double ve, double *rate);
 
 #endif

@@ -1,7 +1,7 @@
 /* src/stages/variable_rule.c -- The constants of steps of any length.  [Chapter 22] */
 #include "variable_rule.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include <fvi/error.h>
 
 #include <math.h>
@@ -67,7 +67,7 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
 }
 //< present
 
-void fvi_variable_present_rate(const fvi_variable_rule *rule, double beta,
+void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
                                fvi_square *W)
 {
     double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];

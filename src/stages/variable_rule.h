@@ -65,9 +65,9 @@ void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
 void fvi_variable_present(const fvi_variable_rule *rule, double beta,
                           fvi_square *W);
 
-/* fvi_variable_present_rate -- d W0 / d beta = (A^{-1})^beta ln A^{-1}, for any beta in
+/* fvi_variable_present_by_order -- d W0 / d beta = (A^{-1})^beta ln A^{-1}, for any beta in
  * [-1, 1]; accuracy and cost as above.                                        (23.18) */
-void fvi_variable_present_rate(const fvi_variable_rule *rule, double beta,
+void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
                                fvi_square *W);
 
 /* fvi_variable_ends -- how a sum over all integers is had from one over those >= 0.

@@ -1,7 +1,7 @@
 /* src/stages/variable_table.c -- a(mu) of many modes.                 [Chapter 22] */
 #include "variable_table.h"
 
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 
 #include <math.h>
 #include <stdatomic.h>

@@ -103,7 +103,7 @@ static void lower(size_t every, double L, double nu, double ln, double *c)
 //< lower
 
 //> rate
-void fvi_mode_weights_rate(const fvi_mode_ladder *ladder, double *rate,
+void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,
                            double *top_rate)
 {
     const size_t apart = fvi_variable_apart(ladder->every);

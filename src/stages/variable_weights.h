@@ -24,11 +24,11 @@ typedef struct {
 void fvi_mode_weights(const fvi_mode_ladder *ladder, double *sigma,
                       double *weight, double *top);
 
-/* fvi_mode_weights_rate -- their derivatives by beta, at beta = 0 and -1 from the side where
+/* fvi_mode_weights_by_order -- their derivatives by beta, at beta = 0 and -1 from the side where
  * y is remembered, (22.6), and not z: from below, and from above.                (23.18)
  *
  *   rate, top_rate  outputs, Q and FVI_ENDS numbers */
-void fvi_mode_weights_rate(const fvi_mode_ladder *ladder, double *rate,
+void fvi_mode_weights_by_order(const fvi_mode_ladder *ladder, double *rate,
                            double *top_rate);
 
 #endif

@@ -64,7 +64,7 @@ void fvi_loud(void)
 
 /* ---- words ---- */
 
-const char *fvi_strerror(int code)
+const char *fvi_error_name(int code)
 {
     switch (code) {
     case FVI_SUCCESS:

@@ -34,7 +34,7 @@ typedef struct {
     int status;
     fvi_node tape[FVI_TAPE_LONGEST]; /* the term at work */
     int coordinate[FVI_TAPE_LONGEST];
-} workshop;
+} builder;
 
 /* ---- one term ---- */
 
@@ -49,7 +49,7 @@ static int met_before(const term *t, const fvi_node *new)
 
 /* What stands under node i, then node i itself, to the end of a tape that has room
  * for FVI_TAPE_LONGEST. Returns its place there. */
-static int emit(workshop *w, term *t, int i, int depth)
+static int emit(builder *w, term *t, int i, int depth)
 {
     fvi_node new = w->node[i];
     const int before = met_before(t, &new);
@@ -100,7 +100,7 @@ static int keep(term *t)
 }
 
 /* The tree under the root becomes a term. */
-static void add_term(workshop *w, int root)
+static void add_term(builder *w, int root)
 {
     fvi_expression *e = w->e;
     term t = { .node = w->tape, .coordinate = w->coordinate };
@@ -128,7 +128,7 @@ static void add_term(workshop *w, int root)
 /* ---- the sum ---- */
 
 /* One more node; its number. */
-static int make(workshop *w, fvi_operation op, int a, int b, double number)
+static int make(builder *w, fvi_operation op, int a, int b, double number)
 {
     if (w->count == w->room) {
         const size_t room = 2 * w->room;
@@ -145,7 +145,7 @@ static int make(workshop *w, fvi_operation op, int a, int b, double number)
 }
 
 /* The operand of a sign, or of a factor or a divisor that has no coordinate; else -1. */
-static int inside(const workshop *w, int i)
+static int inside(const builder *w, int i)
 {
     const fvi_node *at = &w->node[i];
     if (at->op == TAPE_NEGATE)
@@ -157,12 +157,12 @@ static int inside(const workshop *w, int i)
     return at->op == TAPE_MULTIPLY && w->node[at->a].degree == 0 ? at->b : -1;
 }
 
-static int is_sum(const workshop *w, int i)
+static int is_sum(const builder *w, int i)
 {
     return w->node[i].op == TAPE_ADD || w->node[i].op == TAPE_SUBTRACT;
 }
 
-static int hides_a_sum(const workshop *w, int i)
+static int hides_a_sum(const builder *w, int i)
 {
     while (inside(w, i) >= 0)
         i = inside(w, i);
@@ -171,14 +171,14 @@ static int hides_a_sum(const workshop *w, int i)
 
 enum { ONE = -1 /* instead of a node: no factor */ };
 
-static int negative(workshop *w, int factor)
+static int negative(builder *w, int factor)
 {
     return factor == ONE ? make(w, TAPE_NUMBER, 0, 0, -1)
                          : make(w, TAPE_NEGATE, factor, factor, 0);
 }
 
 /* The factor, with what stands at i around its inside. */
-static int more(workshop *w, int factor, int i)
+static int more(builder *w, int factor, int i)
 {
     const fvi_node at = w->node[i];
     if (at.op == TAPE_NEGATE)
@@ -193,7 +193,7 @@ static int more(workshop *w, int factor, int i)
 
 /* factor times what stands at i, sum by sum: signs and what has no coordinate go to
  * each term. A long sum leans to the left: there is no recursion that way. */
-static void take_apart(workshop *w, int i, int factor)
+static void take_apart(builder *w, int i, int factor)
 {
     while (!w->status && hides_a_sum(w, i)) {
         const fvi_node at = w->node[i];
@@ -210,14 +210,14 @@ static void take_apart(workshop *w, int i, int factor)
         add_term(w, factor == ONE ? i : make(w, TAPE_MULTIPLY, factor, i, 0));
 }
 
-int fvi_expression_parse(const char *text, const fvi_names *names,
+int fvi_expression_parse(const char *text, const fvi_symbols *names,
                          const double *values, fvi_expression **e,
                          fvi_misprint *wrong)
 {
     if (!text || !names || !e || (names->d > 0 && !names->variable))
         FVI_FAIL("null pointer", FVI_EFAULT);
     fvi_misprint place = { 0, "not enough memory" };
-    workshop *w = calloc(1, sizeof *w);
+    builder *w = calloc(1, sizeof *w);
     fvi_expression *new = calloc(1, sizeof *new);
     int status = w && new ? fvi_parse(text, names, &w->node, &w->count, &place)
                           : FVI_ENOMEM;
@@ -269,7 +269,7 @@ double fvi_expression_value(const fvi_expression *e, const double *x)
     return sum;
 }
 
-void fvi_expression_by_parameter(const fvi_expression *e, size_t j,
+void fvi_expression_parameter_gradient(const fvi_expression *e, size_t j,
                                  const double *x, double *value, double *grad)
 {
     const int parameter = -1 - (int)j;
@@ -280,7 +280,7 @@ void fvi_expression_by_parameter(const fvi_expression *e, size_t j,
         *value += fvi_tape_slope(t->node, t->count, x, e->values, parameter).a;
         for (size_t i = 0; grad && i < t->coordinates; i++)
             grad[t->coordinate[i]] +=
-                fvi_tape_bend(t->node, t->count, x, e->values, t->coordinate[i],
+                fvi_tape_second_derivative(t->node, t->count, x, e->values, t->coordinate[i],
                               parameter)
                     .c;
     }
@@ -321,7 +321,7 @@ static int potential_hessian(size_t d, const double *x, void *params, double *H)
                 const int i = t->coordinate[m], j = t->coordinate[n];
                 if (i <= j)
                     H[(size_t)i * diagonals + (size_t)(j - i)] +=
-                        fvi_tape_bend(t->node, t->count, x, e->values, i, j).c;
+                        fvi_tape_second_derivative(t->node, t->count, x, e->values, i, j).c;
             }
     return FVI_SUCCESS;
 }

@@ -14,7 +14,7 @@ enum { DEEPEST = 100, MOST_NODES = 1 << 24, MOST_DIGITS = 400 };
  * wrong; all that follows then does nothing. */
 typedef struct {
     const char *text, *at;
-    const fvi_names *names;
+    const fvi_symbols *names;
     fvi_node *node;
     size_t count, room;
     int depth, status;
@@ -210,7 +210,7 @@ static int call(parser *p, fvi_operation op)
 }
 
 /* x, or x3: the number of the coordinate from 0, or -1. */
-static int coordinate(const fvi_names *names, const char *at, size_t length)
+static int coordinate(const fvi_symbols *names, const char *at, size_t length)
 {
     if (names->d == 0)
         return -1;
@@ -245,7 +245,7 @@ static int name(parser *p)
     return refuse(p, from, "no such name");
 }
 
-int fvi_name_is_free(const char *name, const char *variable)
+int fvi_symbol_is_free(const char *name, const char *variable)
 {
     const size_t length = strlen(name), stem = strlen(variable);
     if (length == 0 || name_length(name) != length || strcmp(name, "pi") == 0)
@@ -330,7 +330,7 @@ static int sum(parser *p)
     }
 }
 
-int fvi_parse(const char *text, const fvi_names *names, fvi_node **node,
+int fvi_parse(const char *text, const fvi_symbols *names, fvi_node **node,
               size_t *count, fvi_misprint *wrong)
 {
     parser p = { .text = text, .at = text, .names = names };

@@ -16,7 +16,7 @@ typedef int solver(fvi_newton *n, const double *x, const double *r, double *d,
 /* ---- solutions ---- */
 
 /* d becomes d + step. */
-static void take(fvi_newton *n, double *d)
+static void apply_update(fvi_newton *n, double *d)
 {
     const size_t dim = n->system->d;
     const double *step = n->step;
@@ -31,12 +31,12 @@ static void take(fvi_newton *n, double *d)
 }
 
 /* g and e at d; status of the gradients. */
-static int look(fvi_newton *n, const double *x, const double *r,
+static int evaluate_residual(fvi_newton *n, const double *x, const double *r,
                 const double *d, double *g)
 {
     if (!fvi_newton_gradients(n, x, d, g))
         fvi_newton_residual(n, r, d, g);
-    return n->theirs;
+    return n->callback_status;
 }
 
 /* v = J^-1 v; 0, or the status of the factors, or of the potential's own solution
@@ -45,11 +45,11 @@ static int eliminate(fvi_newton *n, int factorised, const double *point,
                      double *v)
 {
     const fvi_potential *u = &n->system->potential;
-    if (n->own) {
+    if (n->user_solve) {
         const int status = u->solve(n->system->d, point, n->H,
                                     n->s[0] * n->theta, u->params, v);
         if (status != FVI_ESING)
-            n->theirs = status;
+            n->callback_status = status;
         return status;
     }
     if (!factorised && fvi_band_factorise(&n->J))
@@ -64,9 +64,9 @@ static int solve_linear(fvi_newton *n, const double *x, const double *r,
                         double *d, double *g)
 {
     const fvi_potential *u = &n->system->potential;
-    n->theirs = u->gradient(n->system->d, x, u->params, g);
-    if (n->theirs)
-        return n->theirs;
+    n->callback_status = u->gradient(n->system->d, x, u->params, g);
+    if (n->callback_status)
+        return n->callback_status;
     for (size_t j = 0; j < n->system->d; j++)
         d[j] = r[j] - n->s[j] * g[j];
     const int status = eliminate(n, 1, x, d);
@@ -79,9 +79,9 @@ static int solve_diagonal(fvi_newton *n, const double *x, const double *r,
                           double *d, double *g)
 {
     const fvi_potential *u = &n->system->potential;
-    n->theirs = u->gradient(n->system->d, x, u->params, g);
-    if (n->theirs)
-        return n->theirs;
+    n->callback_status = u->gradient(n->system->d, x, u->params, g);
+    if (n->callback_status)
+        return n->callback_status;
     for (size_t j = 0; j < n->system->d; j++) {
         d[j] = (r[j] - n->s[j] * g[j]) / fvi_band_row(&n->J, j)[j];
         g[j] += n->theta * n->H[j * u->diagonals] * d[j];
@@ -96,13 +96,13 @@ static int solve_linear_stages(fvi_newton *n, const double *x, const double *r,
     const size_t rows = n->q * n->system->d;
     memset(d, 0, rows * sizeof *d);
     if (fvi_newton_gradients(n, x, d, g))
-        return n->theirs;
+        return n->callback_status;
     fvi_newton_residual(n, r, d, g);
     memcpy(n->step, n->e, rows * sizeof *n->e);
     const int status = eliminate(n, 1, n->point, n->step);
     if (status)
         return status;
-    take(n, d);
+    apply_update(n, d);
     return fvi_newton_gradients(n, x, d, g);
 }
 
@@ -114,10 +114,10 @@ static int solve_explicit(fvi_newton *n, const double *restrict x,
 {
     const size_t dim = n->system->d;
     const double s = *n->s;
-    for (size_t l = 0; l < n->q && s != 0 && !n->theirs; l++)
-        n->theirs = fvi_gradient(n->system, x, g + l * dim);
-    if (n->theirs)
-        return n->theirs;
+    for (size_t l = 0; l < n->q && s != 0 && !n->callback_status; l++)
+        n->callback_status = fvi_potential_gradient(n->system, x, g + l * dim);
+    if (n->callback_status)
+        return n->callback_status;
     for (size_t l = 0; l < n->q; l++, d += dim, r += dim) {
         const double *pull = g + l * dim;
 #pragma omp simd
@@ -160,7 +160,7 @@ static int newton_step(fvi_newton *n, double *d)
     memcpy(n->step, n->e, n->q * n->system->d * sizeof *n->e);
     const int status = eliminate(n, 0, n->point, n->step);
     if (!status)
-        take(n, d);
+        apply_update(n, d);
     return status;
 }
 
@@ -170,8 +170,8 @@ static int newton(fvi_newton *n, const double *x, const double *r, double *d,
 {
     n->size = GSL_POSINF;
     for (int i = 0; i < NEWTON_STEPS; i++) {
-        if (look(n, x, r, d, g) || fvi_newton_jacobian(n, x, d, 0))
-            return n->theirs;
+        if (evaluate_residual(n, x, r, d, g) || fvi_newton_jacobian(n, x, d, 0))
+            return n->callback_status;
         const int enough = is_noise(n), status = newton_step(n, d);
         if (status)
             return status;
@@ -189,7 +189,7 @@ static int newton(fvi_newton *n, const double *x, const double *r, double *d,
 /* Is there one coordinate, and one stage of it? */
 static int is_alone(const fvi_newton *n)
 {
-    return n->q == 1 && n->system->d == 1 && !n->own;
+    return n->q == 1 && n->system->d == 1 && !n->user_solve;
 }
 
 /* The digits of newton() in half its time: what one coordinate and its callbacks do not
@@ -202,11 +202,11 @@ static int newton_alone(fvi_newton *n, const double *x, const double *r,
     n->size = GSL_POSINF;
     for (int i = 0; i < NEWTON_STEPS; i++) {
         const double z = *x + theta * *d, Ad = A * *d;
-        n->theirs = u->gradient(1, &z, u->params, g);
-        if (!n->theirs)
-            n->theirs = u->hessian(1, &z, u->params, n->H);
-        if (n->theirs)
-            return n->theirs;
+        n->callback_status = u->gradient(1, &z, u->params, g);
+        if (!n->callback_status)
+            n->callback_status = u->hessian(1, &z, u->params, n->H);
+        if (n->callback_status)
+            return n->callback_status;
         const double sg = s * *g, e = *r - Ad - sg, J = s * theta * *n->H + A,
                      terms = fabs(*r) + fabs(Ad) + fabs(sg),
                      moves = fabs(s) * (fabs(*n->H) * (fabs(z) + fabs(*d))),
@@ -262,32 +262,32 @@ static int descend(fvi_newton *n, const double *x, const double *r, double *d,
     const size_t bytes = n->q * n->system->d * sizeof *d;
     double mu = 1;
     memset(d, 0, bytes);
-    if (look(n, x, r, d, g))
-        return n->theirs;
+    if (evaluate_residual(n, x, r, d, g))
+        return n->callback_status;
     if (is_hopeless(n)) {
         d[0] = GSL_NAN;
         return FVI_SUCCESS;
     }
     for (int i = 0; i < CAREFUL_STEPS; i++) {
         if (fvi_newton_jacobian(n, x, d, mu))
-            return n->theirs;
+            return n->callback_status;
         if (is_noise(n))
             return FVI_SUCCESS;
         memcpy(n->from, d, bytes);
         memcpy(n->before, n->e, bytes);
         int good = !newton_step(n, d);
-        if (n->theirs)
-            return n->theirs;
+        if (n->callback_status)
+            return n->callback_status;
         if (good && mu == 0 && is_stuck(n))
             return FVI_SUCCESS;
-        if (look(n, x, r, d, g))
-            return n->theirs;
+        if (evaluate_residual(n, x, r, d, g))
+            return n->callback_status;
         good = good && is_descent(n);
         mu = !good ? 4 * mu + 0x1p-10 : mu > 0x1p-10 ? mu / 4 : 0;
         if (!good) {
             memcpy(d, n->from, bytes);
-            if (look(n, x, r, d, g))
-                return n->theirs;
+            if (evaluate_residual(n, x, r, d, g))
+                return n->callback_status;
         }
     }
     return FVI_EMAXITER;
@@ -300,7 +300,7 @@ static int solve_nonlinear(fvi_newton *n, const double *x, const double *r,
     const int status = (is_alone(n) ? newton_alone : newton)(n, x, r, d, g);
     if (!status || !descend(n, x, r, d, g))
         return FVI_SUCCESS;
-    return n->theirs ? n->theirs : status;
+    return n->callback_status ? n->callback_status : status;
 }
 
 const double *fvi_newton_diagonal(const fvi_newton *n)
@@ -313,7 +313,7 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
 {
     if (!n || !x || !r || !d || !g)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    n->theirs = 0;
+    n->callback_status = 0;
     solver *solve = n->system->matrices         ? fvi_newton_by_matrices
                     : !n->implicit              ? solve_explicit
                     : !n->linear                ? solve_nonlinear

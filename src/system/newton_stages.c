@@ -24,10 +24,10 @@ static const double *point(fvi_newton *n, const double *x, const double *d,
 int fvi_newton_gradients(fvi_newton *n, const double *x, const double *d,
                          double *g)
 {
-    for (size_t l = 0; l < n->q && !n->theirs; l++)
-        n->theirs =
-            fvi_gradient(n->system, point(n, x, d, l), g + l * n->system->d);
-    return n->theirs;
+    for (size_t l = 0; l < n->q && !n->callback_status; l++)
+        n->callback_status =
+            fvi_potential_gradient(n->system, point(n, x, d, l), g + l * n->system->d);
+    return n->callback_status;
 }
 
 //> residual
@@ -97,15 +97,15 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
 {
     const fvi_potential *u = &n->system->potential;
     const size_t dim = n->system->d, q = n->q;
-    if (q == 1 && n->reach == 0 && !n->own) {
+    if (q == 1 && n->reach == 0 && !n->user_solve) {
         const double *z = point(n, x, d, 0);
-        n->theirs = u->hessian(dim, z, u->params, n->H);
-        if (!n->theirs)
+        n->callback_status = u->hessian(dim, z, u->params, n->H);
+        if (!n->callback_status)
             fill_diagonal(n, z, d, mu);
-        return n->theirs;
+        return n->callback_status;
     }
     memset(n->moves, 0, q * dim * sizeof *n->moves);
-    if (n->own) {
+    if (n->user_solve) {
         point(n, x, d, 0);
         for (size_t j = 0; j < dim; j++)
             n->H[j] = (1 + mu) * n->A[j];
@@ -114,9 +114,9 @@ int fvi_newton_jacobian(fvi_newton *n, const double *x, const double *d,
     fvi_band_clear(&n->J);
     for (size_t i = 0; i < q; i++) {
         const double *z = point(n, x, d, i);
-        n->theirs = u->hessian(dim, z, u->params, n->H);
-        if (n->theirs)
-            return n->theirs;
+        n->callback_status = u->hessian(dim, z, u->params, n->H);
+        if (n->callback_status)
+            return n->callback_status;
         add_stage(n, i, z, d + i * dim);
     }
     for (size_t j = 0, row = 0; j < dim; j++)
@@ -134,7 +134,7 @@ static size_t numbers(const fvi_newton *n)
     return 2 * dim
            + (n->implicit ? dim
                                 * ((n->q + 6) * n->q
-                                   + (n->own ? 1
+                                   + (n->user_solve ? 1
                                       : m    ? m
                                              : dim))
                           : 1);
@@ -159,7 +159,7 @@ static int allocate(fvi_newton *n)
     n->from = n->step + rows;
     n->before = n->from + rows;
     n->H = n->before + rows;
-    return n->own ? FVI_SUCCESS
+    return n->user_solve ? FVI_SUCCESS
                   : fvi_band_alloc(rows, n->q * (n->reach + 1) - 1, &n->J);
 }
 
@@ -175,7 +175,7 @@ static int make(const fvi_system *system, size_t q, double theta, int implicit,
     n->q = q;
     n->theta = theta;
     n->implicit = implicit && u->gradient;
-    n->own = n->implicit && q == 1 && u->solve;
+    n->user_solve = n->implicit && q == 1 && u->solve;
     n->linear = !n->implicit || (u->quadratic && u->quadratic(u->params));
     if (allocate(n)) {
         fvi_newton_free(n);
@@ -191,7 +191,7 @@ static int finish(fvi_newton *n, fvi_newton **newton)
     int status = FVI_SUCCESS;
     if (n->implicit && n->linear) {
         status = fvi_newton_jacobian(n, n->e, n->e, 0);
-        if (!status && !n->own)
+        if (!status && !n->user_solve)
             status = fvi_band_factorise(&n->J);
     }
     if (status)
@@ -287,7 +287,7 @@ int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
     const fvi_matrices *matrices = n->system->matrices;
     const size_t dim = n->system->d;
     const double s = *n->s;
-    int status = s != 0 ? fvi_gradient(n->system, x, g) : FVI_SUCCESS;
+    int status = s != 0 ? fvi_potential_gradient(n->system, x, g) : FVI_SUCCESS;
     if (status)
         return status;
 #pragma omp simd
@@ -298,7 +298,7 @@ int fvi_newton_by_matrices(fvi_newton *n, const double *x, const double *r,
         return status;
     for (size_t i = 0; i < dim; i++)
         n->point[i] = x[i] + n->theta * d[i];
-    return fvi_gradient(n->system, n->point, g);
+    return fvi_potential_gradient(n->system, n->point, g);
 }
 //< matrices
 
@@ -317,7 +317,7 @@ int fvi_newton_copy(const fvi_newton *from, fvi_newton **to)
         FVI_FAIL("no memory for the solver", FVI_ENOMEM);
     }
     memcpy(n->A, from->A, numbers(n) * sizeof *n->A);
-    if (n->implicit && !n->own)
+    if (n->implicit && !n->user_solve)
         fvi_band_copy(&from->J, &n->J);
     *to = n;
     return FVI_SUCCESS;

@@ -16,7 +16,7 @@ struct fvi_newton {
     size_t reach; /* d^2U / dx_j dx_c = 0 if |j - c| > reach */
     double theta;
     int implicit, linear;       /* explicit: A, point and one s is all */
-    int own;                    /* the potential solves: H is the diagonal a */
+    int user_solve;                    /* the potential solves: H is the diagonal a */
     double *A;                  /* of each coordinate */
     double *s;                  /* of each q * q numbers; one in (2.10) */
     double *point, *H;          /* x + theta d of a stage, and Hess U there */
@@ -25,7 +25,7 @@ struct fvi_newton {
     double *from, *before;      /* and d and e before it */
     double size, last, largest; /* of step_i, of the last, of d_i; absolute */
     fvi_band J;                 /* (2.11), or its LU factors */
-    int theirs;                 /* what a callback returned, if not 0 */
+    int callback_status;                 /* what a callback returned, if not 0 */
     double m, c;                /* with matrices: of (27.3), s being *s, */
     void *factors;              /* and what they made of them */
 };
@@ -34,7 +34,7 @@ struct fvi_newton {
  * see each other? Then J is a number for each, and H is Hess U, [j * diagonals]. */
 static inline int fvi_newton_is_diagonal(const fvi_newton *n)
 {
-    return n->implicit && n->linear && n->q == 1 && n->reach == 0 && !n->own;
+    return n->implicit && n->linear && n->q == 1 && n->reach == 0 && !n->user_solve;
 }
 
 /* fvi_newton_by_matrices -- the solution of (27.3); arguments and codes as fvi_newton_solve. */

@@ -41,11 +41,11 @@ static int chain(size_t j, size_t d, const double *x, void *params, double *S)
     return 0;
 }
 
-fvi_sensitivity fvi_sensitivity_of(const fvi_potential *u)
+fvi_parameter_gradient fvi_parameter_gradient_of(const fvi_potential *u)
 {
     const struct {
         fvi_potential potential;
-        fvi_sensitivity sensitivity;
+        fvi_parameter_gradient sensitivity;
     } known[] = {
         { fvi_potential_harmonic(NULL), { 1, duffing } },
         { fvi_potential_duffing(NULL), { 2, duffing } },
@@ -55,5 +55,5 @@ fvi_sensitivity fvi_sensitivity_of(const fvi_potential *u)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (u->gradient == known[i].potential.gradient)
             return known[i].sensitivity;
-    return (fvi_sensitivity){ 0 };
+    return (fvi_parameter_gradient){ 0 };
 }

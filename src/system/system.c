@@ -58,7 +58,7 @@ int fvi_potential_value(const fvi_system *s, const double *x, double *U)
     return FVI_SUCCESS;
 }
 
-int fvi_gradient(const fvi_system *s, const double *x, double *grad)
+int fvi_potential_gradient(const fvi_system *s, const double *x, double *grad)
 {
     const fvi_potential *u = &s->potential;
     if (s->matrices)
@@ -90,7 +90,7 @@ int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
     return FVI_SUCCESS;
 }
 
-size_t fvi_hessian_room(const fvi_system *s)
+size_t fvi_potential_hessian_size(const fvi_system *s)
 {
     const size_t m = s->potential.diagonals, row = m > s->d ? m : s->d;
     return s->d > SIZE_MAX / 64 / row ? SIZE_MAX / 64 : s->d * row;
@@ -98,7 +98,7 @@ size_t fvi_hessian_room(const fvi_system *s)
 
 /* Diagonals are spread in place, from the last number up: nothing is written over
  * before it has been read, if a row is no longer than d. */
-int fvi_hessian(const fvi_system *s, const double *x, double *H)
+int fvi_potential_hessian(const fvi_system *s, const double *x, double *H)
 {
     const fvi_potential *u = &s->potential;
     const size_t d = s->d, m = u->diagonals < d ? u->diagonals : d;

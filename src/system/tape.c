@@ -195,7 +195,7 @@ fvi_jet fvi_tape_slope(const fvi_node *node, size_t n, const double *x,
     return walk(node, n, x, k, i, i, 1);
 }
 
-fvi_jet fvi_tape_bend(const fvi_node *node, size_t n, const double *x,
+fvi_jet fvi_tape_second_derivative(const fvi_node *node, size_t n, const double *x,
                       const double *k, int i, int j)
 {
     return walk(node, n, x, k, i, j, 2);

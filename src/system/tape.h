@@ -54,7 +54,7 @@ enum { FVI_TAPE_LONGEST = 1024 };
  *
  * Constants are worked out. Returns FVI_SUCCESS, FVI_EINVAL with *wrong filled, or
  * FVI_ENOMEM; *node, *count are to be freed by the caller if 0 is returned. */
-int fvi_parse(const char *text, const fvi_names *names, fvi_node **node,
+int fvi_parse(const char *text, const fvi_symbols *names, fvi_node **node,
               size_t *count, fvi_misprint *wrong);
 
 /* fvi_tape_value -- of the last of n nodes.
@@ -69,10 +69,10 @@ typedef struct {
     double v, a, b, c; /* u, u_i, u_j, u_ij */
 } fvi_jet;
 
-/* fvi_tape_slope -- u, u_i. fvi_tape_bend -- all four; the derivatives by i and j. */
+/* fvi_tape_slope -- u, u_i. fvi_tape_second_derivative -- all four; the derivatives by i and j. */
 fvi_jet fvi_tape_slope(const fvi_node *node, size_t n, const double *x,
                        const double *k, int i);
-fvi_jet fvi_tape_bend(const fvi_node *node, size_t n, const double *x,
+fvi_jet fvi_tape_second_derivative(const fvi_node *node, size_t n, const double *x,
                       const double *k, int i, int j);
 
 #endif

@@ -20,7 +20,7 @@ static inline int constant(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-static inline void chain_at(chain *c, fvi_past past, double alpha, double g,
+static inline void chain_at(chain *c, fvi_initial_history past, double alpha, double g,
                             double rho)
 {
     *c = (chain){ .x0 = { 1, -0.5, 0.25 },
@@ -59,7 +59,7 @@ static inline slopes *slopes_by(chain *c, int of_ends)
     if (of_ends) /* then alpha = 1 needs no modes */
         s->to.alpha = NULL;
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_adaptive, &c->run, NULL, NULL, &J, &s->to),
+        fvi_adjoint(&fvi_variable_step, &c->run, NULL, NULL, &J, &s->to),
         FVI_SUCCESS);
     return s;
 }
@@ -75,7 +75,7 @@ static inline double by_forces(const chain *c, const slopes *s)
 
 static inline void run_of(chain *c, double *x, double *p)
 {
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &c->run, x, p, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &c->run, x, p, NULL),
                      FVI_SUCCESS);
 }
 

@@ -30,7 +30,7 @@ enum { MOST = 8 /* coordinates */, NUMBERS = 4 * MOST + 3 };
  * behind the other. */
 typedef struct {
     double all[NUMBERS], *force;
-    fvi_gradients to;
+    fvi_sensitivities to;
 } slopes;
 
 static inline slopes *slopes_of(const fvi_run *run, size_t rows)
@@ -39,14 +39,14 @@ static inline slopes *slopes_of(const fvi_run *run, size_t rows)
     ck_assert_ptr_nonnull(s);
     s->force = calloc(rows * run->system->d, sizeof *s->force);
     ck_assert_ptr_nonnull(s->force);
-    s->to = (fvi_gradients){ .x0 = s->all,
+    s->to = (fvi_sensitivities){ .x0 = s->all,
                              .p0 = s->all + MOST,
                              .mass = s->all + 2 * MOST,
                              .damping = s->all + 3 * MOST,
                              .alpha = s->all + 4 * MOST,
                              .parameters = s->all + 4 * MOST + 1,
                              .force = s->force };
-    s->to.sensitivity = fvi_sensitivity_of(&run->system->potential);
+    s->to.sensitivity = fvi_parameter_gradient_of(&run->system->potential);
     return s;
 }
 

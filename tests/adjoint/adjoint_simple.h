@@ -18,7 +18,7 @@ static inline void mirrored_run(size_t N, double h, double kappa, double alpha,
 {
     const double kick = rho * pow(h, 1 - 2 * alpha);
     double *w = malloc((N + 1) * sizeof *w);
-    fvi_coefficients(2 * alpha, N + 1, w);
+    fvi_gl_weights(2 * alpha, N + 1, w);
     mu[0] = Jp;
     *q = 0;
     for (size_t i = 0; i < N; i++) { /* from node k + 1 to node k */

@@ -20,7 +20,7 @@ enum { LENGTH = 64 /* rows at most */ };
 /* All that determines J, as one array of numbers may be changed. */
 typedef struct {
     fvi_scheme scheme;
-    fvi_past past;
+    fvi_initial_history past;
     size_t d, N;
     double h, kappa;
     double complex x0[MOST], p0[MOST], mass[MOST], rho[MOST], alpha, cg[2],
@@ -43,10 +43,10 @@ static inline void complex_weights(const complex_run *r, double complex *w)
     }
     for (size_t n = 0; n <= r->N; n++) {
         w[n] = v[n];
-        if (r->scheme == FVI_SCHEME_STABLE)
+        if (r->scheme == FVI_SCHEME_CQ2_MIDPOINT)
             w[n] = (0.5 + r->alpha) * v[n]
                    + (n > 0 ? (0.5 - r->alpha) * v[n - 1] : 0);
-        if (r->scheme != FVI_SCHEME_BDF2)
+        if (r->scheme != FVI_SCHEME_CQ_BDF2)
             continue;
         w[n] = 0;
         for (size_t j = 0; j <= n; j++)
@@ -149,17 +149,17 @@ static inline void complex_step(const complex_run *r, const double complex *x,
 static inline void complex_trajectory(const complex_run *r, complex_path *o)
 {
     const double h = r->h;
-    const int printed = r->scheme == FVI_SCHEME_ALGORITHM_3,
+    const int printed = r->scheme == FVI_SCHEME_FVI,
               above = creal(r->alpha) > 0.5,
-              rl = r->past == FVI_PAST_RIEMANN_LIOUVILLE;
-    const double complex theta = r->scheme == FVI_SCHEME_SHIFTED ? r->alpha
-                                 : r->scheme == FVI_SCHEME_STABLE ? 0.5
+              rl = r->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    const double complex theta = r->scheme == FVI_SCHEME_CQ2_SHIFTED ? r->alpha
+                                 : r->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
                                                                   : 0;
     const double complex unit = cexp((1 - 2 * r->alpha) * log(h));
     memset(o, 0, sizeof *o);
     complex_weights(r, o->w);
     if (!printed && creal(r->alpha) != 0.5 && (above || rl)
-        && r->past != FVI_PAST_CAPUTO)
+        && r->past != FVI_INITIAL_HISTORY_CAPUTO)
         complex_pull(r, above ? 1 - 2 * r->alpha : -2 * r->alpha, o->pull);
     double complex H[MOST] = { 0 }, dx[MOST] = { 0 };
     for (size_t i = 0; i < r->d; i++) {
@@ -175,7 +175,7 @@ static inline void complex_trajectory(const complex_run *r, complex_path *o)
                                  drift =
                                      above
                                              && (!printed
-                                                 || r->past == FVI_PAST_CAPUTO)
+                                                 || r->past == FVI_INITIAL_HISTORY_CAPUTO)
                                          ? h * r->p0[i] / r->mass[i]
                                          : 0;
             const double complex origin = printed && rl ? 0 : r->x0[i];

@@ -15,7 +15,7 @@ typedef struct {
     fvi_run run;
 } oscillator;
 
-static oscillator *oscillator_of(size_t i, fvi_memory_kind memory)
+static oscillator *oscillator_of(size_t i, fvi_history_kind memory)
 {
     oscillator *o = malloc(sizeof *o);
     ck_assert_ptr_nonnull(o);
@@ -42,7 +42,7 @@ static oscillator *oscillator_of(size_t i, fvi_memory_kind memory)
 
 /* (23.6): all derivatives of a row, with the path and without; the digits are the same.
  * No bound is proved for the roundings: N h of (h/u) ... Seen below. */
-static void ck_assert_row(size_t i, fvi_memory_kind memory, double tolerance)
+static void ck_assert_row(size_t i, fvi_history_kind memory, double tolerance)
 {
     oscillator *o = oscillator_of(i, memory);
     const size_t N = o->run.steps;
@@ -87,8 +87,8 @@ START_TEST(eq_23_6_every_derivative_of_2000_steps)
     size_t count = 0;
     for (size_t i = 0; i < LEN(ref_slopes); i++)
         if (ref_slopes[i].N == 2000) {
-            ck_assert_row(i, FVI_MEMORY_DIRECT, 1e-12);
-            ck_assert_row(i, FVI_MEMORY_EXPONENTIALS, 1e-12);
+            ck_assert_row(i, FVI_HISTORY_DIRECT, 1e-12);
+            ck_assert_row(i, FVI_HISTORY_MODES, 1e-12);
             count++;
         }
     ck_assert_uint_eq(count, 4);
@@ -100,9 +100,9 @@ START_TEST(eq_23_6_every_derivative_by_every_method_past_and_alpha)
     size_t count = 0;
     for (size_t i = 0; i < LEN(ref_slopes); i++)
         if (ref_slopes[i].N < 2000) {
-            ck_assert_row(i, FVI_MEMORY_AUTO, 1e-12);
-            ck_assert_row(i, FVI_MEMORY_EXPONENTIALS, 1e-12);
-            ck_assert_row(i, FVI_MEMORY_FFT, 1e-12);
+            ck_assert_row(i, FVI_HISTORY_AUTO, 1e-12);
+            ck_assert_row(i, FVI_HISTORY_MODES, 1e-12);
+            ck_assert_row(i, FVI_HISTORY_FFT, 1e-12);
             count++;
         }
     ck_assert_uint_eq(count, 57);

@@ -34,12 +34,12 @@ static double uniform(gsl_rng *rng, double a, double b)
 }
 
 static chain *random_chain(gsl_rng *rng, const fvi_method *method,
-                           fvi_past past, double alpha)
+                           fvi_initial_history past, double alpha)
 {
     chain *c = calloc(1, sizeof *c);
     ck_assert_ptr_nonnull(c);
-    const int from_zero = past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5
-                          && method->scheme != FVI_SCHEME_ALGORITHM_3;
+    const int from_zero = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5
+                          && method->scheme != FVI_SCHEME_FVI;
     for (size_t i = 0; i < D; i++) {
         c->x0[i] = from_zero ? 0 : uniform(rng, -1, 1);
         c->p0[i] = uniform(rng, -1, 1);
@@ -106,7 +106,7 @@ static void ck_assert_chain(chain *c, const fvi_method *method)
     ck_assert_int_eq(fvi_adjoint(method, &c->run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     if (isnan(s->to.x0[0])) { /* but where nothing is damped */
-        ck_assert(method->scheme != FVI_SCHEME_ALGORITHM_3 && c->run.alpha > 0.5
+        ck_assert(method->scheme != FVI_SCHEME_FVI && c->run.alpha > 0.5
                   && isfinite(s->to.x0[2]));
     } else {
         ck_assert_slopes(z, z->x0, s->to.x0, D, "x0");
@@ -123,15 +123,15 @@ static void ck_assert_chain(chain *c, const fvi_method *method)
 /* (23.6) for five masses: every derivative, to 1e-11 of the largest of its kind. */
 START_TEST(eq_23_6_every_derivative_of_a_chain_by_complex_steps)
 {
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                                 &fvi_bdf2, &fvi_stable };
-    static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                      FVI_PAST_RIEMANN_LIOUVILLE };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                                 &fvi_cq_bdf2, &fvi_cq2_midpoint };
+    static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                      FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     static const double alphas[] = { 0.05, 0.35, 0.5, 0.7, 0.95 };
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < LEN(methods) * LEN(pasts) * LEN(alphas); i++) {
         const fvi_method *method = methods[i % LEN(methods)];
-        const fvi_past past = pasts[i / LEN(methods) % LEN(pasts)];
+        const fvi_initial_history past = pasts[i / LEN(methods) % LEN(pasts)];
         chain *c = random_chain(rng, method, past,
                                 alphas[i / LEN(methods) / LEN(pasts)]);
         ck_assert_chain(c, method);

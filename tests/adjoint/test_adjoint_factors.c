@@ -8,15 +8,15 @@
 enum { D = 3, N = 12 };
 
 static const double h = 1. / 16;
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                         FVI_HISTORY_MODES };
 
 static void full(const double *entries, double factor, fvi_sparse *A)
 {
     fvi_triplet list[D * D];
     for (int i = 0; i < D * D; i++)
         list[i] = (fvi_triplet){ i / D, i % D, factor * entries[i] };
-    OK(fvi_sparse_sum(D, D * D, list, A));
+    OK(fvi_sparse_assemble(D, D * D, list, A));
 }
 
 static int cosine(double t, size_t d, void *params, double *F)
@@ -43,14 +43,14 @@ static int to_sine(size_t k, size_t d, const double *x, const double *p,
 /* By factors of M and C, by alpha, by a factor of K; then by x0 and p0. */
 typedef struct {
     double by[4], start[2 * D], force[(N + 1) * D];
-    fvi_gradients want;
+    fvi_sensitivities want;
 } answers;
 
 static answers *answers_of(void)
 {
     answers *a = calloc(1, sizeof *a);
     ck_assert_ptr_nonnull(a);
-    a->want = (fvi_gradients){ .x0 = a->start,
+    a->want = (fvi_sensitivities){ .x0 = a->start,
                                .p0 = a->start + D,
                                .mass = a->by,
                                .damping = a->by + 1,
@@ -60,7 +60,7 @@ static answers *answers_of(void)
     return a;
 }
 
-static fvi_run set_up(size_t i, fvi_memory_kind memory, matrices *m)
+static fvi_run set_up(size_t i, fvi_history_kind memory, matrices *m)
 {
     full(ref_matrices[i].M, 1, &m->M);
     full(ref_matrices[i].C, 1, &m->C);
@@ -110,7 +110,7 @@ START_TEST(eq_23_20_a_factor_of_everything_changes_no_position)
         const fvi_method *method = ref_matrices[i].method;
         double x[(N + 1) * D], p[(N + 1) * D], size = 1;
         matrices m;
-        fvi_run run = set_up(i, FVI_MEMORY_AUTO, &m);
+        fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
         const fvi_objective J = { to_sine, NULL };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
         OK(fvi_trajectory(method, &run, x, p, NULL));
@@ -139,15 +139,15 @@ START_TEST(eq_23_21_a_power_of_matrices_as_a_law)
     answers *a = answers_of(), *b = answers_of();
     for (size_t i = 0; i < LEN(ref_matrices); i++) {
         const fvi_method *method = ref_matrices[i].method;
-        const fvi_law_term term = { FVI_LAW_POWER, 1, ref_matrices[i].alpha, 0,
+        const fvi_kernel_term term = { FVI_KERNEL_POWER, 1, ref_matrices[i].alpha, 0,
                                     0 };
-        const fvi_law law = { 1, &term };
+        const fvi_kernel law = { 1, &term };
         double terms, orders;
         matrices m;
-        fvi_run run = set_up(i, FVI_MEMORY_AUTO, &m);
+        fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
         const fvi_objective J = { to_sine, NULL };
-        if (method->takes_laws && method != &fvi_stable
-            && run.past == FVI_PAST_HELD
+        if (method->takes_laws && method != &fvi_cq2_midpoint
+            && run.past == FVI_INITIAL_HISTORY_HELD
             && (method == &fvi_fractional || run.alpha <= 0.5)) {
             OK(fvi_adjoint(method, &run, NULL, NULL, &J, &a->want));
             run.law = &law;
@@ -180,13 +180,13 @@ END_TEST
 enum { TERMS = 4 };
 
 /* A law of four terms, moved by t. */
-static void law_at(fvi_law_term *term, double t)
+static void law_at(fvi_kernel_term *term, double t)
 {
-    const fvi_law_term at[TERMS] = {
-        { FVI_LAW_POWER, 0.4 - 0.1 * t, 0.3 + 0.2 * t, 0, 0 },
-        { FVI_LAW_ZENER, 0.4 + 0.2 * t, 0.35 - 0.3 * t, 0.6 + 0.5 * t, 0 },
-        { FVI_LAW_MAXWELL, 0.3 + 0.3 * t, 0, 0.5 - 0.4 * t, 0 },
-        { FVI_LAW_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0, 0.45 - 0.2 * t }
+    const fvi_kernel_term at[TERMS] = {
+        { FVI_KERNEL_POWER, 0.4 - 0.1 * t, 0.3 + 0.2 * t, 0, 0 },
+        { FVI_KERNEL_ZENER, 0.4 + 0.2 * t, 0.35 - 0.3 * t, 0.6 + 0.5 * t, 0 },
+        { FVI_KERNEL_MAXWELL, 0.3 + 0.3 * t, 0, 0.5 - 0.4 * t, 0 },
+        { FVI_KERNEL_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0, 0.45 - 0.2 * t }
     };
     memcpy(term, at, sizeof at);
 }
@@ -195,8 +195,8 @@ static void law_at(fvi_law_term *term, double t)
 static double objective_at(const fvi_method *method, size_t i, double t)
 {
     double x[(N + 1) * D], p[(N + 1) * D], x0[D], p0[D], J = 0;
-    fvi_law_term term[TERMS];
-    const fvi_law law = { TERMS, term };
+    fvi_kernel_term term[TERMS];
+    const fvi_kernel law = { TERMS, term };
     matrices m;
     full(ref_matrices[i].M, 1 + t, &m.M);
     full(ref_matrices[i].C, 1 - t, &m.C);
@@ -225,8 +225,8 @@ static double objective_at(const fvi_method *method, size_t i, double t)
 /* Taylor's test, by all numbers of a law and of its matrices. */
 START_TEST(eq_23_21_what_the_gradient_of_a_law_of_matrices_leaves)
 {
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
-                                                 &fvi_stable };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq_bdf2,
+                                                 &fvi_cq2_midpoint };
     answers *a = answers_of();
     const double t = 1e-3;
     for (size_t n = 0; n < 5 * LEN(methods); n++) {
@@ -234,10 +234,10 @@ START_TEST(eq_23_21_what_the_gradient_of_a_law_of_matrices_leaves)
             n / LEN(methods); /* alpha at most 1/2, as it was drawn */
         const fvi_method *method = methods[n % LEN(methods)];
         double by[4 * TERMS];
-        fvi_law_term term[TERMS];
-        const fvi_law law = { TERMS, term };
+        fvi_kernel_term term[TERMS];
+        const fvi_kernel law = { TERMS, term };
         matrices m;
-        fvi_run run = set_up(i, FVI_MEMORY_AUTO, &m);
+        fvi_run run = set_up(i, FVI_HISTORY_AUTO, &m);
         const fvi_objective J = { to_sine, NULL };
         law_at(term, 0);
         run.law = &law;
@@ -277,11 +277,11 @@ START_TEST(eq_23_19_modes_give_the_factors_of_all_weights)
         double most = 1;
         int status = FVI_SUCCESS;
         matrices m;
-        fvi_run run = set_up(i, FVI_MEMORY_DIRECT, &m);
+        fvi_run run = set_up(i, FVI_HISTORY_DIRECT, &m);
         run.steps = 600;
         a->want.force = NULL;
         for (int l = 0; !status && l < 2; l++) {
-            run.memory = l ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
+            run.memory = l ? FVI_HISTORY_MODES : FVI_HISTORY_DIRECT;
             status = fvi_adjoint(method, &run, NULL, NULL, &J, &a->want);
             memcpy(of[l], a->by, sizeof of[l]);
         }
@@ -309,16 +309,16 @@ START_TEST(a_factor_may_be_asked_for_alone)
 {
     answers *all = answers_of(), *one = answers_of();
     matrices m;
-    fvi_run run = set_up(LEN(ref_matrices) - 3, FVI_MEMORY_AUTO, &m);
+    fvi_run run = set_up(LEN(ref_matrices) - 3, FVI_HISTORY_AUTO, &m);
     const fvi_objective J = { to_sine, NULL };
-    OK(fvi_adjoint(&fvi_stable, &run, NULL, NULL, &J, &all->want));
+    OK(fvi_adjoint(&fvi_cq2_midpoint, &run, NULL, NULL, &J, &all->want));
     for (size_t i = 0; i < 4; i++) {
-        const fvi_gradients want = { .mass = i == 0 ? one->by : NULL,
+        const fvi_sensitivities want = { .mass = i == 0 ? one->by : NULL,
                                      .damping = i == 1 ? one->by + 1 : NULL,
                                      .alpha = i == 2 ? one->by + 2 : NULL,
                                      .parameters =
                                          i == 3 ? one->by + 3 : NULL };
-        OK(fvi_adjoint(&fvi_stable, &run, NULL, NULL, &J, &want));
+        OK(fvi_adjoint(&fvi_cq2_midpoint, &run, NULL, NULL, &J, &want));
         ck_assert_near(one->by[i], all->by[i], 0, "number %zu", i);
     }
     drop(&m);
@@ -340,7 +340,7 @@ START_TEST(a_body_without_damping_has_slopes_of_zero)
     fvi_run run = run_of(&m.system, 0.7, h, N, x0, p0);
     const fvi_objective J = { to_sine, NULL };
     a->by[1] = a->by[2] = 1;
-    OK(fvi_adjoint(&fvi_bdf2, &run, NULL, NULL, &J, &a->want));
+    OK(fvi_adjoint(&fvi_cq_bdf2, &run, NULL, NULL, &J, &a->want));
     ck_assert_near(a->by[1], 0, 0, "C");
     ck_assert_near(a->by[2], 0, 0, "alpha");
     drop(&m);
@@ -352,7 +352,7 @@ START_TEST(no_products_with_M_no_slope_by_its_factor)
 {
     answers *a = answers_of();
     matrices m;
-    fvi_run run = set_up(0, FVI_MEMORY_AUTO, &m);
+    fvi_run run = set_up(0, FVI_HISTORY_AUTO, &m);
     fvi_matrices blind = *m.system.matrices;
     fvi_system system = m.system;
     blind.inertia = NULL;

@@ -7,10 +7,10 @@
 
 #include <gsl/gsl_math.h>
 
-static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                             &fvi_bdf2 };
-static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                             &fvi_cq_bdf2 };
+static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                  FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
 
 /* J = x_N, or J = p_N: *params is 0 or 1. */
 static int last_row(size_t k, size_t d, const double *x, const double *p,
@@ -46,9 +46,9 @@ START_TEST(eq_23_5_a_run_read_backwards_is_the_adjoint)
     for (size_t i = 0; i < 3; i++) {
         fvi_run run = fvi_run_default(&system, &zero, &one, 1. / 16, N);
         run.alpha = 0.3125 + 0.25 * (double)i;
-        run.past = FVI_PAST_RIEMANN_LIOUVILLE; /* no drift of p0 */
+        run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE; /* no drift of p0 */
         run.kappa = 0.25 + 0.25 * (double)i;
-        const fvi_gradients want = { .force = force };
+        const fvi_sensitivities want = { .force = force };
         ck_assert_int_eq(
             fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want),
             FVI_SUCCESS);
@@ -75,7 +75,7 @@ START_TEST(eq_23_5_the_mirror_of_a_pendulum_is_not_its_adjoint)
     int momentum = 0;
     const fvi_objective J = { last_row, &momentum };
     fvi_run run = fvi_run_default(&system, &zero, &one, 1. / 16, N);
-    const fvi_gradients want = { .force = force };
+    const fvi_sensitivities want = { .force = force };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want),
                      FVI_SUCCESS);
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
@@ -101,7 +101,7 @@ START_TEST(eq_23_4_the_mirrored_run_as_it_stands)
     run.kappa = 0.3;
     const fvi_objective J = { to_sine, &run };
     double Jp = 0, q, by_p0, largest = 0;
-    const fvi_gradients want = { .force = force, .p0 = &by_p0 };
+    const fvi_sensitivities want = { .force = force, .p0 = &by_p0 };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, NULL),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++) {
@@ -130,12 +130,12 @@ typedef struct {
     double x0[2], p0[2], mass[2], rho[2], alpha, cg[2];
 } numbers;
 
-static double moved(const fvi_method *method, fvi_past past, int kind, double t,
+static double moved(const fvi_method *method, fvi_initial_history past, int kind, double t,
                     slopes *s)
 {
     enum { N = 80 };
     static double x[2 * (N + 1)], p[2 * (N + 1)];
-    const double start = past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : 1;
+    const double start = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : 1;
     numbers n = { { start - 0.3 * t * start, start * (-0.5 + 0.2 * t) },
                   { 0.5 + t, 1 - t },
                   { 1 + 0.2 * t, 1.5 - 0.3 * t },
@@ -165,7 +165,7 @@ static double moved(const fvi_method *method, fvi_past past, int kind, double t,
     }
     if (s) {
         const fvi_objective objective = { to_sine, &run };
-        s->to.sensitivity = fvi_sensitivity_of(&system.potential);
+        s->to.sensitivity = fvi_parameter_gradient_of(&system.potential);
         ck_assert_int_eq(
             fvi_adjoint(method, &run, x, p + 2 * N, &objective, &s->to),
             FVI_SUCCESS);
@@ -174,10 +174,10 @@ static double moved(const fvi_method *method, fvi_past past, int kind, double t,
 }
 
 /* The derivative along that direction. */
-static double slope_along(const slopes *s, fvi_past past, int kind)
+static double slope_along(const slopes *s, fvi_initial_history past, int kind)
 {
-    const fvi_gradients *g = &s->to;
-    const double start = past == FVI_PAST_RIEMANN_LIOUVILLE ? 0 : 1;
+    const fvi_sensitivities *g = &s->to;
+    const double start = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : 1;
     double sum = g->p0[0] - g->p0[1] + 0.2 * g->mass[0] - 0.3 * g->mass[1]
                  + 0.3 * g->damping[0] + 0.1 * g->damping[1] + 0.1 * *g->alpha
                  + 0.5 * g->parameters[0];
@@ -193,7 +193,7 @@ START_TEST(eq_23_6_what_the_gradient_leaves_is_of_order_2)
     size_t count = 0;
     for (size_t i = 0; i < LEN(methods) * LEN(pasts) * KINDS; i++, count++) {
         const fvi_method *method = methods[i % LEN(methods)];
-        const fvi_past past = pasts[i / LEN(methods) % LEN(pasts)];
+        const fvi_initial_history past = pasts[i / LEN(methods) % LEN(pasts)];
         const int kind = (int)(i / LEN(methods) / LEN(pasts));
         fvi_system two = { .d = 2 };
         fvi_run run = { .system = &two };
@@ -236,7 +236,7 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
         oscillator(&one, &rho, fvi_potential_harmonic(&one));
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, 20);
     const fvi_objective J = { to_sine, &run }, none = { 0 };
-    const fvi_gradients g = { .p0 = out };
+    const fvi_sensitivities g = { .p0 = out };
     const fvi_method *m = &fvi_fractional;
     ck_assert_int_eq(fvi_adjoint(NULL, &run, x, x, &J, &g), FVI_EFAULT);
     ck_assert_int_eq(fvi_adjoint(m, NULL, x, x, &J, &g), FVI_EFAULT);
@@ -251,10 +251,10 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
     fvi_system full = system;
     full.matrices = &some;
     run.system = &full;
-    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3d, &run, NULL, NULL, &J, &g),
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d3, &run, NULL, NULL, &J, &g),
                      FVI_EUNSUP);
     run.system = &system;
-    const fvi_gradients lost = { .parameters = out,
+    const fvi_sensitivities lost = { .parameters = out,
                                  .sensitivity = { 1, NULL } };
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, &lost), FVI_EINVAL);
     for (size_t k = 0; k <= 20; k += 10) {
@@ -279,7 +279,7 @@ START_TEST(a_singular_step_backwards_is_told)
         oscillator(&one, &none, fvi_potential_duffing((double[]){ c, 1 }));
     fvi_run run = fvi_run_default(&system, &none, &none, 1, 1);
     const fvi_objective J = { to_sine, &run };
-    fvi_gradients g = { .p0 = &out };
+    fvi_sensitivities g = { .p0 = &out };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, x, x, &J, &g),
                      FVI_ESING);
     g.damping = &by_rho; /* with a memory */
@@ -293,15 +293,15 @@ START_TEST(a_sensitivity_is_known_for_what_is_ready_to_use)
 {
     const double cg[] = { 1, 1 };
     const fvi_potential own = { .params = NULL };
-    ck_assert_uint_eq(fvi_sensitivity_of(&own).count, 0);
+    ck_assert_uint_eq(fvi_parameter_gradient_of(&own).count, 0);
     fvi_potential u = fvi_potential_harmonic(cg);
-    ck_assert_uint_eq(fvi_sensitivity_of(&u).count, 1);
+    ck_assert_uint_eq(fvi_parameter_gradient_of(&u).count, 1);
     u = fvi_potential_duffing(cg);
-    ck_assert_uint_eq(fvi_sensitivity_of(&u).count, 2);
+    ck_assert_uint_eq(fvi_parameter_gradient_of(&u).count, 2);
     u = fvi_potential_pendulum(cg);
-    ck_assert_uint_eq(fvi_sensitivity_of(&u).count, 1);
+    ck_assert_uint_eq(fvi_parameter_gradient_of(&u).count, 1);
     u = fvi_potential_chain(cg);
-    ck_assert_uint_eq(fvi_sensitivity_of(&u).count, 2);
+    ck_assert_uint_eq(fvi_parameter_gradient_of(&u).count, 2);
 }
 END_TEST
 
@@ -319,7 +319,7 @@ START_TEST(a_free_coordinate_has_a_derivative_by_its_damping)
     run.alpha = 0.3;
     int momentum = 0;
     const fvi_objective J = { last_row, &momentum };
-    const fvi_gradients want = { .damping = &by_rho };
+    const fvi_sensitivities want = { .damping = &by_rho };
     ck_assert_int_eq(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want),
                      FVI_SUCCESS);
     for (int i = 0; i < 3; i++) {
@@ -349,10 +349,10 @@ START_TEST(outputs_are_written_not_added_to)
         again->all[i] = 7;
     for (size_t k = 0; k <= N; k++)
         again->force[k] = 7;
-    ck_assert_int_eq(fvi_adjoint(&fvi_shifted, &run, NULL, NULL, &J, &s->to),
+    ck_assert_int_eq(fvi_adjoint(&fvi_cq2_shifted, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_shifted, &run, NULL, NULL, &J, &again->to),
+        fvi_adjoint(&fvi_cq2_shifted, &run, NULL, NULL, &J, &again->to),
         FVI_SUCCESS);
     ck_assert(*s->to.x0 == *again->to.x0 && *s->to.p0 == *again->to.p0
               && *s->to.mass == *again->to.mass

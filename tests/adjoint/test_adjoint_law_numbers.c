@@ -8,20 +8,20 @@
 
 enum { TERMS = 3, NUMBERS_OF_A_LAW = 4 * TERMS };
 
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                         FVI_HISTORY_MODES };
 
 /* Of a law of three terms: by rho, alpha, time and end. */
 typedef struct {
     double by[NUMBERS_OF_A_LAW];
-    fvi_gradients want;
+    fvi_sensitivities want;
 } answers;
 
 static void ask(answers *a)
 {
     for (size_t i = 0; i < NUMBERS_OF_A_LAW; i++)
         a->by[i] = NAN;
-    a->want = (fvi_gradients){ .terms = a->by,
+    a->want = (fvi_sensitivities){ .terms = a->by,
                                .orders = a->by + TERMS,
                                .times = a->by + 2 * TERMS,
                                .ends = a->by + 3 * TERMS };
@@ -29,7 +29,7 @@ static void ask(answers *a)
 
 /* Some laws have no modes with some steps: the compressed memory then says so. */
 static int adjoint_by(const fvi_method *method, fvi_run *run,
-                      fvi_memory_kind memory, answers *a)
+                      fvi_history_kind memory, answers *a)
 {
     const fvi_objective J = { to_sine, run };
     run->memory = memory;
@@ -40,9 +40,9 @@ static int adjoint_by(const fvi_method *method, fvi_run *run,
 static double aw[] = { 0.2, 1.25 };
 
 /* Row i of those without stages. law stays the caller's. */
-static fvi_run run_of_row(size_t i, fvi_system *system, fvi_law *law)
+static fvi_run run_of_row(size_t i, fvi_system *system, fvi_kernel *law)
 {
-    *law = (fvi_law){ TERMS, ref_law_numbers[i].term };
+    *law = (fvi_kernel){ TERMS, ref_law_numbers[i].term };
     *system =
         (fvi_system){ .d = 2,
                       .mass = ref_law_numbers[i].mass,
@@ -64,12 +64,12 @@ START_TEST(eq_23_21_every_number_of_a_law_to_40_digits)
     for (size_t n = 0; n < LEN(ref_law_numbers) * LEN(kinds); n++) {
         const size_t i = n / LEN(kinds);
         fvi_system system;
-        fvi_law law;
+        fvi_kernel law;
         answers a;
         fvi_run run = run_of_row(i, &system, &law);
         const int status = adjoint_by(ref_law_numbers[i].method, &run,
                                       kinds[n % LEN(kinds)], &a);
-        if (kinds[n % LEN(kinds)] == FVI_MEMORY_EXPONENTIALS
+        if (kinds[n % LEN(kinds)] == FVI_HISTORY_MODES
             && status == FVI_EUNSUP)
             continue;
         ck_assert_int_eq(status, FVI_SUCCESS);
@@ -93,7 +93,7 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
     for (size_t n = 0; n < LEN(ref_stage_law_numbers) * LEN(kinds); n++) {
         const size_t i = n / LEN(kinds);
         const fvi_method *method = ref_stage_law_numbers[i].method;
-        const fvi_law law = { TERMS, ref_stage_law_numbers[i].term };
+        const fvi_kernel law = { TERMS, ref_stage_law_numbers[i].term };
         const fvi_system system = { .d = 5,
                                     .mass = ref_stage_law_numbers[i].mass,
                                     .damping = ref_stage_law_numbers[i].rho,
@@ -105,7 +105,7 @@ START_TEST(eq_23_21_every_number_of_a_law_with_stages)
         answers a;
         run.law = &law;
         const int status = adjoint_by(method, &run, kinds[n % LEN(kinds)], &a);
-        if (kinds[n % LEN(kinds)] == FVI_MEMORY_EXPONENTIALS
+        if (kinds[n % LEN(kinds)] == FVI_HISTORY_MODES
             && status == FVI_EUNSUP)
             continue;
         ck_assert_int_eq(status, FVI_SUCCESS);
@@ -128,7 +128,7 @@ START_TEST(eq_23_21_modes_give_the_numbers_of_all_weights)
     for (size_t i = 0; i < LEN(ref_law_numbers); i++) {
         const fvi_method *method = ref_law_numbers[i].method;
         fvi_system system;
-        fvi_law law;
+        fvi_kernel law;
         answers direct, modes;
         double most = 1;
         fvi_run run = run_of_row(i, &system, &law);
@@ -156,19 +156,19 @@ END_TEST
 /* Each alone: the digits that it has among the others, and nothing else is written. */
 START_TEST(a_number_of_a_law_may_be_asked_for_alone)
 {
-    static const fvi_method *const methods[] = { &fvi_stable, &fvi_lobatto3d };
+    static const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_d3 };
     for (size_t i = 0; i < 4 * LEN(methods) * 4; i++) {
         const size_t number = i % 4;
         fvi_system system;
-        fvi_law law;
+        fvi_kernel law;
         answers all, one;
         fvi_run run = run_of_row(3 * (i / 4 % 4) + 2, &system, &law);
         const fvi_method *method = methods[i / 16];
         const fvi_objective J = { to_sine, &run };
-        ck_assert_int_eq(adjoint_by(method, &run, FVI_MEMORY_AUTO, &all),
+        ck_assert_int_eq(adjoint_by(method, &run, FVI_HISTORY_AUTO, &all),
                          FVI_SUCCESS);
         ask(&one);
-        const fvi_gradients want = {
+        const fvi_sensitivities want = {
             .terms = number == 0 ? one.want.terms : NULL,
             .orders = number == 1 ? one.want.orders : NULL,
             .times = number == 2 ? one.want.times : NULL,

@@ -9,13 +9,13 @@ enum { D = 3, N = 300, TERMS = 4 };
 /* Three masses in a chain, a law of four terms; t moves all numbers along a direction. */
 typedef struct {
     double x0[D], p0[D], mass[D], rho[D], cg[2], aw[2];
-    fvi_law_term term[TERMS];
-    fvi_law law;
+    fvi_kernel_term term[TERMS];
+    fvi_kernel law;
     fvi_system system;
     fvi_run run;
 } chain;
 
-static void chain_at(chain *c, fvi_memory_kind memory, double t)
+static void chain_at(chain *c, fvi_history_kind memory, double t)
 {
     *c = (chain){
         .x0 = { 1 - 0.3 * t, -0.5, 0.25 + t },
@@ -24,14 +24,14 @@ static void chain_at(chain *c, fvi_memory_kind memory, double t)
         .rho = { 1 + 0.4 * t, 0, 0.5 - 0.2 * t },
         .cg = { 1 + 0.5 * t, 0.5 + 0.4 * t },
         .aw = { 0.2, 1.3 },
-        .term = { { FVI_LAW_POWER, 0.2 - 0.1 * t, 0.3 + 0.2 * t, 0, 0 },
-                  { FVI_LAW_ZENER, 0.4 + 0.2 * t, 0.35 - 0.3 * t, 0.6 + 0.5 * t,
+        .term = { { FVI_KERNEL_POWER, 0.2 - 0.1 * t, 0.3 + 0.2 * t, 0, 0 },
+                  { FVI_KERNEL_ZENER, 0.4 + 0.2 * t, 0.35 - 0.3 * t, 0.6 + 0.5 * t,
                     0 },
-                  { FVI_LAW_MAXWELL, 0.3 + 0.3 * t, 0, 0.5 - 0.4 * t, 0 },
-                  { FVI_LAW_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0,
+                  { FVI_KERNEL_MAXWELL, 0.3 + 0.3 * t, 0, 0.5 - 0.4 * t, 0 },
+                  { FVI_KERNEL_DISTRIBUTED, 0.2 - 0.2 * t, 0.1 + 0.1 * t, 0,
                     0.45 - 0.2 * t } },
     };
-    c->law = (fvi_law){ TERMS, c->term };
+    c->law = (fvi_kernel){ TERMS, c->term };
     c->system = (fvi_system){ .d = D,
                               .mass = c->mass,
                               .damping = c->rho,
@@ -56,15 +56,15 @@ static int ends(size_t k, size_t d, const double *x, const double *p,
 }
 
 /* The first six have the digits of the tests before Taylor's. */
-static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
-                                             &fvi_lobatto2d,  &fvi_lobatto3d,
-                                             &fvi_lobatto4d,  &fvi_lobatto5d,
-                                             &fvi_stable,     &fvi_lobatto3,
-                                             &fvi_lobatto4 };
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq_bdf2,
+                                             &fvi_lobatto_d2,  &fvi_lobatto_d3,
+                                             &fvi_lobatto_d4,  &fvi_lobatto_d5,
+                                             &fvi_cq2_midpoint,     &fvi_lobatto_m3,
+                                             &fvi_lobatto_m4 };
 enum { FIRST = 6 };
 enum { MOST_ROWS = 4 * N + 1 }; /* of forces */
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                         FVI_HISTORY_MODES };
 
 /* terms: by rho, alpha, time and end of each, as many as the law has. */
 static slopes *slopes_by(const fvi_method *method, chain *c, int of_ends,
@@ -93,8 +93,8 @@ static void run_of(const fvi_method *method, const chain *c, double *x,
 START_TEST(eq_23_6_a_law_of_one_power_has_its_derivatives)
 {
     for (size_t i = 0; i < FIRST * LEN(kinds); i++) {
-        const fvi_law_term term = { FVI_LAW_POWER, 0.4, 0.3, 0, 0 };
-        const fvi_law law = { 1, &term };
+        const fvi_kernel_term term = { FVI_KERNEL_POWER, 0.4, 0.3, 0, 0 };
+        const fvi_kernel law = { 1, &term };
         chain c;
         double by_term[4];
         chain_at(&c, kinds[i / FIRST], 0);
@@ -197,13 +197,13 @@ START_TEST(eq_23_6_what_the_gradient_of_a_law_leaves_is_of_order_2)
 {
     for (size_t i = 0; i < LEN(methods) * LEN(kinds); i++) {
         const fvi_method *method = methods[i % LEN(methods)];
-        const fvi_memory_kind memory = kinds[i / LEN(methods)];
+        const fvi_history_kind memory = kinds[i / LEN(methods)];
         const double t = 1e-3;
         chain c;
         double terms[4 * TERMS];
         chain_at(&c, memory, 0);
         slopes *s = slopes_by(method, &c, 0, terms);
-        const fvi_gradients *g = &s->to;
+        const fvi_sensitivities *g = &s->to;
         const double slope =
             -0.3 * g->x0[0] + g->x0[2] + g->p0[0] - g->p0[2] + 0.2 * g->mass[0]
             - 0.3 * g->mass[2] + 0.4 * g->damping[0] - 0.2 * g->damping[2]
@@ -226,19 +226,19 @@ START_TEST(a_law_has_no_alpha_and_a_power_no_terms)
 {
     chain c;
     double number;
-    chain_at(&c, FVI_MEMORY_AUTO, 0);
+    chain_at(&c, FVI_HISTORY_AUTO, 0);
     const fvi_objective J = { ends, NULL };
-    const fvi_gradients by_alpha = { .alpha = &number };
-    const fvi_gradients by_terms[] = { { .terms = &number },
+    const fvi_sensitivities by_alpha = { .alpha = &number };
+    const fvi_sensitivities by_terms[] = { { .terms = &number },
                                        { .orders = &number },
                                        { .times = &number },
                                        { .ends = &number } };
-    ck_assert_int_eq(fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_alpha),
+    ck_assert_int_eq(fvi_adjoint(&fvi_cq_bdf2, &c.run, NULL, NULL, &J, &by_alpha),
                      FVI_EINVAL);
     c.run.law = NULL;
     for (size_t i = 0; i < LEN(by_terms); i++)
         ck_assert_int_eq(
-            fvi_adjoint(&fvi_bdf2, &c.run, NULL, NULL, &J, &by_terms[i]),
+            fvi_adjoint(&fvi_cq_bdf2, &c.run, NULL, NULL, &J, &by_terms[i]),
             FVI_EINVAL);
 }
 END_TEST

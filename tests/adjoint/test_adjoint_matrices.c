@@ -117,10 +117,10 @@ static double difference(const fvi_method *method, const fvi_run *of,
 START_TEST(eq_23_6_matrices_are_their_own_adjoint)
 {
     const double alphas[] = { 0, 0.3, 0.5, 0.75, 1 };
-    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                               FVI_PAST_RIEMANN_LIOUVILLE };
-    const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                      FVI_MEMORY_EXPONENTIALS };
+    const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                               FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
+    const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                      FVI_HISTORY_MODES };
     double x0[D], p0[D];
     matrices m;
     bar(&m);
@@ -133,7 +133,7 @@ START_TEST(eq_23_6_matrices_are_their_own_adjoint)
         run.kappa = is_square ? 0.3 : 0.5;
         static double by[2 * D], force[(N + 1) * D];
         const fvi_objective J = { is_square ? square : linear, NULL };
-        const fvi_gradients want = { .x0 = by, .p0 = by + D, .force = force };
+        const fvi_sensitivities want = { .x0 = by, .p0 = by + D, .force = force };
         OK(fvi_adjoint(&fvi_fractional, &run, NULL, NULL, &J, &want));
         double largest = 1;
         for (size_t i = 0; i < 2 * D; i++)
@@ -163,11 +163,11 @@ END_TEST
  * at 0 alone. Roundings as above. Seen: 1.5e-13. */
 START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
 {
-    const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2,
-                                          &fvi_stable };
+    const fvi_method *const methods[] = { &fvi_cq2_shifted, &fvi_cq_bdf2,
+                                          &fvi_cq2_midpoint };
     const double alphas[] = { 0.05, 0.3, 0.5, 0.75, 0.95 };
-    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                               FVI_PAST_RIEMANN_LIOUVILLE };
+    const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                               FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     static double by[2 * D], force[(N + 1) * D];
     double x0[D], p0[D];
     matrices m;
@@ -176,15 +176,15 @@ START_TEST(eq_23_7_matrices_are_their_own_adjoint_to_order_2)
         const fvi_method *method = methods[n / LEN(alphas) / LEN(pasts)];
         fvi_run run = run_of(&m.system, alphas[n % LEN(alphas)], h, N, x0, p0);
         run.past = pasts[n / LEN(alphas) % LEN(pasts)];
-        run.memory = n % 2 ? FVI_MEMORY_DIRECT : FVI_MEMORY_EXPONENTIALS;
+        run.memory = n % 2 ? FVI_HISTORY_DIRECT : FVI_HISTORY_MODES;
         run.kappa = 0.3;
         const int at_0 =
-            run.past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5;
+            run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && run.alpha > 0.5;
         kick(x0, p0);
         for (size_t i = 0; at_0 && i < D; i++)
             x0[i] = 0;
         const fvi_objective J = { linear, NULL };
-        const fvi_gradients want = { .x0 = by, .p0 = by + D, .force = force };
+        const fvi_sensitivities want = { .x0 = by, .p0 = by + D, .force = force };
         OK(fvi_adjoint(method, &run, NULL, NULL, &J, &want));
         double largest = 1;
         for (size_t i = 0; at_0 && i < D; i++)
@@ -220,7 +220,7 @@ START_TEST(a_path_of_matrices_given_or_not)
     const fvi_objective J = { square, NULL };
     OK(fvi_trajectory(&fvi_fractional, &run, x, p, NULL));
     for (int i = 0; i < 2; i++) {
-        const fvi_gradients want = { .x0 = by[i],
+        const fvi_sensitivities want = { .x0 = by[i],
                                      .p0 = by[i] + D,
                                      .force = force[i] };
         OK(fvi_adjoint(&fvi_fractional, &run, i ? x : NULL,

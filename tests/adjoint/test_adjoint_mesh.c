@@ -5,15 +5,15 @@
 #include "system/larger.h"
 
 static const struct {
-    fvi_past past;
+    fvi_initial_history past;
     double alpha, rho;
 } cases[] = {
-    { FVI_PAST_HELD, 0, 1 },      { FVI_PAST_HELD, 0.05, 1 },
-    { FVI_PAST_HELD, 0.3, 1 },    { FVI_PAST_HELD, 0.5, 1 },
-    { FVI_PAST_CAPUTO, 0.3, 1 },  { FVI_PAST_CAPUTO, 0.7, 1 },
-    { FVI_PAST_CAPUTO, 0.95, 1 }, { FVI_PAST_CAPUTO, 1, 1 },
-    { FVI_PAST_HELD, 0.5, 0 },    { FVI_PAST_RIEMANN_LIOUVILLE, 0.5, 1 },
-    { FVI_PAST_CAPUTO, 0.7, 0 },  { FVI_PAST_HELD, 0.2, 0 },
+    { FVI_INITIAL_HISTORY_HELD, 0, 1 },      { FVI_INITIAL_HISTORY_HELD, 0.05, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.3, 1 },    { FVI_INITIAL_HISTORY_HELD, 0.5, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.3, 1 },  { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.95, 1 }, { FVI_INITIAL_HISTORY_CAPUTO, 1, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.5, 0 },    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.5, 1 },
+    { FVI_INITIAL_HISTORY_CAPUTO, 0.7, 0 },  { FVI_INITIAL_HISTORY_HELD, 0.2, 0 },
 };
 
 /* H and dH/dbeta after three steps, the last one long, of modes that saw a rough v. */
@@ -25,13 +25,13 @@ static void read_modes(size_t stages, fvi_modes_kind kind, double beta,
     ck_assert_int_eq(
         fvi_modes_alloc(fvi_variable(stages), kind, beta, 1, 1, 1e-3, &modes),
         FVI_SUCCESS);
-    ck_assert_int_eq(fvi_modes_add_rate(modes), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_modes_add_order(modes), FVI_SUCCESS);
     double last = 0;
     for (size_t n = 0; n < LEN(lengths); n++) {
         double v[FVI_LANES] = { 0 };
         fvi_modes_begin(modes, (fvi_length){ lengths[n], FVI_OFF_LATTICE });
         fvi_modes_history(modes, 0, H);
-        fvi_modes_history_rate(modes, 0, rate);
+        fvi_modes_history_by_order(modes, 0, rate);
         for (size_t i = 0; i < stages; i++)
             v[i] = cos(3. * (double)(n * stages + i)) - (beta > 0 ? last : 0);
         fvi_modes_advance(modes, 0, v, last);
@@ -116,7 +116,7 @@ START_TEST(eq_23_16_two_methods_have_the_same_derivatives)
         slopes *t = slopes_of(&c.run, N * 7 + 1);
         const fvi_objective J = { to_sine, &c.run };
         ck_assert_int_eq(
-            fvi_adjoint(&fvi_lobatto8d, &c.run, NULL, NULL, &J, &t->to),
+            fvi_adjoint(&fvi_lobatto_d8, &c.run, NULL, NULL, &J, &t->to),
             FVI_SUCCESS);
         seen_worst(fabs(*s->to.alpha - *t->to.alpha), "by alpha");
         ck_assert_near(*s->to.alpha, *t->to.alpha, 1e-7, "past %d alpha=%g",
@@ -149,12 +149,12 @@ START_TEST(eq_23_16_impulses_are_divided_by_the_mass)
         c.system.force.impulses = impulses;
         c.system.force.impulse_count = LEN(impulses);
         fvi_stepper *refused;
-        const int status = fvi_start(&fvi_adaptive, &c.run, &refused);
+        const int status = fvi_stepper_start(&fvi_variable_step, &c.run, &refused);
         ck_assert(status == FVI_SUCCESS
                   || (status == FVI_EUNSUP && c.run.alpha == 0.95));
         if (status)
             continue;
-        fvi_stop(refused);
+        fvi_stepper_free(refused);
         slopes *s = slopes_by(&c, 0);
         for (size_t j = 0; j < D; j++) {
             ck_assert_near(s->to.mass[j], quotient(&c, &c.mass[j]), 1e-6,
@@ -178,20 +178,20 @@ START_TEST(a_mesh_refuses_what_it_has_no_derivative_of)
     chain c;
     double number, x[(N + 1) * D] = { 0 };
     const fvi_objective J = { ends, NULL };
-    const fvi_gradients by_alpha = { .alpha = &number }, none = { .x0 = NULL };
-    chain_at(&c, FVI_PAST_HELD, 0.3, 0, 1);
-    ck_assert_int_eq(fvi_adjoint(&fvi_adaptive, &c.run, x, x, &J, &none),
+    const fvi_sensitivities by_alpha = { .alpha = &number }, none = { .x0 = NULL };
+    chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.3, 0, 1);
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, x, x, &J, &none),
                      FVI_EUNSUP);
     c.run.alpha = 1; /* the past pulls */
-    ck_assert_int_eq(fvi_adjoint(&fvi_adaptive, &c.run, NULL, NULL, &J, &none),
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &none),
                      FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_adaptive, &c.run, NULL, NULL, &J, &by_alpha),
+        fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &by_alpha),
         FVI_EUNSUP);
-    c.run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    c.run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     c.run.alpha = 0;
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_adaptive, &c.run, NULL, NULL, &J, &by_alpha),
+        fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &by_alpha),
         FVI_EUNSUP);
 }
 END_TEST

@@ -1,38 +1,38 @@
 /* tests/adjoint/test_adjoint_mesh_pull.c -- Chapter 23: steps of any length, where the past
  * pulls the start.                     Run alone: make test-adjoint_mesh_pull */
 #include "adjoint_meshes.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
 
 static const struct {
-    fvi_past past;
+    fvi_initial_history past;
     double alpha, rho;
 } cases[] = {
-    { FVI_PAST_HELD, 0.55, 1 },
-    { FVI_PAST_HELD, 0.7, 1 },
-    { FVI_PAST_HELD, 0.75, 20 },
-    { FVI_PAST_HELD, 0.95, 1 },
-    { FVI_PAST_HELD, 0.7, 0.1 }, /* t1 > T */
-    { FVI_PAST_HELD, 0.7, 0 },
-    { FVI_PAST_HELD, 0.995, 40 }, /* falling powers, (22.23), */
-    { FVI_PAST_HELD, 0.995, 3 },  /* and Euler's transformation */
-    { FVI_PAST_HELD, 0.999, 0.5 },
-    { FVI_PAST_HELD, 1, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0.05, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0.3, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0.45, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0.3, 0 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 0.7, 1 },
-    { FVI_PAST_RIEMANN_LIOUVILLE, 1, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.55, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.7, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.75, 20 },
+    { FVI_INITIAL_HISTORY_HELD, 0.95, 1 },
+    { FVI_INITIAL_HISTORY_HELD, 0.7, 0.1 }, /* t1 > T */
+    { FVI_INITIAL_HISTORY_HELD, 0.7, 0 },
+    { FVI_INITIAL_HISTORY_HELD, 0.995, 40 }, /* falling powers, (22.23), */
+    { FVI_INITIAL_HISTORY_HELD, 0.995, 3 },  /* and Euler's transformation */
+    { FVI_INITIAL_HISTORY_HELD, 0.999, 0.5 },
+    { FVI_INITIAL_HISTORY_HELD, 1, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.05, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.3, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.45, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.3, 0 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.7, 1 },
+    { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 1, 1 },
 };
 
 static void chain_of(chain *c, size_t i, double g)
 {
     chain_at(c, cases[i].past, cases[i].alpha, g, cases[i].rho);
-    if (c->run.past == FVI_PAST_RIEMANN_LIOUVILLE && c->run.alpha > 0.5)
+    if (c->run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && c->run.alpha > 0.5)
         memset(c->x0, 0, sizeof c->x0); /* no run begins elsewhere */
 }
 
@@ -43,14 +43,14 @@ enum { PLAIN, LASTING, HANDED_OVER, FALLING, TURNED, KINDS };
 static int kind_of(chain *c)
 {
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &c->run, &s), FVI_SUCCESS);
-    const fvi_singular *g = &((const fvi_adaptive_run *)s->own)->singular;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c->run, &s), FVI_SUCCESS);
+    const fvi_singular *g = &((const fvi_variable_step_state *)s->method_state)->singular;
     const int kind = g->J == 0              ? PLAIN
                      : g->gap < 0           ? FALLING
-                     : g->turned            ? TURNED
+                     : g->by_euler_transform            ? TURNED
                      : g->t1 < N * c->run.h ? HANDED_OVER
                                             : LASTING;
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return kind;
 }
 
@@ -116,12 +116,12 @@ START_TEST(eq_23_25_differences_of_pulled_runs)
         double *numbers[] = { c.x0, c.p0, c.mass, c.rho };
         s->to.alpha = inner ? s->to.alpha : NULL;
         ck_assert_int_eq(
-            fvi_adjoint(&fvi_adaptive, &c.run, NULL, NULL, &J, &s->to),
+            fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to),
             FVI_SUCCESS);
         for (size_t l = 0; l < 4 * D; l++) {
             double *number = numbers[l / D] + l % D;
             const double got = s->all[l / D * MOST + l % D];
-            if (l < D && c.run.past == FVI_PAST_RIEMANN_LIOUVILLE
+            if (l < D && c.run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                 && c.run.alpha > 0.5) {
                 ck_assert_msg(isnan(got) == (c.rho[l] > 0), "case %zu x0", i);
                 continue;
@@ -154,7 +154,7 @@ START_TEST(eq_23_25_a_body_at_rest_has_a_derivative_by_what_could_pull_it)
     for (size_t i = 0; i < 8; i++) {
         const int held = i % 2, all = i / 2 % 2;
         chain c;
-        chain_at(&c, held ? FVI_PAST_HELD : FVI_PAST_RIEMANN_LIOUVILLE,
+        chain_at(&c, held ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                  held ? 0.7 : 0.3, 0.5, 1);
         double *A = held ? c.p0 : c.x0;
         c.rho[0] = i < 4 ? 0.4 : 30;
@@ -184,7 +184,7 @@ static void draw(gsl_rng *random, chain *c)
     const int held = gsl_rng_uniform(random) < 0.6;
     const double alpha =
         held ? between(random, 0.52, 0.98) : between(random, 0.03, 0.48);
-    chain_at(c, held ? FVI_PAST_HELD : FVI_PAST_RIEMANN_LIOUVILLE, alpha, 0.5,
+    chain_at(c, held ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, alpha, 0.5,
              1);
     for (size_t j = 0; j < D; j++) {
         const int damped = gsl_rng_uniform(random) < 0.75,

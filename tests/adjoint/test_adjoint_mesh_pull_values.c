@@ -2,7 +2,7 @@
  * past pulls the start, against derivatives of 25 digits.
  *                               Run alone: make test-adjoint_mesh_pull_values */
 #include "adjoint_runs.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 #include "adjoint_mesh_pull_ref.h"
 #include "system/larger.h"
@@ -61,18 +61,18 @@ START_TEST(eq_23_25_the_steps_of_the_values)
         chain c;
         fvi_stepper *s;
         chain_of(i, &c);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &c.run, &s), FVI_SUCCESS);
-        const fvi_adaptive_run *o = s->own;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c.run, &s), FVI_SUCCESS);
+        const fvi_variable_step_state *o = s->method_state;
         ck_assert_uint_eq(o->rule->s, ref_pulls[i].s);
         ck_assert_uint_eq(o->singular.J, ref_pulls[i].J);
         ck_assert_double_eq_tol(o->singular.t1, ref_pulls[i].t1,
                                 64 * U * ref_pulls[i].t1);
         for (size_t n = 0; n < STEPS; n++) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             ck_assert_double_eq_tol(s->t, ref_pulls[i].ends[n], 64 * U * s->t);
         }
         ck_assert_uint_eq(o->counts.steps, STEPS);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -83,7 +83,7 @@ static void slopes_by(size_t i, double *got)
     chain_of(i, &c);
     slopes *s = slopes_of(&c.run, ROWS + 1);
     const fvi_objective J = { to_sine, &c.run };
-    ck_assert_int_eq(fvi_adjoint(&fvi_adaptive, &c.run, NULL, NULL, &J, &s->to),
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &c.run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     for (size_t j = 0; j < 4 * D; j++)
         got[j] = s->all[j / D * MOST + j % D];
@@ -103,7 +103,7 @@ static void slopes_by(size_t i, double *got)
 START_TEST(eq_23_25_every_derivative_of_a_pulled_chain)
 {
     for (size_t i = 0; i < LEN(ref_pulls); i++) {
-        const int none = ref_pulls[i].past == FVI_PAST_RIEMANN_LIOUVILLE
+        const int none = ref_pulls[i].past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                          && ref_pulls[i].alpha > 0.5;
         const double bound = ref_pulls[i].s == 6 ? 1e-6 : 1e-9;
         double got[SLOPES];

@@ -47,18 +47,18 @@ START_TEST(eq_23_16_the_steps_of_the_values)
         fvi_system system;
         fvi_run run;
         fvi_stepper *s;
-        fvi_adaptive_counts counts;
+        fvi_step_statistics counts;
         run_of(i, &system, &run, aw);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
         for (size_t n = 0; n < STEPS; n++) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             ck_assert_double_eq(s->t, ref_mesh_ends[n]);
         }
-        ck_assert_int_eq(fvi_adaptive_look(s, &counts), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_statistics(s, &counts), FVI_SUCCESS);
         ck_assert_uint_eq(counts.steps, STEPS);
         ck_assert_int_eq(counts.stages, 8);
         ck_assert_int_eq(counts.form, 'D');
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -71,7 +71,7 @@ static void slopes_by(size_t i, double *got)
     run_of(i, &system, &run, aw);
     slopes *s = slopes_of(&run, ROWS + 1);
     const fvi_objective J = { to_sine, &run };
-    ck_assert_int_eq(fvi_adjoint(&fvi_adaptive, &run, NULL, NULL, &J, &s->to),
+    ck_assert_int_eq(fvi_adjoint(&fvi_variable_step, &run, NULL, NULL, &J, &s->to),
                      FVI_SUCCESS);
     slopes_in_order(s, D, got);
     got[23] = s->force[0];

@@ -8,7 +8,7 @@
 enum { D = 5, N = 12, SLOPES = 26 };
 
 /* Row i: its derivatives, in the order of the row. */
-static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
+static void slopes_by(size_t i, fvi_history_kind memory, double *got)
 {
     double aw[] = { 0.2, 1.25 };
     const fvi_system system = { .d = D,
@@ -39,8 +39,8 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
  * Seen: 4.7e-14. */
 START_TEST(eq_23_6_every_derivative_of_a_chain_to_40_digits)
 {
-    static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                             FVI_MEMORY_EXPONENTIALS };
+    static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                             FVI_HISTORY_MODES };
     for (size_t i = 0; i < LEN(kinds) * LEN(ref_nodes); i++) {
         const size_t row = i / LEN(kinds);
         double got[SLOPES];

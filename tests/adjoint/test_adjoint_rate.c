@@ -2,15 +2,15 @@
  * order.                                          Run alone: make test-adjoint_rate */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_kinds.h"
 
 #include "adjoint_ref.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                         FVI_HISTORY_MODES };
 static const double orders[] = { 0, 1e-3, 0.3, 0.5, 0.9, 1, 1.25, 1.7, 2 };
 
 /* (23.9) against the exact rates. The recurrence loses some 2^-104 a step, relative to
@@ -23,7 +23,7 @@ START_TEST(eq_23_9_the_rates_of_the_weights_are_nearest_doubles)
     ck_assert_ptr_nonnull(rate);
     for (size_t i = 0; i < LEN(ref_rates); i++) {
         const size_t n = ref_rates[i].n;
-        ck_assert_int_eq(fvi_coefficients_rate(ref_rates[i].beta, n + 1, rate),
+        ck_assert_int_eq(fvi_gl_weights_by_order(ref_rates[i].beta, n + 1, rate),
                          FVI_SUCCESS);
         ck_assert_ulp(rate[n], ref_rates[i].want, 1, "beta=%g n=%zu",
                       ref_rates[i].beta, n);
@@ -61,8 +61,8 @@ static double term(const sums *s, double beta, size_t k)
 static void by_definition(const sums *s, double beta)
 {
     const double order = beta < 1 ? beta : beta - 1;
-    fvi_coefficients(order, s->count, s->w);
-    fvi_coefficients_rate(order, s->count, s->wdot);
+    fvi_gl_weights(order, s->count, s->w);
+    fvi_gl_weights_by_order(order, s->count, s->wdot);
     for (size_t k = 0; k < s->count; k++) {
         s->H[k] = s->rate[k] = 0;
         for (size_t n = 0; n <= k; n++) {
@@ -83,17 +83,17 @@ START_TEST(eq_23_10_the_rate_of_every_memory_is_the_sum_as_it_stands)
     sums s = sums_alloc(N + 1);
     for (size_t i = 0; i < LEN(orders) * LEN(kinds); i++) {
         const double beta = orders[i / LEN(kinds)];
-        fvi_memory *m;
+        fvi_history *m;
         by_definition(&s, beta);
         ck_assert_int_eq(
-            fvi_memory_alloc_rate(beta, 2, N, kinds[i % LEN(kinds)], 0, &m),
+            fvi_history_alloc_by_order(beta, 2, N, kinds[i % LEN(kinds)], 0, &m),
             FVI_SUCCESS);
         for (size_t k = 0; k <= N; k++) {
             const double dx = k ? s.x[k] - s.x[k - 1] : s.x[0];
             const double x2[2] = { s.x[k], 2 * s.x[k] },
                          dx2[2] = { dx, 2 * dx };
             double H[2], rate[2];
-            ck_assert_int_eq(fvi_memory_push_rate(m, x2, dx2, H, rate),
+            ck_assert_int_eq(fvi_history_push_by_order(m, x2, dx2, H, rate),
                              FVI_SUCCESS);
             ck_assert_near(H[0], s.H[k], 1e-13, "beta=%g kind=%zu k=%zu", beta,
                            i % LEN(kinds), k);
@@ -101,7 +101,7 @@ START_TEST(eq_23_10_the_rate_of_every_memory_is_the_sum_as_it_stands)
                            beta, i % LEN(kinds), k);
             ck_assert(H[1] == 2 * H[0] && rate[1] == 2 * rate[0]);
         }
-        fvi_memory_free(m);
+        fvi_history_free(m);
     }
     free(s.x);
 }
@@ -121,9 +121,9 @@ START_TEST(eq_23_11_the_modes_read_a_second_time_give_the_rates)
     const double nus[] = { 0, 1e-3, 0.3, 0.5, 0.9, 0.999, 1 };
     for (size_t i = 0; i < LEN(deltas) * LEN(nus); i++) {
         const double delta = deltas[i / LEN(nus)], nu = nus[i % LEN(nus)];
-        fvi_coefficients(nu, COUNT, w);
-        fvi_coefficients_rate(nu, COUNT, wdot);
-        const size_t Q = fvi_exponentials_nodes(nu, COUNT, delta, s, c, rates);
+        fvi_gl_weights(nu, COUNT, w);
+        fvi_gl_weights_by_order(nu, COUNT, wdot);
+        const size_t Q = fvi_history_modes_nodes(nu, COUNT, delta, s, c, rates);
         for (size_t n = FVI_TAIL; n < COUNT; n += 1 + n / 8) {
             double sum = 0, x = (double)n;
             for (size_t q = 0; q < Q; q++)
@@ -144,39 +144,39 @@ END_TEST
 START_TEST(a_rated_memory_is_copied_and_others_have_no_rate)
 {
     for (size_t i = 0; i < LEN(kinds); i++) {
-        fvi_memory *m, *copy;
+        fvi_history *m, *copy;
         double H[2], rate[2] = { -7, -7 };
-        ck_assert_int_eq(fvi_memory_alloc_rate(0.6, 1, 400, kinds[i], 0, &m),
+        ck_assert_int_eq(fvi_history_alloc_by_order(0.6, 1, 400, kinds[i], 0, &m),
                          FVI_SUCCESS);
         for (size_t k = 0; k < 300; k++) {
             const double x = sin((double)k);
-            ck_assert_int_eq(fvi_memory_push_rate(m, &x, &x, H, rate),
+            ck_assert_int_eq(fvi_history_push_by_order(m, &x, &x, H, rate),
                              FVI_SUCCESS);
         }
-        ck_assert_int_eq(fvi_memory_copy(m, &copy), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_history_copy(m, &copy), FVI_SUCCESS);
         for (size_t k = 300; k <= 400; k++) {
             const double x = sin((double)k);
-            ck_assert_int_eq(fvi_memory_push_rate(m, &x, &x, H, rate),
+            ck_assert_int_eq(fvi_history_push_by_order(m, &x, &x, H, rate),
                              FVI_SUCCESS);
             ck_assert_int_eq(
-                fvi_memory_push_rate(copy, &x, &x, H + 1, rate + 1),
+                fvi_history_push_by_order(copy, &x, &x, H + 1, rate + 1),
                 FVI_SUCCESS);
             ck_assert(H[0] == H[1] && rate[0] == rate[1]);
         }
         const double x = 1;
-        ck_assert_int_eq(fvi_memory_push_rate(m, &x, &x, H, rate), FVI_EINVAL);
-        ck_assert_int_eq(fvi_memory_push_rate(m, &x, &x, H, NULL), FVI_EFAULT);
-        fvi_memory_free(m);
-        fvi_memory_free(copy);
-        ck_assert_int_eq(fvi_memory_alloc(0.6, 1, 4, kinds[i], 0, &m),
+        ck_assert_int_eq(fvi_history_push_by_order(m, &x, &x, H, rate), FVI_EINVAL);
+        ck_assert_int_eq(fvi_history_push_by_order(m, &x, &x, H, NULL), FVI_EFAULT);
+        fvi_history_free(m);
+        fvi_history_free(copy);
+        ck_assert_int_eq(fvi_history_alloc(0.6, 1, 4, kinds[i], 0, &m),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_memory_push_rate(m, &x, &x, H, rate), FVI_EUNSUP);
-        fvi_memory_free(m);
+        ck_assert_int_eq(fvi_history_push_by_order(m, &x, &x, H, rate), FVI_EUNSUP);
+        fvi_history_free(m);
     }
     double rate = -7;
-    ck_assert_int_eq(fvi_coefficients_rate(0.5, 0, &rate), FVI_EINVAL);
-    ck_assert_int_eq(fvi_coefficients_rate(0.5, 1, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_coefficients_rate(2.5, 1, &rate), FVI_EDOM);
+    ck_assert_int_eq(fvi_gl_weights_by_order(0.5, 0, &rate), FVI_EINVAL);
+    ck_assert_int_eq(fvi_gl_weights_by_order(0.5, 1, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_gl_weights_by_order(2.5, 1, &rate), FVI_EDOM);
     ck_assert(rate == -7);
 }
 END_TEST

@@ -1,7 +1,7 @@
 /* tests/adjoint/test_adjoint_stage_values.c -- Chapter 23: methods with stages, against
  * derivatives of 40 digits.       Run alone: make test-adjoint_stage_values */
 #include "adjoint_runs.h"
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_history.h"
 
 #include "adjoint_stages_ref.h"
 #include "system/larger.h"
@@ -25,7 +25,7 @@ START_TEST(eq_23_14_the_rates_of_the_matrices)
     for (size_t i = 0; i < LEN(ref_stage_rates); i++) {
         const size_t s = ref_stage_rates[i].s, n = ref_stage_rates[i].n;
         ck_assert_int_eq(
-            fvi_lobatto_weights_rate(s, ref_stage_rates[i].beta, LAGS, W, rate),
+            fvi_lobatto_weights_by_order(s, ref_stage_rates[i].beta, LAGS, W, rate),
             FVI_SUCCESS);
         const double unit = largest(rate, 5 * s * s);
         for (size_t j = 0; j < s * s; j++) {
@@ -51,23 +51,23 @@ START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
     for (size_t i = 0; i < LEN(betas) * LEN(tolerances); i++) {
         const double beta = betas[i % LEN(betas)],
                      tolerance = tolerances[i / LEN(betas)];
-        fvi_lobatto_memory *modes, *all;
-        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(S, beta, 1, STEPS,
-                                                       FVI_MEMORY_EXPONENTIALS,
+        fvi_lobatto_history *modes, *all;
+        ck_assert_int_eq(fvi_lobatto_history_alloc_by_order(S, beta, 1, STEPS,
+                                                       FVI_HISTORY_MODES,
                                                        tolerance, &modes),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_lobatto_memory_alloc_rate(
-                             S, beta, 1, STEPS, FVI_MEMORY_DIRECT, 0, &all),
+        ck_assert_int_eq(fvi_lobatto_history_alloc_by_order(
+                             S, beta, 1, STEPS, FVI_HISTORY_DIRECT, 0, &all),
                          FVI_SUCCESS);
         for (size_t k = 1; k <= STEPS; k++) {
             double v[S], H[2][S], rate[2][S];
             for (size_t l = 0; l < S; l++)
                 v[l] = cos(0.01 * (double)(k * S + l));
             ck_assert_int_eq(
-                fvi_lobatto_memory_push_rate(modes, v, H[0], rate[0]),
+                fvi_lobatto_history_push_by_order(modes, v, H[0], rate[0]),
                 FVI_SUCCESS);
             ck_assert_int_eq(
-                fvi_lobatto_memory_push_rate(all, v, H[1], rate[1]),
+                fvi_lobatto_history_push_by_order(all, v, H[1], rate[1]),
                 FVI_SUCCESS);
             const double time = (double)k,
                          unit = larger(1, pow(time, -beta)) * (1 + log(time));
@@ -80,21 +80,21 @@ START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
                                "beta=%g k=%zu", beta, k);
             }
         }
-        fvi_lobatto_memory_free(modes);
-        fvi_lobatto_memory_free(all);
+        fvi_lobatto_history_free(modes);
+        fvi_lobatto_history_free(all);
     }
 }
 END_TEST
 
 START_TEST(a_memory_without_rates_has_none_to_give)
 {
-    fvi_lobatto_memory *m;
+    fvi_lobatto_history *m;
     double v[2] = { 1, 2 }, H[2], rate[2];
     ck_assert_int_eq(
-        fvi_lobatto_memory_alloc(2, 0.3, 1, 9, FVI_MEMORY_AUTO, 0, &m),
+        fvi_lobatto_history_alloc(2, 0.3, 1, 9, FVI_HISTORY_AUTO, 0, &m),
         FVI_SUCCESS);
-    ck_assert_int_eq(fvi_lobatto_memory_push_rate(m, v, H, rate), FVI_EUNSUP);
-    fvi_lobatto_memory_free(m);
+    ck_assert_int_eq(fvi_lobatto_history_push_by_order(m, v, H, rate), FVI_EUNSUP);
+    fvi_lobatto_history_free(m);
 }
 END_TEST
 
@@ -103,7 +103,7 @@ END_TEST
 enum { D = 5, N = 6, SLOPES = 26 };
 
 /* Row i: its derivatives, in the order of the row. Rows of the force: N (s - 1) + 1. */
-static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
+static void slopes_by(size_t i, fvi_history_kind memory, double *got)
 {
     double aw[] = { 0.2, 1.25 };
     const fvi_method *method = ref_chains[i].method;
@@ -136,8 +136,8 @@ static void slopes_by(size_t i, fvi_memory_kind memory, double *got)
  * test_adjoint_stages.c, no proof. Seen: 4e-13, 6e-12. */
 START_TEST(eq_23_15_every_derivative_of_a_chain_with_stages)
 {
-    static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                             FVI_MEMORY_EXPONENTIALS };
+    static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                             FVI_HISTORY_MODES };
     for (size_t i = 0; i < LEN(kinds) * LEN(ref_chains); i++) {
         const size_t row = i / LEN(kinds);
         double got[SLOPES];
@@ -163,12 +163,12 @@ START_TEST(eq_23_15_every_derivative_of_a_chain_with_stages)
 END_TEST
 
 /* Row i of those with a law. run->alpha is not read. */
-static void law_slopes_by(size_t i, fvi_memory_kind memory, double alpha,
+static void law_slopes_by(size_t i, fvi_history_kind memory, double alpha,
                           double *got)
 {
     double aw[] = { 0.2, 1.25 };
     const fvi_method *method = ref_law_chains[i].method;
-    const fvi_law law = { 3, ref_law_chains[i].term };
+    const fvi_kernel law = { 3, ref_law_chains[i].term };
     const fvi_system system = { .d = D,
                                 .mass = ref_law_chains[i].mass,
                                 .damping = ref_law_chains[i].rho,
@@ -196,8 +196,8 @@ static void law_slopes_by(size_t i, fvi_memory_kind memory, double alpha,
  * own, to 2e-13. Seen: 1.4e-14. */
 START_TEST(eq_23_15_every_derivative_of_a_chain_with_a_law)
 {
-    static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                             FVI_MEMORY_EXPONENTIALS };
+    static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                             FVI_HISTORY_MODES };
     static const double alphas[] = { 0.1, 0.5, 1 };
     for (size_t i = 0; i < LEN(kinds) * LEN(ref_law_chains); i++) {
         const size_t row = i / LEN(kinds);

@@ -4,12 +4,12 @@
 #include "stages/lobatto_weights.h"
 #include "system/larger.h"
 
-static const fvi_method *const staged[] = { &fvi_lobatto2,  &fvi_lobatto3,
-                                            &fvi_lobatto4,  &fvi_lobatto5,
-                                            &fvi_lobatto8,  &fvi_lobatto2d,
-                                            &fvi_lobatto3d, &fvi_lobatto8d };
-static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const fvi_method *const staged[] = { &fvi_lobatto_m2,  &fvi_lobatto_m3,
+                                            &fvi_lobatto_m4,  &fvi_lobatto_m5,
+                                            &fvi_lobatto_m8,  &fvi_lobatto_d2,
+                                            &fvi_lobatto_d3, &fvi_lobatto_d8 };
+static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                  FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
 static const double alphas[] = { 0.05, 0.3, 0.5, 0.7, 0.95 };
 enum { D = 3, N = 100 };
 
@@ -20,9 +20,9 @@ typedef struct {
     fvi_run run;
 } chain;
 
-static void chain_at(chain *c, fvi_past past, double alpha, double g, double t)
+static void chain_at(chain *c, fvi_initial_history past, double alpha, double g, double t)
 {
-    const int from_zero = past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5;
+    const int from_zero = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5;
     *c = (chain){ .p0 = { 0.5 + t, -0.3, 0.2 - t },
                   .mass = { 1 + 0.2 * t, 1.5, 0.7 - 0.3 * t },
                   .rho = { 0.4 + 0.3 * t, 0.2, 0.1 - 0.1 * t },
@@ -86,8 +86,8 @@ static double by_forces(const fvi_method *method, const chain *c,
 
 static const fvi_method *method_of(size_t i)
 {
-    static const fvi_method *const plain[] = { &fvi_fractional, &fvi_shifted,
-                                               &fvi_bdf2, &fvi_stable };
+    static const fvi_method *const plain[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                               &fvi_cq_bdf2, &fvi_cq2_midpoint };
     return i < LEN(plain) ? plain[i] : staged[i - LEN(plain)];
 }
 
@@ -178,12 +178,12 @@ START_TEST(eq_23_6_what_the_gradient_of_stages_leaves_is_of_order_2)
 {
     for (size_t i = 0; i < LEN(staged) * LEN(pasts) * LEN(alphas); i++) {
         const fvi_method *method = staged[i % LEN(staged)];
-        const fvi_past past = pasts[i / LEN(staged) % LEN(pasts)];
+        const fvi_initial_history past = pasts[i / LEN(staged) % LEN(pasts)];
         const double alpha = alphas[i / LEN(staged) / LEN(pasts)], t = 1e-3;
         chain c;
         chain_at(&c, past, alpha, 0.5, 0);
         slopes *s = slopes_by(method, &c, 0);
-        const fvi_gradients *g = &s->to;
+        const fvi_sensitivities *g = &s->to;
         double slope = g->p0[0] - g->p0[2] + 0.2 * g->mass[0] - 0.3 * g->mass[2]
                        + 0.3 * g->damping[0] - 0.1 * g->damping[2]
                        + 0.5 * g->parameters[0] + 0.4 * g->parameters[1];
@@ -206,19 +206,19 @@ START_TEST(stages_refuse_what_they_have_no_derivative_of)
 {
     chain c;
     double alpha, x[(N + 1) * D] = { 0 };
-    chain_at(&c, FVI_PAST_HELD, 0.3, 0, 0);
+    chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.3, 0, 0);
     const fvi_objective J = { ends, NULL };
-    const fvi_gradients by_alpha = { .alpha = &alpha }, none = { .x0 = NULL };
-    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3, &c.run, x, x, &J, &none),
+    const fvi_sensitivities by_alpha = { .alpha = &alpha }, none = { .x0 = NULL };
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_m3, &c.run, x, x, &J, &none),
                      FVI_EUNSUP);
-    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto3d, &c.run, x, x, &J, &none),
+    ck_assert_int_eq(fvi_adjoint(&fvi_lobatto_d3, &c.run, x, x, &J, &none),
                      FVI_EUNSUP);
     c.run.alpha = 1;
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_lobatto3, &c.run, NULL, NULL, &J, &by_alpha),
+        fvi_adjoint(&fvi_lobatto_m3, &c.run, NULL, NULL, &J, &by_alpha),
         FVI_EUNSUP);
     ck_assert_int_eq(
-        fvi_adjoint(&fvi_lobatto3d, &c.run, NULL, NULL, &J, &by_alpha),
+        fvi_adjoint(&fvi_lobatto_d3, &c.run, NULL, NULL, &J, &by_alpha),
         FVI_SUCCESS);
 }
 END_TEST

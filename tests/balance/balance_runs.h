@@ -10,8 +10,8 @@
 
 enum { MOST = 82 };
 
-static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                             &fvi_bdf2 };
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                             &fvi_cq_bdf2 };
 
 static inline fvi_balance_scheme scheme_of(int method, const fvi_system *system,
                                            double alpha, double kappa, double h)
@@ -20,21 +20,21 @@ static inline fvi_balance_scheme scheme_of(int method, const fvi_system *system,
                                  alpha,
                                  kappa,
                                  h,
-                                 method == 2 ? FVI_QUADRATURE_BDF2
-                                             : FVI_QUADRATURE_EULER,
+                                 method == 2 ? FVI_DELTA_BDF2
+                                             : FVI_DELTA_EULER,
                                  method == 1 ? alpha : 0 };
 }
 
 /* Held at x0 until t = 0, its memory summed as it stands. */
 static inline void trajectory(int method, const fvi_balance_scheme *s,
-                              fvi_past past, size_t N, const double *x0,
+                              fvi_initial_history past, size_t N, const double *x0,
                               const double *p0, double *x, double *p)
 {
     fvi_run run = fvi_run_default(s->system, x0, p0, s->h, N);
     run.alpha = s->alpha;
     run.kappa = s->kappa;
     run.past = past;
-    run.memory = FVI_MEMORY_DIRECT;
+    run.memory = FVI_HISTORY_DIRECT;
     ck_assert_int_eq(fvi_trajectory(methods[method], &run, x, p, NULL),
                      FVI_SUCCESS);
 }
@@ -44,7 +44,7 @@ static inline void trajectory(int method, const fvi_balance_scheme *s,
 static inline void memory_of(const fvi_balance_scheme *s, size_t N, double *t)
 {
     double w[MOST + 3];
-    ck_assert_int_eq(fvi_quadrature_weights(s->weights, 2 * s->alpha, N + 2, w),
+    ck_assert_int_eq(fvi_cq_weights(s->weights, 2 * s->alpha, N + 2, w),
                      FVI_SUCCESS);
     for (size_t n = 0; n <= N + 1; n++)
         t[n] = pow(s->h, 1 - 2 * s->alpha)

@@ -46,7 +46,7 @@ static void stiffness(const fvi_balance_scheme *s, const double *x, size_t k,
         double S[D], H[4];
         for (size_t i = 0; i < D; i++)
             S[i] = c * x[n * D + i] + (1 - c) * x[(n + 1) * D + i];
-        ck_assert_int_eq(fvi_hessian(s->system, S, H), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_potential_hessian(s->system, S, H), FVI_SUCCESS);
         for (size_t i = 0; i < 4; i++)
             K[i] -= at * to * h * H[i];
     }
@@ -60,7 +60,7 @@ static double size_of_terms(const fvi_balance_scheme *s, size_t N,
     memory_of(s, N, t);
     for (size_t n = 0; n <= N + 1;
          n++) /* parts of t, and those of its weights */
-        t[n] = fabs(t[n]) + (s->weights == FVI_QUADRATURE_BDF2 ? fabs(t[1]) : 0)
+        t[n] = fabs(t[n]) + (s->weights == FVI_DELTA_BDF2 ? fabs(t[1]) : 0)
                + a * pow(s->h, 1 - 2 * s->alpha);
     for (size_t k = 1; k < N; k++)
         for (size_t j = 0; j <= N; j++) {
@@ -123,8 +123,8 @@ START_TEST(eq_21_4_a_run_pairs_with_one_read_backwards)
                       between(random, 0, 1), between(random, 0.1, 0.5));
         double u[D * MOST], back[D * MOST], v[D * MOST], constant, exchanged;
         const double push[] = { 1, 0.5 }, other[] = { -0.25, 1 };
-        trajectory(i % 3, &s, FVI_PAST_HELD, N, none, push, u, NULL);
-        trajectory(i % 3, &s, FVI_PAST_HELD, N, none, other, back, NULL);
+        trajectory(i % 3, &s, FVI_INITIAL_HISTORY_HELD, N, none, push, u, NULL);
+        trajectory(i % 3, &s, FVI_INITIAL_HISTORY_HELD, N, none, other, back, NULL);
         for (size_t k = 0; k <= N; k++)
             memcpy(v + k * D, back + (N - k) * D, D * sizeof *v);
         double of = spread(&s, N, u, u, v, &constant);
@@ -188,7 +188,7 @@ START_TEST(eq_21_4_about_a_nonlinear_trajectory)
                       between(random, 0, 1), between(random, 0.05, 0.25));
         const double x0[] = { 1, between(random, -1, 1) }, p0[] = { 0, 1 };
         double x[D * MOST], u[D * MOST], v[D * MOST], relative;
-        trajectory(i % 3, &s, FVI_PAST_HELD, N, x0, p0, x, NULL);
+        trajectory(i % 3, &s, FVI_INITIAL_HISTORY_HELD, N, x0, p0, x, NULL);
         for (size_t j = 0; j < 2 * D; j++) {
             u[j] = between(random, -1, 1);
             v[(N - 1) * D + j] = between(random, -1, 1);
@@ -256,7 +256,7 @@ START_TEST(eq_21_6_five_masses_answer_each_other)
         for (size_t j = 0; j < 5; j++) {
             double push[5] = { 0 };
             push[j] = 1;
-            trajectory(method, &s, FVI_PAST_HELD, REF_STEPS, none, push, x[j],
+            trajectory(method, &s, FVI_INITIAL_HISTORY_HELD, REF_STEPS, none, push, x[j],
                        NULL);
         }
         for (size_t j = 0; j < 5; j++)
@@ -278,7 +278,7 @@ START_TEST(what_is_out_of_range_is_refused)
     const double one = 1, x[] = { 0, 1, 2 };
     const fvi_system system = { .d = 1, .mass = &one, .damping = &one };
     const fvi_balance_scheme good = {
-        &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER, 0
+        &system, 0.5, 0.5, 0.1, FVI_DELTA_EULER, 0
     };
     fvi_balance_scheme bad[7];
     const int code[] = { FVI_EFAULT, FVI_EDOM, FVI_EDOM,  FVI_EDOM,
@@ -291,7 +291,7 @@ START_TEST(what_is_out_of_range_is_refused)
     bad[3].kappa = 1.1;
     bad[4].theta = -1;
     bad[5].h = 0;
-    bad[6].weights = FVI_QUADRATURE_TRAPEZOID;
+    bad[6].weights = FVI_DELTA_TRAPEZOID;
     double C[2] = { 7, 7 }, E[2] = { 7, 7 };
     for (size_t i = 0; i < LEN(bad); i++) {
         ck_assert_int_eq(fvi_green_form(&bad[i], 2, x, x, x, C), code[i]);
@@ -323,7 +323,7 @@ START_TEST(what_the_potential_returns_comes_back)
     const fvi_system system = {
         .d = 1, .mass = &one, .damping = &one, .potential = none
     };
-    const fvi_balance_scheme s = { &system, 0.5, 0.5, 0.1, FVI_QUADRATURE_EULER,
+    const fvi_balance_scheme s = { &system, 0.5, 0.5, 0.1, FVI_DELTA_EULER,
                                    0 };
     double C[2], E[2];
     ck_assert_int_eq(fvi_green_form(&s, 2, x, x, x, C), FVI_EMAXITER);

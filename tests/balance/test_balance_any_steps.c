@@ -46,7 +46,7 @@ static void draw(gsl_rng *random, double damping, random_run *r)
     r->run.system = &r->system;
     r->run.x0 = r->x0;
     r->run.p0 = r->p0;
-    r->run.past = FVI_PAST_CAPUTO;
+    r->run.past = FVI_INITIAL_HISTORY_CAPUTO;
     r->run.h = 2;
     r->run.steps = 10;
     r->run.step_error = decades(random, -9, 2);
@@ -73,13 +73,13 @@ START_TEST(eq_21_13_no_step_sequence_gains_energy)
         random_run r = { 0 };
         fvi_stepper *s;
         draw(random, i % 2 ? 1e-12 : 1, &r);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &r.run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s), FVI_SUCCESS);
         const double start = energy_of(&r.system, s->x, s->p);
         size_t n = 0;
         double longest = 0;
         while (s->t < r.run.h * (double)r.run.steps) {
             const double t = s->t;
-            int status = fvi_step(s);
+            int status = fvi_stepper_step(s);
             ck_assert_msg(!status, "run %d: %d", i, status);
             longest = larger(longest, s->t - t);
             const double E = energy_of(&r.system, s->x, s->p);
@@ -91,7 +91,7 @@ START_TEST(eq_21_13_no_step_sequence_gains_energy)
         seen_worst(longest, "longest step");
         seen_worst(longest * sqrt(r.spring / lightest(&r)), "h omega");
         steps += n;
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
     seen((double)steps, "steps");
     gsl_rng_free(random);
@@ -106,7 +106,7 @@ static double rise_within_step(const random_run *r, fvi_stepper *s, double begin
     double x[D], p[D], most = 0;
     for (int i = 1; i < 16; i++) {
         const double t = begin + (s->t - begin) * i / 16;
-        ck_assert_int_eq(fvi_run_to(s, t, x, p), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, t, x, p), FVI_SUCCESS);
         most = larger(most, energy_of(&r->system, x, p) / start - 1);
     }
     return most;
@@ -124,17 +124,17 @@ START_TEST(eq_21_13_between_the_ends_of_steps_energy_may_rise)
         fvi_stepper *s;
         draw(random, 1, &r);
         r.run.step_error = decades(random, -4, 0);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &r.run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s), FVI_SUCCESS);
         const double start = energy_of(&r.system, s->x, s->p);
         double rise = 0;
         while (s->t < r.run.h * (double)r.run.steps) {
             const double begin = s->t;
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             rise = larger(rise, rise_within_step(&r, s, begin, start));
         }
         above += rise > 1e-9;
         most = larger(most, rise);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
     seen((double)above, "runs above");
     seen(most, "above the first");

@@ -54,7 +54,7 @@ static void varied(const fvi_method *method, const differenced *o, double kappa)
     fvi_run run = fvi_run_default(&system, x0, p0, o->h, o->steps);
     run.alpha = o->alpha;
     run.kappa = kappa;
-    run.memory = FVI_MEMORY_DIRECT;
+    run.memory = FVI_HISTORY_DIRECT;
     ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), FVI_SUCCESS);
 }
 
@@ -117,7 +117,7 @@ START_TEST(the_same_order_for_the_same_work)
     static double truth[MOST + 1];
     const char *name[] = { "NODE", "MEAN", "BACK", "FVI" };
     const differenced fine = problem(1, 0.5, 0.3, MOST);
-    varied(&fvi_lobatto4, &fine, 0.5);
+    varied(&fvi_lobatto_m4, &fine, 0.5);
     memcpy(truth, x, sizeof truth);
     for (int kind = NODE; kind <= VARIED; kind++) {
         double error[2];

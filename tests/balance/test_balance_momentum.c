@@ -23,21 +23,21 @@ static double derivative(double beta, double h, size_t k, const double *z,
 }
 
 /* What the memory of fvi acts on, for each past. */
-static void acts_on(fvi_past past, double alpha, double h, const double *v0,
+static void acts_on(fvi_initial_history past, double alpha, double h, const double *v0,
                     const double *x, double *z)
 {
     for (size_t k = 0; k <= N; k++)
         for (size_t i = 0; i < D; i++) {
             z[k * D + i] = x[k * D + i];
-            if (past != FVI_PAST_RIEMANN_LIOUVILLE)
+            if (past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
                 z[k * D + i] -= x[i];
-            if (past == FVI_PAST_CAPUTO && 2 * alpha > 1)
+            if (past == FVI_INITIAL_HISTORY_CAPUTO && 2 * alpha > 1)
                 z[k * D + i] -= (double)k * h * v0[i];
         }
 }
 
-static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                  FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
 
 /* (21.7): angular momentum and the torque of the memory, isotropic damping or not.
  * One step of fvi rounds p by (k + 30) u times the sizes of what is added, of which
@@ -46,7 +46,7 @@ START_TEST(eq_21_7_the_memory_turns_the_angular_momentum)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (int run = 0; run < 90; run++) {
-        const fvi_past past = pasts[run % 3];
+        const fvi_initial_history past = pasts[run % 3];
         const double alpha = between(random, 0.05, run % 3 == 2 ? 0.5 : 0.95);
         const double mass[] = { 1.5, 1.5 }, h = between(random, 0.02, 0.2);
         const double rho[] = { 0.6, run % 2 ? 0.6 : 0.1 };
@@ -94,7 +94,7 @@ START_TEST(eq_21_10_the_dressed_momentum_is_conserved)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (int run = 0; run < 90; run++) {
-        const fvi_past past = pasts[run % 3];
+        const fvi_initial_history past = pasts[run % 3];
         const double alpha = run < 3 ? 0.5 : between(random, 0, 1);
         const double mass[] = { 1, 3 }, rho[] = { 0.7, 0.2 }, h = 0.1;
         const fvi_system system = {
@@ -153,7 +153,7 @@ START_TEST(eq_21_8_a_turned_solution_pairs_with_a_backward_variation)
         const double x0[] = { 1, -0.5 }, p0[] = { 0.5, 1 };
         double x[D * (N + 1)], u[D * (N + 1)], v[D * (N + 1)], t[MOST + 3];
         double C[N], size = 0, far = 0;
-        trajectory(0, &s, FVI_PAST_RIEMANN_LIOUVILLE, N, x0, p0, x, NULL);
+        trajectory(0, &s, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, N, x0, p0, x, NULL);
         memory_of(&s, N, t);
         for (size_t k = 0; k <= N; k++) {
             u[k * D] = -x[k * D + 1];
@@ -241,7 +241,7 @@ static void run_energy(gsl_rng *random, int method, energy_run *a)
                               .potential = fvi_potential_chain(a->spring) };
     a->scheme = scheme_of(method, &a->system, alpha, between(random, 0, 1),
                           between(random, 0.1, 1.5));
-    trajectory(method, &a->scheme, FVI_PAST_HELD, N, x0, p0, a->x, NULL);
+    trajectory(method, &a->scheme, FVI_INITIAL_HISTORY_HELD, N, x0, p0, a->x, NULL);
     for (a->steps = 0; a->steps < N; a->steps++)
         if (!(fabs(a->x[a->steps * D + D]) < 1e100))
             break;

@@ -43,7 +43,7 @@ static int measure(size_t N, int times)
         return 1;
     double *p = x + N + 1, *force = p + N + 1;
     const fvi_objective J = { slopes, &run };
-    fvi_gradients all = { .x0 = out,
+    fvi_sensitivities all = { .x0 = out,
                           .p0 = out + 1,
                           .mass = out + 2,
                           .damping = out + 3,
@@ -51,8 +51,8 @@ static int measure(size_t N, int times)
                           .parameters = out + 5,
                           .force = force,
                           .sensitivity =
-                              fvi_sensitivity_of(&system.potential) };
-    fvi_gradients but_alpha = all;
+                              fvi_parameter_gradient_of(&system.potential) };
+    fvi_sensitivities but_alpha = all;
     but_alpha.alpha = NULL;
     int status = 0;
     for (int i = 0; i < 4; i++)

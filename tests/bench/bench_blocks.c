@@ -9,8 +9,8 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/fvi.h>
 #include "bench.h"
-#include "memory/blocks.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_tiled.h"
+#include "memory/history_kinds.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -29,37 +29,37 @@ static void *room(size_t n)
 
 static size_t modes(void)
 {
-    const double delta = fvi_exponentials_delta(STEPS, 0);
+    const double delta = fvi_history_modes_delta(STEPS, 0);
     const size_t Q =
-        fvi_exponentials_nodes(0.5, STEPS, delta, NULL, NULL, NULL);
+        fvi_history_modes_nodes(0.5, STEPS, delta, NULL, NULL, NULL);
     return (Q + 7) / 8 * 8;
 }
 
 /* Rated memories push the plain way, whatever d. */
-static fvi_exponentials *plain_of(size_t d)
+static fvi_history_modes *plain_of(size_t d)
 {
     const fvi_grid g =
-        fvi_exponentials_plan(0.5, STEPS, fvi_exponentials_delta(STEPS, 0));
-    fvi_exponentials *e = fvi_exponentials_alloc(&g, 0.5, 1, d, STEPS);
+        fvi_history_modes_plan(0.5, STEPS, fvi_history_modes_delta(STEPS, 0));
+    fvi_history_modes *e = fvi_history_modes_alloc(&g, 0.5, 1, d, STEPS);
     if (!e)
         exit(EXIT_FAILURE);
     return e;
 }
 
-static fvi_tiles *tiles_of(size_t d, size_t lanes)
+static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
 {
     double p[MODES] = { 0 }, c[MODES] = { 0 }, w[FVI_WINDOW + 1];
     const size_t Q = modes();
-    fvi_exponentials_nodes(0.5, STEPS, fvi_exponentials_delta(STEPS, 0), p, c,
+    fvi_history_modes_nodes(0.5, STEPS, fvi_history_modes_delta(STEPS, 0), p, c,
                            NULL);
     for (size_t q = 0; q < Q; q++) {
         c[q] *= exp(-FVI_TAIL * p[q]);
         p[q] = -expm1(-p[q]);
     }
-    fvi_coefficients(0.5, FVI_WINDOW + 1, w);
-    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, w);
-    if (!t || (lanes && !fvi_tiles_width(t, lanes))) {
-        fvi_tiles_free(t);
+    fvi_gl_weights(0.5, FVI_WINDOW + 1, w);
+    fvi_history_tiled *t = fvi_history_tiled_alloc(d, Q, p, c, w);
+    if (!t || (lanes && !fvi_history_tiled_width(t, lanes))) {
+        fvi_history_tiled_free(t);
         return NULL;
     }
     return t;
@@ -67,7 +67,7 @@ static fvi_tiles *tiles_of(size_t d, size_t lanes)
 
 /* ns a coordinate and push: the least of twelve, or of four, times as many pushes as make 2 10^6
  * coordinates, whole blocks, but one block at least. */
-static double push_time(fvi_exponentials *e, fvi_tiles *t, size_t d)
+static double push_time(fvi_history_modes *e, fvi_history_tiled *t, size_t d)
 {
     const size_t count = 32 + 2000000 / d / 32 * 32;
     double *x = room(2 * d), best = 1e30;
@@ -77,9 +77,9 @@ static double push_time(fvi_exponentials *e, fvi_tiles *t, size_t d)
         const double start = now();
         for (size_t k = 0; k < count; k++) {
             if (t)
-                fvi_tiles_push(t, x, x + d);
+                fvi_history_tiled_push(t, x, x + d);
             else
-                fvi_exponentials_push(e, x, x + d);
+                fvi_history_modes_push(e, x, x + d);
         }
         best = smaller(best, now() - start);
     }
@@ -89,17 +89,17 @@ static double push_time(fvi_exponentials *e, fvi_tiles *t, size_t d)
 
 static double plain_time(size_t d)
 {
-    fvi_exponentials *e = plain_of(d);
+    fvi_history_modes *e = plain_of(d);
     const double ns = push_time(e, NULL, d);
-    fvi_exponentials_free(e);
+    fvi_history_modes_free(e);
     return ns;
 }
 
 static double tiles_time(size_t d, size_t lanes)
 {
-    fvi_tiles *t = tiles_of(d, lanes);
+    fvi_history_tiled *t = tiles_of(d, lanes);
     const double ns = t ? push_time(NULL, t, d) : NAN;
-    fvi_tiles_free(t);
+    fvi_history_tiled_free(t);
     return ns;
 }
 
@@ -136,29 +136,29 @@ static double batch_time(size_t d)
 {
     const size_t count = 32 * (1 + 30000 / d);
     double *x = room(3 * d), *v = x + d, *H = v + d, best = 1e30;
-    fvi_memory *m;
+    fvi_history *m;
     for (int i = 0; i < 10; i++) {
-        if (fvi_memory_alloc(0.5, d, STEPS, FVI_MEMORY_EXPONENTIALS, 0, &m))
+        if (fvi_history_alloc(0.5, d, STEPS, FVI_HISTORY_MODES, 0, &m))
             exit(EXIT_FAILURE);
         for (size_t j = 0; j < d; j++)
             x[j] = cos((double)j);
         const double start = now();
         for (size_t k = 0; k < count; k++) {
-            fvi_memory_push(m, x, x, H);
+            fvi_history_push(m, x, x, H);
             for (size_t j = 0; j < d; j++) {
                 v[j] -= 1e-3 * (x[j] + H[j]);
                 x[j] += 1e-3 * v[j];
             }
         }
         best = smaller(best, now() - start);
-        fvi_memory_free(m);
+        fvi_history_free(m);
     }
     free(x);
     return 1e9 * best / (double)count / (double)d;
 }
 
 /* The same runs as the coordinates of one system, which share alpha, h and the method, by
- * fvi_step; the least of ten. */
+ * fvi_stepper_step; the least of ten. */
 static double run_time(const fvi_method *method, size_t d)
 {
     static const double c = 1;
@@ -177,14 +177,14 @@ static double run_time(const fvi_method *method, size_t d)
     run.alpha = 0.25;
     for (int i = 0; i < 10; i++) {
         fvi_stepper *s;
-        if (fvi_start(method, &run, &s))
+        if (fvi_stepper_start(method, &run, &s))
             exit(EXIT_FAILURE);
         const double start = now();
         while (s->k < steps)
-            if (fvi_step(s))
+            if (fvi_stepper_step(s))
                 exit(EXIT_FAILURE);
         best = smaller(best, now() - start);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
     free(x);
     return 1e9 * best / (double)steps / (double)d;
@@ -197,7 +197,7 @@ static void against_batch(void)
     for (int turn = 0; turn < TURNS; turn++)
         for (size_t i = 0, d = 1; i < ROWS; i++, d *= d < 16 ? 2 : 4) {
             const double ns[] = { batch_time(d), run_time(&fvi_fractional, d),
-                                  run_time(&fvi_stable, d) };
+                                  run_time(&fvi_cq2_midpoint, d) };
             for (int j = 0; j < 3; j++)
                 least[i][j] = turn ? smaller(least[i][j], ns[j]) : ns[j];
         }
@@ -318,14 +318,14 @@ static double run_of(size_t n, fvi_potential potential, const double *x0,
     run.alpha = 0.25;
     fvi_stepper *s;
     const double begin = now();
-    int status = fvi_start(&fvi_fractional, &run, &s);
+    int status = fvi_stepper_start(&fvi_fractional, &run, &s);
     while (!status && s->k < steps)
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
     const double seconds = now() - begin;
     if (status)
         exit(EXIT_FAILURE);
     memcpy(x, s->x, n * sizeof *x);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     free(mass);
     return seconds;
 }

@@ -7,8 +7,8 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
-#include "memory/blocks.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_tiled.h"
+#include "memory/history_kinds.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ static void progress(const char *what, size_t n)
 }
 
 /* One run of d equal systems; x(T) of the first. */
-static double run_once(size_t d, size_t N, double kappa, fvi_memory_kind kind,
+static double run_once(size_t d, size_t N, double kappa, fvi_history_kind kind,
                        double tolerance)
 {
     enum { MOST = FVI_TILES_FROM };
@@ -49,18 +49,18 @@ static double run_once(size_t d, size_t N, double kappa, fvi_memory_kind kind,
                     .memory = kind,
                     .tolerance = tolerance };
     fvi_stepper *s;
-    if (fvi_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s))
         exit(EXIT_FAILURE);
     while (s->k < N)
-        if (fvi_step(s))
+        if (fvi_stepper_step(s))
             exit(EXIT_FAILURE);
     double x = s->x[0];
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return x;
 }
 
 /* Seconds of a run: the least of two or of a fifth of a second's worth. */
-static double seconds(size_t d, size_t N, double kappa, fvi_memory_kind kind,
+static double seconds(size_t d, size_t N, double kappa, fvi_history_kind kind,
                       double tolerance, double *x)
 {
     double best = 1e30, begin = now();
@@ -78,24 +78,24 @@ static void against_steps(void)
 {
     /* The method is of first order: two long runs give x(T) to 10^-12. */
     progress("reference", 10000000);
-    double exact = 2 * run_once(1, 10000000, 0.5, FVI_MEMORY_AUTO, 0)
-                   - run_once(1, 5000000, 0.5, FVI_MEMORY_AUTO, 0);
+    double exact = 2 * run_once(1, 10000000, 0.5, FVI_HISTORY_AUTO, 0)
+                   - run_once(1, 5000000, 0.5, FVI_HISTORY_AUTO, 0);
     printf("\n\n# run time against N, 2 alpha = 3/2, default tolerance\n"
            "# memory\tN\tseconds\tns per step\tbytes\terror of x(T)\n");
     const double all[] = { 32,  64,  128, 192, 256, 384, 512, 1e3, 2e3,
                            5e3, 1e4, 2e4, 5e4, 1e5, 3e5, 1e6, 3e6, 1e7 };
     const double most[] = { 0, 2e4, 3e6, 1e7 };
-    for (int kind = FVI_MEMORY_DIRECT; kind <= FVI_MEMORY_EXPONENTIALS;
+    for (int kind = FVI_HISTORY_DIRECT; kind <= FVI_HISTORY_MODES;
          kind++) {
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
             if (all[i] > most[kind])
                 break;
             size_t N = (size_t)all[i];
             progress(names[kind], N);
-            double x, t = seconds(1, N, 0.5, (fvi_memory_kind)kind, 0, &x);
+            double x, t = seconds(1, N, 0.5, (fvi_history_kind)kind, 0, &x);
             printf("%s\t%zu\t%.4g\t%.4g\t%zu\t%.3g\n", names[kind], N, t,
                    1e9 * t / (double)N,
-                   fvi_memory_bytes(1.5, 1, N, (fvi_memory_kind)kind, 0),
+                   fvi_history_bytes(1.5, 1, N, (fvi_history_kind)kind, 0),
                    fabs(x - exact));
         }
         printf("\n\n");
@@ -119,14 +119,14 @@ static double bare(size_t N, double *a, double *b)
 
 static void ratios(void)
 {
-    double x, y, direct = seconds(1, 20000, 0.5, FVI_MEMORY_DIRECT, 0, &x);
+    double x, y, direct = seconds(1, 20000, 0.5, FVI_HISTORY_DIRECT, 0, &x);
     double dots = 1e30, *a = calloc(40000, sizeof *a);
     for (int i = 0; a && i < 5; i++)
         dots = smaller(dots, bare(20000, a, a + 20000));
     free(a);
     progress("ratios", 1000000);
-    double fft = seconds(1, 1000000, 0.5, FVI_MEMORY_FFT, 0, &x);
-    double modes = seconds(1, 1000000, 0.5, FVI_MEMORY_EXPONENTIALS, 0, &y);
+    double fft = seconds(1, 1000000, 0.5, FVI_HISTORY_FFT, 0, &x);
+    double modes = seconds(1, 1000000, 0.5, FVI_HISTORY_MODES, 0, &y);
     static const char row[] = "%-56s\t%.*g\n";
     printf("# ratios of run times, and how far apart the results are\n"
            "#> ratios\n# %-54s\tis\n",
@@ -146,15 +146,15 @@ static void against_tolerance(void)
 {
     const size_t N = 20000;
     progress("against the tolerance", N);
-    double want = run_once(1, N, 0.5, FVI_MEMORY_DIRECT, 0), x;
+    double want = run_once(1, N, 0.5, FVI_HISTORY_DIRECT, 0), x;
     printf("# against the tolerance, N = %zu\n#> tolerance\n"
            "# toler.\tms\tmodes\t|x(T) - that of the direct sum|\n",
            N);
     for (double tolerance = 1e-3; tolerance > 0.9e-14; tolerance /= 10) {
-        double t = seconds(1, N, 0.5, FVI_MEMORY_EXPONENTIALS, tolerance, &x);
-        double delta = fvi_exponentials_delta(N, tolerance);
+        double t = seconds(1, N, 0.5, FVI_HISTORY_MODES, tolerance, &x);
+        double delta = fvi_history_modes_delta(N, tolerance);
         printf("%.0e\t%.3f\t%zu\t%.1e\n", tolerance, 1e3 * t,
-               fvi_exponentials_nodes(0.5, (double)N, delta, NULL, NULL, NULL),
+               fvi_history_modes_nodes(0.5, (double)N, delta, NULL, NULL, NULL),
                fabs(x - want));
     }
     printf("#< tolerance\n\n\n");
@@ -175,7 +175,7 @@ static void against_batch(void)
         for (size_t d = 1; d < most; d *= 2) {
             progress("batch", d);
             least[d] = smaller(
-                least[d], seconds(d, N, 1, FVI_MEMORY_EXPONENTIALS, 0, &x));
+                least[d], seconds(d, N, 1, FVI_HISTORY_MODES, 0, &x));
         }
     printf("# a batch: d systems in one memory, N = %zu, explicit\n#> batch\n"
            "# d\tns per step and system\ttimes as fast as one by one\n",
@@ -189,17 +189,17 @@ static void against_batch(void)
 /* Seconds of N pushes, x_{k+1} made from H_k as a step would. */
 static double pushes(size_t N, double delta)
 {
-    const fvi_grid g = fvi_exponentials_plan(0.5, N, delta);
-    fvi_exponentials *e = fvi_exponentials_alloc(&g, 0.5, 0, 1, N);
+    const fvi_grid g = fvi_history_modes_plan(0.5, N, delta);
+    fvi_history_modes *e = fvi_history_modes_alloc(&g, 0.5, 0, 1, N);
     double x = 1, v = 0, H;
     const double start = now();
     for (size_t k = 0; e && k <= N; k++) {
-        fvi_exponentials_push(e, &x, &H);
+        fvi_history_modes_push(e, &x, &H);
         v -= 1e-5 * (x + H);
         x += 1e-5 * v;
     }
     const double taken = now() - start;
-    fvi_exponentials_free(e);
+    fvi_history_modes_free(e);
     return taken;
 }
 
@@ -211,7 +211,7 @@ static void against_modes(void)
     double delta[TENS], least[TENS];
     progress("one push", N);
     for (int i = 0; i < TENS; i++) {
-        delta[i] = fvi_exponentials_delta(N, pow(10, -3 - i));
+        delta[i] = fvi_history_modes_delta(N, pow(10, -3 - i));
         least[i] = 1e30;
     }
     for (int turn = 0; turn < TURNS; turn++)
@@ -222,7 +222,7 @@ static void against_modes(void)
     for (int i = 0; i < TENS; i++)
         printf(
             "%zu\t%.1f\n",
-            fvi_exponentials_nodes(0.5, (double)N, delta[i], NULL, NULL, NULL),
+            fvi_history_modes_nodes(0.5, (double)N, delta[i], NULL, NULL, NULL),
             1e9 * least[i] / (double)N);
     printf("#< modes\n");
 }

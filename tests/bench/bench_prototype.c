@@ -20,7 +20,7 @@
 #include "variable.h"
 #include "bench.h"
 #include "prototype.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -46,10 +46,10 @@ static void uniform(const bench_problem *P, const char *method, size_t N,
     run.system = &P->system;
     run.h = 20. / (double)N;
     run.steps = N;
-    bench_need(fvi_trajectory(fvi_method_named(method), &run, x, p, NULL));
+    bench_need(fvi_trajectory(fvi_method_find(method), &run, x, p, NULL));
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
-    bench_need(fvi_exact(&P->exact, N + 1, t, exact, v));
+    bench_need(fvi_exact_at(&P->exact, N + 1, t, exact, v));
     *of_x = *of_v = 0;
     for (size_t k = N / 10; k <= N; k++) {
         *of_x = larger(*of_x, fabs(x[k] - exact[k]));
@@ -170,8 +170,8 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
     size_t n = 0;
     run.system = &P->system;
     run.step_error = tolerance;
-    bench_need(fvi_start(&fvi_adaptive, &run, &s));
-    fvi_adaptive_run *o = s->own;
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+    fvi_variable_step_state *o = s->method_state;
     const int first =
         (int)floor(log(0.1 * pow(tolerance, 0.4)) / fvi_variable_spacing());
     o->next = first;
@@ -179,14 +179,14 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
     bench_need(fvi_modes_alloc(o->rule, FVI_MODES_FINE, o->beta, 1, o->T,
                                o->least, &o->modes));
     for (; s->k < run.steps; n++) {
-        bench_need(fvi_step(s));
-        if (o->fresh)
+        bench_need(fvi_stepper_step(s));
+        if (o->first_after_event)
             o->next = first;
         t[n] = s->t;
         x[n] = s->x[0];
     }
-    fvi_stop(s);
-    bench_need(fvi_exact(&P->exact, n, t, exact, v));
+    fvi_stepper_free(s);
+    bench_need(fvi_exact_at(&P->exact, n, t, exact, v));
     *error = 0;
     for (size_t i = 0; i < n; i++)
         *error = larger(*error, fabs(x[i] - exact[i]));
@@ -223,7 +223,7 @@ static void alphas(void)
         if (its_alphas[i].singular) {
             bench_linear(&P, "Riemann-Liouville", alpha,
                          alpha < 0.5 ? low : high, 20);
-            P.run.past = P.exact.past = FVI_PAST_RIEMANN_LIOUVILLE;
+            P.run.past = P.exact.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         } else {
             bench_linear(&P, "pushed", alpha, pushed, 20);
             bench_step(&P, 8, 0.7310585);
@@ -266,7 +266,7 @@ static void long_runs(void)
     printf("#< long\n");
 }
 
-/* fvi_start and fvi_stop, and no step between. */
+/* fvi_stepper_start and fvi_stepper_free, and no step between. */
 static void set_up(const bench_problem *all)
 {
     printf("\n\n#> start\n# run\ttolerance\tmicroseconds of its start\n");
@@ -279,8 +279,8 @@ static void set_up(const bench_problem *all)
             for (int n = 0; n < 5000; n++) {
                 fvi_stepper *s;
                 const double begin = now();
-                bench_need(fvi_start(&fvi_adaptive, &run, &s));
-                fvi_stop(s);
+                bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+                fvi_stepper_free(s);
                 const double took = now() - begin;
                 least = took > 0 ? smaller(least, took) : least;
             }

@@ -25,8 +25,8 @@ static fvi_run run_of(const fvi_system *system, double *x0, double *p0,
     fvi_run run = fvi_run_default(system, x0, p0, h, steps);
     run.alpha = alpha;
     run.kappa = 1;
-    run.past = FVI_PAST_CAPUTO;
-    run.memory = FVI_MEMORY_EXPONENTIALS;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    run.memory = FVI_HISTORY_MODES;
     return run;
 }
 
@@ -64,15 +64,15 @@ static void wave(size_t d, size_t steps, int with_room)
     const fvi_run run = run_of(&system, x0, p0, dx / 2, steps);
     const double begin = now(), centre = x0[d / 2], s = sin(pi * dx / 2) / dx;
     fvi_stepper *stepper;
-    if (fvi_start(&fvi_fractional, &run, &stepper))
+    if (fvi_stepper_start(&fvi_fractional, &run, &stepper))
         exit(EXIT_FAILURE);
     while (stepper->k < steps)
-        if (fvi_step(stepper))
+        if (fvi_stepper_step(stepper))
             exit(EXIT_FAILURE);
     const double seconds = now() - begin,
                  want = one_oscillator(4 * s * s, dx / 2, steps) * centre,
                  far = fabs(stepper->x[d / 2] - want);
-    fvi_stop(stepper);
+    fvi_stepper_free(stepper);
     free(ones);
     struct rusage used;
     getrusage(RUSAGE_SELF, &used);
@@ -98,7 +98,7 @@ static void laplace(int m, double factor, fvi_sparse *A)
             if (beside[l] >= 0 && beside[l] < m * m)
                 list[count++] = (fvi_triplet){ i, beside[l], -k };
     }
-    if (!list || fvi_sparse_sum((size_t)(m * m), count, list, A))
+    if (!list || fvi_sparse_assemble((size_t)(m * m), count, list, A))
         exit(EXIT_FAILURE);
     free(list);
 }
@@ -120,23 +120,23 @@ static void membrane(int m)
     }
     laplace(m, 1, &K);
     laplace(m, 0.01, &C);
-    if (fvi_sparse_sum(d, d, ones, &M)
+    if (fvi_sparse_assemble(d, d, ones, &M)
         || fvi_structure_alloc(&M, &K, &C, &structure, NULL))
         exit(EXIT_FAILURE);
     const fvi_system system = fvi_structure_system(structure);
     fvi_run run = run_of(&system, x0, x0 + d, 1 / ((double)m + 1), STEPS);
     const double begin = now();
-    if (fvi_start(&fvi_stable, &run, &s))
+    if (fvi_stepper_start(&fvi_cq2_midpoint, &run, &s))
         exit(EXIT_FAILURE);
     const double started = now();
     while (s->k < FEW)
-        if (fvi_step(s))
+        if (fvi_stepper_step(s))
             exit(EXIT_FAILURE);
     printf("%zu\t%.3g\t%.3g\t%s\n", d, 1e3 * (started - begin),
            1e9 * (now() - started) / FEW / (double)d,
-           fvi_structure_solver(structure, 1, 1, 1));
+           fvi_structure_solver_name(structure, 1, 1, 1));
     fflush(stdout);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_structure_free(structure);
     fvi_sparse_free(&M);
     fvi_sparse_free(&K);

@@ -10,7 +10,7 @@
  *     slow      x'' + D^{0.6} x + x = 0, x(0) = 1, at rest, T = 10^7
  *
  * The error is the largest |x - x(t)|, at the ends of all steps, and at 400 rows between.
- * A time is the least of several, from fvi_start to fvi_stop, without rows. */
+ * A time is the least of several, from fvi_stepper_start to fvi_stepper_free, without rows. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
 #include "bench.h"
@@ -20,7 +20,7 @@
 static void measure(const bench_problem *P, double tolerance)
 {
     double rows, ends;
-    const fvi_adaptive_counts counts =
+    const fvi_step_statistics counts =
         bench_errors(P, tolerance, 1, &ends, &rows);
     printf("%s, %.0e\t%d\t%zu\t%zu\t", P->name, tolerance, counts.stages,
            counts.steps, counts.rejected);

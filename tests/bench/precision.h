@@ -15,7 +15,7 @@ typedef enum { PEERS, OURS_THAT_STEP, OURS_EXACT } side;
 typedef struct {
     char name[40];
     const fvi_method *method; /* NULL for a peer, and for the exact solution */
-    fvi_memory_kind kind;
+    fvi_history_kind kind;
     const peer *peer;
     side of;
 } contender;

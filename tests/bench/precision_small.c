@@ -42,15 +42,15 @@ static double process(const char *program)
 static double steps(size_t N)
 {
     const fvi_run run =
-        problem_run(problem_number(0), N, FVI_MEMORY_EXPONENTIALS, 0);
+        problem_run(problem_number(0), N, FVI_HISTORY_MODES, 0);
     const double start = now();
     fvi_stepper *s;
-    if (fvi_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s))
         return 0;
-    while (s->k < N && !fvi_step(s))
+    while (s->k < N && !fvi_stepper_step(s))
         ;
     const int whole = s->k == N;
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return whole ? now() - start : 0;
 }
 

@@ -14,15 +14,15 @@ enum { RUNS = 9, FEW = 3, HOPELESS = 50 };
 
 size_t gather(contender *all)
 {
-    static const fvi_memory_kind kinds[] = { FVI_MEMORY_EXPONENTIALS,
-                                             FVI_MEMORY_DIRECT };
+    static const fvi_history_kind kinds[] = { FVI_HISTORY_MODES,
+                                             FVI_HISTORY_DIRECT };
     size_t count = 0;
     for (size_t i = 0; fvi_methods[i]; i++)
         for (int k = 0; k < 2; k++) {
             const fvi_method *m = fvi_methods[i];
             const int remembers = m->memories != 0,
                       peer_ = m->alpha_least == m->alpha_most;
-            if (remembers ? !fvi_method_has_memory(m, kinds[k]) : k > 0)
+            if (remembers ? !fvi_method_takes_history(m, kinds[k]) : k > 0)
                 continue;
             contender *c = &all[count++];
             *c = (contender){ .method = m,
@@ -53,13 +53,13 @@ static int run_once(const contender *c, const problem *p, size_t N,
     run.step_error = tolerance; /* read by methods that choose their steps */
     const size_t d = p->system.d;
     fvi_stepper *s;
-    int status = fvi_start(c->method, &run, &s);
+    int status = fvi_stepper_start(c->method, &run, &s);
     if (status)
         return status;
     for (size_t k = 0; k <= ROWS && !status; k++)
         status =
-            fvi_run_to(s, (double)(k * (N / ROWS)) * run.h, rows + k * d, NULL);
-    fvi_stop(s);
+            fvi_stepper_advance_to(s, (double)(k * (N / ROWS)) * run.h, rows + k * d, NULL);
+    fvi_stepper_free(s);
     return status;
 }
 
@@ -169,7 +169,7 @@ void sweep(const contender *c, int P, const double *truth, timing *best,
     const int by_steps = !c->peer || c->peer->fewest > 0,
               tunes = c->peer ? c->peer->tolerance
                               : c->method->memories != 0
-                                    && c->kind == FVI_MEMORY_EXPONENTIALS;
+                                    && c->kind == FVI_HISTORY_MODES;
     place o = { c,     p,
                 truth, malloc((ROWS + 1) * p->system.d * sizeof(double)),
                 best,  late,

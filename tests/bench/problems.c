@@ -12,13 +12,13 @@ static const double one = 1, plate[] = { 8, 1 }, off_grid[] = { 8, 0.7310585 },
                     slow[] = { 1, 0.5 };
 
 /* m, c, rho, alpha, past, x0, v0, forcing, A, T, w, law */
-static const fvi_linear exactly[] = {
-    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 1, 0, NULL },
-    { 1, 1, 0.2, 0.5, FVI_PAST_CAPUTO, 1, 0.5, FVI_FORCING_NONE, 0, 0, 0, NULL },
-    { 1, 1, 1, 0.75, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 0.7310585, 0, NULL },
-    { 1, 1, 1, 0.2, FVI_PAST_RIEMANN_LIOUVILLE, 1, 0.5, FVI_FORCING_NONE, 0, 0,
+static const fvi_linear_oscillator exactly[] = {
+    { 1, 1, 1, 0.75, FVI_INITIAL_HISTORY_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 1, 0, NULL },
+    { 1, 1, 0.2, 0.5, FVI_INITIAL_HISTORY_CAPUTO, 1, 0.5, FVI_FORCING_NONE, 0, 0, 0, NULL },
+    { 1, 1, 1, 0.75, FVI_INITIAL_HISTORY_CAPUTO, 0, 0, FVI_FORCING_STEP, 8, 0.7310585, 0, NULL },
+    { 1, 1, 1, 0.2, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 1, 0.5, FVI_FORCING_NONE, 0, 0,
       0, NULL },
-    { 1, 1, 0.1, 0.3, FVI_PAST_CAPUTO, 0, 0, FVI_FORCING_COSINE, 1, 0, 0.5,
+    { 1, 1, 0.1, 0.3, FVI_INITIAL_HISTORY_CAPUTO, 0, 0, FVI_FORCING_COSINE, 1, 0, 0.5,
       NULL },
 };
 
@@ -46,7 +46,7 @@ static void set_up(void)
                         pendulum = fvi_potential_pendulum(&one),
                         chain = fvi_potential_chain(hard);
     const fvi_force none = { 0 };
-    const fvi_past C = FVI_PAST_CAPUTO, RL = FVI_PAST_RIEMANN_LIOUVILLE;
+    const fvi_initial_history C = FVI_INITIAL_HISTORY_CAPUTO, RL = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     const problem table[PROBLEMS] = {
         { "Bagley and Torvik's plate",
           { 1, ones, ones, spring, fvi_force_step(plate), NULL },
@@ -96,7 +96,7 @@ const problem *problem_number(int P)
     return &all[P];
 }
 
-fvi_run problem_run(const problem *p, size_t N, fvi_memory_kind memory,
+fvi_run problem_run(const problem *p, size_t N, fvi_history_kind memory,
                     double tolerance)
 {
     return (fvi_run){ .system = &p->system,

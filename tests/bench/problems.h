@@ -19,9 +19,9 @@ typedef struct {
     fvi_system system;
     const double *x0, *p0;
     double T, alpha;
-    fvi_past past;
+    fvi_initial_history past;
     double jump;
-    const fvi_linear *linear;
+    const fvi_linear_oscillator *linear;
     double panel, seconds;
 } problem;
 
@@ -29,7 +29,7 @@ typedef struct {
 const problem *problem_number(int P);
 
 /* problem_run -- the run with N steps, by a memory and its tolerance. */
-fvi_run problem_run(const problem *p, size_t N, fvi_memory_kind memory,
+fvi_run problem_run(const problem *p, size_t N, fvi_history_kind memory,
                     double tolerance);
 
 /* reference -- collocation on graded panels, in long double, for the pasts of Caputo.

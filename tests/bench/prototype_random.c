@@ -1,7 +1,7 @@
 /* tests/bench/prototype_random.c -- Chapter 22: beside the prototype, on random problems. */
 #include "variable.h"
 #include "prototype.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -93,7 +93,7 @@ void prototype_random(void)
         bench_rows(&P, tolerance, x, v);
         for (size_t k = 0; k <= ROWS; k++)
             t[k] = (double)k * P.run.h;
-        bench_need(fvi_exact(&P.exact, ROWS + 1, t, exact, exact_v));
+        bench_need(fvi_exact_at(&P.exact, ROWS + 1, t, exact, exact_v));
         for (size_t k = 0; k <= ROWS; k++)
             of_v = larger(of_v, fabs(v[k] - exact_v[k]));
         used[0][n] = ends / tolerance;
@@ -117,12 +117,12 @@ static double limited(const bench_problem *P, double tolerance, double longest,
                       int growth, double *x)
 {
     fvi_stepper *s = bench_start(P, tolerance);
-    fvi_adaptive_counts counts;
-    fvi_adaptive_limit(s, longest, growth);
+    fvi_step_statistics counts;
+    fvi_variable_step_limit(s, longest, growth);
     for (size_t k = 0; k <= ROWS; k++)
-        bench_need(fvi_run_to(s, (double)k * P->run.h, x + k, NULL));
-    bench_need(fvi_adaptive_look(s, &counts));
-    fvi_stop(s);
+        bench_need(fvi_stepper_advance_to(s, (double)k * P->run.h, x + k, NULL));
+    bench_need(fvi_stepper_statistics(s, &counts));
+    fvi_stepper_free(s);
     return counts.longest;
 }
 

@@ -165,7 +165,7 @@ static int pull(collocation *o, size_t k, const real *V, real *X)
                 Xi[a] += h * o->A[i][j] * V[(size_t)j * d + a];
         for (size_t a = 0; a < d; a++)
             o->point[a] = (double)Xi[a];
-        int status = fvi_gradient(s, o->point, o->grad);
+        int status = fvi_potential_gradient(s, o->point, o->grad);
         memset(o->F, 0, d * sizeof *o->F);
         if (!status && s->force.value)
             status = s->force.value((double)(o->t[k] + h * o->c[i]), d,

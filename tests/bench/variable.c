@@ -34,12 +34,12 @@ void bench_linear(bench_problem *P, const char *name, double alpha,
     P->fixed[5] = of[0] * of[4]; /* p0 */
     P->run = fvi_run_default(NULL, P->fixed + 3, P->fixed + 5, T / ROWS, ROWS);
     P->run.alpha = alpha;
-    P->run.past = FVI_PAST_CAPUTO;
-    P->exact = (fvi_linear){ .m = of[0],
+    P->run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    P->exact = (fvi_linear_oscillator){ .m = of[0],
                              .rho = of[1],
                              .c = of[2],
                              .alpha = alpha,
-                             .past = FVI_PAST_CAPUTO,
+                             .past = FVI_INITIAL_HISTORY_CAPUTO,
                              .x0 = of[3],
                              .v0 = of[4] };
 }
@@ -77,7 +77,7 @@ static void other(bench_problem *P, const char *name, size_t d, double rho,
                               .damping = d > 1 ? damping : &half };
     P->run = fvi_run_default(NULL, x0, zeros, T / ROWS, ROWS);
     P->run.alpha = 0.3;
-    P->run.past = FVI_PAST_CAPUTO;
+    P->run.past = FVI_INITIAL_HISTORY_CAPUTO;
 }
 
 void bench_problems(bench_problem *all)
@@ -101,7 +101,7 @@ void bench_problems(bench_problem *all)
     other(&all[CHAIN], "chain", D, 0.2, bent, 20);
     all[CHAIN].system.potential = fvi_potential_chain(link);
     bench_linear(&all[KICKED], "kicked", 0.2, with_speed, 20);
-    all[KICKED].run.past = all[KICKED].exact.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    all[KICKED].run.past = all[KICKED].exact.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     bench_linear(&all[SLOW], "slow", 0.3, bent_once, 1e7);
     bench_linear(&all[SLOW_HIGH], "slow, alpha = 3/4", 0.75, bent_once, 1e7);
     bench_linear(&all[SLOWER], "slow, to 1e9", 0.3, bent_once, 1e9);
@@ -118,7 +118,7 @@ void bench_rows(const bench_problem *P, double tolerance, double *x, double *v)
     fvi_run run = P->run;
     run.system = &P->system;
     run.step_error = tolerance;
-    bench_need(fvi_trajectory(&fvi_adaptive, &run, x, v, NULL));
+    bench_need(fvi_trajectory(&fvi_variable_step, &run, x, v, NULL));
     for (size_t k = 0; v && k <= ROWS; k++)
         for (size_t j = 0; j < P->system.d; j++)
             v[k * P->system.d + j] /= P->system.mass[j];
@@ -130,24 +130,24 @@ fvi_stepper *bench_start(const bench_problem *P, double tolerance)
     fvi_stepper *s;
     run.system = &P->system;
     run.step_error = tolerance;
-    bench_need(fvi_start(&fvi_adaptive, &run, &s));
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
     return s;
 }
 
-fvi_adaptive_counts bench_steps(const bench_problem *P, double tolerance,
+fvi_step_statistics bench_steps(const bench_problem *P, double tolerance,
                                 double *t, double *x)
 {
     fvi_stepper *s = bench_start(P, tolerance);
-    fvi_adaptive_counts counts;
+    fvi_step_statistics counts;
     for (size_t n = 0; s->k < P->run.steps; n++) {
-        bench_need(fvi_step(s) || n == MOST);
+        bench_need(fvi_stepper_step(s) || n == MOST);
         if (t) {
             t[n] = s->t;
             x[n] = s->x[0];
         }
     }
-    bench_need(fvi_adaptive_look(s, &counts));
-    fvi_stop(s);
+    bench_need(fvi_stepper_statistics(s, &counts));
+    fvi_stepper_free(s);
     return counts;
 }
 
@@ -170,22 +170,22 @@ static void truth_at(const bench_problem *P, size_t n, const double *t,
 {
     static double v[MOST], all[D];
     if (P->linear) {
-        bench_need(fvi_exact(&P->exact, n, t, x, v));
+        bench_need(fvi_exact_at(&P->exact, n, t, x, v));
         return;
     }
     fvi_run run = P->run;
     fvi_stepper *s;
     run.system = &P->system;
     run.step_error = 1e-14;
-    bench_need(fvi_start(&fvi_adaptive, &run, &s));
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
     for (size_t k = 0; k < n; k++) {
-        bench_need(fvi_run_to(s, t[k], all, NULL));
+        bench_need(fvi_stepper_advance_to(s, t[k], all, NULL));
         x[k] = all[0];
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
-fvi_adaptive_counts bench_errors(const bench_problem *P, double tolerance,
+fvi_step_statistics bench_errors(const bench_problem *P, double tolerance,
                                  size_t every, double *ends, double *rows)
 {
     static double x[(ROWS + 1) * D], t[MOST], end[MOST], exact[MOST];
@@ -194,7 +194,7 @@ fvi_adaptive_counts bench_errors(const bench_problem *P, double tolerance,
     for (size_t k = 0; k <= ROWS; k += every)
         for (size_t i = k * P->system.d; i < (k + 1) * P->system.d; i++)
             *rows = larger(*rows, fabs(x[i] - P->truth[i]));
-    const fvi_adaptive_counts counts = bench_steps(P, tolerance, t, end);
+    const fvi_step_statistics counts = bench_steps(P, tolerance, t, end);
     truth_at(P, counts.steps, t, exact);
     for (size_t n = 0; n < counts.steps; n++)
         *ends = larger(*ends, fabs(end[n] - exact[n]));
@@ -207,7 +207,7 @@ void bench_truth(bench_problem *P)
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = (double)k * P->run.h;
     if (P->linear)
-        bench_need(fvi_exact(&P->exact, ROWS + 1, t, P->truth, v));
+        bench_need(fvi_exact_at(&P->exact, ROWS + 1, t, P->truth, v));
     else
         bench_rows(P, 1e-14, P->truth, NULL);
 }

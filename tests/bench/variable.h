@@ -12,7 +12,7 @@ typedef struct {
     fvi_system system;
     fvi_run run; /* but for run.system and the tolerance */
     int linear;  /* then its exact solution: */
-    fvi_linear exact;
+    fvi_linear_oscillator exact;
     double truth[(BENCH_ROWS + 1)
                  * BENCH_MASSES]; /* else that of a run with 1e-14 */
     double fixed[8];              /* what system, run and force point to */
@@ -51,14 +51,14 @@ void bench_rows(const bench_problem *P, double tolerance, double *x, double *v);
 fvi_stepper *bench_start(const bench_problem *P, double tolerance);
 
 /* Its steps: how many, their ends, and x there if it is asked for. */
-fvi_adaptive_counts bench_steps(const bench_problem *P, double tolerance,
+fvi_step_statistics bench_steps(const bench_problem *P, double tolerance,
                                 double *t, double *x);
 
 /* The largest errors at the ends of its steps and in every so many of the rows. */
-fvi_adaptive_counts bench_errors(const bench_problem *P, double tolerance,
+fvi_step_statistics bench_errors(const bench_problem *P, double tolerance,
                                  size_t every, double *ends, double *rows);
 
-/* The least seconds of several runs, from fvi_start to fvi_stop, without rows. */
+/* The least seconds of several runs, from fvi_stepper_start to fvi_stepper_free, without rows. */
 double bench_seconds(const bench_problem *P, double tolerance);
 
 /* The same over those of GSL's rk8pd on SPRING, by its own steps, with the tolerance 1e-12:

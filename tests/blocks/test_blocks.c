@@ -1,8 +1,8 @@
 /* tests/blocks/test_blocks.c -- Chapter 28.       Run alone: make test-blocks */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "memory/blocks.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_tiled.h"
+#include "memory/history_kinds.h"
 
 #include "blocks_ref.h"
 
@@ -10,11 +10,11 @@
 
 static const double betas[] = { 0.02, 0.5, 0.98, 1.5, 1.98 };
 
-static fvi_memory *memory_of(double beta, size_t d, size_t steps)
+static fvi_history *memory_of(double beta, size_t d, size_t steps)
 {
-    fvi_memory *m = NULL;
+    fvi_history *m = NULL;
     ck_assert_int_eq(
-        fvi_memory_alloc(beta, d, steps, FVI_MEMORY_EXPONENTIALS, 0, &m),
+        fvi_history_alloc(beta, d, steps, FVI_HISTORY_MODES, 0, &m),
         FVI_SUCCESS);
     return m;
 }
@@ -25,16 +25,16 @@ static double random_term(void)
     return 2. * rand() / RAND_MAX - 1;
 }
 
-static void push(fvi_memory *m, const double *x, double *H)
+static void push(fvi_history *m, const double *x, double *H)
 {
-    if (fvi_memory_push(m, x, x, H)) /* of increments, the terms are as good */
+    if (fvi_history_push(m, x, x, H)) /* of increments, the terms are as good */
         ck_abort_msg("a term was refused");
 }
 
 /* ---- against exact sums ---- */
 
 /* The modes of blocks_ref.h, by vectors of a width. */
-static fvi_tiles *tiles_of(size_t d, size_t lanes)
+static fvi_history_tiled *tiles_of(size_t d, size_t lanes)
 {
     enum { Q = FVI_EIGHT };
     double p[Q] = { 0 }, c[Q] = { 0 };
@@ -42,11 +42,11 @@ static fvi_tiles *tiles_of(size_t d, size_t lanes)
         p[q] = ref_modes[q].p;
         c[q] = ref_modes[q].c;
     }
-    fvi_tiles *t = fvi_tiles_alloc(d, Q, p, c, ref_window);
+    fvi_history_tiled *t = fvi_history_tiled_alloc(d, Q, p, c, ref_window);
     ck_assert_ptr_nonnull(t);
-    if (fvi_tiles_width(t, lanes))
+    if (fvi_history_tiled_width(t, lanes))
         return t;
-    fvi_tiles_free(t);
+    fvi_history_tiled_free(t);
     return NULL;
 }
 
@@ -59,18 +59,18 @@ START_TEST(eq_28_1_sums_are_the_exact_ones)
 {
     enum { D = 21 };
     for (size_t lanes = 2; lanes <= 8; lanes *= 2) {
-        fvi_tiles *t = tiles_of(D, lanes);
+        fvi_history_tiled *t = tiles_of(D, lanes);
         for (size_t k = 0; t && k < LEN(ref_terms); k++) {
             double x[D], H[D];
             for (size_t i = 0; i < D; i++)
                 x[i] = ldexp(ref_terms[k], (int)(i % 5));
-            fvi_tiles_push(t, x, H);
+            fvi_history_tiled_push(t, x, H);
             for (size_t i = 0; i < D; i++)
                 ck_assert_near(ldexp(H[i], -(int)(i % 5)), ref_sums[k].want,
                                500 * U * ref_sums[k].size,
                                "by %zu, k = %zu, i = %zu", lanes, k, i);
         }
-        fvi_tiles_free(t);
+        fvi_history_tiled_free(t);
     }
 }
 END_TEST
@@ -85,8 +85,8 @@ START_TEST(eq_28_1_every_weight_is_that_of_the_plain_push)
     enum { D = 70, N = 3000 };
     double x[D], H[D], one[N + 1], zero = 0, worst = 0;
     for (size_t b = 0; b < LEN(betas); b++) {
-        fvi_memory *plain = memory_of(betas[b], 1, N);
-        fvi_memory *m = memory_of(betas[b], D, N);
+        fvi_history *plain = memory_of(betas[b], 1, N);
+        fvi_history *m = memory_of(betas[b], D, N);
         for (size_t k = 0; k <= N; k++) {
             const double first = 1;
             push(plain, k == 0 ? &first : &zero, one + k);
@@ -106,8 +106,8 @@ START_TEST(eq_28_1_every_weight_is_that_of_the_plain_push)
                     worst = larger(worst, fabs(H[i] / want - 1) / bound);
             }
         }
-        fvi_memory_free(plain);
-        fvi_memory_free(m);
+        fvi_history_free(plain);
+        fvi_history_free(m);
     }
     seen(worst, "of the bound");
 }
@@ -122,11 +122,11 @@ static double ck_assert_agreement(double beta, size_t d, size_t N)
     double *x = calloc(4 * d, sizeof *x);
     ck_assert_ptr_nonnull(x);
     double *H = x + d, *ahead = H + d, *one = ahead + d, worst = 0;
-    fvi_memory *m = memory_of(beta, d, N), **plain = calloc(d, sizeof *plain);
+    fvi_history *m = memory_of(beta, d, N), **plain = calloc(d, sizeof *plain);
     for (size_t i = 0; i < d; i++)
         plain[i] = memory_of(beta, 1, N);
     for (size_t k = 0; k <= N; k++) {
-        ck_assert_int_eq(fvi_memory_ahead(m, x, ahead), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_history_ahead(m, x, ahead), FVI_SUCCESS);
         for (size_t i = 0; i < d; i++) {
             ahead[i] -= beta < 1 ? x[i] : 0;
             x[i] = random_term();
@@ -142,8 +142,8 @@ static double ck_assert_agreement(double beta, size_t d, size_t N)
         }
     }
     for (size_t i = 0; i < d; i++)
-        fvi_memory_free(plain[i]);
-    fvi_memory_free(m);
+        fvi_history_free(plain[i]);
+    fvi_history_free(m);
     free(plain);
     free(x);
     return worst;
@@ -168,7 +168,7 @@ START_TEST(eq_28_1_small_integers_are_summed_exactly)
     enum { D = 33 };
     double x[D], H[D], one;
     for (double beta = 0.5; beta < 2; beta++) {
-        fvi_memory *m = memory_of(beta, D, 100),
+        fvi_history *m = memory_of(beta, D, 100),
                    *plain = memory_of(beta, 1, 100);
         for (size_t k = 0; k < 24; k++) {
             for (size_t i = 0; i < D; i++)
@@ -178,8 +178,8 @@ START_TEST(eq_28_1_small_integers_are_summed_exactly)
             for (size_t i = 0; i < D; i++)
                 ck_assert_ulp(H[i], one, 0, "k=%zu i=%zu", k, i);
         }
-        fvi_memory_free(m);
-        fvi_memory_free(plain);
+        fvi_history_free(m);
+        fvi_history_free(plain);
     }
 }
 END_TEST
@@ -194,23 +194,23 @@ START_TEST(eq_28_4_no_digit_depends_on_the_others_nor_on_the_vectors)
     static double x[MANY], H[MANY];
     double few[FEW];
     for (size_t lanes = 2; lanes <= 8; lanes *= 2) {
-        fvi_tiles *s = tiles_of(FEW, 2), *t = tiles_of(MANY, lanes);
+        fvi_history_tiled *s = tiles_of(FEW, 2), *t = tiles_of(MANY, lanes);
         srand(2);
         for (size_t k = 0; t && k < N; k++) {
             for (size_t i = 0; i < MANY; i++)
                 x[i] = random_term();
-            fvi_tiles_push(s, x + MANY - FEW, few);
-            fvi_tiles_push(t, x, H);
+            fvi_history_tiled_push(s, x + MANY - FEW, few);
+            fvi_history_tiled_push(t, x, H);
             for (size_t i = 0; i < FEW; i++)
                 ck_assert_ulp(H[MANY - FEW + i], few[i], 0,
                               "by %zu, k = %zu, i = %zu", lanes, k, i);
         }
-        fvi_tiles_free(s);
-        fvi_tiles_free(t);
+        fvi_history_tiled_free(s);
+        fvi_history_tiled_free(t);
     }
-    fvi_tiles *t = tiles_of(FEW, 2);
-    ck_assert_int_eq(fvi_tiles_width(t, 16), 0);
-    fvi_tiles_free(t);
+    fvi_history_tiled *t = tiles_of(FEW, 2);
+    ck_assert_int_eq(fvi_history_tiled_width(t, 16), 0);
+    fvi_history_tiled_free(t);
 }
 END_TEST
 
@@ -219,7 +219,7 @@ START_TEST(eq_28_1_the_sums_may_replace_the_terms)
 {
     enum { D = 19 };
     double x[D], H[D];
-    fvi_memory *m = memory_of(0.6, D, 99), *same = memory_of(0.6, D, 99);
+    fvi_history *m = memory_of(0.6, D, 99), *same = memory_of(0.6, D, 99);
     for (size_t k = 0; k < 100; k++) {
         for (size_t i = 0; i < D; i++)
             x[i] = random_term();
@@ -228,20 +228,20 @@ START_TEST(eq_28_1_the_sums_may_replace_the_terms)
         for (size_t i = 0; i < D; i++)
             ck_assert_ulp(x[i], H[i], 0, "k=%zu", k);
     }
-    fvi_memory_free(m);
-    fvi_memory_free(same);
+    fvi_history_free(m);
+    fvi_history_free(same);
 }
 END_TEST
 
 /* ---- the memory that has it ---- */
 
 typedef struct {
-    fvi_visitor visitor;
+    fvi_archive archive;
     unsigned char *at;
     int loads;
 } shelf;
 
-static int carry(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int carry(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     if (s->loads && !constant)
@@ -262,14 +262,14 @@ START_TEST(copies_and_visits_take_the_tiles_along)
     static unsigned char bytes[1 << 20];
     double x[D], H[3][D];
     for (size_t stop = 0; stop < 100; stop += 9) {
-        fvi_memory *m = memory_of(0.7, D, N), *copy, *other;
+        fvi_history *m = memory_of(0.7, D, N), *copy, *other;
         for (size_t k = 0; k <= N; k++) {
             if (k == stop) {
                 shelf s = { { carry }, bytes, 0 }, l = { { carry }, bytes, 1 };
-                ck_assert_int_eq(fvi_memory_copy(m, &copy), FVI_SUCCESS);
+                ck_assert_int_eq(fvi_history_copy(m, &copy), FVI_SUCCESS);
                 other = memory_of(0.7, D, N);
-                ck_assert_int_eq(fvi_memory_visit(m, &s.visitor), 0);
-                ck_assert_int_eq(fvi_memory_visit(other, &l.visitor), 0);
+                ck_assert_int_eq(fvi_history_archive(m, &s.archive), 0);
+                ck_assert_int_eq(fvi_history_archive(other, &l.archive), 0);
             }
             for (size_t i = 0; i < D; i++)
                 x[i] = random_term();
@@ -281,9 +281,9 @@ START_TEST(copies_and_visits_take_the_tiles_along)
                 ck_assert_mem_eq(H[0], H[2], sizeof H[0]);
             }
         }
-        fvi_memory_free(m);
-        fvi_memory_free(copy);
-        fvi_memory_free(other);
+        fvi_history_free(m);
+        fvi_history_free(copy);
+        fvi_history_free(other);
     }
 }
 END_TEST
@@ -293,19 +293,19 @@ END_TEST
 START_TEST(laws_and_rates_have_their_memories)
 {
     enum { D = 20, N = 400 };
-    fvi_law_term term[] = { { .kind = FVI_LAW_POWER, .rho = 1, .alpha = 0.6 },
-                            { .kind = FVI_LAW_POWER, .rho = 2, .alpha = 0 } };
-    const fvi_law law = { 2, term };
-    fvi_memory *many, *one, *rated, *plain = memory_of(0.7, 1, N);
+    fvi_kernel_term term[] = { { .kind = FVI_KERNEL_POWER, .rho = 1, .alpha = 0.6 },
+                            { .kind = FVI_KERNEL_POWER, .rho = 2, .alpha = 0 } };
+    const fvi_kernel law = { 2, term };
+    fvi_history *many, *one, *rated, *plain = memory_of(0.7, 1, N);
     double x[D], H[D], rate[D], want, first;
-    ck_assert_int_eq(fvi_law_memory(&law, FVI_QUADRATURE_EULER, 0.1, D, N,
-                                    FVI_MEMORY_EXPONENTIALS, 0, &first, &many),
+    ck_assert_int_eq(fvi_kernel_history(&law, FVI_DELTA_EULER, 0.1, D, N,
+                                    FVI_HISTORY_MODES, 0, &first, &many),
                      FVI_SUCCESS);
-    ck_assert_int_eq(fvi_law_memory(&law, FVI_QUADRATURE_EULER, 0.1, 1, N,
-                                    FVI_MEMORY_EXPONENTIALS, 0, &first, &one),
+    ck_assert_int_eq(fvi_kernel_history(&law, FVI_DELTA_EULER, 0.1, 1, N,
+                                    FVI_HISTORY_MODES, 0, &first, &one),
                      FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_memory_alloc_rate(0.7, D, N, FVI_MEMORY_EXPONENTIALS, 0, &rated),
+        fvi_history_alloc_by_order(0.7, D, N, FVI_HISTORY_MODES, 0, &rated),
         FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++) {
         for (size_t i = 0; i < D; i++)
@@ -314,16 +314,16 @@ START_TEST(laws_and_rates_have_their_memories)
         push(one, x, &want);
         for (size_t i = 0; i < D; i++)
             ck_assert_near(H[i], want, 1e-14, "a law, k=%zu", k);
-        ck_assert_int_eq(fvi_memory_push_rate(rated, x, x, H, rate),
+        ck_assert_int_eq(fvi_history_push_by_order(rated, x, x, H, rate),
                          FVI_SUCCESS);
         push(plain, x, &want);
         for (size_t i = 0; i < D; i++)
             ck_assert_ulp(H[i], want, 0, "rated, k=%zu", k);
     }
-    fvi_memory_free(many);
-    fvi_memory_free(one);
-    fvi_memory_free(rated);
-    fvi_memory_free(plain);
+    fvi_history_free(many);
+    fvi_history_free(one);
+    fvi_history_free(rated);
+    fvi_history_free(plain);
 }
 END_TEST
 

@@ -18,12 +18,12 @@ static void oscillator(double c, double alpha, double *x)
     fvi_run run = fvi_run_default(&system, &one, &zero, step, STEPS);
     run.kappa = 1;
     run.alpha = alpha;
-    run.memory = FVI_MEMORY_EXPONENTIALS;
+    run.memory = FVI_HISTORY_MODES;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
     for (x[0] = 1; s->k < STEPS; x[s->k] = s->x[0])
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-    fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+    fvi_stepper_free(s);
 }
 
 /* u'' + rho D^{2 alpha} u = second difference of u, ends fixed: from an eigenvector each
@@ -40,9 +40,9 @@ START_TEST(eq_28_1_every_point_of_a_wave_is_one_oscillator)
         const double alpha = waves % 2 ? 0.25 : 0.75;
         const double half = sin(pi * (double)waves / (2 * (POINTS + 1)));
         oscillator(4 * half * half, alpha, x);
-        fvi_memory *m;
-        ck_assert_int_eq(fvi_memory_alloc(2 * alpha, POINTS, STEPS,
-                                          FVI_MEMORY_EXPONENTIALS, 0, &m),
+        fvi_history *m;
+        ck_assert_int_eq(fvi_history_alloc(2 * alpha, POINTS, STEPS,
+                                          FVI_HISTORY_MODES, 0, &m),
                          FVI_SUCCESS);
         for (size_t i = 0; i < POINTS + 2; i++) {
             u0[i] = sin(pi * (double)(waves * i % (2 * (POINTS + 1)))
@@ -50,7 +50,7 @@ START_TEST(eq_28_1_every_point_of_a_wave_is_one_oscillator)
             u[i] = i % (POINTS + 1) ? u0[i] : 0;
             p[i] = z[i] = dz[i] = 0;
         }
-        fvi_memory_push(m, z + 1, dz + 1, z + 1);
+        fvi_history_push(m, z + 1, dz + 1, z + 1);
         for (size_t k = 1; k <= STEPS; k++) {
             double left = 0;
             for (size_t i = 1; i <= POINTS; i++) {
@@ -61,14 +61,14 @@ START_TEST(eq_28_1_every_point_of_a_wave_is_one_oscillator)
                 dz[i] = u[i] - here;
                 left = here;
             }
-            fvi_memory_push(m, z + 1, dz + 1, z + 1);
+            fvi_history_push(m, z + 1, dz + 1, z + 1);
             for (size_t i = 1; i <= POINTS; i++) {
                 p[i] -= rho * pow(step, 1 - 2 * alpha) * z[i];
                 ck_assert_near(u[i], x[k] * u0[i], 4 * U * STEPS,
                                "waves %zu, step %zu, point %zu", waves, k, i);
             }
         }
-        fvi_memory_free(m);
+        fvi_history_free(m);
     }
 }
 END_TEST
@@ -108,11 +108,11 @@ START_TEST(one_number_that_is_not_finite_ends_a_run)
         fvi_run run = fvi_run_default(&system, ones, none, step, 8);
         run.kappa = 1;
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_step(s), FVI_EOVRFLW);
-        fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_EOVRFLW);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -132,8 +132,8 @@ START_TEST(eq_9_4_parts_have_the_digits_of_the_whole)
         x0[i] = cos((double)i);
         p0[i] = sin((double)i);
     }
-    const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                               FVI_PAST_RIEMANN_LIOUVILLE };
+    const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                               FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     for (size_t n = 0; n < 7; n++) {
         fvi_stepper *s[2];
         for (size_t whole = 0; whole < 2; whole++) {
@@ -146,20 +146,20 @@ START_TEST(eq_9_4_parts_have_the_digits_of_the_whole)
             fvi_run run = fvi_run_default(system, x0, p0, 0.1, FEW);
             run.kappa = n < 6 ? 1 : 0.5; /* that has no parts */
             run.alpha = n < 3 ? 0.3 : 0.6;
-            run.memory = FVI_MEMORY_EXPONENTIALS;
+            run.memory = FVI_HISTORY_MODES;
             run.past = pasts[n % 3];
-            ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s[whole]),
+            ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s[whole]),
                              FVI_SUCCESS);
         }
         while (s[0]->k < FEW) {
-            ck_assert_int_eq(fvi_step(s[0]), FVI_SUCCESS);
-            ck_assert_int_eq(fvi_step(s[1]), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s[0]), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s[1]), FVI_SUCCESS);
             ck_assert_mem_eq(s[0]->x, s[1]->x, MANY * sizeof *x0);
             ck_assert_mem_eq(s[0]->p, s[1]->p, MANY * sizeof *p0);
         }
         for (size_t whole = 0; whole < 2; whole++) {
             free((void *)s[whole]->run.system);
-            fvi_stop(s[whole]);
+            fvi_stepper_free(s[whole]);
         }
     }
 }

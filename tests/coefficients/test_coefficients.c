@@ -18,7 +18,7 @@ static void weights_of(double alpha)
 {
     static double last = -1;
     if (alpha != last)
-        ck_assert_int_eq(fvi_coefficients(alpha, MANY, w), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_gl_weights(alpha, MANY, w), FVI_SUCCESS);
     last = alpha;
 }
 
@@ -48,7 +48,7 @@ START_TEST(eq_4_1_weights_far_out_are_the_nearest_doubles)
     for (size_t i = 0; i < LEN(ref_far); i++) {
         if (ref_far[i].n != FAR)
             continue;
-        ck_assert_int_eq(fvi_coefficients(ref_far[i].alpha, FAR + 1, far),
+        ck_assert_int_eq(fvi_gl_weights(ref_far[i].alpha, FAR + 1, far),
                          FVI_SUCCESS);
         ck_assert_ulp(far[FAR], ref_far[i].want, 0, "alpha=%g",
                       ref_far[i].alpha);
@@ -80,7 +80,7 @@ START_TEST(eq_4_2_the_textbook_loses_three_roundings_a_step)
         const double alpha = ref_weights[i].alpha, want = ref_weights[i].want;
         if (n >= FEW)
             continue;
-        ck_assert_int_eq(fvi_coefficients_simple(alpha, FEW, simple),
+        ck_assert_int_eq(fvi_gl_weights_simple(alpha, FEW, simple),
                          FVI_SUCCESS);
         ck_assert_near(simple[n], want, 3.01 * (double)n * U * fabs(want),
                        "alpha=%g n=%zu", alpha, n);
@@ -92,9 +92,9 @@ END_TEST
 START_TEST(eq_4_2_half_orders_are_exact_either_way)
 {
     double simple[LEN(ref_half)];
-    ck_assert_int_eq(fvi_coefficients_simple(0.5, LEN(ref_half), simple),
+    ck_assert_int_eq(fvi_gl_weights_simple(0.5, LEN(ref_half), simple),
                      FVI_SUCCESS);
-    ck_assert_int_eq(fvi_coefficients(0.5, LEN(ref_half), w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_gl_weights(0.5, LEN(ref_half), w), FVI_SUCCESS);
     for (size_t n = 0; n < LEN(ref_half); n++) {
         ck_assert_ulp(w[n], ref_half[n], 0, "fast, n=%zu", n);
         ck_assert_ulp(simple[n], ref_half[n], 0, "simple, n=%zu", n);
@@ -114,8 +114,8 @@ START_TEST(eq_4_2_the_textbook_recurrence_drifts)
     ck_assert_ptr_nonnull(simple);
     for (size_t i = 0; i < LEN(alphas); i++) {
         double alpha = alphas[i];
-        fvi_coefficients_simple(alpha, MANY, simple);
-        fvi_coefficients(alpha, MANY, w);
+        fvi_gl_weights_simple(alpha, MANY, simple);
+        fvi_gl_weights(alpha, MANY, w);
         double lost = simple[n] / w[n] - 1;
         //> bias
         double bias = 0; /* the relative errors of n - 1 - alpha, added up */
@@ -142,8 +142,8 @@ START_TEST(eq_4_1_integer_orders_end_in_exact_zeros)
     const double head[3][3] = { { 1, 0, 0 }, { 1, -1, 0 }, { 1, -2, 1 } };
     double simple[1000];
     for (size_t order = 0; order <= 2; order++) {
-        ck_assert_int_eq(fvi_coefficients((double)order, 1000, w), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_coefficients_simple((double)order, 1000, simple),
+        ck_assert_int_eq(fvi_gl_weights((double)order, 1000, w), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_gl_weights_simple((double)order, 1000, simple),
                          FVI_SUCCESS);
         for (size_t n = 0; n < 1000; n++) {
             double want = n < 3 ? head[order][n] : 0;
@@ -161,12 +161,12 @@ START_TEST(eq_4_1_signs)
 {
     const double below[] = { 0x1p-1060, 1e-8, 0.3, 0.5, 1 - U };
     for (size_t i = 0; i < LEN(below); i++) {
-        ck_assert_int_eq(fvi_coefficients(below[i], 5000, w), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_gl_weights(below[i], 5000, w), FVI_SUCCESS);
         ck_assert(w[0] == 1 && w[1] == -below[i]);
         for (size_t n = 2; n < 5000 && below[i] > 1e-300; n++)
             ck_assert(w[n] < 0);
     }
-    ck_assert_int_eq(fvi_coefficients(1.5, 5000, w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_gl_weights(1.5, 5000, w), FVI_SUCCESS);
     ck_assert(w[0] == 1 && w[1] == -1.5);
     for (size_t n = 2; n < 5000; n++)
         ck_assert(w[n] > 0);
@@ -180,7 +180,7 @@ START_TEST(eq_4_3_partial_sums_are_weights_of_order_alpha_minus_1)
 {
     for (size_t i = 0; i < LEN(ref_sums); i++) {
         size_t N = ref_sums[i].n;
-        ck_assert_int_eq(fvi_coefficients(ref_sums[i].alpha, N + 1, w),
+        ck_assert_int_eq(fvi_gl_weights(ref_sums[i].alpha, N + 1, w),
                          FVI_SUCCESS);
         double sum = 0;
         for (size_t n = N + 1; n-- > 0;) /* small terms first */
@@ -200,9 +200,9 @@ START_TEST(eq_4_4_products_add_the_orders)
     double a[COUNT], b[COUNT], ab[COUNT];
     const double orders[][2] = { { 0.1, 0.2 }, { 0.5, 0.5 }, { 0.3, 1.1 } };
     for (size_t i = 0; i < LEN(orders); i++) {
-        fvi_coefficients(orders[i][0], COUNT, a);
-        fvi_coefficients(orders[i][1], COUNT, b);
-        fvi_coefficients(orders[i][0] + orders[i][1], COUNT, ab);
+        fvi_gl_weights(orders[i][0], COUNT, a);
+        fvi_gl_weights(orders[i][1], COUNT, b);
+        fvi_gl_weights(orders[i][0] + orders[i][1], COUNT, ab);
         for (size_t k = 0; k < COUNT; k++) {
             double sum = 0, size = 0;
             for (size_t j = 0; j <= k; j++) {
@@ -226,7 +226,7 @@ START_TEST(eq_4_5_weights_decay_like_a_power)
     const double orders[] = { 0.1, 0.5, 0.9, 1.5 };
     for (size_t i = 0; i < LEN(orders); i++) {
         double a = orders[i];
-        ck_assert_int_eq(fvi_coefficients(a, 100001, w), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_gl_weights(a, 100001, w), FVI_SUCCESS);
         for (size_t n = 100; n <= 100000; n *= 10) {
             double x = (double)n;
             double series =
@@ -240,8 +240,8 @@ END_TEST
 
 START_TEST(bad_arguments_are_refused_and_w_is_untouched)
 {
-    int (*const both[])(double, size_t, double *) = { fvi_coefficients,
-                                                      fvi_coefficients_simple };
+    int (*const both[])(double, size_t, double *) = { fvi_gl_weights,
+                                                      fvi_gl_weights_simple };
     const double outside[] = { -0x1p-1074, 2 + 0x1p-51, GSL_NAN, GSL_POSINF,
                                GSL_NEGINF };
     double kept[2] = { 7, 8 };

@@ -2,13 +2,13 @@
 
 /* m = 1, U = c x^2/2 + g x^4/4; where u_0 stands in ref_u, and the cost */
 
-static const struct { size_t N; double h, kappa, rho, alpha; fvi_past past; double c, g, x0, p0, x, p; size_t at; double cost; } ref_controls[] = {
-    { 32, 0.3125, 0.5, 0.375, 0.3125, FVI_PAST_HELD, 1, 0.0, 1.0, 0.25, 0.0, 0.0, 0, 0x1.c4337ed718becp-7 },
-    { 32, 0.25, 0.25, 0.375, 0.75, FVI_PAST_CAPUTO, 1, 0.0, 1.0, 0.25, 0.5, -1.0, 33, 0x1.eb21e6b3c1042p-3 },
-    { 24, 0.25, 0.5, 0.375, 0.3, FVI_PAST_RIEMANN_LIOUVILLE, 1, 0.0, 1.0, 0.25, 0.0, 0.0, 66, 0x1.4c975ba66f5cfp-4 },
-    { 32, 0.3125, 0.5, 0.375, 0.3125, FVI_PAST_HELD, 1, 0.5, 1.0, 0.25, 0.0, 0.0, 91, 0x1.20112135de9e3p-6 },
-    { 24, 0.25, 0.25, 0.375, 0.75, FVI_PAST_CAPUTO, 1, 0.5, 1.0, 0.25, 0.5, -1.0, 124, 0x1.397293130c025p-1 },
-    { 24, 0.25, 0.5, 0.375, 0.75, FVI_PAST_HELD, 1, 0.5, 1.0, 0.25, 0.25, 0.0, 149, 0x1.4536d9d08b4cp-5 },
+static const struct { size_t N; double h, kappa, rho, alpha; fvi_initial_history past; double c, g, x0, p0, x, p; size_t at; double cost; } ref_controls[] = {
+    { 32, 0.3125, 0.5, 0.375, 0.3125, FVI_INITIAL_HISTORY_HELD, 1, 0.0, 1.0, 0.25, 0.0, 0.0, 0, 0x1.c4337ed718becp-7 },
+    { 32, 0.25, 0.25, 0.375, 0.75, FVI_INITIAL_HISTORY_CAPUTO, 1, 0.0, 1.0, 0.25, 0.5, -1.0, 33, 0x1.eb21e6b3c1042p-3 },
+    { 24, 0.25, 0.5, 0.375, 0.3, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 1, 0.0, 1.0, 0.25, 0.0, 0.0, 66, 0x1.4c975ba66f5cfp-4 },
+    { 32, 0.3125, 0.5, 0.375, 0.3125, FVI_INITIAL_HISTORY_HELD, 1, 0.5, 1.0, 0.25, 0.0, 0.0, 91, 0x1.20112135de9e3p-6 },
+    { 24, 0.25, 0.25, 0.375, 0.75, FVI_INITIAL_HISTORY_CAPUTO, 1, 0.5, 1.0, 0.25, 0.5, -1.0, 124, 0x1.397293130c025p-1 },
+    { 24, 0.25, 0.5, 0.375, 0.75, FVI_INITIAL_HISTORY_HELD, 1, 0.5, 1.0, 0.25, 0.25, 0.0, 149, 0x1.4536d9d08b4cp-5 },
 };
 
 static const double ref_u[] = {

@@ -46,8 +46,8 @@ START_TEST(eq_25_3_the_least_force_is_that_of_the_dense_equations)
         run.past = ref_controls[i].past;
         double u[40] = { 0 }, size = 0;
         const double *want = ref_u + ref_controls[i].at;
-        fvi_controlled found;
-        ck_assert_int_eq(fvi_control(&fvi_fractional, &run, &ref_controls[i].x,
+        fvi_control_result found;
+        ck_assert_int_eq(fvi_control_solve(&fvi_fractional, &run, &ref_controls[i].x,
                                      &ref_controls[i].p, u, &found),
                          FVI_SUCCESS);
         for (size_t k = 0; k <= N; k++)
@@ -102,12 +102,12 @@ static void ck_assert_ends(const fvi_method *method, const fvi_run *run,
 START_TEST(eq_25_3_two_masses_and_any_guess)
 {
     enum { N = 60, D = 2 };
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                                 &fvi_bdf2, &fvi_stable,
-                                                 &fvi_bdf2, &fvi_stable };
-    const fvi_law_term some[] = { { FVI_LAW_ZENER, 1, 0.3, 0.5, 0 },
-                                  { FVI_LAW_MAXWELL, 0.5, 0, 1, 0 } };
-    const fvi_law law = { LEN(some), some };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                                 &fvi_cq_bdf2, &fvi_cq2_midpoint,
+                                                 &fvi_cq_bdf2, &fvi_cq2_midpoint };
+    const fvi_kernel_term some[] = { { FVI_KERNEL_ZENER, 1, 0.3, 0.5, 0 },
+                                  { FVI_KERNEL_MAXWELL, 0.5, 0, 1, 0 } };
+    const fvi_kernel law = { LEN(some), some };
     const double m[] = { 1, 2 }, rho[] = { 0.4, 0.1 }, cg[] = { 1, 0 },
                  x0[] = { 1, -0.5 }, p0[] = { 0, 0.5 }, aw[] = { 0.2, 1 },
                  x[] = { 0.25, 0 }, p[] = { 0, -0.5 };
@@ -121,13 +121,13 @@ START_TEST(eq_25_3_two_masses_and_any_guess)
         run.alpha = 0.4;
         run.law = i >= 4 ? &law : NULL;
         double u[(N + 1) * D] = { 0 }, v[(N + 1) * D], size = 0;
-        fvi_controlled found, again;
+        fvi_control_result found, again;
         for (size_t j = 0; j < LEN(v); j++) {
             v[j] = cos(3 * (double)j);
         }
-        ck_assert_int_eq(fvi_control(methods[i], &run, x, p, u, &found),
+        ck_assert_int_eq(fvi_control_solve(methods[i], &run, x, p, u, &found),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_control(methods[i], &run, x, p, v, &again),
+        ck_assert_int_eq(fvi_control_solve(methods[i], &run, x, p, v, &again),
                          FVI_SUCCESS);
         for (size_t j = 0; j < LEN(u); j++)
             size = larger(size, fabs(u[j]));
@@ -175,9 +175,9 @@ START_TEST(eq_25_6_rest_is_not_equilibrium)
                                 .potential = fvi_potential_harmonic(&one) };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 1. / 16, N);
     run.alpha = 0.3125;
-    fvi_controlled found;
+    fvi_control_result found;
     ck_assert_int_eq(
-        fvi_control(&fvi_fractional, &run, &zero, &zero, u, &found),
+        fvi_control_solve(&fvi_fractional, &run, &zero, &zero, u, &found),
         FVI_SUCCESS);
     go_on(&run, u, none, x);
     double far = 0;
@@ -186,7 +186,7 @@ START_TEST(eq_25_6_rest_is_not_equilibrium)
     seen(far, "without force");
     ck_assert(far > 0.05);
     double w[2 * N + 1]; /* H_k of a body that stays where it is */
-    fvi_coefficients(2 * run.alpha, 2 * N + 1, w);
+    fvi_gl_weights(2 * run.alpha, 2 * N + 1, w);
     for (size_t k = N + 1; k <= 2 * N; k++) {
         double H = 0;
         for (size_t n = 0; n <= k; n++)
@@ -216,8 +216,8 @@ START_TEST(a_pendulum_swings_up)
                                 .potential = fvi_potential_pendulum(&g) };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 0.05, STEPS);
     run.alpha = 0.3;
-    fvi_controlled found;
-    ck_assert_int_eq(fvi_control(&fvi_fractional, &run, &up, &zero, u, &found),
+    fvi_control_result found;
+    ck_assert_int_eq(fvi_control_solve(&fvi_fractional, &run, &up, &zero, u, &found),
                      FVI_SUCCESS);
     ck_assert_near(found.miss, 0, 1e-12, "miss");
     double most = 0;
@@ -230,7 +230,7 @@ START_TEST(a_pendulum_swings_up)
 END_TEST
 
 /* (25.2) is a condition for the least force, and other forces satisfy it: from guesses far
- * away fvi_control ends at several costs for the same swing, each without a miss. */
+ * away fvi_control_solve ends at several costs for the same swing, each without a miss. */
 START_TEST(eq_25_2_a_pendulum_has_more_than_one_stationary_force)
 {
     enum { STEPS = 320, STARTS = 120 };
@@ -248,10 +248,10 @@ START_TEST(eq_25_2_a_pendulum_has_more_than_one_stationary_force)
         const double size = 2 * gsl_rng_uniform(random),
                      w = gsl_rng_uniform(random),
                      phase = 2 * M_PI * gsl_rng_uniform(random);
-        fvi_controlled found;
+        fvi_control_result found;
         for (size_t k = 0; k <= STEPS; k++)
             u[k] = size * cos(w * run.h * (double)k + phase);
-        if (fvi_control(&fvi_fractional, &run, &up, &zero, u, &found))
+        if (fvi_control_solve(&fvi_fractional, &run, &up, &zero, u, &found))
             continue; /* it may go astray */
         ck_assert_near(found.miss, 0, 1e-9, "miss");
         ended++;
@@ -277,26 +277,26 @@ START_TEST(bad_arguments_of_a_control_are_refused)
                                 .damping = &rho,
                                 .potential = fvi_potential_harmonic(&m) };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 0.1, 20);
-    fvi_controlled found;
+    fvi_control_result found;
     const fvi_method *f = &fvi_fractional;
-    ck_assert_int_eq(fvi_control(NULL, &run, &m, &m, u, &found), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, NULL, &m, &m, u, &found), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, &run, NULL, &m, u, &found), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, &run, &m, NULL, u, &found), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, &run, &m, &m, NULL, &found), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, &run, &m, &m, u, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_control(f, &run, &nan, &m, u, &found), FVI_EDOM);
-    ck_assert_int_eq(fvi_control(f, &run, &m, &nan, u, &found), FVI_EDOM);
+    ck_assert_int_eq(fvi_control_solve(NULL, &run, &m, &m, u, &found), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, NULL, &m, &m, u, &found), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, &run, NULL, &m, u, &found), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, NULL, u, &found), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, &m, NULL, &found), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, &m, u, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &nan, &m, u, &found), FVI_EDOM);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, &nan, u, &found), FVI_EDOM);
     ck_assert_int_eq(
-        fvi_control(&fvi_lagrange_dalembert, &run, &m, &m, u, &found),
+        fvi_control_solve(&fvi_lagrange_dalembert, &run, &m, &m, u, &found),
         FVI_EUNSUP);
-    ck_assert_int_eq(fvi_control(&fvi_lobatto2, &run, &m, &m, u, &found),
+    ck_assert_int_eq(fvi_control_solve(&fvi_lobatto_m2, &run, &m, &m, u, &found),
                      FVI_EUNSUP);
     run.steps = 1;
-    ck_assert_int_eq(fvi_control(f, &run, &m, &m, u, &found), FVI_EINVAL);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, &m, u, &found), FVI_EINVAL);
     run.steps = 20;
     run.alpha = 2;
-    ck_assert_int_eq(fvi_control(f, &run, &m, &m, u, &found), FVI_EDOM);
+    ck_assert_int_eq(fvi_control_solve(f, &run, &m, &m, u, &found), FVI_EDOM);
 }
 END_TEST
 

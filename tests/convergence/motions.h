@@ -27,7 +27,7 @@ typedef struct {
     double alpha, kappa, mass, rho, x0, p0, T;
     int pendulum; /* U = g (1 - cos x), g = cg[0]; else Duffing's */
     double cg[2];
-    fvi_past past;
+    fvi_initial_history past;
     jumps force;
 } motion;
 
@@ -64,11 +64,11 @@ static inline void solve(const fvi_method *method, const motion *q,
 
 /* The hypotheses, from a fine run: A from eight steps at once, as the fine p is not
  * that smooth in its first steps, and five in a hundred more. */
-static inline fvi_motion know(const motion *q, size_t fine, const double *x,
+static inline fvi_smoothness know(const motion *q, size_t fine, const double *x,
                               const double *p)
 {
     const double h = q->T / (double)fine, m = q->mass, room = 0.5;
-    fvi_motion k = { .alpha = q->alpha,
+    fvi_smoothness k = { .alpha = q->alpha,
                      .kappa = q->kappa,
                      .T = q->T,
                      .damping = q->rho / m,
@@ -135,7 +135,7 @@ static inline motion some_motion(size_t seed)
                  .pendulum = seed % 2,
                  .cg = { between(0, 1), between(0, 1) },
                  .force = { .b = between(-1, 1), .w = between(0, 3) } };
-    q.past = q.alpha <= 0.5 && seed % 3 == 0 ? FVI_PAST_HELD : FVI_PAST_CAPUTO;
+    q.past = q.alpha <= 0.5 && seed % 3 == 0 ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_CAPUTO;
     for (size_t j = 0; j < LEN(q.force.t); j++) {
         q.force.t[j] = (2 * floor(between(0, FINE / 2)) + 1) * T / FINE;
         q.force.a[j] = between(-3, 3);

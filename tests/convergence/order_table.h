@@ -23,24 +23,24 @@ static const scheme schemes[METHODS] = { { &fvi_lagrange_dalembert, HALF, 0 },
                                          { &fvi_euler_explicit, HALF, 0 },
                                          { &fvi_euler_implicit, HALF, 0 },
                                          { &fvi_fractional, ONE, 0 },
-                                         { &fvi_shifted, TWO, 0 },
-                                         { &fvi_bdf2, TWO, 0 },
-                                         { &fvi_stable, TWO, 0 },
-                                         { &fvi_lobatto2, FORM_M, 2 },
-                                         { &fvi_lobatto2d, FORM_D, 2 },
-                                         { &fvi_lobatto3, FORM_M, 3 },
-                                         { &fvi_lobatto3d, FORM_D, 3 },
-                                         { &fvi_lobatto4, FORM_M, 4 },
-                                         { &fvi_lobatto4d, FORM_D, 4 },
-                                         { &fvi_lobatto5, FORM_M, 5 },
-                                         { &fvi_lobatto5d, FORM_D, 5 },
-                                         { &fvi_lobatto6, FORM_M, 6 },
-                                         { &fvi_lobatto6d, FORM_D, 6 },
-                                         { &fvi_lobatto8, FORM_M, 8 },
-                                         { &fvi_lobatto8d, FORM_D, 8 } };
+                                         { &fvi_cq2_shifted, TWO, 0 },
+                                         { &fvi_cq_bdf2, TWO, 0 },
+                                         { &fvi_cq2_midpoint, TWO, 0 },
+                                         { &fvi_lobatto_m2, FORM_M, 2 },
+                                         { &fvi_lobatto_d2, FORM_D, 2 },
+                                         { &fvi_lobatto_m3, FORM_M, 3 },
+                                         { &fvi_lobatto_d3, FORM_D, 3 },
+                                         { &fvi_lobatto_m4, FORM_M, 4 },
+                                         { &fvi_lobatto_d4, FORM_D, 4 },
+                                         { &fvi_lobatto_m5, FORM_M, 5 },
+                                         { &fvi_lobatto_d5, FORM_D, 5 },
+                                         { &fvi_lobatto_m6, FORM_M, 6 },
+                                         { &fvi_lobatto_d6, FORM_D, 6 },
+                                         { &fvi_lobatto_m8, FORM_M, 8 },
+                                         { &fvi_lobatto_d8, FORM_D, 8 } };
 
-static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                  FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
 static const char *const past_names[] = { "held", "Caputo",
                                           "Riemann-Liouville" };
 
@@ -48,13 +48,13 @@ static const char *const past_names[] = { "held", "Caputo",
  * that of a held body. */
 static inline int is_kicked(const duffing *q)
 {
-    return q->past == FVI_PAST_RIEMANN_LIOUVILLE && q->alpha < 0.5;
+    return q->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && q->alpha < 0.5;
 }
 
 /* Held, and x'' is not bounded. */
 static inline int is_pulled(const duffing *q)
 {
-    return q->past == FVI_PAST_HELD && q->alpha > 0.5;
+    return q->past == FVI_INITIAL_HISTORY_HELD && q->alpha > 0.5;
 }
 
 /* What a force that is not linear makes of the singular part of x: (20.12). */
@@ -78,7 +78,7 @@ static inline double at_fixed_t(const scheme *of, const duffing *q, int what)
     double less = is_kicked(q) ? 1 : 0; /* than s + 2 - 2 alpha */
     if (of->family == FORM_M && what == OF_P)
         less = 1;
-    if (of->family == FORM_D && q->past == FVI_PAST_CAPUTO)
+    if (of->family == FORM_D && q->past == FVI_INITIAL_HISTORY_CAPUTO)
         less = what == OF_P ? -1 : -2;
     const double all = smaller(2 * of->s - 2, of->s + 2 - 2 * q->alpha - less);
     return q->g == 0 ? all : smaller(all, nonlinear(q)); /* (20.11) */
@@ -93,7 +93,7 @@ static inline double at_the_start(const scheme *of, const duffing *q, int what)
     if (of->family <= ONE)
         return (is_pulled(q) ? 2 - 2 * a : is_kicked(q) ? 1 - 2 * a : 1) + more;
     if (a == 0.5)
-        return of->method == &fvi_bdf2 ? 1 + more : GSL_POSINF;
+        return of->method == &fvi_cq_bdf2 ? 1 + more : GSL_POSINF;
     if (a < 0.5)
         return 2 - 2 * a + more;
     return (is_pulled(q) ? 4 - 4 * a : 3 - 2 * a) + more;

@@ -11,7 +11,7 @@
 
 /* x'' + c x + g x^3 + rho D^{2 alpha}(x - zeta) = A cos(w t), m = 1. */
 typedef struct {
-    fvi_past past;
+    fvi_initial_history past;
     double alpha, rho, x0, v0, c, g, A, w;
 } duffing;
 
@@ -49,9 +49,9 @@ static inline void row_of_product(int i, double gamma, table a, table b,
  * 2 alpha > 1; Riemann-Liouville: on all. */
 static inline int is_remembered(const duffing *q, int i, int j)
 {
-    if (j > 0 || q->past == FVI_PAST_RIEMANN_LIOUVILLE)
+    if (j > 0 || q->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return 1;
-    return i > (q->past == FVI_PAST_CAPUTO && q->alpha > 0.5 ? 1 : 0);
+    return i > (q->past == FVI_INITIAL_HISTORY_CAPUTO && q->alpha > 0.5 ? 1 : 0);
 }
 
 /* Row i of c x + g x^3, from the rows of x up to i. */

@@ -20,7 +20,7 @@ START_TEST(eq_20_1_the_run_in_its_velocities)
         const size_t N = COARSE;
         const double h = q.T / (double)N, gamma = 2 - 2 * q.alpha, m = q.mass,
                      v0 = q.p0 / m,
-                     nu = q.past == FVI_PAST_CAPUTO && q.alpha > 0.5 ? v0 : 0,
+                     nu = q.past == FVI_INITIAL_HISTORY_CAPUTO && q.alpha > 0.5 ? v0 : 0,
                      scale = q.rho * pow(h, gamma);
         solve(&fvi_fractional, &q, N, x, p);
         integral_weights(gamma, N, b);
@@ -108,14 +108,14 @@ START_TEST(eq_20_4_the_memory_of_a_parabola)
                                 + a * pow(t, gamma + 1) / tgamma(gamma + 2),
                          off = r * fabs(pow(h, gamma) * sum - want),
                          round = 4 * (double)k * U * r * want / h;
-            const fvi_motion q = { .alpha = alpha,
+            const fvi_smoothness q = { .alpha = alpha,
                                    .T = t,
                                    .damping = r,
                                    .start = v0,
                                    .acceleration = a,
                                    .room = 1 };
-            fvi_convergence bound;
-            ck_assert_int_eq(fvi_convergence_bound(&q, &bound), 0);
+            fvi_error_bound bound;
+            ck_assert_int_eq(fvi_error_bound_compute(&q, &bound), 0);
             const double allowed = bound.C - a / 2;
             ck_assert_double_le(off / h, allowed * (1 + 8 * U) + a * U + round);
             if (allowed > 1e-6) {
@@ -139,7 +139,7 @@ START_TEST(eq_20_5_constants)
 {
     for (size_t i = 0; i < LEN(ref_bounds); i++) {
         const double *v = ref_bounds[i].motion;
-        const fvi_motion q = { .alpha = v[0],
+        const fvi_smoothness q = { .alpha = v[0],
                                .kappa = v[1],
                                .T = v[2],
                                .damping = v[3],
@@ -150,8 +150,8 @@ START_TEST(eq_20_5_constants)
                                .speed = v[8],
                                .acceleration = v[9],
                                .room = v[10] > 0 ? v[10] : GSL_POSINF };
-        fvi_convergence got;
-        ck_assert_int_eq(fvi_convergence_bound(&q, &got), 0);
+        fvi_error_bound got;
+        ck_assert_int_eq(fvi_error_bound_compute(&q, &got), 0);
         ck_assert_ulp(got.C, ref_bounds[i].C, 16, "C, %zu", i);
         ck_assert_ulp(got.lambda, ref_bounds[i].lambda, 16, "lambda, %zu", i);
         if (ref_bounds[i].h > 0)
@@ -164,7 +164,7 @@ END_TEST
 
 START_TEST(eq_20_8_what_is_no_motion_is_refused)
 {
-    const fvi_motion good = { .alpha = 0.3,
+    const fvi_smoothness good = { .alpha = 0.3,
                               .kappa = 0.5,
                               .T = 1,
                               .damping = 1,
@@ -175,11 +175,11 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
                               .speed = 1,
                               .acceleration = 1,
                               .room = 1 };
-    const fvi_convergence untouched = { 7, 7, 7 };
-    fvi_convergence got = untouched;
-    ck_assert_int_eq(fvi_convergence_bound(NULL, &got), FVI_EFAULT);
-    ck_assert_int_eq(fvi_convergence_bound(&good, NULL), FVI_EFAULT);
-    fvi_motion q[16];
+    const fvi_error_bound untouched = { 7, 7, 7 };
+    fvi_error_bound got = untouched;
+    ck_assert_int_eq(fvi_error_bound_compute(NULL, &got), FVI_EFAULT);
+    ck_assert_int_eq(fvi_error_bound_compute(&good, NULL), FVI_EFAULT);
+    fvi_smoothness q[16];
     size_t bad = 0;
     double *const places[] = {
         &q[0].alpha,     &q[1].kappa,        &q[2].T,         &q[3].damping,
@@ -192,19 +192,19 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
             *places[i] = j == 0 ? -1 : j == 1 ? GSL_NAN : GSL_POSINF;
             if (i == 10 && j == 2)
                 continue; /* an infinite room is allowed */
-            ck_assert_int_eq(fvi_convergence_bound(&q[i], &got), FVI_EDOM);
+            ck_assert_int_eq(fvi_error_bound_compute(&q[i], &got), FVI_EDOM);
             bad++;
         }
     ck_assert_uint_eq(bad, 32);
     q[0] = good;
     q[0].alpha = 1;
-    ck_assert_int_eq(fvi_convergence_bound(&q[0], &got), FVI_EDOM);
+    ck_assert_int_eq(fvi_error_bound_compute(&q[0], &got), FVI_EDOM);
     q[0].alpha = 1 - 0x1p-20; /* 4^(2^19) */
-    ck_assert_int_eq(fvi_convergence_bound(&q[0], &got), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_error_bound_compute(&q[0], &got), FVI_EOVRFLW);
     ck_assert_mem_eq(&got, &untouched, sizeof got);
     q[0] = good;
     q[0].lipschitz = 1e12; /* e^(2e6) */
-    ck_assert_int_eq(fvi_convergence_bound(&q[0], &got), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_error_bound_compute(&q[0], &got), FVI_SUCCESS);
     ck_assert_double_eq(got.h, 0);
 }
 END_TEST

@@ -93,13 +93,13 @@ static series motions[GENERIC];
 static int generic(size_t i, duffing *q)
 {
     const double alpha = alphas[i % LEN(alphas)];
-    const fvi_past past = pasts[i / LEN(alphas) % LEN(pasts)];
+    const fvi_initial_history past = pasts[i / LEN(alphas) % LEN(pasts)];
     const int bent = i / LEN(alphas) >= LEN(pasts);
     *q = (duffing){ past,         alpha, alpha > 0.8 ? 0.2 : 1,
                     0.7,          1.3,   bent ? 0 : 16,
                     bent ? 4 : 0, 0.5,   2 };
-    if ((past == FVI_PAST_HELD && alpha <= 0.5)
-        || (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5))
+    if ((past == FVI_INITIAL_HISTORY_HELD && alpha <= 0.5)
+        || (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5))
         return 0;
     motion = &motions[i];
     return 1;
@@ -111,7 +111,7 @@ static duffing limit_of_runs(const duffing *q)
 {
     duffing limit = *q;
     if (q->alpha == 0.5)
-        limit.past = FVI_PAST_CAPUTO;
+        limit.past = FVI_INITIAL_HISTORY_CAPUTO;
     return limit;
 }
 
@@ -210,10 +210,10 @@ static void ck_assert_met(nearest n, double bound)
         for (size_t past = 0; past < LEN(pasts); past++)
             for (int family = 0; family < FAMILIES; family++)
                 for (int what = OF_X; what <= OF_P; what++) {
-                    if (family == HALF && pasts[past] != FVI_PAST_CAPUTO)
+                    if (family == HALF && pasts[past] != FVI_INITIAL_HISTORY_CAPUTO)
                         continue;
                     if (bent && what == OF_P && family >= FORM_M
-                        && pasts[past] != FVI_PAST_CAPUTO)
+                        && pasts[past] != FVI_INITIAL_HISTORY_CAPUTO)
                         continue; /* (20.12) */
                     seen_worst(n[bent][past][family][what], "nearest");
                     ck_assert_msg(n[bent][past][family][what] <= bound,
@@ -348,7 +348,7 @@ START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
                                     .damping = &q.rho,
                                     .potential = fvi_potential_harmonic(&q.c),
                                     .force = fvi_force_step(jump) };
-        const fvi_linear linear = { .m = 1,
+        const fvi_linear_oscillator linear = { .m = 1,
                                     .c = q.c,
                                     .rho = q.rho,
                                     .alpha = q.alpha,
@@ -359,7 +359,7 @@ START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
                                     .A = jump[0],
                                     .T = jump[1] };
         ck_assert_int_eq(
-            fvi_exact(&linear, FINE + 1, times, truth[0], truth[1]),
+            fvi_exact_at(&linear, FINE + 1, times, truth[0], truth[1]),
             FVI_SUCCESS); /* every fourth node of it is one of 256 steps */
         for (const scheme *of = schemes; of < schemes + METHODS; of++) {
             double off[2] = { 0, 0 };
@@ -395,7 +395,7 @@ START_TEST(the_series_is_the_motion_of_a_spring)
         q = limit_of_runs(&q);
         q.A = 0;
         expand(&q, &alone);
-        const fvi_linear linear = { .m = 1,
+        const fvi_linear_oscillator linear = { .m = 1,
                                     .c = q.c,
                                     .rho = q.rho,
                                     .alpha = q.alpha,
@@ -403,7 +403,7 @@ START_TEST(the_series_is_the_motion_of_a_spring)
                                     .x0 = q.x0,
                                     .v0 = q.v0 };
         const double t[] = { 0, 0.001, 0.25, 0.5, 1 };
-        ck_assert_int_eq(fvi_exact(&linear, LEN(t), t, x, p), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&linear, LEN(t), t, x, p), FVI_SUCCESS);
         for (size_t k = 0; k < LEN(t); k++) {
             double where, speed;
             at(&alone, t[k], &where, &speed);

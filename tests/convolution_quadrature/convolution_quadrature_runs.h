@@ -5,7 +5,7 @@
 
 #include <fvi/convolution_quadrature_methods.h>
 
-static const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2,
-                                             &fvi_stable };
+static const fvi_method *const methods[] = { &fvi_cq2_shifted, &fvi_cq_bdf2,
+                                             &fvi_cq2_midpoint };
 
 #endif

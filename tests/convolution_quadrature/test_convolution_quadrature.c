@@ -9,9 +9,9 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
 
-static void weights(fvi_quadrature kind, double beta, size_t count, double *w)
+static void weights(fvi_delta kind, double beta, size_t count, double *w)
 {
-    ck_assert_int_eq(fvi_quadrature_weights(kind, beta, count, w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_cq_weights(kind, beta, count, w), FVI_SUCCESS);
 }
 
 /* ---- weights ---- */
@@ -26,13 +26,13 @@ START_TEST(eq_13_1_weights_are_those_of_the_generating_function)
 {
     double w[REF_COUNT];
     for (size_t i = 0; i < LEN(ref_weights); i++) {
-        const fvi_quadrature kind = ref_weights[i].kind;
+        const fvi_delta kind = ref_weights[i].kind;
         const double beta = ref_weights[i].beta;
         weights(kind, beta, REF_COUNT, w);
         const double largest = larger(fabs(w[0]), fabs(w[1]));
-        const double units = kind == FVI_QUADRATURE_EULER       ? 1
-                             : kind == FVI_QUADRATURE_TRAPEZOID ? 3 * REF_COUNT
-                             : kind == FVI_QUADRATURE_BDF2
+        const double units = kind == FVI_DELTA_EULER       ? 1
+                             : kind == FVI_DELTA_TRAPEZOID ? 3 * REF_COUNT
+                             : kind == FVI_DELTA_BDF2
                                  ? 84
                                  : 40 * pow(REF_COUNT, 1 - beta);
         ck_assert_near(w[ref_weights[i].n], ref_weights[i].want,
@@ -54,14 +54,14 @@ START_TEST(eq_13_2_integer_orders_of_bdf2_and_the_trapezoid)
                                      { 4, -16, 32, -48, 64, -80 } };
     double w[6], g[FVI_BDF2_TAPS];
     for (int beta = 0; beta <= 2; beta++) {
-        weights(FVI_QUADRATURE_BDF2, beta, 6, w);
+        weights(FVI_DELTA_BDF2, beta, 6, w);
         for (size_t n = 0; n < 6; n++)
             ck_assert_ulp(w[n], bdf2[beta][n], 0, "beta=%d n=%zu", beta, n);
-        weights(FVI_QUADRATURE_TRAPEZOID, beta, 6, w);
+        weights(FVI_DELTA_TRAPEZOID, beta, 6, w);
         for (size_t n = 0; n < 6; n++)
             ck_assert_ulp(w[n], trapezoid[beta][n], 0, "beta=%d n=%zu", beta,
                           n);
-        ck_assert_uint_eq(fvi_bdf2_factor(beta, g), (size_t)beta + 1);
+        ck_assert_uint_eq(fvi_cq_bdf2_factor(beta, g), (size_t)beta + 1);
     }
 }
 END_TEST
@@ -132,15 +132,15 @@ START_TEST(eq_13_4_orders_add_but_not_for_l1)
     };
     double a[N + 1], b[N + 1], sum[N + 1], product[N + 1];
     for (size_t i = 0; i < LEN(pairs); i++)
-        for (int kind = FVI_QUADRATURE_EULER; kind <= FVI_QUADRATURE_TRAPEZOID;
+        for (int kind = FVI_DELTA_EULER; kind <= FVI_DELTA_TRAPEZOID;
              kind++) {
-            weights((fvi_quadrature)kind, pairs[i][0], N + 1, a);
-            weights((fvi_quadrature)kind, pairs[i][1], N + 1, b);
-            weights((fvi_quadrature)kind, pairs[i][0] + pairs[i][1], N + 1,
+            weights((fvi_delta)kind, pairs[i][0], N + 1, a);
+            weights((fvi_delta)kind, pairs[i][1], N + 1, b);
+            weights((fvi_delta)kind, pairs[i][0] + pairs[i][1], N + 1,
                     sum);
             back(N, a, b, product);
             const size_t units =
-                kind == FVI_QUADRATURE_TRAPEZOID ? 3 * (N + 1) : 84;
+                kind == FVI_DELTA_TRAPEZOID ? 3 * (N + 1) : 84;
             const double A = farthest(N + 1, a, NULL),
                          B = farthest(N + 1, b, NULL);
             for (size_t n = 0; n <= N; n++)
@@ -149,7 +149,7 @@ START_TEST(eq_13_4_orders_add_but_not_for_l1)
                                "kind %d, orders %g and %g, n=%zu", kind,
                                pairs[i][0], pairs[i][1], n);
         }
-    weights(FVI_QUADRATURE_L1, 0.5, N + 1, a);
+    weights(FVI_DELTA_L1, 0.5, N + 1, a);
     back(N, a, a, product);
     ck_assert_near(product[0], 4 / M_PI, 8 * U, "L1, w_0");
     ck_assert_double_gt(fabs(product[1] + 1), 0.05);
@@ -164,34 +164,34 @@ START_TEST(eq_13_10_the_next_sum_is_known_but_for_the_next_increment)
 {
     enum { N = 300, D = 3 };
     const double betas[] = { 0, 0.3, 1, 1.6, 2 };
-    const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                      FVI_MEMORY_EXPONENTIALS };
+    const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                      FVI_HISTORY_MODES };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < LEN(betas) * LEN(kinds); i++) {
-        fvi_memory *m;
+        fvi_history *m;
         double x[D] = { 0 }, dx[D], H[D], next[D];
         ck_assert_int_eq(
-            fvi_memory_alloc(betas[i % 5], D, N, kinds[i / 5], 0, &m),
+            fvi_history_alloc(betas[i % 5], D, N, kinds[i / 5], 0, &m),
             FVI_SUCCESS);
         for (size_t k = 0; k <= N; k++) {
-            ck_assert_int_eq(fvi_memory_ahead(m, x, next), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_history_ahead(m, x, next), FVI_SUCCESS);
             for (size_t j = 0; j < D; j++) {
                 dx[j] = gsl_rng_uniform(random) - x[j];
                 x[j] += dx[j];
             }
-            ck_assert_int_eq(fvi_memory_push(m, x, dx, H), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_history_push(m, x, dx, H), FVI_SUCCESS);
             for (size_t j = 0; j < D; j++)
                 ck_assert_near(next[j] + dx[j], H[j], 8 * (N + 50) * U,
                                "beta=%g kind %zu k=%zu", betas[i % 5], i / 5,
                                k);
         }
         next[0] = 7;
-        ck_assert_int_eq(fvi_memory_ahead(m, x, next), FVI_EINVAL);
-        ck_assert_int_eq(fvi_memory_ahead(m, x, NULL), FVI_EFAULT);
-        ck_assert_int_eq(fvi_memory_ahead(m, NULL, next), FVI_EFAULT);
-        ck_assert_int_eq(fvi_memory_ahead(NULL, x, next), FVI_EFAULT);
+        ck_assert_int_eq(fvi_history_ahead(m, x, next), FVI_EINVAL);
+        ck_assert_int_eq(fvi_history_ahead(m, x, NULL), FVI_EFAULT);
+        ck_assert_int_eq(fvi_history_ahead(m, NULL, next), FVI_EFAULT);
+        ck_assert_int_eq(fvi_history_ahead(NULL, x, next), FVI_EFAULT);
         ck_assert_double_eq(next[0], 7);
-        fvi_memory_free(m);
+        fvi_history_free(m);
     }
     gsl_rng_free(random);
 }
@@ -202,18 +202,18 @@ END_TEST
 START_TEST(bad_arguments_are_refused_and_nothing_is_touched)
 {
     double w[] = { 7, 7, 7 };
-    const fvi_quadrature E = FVI_QUADRATURE_EULER, L = FVI_QUADRATURE_L1,
-                         none = (fvi_quadrature)4;
-    ck_assert_int_eq(fvi_quadrature_weights(E, 0.5, 3, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_quadrature_weights(E, 0.5, 0, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_quadrature_weights(none, 0.5, 3, w), FVI_EINVAL);
+    const fvi_delta E = FVI_DELTA_EULER, L = FVI_DELTA_L1,
+                         none = (fvi_delta)4;
+    ck_assert_int_eq(fvi_cq_weights(E, 0.5, 3, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_cq_weights(E, 0.5, 0, w), FVI_EINVAL);
+    ck_assert_int_eq(fvi_cq_weights(none, 0.5, 3, w), FVI_EINVAL);
     const double bad[] = { -0x1p-1074, 2 + 0x1p-51, GSL_NAN, GSL_POSINF };
-    for (int kind = FVI_QUADRATURE_EULER; kind <= FVI_QUADRATURE_L1; kind++)
+    for (int kind = FVI_DELTA_EULER; kind <= FVI_DELTA_L1; kind++)
         for (size_t i = 0; i < LEN(bad); i++)
             ck_assert_int_eq(
-                fvi_quadrature_weights((fvi_quadrature)kind, bad[i], 3, w),
+                fvi_cq_weights((fvi_delta)kind, bad[i], 3, w),
                 FVI_EDOM);
-    ck_assert_int_eq(fvi_quadrature_weights(L, 1, 3, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_cq_weights(L, 1, 3, w), FVI_EDOM);
     for (size_t n = 0; n < 3; n++)
         ck_assert_double_eq(w[n], 7);
     weights(L, 1 - 0x1p-53, 1, w);
@@ -224,14 +224,14 @@ END_TEST
 START_TEST(bad_symbols_are_refused)
 {
     const double nan = GSL_NAN, inf = GSL_POSINF;
-    const fvi_quadrature E = FVI_QUADRATURE_EULER;
+    const fvi_delta E = FVI_DELTA_EULER;
     const struct {
-        fvi_quadrature kind;
+        fvi_delta kind;
         double theta, alpha, kappa, W, R;
         int status;
     } bad[] = {
-        { FVI_QUADRATURE_L1, 0, 0.5, 0.5, 1, 1, FVI_EINVAL },
-        { (fvi_quadrature)9, 0, 0.5, 0.5, 1, 1, FVI_EINVAL },
+        { FVI_DELTA_L1, 0, 0.5, 0.5, 1, 1, FVI_EINVAL },
+        { (fvi_delta)9, 0, 0.5, 0.5, 1, 1, FVI_EINVAL },
         { E, -0.1, 0.5, 0.5, 1, 1, FVI_EDOM },
         { E, 1.1, 0.5, 0.5, 1, 1, FVI_EDOM },
         { E, nan, 0.5, 0.5, 1, 1, FVI_EDOM },
@@ -248,12 +248,12 @@ START_TEST(bad_symbols_are_refused)
     };
     for (size_t i = 0; i < LEN(bad); i++) {
         double growth = 7, w[3] = { 1, 1, 1 }, x[3] = { 7, 7, 7 };
-        ck_assert_int_eq(fvi_quadrature_growth(bad[i].kind, bad[i].theta,
+        ck_assert_int_eq(fvi_cq_amplification(bad[i].kind, bad[i].theta,
                                                bad[i].alpha, bad[i].kappa,
                                                bad[i].W, bad[i].R, &growth),
                          bad[i].status);
         ck_assert_double_eq(growth, 7);
-        int status = fvi_quadrature_oscillator(w, bad[i].theta, bad[i].kappa,
+        int status = fvi_cq_oscillator(w, bad[i].theta, bad[i].kappa,
                                                bad[i].W, bad[i].R, 2, x);
         if (bad[i].kind == E && bad[i].alpha == 0.5 && bad[i].W > 0
             && bad[i].R != 0) {
@@ -262,13 +262,13 @@ START_TEST(bad_symbols_are_refused)
         }
     }
     double w = 1, x[2];
-    ck_assert_int_eq(fvi_quadrature_growth(E, 0, 0.5, 0.5, 1, 1, NULL),
+    ck_assert_int_eq(fvi_cq_amplification(E, 0, 0.5, 0.5, 1, 1, NULL),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_quadrature_oscillator(NULL, 0, 0.5, 1, 1, 1, x),
+    ck_assert_int_eq(fvi_cq_oscillator(NULL, 0, 0.5, 1, 1, 1, x),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_quadrature_oscillator(&w, 0, 0.5, 1, 1, 1, NULL),
+    ck_assert_int_eq(fvi_cq_oscillator(&w, 0, 0.5, 1, 1, 1, NULL),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_quadrature_oscillator(&w, 0, 0.5, 1, 1, 0, x),
+    ck_assert_int_eq(fvi_cq_oscillator(&w, 0, 0.5, 1, 1, 0, x),
                      FVI_EINVAL);
 }
 END_TEST

@@ -5,18 +5,18 @@
 
 #include "convolution_quadrature_runs.h"
 
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                         FVI_MEMORY_EXPONENTIALS,
-                                         FVI_MEMORY_AUTO };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                         FVI_HISTORY_MODES,
+                                         FVI_HISTORY_AUTO };
 
 static void motion(const fvi_method *method, int which, double alpha, size_t N,
-                   fvi_memory_kind kind, double *x)
+                   fvi_history_kind kind, double *x)
 {
     static const double one[] = { 1, 1, 1, 1 }, zero[4], cg[] = { 1, 1 },
                         pushes[] = { 8, 1 }, wave[] = { 0.5, 1.2 },
                         up[] = { 1, 0, -0.5, 0.2 };
     /* within the stable steps of both, (13.14) */
-    const double R = method == &fvi_bdf2 && alpha > 0.75 ? 0.2 : 1,
+    const double R = method == &fvi_cq_bdf2 && alpha > 0.75 ? 0.2 : 1,
                  rho[] = { R, 0, 0.3 * R, 0.7 * R };
     fvi_system system = {
         1, one, rho, fvi_potential_harmonic(one), fvi_force_step(pushes), NULL
@@ -54,7 +54,7 @@ START_TEST(eq_13_11_all_memories_give_the_same_trajectory)
         const size_t which = i % 3, count = which == 1 ? 4 * N + 4 : N + 1;
         const double alpha = alphas[i / 3 % LEN(alphas)];
         const fvi_method *method = methods[i / 3 / LEN(alphas)];
-        motion(method, (int)which, alpha, N, FVI_MEMORY_DIRECT, want);
+        motion(method, (int)which, alpha, N, FVI_HISTORY_DIRECT, want);
         for (size_t k = 1; k < LEN(kinds); k++) {
             motion(method, (int)which, alpha, N, kinds[k], x);
             const double off =
@@ -82,22 +82,22 @@ START_TEST(runs_that_cannot_be_done_are_refused)
         const fvi_system *system;
         double alpha, kappa, h;
         size_t steps;
-        fvi_memory_kind kind;
+        fvi_history_kind kind;
         double tolerance;
         int status;
     } bad[] = {
-        { NULL, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EFAULT },
-        { &light, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { &good, 1.1, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { &good, 0.3, 1.5, 0.1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { &good, 0.3, 0.5, 0, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { &good, 0.3, 0.5, 0.1, 0, FVI_MEMORY_AUTO, 0, FVI_EINVAL },
-        { &good, 0.3, 0.5, 0.1, 9, (fvi_memory_kind)9, 0, FVI_EINVAL },
-        { &good, 0.3, 0.5, 0.1, 9, FVI_MEMORY_AUTO, 1, FVI_EDOM },
-        { &good, 0.3, 0.5, 0.1, SIZE_MAX, FVI_MEMORY_FFT, 0, FVI_EINVAL },
-        { &good, 0.3, 0.5, 0.1, (size_t)1 << 50, FVI_MEMORY_FFT, 0,
+        { NULL, 0.3, 0.5, 0.1, 9, FVI_HISTORY_AUTO, 0, FVI_EFAULT },
+        { &light, 0.3, 0.5, 0.1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { &good, 1.1, 0.5, 0.1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 1.5, 0.1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 0.5, 0, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { &good, 0.3, 0.5, 0.1, 0, FVI_HISTORY_AUTO, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, 9, (fvi_history_kind)9, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, 9, FVI_HISTORY_AUTO, 1, FVI_EDOM },
+        { &good, 0.3, 0.5, 0.1, SIZE_MAX, FVI_HISTORY_FFT, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, (size_t)1 << 50, FVI_HISTORY_FFT, 0,
           FVI_ENOMEM },
-        { &good, 0.3, 0.5, 0.1, 1000, FVI_MEMORY_AUTO, 1e-15, FVI_ETOL },
+        { &good, 0.3, 0.5, 0.1, 1000, FVI_HISTORY_AUTO, 1e-15, FVI_ETOL },
     };
     fvi_stepper *const sentinel = (fvi_stepper *)&good, *s = sentinel;
     for (size_t i = 0; i < LEN(bad) * LEN(methods); i++) {
@@ -111,7 +111,7 @@ START_TEST(runs_that_cannot_be_done_are_refused)
                               .alpha = bad[r].alpha,
                               .memory = bad[r].kind,
                               .tolerance = bad[r].tolerance };
-        ck_assert_int_eq(fvi_start(methods[i % LEN(methods)], &run, &s),
+        ck_assert_int_eq(fvi_stepper_start(methods[i % LEN(methods)], &run, &s),
                          bad[r].status);
         ck_assert_ptr_eq(s, sentinel);
     }
@@ -123,7 +123,7 @@ START_TEST(runs_that_cannot_be_done_are_refused)
                     .steps = 9,
                     .kappa = 0.5,
                     .alpha = 1 };
-    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &s), FVI_EDOM);
     const double far = 1.7e308;
     run.h = 1;
     run.x0 = run.p0 = &far;

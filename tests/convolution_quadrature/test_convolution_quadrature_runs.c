@@ -44,7 +44,7 @@ START_TEST(eq_13_7_trajectories_are_the_exact_ones)
                           ref_runs[r].kappa,
                           ref_runs[r].h,
                           ref_runs[r].steps,
-                          FVI_PAST_CAPUTO,
+                          FVI_INITIAL_HISTORY_CAPUTO,
                           ref_runs[r].mass,
                           ref_runs[r].rho,
                           ref_runs[r].x0,
@@ -74,12 +74,12 @@ START_TEST(eq_13_10_the_half_derivative_shifted_is_the_midpoint_rule)
     const double kappas[] = { 0, 0.25, 0.5, 1 };
     for (size_t i = 0; i < LEN(kappas); i++) {
         const setup a = {
-            0.5, kappas[i], 0.1, 100,      FVI_PAST_CAPUTO, 2,
+            0.5, kappas[i], 0.1, 100,      FVI_INITIAL_HISTORY_CAPUTO, 2,
             0.7, 0.5,       0.3, HARMONIC, { 1, 0 },        { 0 }
         };
         double x[101], p[101], want = a.x0, q = a.p0;
-        solve(&fvi_shifted, &a, x, p);
-        const double bound = rounding(&fvi_shifted, &a, x, p), K = a.kappa;
+        solve(&fvi_cq2_shifted, &a, x, p);
+        const double bound = rounding(&fvi_cq2_shifted, &a, x, p), K = a.kappa;
         for (size_t k = 0; k <= a.steps; k++) {
             ck_assert_near(x[k], want, bound, "kappa=%g k=%zu", K, k);
             double dx = (q - K * a.h * want)
@@ -98,15 +98,15 @@ START_TEST(eq_13_14_at_alpha_1_the_damping_is_an_added_mass)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         if (kind == CHAIN)
             continue;
-        setup a = { 1,   0.5, 0.1, 200,  FVI_PAST_CAPUTO, 2,
+        setup a = { 1,   0.5, 0.1, 200,  FVI_INITIAL_HISTORY_CAPUTO, 2,
                     3.5, 0.5, 0.3, kind, { 1, 0.5 },      { 0 } };
         double x[201], p[201], want[201];
-        solve(&fvi_shifted, &a, x, p);
-        const double bound = rounding(&fvi_shifted, &a, x, p);
+        solve(&fvi_cq2_shifted, &a, x, p);
+        const double bound = rounding(&fvi_cq2_shifted, &a, x, p);
         a.p0 *= (a.mass + a.rho) / a.mass;
         a.mass += a.rho;
         a.rho = 0;
-        solve(&fvi_variational, &a, want, NULL);
+        solve(&fvi_midpoint_variational, &a, want, NULL);
         ck_assert_near(farthest(201, x, want), 0, bound, "potential %d", kind);
     }
 }
@@ -118,10 +118,10 @@ START_TEST(eq_13_10_without_damping_it_is_algorithm_1)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         if (kind == CHAIN)
             continue;
-        const setup a = { 0.3, 0.25, 0.1, 100,  FVI_PAST_CAPUTO, 2,
+        const setup a = { 0.3, 0.25, 0.1, 100,  FVI_INITIAL_HISTORY_CAPUTO, 2,
                           0,   0.5,  0.3, kind, { 1, 1 },        { 0 } };
         double x[101], p[101], want[101];
-        solve(&fvi_variational, &a, want, NULL);
+        solve(&fvi_midpoint_variational, &a, want, NULL);
         for (size_t i = 0; i < LEN(methods); i++) {
             if (!methods[i]->takes_kappa)
                 continue;
@@ -187,7 +187,7 @@ START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
                             0.25,
                             0.125,
                             N,
-                            FVI_PAST_CAPUTO,
+                            FVI_INITIAL_HISTORY_CAPUTO,
                             mass[0],
                             rho[0],
                             1,
@@ -216,7 +216,7 @@ START_TEST(eq_13_7_the_memory_knows_no_origin_and_no_uniform_motion)
                     0.5,
                     0.125,
                     60,
-                    FVI_PAST_CAPUTO,
+                    FVI_INITIAL_HISTORY_CAPUTO,
                     1,
                     0.5,
                     0,

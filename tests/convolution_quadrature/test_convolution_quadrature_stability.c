@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-static const fvi_method *const methods[] = { &fvi_shifted, &fvi_bdf2 };
+static const fvi_method *const methods[] = { &fvi_cq2_shifted, &fvi_cq_bdf2 };
 
 enum { MOST = 3000 };
 
@@ -18,7 +18,7 @@ static setup scalar(double alpha, double kappa, double W, double R,
                     size_t steps)
 {
     return (setup){ .alpha = alpha,
-                    .past = FVI_PAST_CAPUTO,
+                    .past = FVI_INITIAL_HISTORY_CAPUTO,
                     .kappa = kappa,
                     .h = 1,
                     .steps = steps,
@@ -42,11 +42,11 @@ START_TEST(eq_13_13_the_recurrence_is_the_integrator)
         const int bdf2 = i >= LEN(some) * LEN(kappas);
         setup a = scalar(alpha, kappa, 0.5, 0.4, N);
         solve(methods[bdf2], &a, x, NULL);
-        ck_assert_int_eq(fvi_quadrature_weights(bdf2 ? FVI_QUADRATURE_BDF2
-                                                     : FVI_QUADRATURE_EULER,
+        ck_assert_int_eq(fvi_cq_weights(bdf2 ? FVI_DELTA_BDF2
+                                                     : FVI_DELTA_EULER,
                                                 2 * alpha, N + 1, w),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_quadrature_oscillator(w, bdf2 ? 0 : alpha, kappa,
+        ck_assert_int_eq(fvi_cq_oscillator(w, bdf2 ? 0 : alpha, kappa,
                                                    0.5, 0.4, N, y),
                          FVI_SUCCESS);
         for (size_t k = 0; k <= N; k++)
@@ -65,7 +65,7 @@ START_TEST(eq_13_15_growth_is_the_root_of_the_symbol)
     for (size_t i = 0; i < LEN(ref_growth); i++) {
         double growth = 0;
         ck_assert_int_eq(
-            fvi_quadrature_growth(ref_growth[i].kind, ref_growth[i].theta,
+            fvi_cq_amplification(ref_growth[i].kind, ref_growth[i].theta,
                                   ref_growth[i].alpha, ref_growth[i].kappa,
                                   ref_growth[i].W, ref_growth[i].R, &growth),
             FVI_SUCCESS);
@@ -79,7 +79,7 @@ static double bound(const fvi_method *method, double alpha, double kappa,
                     double W)
 {
     const double left = 4 - W * gsl_pow_2(1 - 2 * kappa);
-    if (method == &fvi_bdf2)
+    if (method == &fvi_cq_bdf2)
         return left / pow(16, alpha);
     return alpha < 0.5 ? left / pow(4, alpha) / (1 - 2 * alpha) : GSL_POSINF;
 }
@@ -128,10 +128,10 @@ START_TEST(eq_13_14_runs_on_both_sides_of_the_edge)
         double growth;
         static double y[MOST];
         a.rho = 1.005 * R;
-        ck_assert_int_eq(fvi_quadrature_growth(method == &fvi_bdf2
-                                                   ? FVI_QUADRATURE_BDF2
-                                                   : FVI_QUADRATURE_EULER,
-                                               method == &fvi_bdf2 ? 0 : alpha,
+        ck_assert_int_eq(fvi_cq_amplification(method == &fvi_cq_bdf2
+                                                   ? FVI_DELTA_BDF2
+                                                   : FVI_DELTA_EULER,
+                                               method == &fvi_cq_bdf2 ? 0 : alpha,
                                                alpha, kappa, W, a.rho, &growth),
                          FVI_SUCCESS);
         alternate(method, &a, y);
@@ -154,16 +154,16 @@ START_TEST(eq_13_14_the_shifted_integrator_is_stable_without_condition)
         setup a = scalar(orders[i % 5], 0.5, Ws[i / 20], Rs[i / 5 % 4], 2000);
         a.p0 = 0;
         a.force = fvi_force_step(push);
-        ck_assert_msg(!grows(&fvi_shifted, &a), "alpha=%g W=%g R=%g", a.alpha,
+        ck_assert_msg(!grows(&fvi_cq2_shifted, &a), "alpha=%g W=%g R=%g", a.alpha,
                       a.cg[0], a.rho);
     }
 }
 END_TEST
 
 //> stable
-/* (13.17): fvi_stable takes every step, stiffness, damping and order, and every past: a
+/* (13.17): fvi_cq2_midpoint takes every step, stiffness, damping and order, and every past: a
  * stiff and strongly damped oscillator, W and R from 1e-4 to 1e8, from x_0 = 1 and at
- * rest, stays below 1 as the exact one does; and goes on doing so where fvi_shifted
+ * rest, stays below 1 as the exact one does; and goes on doing so where fvi_cq2_shifted
  * has left all bounds. Riemann-Liouville's pull makes it overshoot a little. */
 START_TEST(eq_13_17_the_stable_method_takes_every_step)
 {
@@ -173,30 +173,30 @@ START_TEST(eq_13_17_the_stable_method_takes_every_step)
         const double alpha = orders[i % 7],
                      W = pow(10, 2. * (double)(i / 7 % 7) - 4),
                      R = pow(10, 2. * (double)(i / 49) - 4);
-        for (int past = FVI_PAST_HELD; past <= FVI_PAST_RIEMANN_LIOUVILLE;
+        for (int past = FVI_INITIAL_HISTORY_HELD; past <= FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
              past++) {
             setup a = scalar(alpha, 0.5, W, R, 2000);
-            a.past = (fvi_past)past;
+            a.past = (fvi_initial_history)past;
             a.x0 = 1;
             a.p0 = 0;
-            if (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5)
+            if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5)
                 continue;
-            solve(&fvi_stable, &a, x, NULL);
+            solve(&fvi_cq2_midpoint, &a, x, NULL);
             ck_assert_msg(
                 farthest(2001, x, NULL)
-                    <= (past == FVI_PAST_RIEMANN_LIOUVILLE ? 1.1 : 1 + 1e-9),
+                    <= (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 1.1 : 1 + 1e-9),
                 "alpha=%g W=%g R=%g past=%d: %g", alpha, W, R, past,
                 farthest(2001, x, NULL));
         }
         const double one = 1;
-        double load = 7, R_most = bound(&fvi_shifted, alpha, 0.5, W);
+        double load = 7, R_most = bound(&fvi_cq2_shifted, alpha, 0.5, W);
         const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
                                     { 0 }, NULL };
         const double x0 = 1, p0 = 0;
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
         run.alpha = alpha;
         run.kappa = 0.1; /* which is not used */
-        ck_assert_int_eq(fvi_stability_load(&fvi_stable, &run, &load), 0);
+        ck_assert_int_eq(fvi_stability_number(&fvi_cq2_midpoint, &run, &load), 0);
         ck_assert(load == 0);
         lost += R > R_most;
     }
@@ -207,16 +207,16 @@ END_TEST
 
 /* Nothing damps the alternating mode, (13.17) at -1: a held body that begins with a
  * velocity is stopped by a damping of order > 1, and what that leaves of v rings on.
- * fvi_shifted lets it die out. */
+ * fvi_cq2_shifted lets it die out. */
 START_TEST(eq_13_17_what_is_stiff_rings)
 {
     setup a = scalar(0.6, 0.5, 0.25, 5e5, 2000);
-    a.past = FVI_PAST_HELD;
+    a.past = FVI_INITIAL_HISTORY_HELD;
     a.x0 = 1;
     a.p0 = 0.25;
-    solve(&fvi_stable, &a, x, NULL);
+    solve(&fvi_cq2_midpoint, &a, x, NULL);
     const double stable = fabs(x[2000] - x[1999]);
-    solve(&fvi_shifted, &a, x, NULL);
+    solve(&fvi_cq2_shifted, &a, x, NULL);
     const double shifted = fabs(x[2000] - x[1999]);
     seen(stable, "fvi-stable");
     seen(shifted, "fvi-shifted");
@@ -237,17 +237,17 @@ START_TEST(eq_13_15_trapezoidal_weights_are_always_unstable)
     for (size_t i = 0; i < LEN(Rs) * LEN(alphas); i++) {
         const double alpha = alphas[i / 3], R = Rs[i % 3];
         double w[N + 1], growth;
-        ck_assert_int_eq(fvi_quadrature_growth(FVI_QUADRATURE_TRAPEZOID, 0,
+        ck_assert_int_eq(fvi_cq_amplification(FVI_DELTA_TRAPEZOID, 0,
                                                alpha, 0.5, 1, R, &growth),
                          FVI_SUCCESS);
         ck_assert_double_ge(growth, 1);
         if (growth < 1.01)
             continue; /* too slow to be seen, R = 0.01, alpha = 0.1 */
         const size_t n = (size_t)smaller(N, 600 / log(growth));
-        ck_assert_int_eq(fvi_quadrature_weights(FVI_QUADRATURE_TRAPEZOID,
+        ck_assert_int_eq(fvi_cq_weights(FVI_DELTA_TRAPEZOID,
                                                 2 * alpha, n + 1, w),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_quadrature_oscillator(w, 0, 0.5, 1, R, n, x),
+        ck_assert_int_eq(fvi_cq_oscillator(w, 0, 0.5, 1, R, n, x),
                          FVI_SUCCESS);
         ck_assert_near(
             pow(fabs(x[n] / x[n / 2]), 1 / (double)(n - n / 2)), growth,

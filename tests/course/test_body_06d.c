@@ -11,7 +11,7 @@ START_TEST(eq_6d_two_bodies)
     static double rows[141 * DIM];
     fvi_expression *spring;
     ck_assert_int_eq(fvi_expression_parse("(x1^2 + x2^2 + (x1 - x2)^4)/2",
-                                          &(fvi_names){ .variable = "x", .d = DIM }, NULL, &spring, NULL),
+                                          &(fvi_symbols){ .variable = "x", .d = DIM }, NULL, &spring, NULL),
                      FVI_SUCCESS);
     const fvi_system system = { .d = DIM, .mass = m, .damping = rho, .potential = fvi_potential_expression(spring) };
     fvi_run settings = fvi_run_default(&system, x0, p0, h, 140);

@@ -35,7 +35,7 @@ START_TEST(eq_12b_the_library_makes_the_same_run)
 {
     second = 1, kappa = 0.5, h = 0.1;
     run(140);
-    const double *rows = library_run(&fvi_shifted, alpha, kappa, 140);
+    const double *rows = library_run(&fvi_cq2_shifted, alpha, kappa, 140);
     for (int k = 0; k <= 140; k++)
         ck_assert_near(x[k], rows[k], 2 * rounding_of_run(140, 0.16), "k = %d", k);
     second = 0;

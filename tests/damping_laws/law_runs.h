@@ -16,7 +16,7 @@ enum {
     LAW_NUMBERS = 8  /* x0, p0, m, rho, the factors of up to four terms */
 };
 
-static inline const fvi_law *law_of(size_t l)
+static inline const fvi_kernel *law_of(size_t l)
 {
     return l < LEN(ref_laws) ? &ref_laws[l] : &steep_laws[l - LEN(ref_laws)];
 }
@@ -33,17 +33,17 @@ static inline int to_last(size_t k, size_t d, const double *x, const double *p,
 
 /* x at the end of a Duffing oscillator of so many steps of 0.1, and its derivatives by
  * `at` if they are wanted. */
-static inline double last_of(const fvi_method *method, const fvi_law *law,
+static inline double last_of(const fvi_method *method, const fvi_kernel *law,
                              size_t steps, const double *at, double *got)
 {
     double x[LAW_STEPS + 1];
     const double spring[] = { 1, 1 };
-    fvi_law_term term[LAW_NUMBERS - 4];
+    fvi_kernel_term term[LAW_NUMBERS - 4];
     for (size_t i = 0; i < law->count; i++) {
         term[i] = law->term[i];
         term[i].rho = at[4 + i];
     }
-    const fvi_law moved = { law->count, term };
+    const fvi_kernel moved = { law->count, term };
     const fvi_system system = { 1,      &at[2],
                                 &at[3], fvi_potential_duffing(spring),
                                 { 0 },  NULL };
@@ -52,7 +52,7 @@ static inline double last_of(const fvi_method *method, const fvi_law *law,
     run.law = &moved;
     run.alpha = 1; /* is not read */
     if (got) {
-        fvi_gradients to = { .x0 = got,
+        fvi_sensitivities to = { .x0 = got,
                              .p0 = got + 1,
                              .mass = got + 2,
                              .damping = got + 3,
@@ -65,7 +65,7 @@ static inline double last_of(const fvi_method *method, const fvi_law *law,
 
 /* All of them to `bound`, against central differences of 1e-4. */
 static inline void ck_assert_law_slopes(const fvi_method *method,
-                                        const fvi_law *law, size_t steps,
+                                        const fvi_kernel *law, size_t steps,
                                         double bound)
 {
     double at[LAW_NUMBERS] = { 1, 0.7, 1.25, 0.75 }, got[LAW_NUMBERS];

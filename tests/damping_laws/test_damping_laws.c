@@ -14,7 +14,7 @@ START_TEST(eq_26_2_moduli)
 {
     for (size_t i = 0; i < LEN(ref_moduli); i++) {
         double storage, loss;
-        ck_assert_int_eq(fvi_law_moduli(&ref_laws[ref_moduli[i].law],
+        ck_assert_int_eq(fvi_kernel_moduli(&ref_laws[ref_moduli[i].law],
                                         ref_moduli[i].omega, &storage, &loss),
                          FVI_SUCCESS);
         const double size = hypot(ref_moduli[i].storage, ref_moduli[i].loss);
@@ -30,11 +30,11 @@ START_TEST(eq_26_2_every_law_is_passive)
 {
     srand(1);
     for (int i = 0; i < 1000; i++) {
-        fvi_law_term term[3];
-        const fvi_law law = { random_terms(term), term };
+        fvi_kernel_term term[3];
+        const fvi_kernel law = { random_terms(term), term };
         double storage, loss;
         ck_assert_int_eq(
-            fvi_law_moduli(&law, pow(10, random_in(-4, 4)), &storage, &loss),
+            fvi_kernel_moduli(&law, pow(10, random_in(-4, 4)), &storage, &loss),
             FVI_SUCCESS);
         ck_assert_double_ge(loss, 0);
     }
@@ -45,11 +45,11 @@ START_TEST(eq_26_1_growth)
 {
     const double growth[] = { 0.625, 0.75, 0, 0, 1, 1.5, 1.75, 1.5 };
     for (size_t i = 0; i < LEN(ref_laws); i++)
-        ck_assert_double_eq(fvi_law_growth(&ref_laws[i]), growth[i]);
-    const fvi_law_term dashpot = { FVI_LAW_MAXWELL, 1, 0, 0, 0 },
-                       zener = { FVI_LAW_ZENER, 1, 0.25, 0, 0 };
-    ck_assert_double_eq(fvi_law_growth(&(fvi_law){ 1, &dashpot }), 1);
-    ck_assert_double_eq(fvi_law_growth(&(fvi_law){ 1, &zener }), 0.5);
+        ck_assert_double_eq(fvi_kernel_growth(&ref_laws[i]), growth[i]);
+    const fvi_kernel_term dashpot = { FVI_KERNEL_MAXWELL, 1, 0, 0, 0 },
+                       zener = { FVI_KERNEL_ZENER, 1, 0.25, 0, 0 };
+    ck_assert_double_eq(fvi_kernel_growth(&(fvi_kernel){ 1, &dashpot }), 1);
+    ck_assert_double_eq(fvi_kernel_growth(&(fvi_kernel){ 1, &zener }), 0.5);
 }
 END_TEST
 
@@ -61,9 +61,9 @@ START_TEST(eq_26_3_weights)
 {
     double w[151];
     for (size_t i = 0; i < LEN(ref_weights); i++) {
-        const fvi_law *law = &ref_laws[ref_weights[i].law];
-        ck_assert_int_eq(fvi_law_weights(law,
-                                         (fvi_quadrature)ref_weights[i].kind,
+        const fvi_kernel *law = &ref_laws[ref_weights[i].law];
+        ck_assert_int_eq(fvi_kernel_weights(law,
+                                         (fvi_delta)ref_weights[i].kind,
                                          ref_weights[i].h, LEN(w), w),
                          FVI_SUCCESS);
         for (size_t j = 0; j < REF_INDICES; j++)
@@ -79,18 +79,18 @@ END_TEST
  * of order 1, a sum in another order. To a rounding in each term. */
 START_TEST(eq_26_3_one_law_in_two_words)
 {
-    const fvi_law_term pairs[][2] = {
-        { { FVI_LAW_ZENER, 2, 0.3, 0, 0 }, { FVI_LAW_POWER, 2, 0.3, 0, 0 } },
-        { { FVI_LAW_MAXWELL, 2, 0, 0.7, 0 },
-          { FVI_LAW_ZENER, 2, 0.5, 0.7, 0 } },
-        { { FVI_LAW_MAXWELL, 2, 0, 0, 0 }, { FVI_LAW_POWER, 2, 0.5, 0, 0 } },
+    const fvi_kernel_term pairs[][2] = {
+        { { FVI_KERNEL_ZENER, 2, 0.3, 0, 0 }, { FVI_KERNEL_POWER, 2, 0.3, 0, 0 } },
+        { { FVI_KERNEL_MAXWELL, 2, 0, 0.7, 0 },
+          { FVI_KERNEL_ZENER, 2, 0.5, 0.7, 0 } },
+        { { FVI_KERNEL_MAXWELL, 2, 0, 0, 0 }, { FVI_KERNEL_POWER, 2, 0.5, 0, 0 } },
     };
     for (size_t i = 0; i < LEN(pairs); i++)
         for (int kind = 0; kind < 2; kind++) {
             double w[2][100];
             for (int j = 0; j < 2; j++)
-                ck_assert_int_eq(fvi_law_weights(&(fvi_law){ 1, &pairs[i][j] },
-                                                 (fvi_quadrature)kind, 0.01,
+                ck_assert_int_eq(fvi_kernel_weights(&(fvi_kernel){ 1, &pairs[i][j] },
+                                                 (fvi_delta)kind, 0.01,
                                                  100, w[j]),
                                  FVI_SUCCESS);
             for (size_t n = 0; n < 100; n++)
@@ -104,76 +104,76 @@ END_TEST
 
 START_TEST(what_is_no_law_is_refused)
 {
-    const fvi_law_term bad[] = {
-        { FVI_LAW_POWER, -1, 0.3, 0, 0 },
-        { FVI_LAW_POWER, INFINITY, 0.3, 0, 0 },
-        { FVI_LAW_POWER, NAN, 0.3, 0, 0 },
-        { FVI_LAW_POWER, 1, -0.1, 0, 0 },
-        { FVI_LAW_POWER, 1, 1.1, 0, 0 },
-        { FVI_LAW_ZENER, 1, 1.1, 1, 0 },
-        { FVI_LAW_ZENER, 1, 0.3, -1, 0 },
-        { FVI_LAW_MAXWELL, 1, 0, INFINITY, 0 },
-        { FVI_LAW_MAXWELL, 1, 0, NAN, 0 },
-        { FVI_LAW_DISTRIBUTED, 1, 0.3, 0, 0.3 },
-        { FVI_LAW_DISTRIBUTED, 1, 0.3, 0, 1.1 },
+    const fvi_kernel_term bad[] = {
+        { FVI_KERNEL_POWER, -1, 0.3, 0, 0 },
+        { FVI_KERNEL_POWER, INFINITY, 0.3, 0, 0 },
+        { FVI_KERNEL_POWER, NAN, 0.3, 0, 0 },
+        { FVI_KERNEL_POWER, 1, -0.1, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 1.1, 0, 0 },
+        { FVI_KERNEL_ZENER, 1, 1.1, 1, 0 },
+        { FVI_KERNEL_ZENER, 1, 0.3, -1, 0 },
+        { FVI_KERNEL_MAXWELL, 1, 0, INFINITY, 0 },
+        { FVI_KERNEL_MAXWELL, 1, 0, NAN, 0 },
+        { FVI_KERNEL_DISTRIBUTED, 1, 0.3, 0, 0.3 },
+        { FVI_KERNEL_DISTRIBUTED, 1, 0.3, 0, 1.1 },
     };
     for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, &bad[i] }), FVI_EDOM);
-    const fvi_law_term unknown = { (fvi_law_kind)4, 1, 0.3, 1, 1 };
-    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, &unknown }), FVI_EINVAL);
-    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 0, &unknown }), FVI_EINVAL);
-    ck_assert_int_eq(fvi_law_check(&(fvi_law){ 1, NULL }), FVI_EFAULT);
-    ck_assert_int_eq(fvi_law_check(NULL), FVI_EFAULT);
+        ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, &bad[i] }), FVI_EDOM);
+    const fvi_kernel_term unknown = { (fvi_kernel_kind)4, 1, 0.3, 1, 1 };
+    ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, &unknown }), FVI_EINVAL);
+    ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 0, &unknown }), FVI_EINVAL);
+    ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, NULL }), FVI_EFAULT);
+    ck_assert_int_eq(fvi_kernel_check(NULL), FVI_EFAULT);
 }
 END_TEST
 
 START_TEST(bad_numbers_leave_everything_untouched)
 {
-    const fvi_law *law = &ref_laws[0];
-    const fvi_quadrature euler = FVI_QUADRATURE_EULER;
+    const fvi_kernel *law = &ref_laws[0];
+    const fvi_delta euler = FVI_DELTA_EULER;
     double storage = 7, loss = 7, w[2] = { 7, 7 }, first = 7;
-    fvi_memory *memory = NULL;
-    ck_assert_int_eq(fvi_law_moduli(law, 0, &storage, &loss), FVI_EDOM);
-    ck_assert_int_eq(fvi_law_moduli(law, NAN, &storage, &loss), FVI_EDOM);
-    ck_assert_int_eq(fvi_law_moduli(law, 1, NULL, &loss), FVI_EFAULT);
-    ck_assert_int_eq(fvi_law_moduli(NULL, 1, &storage, &loss), FVI_EFAULT);
-    ck_assert_int_eq(fvi_law_weights(law, euler, 0, 2, w), FVI_EDOM);
-    ck_assert_int_eq(fvi_law_weights(law, euler, NAN, 2, w), FVI_EDOM);
-    ck_assert_int_eq(fvi_law_weights(law, euler, 1, 0, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_law_weights(law, euler, 1, 2, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_law_weights(law, FVI_QUADRATURE_L1, 1, 2, w),
+    fvi_history *memory = NULL;
+    ck_assert_int_eq(fvi_kernel_moduli(law, 0, &storage, &loss), FVI_EDOM);
+    ck_assert_int_eq(fvi_kernel_moduli(law, NAN, &storage, &loss), FVI_EDOM);
+    ck_assert_int_eq(fvi_kernel_moduli(law, 1, NULL, &loss), FVI_EFAULT);
+    ck_assert_int_eq(fvi_kernel_moduli(NULL, 1, &storage, &loss), FVI_EFAULT);
+    ck_assert_int_eq(fvi_kernel_weights(law, euler, 0, 2, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_kernel_weights(law, euler, NAN, 2, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_kernel_weights(law, euler, 1, 0, w), FVI_EINVAL);
+    ck_assert_int_eq(fvi_kernel_weights(law, euler, 1, 2, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_kernel_weights(law, FVI_DELTA_L1, 1, 2, w),
                      FVI_EINVAL);
-    ck_assert_int_eq(fvi_law_weights(NULL, euler, 1, 2, w), FVI_EFAULT);
+    ck_assert_int_eq(fvi_kernel_weights(NULL, euler, 1, 2, w), FVI_EFAULT);
     const struct {
         double h, tolerance;
         size_t d, steps;
-        fvi_memory_kind how;
+        fvi_history_kind how;
         int code;
     } bad[] = {
-        { 0, 0, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
-        { INFINITY, 0, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
-        { 1, 1, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
-        { 1, NAN, 1, 9, FVI_MEMORY_AUTO, FVI_EDOM },
-        { 1, 0, 0, 9, FVI_MEMORY_AUTO, FVI_EINVAL },
-        { 1, 0, 1, (size_t)-1, FVI_MEMORY_AUTO, FVI_EINVAL },
-        { 1, 0, 1, 2000000000, FVI_MEMORY_EXPONENTIALS, FVI_EINVAL },
-        { 1, 1e-15, 1, 9, FVI_MEMORY_EXPONENTIALS, FVI_ETOL },
-        { 1, 0, 1, 9, FVI_MEMORY_FFT, FVI_EUNSUP },
-        { 1, 0, 1, 9, (fvi_memory_kind)4, FVI_EINVAL },
+        { 0, 0, 1, 9, FVI_HISTORY_AUTO, FVI_EDOM },
+        { INFINITY, 0, 1, 9, FVI_HISTORY_AUTO, FVI_EDOM },
+        { 1, 1, 1, 9, FVI_HISTORY_AUTO, FVI_EDOM },
+        { 1, NAN, 1, 9, FVI_HISTORY_AUTO, FVI_EDOM },
+        { 1, 0, 0, 9, FVI_HISTORY_AUTO, FVI_EINVAL },
+        { 1, 0, 1, (size_t)-1, FVI_HISTORY_AUTO, FVI_EINVAL },
+        { 1, 0, 1, 2000000000, FVI_HISTORY_MODES, FVI_EINVAL },
+        { 1, 1e-15, 1, 9, FVI_HISTORY_MODES, FVI_ETOL },
+        { 1, 0, 1, 9, FVI_HISTORY_FFT, FVI_EUNSUP },
+        { 1, 0, 1, 9, (fvi_history_kind)4, FVI_EINVAL },
     };
     for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(fvi_law_memory(law, euler, bad[i].h, bad[i].d,
+        ck_assert_int_eq(fvi_kernel_history(law, euler, bad[i].h, bad[i].d,
                                         bad[i].steps, bad[i].how,
                                         bad[i].tolerance, &first, &memory),
                          bad[i].code);
-    ck_assert_int_eq(fvi_law_memory(law, FVI_QUADRATURE_L1, 1, 1, 9,
-                                    FVI_MEMORY_AUTO, 0, &first, &memory),
+    ck_assert_int_eq(fvi_kernel_history(law, FVI_DELTA_L1, 1, 1, 9,
+                                    FVI_HISTORY_AUTO, 0, &first, &memory),
                      FVI_EINVAL);
     ck_assert_int_eq(
-        fvi_law_memory(law, euler, 1, 1, 9, FVI_MEMORY_AUTO, 0, NULL, &memory),
+        fvi_kernel_history(law, euler, 1, 1, 9, FVI_HISTORY_AUTO, 0, NULL, &memory),
         FVI_EFAULT);
     ck_assert_int_eq(
-        fvi_law_memory(law, euler, 1, 1, 9, FVI_MEMORY_AUTO, 0, &first, NULL),
+        fvi_kernel_history(law, euler, 1, 1, 9, FVI_HISTORY_AUTO, 0, &first, NULL),
         FVI_EFAULT);
     ck_assert(storage == 7 && loss == 7 && w[0] == 7 && first == 7 && !memory);
 }

@@ -2,9 +2,9 @@
  * problem, for laws. Run alone: make test-damping_laws_exact */
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
-#include "exact/exact_inverse.h"
-#include "exact/exact_law.h"
-#include "memory/law_terms.h"
+#include "reference/exact_inverse.h"
+#include "reference/exact_law.h"
+#include "memory/kernel_terms.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>
@@ -15,7 +15,7 @@
 START_TEST(eq_26_9_the_exact_solution)
 {
     for (size_t i = 0; i < LEN(ref_motions); i++) {
-        const fvi_linear p = { .m = 1,
+        const fvi_linear_oscillator p = { .m = 1,
                                .c = 1,
                                .rho = 1,
                                .x0 = ref_motions[i].x0,
@@ -25,7 +25,7 @@ START_TEST(eq_26_9_the_exact_solution)
                                .T = 1000,
                                .law = &ref_laws[ref_motions[i].law] };
         double x = 7;
-        ck_assert_int_eq(fvi_exact(&p, 1, &ref_motions[i].t, &x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &ref_motions[i].t, &x, NULL), 0);
         ck_assert_near(x, ref_motions[i].x, 2e-13, "row %zu", i);
     }
 }
@@ -36,7 +36,7 @@ END_TEST
 START_TEST(eq_26_11_the_exact_solution_with_several_oscillations)
 {
     for (size_t i = 0; i < LEN(ref_exact); i++) {
-        const fvi_linear p = { .m = 2,
+        const fvi_linear_oscillator p = { .m = 2,
                                .c = 3,
                                .rho = 1,
                                .x0 = 1,
@@ -47,7 +47,7 @@ START_TEST(eq_26_11_the_exact_solution_with_several_oscillations)
                                .w = ref_exact[i].T,
                                .law = &ref_hard[ref_exact[i].law].law };
         double x = 7, v = 7;
-        ck_assert_int_eq(fvi_exact(&p, 1, &ref_exact[i].t, &x, &v), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &ref_exact[i].t, &x, &v), 0);
         ck_assert_near(x, ref_exact[i].x, 2e-13, "x, row %zu", i);
         ck_assert_near(v, ref_exact[i].v, 2e-13 * (2 + 1 / ref_exact[i].t),
                        "v, row %zu", i);
@@ -65,10 +65,10 @@ START_TEST(eq_26_11_two_halves_of_a_power_are_one)
     double worst = 0;
     for (int n = 0; n < 3000; n++) {
         const double alpha = gsl_rng_uniform(random);
-        const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5, alpha, 0, 0 },
-                                      { FVI_LAW_POWER, 0.5, alpha, 0, 0 } };
-        const fvi_law law = { 2, half };
-        fvi_linear p = { .m = 1,
+        const fvi_kernel_term half[] = { { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 },
+                                      { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 } };
+        const fvi_kernel law = { 2, half };
+        fvi_linear_oscillator p = { .m = 1,
                          .c = n % 10 ? pow(10, 4 * gsl_rng_uniform(random) - 2)
                                      : 0,
                          .rho = pow(10, 4 * gsl_rng_uniform(random) - 2),
@@ -82,10 +82,10 @@ START_TEST(eq_26_11_two_halves_of_a_power_are_one)
         double t[5], x[5], y[5], most = fabs(p.x0);
         for (int j = 0; j < 5; j++)
             t[j] = pow(10, 6 * gsl_rng_uniform(random) - 3);
-        ck_assert_int_eq(fvi_exact(&p, 5, t, x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 5, t, x, NULL), 0);
         p.law = &law;
         p.alpha = 0;
-        ck_assert_int_eq(fvi_exact(&p, 5, t, y, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 5, t, y, NULL), 0);
         for (int j = 0; j < 5; j++)
             most = larger(most, fabs(x[j]));
         for (int j = 0; j < 5; j++)
@@ -105,10 +105,10 @@ END_TEST
  * it. */
 START_TEST(eq_26_11_resonance)
 {
-    const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5e-9, 0.25, 0, 0 },
-                                  { FVI_LAW_POWER, 0.5e-9, 0.25, 0, 0 } };
-    const fvi_law law = { 2, half };
-    fvi_linear p = { .m = 1,
+    const fvi_kernel_term half[] = { { FVI_KERNEL_POWER, 0.5e-9, 0.25, 0, 0 },
+                                  { FVI_KERNEL_POWER, 0.5e-9, 0.25, 0, 0 } };
+    const fvi_kernel law = { 2, half };
+    fvi_linear_oscillator p = { .m = 1,
                      .c = 4,
                      .rho = 1e-9,
                      .alpha = 0.25,
@@ -122,10 +122,10 @@ START_TEST(eq_26_11_resonance)
             p.w = im * (1 + off);
             p.law = NULL;
             p.rho = 1e-9;
-            ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL), 0);
             p.law = &law;
             p.rho = 1;
-            ck_assert_int_eq(fvi_exact(&p, 1, &t, &y, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &y, NULL), 0);
             most = t / 4; /* how far it may have swung */
             ck_assert_near(y, x, (2e-13 + 4 * U * 2 * t) * most, "off %g, t %g",
                            off, t);
@@ -139,18 +139,18 @@ END_TEST
 START_TEST(eq_26_11_all_zeros_are_found)
 {
     for (size_t i = 0; i < LEN(ref_hard); i++) {
-        const fvi_law *law = &ref_hard[i].law;
-        const fvi_linear p = { .m = 2, .c = 3, .rho = 1, .x0 = 1, .law = law };
+        const fvi_kernel *law = &ref_hard[i].law;
+        const fvi_linear_oscillator p = { .m = 2, .c = 3, .rho = 1, .x0 = 1, .law = law };
         fvi_pole pole[FVI_ZEROS];
         size_t count = 0;
         double re = 1, im = 0, slowest = -GSL_DBL_MAX;
-        ck_assert_int_eq(fvi_law_poles(2, 3, 1, law, FVI_ZEROS, pole, &count),
+        ck_assert_int_eq(fvi_kernel_poles(2, 3, 1, law, FVI_ZEROS, pole, &count),
                          0);
         ck_assert_uint_eq(count, (size_t)ref_hard[i].zeros);
         for (size_t j = 0; j < count; j++) {
             const double complex s = pole[j].s;
             double complex slope;
-            const double complex Q = 2 * s * s + 3 + fvi_law_at(law, s, &slope);
+            const double complex Q = 2 * s * s + 3 + fvi_kernel_at(law, s, &slope);
             const double bound =
                 4 * U * (4 * gsl_pow_2(cabs(s)) + cabs(slope) + 3);
             ck_assert_near(cabs(Q), 0, bound, "law %zu, zero %zu", i, j);
@@ -163,10 +163,10 @@ START_TEST(eq_26_11_all_zeros_are_found)
         ck_assert(im > 0);
     }
     /* a spring of the law's own: order 0 */
-    const fvi_law_term spring[] = { { FVI_LAW_POWER, 5, 0, 0, 0 },
-                                    { FVI_LAW_POWER, 8, 0, 0, 0 } };
-    const fvi_law law = { 2, spring };
-    const fvi_linear p = { .m = 1, .c = 3, .rho = 1, .x0 = 1, .law = &law };
+    const fvi_kernel_term spring[] = { { FVI_KERNEL_POWER, 5, 0, 0, 0 },
+                                    { FVI_KERNEL_POWER, 8, 0, 0, 0 } };
+    const fvi_kernel law = { 2, spring };
+    const fvi_linear_oscillator p = { .m = 1, .c = 3, .rho = 1, .x0 = 1, .law = &law };
     double re = 1, im = 0;
     ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), 0);
     ck_assert_near(re, 0, 8 * U, "no decay");
@@ -177,10 +177,10 @@ END_TEST
 /* A law of one power is that power, to the bit; one of nothing is no damping. */
 START_TEST(a_law_of_one_power_is_its_exact_solution)
 {
-    const fvi_law_term terms[] = { { FVI_LAW_ZENER, 0, 0.9, 1, 0 },
-                                   { FVI_LAW_POWER, 0.5, 0.3, 0, 0 } };
-    const fvi_law one = { 2, terms }, none = { 1, terms };
-    fvi_linear p = {
+    const fvi_kernel_term terms[] = { { FVI_KERNEL_ZENER, 0, 0.9, 1, 0 },
+                                   { FVI_KERNEL_POWER, 0.5, 0.3, 0, 0 } };
+    const fvi_kernel one = { 2, terms }, none = { 1, terms };
+    fvi_linear_oscillator p = {
         .m = 1, .c = 2, .rho = 0.5, .alpha = 0.3, .x0 = 1, .v0 = 0.2
     };
     const double t = 3;
@@ -188,10 +188,10 @@ START_TEST(a_law_of_one_power_is_its_exact_solution)
     for (int turn = 0; turn < 2; turn++) {
         p.rho = turn ? 0 : 0.5;
         p.law = NULL;
-        ck_assert_int_eq(fvi_exact(&p, 1, &t, x, v), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, x, v), 0);
         p.rho = 1;
         p.law = turn ? &none : &one;
-        ck_assert_int_eq(fvi_exact(&p, 1, &t, x + 1, v + 1), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, x + 1, v + 1), 0);
         ck_assert(x[0] == x[1] && v[0] == v[1]);
     }
 }
@@ -199,20 +199,20 @@ END_TEST
 
 START_TEST(laws_without_an_exact_solution_are_refused)
 {
-    const fvi_law_term bad = { FVI_LAW_POWER, 1, 2, 0, 0 },
-                       many[] = { { FVI_LAW_ZENER, 1, 0.75, 1, 0 },
-                                  { FVI_LAW_ZENER, 1, 0.8, 0.01, 0 },
-                                  { FVI_LAW_ZENER, 1, 0.75, 0.0001, 0 } };
-    const fvi_law wrong = { 1, &bad }, three = { 3, many };
-    fvi_linear p = { .m = 1, .c = 1, .rho = 1, .x0 = 1, .law = &wrong };
+    const fvi_kernel_term bad = { FVI_KERNEL_POWER, 1, 2, 0, 0 },
+                       many[] = { { FVI_KERNEL_ZENER, 1, 0.75, 1, 0 },
+                                  { FVI_KERNEL_ZENER, 1, 0.8, 0.01, 0 },
+                                  { FVI_KERNEL_ZENER, 1, 0.75, 0.0001, 0 } };
+    const fvi_kernel wrong = { 1, &bad }, three = { 3, many };
+    fvi_linear_oscillator p = { .m = 1, .c = 1, .rho = 1, .x0 = 1, .law = &wrong };
     double t = 1, x = 7, v = 7;
-    ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, &v), FVI_EDOM);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, &v), FVI_EDOM);
     p.law = &three;
-    ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, &v), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, &v), FVI_EUNSUP);
     ck_assert_int_eq(fvi_exact_pole(&p, &x, &v), FVI_EUNSUP);
     p.law = &ref_laws[1];
-    p.past = FVI_PAST_CAPUTO;
-    ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, &v), FVI_EUNSUP);
+    p.past = FVI_INITIAL_HISTORY_CAPUTO;
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, &v), FVI_EUNSUP);
     ck_assert(x == 7 && v == 7);
 }
 END_TEST

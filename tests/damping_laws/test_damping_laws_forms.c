@@ -3,7 +3,7 @@
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 #include "law_runs.h"
-#include "memory/law_terms.h"
+#include "memory/kernel_terms.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
@@ -14,23 +14,23 @@ enum { N = 1000 };
 
 static const double one = 1;
 
-static const fvi_method *const form_m[] = { &fvi_lobatto2, &fvi_lobatto3,
-                                            &fvi_lobatto4 };
+static const fvi_method *const form_m[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
+                                            &fvi_lobatto_m4 };
 
 /* The errors of x and p at t = 4 of a spring that is kicked off. */
-static void errors(const fvi_method *method, const fvi_law *law, size_t steps,
+static void errors(const fvi_method *method, const fvi_kernel *law, size_t steps,
                    double off[2])
 {
     static double x[2 * N], p[2 * N];
     const double p0 = 0.7, t = 4;
-    const fvi_linear exact = {
+    const fvi_linear_oscillator exact = {
         .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = p0, .law = law
     };
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
                                 { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, t / (double)steps, steps);
     run.law = law;
-    ck_assert_int_eq(fvi_exact(&exact, 1, &t, &off[0], &off[1]), 0);
+    ck_assert_int_eq(fvi_exact_at(&exact, 1, &t, &off[0], &off[1]), 0);
     ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
     off[0] -= x[steps];
     off[1] -= p[steps];
@@ -42,8 +42,8 @@ START_TEST(eq_26_12_orders_of_form_m)
 {
     for (size_t l = 0; l < LAWS; l++)
         for (int m = 0; m < 3; m++) {
-            const fvi_law *law = law_of(l);
-            const double s = m + 2, top = fvi_law_growth(law);
+            const fvi_kernel *law = law_of(l);
+            const double s = m + 2, top = fvi_kernel_growth(law);
             double off[2][2];
             for (int i = 0; i < 2; i++)
                 errors(form_m[m], law, (size_t)(m == 2 ? 80 : 320) << i,
@@ -85,7 +85,7 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
                 end[i] = x[steps];
             }
             const double want =
-                smaller(2 * m + 2, m + 4 - fvi_law_growth(law_of(l)));
+                smaller(2 * m + 2, m + 4 - fvi_kernel_growth(law_of(l)));
             const double order =
                 log2(fabs((end[1] - end[0]) / (end[2] - end[1])));
             seen(want - order, "short");
@@ -96,21 +96,21 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
 END_TEST
 
 /* A law of two random terms; with no fraction of an order above 1 if it is proper. */
-static fvi_law random_law(gsl_rng *random, int proper, fvi_law_term term[2])
+static fvi_kernel random_law(gsl_rng *random, int proper, fvi_kernel_term term[2])
 {
     for (int i = 0; i < 2; i++) {
-        const fvi_law_kind kind = (fvi_law_kind)gsl_rng_uniform_int(random, 4);
+        const fvi_kernel_kind kind = (fvi_kernel_kind)gsl_rng_uniform_int(random, 4);
         double a = 0.01 + 0.97 * gsl_rng_uniform(random);
-        if (proper && kind == FVI_LAW_ZENER)
+        if (proper && kind == FVI_KERNEL_ZENER)
             a /= 2;
-        term[i] = (fvi_law_term){ kind, pow(10, 2 * gsl_rng_uniform(random)), a,
+        term[i] = (fvi_kernel_term){ kind, pow(10, 2 * gsl_rng_uniform(random)), a,
                                   pow(10, 2 * gsl_rng_uniform(random) - 1),
                                   a + (1 - a) / 2 };
     }
-    return (fvi_law){ 2, term };
+    return (fvi_kernel){ 2, term };
 }
 
-static double load_at(size_t s, const fvi_law *law, double c, double h)
+static double load_at(size_t s, const fvi_kernel *law, double c, double h)
 {
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
                                 { 0 }, NULL };
@@ -127,13 +127,13 @@ START_TEST(eq_26_13_the_load_of_two_stages)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
     for (int i = 0; i < 200; i++) {
-        fvi_law_term term[2];
-        const fvi_law law = random_law(random, 0, term);
+        fvi_kernel_term term[2];
+        const fvi_kernel law = random_law(random, 0, term);
         const double c = 4 * gsl_rng_uniform(random),
                      h = pow(10, 2 * gsl_rng_uniform(random) - 2);
         double complex slope;
         const double complex C =
-            fvi_law_at(&law, 2 / h * (0.5 + I * sqrt(0.75)), &slope);
+            fvi_kernel_at(&law, 2 / h * (0.5 + I * sqrt(0.75)), &slope);
         const double want =
             larger(0, h * h * (c + creal(C) - cimag(C) / sqrt(3)) / 4);
         ck_assert_near(load_at(2, &law, c, h), want, 1e-12 * larger(1, want),
@@ -147,13 +147,13 @@ END_TEST
  * ends of the circle, to 1e-12. */
 START_TEST(eq_26_13_springs_are_springs)
 {
-    const fvi_law_term spring[] = { { FVI_LAW_POWER, 3, 0.25, 0, 0 },
-                                    { FVI_LAW_POWER, 2, 0, 0, 0 },
-                                    { FVI_LAW_ZENER, 8, 0, 3, 0 } };
+    const fvi_kernel_term spring[] = { { FVI_KERNEL_POWER, 3, 0.25, 0, 0 },
+                                    { FVI_KERNEL_POWER, 2, 0, 0, 0 },
+                                    { FVI_KERNEL_ZENER, 8, 0, 3, 0 } };
     for (size_t s = 2; s <= 6; s++)
         for (double h = 0.25; h < 8; h *= 1.3) {
-            const double with = load_at(s, &(fvi_law){ 3, spring }, 1, h),
-                         without = load_at(s, &(fvi_law){ 1, spring }, 5, h);
+            const double with = load_at(s, &(fvi_kernel){ 3, spring }, 1, h),
+                         without = load_at(s, &(fvi_kernel){ 1, spring }, 5, h);
             ck_assert_near(with, without, 1e-12 * larger(1, without), "%zu %g",
                            s, h);
         }
@@ -161,7 +161,7 @@ START_TEST(eq_26_13_springs_are_springs)
 END_TEST
 
 /* The largest |x| of the second half of a run over that of the first. */
-static double growth_of(size_t s, const fvi_law *law, double c, double h)
+static double growth_of(size_t s, const fvi_kernel *law, double c, double h)
 {
     static double x[N + 1];
     const double x0 = 0.3;
@@ -187,9 +187,9 @@ START_TEST(eq_26_13_runs_grow_where_the_load_says_so)
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
     size_t counts[2] = { 0 };
     for (size_t i = 0; i < 500; i++) {
-        fvi_law_term term[2];
+        fvi_kernel_term term[2];
         const size_t s = 2 + i % 3;
-        const fvi_law law = random_law(random, i % 2, term);
+        const fvi_kernel law = random_law(random, i % 2, term);
         const double c = 12 * gsl_pow_2(gsl_rng_uniform_pos(random)),
                      h = pow(10, 1.3 * gsl_rng_uniform(random) - 1);
         int verdict[3];
@@ -216,8 +216,8 @@ END_TEST
  * differences are off by some 1e-8 of derivatives of the order of 1. Seen: 9e-9. */
 START_TEST(eq_23_15_derivatives_of_steep_laws)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2, &fvi_lobatto4,
-                                          &fvi_lobatto2d, &fvi_lobatto4d };
+    const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m4,
+                                          &fvi_lobatto_d2, &fvi_lobatto_d4 };
     for (size_t l = 0; l < LAWS; l++)
         for (size_t m = 0; m < LEN(methods); m++)
             ck_assert_law_slopes(methods[m], law_of(l), 40, 1e-7);

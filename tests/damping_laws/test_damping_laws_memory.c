@@ -9,20 +9,20 @@
 #include "random_laws.h"
 
 /* What a memory makes of random terms with first taken in again, in `H`. */
-static void sums(const fvi_law *law, fvi_quadrature kind, double h,
-                 size_t steps, fvi_memory_kind how, const double *x, double *H)
+static void sums(const fvi_kernel *law, fvi_delta kind, double h,
+                 size_t steps, fvi_history_kind how, const double *x, double *H)
 {
-    fvi_memory *memory;
+    fvi_history *memory;
     double first;
     ck_assert_int_eq(
-        fvi_law_memory(law, kind, h, 1, steps, how, 0, &first, &memory),
+        fvi_kernel_history(law, kind, h, 1, steps, how, 0, &first, &memory),
         FVI_SUCCESS);
     for (size_t k = 0; k <= steps; k++) {
         const double dx = k ? x[k] - x[k - 1] : x[0];
-        fvi_memory_push(memory, &x[k], &dx, &H[k]);
+        fvi_history_push(memory, &x[k], &dx, &H[k]);
         H[k] *= first;
     }
-    fvi_memory_free(memory);
+    fvi_history_free(memory);
 }
 
 /* The direct sum, from the weights: of k + 1 products, none above w_0 max |x|, and on
@@ -36,9 +36,9 @@ START_TEST(eq_26_4_the_memory_sums_the_weights)
         x[k] = random_in(-1, 1);
     for (size_t i = 0; i < LEN(ref_laws); i++)
         for (int kind = 0; kind < 2; kind++) {
-            const fvi_quadrature q = (fvi_quadrature)kind;
-            fvi_law_weights(&ref_laws[i], q, 0.01, STEPS + 1, w);
-            sums(&ref_laws[i], q, 0.01, STEPS, FVI_MEMORY_DIRECT, x, H);
+            const fvi_delta q = (fvi_delta)kind;
+            fvi_kernel_weights(&ref_laws[i], q, 0.01, STEPS + 1, w);
+            sums(&ref_laws[i], q, 0.01, STEPS, FVI_HISTORY_DIRECT, x, H);
             for (size_t k = 0; k <= STEPS; k++) {
                 double sum = 0;
                 for (size_t n = 0; n <= k; n++)
@@ -58,14 +58,14 @@ START_TEST(eq_26_4_what_rests_is_summed_to_all_digits)
 {
     enum { STEPS = 3000 };
     static double x[STEPS + 1], H[STEPS + 1], w[STEPS + 1];
-    const fvi_law_term term = { FVI_LAW_POWER, 1, 0.8, 0, 0 };
-    const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                      FVI_MEMORY_EXPONENTIALS };
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, 1, 0.8, 0, 0 };
+    const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                      FVI_HISTORY_MODES };
     for (size_t k = 0; k <= STEPS; k++)
         x[k] = 1;
-    fvi_coefficients(0.6, STEPS + 1, w);
+    fvi_gl_weights(0.6, STEPS + 1, w);
     for (size_t i = 0; i < LEN(kinds); i++) {
-        sums(&(fvi_law){ 1, &term }, FVI_QUADRATURE_EULER, 0.01, STEPS,
+        sums(&(fvi_kernel){ 1, &term }, FVI_DELTA_EULER, 0.01, STEPS,
              kinds[i], x, H);
         for (size_t k = 0; k <= STEPS; k++) {
             const double want = pow(0.01, -1.6) * w[k];
@@ -84,8 +84,8 @@ START_TEST(eq_26_14_a_law_relaxes_and_creeps)
         const double rho = 0.75, time = 1.5;
         double force, stretch;
         for (double a = 0.05; a < 0.46; a += 0.1) {
-            const fvi_law_term power = { FVI_LAW_POWER, rho, a, 0, 0 };
-            ck_assert_int_eq(relaxation_and_creep(&(fvi_law){ 1, &power }, t,
+            const fvi_kernel_term power = { FVI_KERNEL_POWER, rho, a, 0, 0 };
+            ck_assert_int_eq(relaxation_and_creep(&(fvi_kernel){ 1, &power }, t,
                                                   &force, &stretch),
                              0);
             const double G = rho * pow(t, -2 * a) / tgamma(1 - 2 * a),
@@ -93,8 +93,8 @@ START_TEST(eq_26_14_a_law_relaxes_and_creeps)
             ck_assert_near(force, G, 1e-3 * G, "a %g t %g", a, t);
             ck_assert_near(stretch, J, 1e-3 * J, "a %g t %g", a, t);
         }
-        const fvi_law_term maxwell = { FVI_LAW_MAXWELL, rho, 0, time, 0 };
-        ck_assert_int_eq(relaxation_and_creep(&(fvi_law){ 1, &maxwell }, t,
+        const fvi_kernel_term maxwell = { FVI_KERNEL_MAXWELL, rho, 0, time, 0 };
+        ck_assert_int_eq(relaxation_and_creep(&(fvi_kernel){ 1, &maxwell }, t,
                                               &force, &stretch),
                          0);
         const double G = rho / time * exp(-t / time), J = (t + time) / rho;
@@ -115,12 +115,12 @@ START_TEST(eq_26_6_one_set_of_modes)
     x[0] = 1;
     srand(3);
     for (int i = 0; i < 200; i++) {
-        fvi_law_term term[3];
-        const fvi_law law = { random_terms(term), term };
-        const fvi_quadrature kind = (fvi_quadrature)(i % 2);
+        fvi_kernel_term term[3];
+        const fvi_kernel law = { random_terms(term), term };
+        const fvi_delta kind = (fvi_delta)(i % 2);
         const double h = pow(10, random_in(-4, -1.7)); /* 4 h <= time */
-        sums(&law, kind, h, STEPS, FVI_MEMORY_DIRECT, x, direct);
-        sums(&law, kind, h, STEPS, FVI_MEMORY_EXPONENTIALS, x, modes);
+        sums(&law, kind, h, STEPS, FVI_HISTORY_DIRECT, x, direct);
+        sums(&law, kind, h, STEPS, FVI_HISTORY_MODES, x, modes);
         for (size_t k = 0; k <= STEPS; k++)
             ck_assert_near(modes[k], direct[k],
                            1e-13 * direct[0] / sqrt((double)k + 1),
@@ -143,10 +143,10 @@ START_TEST(eq_26_6_every_weight_to_all_its_digits)
     for (size_t l = 0; l < 5; l++)
         for (int kind = 0; kind < (l == 3 ? 1 : 2); kind++)
             for (double h = 0.01; h > 1e-4; h /= 10) {
-                sums(&ref_laws[l], (fvi_quadrature)kind, h, STEPS,
-                     FVI_MEMORY_DIRECT, x, direct);
-                sums(&ref_laws[l], (fvi_quadrature)kind, h, STEPS,
-                     FVI_MEMORY_EXPONENTIALS, x, modes);
+                sums(&ref_laws[l], (fvi_delta)kind, h, STEPS,
+                     FVI_HISTORY_DIRECT, x, direct);
+                sums(&ref_laws[l], (fvi_delta)kind, h, STEPS,
+                     FVI_HISTORY_MODES, x, modes);
                 for (size_t k = 0; k <= STEPS; k++)
                     ck_assert_near(modes[k], direct[k], 1e-13 * fabs(direct[k]),
                                    "law %zu, n = %zu", l, k);
@@ -158,40 +158,40 @@ END_TEST
 START_TEST(eq_26_6_where_there_are_no_modes)
 {
     const struct {
-        fvi_law_term term;
-        fvi_quadrature kind;
+        fvi_kernel_term term;
+        fvi_delta kind;
         double h;
         int modes;
     } cases[] = {
-        { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
-        { { FVI_LAW_ZENER, 1, 0.46, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
-        { { FVI_LAW_ZENER, 1, 0.8, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
-        { { FVI_LAW_ZENER, 1, 1, 1, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
-        { { FVI_LAW_ZENER, 1, 1, 0, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
-        { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_EULER, 0.65, 1 },
-        { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_BDF2, 0.25, 1 },
-        { { FVI_LAW_ZENER, 1, 0.45, 1, 0 }, FVI_QUADRATURE_BDF2, 0.26, 0 },
-        { { FVI_LAW_ZENER, 1, 0.4, 1, 0 }, FVI_QUADRATURE_BDF2, 0.65, 1 },
-        { { FVI_LAW_ZENER, 1, 0.02, 10, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
-        { { FVI_LAW_ZENER, 1, 0.001, 10, 0 }, FVI_QUADRATURE_EULER, 0.1, 0 },
-        { { FVI_LAW_ZENER, 1, 0.8, 0, 0 }, FVI_QUADRATURE_EULER, 0.1, 1 },
-        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_EULER, 10, 1 },
-        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_BDF2, 0.25, 1 },
-        { { FVI_LAW_MAXWELL, 1, 0, 1, 0 }, FVI_QUADRATURE_BDF2, 0.26, 0 },
+        { { FVI_KERNEL_ZENER, 1, 0.45, 1, 0 }, FVI_DELTA_EULER, 0.1, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.46, 1, 0 }, FVI_DELTA_EULER, 0.1, 0 },
+        { { FVI_KERNEL_ZENER, 1, 0.8, 1, 0 }, FVI_DELTA_EULER, 0.1, 0 },
+        { { FVI_KERNEL_ZENER, 1, 1, 1, 0 }, FVI_DELTA_EULER, 0.1, 0 },
+        { { FVI_KERNEL_ZENER, 1, 1, 0, 0 }, FVI_DELTA_EULER, 0.1, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.45, 1, 0 }, FVI_DELTA_EULER, 0.65, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.45, 1, 0 }, FVI_DELTA_BDF2, 0.25, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.45, 1, 0 }, FVI_DELTA_BDF2, 0.26, 0 },
+        { { FVI_KERNEL_ZENER, 1, 0.4, 1, 0 }, FVI_DELTA_BDF2, 0.65, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.02, 10, 0 }, FVI_DELTA_EULER, 0.1, 1 },
+        { { FVI_KERNEL_ZENER, 1, 0.001, 10, 0 }, FVI_DELTA_EULER, 0.1, 0 },
+        { { FVI_KERNEL_ZENER, 1, 0.8, 0, 0 }, FVI_DELTA_EULER, 0.1, 1 },
+        { { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 }, FVI_DELTA_EULER, 10, 1 },
+        { { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 }, FVI_DELTA_BDF2, 0.25, 1 },
+        { { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 }, FVI_DELTA_BDF2, 0.26, 0 },
     };
     enum { STEPS = 400 };
     double x[STEPS + 1] = { 1 }, H[2][STEPS + 1], first = 7;
     for (size_t i = 0; i < LEN(cases); i++) {
-        const fvi_law law = { 1, &cases[i].term };
-        fvi_memory *memory = NULL;
+        const fvi_kernel law = { 1, &cases[i].term };
+        fvi_history *memory = NULL;
         const int status =
-            fvi_law_memory(&law, cases[i].kind, cases[i].h, 1, STEPS,
-                           FVI_MEMORY_EXPONENTIALS, 0, &first, &memory);
+            fvi_kernel_history(&law, cases[i].kind, cases[i].h, 1, STEPS,
+                           FVI_HISTORY_MODES, 0, &first, &memory);
         ck_assert_int_eq(status, cases[i].modes ? FVI_SUCCESS : FVI_EUNSUP);
         ck_assert((memory != NULL) == cases[i].modes);
-        fvi_memory_free(memory);
-        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_MEMORY_AUTO, x, H[0]);
-        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_MEMORY_DIRECT, x,
+        fvi_history_free(memory);
+        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_HISTORY_AUTO, x, H[0]);
+        sums(&law, cases[i].kind, cases[i].h, STEPS, FVI_HISTORY_DIRECT, x,
              H[1]);
         for (size_t k = 0; k <= STEPS; k++)
             ck_assert_near(H[0][k], H[1][k],

@@ -15,7 +15,7 @@ static double random_in(double low, double high)
 }
 
 /* x(T) of one mass with U = x^2/2 + g x^4/4, in `steps` steps. */
-static double end_of(const fvi_method *method, const fvi_law *law, double g,
+static double end_of(const fvi_method *method, const fvi_kernel *law, double g,
                      double x0, double p0, double force, double T, size_t steps)
 {
     const double cg[] = { 1, g }, A[] = { force, 1e9 };
@@ -37,11 +37,11 @@ static double end_of(const fvi_method *method, const fvi_law *law, double g,
 START_TEST(eq_26_9_motions)
 {
     for (size_t i = 0; i < LEN(ref_motions); i++) {
-        const fvi_law *law = &ref_laws[ref_motions[i].law];
+        const fvi_kernel *law = &ref_laws[ref_motions[i].law];
         double error[2][2];
         for (int m = 0; m < 2; m++)
             for (int r = 0; r < 2; r++)
-                error[m][r] = end_of(m ? &fvi_bdf2 : &fvi_fractional, law, 0,
+                error[m][r] = end_of(m ? &fvi_cq_bdf2 : &fvi_fractional, law, 0,
                                      ref_motions[i].x0, ref_motions[i].p0,
                                      ref_motions[i].force, ref_motions[i].t,
                                      (size_t)(512 * ref_motions[i].t) << r)
@@ -68,7 +68,7 @@ START_TEST(eq_26_9_orders_of_a_nonlinear_motion)
         for (int m = 0; m < 2; m++) {
             double x[4];
             for (int r = 0; r < 4; r++)
-                x[r] = end_of(m ? &fvi_bdf2 : &fvi_fractional, &ref_laws[i],
+                x[r] = end_of(m ? &fvi_cq_bdf2 : &fvi_fractional, &ref_laws[i],
                               0.5, 0.7, 0.4, 0.2, 3, (size_t)1000 << r);
             const double order = log2((x[1] - x[2]) / (x[2] - x[3]));
             seen(order, m ? "order of bdf2" : "order of fvi");
@@ -84,8 +84,8 @@ START_TEST(a_power_is_the_run_that_alpha_gives)
 {
     for (double alpha = 0; alpha <= 1; alpha += 0.125)
         for (int m = 0; m < 2; m++) {
-            const fvi_law_term term = { FVI_LAW_POWER, 0.1, alpha, 0, 0 };
-            const fvi_law law = { 1, &term };
+            const fvi_kernel_term term = { FVI_KERNEL_POWER, 0.1, alpha, 0, 0 };
+            const fvi_kernel law = { 1, &term };
             const double cg[] = { 1, 0.5 }, x0 = 0.7,
                          p0 = m && alpha > 0.5 ? 0 : 0.4, rho = 0.1;
             const fvi_potential spring = fvi_potential_duffing(cg);
@@ -94,7 +94,7 @@ START_TEST(a_power_is_the_run_that_alpha_gives)
             fvi_run run = fvi_run_default(&by_law, &x0, &p0, 0.02, 500);
             double x[2][501];
             run.law = &law;
-            const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
+            const fvi_method *method = m ? &fvi_cq_bdf2 : &fvi_fractional;
             ck_assert_int_eq(fvi_trajectory(method, &run, x[0], NULL, NULL),
                              FVI_SUCCESS);
             run.law = NULL;
@@ -112,15 +112,15 @@ END_TEST
 /* A law whose terms are all nothing is no damping, and no 0/0. */
 START_TEST(a_law_of_nothing_is_no_damping)
 {
-    const fvi_law_term none[] = { { FVI_LAW_POWER, 0, 0.3, 0, 0 },
-                                  { FVI_LAW_MAXWELL, 0, 0, 1, 0 } };
-    const fvi_law law = { 2, none };
+    const fvi_kernel_term none[] = { { FVI_KERNEL_POWER, 0, 0.3, 0, 0 },
+                                  { FVI_KERNEL_MAXWELL, 0, 0, 1, 0 } };
+    const fvi_kernel law = { 2, none };
     const double x0 = 1, p0 = 0.5, rho = 0;
-    const fvi_memory_kind how[] = { FVI_MEMORY_DIRECT,
-                                    FVI_MEMORY_EXPONENTIALS };
+    const fvi_history_kind how[] = { FVI_HISTORY_DIRECT,
+                                    FVI_HISTORY_MODES };
     for (size_t m = 0; m < 2; m++)
         for (size_t i = 0; i < LEN(how); i++) {
-            const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
+            const fvi_method *method = m ? &fvi_cq_bdf2 : &fvi_fractional;
             const fvi_potential spring = fvi_potential_harmonic(&one);
             const fvi_system damped = { 1, &one, &one, spring, { 0 }, NULL },
                              free_ = { 1, &one, &rho, spring, { 0 }, NULL };
@@ -151,25 +151,25 @@ START_TEST(a_chain_with_a_law_and_its_copy)
     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 600);
     double x[2][601 * 3];
     run.law = &ref_laws[5];
-    run.memory = FVI_MEMORY_DIRECT;
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x[0], NULL, NULL),
+    run.memory = FVI_HISTORY_DIRECT;
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x[0], NULL, NULL),
                      FVI_SUCCESS);
-    run.memory = FVI_MEMORY_EXPONENTIALS;
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x[1], NULL, NULL),
+    run.memory = FVI_HISTORY_MODES;
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x[1], NULL, NULL),
                      FVI_SUCCESS);
     for (size_t i = 0; i < 601 * 3; i++)
         ck_assert_near(x[0][i], x[1][i], 1e-12, "number %zu", i);
     fvi_stepper *s, *fork;
-    ck_assert_int_eq(fvi_start(&fvi_bdf2, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s), FVI_SUCCESS);
     while (s->k < 300)
-        fvi_step(s);
-    ck_assert_int_eq(fvi_copy(s, &fork), FVI_SUCCESS);
-    fvi_stop(s);
+        fvi_stepper_step(s);
+    ck_assert_int_eq(fvi_stepper_copy(s, &fork), FVI_SUCCESS);
+    fvi_stepper_free(s);
     while (fork->k < 600)
-        fvi_step(fork);
+        fvi_stepper_step(fork);
     for (size_t i = 0; i < 3; i++)
         ck_assert_double_eq(fork->x[i], x[1][600 * 3 + i]);
-    fvi_stop(fork);
+    fvi_stepper_free(fork);
 }
 END_TEST
 
@@ -181,13 +181,13 @@ START_TEST(eq_26_10_the_longest_step)
     size_t ran = 0;
     for (size_t i = 0; i < LEN(ref_laws); i++)
         for (int m = 0; m < 2; m++) {
-            const fvi_method *method = m ? &fvi_bdf2 : &fvi_fractional;
+            const fvi_method *method = m ? &fvi_cq_bdf2 : &fvi_fractional;
             const double mass = 1e-3, x0 = 0, p0 = 1e-3;
             const fvi_system system = { 1, &mass, &one, { 0 }, { 0 }, NULL };
             fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
             double h, last[2] = { 0 };
             run.law = &ref_laws[i];
-            ck_assert_int_eq(fvi_stability_step(method, &run, &h), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stability_longest_step(method, &run, &h), FVI_SUCCESS);
             for (int above = 0; above < 2; above++) {
                 static double x[4001];
                 run.h = h * (above ? 1.03 : 0.97);
@@ -206,24 +206,24 @@ START_TEST(eq_26_10_the_longest_step)
 END_TEST
 
 /* A spring and two random terms, held, let go with a velocity where the law allows it. */
-static double most_energy(const fvi_method *method, const fvi_law *law)
+static double most_energy(const fvi_method *method, const fvi_kernel *law)
 {
     enum { STEPS = 300 };
     double x[STEPS + 1], first = 0, worst = 0, scale = 0;
     const double c = pow(10, random_in(-2, 2)), h = pow(10, random_in(-2, 0.5)),
-                 p0 = fvi_law_growth(law) <= 1 ? random_in(-1, 1) : 0;
+                 p0 = fvi_kernel_growth(law) <= 1 ? random_in(-1, 1) : 0;
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
                                 { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, h, STEPS);
     run.law = law;
-    run.memory = FVI_MEMORY_DIRECT;
+    run.memory = FVI_HISTORY_DIRECT;
     if (fvi_trajectory(method, &run, x, NULL, NULL))
         return 0; /* a long step overflows */
-    const double s = (method == &fvi_bdf2 ? 4 : 2) / h;
+    const double s = (method == &fvi_cq_bdf2 ? 4 : 2) / h;
     for (size_t k = 0; k < STEPS; k++) {
         const double d = x[k + 1] - x[k], middle = (x[k] + x[k + 1]) / 2,
                      E = d * d / (2 * h * h) + c * middle * middle / 2,
-                     hat = fvi_law_symbol(law, s) * d * d / 8;
+                     hat = fvi_kernel_symbol(law, s) * d * d / 8;
         if (isinf(E + hat))
             break; /* so does the square of a motion that grew long enough */
         first = k ? first : E;
@@ -238,17 +238,17 @@ START_TEST(eq_26_10_no_law_gains_energy)
 {
     srand(7);
     for (int i = 0; i < 200; i++) {
-        fvi_law_term term[2];
+        fvi_kernel_term term[2];
         for (int j = 0; j < 2; j++) {
             const double alpha = random_in(0.01, 0.99);
-            term[j] = (fvi_law_term){ (fvi_law_kind)(rand() % 4),
+            term[j] = (fvi_kernel_term){ (fvi_kernel_kind)(rand() % 4),
                                       pow(10, random_in(-2, 1)), alpha,
                                       pow(10, random_in(-2, 2)),
                                       random_in(alpha + 0.001, 1) };
         }
-        const fvi_law law = { 2, term };
+        const fvi_kernel law = { 2, term };
         const double most = larger(most_energy(&fvi_fractional, &law),
-                                   most_energy(&fvi_bdf2, &law));
+                                   most_energy(&fvi_cq_bdf2, &law));
         ck_assert_double_le(most, 300 * 0x1p-52);
     }
 }
@@ -256,7 +256,7 @@ END_TEST
 
 START_TEST(who_does_not_know_laws_says_so)
 {
-    const fvi_law_term bad = { FVI_LAW_POWER, -1, 0.3, 0, 0 };
+    const fvi_kernel_term bad = { FVI_KERNEL_POWER, -1, 0.3, 0, 0 };
     const double x0 = 1, p0 = 0;
     const fvi_system system = { 1, &one, &one, { 0 }, { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 10);
@@ -270,24 +270,24 @@ START_TEST(who_does_not_know_laws_says_so)
     }
     ck_assert_uint_eq(know, 17); /* fvi, fvi-bdf2, fvi-stable, both forms */
     x[0] = 7;
-    run.past = FVI_PAST_CAPUTO;
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL),
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),
                      FVI_EUNSUP);
-    run.past = FVI_PAST_HELD;
-    run.memory = FVI_MEMORY_FFT;
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL),
+    run.past = FVI_INITIAL_HISTORY_HELD;
+    run.memory = FVI_HISTORY_FFT;
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),
                      FVI_EUNSUP);
-    run.memory = FVI_MEMORY_AUTO;
-    run.law = &(fvi_law){ 1, &bad };
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL), FVI_EDOM);
+    run.memory = FVI_HISTORY_AUTO;
+    run.law = &(fvi_kernel){ 1, &bad };
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL), FVI_EDOM);
     const double undamped = 0; /* the law is bad even where nobody uses it */
     run.system = &(fvi_system){ 1, &one, &undamped, { 0 }, { 0 }, NULL };
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, NULL, NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL), FVI_EDOM);
     run.system = &system;
     ck_assert_double_eq(x[0], 7);
     double load = 7;
     run.law = &ref_laws[0];
-    ck_assert_int_eq(fvi_stability_load(&fvi_shifted, &run, &load), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_number(&fvi_cq2_shifted, &run, &load), FVI_EUNSUP);
     ck_assert_double_eq(load, 7);
 }
 END_TEST

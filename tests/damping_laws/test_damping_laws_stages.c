@@ -4,8 +4,8 @@
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
 #include "harness/ulp.h"
-#include "stages/lobatto_law.h"
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_kernel.h"
+#include "stages/lobatto_history.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
@@ -14,14 +14,14 @@
 enum { LONG = 300 };
 
 /* W_0, ..., W_{n-1} of a law; to be freed. */
-static double *weights_of(const fvi_law *law, size_t s, double h, size_t n)
+static double *weights_of(const fvi_kernel *law, size_t s, double h, size_t n)
 {
-    fvi_lobatto_law ready;
+    fvi_lobatto_kernel ready;
     double *W = calloc(n * s * s, sizeof *W);
     ck_assert_ptr_nonnull(W);
-    ck_assert_int_eq(fvi_lobatto_law_of(law, h, &ready), 0);
-    ck_assert_int_eq(fvi_lobatto_law_weights(s, &ready, n, W), 0);
-    fvi_lobatto_law_free(&ready);
+    ck_assert_int_eq(fvi_lobatto_kernel_prepare(law, h, &ready), 0);
+    ck_assert_int_eq(fvi_lobatto_kernel_weights(s, &ready, n, W), 0);
+    fvi_lobatto_kernel_free(&ready);
     return W;
 }
 
@@ -43,10 +43,10 @@ START_TEST(eq_26_12_weights_match_cauchys_integral)
     for (size_t i = 0; i < LEN(ref_stages); i++) {
         const size_t s = ref_stages[i].s, s2 = s * s;
         double *W = weights_of(ref_stages[i].law, s, 0.125, 151);
-        const fvi_law *law = ref_stages[i].law;
+        const fvi_kernel *law = ref_stages[i].law;
         const double most = (double)law->count * largest(s2, W) * U;
         const int rings =
-            law->term->kind == FVI_LAW_ZENER && law->term->alpha == 1;
+            law->term->kind == FVI_KERNEL_ZENER && law->term->alpha == 1;
         for (size_t l = 0; l < REF_LAGS; l++) {
             const double *want = ref_stages[i].W[l],
                          *have = W + ref_lag[l] * s2, self = largest(s2, want);
@@ -74,9 +74,9 @@ START_TEST(eq_26_12_a_power_has_the_weights_of_chapter_17)
     for (size_t s = 2; s <= 8; s++)
         for (double alpha = 0.05; alpha < 1; alpha += 0.1) {
             const double h = 0.125, scale = pow(h, 1 - 2 * alpha);
-            const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5, alpha, 0, 0 },
-                                          { FVI_LAW_POWER, 0.5, alpha, 0, 0 } };
-            double *W = weights_of(&(fvi_law){ 2, half }, s, h, LONG),
+            const fvi_kernel_term half[] = { { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 },
+                                          { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 } };
+            double *W = weights_of(&(fvi_kernel){ 2, half }, s, h, LONG),
                    *want = malloc(LONG * s * s * sizeof *want);
             ck_assert_int_eq(fvi_lobatto_weights(s, 2 * alpha - 1, LONG, want),
                              0);
@@ -110,10 +110,10 @@ START_TEST(eq_26_12_a_fraction_times_its_denominator)
                                              * gsl_rng_uniform(random),
                      T = pow(h * pow(10, 5 * gsl_rng_uniform(random) - 2),
                              2 * alpha);
-        const fvi_law_term fraction = { FVI_LAW_ZENER, 1, alpha, T, 0 },
-                           power = { FVI_LAW_POWER, 1, alpha, 0, 0 };
-        double *W = weights_of(&(fvi_law){ 1, &fraction }, s, h, LONG),
-               *N = weights_of(&(fvi_law){ 1, &power }, s, h, LONG),
+        const fvi_kernel_term fraction = { FVI_KERNEL_ZENER, 1, alpha, T, 0 },
+                           power = { FVI_KERNEL_POWER, 1, alpha, 0, 0 };
+        double *W = weights_of(&(fvi_kernel){ 1, &fraction }, s, h, LONG),
+               *N = weights_of(&(fvi_kernel){ 1, &power }, s, h, LONG),
                *Q = calloc(LONG * n2, sizeof *Q);
         const fvi_lobatto_rule *rule = fvi_lobatto(s);
         for (size_t k = 0; k < LONG; k++)
@@ -158,41 +158,41 @@ START_TEST(eq_26_12_modes_are_the_weights)
     for (int turn = 0; turn < 20; turn++) {
         const size_t s = 2 + (size_t)turn % 7;
         const double h = pow(10, -3 * gsl_rng_uniform(random));
-        fvi_law_term t[3];
+        fvi_kernel_term t[3];
         for (int i = 0; i < 3; i++) {
-            const fvi_law_kind kind = (fvi_law_kind)((turn + i) % 4);
+            const fvi_kernel_kind kind = (fvi_kernel_kind)((turn + i) % 4);
             const double a =
-                (kind == FVI_LAW_ZENER ? 0.44 : 1) * gsl_rng_uniform(random);
+                (kind == FVI_KERNEL_ZENER ? 0.44 : 1) * gsl_rng_uniform(random);
             t[i] =
-                (fvi_law_term){ kind, gsl_rng_uniform(random), turn % 6 ? a : 0,
+                (fvi_kernel_term){ kind, gsl_rng_uniform(random), turn % 6 ? a : 0,
                                 pow(10, 4 * gsl_rng_uniform(random) - 2),
                                 a + (1 - a) / 2 };
         }
-        fvi_lobatto_memory *m[2];
+        fvi_lobatto_history *m[2];
         for (int i = 0; i < 2; i++)
             ck_assert_int_eq(
-                fvi_lobatto_memory_of_law(
-                    s, &(fvi_law){ 3, t }, h, 1, STEPS,
-                    i ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT, 0, &m[i]),
+                fvi_lobatto_history_of_kernel(
+                    s, &(fvi_kernel){ 3, t }, h, 1, STEPS,
+                    i ? FVI_HISTORY_MODES : FVI_HISTORY_DIRECT, 0, &m[i]),
                 0);
         /* of v up to 1 the memory makes at most t C(1/t) e, of a term of order above 1
          * in the first step */
         const double time = h * STEPS,
                      size =
-                         3 * time * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / time)
-                         + 3 * h * fvi_law_symbol(&(fvi_law){ 3, t }, 1 / h);
+                         3 * time * fvi_kernel_symbol(&(fvi_kernel){ 3, t }, 1 / time)
+                         + 3 * h * fvi_kernel_symbol(&(fvi_kernel){ 3, t }, 1 / h);
         for (size_t k = 0; k < STEPS; k++) {
             double v[8], H[2][8];
             for (size_t i = 0; i < s; i++)
                 v[i] = gsl_rng_uniform(random);
             for (int i = 0; i < 2; i++)
-                ck_assert_int_eq(fvi_lobatto_memory_push(m[i], v, H[i]), 0);
+                ck_assert_int_eq(fvi_lobatto_history_push(m[i], v, H[i]), 0);
             for (size_t i = 0; i < s; i++)
                 ck_assert_near(H[1][i], H[0][i], 1e-13 * size, "turn %d k %zu",
                                turn, k);
         }
-        fvi_lobatto_memory_free(m[0]);
-        fvi_lobatto_memory_free(m[1]);
+        fvi_lobatto_history_free(m[0]);
+        fvi_lobatto_history_free(m[1]);
     }
     gsl_rng_free(random);
 }

@@ -12,8 +12,8 @@
 static const double one = 1;
 
 /* x at t = 4, from x = 1, by so many steps. */
-static double end_of(const fvi_method *method, const fvi_law *law,
-                     fvi_potential potential, double p0, fvi_memory_kind kind,
+static double end_of(const fvi_method *method, const fvi_kernel *law,
+                     fvi_potential potential, double p0, fvi_history_kind kind,
                      size_t steps)
 {
     const fvi_system system = { 1, &one, &one, potential, { 0 }, NULL };
@@ -33,21 +33,21 @@ static double end_of(const fvi_method *method, const fvi_law *law,
  * no more than the exact solution may be off. */
 START_TEST(eq_26_12_orders_at_a_fixed_time)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2d, &fvi_lobatto3d,
-                                          &fvi_lobatto4d };
+    const fvi_method *const methods[] = { &fvi_lobatto_d2, &fvi_lobatto_d3,
+                                          &fvi_lobatto_d4 };
     const fvi_potential spring = fvi_potential_harmonic(&one);
     for (size_t l = 0; l < LAWS; l++) {
-        const fvi_law *law = law_of(l);
-        const fvi_linear p = {
+        const fvi_kernel *law = law_of(l);
+        const fvi_linear_oscillator p = {
             .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = 0.7, .law = law
         };
         const double t = 4;
         double x;
-        ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL), 0);
         for (int m = 0; m < 3; m++) {
             double left[2];
             for (int i = 0; i < 2; i++)
-                left[i] = end_of(methods[m], law, spring, 0.7, FVI_MEMORY_AUTO,
+                left[i] = end_of(methods[m], law, spring, 0.7, FVI_HISTORY_AUTO,
                                  (size_t)(m == 2 ? 24 : 128) << i)
                           - x;
             const double order = log2(fabs(left[0] / left[1]));
@@ -59,8 +59,8 @@ START_TEST(eq_26_12_orders_at_a_fixed_time)
         }
         for (int direct = 0; direct <= 1; direct++) {
             const double last =
-                end_of(&fvi_lobatto8d, law, spring, 0.7,
-                       direct ? FVI_MEMORY_DIRECT : FVI_MEMORY_AUTO, 32);
+                end_of(&fvi_lobatto_d8, law, spring, 0.7,
+                       direct ? FVI_HISTORY_DIRECT : FVI_HISTORY_AUTO, 32);
             ck_assert_near(last, x, 2e-13, "law %zu, %d", l, direct);
             seen(fabs(last - x), "left");
         }
@@ -69,14 +69,14 @@ START_TEST(eq_26_12_orders_at_a_fixed_time)
 END_TEST
 
 /* The order that x(4) of 1, 2 and 4 times N steps shows in a Duffing spring c = 1, g. */
-static double changes(const fvi_method *method, const fvi_law *law, double g,
+static double changes(const fvi_method *method, const fvi_kernel *law, double g,
                       double p0, size_t N)
 {
     const double spring[] = { 1, g };
     double x[3];
     for (int i = 0; i < 3; i++)
         x[i] = end_of(method, law, fvi_potential_duffing(spring), p0,
-                      FVI_MEMORY_AUTO, N << i);
+                      FVI_HISTORY_AUTO, N << i);
     return log2(fabs((x[1] - x[0]) / (x[2] - x[1])));
 }
 
@@ -85,11 +85,11 @@ static double changes(const fvi_method *method, const fvi_law *law, double g,
  * six stages: what the memory of the kick does to the first nodes is not paid back. */
 START_TEST(eq_26_12_orders_of_a_nonlinear_problem)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2d, &fvi_lobatto3d,
-                                          &fvi_lobatto4d };
+    const fvi_method *const methods[] = { &fvi_lobatto_d2, &fvi_lobatto_d3,
+                                          &fvi_lobatto_d4 };
     for (size_t l = 0; l < 6; l++)
         for (int m = 0; m < 3; m++) {
-            const fvi_law *law = l < 5 ? law_of(l) : &steep_laws[0];
+            const fvi_kernel *law = l < 5 ? law_of(l) : &steep_laws[0];
             const double order =
                 changes(methods[m], law, 1, 0.7, (size_t)(m < 2 ? 160 : 80));
             seen(2 * m + 2 - order, "short of the order");
@@ -97,9 +97,9 @@ START_TEST(eq_26_12_orders_of_a_nonlinear_problem)
                           "law %zu %s: %g", l, methods[m]->name, order);
         }
     for (double alpha = 0.8; alpha < 0.96; alpha += 0.05) {
-        const fvi_law_term term = { FVI_LAW_POWER, 2, alpha, 0, 0 };
+        const fvi_kernel_term term = { FVI_KERNEL_POWER, 2, alpha, 0, 0 };
         const double order =
-            changes(&fvi_lobatto6d, &(fvi_law){ 1, &term }, 10, 3, 80);
+            changes(&fvi_lobatto_d6, &(fvi_kernel){ 1, &term }, 10, 3, 80);
         seen(order, "order of a kick");
         seen(-order, "order of a kick, below");
         ck_assert_msg(order > 2.8 && order < 4, "%g: %g", alpha, order);
@@ -111,20 +111,20 @@ END_TEST
  * and steps over decades. Of 600 steps the second half is below the first, and all below the start. */
 START_TEST(eq_17_28_form_d_with_a_law_is_stable_for_every_step)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2d, &fvi_lobatto3d,
-                                          &fvi_lobatto4d, &fvi_lobatto6d };
+    const fvi_method *const methods[] = { &fvi_lobatto_d2, &fvi_lobatto_d3,
+                                          &fvi_lobatto_d4, &fvi_lobatto_d6 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
     static double x[601];
     for (int n = 0; n < 200; n++) {
         const double c = pow(10, 6 * gsl_rng_uniform(random) - 2), zero = 0;
-        fvi_law_term t[2];
+        fvi_kernel_term t[2];
         for (int i = 0; i < 2; i++)
             t[i] =
-                (fvi_law_term){ (fvi_law_kind)((n + i) % 4),
+                (fvi_kernel_term){ (fvi_kernel_kind)((n + i) % 4),
                                 pow(10, 8 * gsl_rng_uniform(random) - 2),
                                 0.02 + 0.97 * gsl_rng_uniform(random),
                                 pow(10, 4 * gsl_rng_uniform(random) - 2), 1 };
-        const fvi_law law = { 2, t };
+        const fvi_kernel law = { 2, t };
         const fvi_system system = { 1,     &one,
                                     &one,  fvi_potential_harmonic(&c),
                                     { 0 }, NULL };
@@ -132,7 +132,7 @@ START_TEST(eq_17_28_form_d_with_a_law_is_stable_for_every_step)
         double load = 7, half[2] = { 0, 0 };
         run.law = &law;
         const fvi_method *const method = methods[n / 4 % 4];
-        ck_assert_int_eq(fvi_stability_load(method, &run, &load), 0);
+        ck_assert_int_eq(fvi_stability_number(method, &run, &load), 0);
         ck_assert_double_eq(load, 0);
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);
         for (size_t k = 1; k <= 600; k++)
@@ -147,35 +147,35 @@ END_TEST
 /* A fraction with a pole near its cut, or off it, has no modes; the others have. */
 START_TEST(what_stages_do_not_take_is_refused)
 {
-    const fvi_law_term terms[] = { { FVI_LAW_ZENER, 1, 0.47, 1, 0 },
-                                   { FVI_LAW_ZENER, 1, 0.7, 1, 0 },
-                                   { FVI_LAW_POWER, 1, 0.6, 0, 0 },
-                                   { FVI_LAW_ZENER, 1, 0.6, 0, 0 },
-                                   { FVI_LAW_DISTRIBUTED, 1, 0.1, 0, 0.6 },
-                                   { FVI_LAW_ZENER, 0, 0.7, 1, 0 },
-                                   { FVI_LAW_ZENER, 1, 0.5, 1, 0 } };
+    const fvi_kernel_term terms[] = { { FVI_KERNEL_ZENER, 1, 0.47, 1, 0 },
+                                   { FVI_KERNEL_ZENER, 1, 0.7, 1, 0 },
+                                   { FVI_KERNEL_POWER, 1, 0.6, 0, 0 },
+                                   { FVI_KERNEL_ZENER, 1, 0.6, 0, 0 },
+                                   { FVI_KERNEL_DISTRIBUTED, 1, 0.1, 0, 0.6 },
+                                   { FVI_KERNEL_ZENER, 0, 0.7, 1, 0 },
+                                   { FVI_KERNEL_ZENER, 1, 0.5, 1, 0 } };
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
                                 { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, 100);
     for (size_t i = 0; i < LEN(terms); i++) {
-        const fvi_law law = { 1, &terms[i] };
+        const fvi_kernel law = { 1, &terms[i] };
         fvi_stepper *s = NULL;
         run.law = &law;
         for (int modes = 0; modes <= 1; modes++) {
-            run.memory = modes ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_AUTO;
+            run.memory = modes ? FVI_HISTORY_MODES : FVI_HISTORY_AUTO;
             const int refused = modes && i < 2;
             ck_assert_int_eq(
-                fvi_start(i % 2 ? &fvi_lobatto4 : &fvi_lobatto4d, &run, &s),
+                fvi_stepper_start(i % 2 ? &fvi_lobatto_m4 : &fvi_lobatto_d4, &run, &s),
                 refused ? FVI_EUNSUP : FVI_SUCCESS);
             ck_assert_int_eq(s == NULL, refused);
-            fvi_stop(s);
+            fvi_stepper_free(s);
             s = NULL;
         }
     }
     run.law = &ref_laws[1];
-    run.memory = FVI_MEMORY_FFT;
+    run.memory = FVI_HISTORY_FFT;
     fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_start(&fvi_lobatto4d, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_d4, &run, &s), FVI_EUNSUP);
 }
 END_TEST
 
@@ -183,8 +183,8 @@ END_TEST
 START_TEST(a_search_with_a_law_reads_no_alpha)
 {
     const double rho = 1, p0 = 0.5, spring[] = { 1, 0.5 };
-    const fvi_law_term power = { FVI_LAW_POWER, 1, 0.3, 0, 0 };
-    const fvi_law law = { 1, &power };
+    const fvi_kernel_term power = { FVI_KERNEL_POWER, 1, 0.3, 0, 0 };
+    const fvi_kernel law = { 1, &power };
     const fvi_system system = { .d = 1,
                                 .mass = &one,
                                 .damping = &rho,
@@ -196,7 +196,7 @@ START_TEST(a_search_with_a_law_reads_no_alpha)
         fvi_step_found found;
         run.alpha = alphas[i];
         run.law = &law;
-        ck_assert_int_eq(fvi_step_search(&fvi_lobatto6d, &run, 1e-3, 1 << 14, x,
+        ck_assert_int_eq(fvi_step_search(&fvi_lobatto_d6, &run, 1e-3, 1 << 14, x,
                                          NULL, &found),
                          0);
         estimate[i] = found.estimate;

@@ -65,7 +65,7 @@ START_TEST(eq_2_7_and_2_8_trajectories_are_the_exact_ones)
                               potential(ref_runs[r].kind, ref_runs[r].cg),
                               { 0 },
                               NULL };
-        if (ref_runs[r].method != &fvi_variational)
+        if (ref_runs[r].method != &fvi_midpoint_variational)
             system.force = (fvi_force){ .value = ramp,
                                         .params = (void *)ref_runs[r].ramp };
         const setup a = { .alpha = 0.5,
@@ -113,7 +113,7 @@ START_TEST(eq_2_7_runs_make_the_action_stationary)
             const setup a = {
                 .alpha = 0.5, .kappa = kappa, .h = 0.05, .steps = N
             };
-            run(forced ? &fvi_lagrange_dalembert : &fvi_variational, &a,
+            run(forced ? &fvi_lagrange_dalembert : &fvi_midpoint_variational, &a,
                 &system, start_x, start_p, x, NULL);
             const double size = farthest(LEN(x), x, NULL);
             for (size_t k = 1; k < N; k++) {
@@ -146,11 +146,11 @@ START_TEST(eq_2_9_time_runs_back_with_1_minus_kappa)
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         setup a = { .kappa = kappa, .h = 0x1p-10, .steps = N };
         double x[3 * (N + 1)], p[3 * (N + 1)], reversed[3];
-        run(&fvi_variational, &a, &system, start_x, start_p, x, p);
+        run(&fvi_midpoint_variational, &a, &system, start_x, start_p, x, p);
         for (size_t i = 0; i < 3; i++)
             reversed[i] = -p[3 * N + i];
         a.kappa = 1 - kappa;
-        run(&fvi_variational, &a, &system, x + 3 * N, reversed, x, p);
+        run(&fvi_midpoint_variational, &a, &system, x + 3 * N, reversed, x, p);
         const double bound = 2 * N * 32 * U * 2 * exp(2 * N * a.h * 64);
         for (size_t i = 0; i < 3; i++) {
             ck_assert_near(x[3 * N + i], start_x[i], bound, "x, %g", kappa);
@@ -207,14 +207,14 @@ START_TEST(methods_refuse_what_they_do_not_know)
                   .kappa = 0.5,
                   .alpha = 0.5 };
     fvi_stepper *const kept = (fvi_stepper *)&r, *s = kept;
-    ck_assert_int_eq(fvi_start(&fvi_variational, &r, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s), FVI_EINVAL);
     system.damping = none;
     system.force = fvi_force_step(kick);
-    ck_assert_int_eq(fvi_start(&fvi_variational, &r, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s), FVI_EINVAL);
     r.alpha = 0.25;
-    ck_assert_int_eq(fvi_start(&fvi_lagrange_dalembert, &r, &s), FVI_EDOM);
-    ck_assert_int_eq(fvi_start(&fvi_euler_explicit, &r, &s), FVI_EDOM);
-    ck_assert_int_eq(fvi_start(&fvi_euler_implicit, &r, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &r, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &r, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_implicit, &r, &s), FVI_EDOM);
     ck_assert_ptr_eq(s, kept);
 }
 END_TEST

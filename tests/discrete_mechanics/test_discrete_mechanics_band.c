@@ -69,8 +69,8 @@ END_TEST
 START_TEST(eq_2_11_bands_and_full_matrices_agree)
 {
     enum { D = 5, N = 50 };
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_lobatto3,
-                                                 &fvi_lobatto4 };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_lobatto_m3,
+                                                 &fvi_lobatto_m4 };
     const double cg[][2] = { { 1, 0 }, { 1, 2 } },
                  x0[D] = { 1, -0.5, 0.25, 0, 2 };
     double x[D * (N + 1)], want[D * (N + 1)];

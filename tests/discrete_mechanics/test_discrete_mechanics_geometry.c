@@ -108,7 +108,7 @@ START_TEST(eq_2_12_areas_in_three_dimensions)
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         double M[2][36];
         for (size_t j = 0; j < 2; j++)
-            differentiate(&fvi_variational, &system, kappa, 0.25,
+            differentiate(&fvi_midpoint_variational, &system, kappa, 0.25,
                           delta / (j ? 2 : 1), M[j]);
         for (size_t r = 0; r < 36; r++) {
             double area[2] = { 0 };
@@ -168,7 +168,7 @@ START_TEST(eq_2_13_what_euler_does_to_the_energy)
         double factor;
     } rows[] = { { &fvi_euler_explicit, 1 + h * h * c / m },
                  { &fvi_euler_implicit, 1 / (1 + h * h * c / m) },
-                 { &fvi_variational, 1 } };
+                 { &fvi_midpoint_variational, 1 } };
     const fvi_system system = { 1,     &m,  none, fvi_potential_harmonic(&c),
                                 { 0 }, NULL };
     for (size_t i = 0; i < LEN(rows); i++) {
@@ -197,16 +197,16 @@ static double band(const fvi_run *r, double *rise)
     double time[INTERVALS], far[INTERVALS] = { 0 }, start, cov[4];
     const double E0 = energy_of(r->system, r->x0, r->p0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_variational, r, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, r, &s), FVI_SUCCESS);
     for (size_t i = 0; i < INTERVALS; i++) {
         time[i] = (double)i / INTERVALS;
         for (size_t k = 0; k < STEPS; k++) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             double E = energy_of(r->system, s->x, s->p);
             far[i] = larger(far[i], fabs(E / E0 - 1));
         }
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     gsl_fit_linear(time, 1, far, 1, INTERVALS, &start, rise, &cov[0], &cov[1],
                    &cov[2], &cov[3]);
     return start;

@@ -128,7 +128,7 @@ START_TEST(eq_2_10_solutions_satisfy_it)
             fvi_newton_free(newton);
             for (size_t j = 0; j < dim; j++)
                 z[j] = x[j] + ti * d[j];
-            fvi_hessian(&system, z, H);
+            fvi_potential_hessian(&system, z, H);
             for (size_t j = 0; j < dim; j++) {
                 double sum = A[j];
                 for (size_t k = 0; k < dim; k++)
@@ -141,7 +141,7 @@ START_TEST(eq_2_10_solutions_satisfy_it)
                 ck_assert_near(A[j] * d[j] + si * g[j], r[j],
                                4 * (4 + (double)dim) * U * norm * size,
                                "kind %d, s %g, theta %g", kind, si, ti);
-            fvi_gradient(&system, z, H); /* g is of this point */
+            fvi_potential_gradient(&system, z, H); /* g is of this point */
             for (size_t j = 0; j < dim; j++)
                 ck_assert_near(g[j], H[j],
                                4 * (4 + (double)dim) * U * norm * size / si,
@@ -204,7 +204,7 @@ START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
 {
     enum { N = 20 };
     static const fvi_method *const methods[] = { &fvi_fractional,
-                                                 &fvi_lobatto3 };
+                                                 &fvi_lobatto_m3 };
     const double x0[] = { 1, -0.5 }, p0[] = { 0, 0.25 }, final[] = { 1, 2 };
     double x[2 * N + 2], want[2 * N + 2];
     for (int i = 0; i < 4; i++) {

@@ -13,7 +13,7 @@ START_TEST(eq_2_10_is_solved_where_a_motion_dies_away_from_zero)
     static const fvi_method *const methods[] = { &fvi_fractional,
                                                  &fvi_lagrange_dalembert,
                                                  &fvi_euler_implicit,
-                                                 &fvi_shifted, &fvi_bdf2 };
+                                                 &fvi_cq2_shifted, &fvi_cq_bdf2 };
     const double well[] = { -1, 1 }, rho = 0.5, x0 = 0.5, p0 = 0;
     const fvi_system system = { 1,     one, &rho, fvi_potential_duffing(well),
                                 { 0 }, NULL };

@@ -84,7 +84,7 @@ static void errors(const fvi_method *method, int kind, double kappa,
     for (size_t k = 1; k <= N; k++) {
         double want[2], g;
         exact(kind, to, (double)k * a.h, want, want + 1);
-        fvi_gradient(&system, x + k, &g);
+        fvi_potential_gradient(&system, x + k, &g);
         if (begin == CORRECTED)
             p[k] -= (kappa - 0.5) * a.h * g;
         error[0] = larger(error[0], fabs(x[k] - want[0]));
@@ -142,7 +142,7 @@ START_TEST(eq_2_14_kappa_one_half_has_order_2_others_order_1)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         const double order = kappa == 0.5 ? 2 : 1;
-        ck_assert_orders(&fvi_variational, kappa, MATCHED, START, order, order);
+        ck_assert_orders(&fvi_midpoint_variational, kappa, MATCHED, START, order, order);
     }
 }
 END_TEST
@@ -152,16 +152,16 @@ START_TEST(eq_2_14_the_start_alone_makes_the_difference)
 {
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         /* x_1 by Taylor: positions of order 2; p is what it is. */
-        ck_assert_orders(&fvi_variational, kappa, TAYLOR, START, 2,
+        ck_assert_orders(&fvi_midpoint_variational, kappa, TAYLOR, START, 2,
                          kappa == 0.5 ? 2 : 1);
         /* p_0 and every p_k corrected by (kappa - 1/2) h U'. */
-        ck_assert_orders(&fvi_variational, kappa, CORRECTED, START, 2, 2);
+        ck_assert_orders(&fvi_midpoint_variational, kappa, CORRECTED, START, 2, 2);
         /* x_1 = x_0 + h v_0 costs one order. */
-        ck_assert_orders(&fvi_variational, kappa, EULER, START, 1, 1);
+        ck_assert_orders(&fvi_midpoint_variational, kappa, EULER, START, 1, 1);
         /* x_1 = x_0 does not come near, but to the motion from rest: half a step
          * late, as is the velocity of a step, which is p for kappa = 0. */
-        ck_assert_orders(&fvi_variational, kappa, STILL, START, 0, 0);
-        ck_assert_orders(&fvi_variational, kappa, STILL, REST, 1,
+        ck_assert_orders(&fvi_midpoint_variational, kappa, STILL, START, 0, 0);
+        ck_assert_orders(&fvi_midpoint_variational, kappa, STILL, REST, 1,
                          kappa == 0 ? 2 : 1);
     }
 }

@@ -166,7 +166,7 @@ static fvi_system system_of(membrane *o, int own)
 START_TEST(eq_2_10_a_potential_solves_for_itself)
 {
     static const fvi_method *const methods[] = {
-        &fvi_fractional, &fvi_shifted, &fvi_bdf2, &fvi_lagrange_dalembert,
+        &fvi_fractional, &fvi_cq2_shifted, &fvi_cq_bdf2, &fvi_lagrange_dalembert,
         &fvi_euler_implicit
     };
     static double x[25 * (STEPS + 1)], want[25 * (STEPS + 1)];
@@ -242,24 +242,24 @@ START_TEST(eq_2_10_what_its_own_solution_returns)
         const fvi_system system = system_of(&o, 1);
         fvi_run run = fvi_run_default(&system, x0, p0, 0.125, STEPS);
         fvi_stepper *s, *fork;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
-        ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_copy(s, &fork), 0);
-        ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_step(fork), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_copy(s, &fork), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_step(fork), 0);
         ck_assert(memcmp(s->x, fork->x, 36 * sizeof *s->x) == 0);
         o.answer = TIRED;
         o.solutions = 0;
-        ck_assert_int_eq(fvi_step(s), TIRED);
+        ck_assert_int_eq(fvi_stepper_step(s), TIRED);
         ck_assert_uint_eq(o.solutions, 1); /* and it is left in peace */
         o.answer = FVI_ESING;
-        ck_assert_int_eq(fvi_step(fork), FVI_ESING);
-        fvi_stop(s);
-        fvi_stop(fork);
+        ck_assert_int_eq(fvi_stepper_step(fork), FVI_ESING);
+        fvi_stepper_free(s);
+        fvi_stepper_free(fork);
         o.answer = 0;
         double load = 7;
         run.kappa = 0.25;
-        ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &load),
+        ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &load),
                          OUT_OF_REACH);
         ck_assert_double_eq(load, 7);
     }

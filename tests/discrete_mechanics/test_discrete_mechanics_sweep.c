@@ -11,8 +11,8 @@
 enum { RUNS = 1000, STEPS = 40, MOST = 8 };
 
 static const fvi_method *const methods[] = {
-    &fvi_fractional,     &fvi_shifted,  &fvi_bdf2,     &fvi_lagrange_dalembert,
-    &fvi_euler_implicit, &fvi_lobatto2, &fvi_lobatto3, &fvi_lobatto4
+    &fvi_fractional,     &fvi_cq2_shifted,  &fvi_cq_bdf2,     &fvi_lagrange_dalembert,
+    &fvi_euler_implicit, &fvi_lobatto_m2, &fvi_lobatto_m3, &fvi_lobatto_m4
 };
 
 /* ---- what is drawn ---- */
@@ -138,7 +138,7 @@ START_TEST(eq_2_10_a_thousand_nonlinear_runs_are_solved)
         flown += status != FVI_SUCCESS && most > 1e6;
         ck_assert_msg(status == FVI_SUCCESS || most > 1e6,
                       "run %d, %s: %s, alpha = %g, h = %g, d = %zu", i,
-                      t.method->name, fvi_strerror(status), t.run.alpha,
+                      t.method->name, fvi_error_name(status), t.run.alpha,
                       t.run.h, t.system.d);
     }
     seen((double)solved, "solved");
@@ -164,7 +164,7 @@ START_TEST(eq_17_8_a_long_step_comes_to_rest_in_a_well)
                               .h = 2,
                               .steps = N,
                               .alpha = alpha };
-        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &run, x, NULL, NULL),
+        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto_m4, &run, x, NULL, NULL),
                          FVI_SUCCESS);
         if (alpha == 0.5)
             ck_assert_near(x[N], 1, 16 * U, "x_N");

@@ -30,8 +30,8 @@ START_TEST(eq_2_1_potentials_and_their_derivatives)
         const fvi_system system = { d, one, one, u, { 0 }, NULL };
         double value, g[3], H[9];
         ck_assert_int_eq(fvi_potential_value(&system, x, &value), 0);
-        ck_assert_int_eq(fvi_gradient(&system, x, g), 0);
-        ck_assert_int_eq(fvi_hessian(&system, x, H), 0);
+        ck_assert_int_eq(fvi_potential_gradient(&system, x, g), 0);
+        ck_assert_int_eq(fvi_potential_hessian(&system, x, H), 0);
         ck_assert_ulp(value, ref_potentials[r].value, exact ? 0 : 10,
                       "U, row %zu", r);
         for (size_t i = 0; i < d; i++)
@@ -126,15 +126,15 @@ START_TEST(eq_2_1_derivatives_by_differences)
         const fvi_potential u = potential(kind, cg);
         const fvi_system system = { 3, one, one, u, { 0 }, NULL };
         double g[3], H[9];
-        fvi_gradient(&system, x, g);
-        fvi_hessian(&system, x, H);
+        fvi_potential_gradient(&system, x, g);
+        fvi_potential_hessian(&system, x, H);
         for (size_t i = 0; i < 3; i++) {
             double slope = 0, slopes[3] = { 0 }, size = 0;
             for (size_t j = 0; j < 5; j++) {
                 double z[3], value, gz[3];
                 memcpy(z, x, sizeof z);
                 z[i] += ((double)j - 2) * delta;
-                fvi_gradient(&system, z, gz);
+                fvi_potential_gradient(&system, z, gz);
                 fvi_potential_value(&system, z, &value);
                 slope += weight[j] * value / (12 * delta);
                 size = larger(size, value);
@@ -177,11 +177,11 @@ START_TEST(eq_2_1_a_hessian_out_of_diagonals)
                                       .diagonals = m };
             const fvi_system system = { d, one, one, u, { 0 }, NULL };
             double H[MOST * WIDE];
-            const size_t room = fvi_hessian_room(&system);
+            const size_t room = fvi_potential_hessian_size(&system);
             ck_assert_uint_eq(room, d * (m > d ? m : d));
             for (size_t i = 0; i < room; i++)
                 H[i] = GSL_NAN; /* nothing of what was there is left */
-            ck_assert_int_eq(fvi_hessian(&system, one, H), 0);
+            ck_assert_int_eq(fvi_potential_hessian(&system, one, H), 0);
             for (size_t i = 0; i < d; i++)
                 for (size_t j = 0; j < d; j++) {
                     const size_t a = i < j ? i : j, b = i + j - a;
@@ -192,7 +192,7 @@ START_TEST(eq_2_1_a_hessian_out_of_diagonals)
                 }
         }
     const fvi_system vast = { SIZE_MAX / 16, one, one, { 0 }, { 0 }, NULL };
-    ck_assert_uint_eq(fvi_hessian_room(&vast), SIZE_MAX / 64);
+    ck_assert_uint_eq(fvi_potential_hessian_size(&vast), SIZE_MAX / 64);
 }
 END_TEST
 

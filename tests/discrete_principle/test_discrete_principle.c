@@ -152,8 +152,8 @@ static void run_fvi(const fvi_system *system, double alpha, double kappa,
                           .steps = N,
                           .kappa = kappa,
                           .alpha = alpha,
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+                          .memory = FVI_HISTORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
                      FVI_SUCCESS);
 }
@@ -263,7 +263,7 @@ START_TEST(eq_6_7_the_printed_sum_leaves_a_term_of_each_missing_end)
     run_fvi(&system, alpha, kappa, h, N, &x0, &p0, x);
     run_fvi(&system, alpha, 1 - kappa, h, N, &z0, &p0, z);
     reverse(N, 1, z, y);
-    fvi_coefficients(alpha, N + 1, w);
+    fvi_gl_weights(alpha, N + 1, w);
     const double factor = h * *system.damping * pow(h, -2 * alpha);
     const double bound =
         (3 * N + 36) * U

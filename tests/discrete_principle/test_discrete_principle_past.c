@@ -106,7 +106,7 @@ END_TEST
  * run, y the reversal of another with 1 - kappa, each with its own past, starts
  * away from the origin. Bound: that of eq_6_6 for x, y, and for x - zeta and
  * y - bar, whose kinetic part comes and goes. Seen: 0.0004 of it. */
-static void ck_assert_stationary(const setting *p, fvi_past past)
+static void ck_assert_stationary(const setting *p, fvi_initial_history past)
 {
     const double x0 = 0.75, p0 = 0.5, y0 = -0.25, q0 = 1, cg[] = { 1, 0.5 };
     const fvi_system system = system_with(&damping, fvi_potential_duffing(cg));
@@ -119,7 +119,7 @@ static void ck_assert_stationary(const setting *p, fvi_past past)
                     .kappa = p->kappa,
                     .alpha = p->alpha,
                     .past = past,
-                    .memory = FVI_MEMORY_DIRECT };
+                    .memory = FVI_HISTORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
                      FVI_SUCCESS);
     run.x0 = &y0, run.p0 = &q0, run.kappa = 1 - p->kappa;
@@ -127,7 +127,7 @@ static void ck_assert_stationary(const setting *p, fvi_past past)
                      FVI_SUCCESS);
     for (size_t k = 0; k <= p->N; k++)
         y[k] = back[p->N - k];
-    const int line = past == FVI_PAST_CAPUTO && 2 * p->alpha > 1;
+    const int line = past == FVI_INITIAL_HISTORY_CAPUTO && 2 * p->alpha > 1;
     references(p->h, p->N, x, y, line ? p0 / mass : 0, line ? -q0 / mass : 0,
                zeta, bar);
     derivative(p, cg, x, y, zeta, bar, g);
@@ -150,8 +150,8 @@ START_TEST(eq_6_11_the_integrator_with_a_past_makes_the_action_stationary)
     for (size_t i = 0; i < LEN(alphas) * 3 * 4; i++) {
         const setting p = { alphas[i / 12], (double)(i / 4 % 3) / 4, 0.05, 60,
                             i & 1,          i & 2 ? 60 : 59 };
-        ck_assert_stationary(&p, FVI_PAST_HELD);
-        ck_assert_stationary(&p, FVI_PAST_CAPUTO);
+        ck_assert_stationary(&p, FVI_INITIAL_HISTORY_HELD);
+        ck_assert_stationary(&p, FVI_INITIAL_HISTORY_CAPUTO);
     }
 }
 END_TEST

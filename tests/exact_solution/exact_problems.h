@@ -18,28 +18,28 @@
 static const double RHO = 0.2;
 
 /* m = c = 1, rho = 1/5. */
-static inline fvi_linear oscillator(double alpha, int caputo, double x0,
+static inline fvi_linear_oscillator oscillator(double alpha, int caputo, double x0,
                                     double v0)
 {
-    return (fvi_linear){ .m = 1,
+    return (fvi_linear_oscillator){ .m = 1,
                          .c = 1,
                          .rho = RHO,
                          .alpha = alpha,
-                         .past = caputo ? FVI_PAST_CAPUTO
-                                        : FVI_PAST_RIEMANN_LIOUVILLE,
+                         .past = caputo ? FVI_INITIAL_HISTORY_CAPUTO
+                                        : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                          .x0 = x0,
                          .v0 = v0 };
 }
 
-static inline void solve(const fvi_linear *p, double t, double *x, double *v)
+static inline void solve(const fvi_linear_oscillator *p, double t, double *x, double *v)
 {
-    ck_assert_int_eq(fvi_exact(p, 1, &t, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(p, 1, &t, x, v), FVI_SUCCESS);
 }
 
-static inline double solve_x(fvi_linear p, double t)
+static inline double solve_x(fvi_linear_oscillator p, double t)
 {
     double x = GSL_NAN;
-    ck_assert_int_eq(fvi_exact(&p, 1, &t, &x, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL), FVI_SUCCESS);
     return x;
 }
 

@@ -21,9 +21,9 @@ static inline double between(uint64_t *seed, double low, double high)
     return low * pow(high / low, chance(seed));
 }
 
-/* Rows against fvi_exact, whose own error is TOL: at most LOOKED_AT of them, the early ones
+/* Rows against fvi_exact_at, whose own error is TOL: at most LOOKED_AT of them, the early ones
  * all, and the last. */
-static inline void ck_assert_rows(const fvi_linear *p, double h, size_t n,
+static inline void ck_assert_rows(const fvi_linear_oscillator *p, double h, size_t n,
                                   double tolerance, const char *what)
 {
     double *x = malloc((n + 1) * sizeof *x), *v = malloc((n + 1) * sizeof *v);
@@ -35,8 +35,8 @@ static inline void ck_assert_rows(const fvi_linear *p, double h, size_t n,
         t[count] = (double)k * h;
         k = k < 24 ? k + 1 : k < n ? GSL_MIN(k + k / 4, n) : n + 1;
     }
-    ck_assert_int_eq(fvi_exact(p, count, t, want_x, want_v), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_rows(p, h, n, tolerance, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(p, count, t, want_x, want_v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_grid(p, h, n, tolerance, x, v), FVI_SUCCESS);
     for (size_t k = 0; k <= n; k++) {
         X = larger(X, fabs(x[k]));
         V = larger(V, fabs(v[k]));

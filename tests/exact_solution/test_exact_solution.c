@@ -1,7 +1,7 @@
 /* tests/exact_solution/test_exact_solution.c -- Chapter 11: values, order, errors.
  * Run alone: make test-exact_solution */
 #include <fvi/fvi.h>
-#include "exact/exact_inverse.h"
+#include "reference/exact_inverse.h"
 #include "exact_problems.h"
 
 #include "exact_solution_ref.h"
@@ -11,11 +11,11 @@
 START_TEST(eq_11_7_solutions_match_talbot_and_the_cut)
 {
     for (size_t i = 0; i < LEN(ref_solutions); i++) {
-        fvi_linear p = { ref_solutions[i].m,
+        fvi_linear_oscillator p = { ref_solutions[i].m,
                          ref_solutions[i].c,
                          ref_solutions[i].rho,
                          ref_solutions[i].alpha,
-                         (fvi_past)ref_solutions[i].past,
+                         (fvi_initial_history)ref_solutions[i].past,
                          ref_solutions[i].x0,
                          ref_solutions[i].v0,
                          (fvi_forcing)ref_solutions[i].forcing,
@@ -38,7 +38,7 @@ END_TEST
  * Seen: 0.1 of it. */
 START_TEST(eq_11_10_every_contour_inverts_powers)
 {
-    const fvi_linear problems[] = {
+    const fvi_linear_oscillator problems[] = {
         { .m = 1, .rho = 1, .alpha = 0.8 }, /* no pole, one pole, two */
         { .m = 1, .c = 1, .rho = 1, .alpha = 0.3 },
         { .m = 1, .c = 1, .alpha = 0.3, .forcing = FVI_FORCING_STEP },
@@ -74,7 +74,7 @@ END_TEST
 /* TOL max|x|, max|x| = 4.6, is 1.6e-13; this is tighter. Seen: 1.2e-15. */
 START_TEST(eq_11_14_bagley_torvik)
 {
-    const fvi_linear p = { .m = 1,
+    const fvi_linear_oscillator p = { .m = 1,
                            .c = 1,
                            .rho = 1,
                            .alpha = 0.75,
@@ -94,7 +94,7 @@ START_TEST(eq_11_4_poles)
 {
     for (size_t i = 0; i < LEN(ref_poles); i++) {
         double re, im;
-        fvi_linear p = { .m = ref_poles[i].m,
+        fvi_linear_oscillator p = { .m = ref_poles[i].m,
                          .c = 1,
                          .rho = ref_poles[i].rho,
                          .alpha = ref_poles[i].alpha };
@@ -116,7 +116,7 @@ START_TEST(eq_11_4_poles_of_strong_damping_near_one_half)
             const double s = side > 0 ? -0.5 : -2,
                          slope = -2 * 2.5 * s / (2 * s + 2.5) * side * e;
             double re, im;
-            fvi_linear p = {
+            fvi_linear_oscillator p = {
                 .m = 1, .c = 1, .rho = 2.5, .alpha = 0.5 + side * e
             };
             ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), FVI_SUCCESS);
@@ -131,7 +131,7 @@ END_TEST
  * its frequency, resonance included. 0 ulp: the same operations. */
 START_TEST(eq_11_2_forces_that_are_the_same_give_the_same)
 {
-    fvi_linear p = oscillator(0.3, 1, 1, -0.5), q = p;
+    fvi_linear_oscillator p = oscillator(0.3, 1, 1, -0.5), q = p;
     q.forcing = FVI_FORCING_STEP;
     q.A = 3;
     const double times[] = { 0.5, 3, 40 };
@@ -158,7 +158,7 @@ START_TEST(eq_11_2_a_cosine_of_frequency_0_is_a_step_without_end)
     const double times[] = { 0.5, 3, 40 }, alphas[] = { 0.3, 0.5 };
     for (size_t i = 0; i < LEN(times) * LEN(alphas) * 4; i++) {
         const double t = times[i / 4 % 3];
-        fvi_linear step = { .m = 1,
+        fvi_linear_oscillator step = { .m = 1,
                             .c = i % 2 ? 1 : 0,
                             .rho = i / 2 % 2 ? RHO : 0,
                             .alpha = alphas[i / 12],
@@ -166,7 +166,7 @@ START_TEST(eq_11_2_a_cosine_of_frequency_0_is_a_step_without_end)
                             .A = 1,
                             .T = 99,
                             .w = 7 };
-        fvi_linear cosine = step;
+        fvi_linear_oscillator cosine = step;
         cosine.forcing = FVI_FORCING_COSINE;
         cosine.w = 0;
         ck_assert_near(solve_x(cosine, t), solve_x(step, t),
@@ -196,7 +196,7 @@ START_TEST(eq_11_7_the_integrator_converges_to_it_at_order_1)
                             .steps = steps,
                             .kappa = 0.5,
                             .alpha = alphas[i],
-                            .past = FVI_PAST_CAPUTO };
+                            .past = FVI_INITIAL_HISTORY_CAPUTO };
             ck_assert_int_eq(
                 fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
             for (size_t k = unit; k <= steps; k += unit) {
@@ -219,9 +219,9 @@ END_TEST
 
 #define REFUSED(code, ...)                                                     \
     do {                                                                       \
-        fvi_linear p_ = { __VA_ARGS__ };                                       \
+        fvi_linear_oscillator p_ = { __VA_ARGS__ };                                       \
         double t_ = 1, out_[2] = { 7, 8 };                                     \
-        ck_assert_int_eq(fvi_exact(&p_, 1, &t_, out_, out_ + 1), code);        \
+        ck_assert_int_eq(fvi_exact_at(&p_, 1, &t_, out_, out_ + 1), code);        \
         ck_assert_int_eq(fvi_exact_oscillation(&p_, 1, &t_, out_, out_ + 1),   \
                          code);                                                \
         ck_assert_int_eq(fvi_exact_pole(&p_, out_, out_ + 1), code);           \
@@ -251,15 +251,15 @@ START_TEST(bad_problems_are_refused_and_outputs_are_untouched)
     REFUSED(FVI_EDOM, .m = 1, .c = 1, .alpha = 1 + 0x1p-52);
     REFUSED(FVI_EINVAL, .m = 1, .c = 1, .forcing = (fvi_forcing)9);
     REFUSED(FVI_EDOM, .m = 1, .c = 1, .rho = 1, .alpha = 0.5 + 0x1p-53, .x0 = 1,
-            .past = FVI_PAST_RIEMANN_LIOUVILLE);
+            .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE);
     /* but not without damping, nor at alpha = 1/2, nor for Caputo */
-    fvi_linear p = { .m = 1, .c = 1, .alpha = 0.6, .x0 = 1 };
+    fvi_linear_oscillator p = { .m = 1, .c = 1, .alpha = 0.6, .x0 = 1 };
     ck_assert_near(solve_x(p, 1), cos(1), TOL, "no damping");
     p.rho = 1;
-    p.past = FVI_PAST_CAPUTO;
+    p.past = FVI_INITIAL_HISTORY_CAPUTO;
     solve_x(p, 1);
     p.alpha = 0.5;
-    p.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    p.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     solve_x(p, 1);
 }
 END_TEST
@@ -267,10 +267,10 @@ END_TEST
 START_TEST(bad_times_and_pointers_are_refused)
 {
     const double bad[] = { -0x1p-1074, GSL_NAN, GSL_POSINF };
-    fvi_linear p = oscillator(0.25, 0, 1, 1);
+    fvi_linear_oscillator p = oscillator(0.25, 0, 1, 1);
     double x[2] = { 7, 8 }, t[2] = { 1, 0 };
-    int (*const both[])(const fvi_linear *, size_t, const double *, double *,
-                        double *) = { fvi_exact, fvi_exact_oscillation };
+    int (*const both[])(const fvi_linear_oscillator *, size_t, const double *, double *,
+                        double *) = { fvi_exact_at, fvi_exact_oscillation };
     for (size_t i = 0; i < 2; i++) {
         ck_assert_int_eq(both[i](NULL, 1, t, x, x + 1), FVI_EFAULT);
         ck_assert_int_eq(both[i](&p, 1, NULL, x, x + 1), FVI_EFAULT);
@@ -290,7 +290,7 @@ END_TEST
 
 START_TEST(where_there_is_no_pole_it_is_said)
 {
-    const fvi_linear none[] = { { .m = 1, .c = 4, .rho = 4, .alpha = 0.5 },
+    const fvi_linear_oscillator none[] = { { .m = 1, .c = 4, .rho = 4, .alpha = 0.5 },
                                 { .m = 1, .rho = 1, .alpha = 0.5 },
                                 { .m = 1, .rho = 1, .alpha = 0.8 },
                                 { .m = 1, .alpha = 0.2 } };
@@ -302,7 +302,7 @@ START_TEST(where_there_is_no_pole_it_is_said)
     }
     ck_assert(out[0] == 7 && out[1] == 8);
     /* free and weakly braked: s^(2 - beta) = -rho / m */
-    fvi_linear p = { .m = 1, .rho = 8, .alpha = 0.25 };
+    fvi_linear_oscillator p = { .m = 1, .rho = 8, .alpha = 0.25 };
     ck_assert_int_eq(fvi_exact_pole(&p, out, out + 1), FVI_SUCCESS);
     ck_assert_near(out[0], -2, 8 * U, "re");
     ck_assert_near(out[1], 2 * sqrt(3), 8 * U, "im");
@@ -315,13 +315,13 @@ START_TEST(overflow_is_reported_and_arrays_may_coincide)
 {
     const double t[3] = { 0, 1, 1e300 };
     double x[3] = { 7, 7, 7 }, v[2], both[2] = { 0, 1 };
-    fvi_linear p = { .m = 1, .v0 = 1e10 };
-    ck_assert_int_eq(fvi_exact(&p, 3, t, x, NULL), FVI_EOVRFLW);
+    fvi_linear_oscillator p = { .m = 1, .v0 = 1e10 };
+    ck_assert_int_eq(fvi_exact_at(&p, 3, t, x, NULL), FVI_EOVRFLW);
     ck_assert(x[0] == 0 && x[2] == 7);
     ck_assert_near(x[1], 1e10, TOL * 1e10, "free flight");
     p = oscillator(0.3, 0, 1, 0.5);
-    ck_assert_int_eq(fvi_exact(&p, 2, t, x, v), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact(&p, 2, both, NULL, both), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 2, t, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 2, both, NULL, both), FVI_SUCCESS);
     ck_assert(x[0] == 1 && v[0] == 0.5 && both[0] == v[0] && both[1] == v[1]);
 }
 END_TEST

@@ -41,7 +41,7 @@ static double step_answer(double m, double c, double rho, int power, double t,
 
 /* GSL's roots and libcerf are good to 1e-13 each (its manual), and an error e in w_j
  * moves E by 2 |w_j^2| t e: for the t and w_j below at most 200 e. So 4 terms with
- * 1e-13 + 200 * 16 u each, and what fvi_exact promises. Seen: 0.09 of it. */
+ * 1e-13 + 200 * 16 u each, and what fvi_exact_at promises. Seen: 0.09 of it. */
 START_TEST(eq_11_14_rational_orders_are_complex_error_functions)
 {
     const double problem[][3] = {
@@ -52,11 +52,11 @@ START_TEST(eq_11_14_rational_orders_are_complex_error_functions)
         for (int power = 1; power <= 3; power += 2)
             for (size_t k = 0; k < LEN(times); k++) {
                 const double *p = problem[i], t = times[k];
-                const fvi_linear linear = { .m = p[0],
+                const fvi_linear_oscillator linear = { .m = p[0],
                                             .c = p[1],
                                             .rho = p[2],
                                             .alpha = power / 4.0,
-                                            .past = FVI_PAST_CAPUTO,
+                                            .past = FVI_INITIAL_HISTORY_CAPUTO,
                                             .forcing = FVI_FORCING_STEP,
                                             .A = 1,
                                             .T = 1e6 };
@@ -74,11 +74,11 @@ END_TEST
 /* Bagley-Torvik, 8 on [0, 1]: the difference of two answers. */
 START_TEST(eq_11_14_bagley_torvik_by_error_functions)
 {
-    const fvi_linear plate = { .m = 1,
+    const fvi_linear_oscillator plate = { .m = 1,
                                .c = 1,
                                .rho = 1,
                                .alpha = 0.75,
-                               .past = FVI_PAST_CAPUTO,
+                               .past = FVI_INITIAL_HISTORY_CAPUTO,
                                .forcing = FVI_FORCING_STEP,
                                .A = 8,
                                .T = 1 };

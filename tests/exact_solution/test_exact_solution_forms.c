@@ -25,13 +25,13 @@ START_TEST(eq_11_13_integer_orders_have_closed_forms)
     for (size_t i = 0; i < LEN(rhos) * LEN(times) * 4; i++) {
         double rho = rhos[i / 4 / LEN(times)], t = times[i / 4 % LEN(times)];
         size_t k = i % 4; /* alpha = 0, 1 Riemann-Liouville; 1/2, 1 Caputo */
-        fvi_linear p = { 1,
+        fvi_linear_oscillator p = { 1,
                          1,
                          rho,
                          k == 2   ? 0.5
                          : k == 0 ? 0
                                   : 1,
-                         k > 1 ? FVI_PAST_CAPUTO : FVI_PAST_RIEMANN_LIOUVILLE,
+                         k > 1 ? FVI_INITIAL_HISTORY_CAPUTO : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                          kept[k],
                          v0,
                          FVI_FORCING_NONE,
@@ -54,16 +54,16 @@ END_TEST
 START_TEST(eq_11_13_special_closed_forms)
 {
     for (double t = 1e-4; t < 40; t *= 3) {
-        fvi_linear p = { .m = 1,
+        fvi_linear_oscillator p = { .m = 1,
                          .c = 1,
                          .rho = 2,
                          .alpha = 0.5,
                          .x0 = 1,
                          .v0 = 2,
-                         .past = FVI_PAST_RIEMANN_LIOUVILLE };
+                         .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
         ck_assert_near(solve_x(p, t), exp(-t) * (1 + 3 * t), 2 * TOL, "t=%g",
                        t);
-        p = (fvi_linear){ .m = 2,
+        p = (fvi_linear_oscillator){ .m = 2,
                           .x0 = 1,
                           .v0 = 3,
                           .alpha = 0.3,
@@ -72,16 +72,16 @@ START_TEST(eq_11_13_special_closed_forms)
                           .T = 1e300 };
         double want = 1 + 3 * t + 1.25 * t * t;
         ck_assert_near(solve_x(p, t), want, TOL * want, "t=%g", t);
-        p = (fvi_linear){ .m = 2,
+        p = (fvi_linear_oscillator){ .m = 2,
                           .rho = 4,
                           .x0 = 1,
                           .v0 = 3,
                           .alpha = 0.5,
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE };
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
         want = 1 - 1.5 * expm1(-2 * t);
         ck_assert_near(solve_x(p, t), want, TOL * want, "t=%g", t);
-        p = (fvi_linear){
-            .m = 1, .c = 1, .rho = 3, .past = FVI_PAST_CAPUTO, .x0 = 4
+        p = (fvi_linear_oscillator){
+            .m = 1, .c = 1, .rho = 3, .past = FVI_INITIAL_HISTORY_CAPUTO, .x0 = 4
         };
         ck_assert_near(solve_x(p, t), 3 + cos(2 * t), 4 * TOL, "t=%g", t);
     }
@@ -120,7 +120,7 @@ START_TEST(eq_11_9_power_series_for_small_times)
     for (size_t i = 0; i < LEN(alphas); i++)
         for (double t = 1e-6, b = 2 * alphas[i]; t < 0.4; t *= 5) {
             double x, v, size;
-            fvi_linear p = oscillator(alphas[i], 0, 0, 1);
+            fvi_linear_oscillator p = oscillator(alphas[i], 0, 0, 1);
             solve(&p, t, &x, &v);
             double X = series(RHO, 1, -2, b - 2, -2, t, &size);
             ck_assert_near(x, X, TOL * size, "x, alpha=%g t=%g", b / 2, t);
@@ -158,7 +158,7 @@ START_TEST(eq_11_12_resonance)
     for (int j = -3; j <= 13; j++)
         for (int k = 1; k <= 45; k += 4) {
             double t = ldexp(1, j), e = k < 45 ? ldexp(1, -k) : 0, w = 1 + e;
-            fvi_linear p = { .m = 1,
+            fvi_linear_oscillator p = { .m = 1,
                              .c = 1,
                              .alpha = 0.3,
                              .A = 1,

@@ -1,6 +1,6 @@
 /* tests/exact_solution/test_exact_solution_rows.c -- Chapter 11: all rows at once.
  * Run alone: make test-exact_solution_rows */
-#include "exact/exact_window.h"
+#include "reference/exact_window.h"
 #include "exact_rows.h"
 
 #include "exact_solution_ref.h"
@@ -10,14 +10,14 @@ enum { PROBLEMS = 600 };
 
 /* Any past, order and force; without spring or damping now and then; forces near
  * resonance; strong and weak damping. *h n is from 1/100 to 10^4 swings of the spring. */
-static fvi_linear any(uint64_t *seed, size_t n, double *h)
+static fvi_linear_oscillator any(uint64_t *seed, size_t n, double *h)
 {
     const double whole[] = { 0, 0.5, 1 }, kind = chance(seed);
-    fvi_linear p = { .m = between(seed, 1e-3, 1e3),
+    fvi_linear_oscillator p = { .m = between(seed, 1e-3, 1e3),
                      .c = between(seed, 1e-3, 1e3),
                      .alpha =
                          kind < 0.3 ? whole[(int)(10 * kind)] : chance(seed),
-                     .past = (fvi_past)(3 * chance(seed)),
+                     .past = (fvi_initial_history)(3 * chance(seed)),
                      .x0 = chance(seed) < 0.3 ? 0 : chance(seed) - 0.5,
                      .v0 = chance(seed) < 0.3 ? 0 : chance(seed) - 0.5,
                      .forcing = (fvi_forcing)(3 * chance(seed)),
@@ -34,7 +34,7 @@ static fvi_linear any(uint64_t *seed, size_t n, double *h)
         p.rho = 0;
     if (chance(seed) < 0.1)
         p.c = 0;
-    if (p.past == FVI_PAST_RIEMANN_LIOUVILLE && p.alpha > 0.5)
+    if (p.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && p.alpha > 0.5)
         p.x0 = 0;
     if (chance(seed) < 0.3 && fvi_exact_pole(&p, &re, &p.w) == FVI_SUCCESS)
         p.w *= 1 + between(seed, 1e-9, 1e-1);
@@ -49,7 +49,7 @@ START_TEST(eq_11_15_rows_are_the_solution)
         double h;
         const size_t n = (size_t)between(&seed, 1, i % 20 ? 1e3 : 1e5);
         const double tolerance = i % 4 ? between(&seed, 1e-14, 0.3) : 0;
-        const fvi_linear p = any(&seed, n, &h);
+        const fvi_linear_oscillator p = any(&seed, n, &h);
         snprintf(
             what, sizeof what,
             "%d: m=%a c=%a rho=%a alpha=%a past=%d x0=%a v0=%a force=%d A=%a "
@@ -66,11 +66,11 @@ START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
 {
     for (size_t i = 0; i < LEN(ref_solutions); i++)
         for (size_t n = 1; n <= 64; n = n == 1 ? 2 : 32 * n) {
-            const fvi_linear p = { ref_solutions[i].m,
+            const fvi_linear_oscillator p = { ref_solutions[i].m,
                                    ref_solutions[i].c,
                                    ref_solutions[i].rho,
                                    ref_solutions[i].alpha,
-                                   (fvi_past)ref_solutions[i].past,
+                                   (fvi_initial_history)ref_solutions[i].past,
                                    ref_solutions[i].x0,
                                    ref_solutions[i].v0,
                                    (fvi_forcing)ref_solutions[i].forcing,
@@ -80,7 +80,7 @@ START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
                                    NULL };
             double t = ref_solutions[i].t, x[65], v[65],
                    X = ref_solutions[i].size_x;
-            ck_assert_int_eq(fvi_exact_rows(&p, t / (double)n, n, 0, x, v),
+            ck_assert_int_eq(fvi_exact_grid(&p, t / (double)n, n, 0, x, v),
                              FVI_SUCCESS);
             ck_assert_near(x[n], ref_solutions[i].x, TOL * X,
                            "x, %zu rows, reference %zu", n, i);
@@ -95,7 +95,7 @@ END_TEST
  * (11.17) those that grow most towards 0. Here the tolerance is the bound. */
 START_TEST(eq_11_17_motions_that_grow)
 {
-    const fvi_linear grow[] = { { .m = 1,
+    const fvi_linear_oscillator grow[] = { { .m = 1,
                                   .rho = 1e-9,
                                   .alpha = 0.8,
                                   .forcing = FVI_FORCING_STEP,
@@ -114,9 +114,9 @@ START_TEST(eq_11_17_motions_that_grow)
             double x[51], want[51], t[51];
             for (size_t k = 0; k <= 50; k++)
                 t[k] = (double)k;
-            ck_assert_int_eq(fvi_exact(&grow[i], 51, t, want, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&grow[i], 51, t, want, NULL), 0);
             ck_assert_int_eq(
-                fvi_exact_rows(&grow[i], 1, 50, tolerance, x, NULL), 0);
+                fvi_exact_grid(&grow[i], 1, 50, tolerance, x, NULL), 0);
             for (size_t k = 0; k <= 50; k++)
                 ck_assert_near(x[k], want[k], tolerance * fabs(want[50]),
                                "%zu, row %zu, %g", i, k, tolerance);
@@ -132,7 +132,7 @@ START_TEST(eq_11_17_a_force_that_ends_soon)
     const double ends[] = { 0.6, 5 - 0x1p-40, 5, 5 + 0x1p-40 };
     for (size_t i = 0; i < LEN(ends); i++)
         for (double c = 1e-4; c < 2; c *= 3) {
-            const fvi_linear p = { .m = 1,
+            const fvi_linear_oscillator p = { .m = 1,
                                    .c = c,
                                    .rho = 0.01,
                                    .alpha = 0.3,
@@ -142,8 +142,8 @@ START_TEST(eq_11_17_a_force_that_ends_soon)
             double x[101], want[101], t[101], X = 0;
             for (size_t k = 0; k <= 100; k++)
                 t[k] = (double)k;
-            ck_assert_int_eq(fvi_exact(&p, 101, t, want, NULL), 0);
-            ck_assert_int_eq(fvi_exact_rows(&p, 1, 100, 0, x, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&p, 101, t, want, NULL), 0);
+            ck_assert_int_eq(fvi_exact_grid(&p, 1, 100, 0, x, NULL), 0);
             for (size_t k = 0; k <= 100; k++)
                 X = larger(X, fabs(want[k]));
             for (size_t k = 0; k <= 100; k++)
@@ -156,7 +156,7 @@ END_TEST
 /* Bagley and Torvik's plate, 80 rows. The count is the claim of (11.16). */
 START_TEST(eq_11_16_nodes_of_a_window)
 {
-    const fvi_linear plate = { .m = 1,
+    const fvi_linear_oscillator plate = { .m = 1,
                                .c = 1,
                                .rho = 1,
                                .alpha = 0.75,
@@ -181,20 +181,20 @@ START_TEST(eq_11_16_nodes_of_a_window)
 }
 END_TEST
 
-/* Sums of powers and fractions; the bound is that of fvi_exact for laws, twice. */
+/* Sums of powers and fractions; the bound is that of fvi_exact_at for laws, twice. */
 START_TEST(eq_11_15_rows_with_a_law)
 {
-    const fvi_law_term
-        powers[] = { { .kind = FVI_LAW_POWER, .rho = 0.3, .alpha = 0.25 },
-                     { .kind = FVI_LAW_POWER, .rho = 0.2, .alpha = 0.6 } },
+    const fvi_kernel_term
+        powers[] = { { .kind = FVI_KERNEL_POWER, .rho = 0.3, .alpha = 0.25 },
+                     { .kind = FVI_KERNEL_POWER, .rho = 0.2, .alpha = 0.6 } },
         zener[] = {
-            { .kind = FVI_LAW_ZENER, .rho = 0.7, .alpha = 0.4, .time = 2 }
+            { .kind = FVI_KERNEL_ZENER, .rho = 0.7, .alpha = 0.4, .time = 2 }
         };
-    const fvi_law laws[] = { { .count = 2, .term = powers },
+    const fvi_kernel laws[] = { { .count = 2, .term = powers },
                              { .count = 1, .term = zener },
                              { .count = 1, .term = powers } };
     for (size_t i = 0; i < 3 * LEN(laws); i++) {
-        const fvi_linear p = { .m = 2,
+        const fvi_linear_oscillator p = { .m = 2,
                                .c = 1,
                                .rho = 1,
                                .x0 = 0.5,
@@ -207,8 +207,8 @@ START_TEST(eq_11_15_rows_with_a_law)
         double t[201], x[201], v[201], want_x[201], want_v[201], X = 0, V = 0;
         for (size_t k = 0; k <= 200; k++)
             t[k] = (double)k * 0.3;
-        ck_assert_int_eq(fvi_exact(&p, 201, t, want_x, want_v), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_exact_rows(&p, 0.3, 200, 0, x, v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&p, 201, t, want_x, want_v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_grid(&p, 0.3, 200, 0, x, v), FVI_SUCCESS);
         for (size_t k = 0; k <= 200; k++) {
             X = larger(X, fabs(x[k]));
             V = larger(V, fabs(v[k]));

@@ -1,7 +1,7 @@
 /* tests/exact_solution/test_exact_solution_vectors.c -- Chapter 11: complex functions, many at
  * once.
  * Run alone: make test-exact_solution_vectors */
-#include "exact/exact_vectors.h"
+#include "reference/exact_vectors.h"
 #include "exact_rows.h"
 #include "system/larger.h"
 

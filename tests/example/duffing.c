@@ -15,7 +15,7 @@ int main(void)
     fvi_run run = fvi_run_default(&system, &one, &p0, 0.1, 200);
     run.alpha = 0.3; /* the rest is at rest until t = 0 */
     double x[201];
-    const int status = fvi_trajectory(&fvi_lobatto3, &run, x, NULL, NULL);
+    const int status = fvi_trajectory(&fvi_lobatto_m3, &run, x, NULL, NULL);
     for (size_t k = 0; status == 0 && k <= 200; k++)
         printf("%.17g\t%.17g\n", (double)k * run.h, x[k]);
     return status;

@@ -166,7 +166,7 @@ START_TEST(bad_error_studies_are_refused_and_outputs_untouched)
     ck_assert_int_eq(fvi_oscillator_errors(fvi, 1, 1, -1, 1, 1, 0.1, 5, e),
                      FVI_EDOM); /* fvi_damped_oscillator's */
     ck_assert_int_eq(
-        fvi_oscillator_errors(&fvi_variational, 1, 1, 1, 1, 1, 0.1, 5, e),
+        fvi_oscillator_errors(&fvi_midpoint_variational, 1, 1, 1, 1, 1, 0.1, 5, e),
         FVI_EINVAL);
     ck_assert_int_eq(
         fvi_oscillator_errors(&fvi_euler_explicit, 1, 1, 1, 1, 1, 1e20, 50, e),

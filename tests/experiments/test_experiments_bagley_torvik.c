@@ -26,7 +26,7 @@ static void by_fvi(double h, size_t N, double *x)
                           .steps = N,
                           .kappa = 0.5,
                           .alpha = 0.75,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .memory = FVI_HISTORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
                      FVI_SUCCESS);
 }

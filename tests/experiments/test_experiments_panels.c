@@ -43,8 +43,8 @@ static fvi_run paper_run(const fvi_system *system, double alpha, double h,
                       .steps = N,
                       .kappa = 0.5,
                       .alpha = alpha,
-                      .past = FVI_PAST_RIEMANN_LIOUVILLE,
-                      .memory = FVI_MEMORY_DIRECT };
+                      .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+                      .memory = FVI_HISTORY_DIRECT };
 }
 
 /* ---- the panel of several alpha ---- */
@@ -243,16 +243,16 @@ START_TEST(eq_10_6_order_two_against_the_modified_mass)
         double error[2] = { 0, 0 }, x, p;
         fvi_stepper *s;
         const fvi_run run = paper_run(&system, 0.5, h, (size_t)(15 / h));
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
         //> modified
-        while (s->k < run.steps && fvi_step(s) == FVI_SUCCESS) {
+        while (s->k < run.steps && fvi_stepper_step(s) == FVI_SUCCESS) {
             fvi_damped_oscillator(1 - RHO * h / 2, RHO, 1, X0, P0, s->t, &x,
                                   &p);
             error[0] = larger(error[0], fabs(s->x[0] - x));
             error[1] = larger(error[1], fabs(s->p[0] - p));
         }
         //< modified
-        fvi_stop(s);
+        fvi_stepper_free(s);
         for (size_t i = 0; i < 2; i++) {
             if (h < 0.5)
                 ck_assert_near(last[i] / error[i], 4, 4 * h, "h=%g, %zu", h, i);
@@ -292,7 +292,7 @@ START_TEST(eq_10_2_orders_of_the_other_methods)
     } rows[] = { { &fvi_euler_explicit, 0.2, 1 },
                  { &fvi_euler_implicit, 0.2, 1 },
                  { &fvi_lagrange_dalembert, 0.2, 1 },
-                 { &fvi_variational, 0, 2 } };
+                 { &fvi_midpoint_variational, 0, 2 } };
     for (size_t i = 0; i < LEN(rows); i++) {
         double h[3] = { 0x1p-8, 0x1p-9, 0x1p-10 }, x[3], e[3], order;
         for (size_t j = 0; j < 3; j++) {

@@ -5,9 +5,9 @@
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 
-static const fvi_names one = { "x", 1, NULL, 0 };
+static const fvi_symbols one = { "x", 1, NULL, 0 };
 
-static inline fvi_expression *parsed(const char *text, const fvi_names *names,
+static inline fvi_expression *parsed(const char *text, const fvi_symbols *names,
                               const double *values)
 {
     fvi_expression *e = NULL;

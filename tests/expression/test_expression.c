@@ -22,7 +22,7 @@ static void ck_assert_derivatives(const char *text, size_t d, const double *x,
                                   int i, int j, const double want[3],
                                   const double units[3])
 {
-    const fvi_names names = { "x", d, NULL, 0 };
+    const fvi_symbols names = { "x", d, NULL, 0 };
     fvi_expression *e = parsed(text, &names, NULL);
     const fvi_potential P = fvi_potential_expression(e);
     double got[3], grad[3], H[9];
@@ -81,7 +81,7 @@ START_TEST(powers_are_right_where_logarithms_are_not)
                   { "1-2-3+x", 1, { -3, 1, 0 } } };
     const double three = 3;
     const char *const k[] = { "k" };
-    const fvi_names names = { "x", 1, k, 1 };
+    const fvi_symbols names = { "x", 1, k, 1 };
     for (size_t n = 0; n < LEN(cases); n++) {
         fvi_expression *e = parsed(cases[n].text, &names, &three);
         const fvi_potential P = fvi_potential_expression(e);
@@ -137,7 +137,7 @@ START_TEST(a_factor_before_a_sum_goes_to_each_term)
     };
     const char *const k[] = { "k" };
     const double value = 3, x[] = { 0.7, -1.3 };
-    const fvi_names names = { "x", 2, k, 1 };
+    const fvi_symbols names = { "x", 2, k, 1 };
     for (size_t n = 0; n < LEN(same); n++) {
         double v[2], g[2][2];
         for (int i = 0; i < 2; i++) {
@@ -159,21 +159,21 @@ START_TEST(parameters_have_derivatives_too)
 {
     const char *const kc[] = { "k", "c" };
     const double values[] = { 3, 0 }, x[] = { 2, 5 };
-    const fvi_names names = { "x", 2, kc, 2 };
+    const fvi_symbols names = { "x", 2, kc, 2 };
     fvi_expression *e = parsed("k*x1^2*x2 + exp(c*x2)", &names, values);
     double by, grad[2];
-    fvi_expression_by_parameter(e, 0, x, &by, grad);
+    fvi_expression_parameter_gradient(e, 0, x, &by, grad);
     ck_assert(by == 20 && grad[0] == 20 && grad[1] == 4);
-    fvi_expression_by_parameter(e, 1, x, &by, grad);
+    fvi_expression_parameter_gradient(e, 1, x, &by, grad);
     ck_assert(by == 5 && grad[0] == 0 && grad[1] == 1);
-    fvi_expression_by_parameter(e, 1, x, &by, NULL);
+    fvi_expression_parameter_gradient(e, 1, x, &by, NULL);
     ck_assert(by == 5);
     ck_assert(fvi_expression_value(e, x) == 61);
     fvi_expression_free(e);
     const double exponent = 2, two = 2; /* x^k by k: x^k log x */
-    const fvi_names power = { "x", 1, kc, 1 };
+    const fvi_symbols power = { "x", 1, kc, 1 };
     e = parsed("x^k", &power, &exponent);
-    fvi_expression_by_parameter(e, 0, &two, &by, grad);
+    fvi_expression_parameter_gradient(e, 0, &two, &by, grad);
     ck_assert_ulp(by, 4 * 0.69314718055994531, 1, "x^k");
     ck_assert_ulp(grad[0], 2 * (1 + 2 * 0.69314718055994531), 2, "2 x + ...");
     fvi_expression_free(e);
@@ -194,7 +194,7 @@ START_TEST(a_run_is_that_of_the_potential_that_is_built_in)
     };
     static double x[2][401 * 2];
     for (size_t d = 1; d <= 2; d++) {
-        const fvi_names names = { "x", d, kc, 2 }, time = { "t", 1, NULL, 0 };
+        const fvi_symbols names = { "x", d, kc, 2 }, time = { "t", 1, NULL, 0 };
         fvi_expression *e = parsed(text[d - 1], &names, cg),
                        *F = parsed("cos(2*t)/4", &time, NULL);
         const fvi_system s[] = { { d, m, rho, fvi_potential_expression(e),

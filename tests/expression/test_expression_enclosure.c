@@ -28,7 +28,7 @@ static const char *const texts[] = {
 };
 static const double k = 1.25;
 static const char *const letters[] = { "k" };
-static const fvi_names of_time = { "t", 1, letters, 1 };
+static const fvi_symbols of_time = { "t", 1, letters, 1 };
 
 /* Derivative n over n! of F at t, by the complex integral on a small circle: here by high
  * differences, which are good to a few digits. */

@@ -70,7 +70,7 @@ static char *nested(size_t n, const char *front, const char *middle,
 
 static int status_of(char *text, size_t d)
 {
-    const fvi_names names = { "x", d, NULL, 0 };
+    const fvi_symbols names = { "x", d, NULL, 0 };
     fvi_expression *e = NULL;
     int status = fvi_expression_parse(text, &names, NULL, &e, NULL);
     fvi_expression_free(e);
@@ -125,7 +125,7 @@ START_TEST(the_structure_is_seen)
         { "x4*x1", 4, 4, 1 },
     };
     for (size_t n = 0; n < LEN(cases); n++) {
-        const fvi_names names = { "x", cases[n].d, NULL, 0 };
+        const fvi_symbols names = { "x", cases[n].d, NULL, 0 };
         fvi_expression *e = parsed(cases[n].text, &names, NULL);
         const fvi_potential P = fvi_potential_expression(e);
         ck_assert_msg(P.diagonals == cases[n].diagonals
@@ -138,12 +138,12 @@ END_TEST
 
 START_TEST(names_are_free_or_taken)
 {
-    ck_assert(fvi_name_is_free("k", "x") && fvi_name_is_free("_k2", "x"));
-    ck_assert(fvi_name_is_free("xi", "x") && fvi_name_is_free("t", "x"));
-    ck_assert(!fvi_name_is_free("x", "x") && !fvi_name_is_free("x12", "x"));
-    ck_assert(!fvi_name_is_free("sin", "x") && !fvi_name_is_free("pi", "x"));
-    ck_assert(!fvi_name_is_free("", "x") && !fvi_name_is_free("2k", "x"));
-    ck_assert(!fvi_name_is_free("k-1", "x") && !fvi_name_is_free("t", "t"));
+    ck_assert(fvi_symbol_is_free("k", "x") && fvi_symbol_is_free("_k2", "x"));
+    ck_assert(fvi_symbol_is_free("xi", "x") && fvi_symbol_is_free("t", "x"));
+    ck_assert(!fvi_symbol_is_free("x", "x") && !fvi_symbol_is_free("x12", "x"));
+    ck_assert(!fvi_symbol_is_free("sin", "x") && !fvi_symbol_is_free("pi", "x"));
+    ck_assert(!fvi_symbol_is_free("", "x") && !fvi_symbol_is_free("2k", "x"));
+    ck_assert(!fvi_symbol_is_free("k-1", "x") && !fvi_symbol_is_free("t", "t"));
 }
 END_TEST
 

@@ -33,10 +33,10 @@ START_TEST(codes_are_gsl_s_numbers_and_have_words)
     for (size_t i = 0; i < LEN(codes); i++) {
         ck_assert_int_eq(codes[i][0], codes[i][1]);
         for (size_t j = 0; j < i; j++)
-            ck_assert_str_ne(fvi_strerror(codes[i][0]),
-                             fvi_strerror(codes[j][0]));
+            ck_assert_str_ne(fvi_error_name(codes[i][0]),
+                             fvi_error_name(codes[j][0]));
     }
-    ck_assert_str_eq(fvi_strerror(-1), fvi_strerror(12345));
+    ck_assert_str_eq(fvi_error_name(-1), fvi_error_name(12345));
 }
 END_TEST
 
@@ -60,13 +60,13 @@ START_TEST(a_handler_hears_of_an_error_once)
 {
     double w[4];
     ck_assert(fvi_set_error_handler(note) == NULL);
-    ck_assert_int_eq(fvi_coefficients(2.5, 4, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_gl_weights(2.5, 4, w), FVI_EDOM);
     ck_assert(calls == 1 && last_code == FVI_EDOM);
     ck_assert(fvi_set_error_handler(note_too) == note);
-    ck_assert_int_eq(fvi_coefficients(0.5, 4, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_gl_weights(0.5, 4, NULL), FVI_EFAULT);
     ck_assert(calls == 2 && last_code == FVI_EFAULT);
     ck_assert(fvi_set_error_handler(NULL) == note_too);
-    ck_assert_int_eq(fvi_coefficients(2.5, 4, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_gl_weights(2.5, 4, w), FVI_EDOM);
     ck_assert_int_eq(calls, 2);
 }
 END_TEST
@@ -121,7 +121,7 @@ static int load(void)
     fvi_system system;
     const fvi_run run = wide_run(&system);
     double out;
-    return fvi_stability_load(&fvi_fractional, &run, &out);
+    return fvi_stability_number(&fvi_fractional, &run, &out);
 }
 
 static int load_of_stages(void)
@@ -134,54 +134,54 @@ static int load_of_stages(void)
 
 static int fft(void)
 {
-    fvi_memory *memory, *twin;
-    int status = fvi_memory_alloc(0.5, 1, 1 << 15, FVI_MEMORY_FFT, 0, &memory);
+    fvi_history *memory, *twin;
+    int status = fvi_history_alloc(0.5, 1, 1 << 15, FVI_HISTORY_FFT, 0, &memory);
     if (status)
         return status;
-    status = fvi_memory_copy(memory, &twin);
-    fvi_memory_free(memory);
+    status = fvi_history_copy(memory, &twin);
+    fvi_history_free(memory);
     if (status)
         return status;
     double x = 1;
-    status = fvi_memory_push(twin, &x, &x, &x);
-    fvi_memory_free(twin);
+    status = fvi_history_push(twin, &x, &x, &x);
+    fvi_history_free(twin);
     return status;
 }
 
-static int fork_a_run(const fvi_method *method, fvi_memory_kind kind)
+static int fork_a_run(const fvi_method *method, fvi_history_kind kind)
 {
     fvi_system system;
     fvi_run run = wide_run(&system);
     run.memory = kind;
     fvi_stepper *s, *twin;
-    int status = fvi_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s);
     if (status)
         return status;
-    status = fvi_copy(s, &twin);
-    fvi_stop(s);
+    status = fvi_stepper_copy(s, &twin);
+    fvi_stepper_free(s);
     if (!status)
-        fvi_stop(twin);
+        fvi_stepper_free(twin);
     return status;
 }
 
 static int fork_direct(void)
 {
-    return fork_a_run(&fvi_bdf2, FVI_MEMORY_DIRECT);
+    return fork_a_run(&fvi_cq_bdf2, FVI_HISTORY_DIRECT);
 }
 
 static int fork_fft(void)
 {
-    return fork_a_run(&fvi_fractional, FVI_MEMORY_FFT);
+    return fork_a_run(&fvi_fractional, FVI_HISTORY_FFT);
 }
 
 static int fork_exponentials(void)
 {
-    return fork_a_run(&fvi_shifted, FVI_MEMORY_EXPONENTIALS);
+    return fork_a_run(&fvi_cq2_shifted, FVI_HISTORY_MODES);
 }
 
 static int fork_stages(void)
 {
-    return fork_a_run(&fvi_lobatto4, FVI_MEMORY_EXPONENTIALS);
+    return fork_a_run(&fvi_lobatto_m4, FVI_HISTORY_MODES);
 }
 
 static double line(double t, const void *params)
@@ -205,11 +205,11 @@ static int quadrature(void)
 
 static int exact(void)
 {
-    const fvi_linear problem = {
+    const fvi_linear_oscillator problem = {
         .m = 1, .c = 1, .rho = 1, .alpha = 0.3, .x0 = 1
     };
     static double x[1 << 15];
-    return fvi_exact(&problem, LEN(x), x, x, NULL);
+    return fvi_exact_at(&problem, LEN(x), x, x, NULL);
 }
 
 static int matrix(void)
@@ -222,7 +222,7 @@ static int matrix(void)
 static int growth(void)
 {
     double out;
-    return fvi_growth(0.75, 0.5, 1, 100, &out);
+    return fvi_amplification(0.75, 0.5, 1, 100, &out);
 }
 
 /* A stack that has been as large as this need not grow under a limit, which would be the end
@@ -319,7 +319,7 @@ START_TEST(gsl_s_handler_is_left_as_it_was)
     ck_assert_int_eq(quadrature(), 0);
     ck_assert_int_eq(growth(), 0);
     const gsl_function no_root = { negative, NULL };
-    ck_assert_int_eq(fvi_growth_of_symbol(no_root, -1, &out), FVI_EINVAL);
+    ck_assert_int_eq(fvi_amplification_of_kernel(no_root, -1, &out), FVI_EINVAL);
     ck_assert(out == 7);
     ck_assert_int_eq(calls, 0);
     ck_assert(gsl_set_error_handler(before) == gsl_s);

@@ -38,8 +38,8 @@ START_TEST(eq_9_2_trajectories_are_the_exact_ones)
                           .h = ref_runs[r].h,
                           .steps = ref_runs[r].steps,
                           .past = ref_runs[r].caputo
-                                      ? FVI_PAST_CAPUTO
-                                      : FVI_PAST_RIEMANN_LIOUVILLE };
+                                      ? FVI_INITIAL_HISTORY_CAPUTO
+                                      : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
         double x[40], p[40];
         run(&fvi_fractional, &a, &system, ref_runs[r].x0, ref_runs[r].p0, x, p);
         //> row-by-row
@@ -61,7 +61,7 @@ START_TEST(eq_9_4_three_steps_by_hand)
     const double want_x[] = { 0, 1, 0.5, 0 },
                  want_p[] = { 1, -0.5, -0.5, -0.3125 };
     const setup a = { .alpha = 0.75,
-                      .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                      .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                       .kappa = 0,
                       .h = 1,
                       .steps = 3,
@@ -120,7 +120,7 @@ START_TEST(eq_9_4_momentum_form_equals_the_three_terms)
                      kappa = kappas[i / LEN(alphas) % LEN(kappas)];
         const int kind = one_dimensional[i / LEN(alphas) / LEN(kappas)];
         const setup a = {
-            alpha, kappa, 0.1,  60,       FVI_PAST_RIEMANN_LIOUVILLE, 2, 0.3,
+            alpha, kappa, 0.1,  60,       FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 2, 0.3,
             0.5,   0.3,   kind, { 1, 1 }, { .value = ramp, .params = (void *)&slope }
         };
         double fast[61], p[61], literal[61];
@@ -140,7 +140,7 @@ START_TEST(eq_9_3_kappa_and_1_minus_kappa_differ_beyond_quadratic_potentials)
 {
     for (int kind = HARMONIC; kind <= CUBIC; kind++) {
         const setup a = {
-            0.3, 0.25, 0.125,    20,   FVI_PAST_RIEMANN_LIOUVILLE, 1, 0.5, 0.5,
+            0.3, 0.25, 0.125,    20,   FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 1, 0.5, 0.5,
             0.3, kind, { 1, 1 }, { 0 }
         };
         double x[21], p[21], other[21];
@@ -163,12 +163,12 @@ END_TEST
 START_TEST(eq_9_4_without_damping_it_is_algorithm_1)
 {
     for (size_t i = 0; i < LEN(one_dimensional); i++) {
-        const setup a = { 0.3,      0.5,  0.1, 100, FVI_PAST_RIEMANN_LIOUVILLE,
+        const setup a = { 0.3,      0.5,  0.1, 100, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           2,        0,    0.5, 0.3, one_dimensional[i],
                           { 1, 1 }, { 0 } };
         double x[101], p[101], want[101];
         solve(&fvi_fractional, &a, x, p);
-        solve(&fvi_variational, &a, want, NULL);
+        solve(&fvi_midpoint_variational, &a, want, NULL);
         ck_assert_near(farthest(101, x, want), 0, rounding(&a, x, p),
                        "potential %d", a.potential);
     }
@@ -188,8 +188,8 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
                                 fvi_potential_harmonic(&c),
                                 { .value = ramp, .params = (void *)slope },
                                 NULL };
-    const fvi_past pasts[] = { FVI_PAST_RIEMANN_LIOUVILLE, FVI_PAST_HELD,
-                               FVI_PAST_CAPUTO };
+    const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_HELD,
+                               FVI_INITIAL_HISTORY_CAPUTO };
     double undamped[51] = { 0 };
     for (size_t i = 0; i < LEN(alphas) * LEN(kappas) * LEN(pasts); i++) {
         double both[102], alone[51], p_both[102], p_alone[51];
@@ -242,7 +242,7 @@ START_TEST(eq_9_3_the_modes_of_a_chain_decouple)
                             0.25,
                             0.125,
                             N,
-                            FVI_PAST_RIEMANN_LIOUVILLE,
+                            FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                             mass[0],
                             rho[0],
                             1,
@@ -269,7 +269,7 @@ START_TEST(eq_9_5_the_kick)
     const double alphas[] = { 0, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9, 1 };
     for (size_t i = 0; i < LEN(alphas); i++) {
         const setup a = {
-            alphas[i], 0.5,  0.01, 100, FVI_PAST_RIEMANN_LIOUVILLE,
+            alphas[i], 0.5,  0.01, 100, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
             0x1p60,    0.3,  1,    0,   HARMONIC,
             { 0, 0 },  { 0 }
         };
@@ -298,7 +298,7 @@ START_TEST(eq_9_6_caputo_knows_no_origin)
 {
     const double alphas[] = { 0.1, 0.25, 0.5, 0.75, 1 };
     for (size_t i = 0; i < LEN(alphas); i++) {
-        setup a = { alphas[i], 0.5, 0.125, 60,       FVI_PAST_CAPUTO, 1,
+        setup a = { alphas[i], 0.5, 0.125, 60,       FVI_INITIAL_HISTORY_CAPUTO, 1,
                     0.5,       0,   0.75,  HARMONIC, { 0, 0 },        { 0 } };
         double here[61], there[61], p[61], paper[61];
         solve(&fvi_fractional, &a, here, p);
@@ -310,7 +310,7 @@ START_TEST(eq_9_6_caputo_knows_no_origin)
             if (a.alpha > 0.5)
                 ck_assert_double_eq(there[k], 8 + 0.75 * 0.125 * (double)k);
         }
-        a.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        a.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         solve(&fvi_fractional, &a, paper, NULL);
         if (a.alpha == 0.5)
             ck_assert_mem_eq(paper, there, sizeof there);

@@ -92,10 +92,10 @@ static const int codes[] = { -7, 12345, FVI_ESING, FVI_EMAXITER, FVI_EOVRFLW };
 /* ---- runs ---- */
 
 static const fvi_method *const methods[] = {
-    &fvi_fractional,     &fvi_shifted,        &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,       &fvi_lobatto4,
+    &fvi_fractional,     &fvi_cq2_shifted,        &fvi_cq_bdf2,
+    &fvi_lobatto_m2,       &fvi_lobatto_m3,       &fvi_lobatto_m4,
     &fvi_euler_explicit, &fvi_euler_implicit, &fvi_lagrange_dalembert,
-    &fvi_variational
+    &fvi_midpoint_variational
 };
 
 /* The n-th call of one of the functions fails, for n = 0, 1, ... until a run does not
@@ -107,7 +107,7 @@ static size_t fail_everywhere(const fvi_method *method, double g, int kind,
     enum { ROWS = (N + 1) * D };
     patient a = { { 1, g }, { 1, 2 }, kind, code, SIZE_MAX, 0, 0 };
     fvi_system system = system_of(&a, D);
-    if (method == &fvi_variational) {
+    if (method == &fvi_midpoint_variational) {
         system.damping = none;
         system.force = (fvi_force){ 0 };
     }
@@ -154,11 +154,11 @@ START_TEST(a_callback_that_fails_ends_the_run_with_its_code)
                     if (kind == VALUE)
                         ck_assert_uint_eq(calls, N + 1);
                     if (kind == GRADIENT
-                        || (kind == FORCE && methods[m] != &fvi_variational))
+                        || (kind == FORCE && methods[m] != &fvi_midpoint_variational))
                         ck_assert_uint_ge(calls, N);
                     if (kind == HESSIAN && g == 1
                         && methods[m] != &fvi_euler_explicit
-                        && methods[m] != &fvi_lobatto2)
+                        && methods[m] != &fvi_lobatto_m2)
                         ck_assert_uint_ge(calls, N);
                 }
     fvi_set_error_handler(before);
@@ -208,7 +208,7 @@ static int load(const fvi_system *s)
     fvi_run run = fvi_run_default(s, x0, ones, 0.125, N);
     double out;
     run.kappa = 0.25;
-    return fvi_stability_load(&fvi_fractional, &run, &out);
+    return fvi_stability_number(&fvi_fractional, &run, &out);
 }
 
 static int longest(const fvi_system *s)
@@ -216,7 +216,7 @@ static int longest(const fvi_system *s)
     fvi_run run = fvi_run_default(s, x0, ones, 0.125, N);
     double out;
     run.kappa = 0.25;
-    return fvi_stability_step(&fvi_fractional, &run, &out);
+    return fvi_stability_longest_step(&fvi_fractional, &run, &out);
 }
 
 static int load_of_stages(const fvi_system *s)
@@ -304,7 +304,7 @@ static int search(const fvi_system *s)
     const fvi_run run = fvi_run_default(s, x0, ones, 0.125, N);
     double x[(N + 1) * D];
     fvi_step_found found;
-    return fvi_step_search(&fvi_shifted, &run, 1e-2, 4096, x, NULL, &found);
+    return fvi_step_search(&fvi_cq2_shifted, &run, 1e-2, 4096, x, NULL, &found);
 }
 
 START_TEST(what_a_callback_returns_comes_back_from_every_function)

@@ -9,10 +9,10 @@
 enum { N = 300, D = 3, ROWS = (N + 1) * D };
 
 static const fvi_method *const methods[] = {
-    &fvi_fractional,     &fvi_shifted,        &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,       &fvi_lobatto4,
+    &fvi_fractional,     &fvi_cq2_shifted,        &fvi_cq_bdf2,
+    &fvi_lobatto_m2,       &fvi_lobatto_m3,       &fvi_lobatto_m4,
     &fvi_euler_explicit, &fvi_euler_implicit, &fvi_lagrange_dalembert,
-    &fvi_variational
+    &fvi_midpoint_variational
 };
 
 static const double mass[] = { 1, 2, 0.5 }, none[D], rho[] = { 0.5, 0, 0.25 },
@@ -23,7 +23,7 @@ static void go_on(fvi_stepper *s, size_t k, const double *x, const double *p)
 {
     int same = 1;
     while (same && s->k < k)
-        same = fvi_step(s) == 0
+        same = fvi_stepper_step(s) == 0
                && memcmp(s->x, x + s->k * D, D * sizeof *x) == 0
                && memcmp(s->p, p + s->k * D, D * sizeof *p) == 0
                && s->t == (double)s->k * s->run.h;
@@ -36,31 +36,31 @@ static void go_on(fvi_stepper *s, size_t k, const double *x, const double *p)
 static void fork_at(const fvi_method *method, const fvi_run *given, size_t k,
                     const double *x, const double *p)
 {
-    double start[2][D]; /* is not read after fvi_start */
+    double start[2][D]; /* is not read after fvi_stepper_start */
     fvi_run run = *given;
     run.x0 = memcpy(start[0], given->x0, sizeof start[0]);
     run.p0 = memcpy(start[1], given->p0, sizeof start[1]);
     fvi_stepper *s, *twin, *late;
-    ck_assert_int_eq(fvi_start(method, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(method, &run, &s), 0);
     memset(start, 0xff, sizeof start);
     go_on(s, k, x, p);
-    ck_assert_int_eq(fvi_copy(s, &twin), 0);
-    ck_assert_int_eq(fvi_copy(s, &late), 0);
+    ck_assert_int_eq(fvi_stepper_copy(s, &twin), 0);
+    ck_assert_int_eq(fvi_stepper_copy(s, &late), 0);
     ck_assert_uint_eq(twin->k, k);
     for (size_t l = k; l < N; l += 10) { /* N - k is not always whole tens */
         go_on(s, l + 10 < N ? l + 10 : N, x, p);
         go_on(twin, l + 10 < N ? l + 10 : N, x, p);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     go_on(late, N, x, p);
-    fvi_stop(late);
-    ck_assert_int_eq(fvi_reset(twin), 0);
+    fvi_stepper_free(late);
+    ck_assert_int_eq(fvi_stepper_reset(twin), 0);
     ck_assert_uint_eq(twin->k, 0);
     ck_assert(twin->t == 0);
     ck_assert_mem_eq(twin->x, x, D * sizeof *x);
     ck_assert_mem_eq(twin->p, p, D * sizeof *p);
     go_on(twin, N, x, p);
-    fvi_stop(twin);
+    fvi_stepper_free(twin);
 }
 
 static void fork_a_run(const fvi_method *method, const fvi_run *run)
@@ -82,11 +82,11 @@ START_TEST(a_copy_and_a_reset_give_the_same_digits)
     size_t runs = 0;
     for (size_t m = 0; m < LEN(methods); m++)
         for (size_t a = 0; a < LEN(alphas); a++)
-            for (int kind = FVI_MEMORY_DIRECT; kind <= FVI_MEMORY_EXPONENTIALS;
+            for (int kind = FVI_HISTORY_DIRECT; kind <= FVI_HISTORY_MODES;
                  kind++)
-                for (int past = FVI_PAST_HELD;
-                     past <= FVI_PAST_RIEMANN_LIOUVILLE; past++) {
-                    const int quiet = methods[m] == &fvi_variational;
+                for (int past = FVI_INITIAL_HISTORY_HELD;
+                     past <= FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE; past++) {
+                    const int quiet = methods[m] == &fvi_midpoint_variational;
                     const fvi_system system = {
                         D,
                         mass,
@@ -98,13 +98,13 @@ START_TEST(a_copy_and_a_reset_give_the_same_digits)
                     fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
                     run.alpha = alphas[a];
                     run.kappa = 0.25;
-                    run.memory = (fvi_memory_kind)kind;
-                    run.past = (fvi_past)past;
-                    if (past == FVI_PAST_RIEMANN_LIOUVILLE && run.alpha > 0.5)
+                    run.memory = (fvi_history_kind)kind;
+                    run.past = (fvi_initial_history)past;
+                    if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && run.alpha > 0.5)
                         run.x0 = rest;
                     if (run.alpha < methods[m]->alpha_least
                         || run.alpha > methods[m]->alpha_most
-                        || (methods[m]->stages && kind == FVI_MEMORY_FFT))
+                        || (methods[m]->stages && kind == FVI_HISTORY_FFT))
                         continue;
                     fork_a_run(methods[m], &run);
                     runs++;
@@ -126,17 +126,17 @@ START_TEST(a_fork_goes_on_under_another_force)
         const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
         fvi_stepper *s, *twin;
         ck_assert_int_eq(fvi_trajectory(methods[m], &run, x, p, NULL), 0);
-        ck_assert_int_eq(fvi_start(methods[m], &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(methods[m], &run, &s), 0);
         go_on(s, 130, x, p);
-        ck_assert_int_eq(fvi_copy(s, &twin), 0);
+        ck_assert_int_eq(fvi_stepper_copy(s, &twin), 0);
         push[0] = 3;
         while (s->k < N)
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert(fabs(s->x[0] - x[N * D]) > 0.1);
         push[0] = 1;
         go_on(twin, N, x, p);
-        fvi_stop(s);
-        fvi_stop(twin);
+        fvi_stepper_free(s);
+        fvi_stepper_free(twin);
     }
 }
 END_TEST
@@ -158,29 +158,29 @@ START_TEST(a_run_that_failed_begins_anew)
     };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     static double x[ROWS], p[ROWS];
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &run, x, p, NULL), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, p, NULL), 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_bdf2, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s), 0);
     fail = -3;
-    while (fvi_step(s) == 0) {
+    while (fvi_stepper_step(s) == 0) {
     }
     ck_assert_uint_eq(s->k, 16); /* F is asked for just behind t = 1 */
     fail = 0;
-    ck_assert_int_eq(fvi_reset(s), 0);
+    ck_assert_int_eq(fvi_stepper_reset(s), 0);
     go_on(s, N, x, p);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
 static int leave(fvi_stepper *s)
 {
-    s->own = malloc(1);
-    return s->own ? 0 : FVI_ENOMEM;
+    s->method_state = malloc(1);
+    return s->method_state ? 0 : FVI_ENOMEM;
 }
 
 static void forget(fvi_stepper *s)
 {
-    free(s->own);
+    free(s->method_state);
 }
 
 static int stay(fvi_stepper *s)
@@ -199,19 +199,19 @@ START_TEST(copy_and_reset_refuse)
     const fvi_system system = { D, mass, rho, { 0 }, { 0 }, NULL };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     fvi_stepper *s, *to = NULL;
-    fvi_memory *memory, *twin = NULL;
-    ck_assert_int_eq(fvi_start(&mine, &run, &s), 0);
-    ck_assert_int_eq(fvi_copy(s, &to), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_copy(s, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_copy(NULL, &to), FVI_EFAULT);
-    ck_assert_int_eq(fvi_reset(NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_reset(s), 0);
-    fvi_stop(s);
-    ck_assert_int_eq(fvi_memory_alloc(0.5, 1, 9, FVI_MEMORY_FFT, 0, &memory),
+    fvi_history *memory, *twin = NULL;
+    ck_assert_int_eq(fvi_stepper_start(&mine, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_copy(s, &to), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_copy(s, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_copy(NULL, &to), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_reset(NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_reset(s), 0);
+    fvi_stepper_free(s);
+    ck_assert_int_eq(fvi_history_alloc(0.5, 1, 9, FVI_HISTORY_FFT, 0, &memory),
                      0);
-    ck_assert_int_eq(fvi_memory_copy(memory, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_memory_copy(NULL, &twin), FVI_EFAULT);
-    fvi_memory_free(memory);
+    ck_assert_int_eq(fvi_history_copy(memory, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_history_copy(NULL, &twin), FVI_EFAULT);
+    fvi_history_free(memory);
     ck_assert_ptr_null(to);
     ck_assert_ptr_null(twin);
 }

@@ -48,7 +48,7 @@ START_TEST(eq_9_4_momentum_form_does_not_amplify_rounding)
 {
     const double aT[] = { 8, 1 };
     const setup a = {
-        0.75, 0.5, 0.005,    4000,     FVI_PAST_RIEMANN_LIOUVILLE, 1, 1,
+        0.75, 0.5, 0.005,    4000,     FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 1, 1,
         0,    0,   HARMONIC, { 1, 0 }, fvi_force_step(aT)
     };
     static double x[4001], literal[4001], want[4001];
@@ -68,7 +68,7 @@ END_TEST
 /* A run of 10000 steps, twice: the same bits. */
 START_TEST(eq_9_4_long_runs_are_reproducible)
 {
-    const setup a = { 0.3,      0.5,  0.05, 10000, FVI_PAST_RIEMANN_LIOUVILLE,
+    const setup a = { 0.3,      0.5,  0.05, 10000, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                       1,        0.2,  1,    0.5,   PENDULUM,
                       { 1, 0 }, { 0 } };
     static double x[10001], again[10001];
@@ -180,7 +180,7 @@ START_TEST(eq_9_7_order_two_against_the_delayed_equation)
                               .kappa = 0.5,
                               .h = 2 / (double)N,
                               .steps = N,
-                              .past = FVI_PAST_CAPUTO,
+                              .past = FVI_INITIAL_HISTORY_CAPUTO,
                               .mass = 1,
                               .rho = 0.5,
                               .x0 = ref_delayed[i].x0,
@@ -241,9 +241,9 @@ static double series(const setup *a, double t)
             double e = 2 * i + (2 - b) * j, x = c * a->x0 * pow(t, e),
                    v = c * a->p0 * pow(t, e + 1);
             sum += x / tgamma(e + 1) + v / tgamma(e + 2);
-            if (a->past != FVI_PAST_RIEMANN_LIOUVILLE)
+            if (a->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
                 sum += a->rho * later * x / tgamma(e + 3 - b);
-            if (a->past == FVI_PAST_CAPUTO && b > 1)
+            if (a->past == FVI_INITIAL_HISTORY_CAPUTO && b > 1)
                 sum += a->rho * later * v / tgamma(e + 4 - b);
         }
     return sum;
@@ -259,14 +259,14 @@ START_TEST(eq_9_5_order_is_lost_where_x0_is_not_zero_and_eq_9_6_restores_it)
 {
     const double alphas[] = { 0.1, 0.25, 0.4, 0.6, 0.75, 0.9 };
     for (size_t i = 0; i < LEN(alphas); i++) {
-        setup a = { alphas[i], 0.5,  0, 0,   FVI_PAST_RIEMANN_LIOUVILLE,
+        setup a = { alphas[i], 0.5,  0, 0,   FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                     1,         0.2,  1, 0.5, HARMONIC,
                     { 1, 0 },  { 0 } };
         const double printed = slope(a, 2, 320, as_it_is, series),
                      no_kick = slope(a, 2, 320, without_kick, series);
-        a.past = FVI_PAST_CAPUTO;
+        a.past = FVI_INITIAL_HISTORY_CAPUTO;
         const double caputo = slope(a, 2, 320, as_it_is, series);
-        a.past = FVI_PAST_HELD;
+        a.past = FVI_INITIAL_HISTORY_HELD;
         const double held = slope(a, 2, 320, as_it_is, series);
         ck_assert_near(printed, 1 - 2 * a.alpha, 0.04, "as printed, %zu", i);
         ck_assert_near(no_kick, 1, 0.04, "without the kick, %zu", i);
@@ -295,7 +295,7 @@ START_TEST(eq_9_5_the_kick_drives_a_run_away)
                     0.5,
                     15 / (double)N,
                     N,
-                    FVI_PAST_RIEMANN_LIOUVILLE,
+                    FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                     1,
                     0.2,
                     1,

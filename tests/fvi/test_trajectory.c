@@ -57,18 +57,18 @@ START_TEST(rows_are_the_same_streamed_and_stored)
                      0);
     ck_assert_mem_eq(p, only, sizeof p);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++) {
         ck_assert_uint_eq(s->k, k);
         ck_assert_double_eq(s->t, (double)k * 0.1);
         ck_assert_mem_eq(s->x, x + 2 * k, 2 * sizeof *x);
         ck_assert_mem_eq(s->p, p + 2 * k, 2 * sizeof *p);
         ck_assert_double_eq(energy[k], energy_of(&system, s->x, s->p));
-        ck_assert_int_eq(fvi_step(s), k < N ? FVI_SUCCESS : FVI_EINVAL);
+        ck_assert_int_eq(fvi_stepper_step(s), k < N ? FVI_SUCCESS : FVI_EINVAL);
     }
     ck_assert_uint_eq(s->k, N); /* the run was over, and nothing was touched */
     ck_assert_mem_eq(s->x, x + 2 * N, 2 * sizeof *x);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -89,12 +89,12 @@ START_TEST(what_needs_no_memory_takes_none)
                               .steps = (size_t)1 << 50,
                               .kappa = 0.5,
                               .alpha = alphas[i],
-                              .memory = FVI_MEMORY_DIRECT };
+                              .memory = FVI_HISTORY_DIRECT };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
         for (size_t k = 0; k < 100; k++)
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-        fvi_stop(s);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -128,7 +128,7 @@ START_TEST(start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *s = (fvi_stepper *)&bad;                                  \
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &bad, &s), code);          \
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &bad, &s), code);          \
         ck_assert_ptr_eq(s, &bad);                                             \
         double x[] = { 7 };                                                    \
         ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &bad, x, x, x),       \
@@ -161,27 +161,27 @@ START_TEST(start_refuses)
     WITH(tolerance, -1, FVI_EDOM)
     WITH(tolerance, 1, FVI_EDOM)
     WITH(tolerance, nan, FVI_EDOM)
-    WITH(memory, (fvi_memory_kind)99, FVI_EINVAL)
+    WITH(memory, (fvi_history_kind)99, FVI_EINVAL)
 #undef WITH
     fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_start(NULL, &run, &s), FVI_EFAULT);
-    ck_assert_int_eq(fvi_start(&fvi_fractional, NULL, &s), FVI_EFAULT);
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_start(&fvi_variational, &run, &s), FVI_EINVAL);
-    ck_assert_int_eq(fvi_start(&fvi_lagrange_dalembert, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(NULL, &run, &s), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, NULL, &s), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &run, &s), FVI_EDOM);
     fvi_run forced = run;
     forced.system = &pushed;
-    ck_assert_int_eq(fvi_start(&fvi_variational, &forced, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &forced, &s), FVI_EINVAL);
     ck_assert_ptr_null(s);
     fvi_run undamped = forced; /* no memory is there to refuse these */
     undamped.alpha = 1.1;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
     undamped.alpha = 0.5;
     undamped.h = -0.1; /* nor a solver */
-    ck_assert_int_eq(fvi_start(&fvi_euler_explicit, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &undamped, &s), FVI_EDOM);
     undamped.h = 1;
     undamped.tolerance = 1;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
     ck_assert_ptr_null(s);
     fvi_run long_run = forced; /* starts, but cannot be stored */
     long_run.steps = SIZE_MAX;
@@ -189,8 +189,8 @@ START_TEST(start_refuses)
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &long_run, x, NULL, NULL),
                      FVI_EINVAL);
     ck_assert_double_eq(x[0], 7);
-    ck_assert_int_eq(fvi_step(NULL), FVI_EFAULT);
-    fvi_stop(NULL);
+    ck_assert_int_eq(fvi_stepper_step(NULL), FVI_EFAULT);
+    fvi_stepper_free(NULL);
 }
 END_TEST
 
@@ -222,11 +222,11 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
                        k);
     ck_assert_double_eq(x[4], 7); /* rows that are not there are not written */
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
-    while (fvi_step(s) == FVI_SUCCESS)
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    while (fvi_stepper_step(s) == FVI_SUCCESS)
         continue;
     ck_assert_uint_eq(s->k, 3);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     fvi_set_error_handler(before);
 }
 END_TEST
@@ -253,11 +253,11 @@ START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
                           .kappa = 0.5,
                           .alpha = 0.5 };
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_step(s), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_step(s), FVI_EOVRFLW);
     ck_assert_uint_eq(s->k, 1);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -288,10 +288,10 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
                               .kappa = 0.5,
                               .alpha = 0.3 };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_step(s), bad[i].status);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), bad[i].status);
         ck_assert_uint_eq(s->k, 0);
-        fvi_stop(s);
+        fvi_stepper_free(s);
         double x[6] = { 7, 7, 7, 7, 7, 7 };
         ck_assert_int_eq(
             fvi_algorithm_3(&system, 0.3, 0.5, 1, 5, run.x0[0], 1, x),
@@ -305,9 +305,9 @@ END_TEST
 START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
 {
     const fvi_method *const methods[] = {
-        &fvi_variational, &fvi_lagrange_dalembert,
-        &fvi_fractional,  &fvi_shifted,
-        &fvi_bdf2,        &fvi_euler_implicit
+        &fvi_midpoint_variational, &fvi_lagrange_dalembert,
+        &fvi_fractional,  &fvi_cq2_shifted,
+        &fvi_cq_bdf2,        &fvi_euler_implicit
     };
     for (size_t i = 0; i < 2 * LEN(methods); i++) {
         const fvi_method *method = methods[i / 2];
@@ -326,10 +326,10 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
                               .kappa = 0.5,
                               .alpha = 0.5 };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(method, &run, &s), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_step(s), i % 2 ? FVI_ESING : FVI_EMAXITER);
+        ck_assert_int_eq(fvi_stepper_start(method, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), i % 2 ? FVI_ESING : FVI_EMAXITER);
         ck_assert_uint_eq(s->k, 0);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST

@@ -27,7 +27,7 @@ START_TEST(eq_7_2_products_match_the_definition)
     for (size_t i = 0; i < LEN(ref_products); i++) {
         size_t k = ref_products[i].k;
         double alpha = ref_products[i].alpha, beta = ref_products[i].beta;
-        ck_assert_int_eq(fvi_coefficients_product(alpha, beta, LEN(c), c), 0);
+        ck_assert_int_eq(fvi_gl_weights_product(alpha, beta, LEN(c), c), 0);
         ck_assert_near(c[k], ref_products[i].want,
                        ((double)k + 5) * U * ref_products[i].size,
                        "orders %g, %g k=%zu", alpha, beta, k);
@@ -66,8 +66,8 @@ START_TEST(eq_7_6_the_weights_vanish_exactly_and_then_but_for_rounding)
 {
     enum { COUNT = 5001 };
     double c[COUNT], w[COUNT];
-    fvi_coefficients(0.5, COUNT, w);
-    fvi_coefficients_product(0.5, 0.5, COUNT, c);
+    fvi_gl_weights(0.5, COUNT, w);
+    fvi_gl_weights_product(0.5, 0.5, COUNT, c);
     ck_assert(c[0] == 1 && c[1] == -1);
     for (size_t k = 2; k <= 31; k++)
         ck_assert_msg(c[k] == 0, "c_%zu = %g", k, c[k]);
@@ -86,7 +86,7 @@ START_TEST(eq_7_5_the_lemma_is_segners_recurrence)
     double w[MOST + 1];
     for (int64_t n = 1; n < MOST; n++) /* C_n = C_{n-1} 2 (2n - 1) / (n + 1) */
         A[n + 1] = A[n] * 2 * (2 * n - 1) / (n + 1);
-    ck_assert_int_eq(fvi_coefficients(0.5, MOST + 1, w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_gl_weights(0.5, MOST + 1, w), FVI_SUCCESS);
     for (int k = 0; k <= MOST; k++) {
         int64_t sum = 0;
         for (int n = 0; n <= k; n++)
@@ -176,7 +176,7 @@ START_TEST(eq_7_10_the_printed_induction_proves_too_much)
     const double other[] = { 1, -0.5, -0.125, 0 };
     const double twice[] = { -1.0 / 4, -1.0 / 16, -1.0 / 32, -5.0 / 256 };
     double w[6];
-    ck_assert_int_eq(fvi_coefficients(0.5, 6, w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_gl_weights(0.5, 6, w), FVI_SUCCESS);
     ck_assert(2 * other[2] + other[1] * other[1] == 0);
     ck_assert(2 * other[3] + 2 * other[1] * other[2] == 0.125);
     ck_assert(2 * w[3] + 2 * w[1] * w[2] == 0);
@@ -202,7 +202,7 @@ static fvi_run oscillator(fvi_system *system, double h, size_t steps)
                       .steps = steps,
                       .kappa = 0.5,
                       .alpha = 0.5,
-                      .memory = FVI_MEMORY_DIRECT };
+                      .memory = FVI_HISTORY_DIRECT };
 }
 
 /* The three programs of one trajectory. */
@@ -276,7 +276,7 @@ START_TEST(eq_7_9_to_rounding_over_long_runs)
     three(&run, fractional, forced, printed);
     const double bound = run_bound(0.2, REF_GROWTH_5);
     double largest = 0, path = 0, apart = 0;
-    fvi_coefficients_product(0.5, 0.5, N + 1, c);
+    fvi_gl_weights_product(0.5, 0.5, N + 1, c);
     for (size_t k = 0; k <= N; k++) {
         ck_assert_near(fractional[k], forced[k], bound, "fvi, k=%zu", k);
         ck_assert_near(printed[k], forced[k], bound, "printed, k=%zu", k);
@@ -346,7 +346,7 @@ START_TEST(bad_arguments_are_refused_and_outputs_are_untouched)
     const double orders[] = { -0x1p-1074, 2 + 0x1p-51, GSL_NAN, GSL_POSINF };
     const double steps[] = { 0, -1, GSL_NAN, GSL_POSINF }, z[2] = { 1, 2 };
     double out[2] = { 7, 8 };
-    int (*product)(double, double, size_t, double *) = fvi_coefficients_product;
+    int (*product)(double, double, size_t, double *) = fvi_gl_weights_product;
     int (*twice)(double, double, size_t, size_t, const double *, double *);
     int (*difference)(double, size_t, size_t, const double *, double *);
     twice = fvi_delta_twice;

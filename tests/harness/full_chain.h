@@ -10,7 +10,7 @@ static inline int full_chain_hessian(size_t d, const double *x, void *params,
 {
     const fvi_system chain = { .d = d,
                                .potential = fvi_potential_chain(params) };
-    fvi_hessian(&chain, x, H);
+    fvi_potential_hessian(&chain, x, H);
     return 0;
 }
 

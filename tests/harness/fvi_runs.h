@@ -56,7 +56,7 @@ static inline fvi_potential potential(int kind, const double cg[2])
 typedef struct {
     double alpha, kappa, h;
     size_t steps;
-    fvi_past past;
+    fvi_initial_history past;
     double mass, rho, x0, p0;
     int potential;
     double cg[2];
@@ -76,7 +76,7 @@ static inline void run(const fvi_method *method, const setup *a,
                         .kappa = a->kappa,
                         .alpha = a->alpha,
                         .past = a->past,
-                        .memory = FVI_MEMORY_DIRECT };
+                        .memory = FVI_HISTORY_DIRECT };
     ck_assert_int_eq(fvi_trajectory(method, &r, x, p, NULL), FVI_SUCCESS);
 }
 

@@ -421,10 +421,10 @@ static const struct { const char *name; int P; double truth[5]; double sd[5]; do
 /* alpha, kappa, past; x_N and its derivatives by alpha, rho, mass, x0, p0, c, g; h = 1/16 */
 enum { REF_STEPS = 100 };
 static const double ref_rest[] = { 0x1.999999999999ap-2, 0x1.4p+0, 0x1p+0, 0x1p-2, 0x1.8p+0, 0x1p-1 };
-static const struct { double alpha, kappa; fvi_past past; double x, slope[7]; } ref_slopes[] = {
-    { 0x1.3333333333333p-2, 0x1p-1, FVI_PAST_HELD, 0x1.6570b50a9b327p-3, { 0x1.539a7ab11c99fp-1, -0x1.a46aaec402644p-2, 0x1.5b89d7fd80ac5p+0, -0x1.02b9e3e9ef902p-2, 0x1.d7a24c13d1194p-3, -0x1.dfbe9e3b118b7p-1, -0x1.7a7df4ecc3063p-2 } },
-    { 0x1.8p-1, 0x1p-2, FVI_PAST_CAPUTO, 0x1.21615b9a99d43p-1, { 0x1.30765f94ad392p+0, -0x1.d8d35e327ecdbp-2, 0x1.b9c1e871aebbbp-2, 0x1.d392771fda41fp-2, 0x1.e4d10a61f7439p-4, -0x1.d690ae24d1d5bp-3, -0x1.438cbdbce7c8ap-4 } },
-    { 0x1.8p-1, 0x1p-1, FVI_PAST_HELD, 0x1.1ecc0ffc7fdcap-1, { 0x1.42312d7e33a7p+0, -0x1.8d74d3cdb0f31p-2, 0x1.07a8791bdef85p-1, 0x1.a37bae57cd199p-2, 0x1.da78c525498f3p-4, -0x1.37b9d5adcc6b6p-2, -0x1.f1d3953b781bp-4 } },
-    { 0x1.999999999999ap-2, 0x1p-1, FVI_PAST_RIEMANN_LIOUVILLE, 0x1.945ef16b16071p-3, { 0x1.35d6cae38fa0ap+0, -0x1.ba6f6804c5ce3p-2, 0x1.32fe3bb151db7p+0, -0x1.5d7a0d81004f2p-3, 0x1.a2efd1f58f709p-3, -0x1.a006d718f85bbp-1, -0x1.448e8537593dp-2 } },
-    { 0x1p-1, 0x1p-1, FVI_PAST_HELD, 0x1.3f32329f1542cp-2, { 0x1.88fa289bbd9bap-1, -0x1.e0e795476bf46p-2, 0x1.b8a32f2599a07p-1, 0x1.339630bb7435dp-4, 0x1.496fe72065d2ap-3, -0x1.1b48a94a77285p-1, -0x1.923d531856f5ep-3 } },
+static const struct { double alpha, kappa; fvi_initial_history past; double x, slope[7]; } ref_slopes[] = {
+    { 0x1.3333333333333p-2, 0x1p-1, FVI_INITIAL_HISTORY_HELD, 0x1.6570b50a9b327p-3, { 0x1.539a7ab11c99fp-1, -0x1.a46aaec402644p-2, 0x1.5b89d7fd80ac5p+0, -0x1.02b9e3e9ef902p-2, 0x1.d7a24c13d1194p-3, -0x1.dfbe9e3b118b7p-1, -0x1.7a7df4ecc3063p-2 } },
+    { 0x1.8p-1, 0x1p-2, FVI_INITIAL_HISTORY_CAPUTO, 0x1.21615b9a99d43p-1, { 0x1.30765f94ad392p+0, -0x1.d8d35e327ecdbp-2, 0x1.b9c1e871aebbbp-2, 0x1.d392771fda41fp-2, 0x1.e4d10a61f7439p-4, -0x1.d690ae24d1d5bp-3, -0x1.438cbdbce7c8ap-4 } },
+    { 0x1.8p-1, 0x1p-1, FVI_INITIAL_HISTORY_HELD, 0x1.1ecc0ffc7fdcap-1, { 0x1.42312d7e33a7p+0, -0x1.8d74d3cdb0f31p-2, 0x1.07a8791bdef85p-1, 0x1.a37bae57cd199p-2, 0x1.da78c525498f3p-4, -0x1.37b9d5adcc6b6p-2, -0x1.f1d3953b781bp-4 } },
+    { 0x1.999999999999ap-2, 0x1p-1, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0x1.945ef16b16071p-3, { 0x1.35d6cae38fa0ap+0, -0x1.ba6f6804c5ce3p-2, 0x1.32fe3bb151db7p+0, -0x1.5d7a0d81004f2p-3, 0x1.a2efd1f58f709p-3, -0x1.a006d718f85bbp-1, -0x1.448e8537593dp-2 } },
+    { 0x1p-1, 0x1p-1, FVI_INITIAL_HISTORY_HELD, 0x1.3f32329f1542cp-2, { 0x1.88fa289bbd9bap-1, -0x1.e0e795476bf46p-2, 0x1.b8a32f2599a07p-1, 0x1.339630bb7435dp-4, 0x1.496fe72065d2ap-3, -0x1.1b48a94a77285p-1, -0x1.923d531856f5ep-3 } },
 };

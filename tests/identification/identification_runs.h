@@ -14,16 +14,16 @@
 #include <string.h>
 
 /* In the order of the reference values. */
-static const fvi_parameter FIVE[] = { FVI_PARAMETER_ALPHA, FVI_PARAMETER_RHO,
-                                      FVI_PARAMETER_CONSTANT, FVI_PARAMETER_X0,
-                                      FVI_PARAMETER_P0 };
+static const fvi_free_parameter FIVE[] = { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO,
+                                      FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_X0,
+                                      FVI_FREE_PARAMETER_P0 };
 
 /* All that a fit points to: a spring, its mass, where the search begins. */
 typedef struct {
     double m, rho, constants[2], x0, p0, t[REF_POINTS], x[REF_POINTS];
     fvi_system system;
     fvi_run run;
-    fvi_fit fit;
+    fvi_estimation fit;
 } question;
 
 /* A linear spring, the values of the run far from those of the references; the data are
@@ -43,7 +43,7 @@ static inline void ask(question *q, const double *x, size_t parameters)
         q->t[i] = 0.1 * (double)(i + 1);
     if (x)
         memcpy(q->x, x, sizeof q->x);
-    q->fit = (fvi_fit){ .method = &fvi_lobatto4,
+    q->fit = (fvi_estimation){ .method = &fvi_lobatto_m4,
                         .run = &q->run,
                         .constants = q->constants,
                         .n = REF_POINTS,
@@ -62,7 +62,7 @@ static inline void add_noise(question *q, double sigma, gsl_rng *r)
 }
 
 /* The worst distance from the truth, in standard deviations. */
-static inline double off(const fvi_fitted *f, const double *truth, size_t P)
+static inline double off(const fvi_estimate *f, const double *truth, size_t P)
 {
     double worst = 0;
     for (size_t j = 0; j < P; j++)

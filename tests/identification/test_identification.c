@@ -42,9 +42,9 @@ START_TEST(eq_24_2_exact_data_give_the_parameters_back)
         const size_t P = (size_t)ref_errors[i].P;
         const double *truth = ref_errors[i].truth;
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, data_of(i), P);
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         const double e = length_of_error(&q, truth, f.h);
         for (size_t j = 0; j < P; j++) {
             const double error = fabs(f.estimate[j] - truth[j]);
@@ -64,21 +64,21 @@ END_TEST
  * of 0, too. The last of them is by form D, whose slopes are still differences. */
 START_TEST(eq_24_2_exact_data_of_half_a_derivative_give_it_back)
 {
-    const fvi_linear exact = {
+    const fvi_linear_oscillator exact = {
         .m = 1, .c = 1, .rho = 1, .alpha = 0.5, .x0 = 1
     };
     const double truth[] = { 0.5, 1, 1, 1, 0 };
     for (size_t n = 2; n <= LEN(FIVE) + 1; n++) {
         const size_t P = n <= LEN(FIVE) ? n : LEN(FIVE);
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, NULL, P);
         if (n > P)
-            q.fit.method = &fvi_lobatto4d;
+            q.fit.method = &fvi_lobatto_d4;
         q.constants[0] = P < 3 ? 1 : 2.5;
         q.p0 = P < 5 ? 0 : 0.25;
-        ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         ck_assert_uint_ge(f.agree, 3);
         for (size_t j = 0; j < P; j++) {
             const double error = fabs(f.estimate[j] - truth[j]);
@@ -116,10 +116,10 @@ START_TEST(eq_24_3_a_constant_in_any_unit)
 {
     const double low[] = { 0, 0.02, 0.1e-9 }, high[] = { 1, 2, 4e-9 };
     question q, nano;
-    fvi_fitted f, g;
+    fvi_estimate f, g;
     ask(&q, ref_low, 3);
     q.fit.sigma = 1e-3;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ETOL);
     ask(&nano, ref_low, 3);
     nano.constants[0] = 2.5e-9;
     nano.system.potential = (fvi_potential){ .value = nano_value,
@@ -129,7 +129,7 @@ START_TEST(eq_24_3_a_constant_in_any_unit)
     nano.fit.sigma = 1e-3;
     nano.fit.low = low;
     nano.fit.high = high;
-    ck_assert_int_eq(fvi_fit_search(&nano.fit, NULL, &g), FVI_ETOL);
+    ck_assert_int_eq(fvi_estimate_multistart(&nano.fit, NULL, &g), FVI_ETOL);
     ck_assert_near(1e9 * g.estimate[2], f.estimate[2], 1e-9, "c");
     ck_assert_near(1e9 * g.sd[2], f.sd[2], 2e-5 * f.sd[2], "sd");
 }
@@ -140,28 +140,28 @@ END_TEST
  * Seen: 2e-16. */
 START_TEST(eq_26_1_a_fit_with_a_law_finds_what_multiplies_it)
 {
-    const fvi_law_term zener = {
-        .kind = FVI_LAW_ZENER, .rho = 0.4, .alpha = 0.3, .time = 0.5
+    const fvi_kernel_term zener = {
+        .kind = FVI_KERNEL_ZENER, .rho = 0.4, .alpha = 0.3, .time = 0.5
     };
-    const fvi_law law = { 1, &zener };
-    const fvi_parameter which[] = { FVI_PARAMETER_RHO, FVI_PARAMETER_CONSTANT };
+    const fvi_kernel law = { 1, &zener };
+    const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_CONSTANT };
     double x[REF_POINTS + 1];
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     ask(&q, NULL, 2);
     q.rho = 1.5;
     q.constants[0] = 1.25;
     q.run.law = &law;
     q.run.h = 0.1;
     q.run.steps = REF_POINTS;
-    ck_assert_int_eq(fvi_trajectory(&fvi_bdf2, &q.run, x, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &q.run, x, NULL, NULL), 0);
     memcpy(q.x, x + 1, sizeof q.x);
     q.rho = 0.5;
     q.constants[0] = 2;
-    q.fit.method = &fvi_bdf2;
+    q.fit.method = &fvi_cq_bdf2;
     q.fit.which = which;
     q.fit.h = 0.1;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     seen_worst(fabs(f.estimate[0] - 1.5), "error of rho or c");
     seen_worst(fabs(f.estimate[1] - 1.25), "error of rho or c");
     ck_assert_near(f.estimate[0], 1.5, 2e-9, "rho");
@@ -179,16 +179,16 @@ START_TEST(eq_24_4_the_error_of_a_method_is_one_of_the_parameters)
         double h;
     } runs[] = { { &fvi_fractional, 0.1 },
                  { &fvi_fractional, 0.01 },
-                 { &fvi_shifted, 0.1 },
-                 { &fvi_lobatto3, 0.1 },
-                 { &fvi_lobatto4, 0.1 } };
+                 { &fvi_cq2_shifted, 0.1 },
+                 { &fvi_lobatto_m3, 0.1 },
+                 { &fvi_lobatto_m4, 0.1 } };
     for (size_t i = 0; i < LEN(runs); i++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, ref_low, 3);
         q.fit.method = runs[i].method;
         q.fit.h = runs[i].h;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         const double e = length_of_error(&q, ref_errors[0].truth, f.h);
         for (size_t j = 0; j < 3; j++) {
             const double error = f.estimate[j] - ref_errors[0].truth[j];
@@ -214,10 +214,10 @@ START_TEST(eq_24_3_standard_deviations_and_correlations)
     for (size_t i = 0; i < LEN(ref_errors); i++) {
         const size_t P = (size_t)ref_errors[i].P;
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, data_of(i), P);
         q.fit.sigma = 1e-3;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ETOL);
         for (size_t j = 0, k = 0; j < P; j++) {
             const double wrong = f.sd[j] / (1e-3 * ref_errors[i].sd[j]) - 1;
             seen(fabs(wrong), "relative error of sd");
@@ -243,10 +243,10 @@ START_TEST(eq_24_2_noisy_data_of_another_program_within_three_sd)
     int missed = 0;
     for (size_t set = 0; set < 20; set++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, set % 2 ? ref_high : ref_low, 3);
         add_noise(&q, 0.02, r);
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         missed += off(&f, ref_errors[set % 2 ? 2 : 0].truth, 3) > 3;
         seen(f.chi2, "chi2 of 197");
     }
@@ -262,12 +262,12 @@ START_TEST(eq_24_3_sigma_is_estimated)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
-    fvi_fitted known, f;
+    fvi_estimate known, f;
     ask(&q, ref_low, 3);
     add_noise(&q, 0.02, r);
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &known), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &known), FVI_SUCCESS);
     q.fit.sigma = 0;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     ck_assert_double_eq_tol(f.sigma, 0.02, 4 * 0.05 * 0.02);
     ck_assert_double_eq_tol(f.sigma, 0.02 * sqrt(known.chi2 / 197), 1e-8);
     ck_assert_double_eq_tol(f.sd[0] / known.sd[0], f.sigma / 0.02, 1e-5);
@@ -284,7 +284,7 @@ END_TEST
 START_TEST(eq_24_4_times_in_any_spacing)
 {
     const double *truth = ref_errors[0].truth;
-    const fvi_linear exact = { .m = 1,
+    const fvi_linear_oscillator exact = { .m = 1,
                                .c = truth[2],
                                .rho = truth[1],
                                .alpha = truth[0],
@@ -292,15 +292,15 @@ START_TEST(eq_24_4_times_in_any_spacing)
                                .v0 = truth[4] };
     for (int kind = 0; kind < 3; kind++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, NULL, 5);
         for (size_t i = 0; i < REF_POINTS; i++)
             q.t[i] += kind == 0   ? 0.03 * sin(7 * (double)i)
                       : kind == 1 ? (i > 50) * 3.7
                                   : -0.1; /* from t = 0 on */
-        ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL), 0);
         q.fit.sigma = 1e-4;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ETOL);
         seen(off(&f, truth, 5), "off in sd");
         ck_assert_msg(off(&f, truth, 5) < 0.02, "%d: %g sd", kind,
                       off(&f, truth, 5));
@@ -315,14 +315,14 @@ END_TEST
 START_TEST(eq_24_4_the_step_is_halved_until_nothing_moves)
 {
     question q;
-    fvi_fitted coarse, f;
+    fvi_estimate coarse, f;
     ask(&q, ref_low, 3);
     q.fit.method = &fvi_fractional;
     q.fit.sigma = 1e-2;
     q.fit.h = 0.1;
-    fvi_fit_search(&q.fit, NULL, &coarse);
+    fvi_estimate_multistart(&q.fit, NULL, &coarse);
     q.fit.h = 0;
-    fvi_fit_search(&q.fit, NULL, &f);
+    fvi_estimate_multistart(&q.fit, NULL, &f);
     seen(off(&coarse, ref_errors[0].truth, 3), "off in sd, h = 0.1");
     seen(off(&f, ref_errors[0].truth, 3), "off in sd, halved");
     ck_assert_double_eq(coarse.h, 0.1);
@@ -336,10 +336,10 @@ END_TEST
  * deviation and the correlations of a start were infinite, or NaN, there. */
 START_TEST(eq_24_3_a_start_in_any_unit)
 {
-    static const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
-                                           FVI_PARAMETER_RHO, FVI_PARAMETER_X0,
-                                           FVI_PARAMETER_P0 };
-    fvi_fitted f[3];
+    static const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_ALPHA,
+                                           FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_X0,
+                                           FVI_FREE_PARAMETER_P0 };
+    fvi_estimate f[3];
     for (int i = 0; i < 3; i++) {
         const double unit = ldexp(1, 525 * (i == 1) - 525 * (i == 2));
         question q;
@@ -350,7 +350,7 @@ START_TEST(eq_24_3_a_start_in_any_unit)
         q.p0 *= unit;
         for (size_t k = 0; k < REF_POINTS; k++)
             q.x[k] = unit * (q.x[k] + 1e-3 * sin(37 * (double)k));
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f[i]), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f[i]), FVI_SUCCESS);
         for (size_t j = 0; j < LEN(which); j++) {
             const double of = j < 2 ? 1 : unit;
             ck_assert_near(f[i].estimate[j] / of, f[0].estimate[j], 1e-8,

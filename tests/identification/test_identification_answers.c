@@ -9,7 +9,7 @@ START_TEST(eq_24_5_one_start_alone_is_not_believed)
 {
     const double low[] = { 0.97, 0.009, 0.19 }, high[] = { 0.99, 0.011, 0.21 };
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     ask(&q, ref_low, 3);
     q.run.alpha = 0.32;
     q.rho = 0.41;
@@ -18,7 +18,7 @@ START_TEST(eq_24_5_one_start_alone_is_not_believed)
     q.fit.high = high;
     handled = 0;
     fvi_set_error_handler(handler);
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_EMAXITER);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_EMAXITER);
     ck_assert_int_eq(handled, 0);
     ck_assert_uint_eq(f.agree, 1);
     ck_assert_double_eq_tol(f.estimate[0], 0.3, 1e-9);
@@ -29,15 +29,15 @@ END_TEST
 /* Little damping, many swings of the frequency 1, rho known: alpha = 0.3 and c = 1. */
 static void ask_of_many_swings(question *q, gsl_rng *r)
 {
-    static const fvi_parameter which[] = { FVI_PARAMETER_ALPHA,
-                                           FVI_PARAMETER_CONSTANT };
-    const fvi_linear exact = {
+    static const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_ALPHA,
+                                           FVI_FREE_PARAMETER_CONSTANT };
+    const fvi_linear_oscillator exact = {
         .m = 1, .c = 1, .rho = 0.05, .alpha = 0.3, .x0 = 1, .v0 = 0.25
     };
     ask(q, NULL, LEN(which));
     for (size_t i = 0; i < REF_POINTS; i++)
         q->t[i] = 0.3 * (double)(i + 1);
-    ck_assert_int_eq(fvi_exact(&exact, REF_POINTS, q->t, q->x, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q->t, q->x, NULL), 0);
     add_noise(q, 0.02, r);
     q->fit.which = which;
     q->rho = 0.05;
@@ -51,13 +51,13 @@ START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
     const double low[] = { 0.65, 1.05 }, high[] = { 0.69, 1.06 };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
-    fvi_fitted twin, f;
+    fvi_estimate twin, f;
     ask_of_many_swings(&q, r);
     q.run.alpha = 0.68;
     q.constants[0] = 1.055;
     q.fit.low = low;
     q.fit.high = high;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &twin), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &twin), FVI_SUCCESS);
     ck_assert_uint_eq(twin.agree, 4);
     ck_assert_double_eq_tol(twin.estimate[0], 1 - 0.3, 0.05);
     ck_assert_double_eq_tol(twin.estimate[1], 1 + 0.1 * cos(0.3 * M_PI), 0.01);
@@ -69,13 +69,13 @@ START_TEST(eq_24_8_the_twin_order_is_a_false_minimum)
     q.fit.low = q.fit.high = NULL;
     q.fit.starts = 20;
     q.run.alpha = 0.5;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     ck_assert(f.chi2 < twin.chi2 - 30);
     ck_assert_double_eq_tol(f.estimate[0], 0.3, 4 * f.sd[0]);
     seen((double)f.agree, "of 20 agree, rho known");
     q.fit.which = FIVE;
     q.fit.parameters = 3;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     seen((double)f.agree, "of 20 agree, rho free");
     gsl_rng_free(r);
 }
@@ -96,15 +96,15 @@ static int counting(double t, size_t d, void *params, double *F)
 START_TEST(eq_24_5_starts_that_creep_beside_a_good_one_are_given_up)
 {
     enum { P = 6 };
-    const fvi_parameter which[P] = {
-        FVI_PARAMETER_ALPHA,    FVI_PARAMETER_RHO,
-        FVI_PARAMETER_X0,       FVI_PARAMETER_P0,
-        FVI_PARAMETER_CONSTANT, (fvi_parameter)(FVI_PARAMETER_CONSTANT + 1)
+    const fvi_free_parameter which[P] = {
+        FVI_FREE_PARAMETER_ALPHA,    FVI_FREE_PARAMETER_RHO,
+        FVI_FREE_PARAMETER_X0,       FVI_FREE_PARAMETER_P0,
+        FVI_FREE_PARAMETER_CONSTANT, (fvi_free_parameter)(FVI_FREE_PARAMETER_CONSTANT + 1)
     };
     static double motion[REF_POINTS + 1];
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
-    fvi_fitted known, unknown;
+    fvi_estimate known, unknown;
     size_t steps[2] = { 0, 0 };
     ask(&q, NULL, P);
     q.fit.which = which;
@@ -115,15 +115,15 @@ START_TEST(eq_24_5_starts_that_creep_beside_a_good_one_are_given_up)
     q.constants[1] = 0.5;
     q.run.h = 0.1;
     q.run.steps = REF_POINTS;
-    ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &q.run, motion, NULL, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_lobatto_m4, &q.run, motion, NULL, NULL),
                      FVI_SUCCESS);
     memcpy(q.x, motion + 1, sizeof q.x);
     add_noise(&q, 0.02, r);
     q.system.force = (fvi_force){ .value = counting, .params = &steps[0] };
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &known), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &known), FVI_SUCCESS);
     q.fit.sigma = 0;
     q.system.force.params = &steps[1];
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &unknown), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &unknown), FVI_SUCCESS);
     for (size_t j = 0; j < P; j++)
         ck_assert_double_eq_tol(known.estimate[j], unknown.estimate[j],
                                 1e-3 * known.sd[j]);
@@ -152,10 +152,10 @@ START_TEST(eq_24_5_starts_that_were_given_up_are_asked_again)
     for (size_t i = 0; i < LEN(places); i++) {
         const double low[] = { places[i][0] - 1e-6, places[i][1] - 1e-6 },
                      high[] = { places[i][0] + 1e-6, places[i][1] + 1e-6 };
-        fvi_fitted f;
+        fvi_estimate f;
         q.fit.low = low;
         q.fit.high = high;
-        fvi_fit_search(&q.fit, NULL, &f);
+        fvi_estimate_multistart(&q.fit, NULL, &f);
         agree += f.agree;
     }
     ck_assert_uint_ge(agree, 2 * LEN(places) - 1);
@@ -170,22 +170,22 @@ START_TEST(eq_24_4_a_chi_squared_out_of_range_is_not_believed)
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < 2; i++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         ask(&q, ref_low, 3);
         add_noise(&q, 0.02, r);
         q.fit.sigma *= i ? 5 : 0.2;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ETOL);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ETOL);
         ck_assert(f.probability < 1e-6);
         ck_assert(i ? f.chi2 < 197. / 10 : f.chi2 > 197 * 10);
         ck_assert(fabs(f.neighbours) < 4 / sqrt(200));
     }
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     ask(&q, ref_low, 3);
     add_noise(&q, 0.02, r);
-    q.run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    q.run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     q.fit.h = 0.1;
-    ck_assert_int_ne(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_ne(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     ck_assert(f.chi2 > 10 * 197 && f.neighbours > 0.5);
     gsl_rng_free(r);
 }
@@ -195,11 +195,11 @@ END_TEST
 START_TEST(eq_24_4_a_start_many_sigma_away_finds_the_same)
 {
     question q;
-    fvi_fitted f[2];
+    fvi_estimate f[2];
     ask(&q, ref_low, 3);
     for (int i = 0; i < 2; i++) {
         q.fit.sigma = i ? 1e-13 : 1e-3;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f[i]), FVI_ETOL);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f[i]), FVI_ETOL);
     }
     for (int j = 0; j < 3; j++) /* as 1e-9 of u ends a search */
         ck_assert_near(f[1].estimate[j], f[0].estimate[j], 4e-9, "%d", j);
@@ -233,21 +233,21 @@ static int parallel_hessian(size_t d, const double *x, void *params, double *H)
  * how vague it is: that two columns of J are as good as one does. */
 START_TEST(eq_24_3_what_the_data_do_not_determine_is_said)
 {
-    const fvi_parameter scale[] = { FVI_PARAMETER_MASS, FVI_PARAMETER_RHO,
-                                    FVI_PARAMETER_CONSTANT, FVI_PARAMETER_P0 },
-                        springs[] = { FVI_PARAMETER_CONSTANT,
-                                      (fvi_parameter)(FVI_PARAMETER_CONSTANT
+    const fvi_free_parameter scale[] = { FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_RHO,
+                                    FVI_FREE_PARAMETER_CONSTANT, FVI_FREE_PARAMETER_P0 },
+                        springs[] = { FVI_FREE_PARAMETER_CONSTANT,
+                                      (fvi_free_parameter)(FVI_FREE_PARAMETER_CONSTANT
                                                       + 1) };
     const double still[REF_POINTS] = { 0 };
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     ask(&q, ref_low, 4);
     q.run.alpha = 0.3;
     q.fit.which = scale;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ESING);
     ask(&q, still, 2); /* a body at rest shows no damping */
     q.x0 = q.p0 = 0;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ESING);
     ask(&q, NULL, 1); /* ln rho where none is seen */
     for (size_t i = 0; i < REF_POINTS; i++)
         q.x[i] = cos(q.t[i]);
@@ -255,7 +255,7 @@ START_TEST(eq_24_3_what_the_data_do_not_determine_is_said)
     q.p0 = 0;
     q.fit.which = &scale[1];
     q.fit.sigma = 0.02;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ESING);
     ask(&q, ref_low, 2);
     q.run.alpha = 0.3;
     q.system.potential = (fvi_potential){ .value = parallel_value,
@@ -263,7 +263,7 @@ START_TEST(eq_24_3_what_the_data_do_not_determine_is_said)
                                           .hessian = parallel_hessian,
                                           .params = q.constants };
     q.fit.which = springs;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_ESING);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ESING);
 }
 END_TEST
 
@@ -272,12 +272,12 @@ END_TEST
 START_TEST(a_fit_is_repeatable_and_leaves_no_trace)
 {
     question q;
-    fvi_fitted f, again;
+    fvi_estimate f, again;
     double curve[REF_POINTS];
     ask(&q, ref_low, 5);
     const question before = q;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, curve, &f), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &again), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, curve, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &again), FVI_SUCCESS);
     ck_assert_mem_eq(f.estimate, again.estimate, 5 * sizeof(double));
     ck_assert_mem_eq(f.sd, again.sd, 5 * sizeof(double));
     ck_assert_mem_eq(q.constants, before.constants, sizeof q.constants);

@@ -27,9 +27,9 @@ START_TEST(eq_24_9_exact_moduli_give_the_order_back)
     double w[N], storage[N], loss[N];
     for (int i = 1; i < 20; i++) {
         const double alpha = 0.05 * i + 0.0037; /* not one that is scanned */
-        fvi_fitted f;
+        fvi_estimate f;
         moduli(alpha, 0.7, 1.3, w, storage, loss);
-        ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, loss, &f), FVI_SUCCESS);
         const double error = larger(
             fabs(f.estimate[0] - alpha),
             larger(fabs(f.estimate[1] - 0.7), fabs(f.estimate[2] - 1.3)));
@@ -48,14 +48,14 @@ START_TEST(eq_24_9_moduli_scatter_as_they_say)
     double w[N], storage[N], loss[N], square[3] = { 0 }, sd[3] = { 0 };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int set = 0; set < SETS; set++) {
-        fvi_fitted f;
+        fvi_estimate f;
         moduli(truth[0], truth[1], truth[2], w, storage, loss);
         for (int i = 0; i < N; i++) {
             const double size = hypot(storage[i], loss[i]);
             storage[i] += gsl_ran_gaussian(r, 0.01 * size);
             loss[i] += gsl_ran_gaussian(r, 0.01 * size);
         }
-        ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, loss, &f), FVI_SUCCESS);
         for (int j = 0; j < 3; j++) {
             square[j] += gsl_pow_2(f.estimate[j] - truth[j]) / SETS;
             sd[j] += f.sd[j] / SETS;
@@ -74,23 +74,23 @@ END_TEST
 START_TEST(moduli_refuse_what_is_no_data)
 {
     double w[N], storage[N], loss[N];
-    fvi_fitted f;
+    fvi_estimate f;
     moduli(0.3, 0.7, 1.3, w, storage, loss);
     fvi_set_error_handler(handler);
-    ck_assert_int_eq(fvi_fit_moduli(N, NULL, storage, loss, &f), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_moduli(N, w, NULL, loss, &f), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_moduli(N, w, storage, NULL, &f), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_moduli(1, w, storage, loss, &f), FVI_EINVAL);
+    ck_assert_int_eq(fvi_estimate_moduli(N, NULL, storage, loss, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_moduli(N, w, NULL, loss, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, NULL, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, loss, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_moduli(1, w, storage, loss, &f), FVI_EINVAL);
     w[3] = 0;
-    ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, &f), FVI_EDOM);
+    ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, loss, &f), FVI_EDOM);
     ck_assert_int_eq(handled, 6);
     for (int i = 0; i < N; i++) { /* one frequency */
         w[i] = 1;
         storage[i] = 1;
         loss[i] = 0.5;
     }
-    ck_assert_int_eq(fvi_fit_moduli(N, w, storage, loss, &f), FVI_ESING);
+    ck_assert_int_eq(fvi_estimate_moduli(N, w, storage, loss, &f), FVI_ESING);
     ck_assert_int_eq(handled, 6);
     fvi_set_error_handler(NULL);
 }

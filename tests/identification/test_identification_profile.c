@@ -26,7 +26,7 @@ static double chi2_at(const question *q, double h, double alpha, double rho)
     system.damping = &rho;
     fvi_run run = fvi_run_default(&system, &q->x0, &q->p0, h, steps);
     run.alpha = alpha;
-    ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &run, x, NULL, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_lobatto_m4, &run, x, NULL, NULL),
                      FVI_SUCCESS);
     double sum = 0;
     for (size_t i = 0; i < q->fit.n; i++) {
@@ -72,11 +72,11 @@ START_TEST(eq_24_11_a_profile_is_what_a_dense_scan_finds)
     double skew = 0;
     for (size_t set = 0; set < 3; set++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         double low, high;
         ask_few(&q, 0.2, r);
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, &low, &high),
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, &low, &high),
                          FVI_SUCCESS);
         ck_assert_double_lt(low, f.estimate[0]);
         ck_assert_double_gt(high, f.estimate[0]);
@@ -109,17 +109,17 @@ START_TEST(eq_24_11_without_bends_a_profile_is_the_standard_deviation)
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t set = 0; set < 4; set++) {
         question q;
-        fvi_fitted f;
+        fvi_estimate f;
         const size_t P = set % 2 ? 5 : 3;
         ask(&q, ref_high, P);
         q.constants[0] = 1.2;
         add_noise(&q, 1e-5, r);
         q.fit.sigma = set / 2 ? 0 : 1e-5;
-        ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         for (size_t j = 0; j < P; j++) {
             double low, high;
             const double reach = f.quantile * f.sd[j];
-            ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, j, &low, &high),
+            ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, j, &low, &high),
                              FVI_SUCCESS);
             seen(fabs((high - f.estimate[j]) / reach - 1), "off the sd");
             ck_assert_near(f.estimate[j] - low, reach, 2e-3 * reach, "low");
@@ -137,7 +137,7 @@ START_TEST(eq_24_11_what_has_no_end_has_that_of_the_parameter)
 {
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     double low = 0.5, high = 0.5;
     ask(&q, NULL, 2);
     q.constants[0] = 1;
@@ -145,21 +145,21 @@ START_TEST(eq_24_11_what_has_no_end_has_that_of_the_parameter)
         q.x[i] = cos(q.t[i]) + 0.25 * sin(q.t[i]);
     q.fit.n = 40;
     add_noise(&q, 0.1, r);
-    f = (fvi_fitted){ .estimate = { 0.5, 0.01 }, .sd = { 0.2, 0.01 } };
+    f = (fvi_estimate){ .estimate = { 0.5, 0.01 }, .sd = { 0.2, 0.01 } };
     f.h = 0.1;
     f.quantile = 1.96;
     f.sigma = q.fit.sigma;
     f.chi2 = chi2_at(&q, 0.1, 0.5, 0.01);
-    ck_assert_int_ne(fvi_fit_profile(&q.fit, &f, 0, &low, &high), FVI_EDOM);
+    ck_assert_int_ne(fvi_estimate_profile(&q.fit, &f, 0, &low, &high), FVI_EDOM);
     ck_assert_double_eq(low, 0);
     ck_assert_double_eq(high, 1);
-    static const fvi_parameter rho = FVI_PARAMETER_RHO;
+    static const fvi_free_parameter rho = FVI_FREE_PARAMETER_RHO;
     ask_few(&q, 0.02, r);
     q.fit.which = &rho;
     q.fit.parameters = 1;
     q.run.alpha = 0.3;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, &low, &high), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, &low, &high), FVI_SUCCESS);
     const double reach = f.quantile * f.quantile;
     ck_assert_near(chi2_at(&q, f.h, 0.3, low) - f.chi2, reach, 3e-4 * reach,
                    "low");
@@ -183,7 +183,7 @@ static double chi2_of_swing(const question *q, double sigma, double w,
 }
 
 /* The least over w near that of the fit, rho or c being fixed, by thirds. */
-static double least_over_swings(const question *q, const fvi_fitted *f,
+static double least_over_swings(const question *q, const fvi_estimate *f,
                                 double rho, double c)
 {
     double a = 0.97 * sqrt(f->estimate[1] / (1 + f->estimate[0])),
@@ -207,16 +207,16 @@ static double least_over_swings(const question *q, const fvi_fitted *f,
 START_TEST(eq_24_11_a_profile_stays_in_its_valley)
 {
     question q;
-    fvi_fitted f;
+    fvi_estimate f;
     double low[2], high[2];
     ask(&q, ref_low, 2);
     q.fit.which = FIVE + 1;
     q.run.alpha = 1;
     q.constants[0] = 1.2;
     q.fit.starts = 20;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &f), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
     for (size_t j = 0; j < 2; j++)
-        ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, j, low + j, high + j),
+        ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, j, low + j, high + j),
                          FVI_SUCCESS);
     const double reach = f.quantile * f.quantile;
     ck_assert_double_lt(least_over_swings(&q, &f, 1e6, 0) - f.chi2, reach / 2);
@@ -231,26 +231,26 @@ END_TEST
 START_TEST(a_profile_refuses_what_is_no_answer)
 {
     question q;
-    fvi_fitted f = { .sd = { 1 }, .h = 0.1, .sigma = 1 };
+    fvi_estimate f = { .sd = { 1 }, .h = 0.1, .sigma = 1 };
     double low, high;
     ask(&q, ref_low, 2);
-    ck_assert_int_eq(fvi_fit_profile(NULL, &f, 0, &low, &high), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, NULL, 0, &low, &high), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, NULL, &high), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, &low, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 2, &low, &high), FVI_EINVAL);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 1, &low, &high), FVI_EDOM);
+    ck_assert_int_eq(fvi_estimate_profile(NULL, &f, 0, &low, &high), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, NULL, 0, &low, &high), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, NULL, &high), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, &low, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 2, &low, &high), FVI_EINVAL);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 1, &low, &high), FVI_EDOM);
     f.h = 0;
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, &low, &high), FVI_EDOM);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, &low, &high), FVI_EDOM);
     /* a place that is no minimum: a lower chi^2 is met at once, and said */
-    f = (fvi_fitted){ .estimate = { 0.5, 0.5 },
+    f = (fvi_estimate){ .estimate = { 0.5, 0.5 },
                       .sd = { 0.01, 0.01 },
                       .h = 0.1,
                       .quantile = 1.96 };
     q.constants[0] = 1;
     q.fit.sigma = f.sigma = 0.02;
     f.chi2 = chi2_at(&q, 0.1, 0.5, 0.5);
-    ck_assert_int_eq(fvi_fit_profile(&q.fit, &f, 0, &low, &high), FVI_EMAXITER);
+    ck_assert_int_eq(fvi_estimate_profile(&q.fit, &f, 0, &low, &high), FVI_EMAXITER);
 }
 END_TEST
 

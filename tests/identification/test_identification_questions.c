@@ -5,8 +5,8 @@
 
 static int code_of(const question *q)
 {
-    fvi_fitted f;
-    return fvi_fit_search(&q->fit, NULL, &f);
+    fvi_estimate f;
+    return fvi_estimate_multistart(&q->fit, NULL, &f);
 }
 
 static void two_masses(question *q)
@@ -28,12 +28,12 @@ static void two_masses(question *q)
 
 START_TEST(fit_refuses_what_cannot_be_asked)
 {
-    const fvi_parameter twice[] = { FVI_PARAMETER_RHO, FVI_PARAMETER_ALPHA,
-                                    FVI_PARAMETER_RHO };
+    const fvi_free_parameter twice[] = { FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_ALPHA,
+                                    FVI_FREE_PARAMETER_RHO };
     const double box[] = { 0.1, 0.2, 0.3 };
-    const fvi_law_term dashpot = { .kind = FVI_LAW_MAXWELL, .rho = 1 };
-    const fvi_law law = { 1, &dashpot };
-    fvi_fitted f;
+    const fvi_kernel_term dashpot = { .kind = FVI_KERNEL_MAXWELL, .rho = 1 };
+    const fvi_kernel law = { 1, &dashpot };
+    fvi_estimate f;
     question right;
     ask(&right, ref_low, 3);
     fvi_set_error_handler(handler);
@@ -46,7 +46,7 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     REFUSED(q.fit.low = box, FVI_EFAULT);
     REFUSED(two_masses(&q), FVI_EINVAL);
     REFUSED(q.fit.parameters = 0, FVI_EINVAL);
-    REFUSED(q.fit.parameters = FVI_FIT_MOST + 1, FVI_EINVAL);
+    REFUSED(q.fit.parameters = FVI_ESTIMATION_MOST + 1, FVI_EINVAL);
     REFUSED(q.fit.n = 3, FVI_EINVAL);
     REFUSED(q.fit.starts = 1, FVI_EINVAL);
     REFUSED(q.fit.which = twice, FVI_EINVAL);
@@ -57,11 +57,11 @@ START_TEST(fit_refuses_what_cannot_be_asked)
     REFUSED(q.fit.h = -1, FVI_EDOM);
     REFUSED(q.fit.low = q.fit.high = box, FVI_EDOM);
     REFUSED(q.fit.method = &fvi_lagrange_dalembert, FVI_EUNSUP);
-    REFUSED((q.run.law = &law, q.fit.method = &fvi_bdf2), FVI_EUNSUP);
+    REFUSED((q.run.law = &law, q.fit.method = &fvi_cq_bdf2), FVI_EUNSUP);
     handled = 0;
-    ck_assert_int_eq(fvi_fit_search(NULL, NULL, &f), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_search(&right.fit, NULL, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_fit_box(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_multistart(NULL, NULL, &f), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_multistart(&right.fit, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_estimate_box(&right.fit, NULL, NULL), FVI_EFAULT);
     ck_assert_int_eq(handled, 3);
     fvi_set_error_handler(NULL);
 }
@@ -75,14 +75,14 @@ START_TEST(the_box_holds_the_truth)
         question q;
         double low[5], high[5];
         ask(&q, i ? ref_high : ref_low, 5);
-        ck_assert_int_eq(fvi_fit_box(&q.fit, low, high), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_box(&q.fit, low, high), FVI_SUCCESS);
         for (size_t j = 0; j < 5; j++)
             ck_assert_msg(low[j] < ref_errors[2 * i].truth[j]
                               && ref_errors[2 * i].truth[j] < high[j],
                           "%zu: %g ... %g", j, low[j], high[j]);
         q.m = 100; /* another unit of mass: all forces grow alike */
         double low100[5], high100[5];
-        ck_assert_int_eq(fvi_fit_box(&q.fit, low100, high100), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_estimate_box(&q.fit, low100, high100), FVI_SUCCESS);
         for (size_t j = 0; j < 5; j++)
             ck_assert_double_eq_tol(
                 high100[j], high[j] * (j == 0 || j == 3 ? 1 : 100), 1e-9);

@@ -2,15 +2,15 @@
  *                                        Run alone: make test-identification_stages */
 #include "identification_runs.h"
 
-#include "fits/identification_tangent.h"
+#include "estimation/identification_tangent.h"
 #include "system/larger.h"
 
 enum { N = 90, P = 7 };
 
-static const fvi_parameter ALL[P] = {
-    FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,
-    FVI_PARAMETER_X0,          FVI_PARAMETER_P0,  FVI_PARAMETER_CONSTANT,
-    FVI_PARAMETER_CONSTANT + 1
+static const fvi_free_parameter ALL[P] = {
+    FVI_FREE_PARAMETER_ALPHA,       FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS,
+    FVI_FREE_PARAMETER_X0,          FVI_FREE_PARAMETER_P0,  FVI_FREE_PARAMETER_CONSTANT,
+    FVI_FREE_PARAMETER_CONSTANT + 1
 };
 
 static int last_x(size_t k, size_t d, const double *x, const double *p,
@@ -35,12 +35,12 @@ static int last_p(size_t k, size_t d, const double *x, const double *p,
  * compressed to 1e-10, some 1e-9 of the largest; Seen: 2e-11. */
 START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
 {
-    const fvi_method *const methods[] = { &fvi_lobatto2, &fvi_lobatto3,
-                                          &fvi_lobatto4, &fvi_lobatto5 };
+    const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
+                                          &fvi_lobatto_m4, &fvi_lobatto_m5 };
     const double alphas[] = { 0.1, 0.3, 0.5, 0.65, 0.9 };
     for (size_t n = 0; n < LEN(methods) * LEN(alphas) * 3; n++) {
         const fvi_method *method = methods[n % LEN(methods)];
-        const fvi_past past = (fvi_past)(n / LEN(methods) / LEN(alphas));
+        const fvi_initial_history past = (fvi_initial_history)(n / LEN(methods) / LEN(alphas));
         question q;
         double by_x[P], by_p[P], *to[] = { by_x, by_p };
         fvi_tangent_run o;
@@ -52,18 +52,18 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         q.run.steps = N;
         q.run.past = past;
         q.run.alpha = alphas[n / LEN(methods) % LEN(alphas)];
-        const int whole = past == FVI_PAST_RIEMANN_LIOUVILLE;
+        const int whole = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         if (whole && q.run.alpha > 0.5)
             q.x0 = 0; /* (19.2) */
         for (size_t i = 0; i < 2; i++) {
             const fvi_objective J = { i ? last_p : last_x, NULL };
-            const fvi_gradients want = { .alpha = to[i],
+            const fvi_sensitivities want = { .alpha = to[i],
                                          .damping = to[i] + 1,
                                          .mass = to[i] + 2,
                                          .x0 = to[i] + 3,
                                          .p0 = to[i] + 4,
                                          .parameters = to[i] + 5,
-                                         .sensitivity = fvi_sensitivity_of(
+                                         .sensitivity = fvi_parameter_gradient_of(
                                              &q.system.potential) };
             ck_assert_int_eq(fvi_adjoint(method, &q.run, NULL, NULL, &J, &want),
                              FVI_SUCCESS);
@@ -76,7 +76,7 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         for (size_t j = 0; j < P; j++)
             most = larger(most, larger(fabs(o.s[j]), fabs(o.pi[j])));
         for (size_t j = 0; j < P; j++) {
-            if (whole && q.run.alpha > 0.5 && ALL[j] == FVI_PARAMETER_X0)
+            if (whole && q.run.alpha > 0.5 && ALL[j] == FVI_FREE_PARAMETER_X0)
                 continue;
             ck_assert_near(o.s[j], by_x[j], 1e-9 * most, "x, %s, %g, %d, %zu",
                            method->name, q.run.alpha, past, j);
@@ -95,12 +95,12 @@ START_TEST(stages_have_no_tangents_at_the_ends)
     fvi_tangent_run o;
     ask(&q, NULL, 2);
     q.run.alpha = 1;
-    ck_assert_int_eq(fvi_tangent_start(&fvi_lobatto4, &q.run, P - 2, ALL, &o),
+    ck_assert_int_eq(fvi_tangent_start(&fvi_lobatto_m4, &q.run, P - 2, ALL, &o),
                      FVI_EUNSUP);
     fvi_tangent_stop(&o);
     q.run.alpha = 0.5;
     q.rho = 0;
-    ck_assert_int_eq(fvi_tangent_start(&fvi_lobatto4, &q.run, P - 2, ALL, &o),
+    ck_assert_int_eq(fvi_tangent_start(&fvi_lobatto_m4, &q.run, P - 2, ALL, &o),
                      FVI_EUNSUP);
     fvi_tangent_stop(&o);
 }

@@ -2,12 +2,12 @@
  * along with a run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
-#include "fits/identification_model.h"
+#include "estimation/identification_model.h"
 
-static const fvi_parameter SEVEN[] = {
-    FVI_PARAMETER_ALPHA,       FVI_PARAMETER_RHO, FVI_PARAMETER_MASS,
-    FVI_PARAMETER_X0,          FVI_PARAMETER_P0,  FVI_PARAMETER_CONSTANT,
-    FVI_PARAMETER_CONSTANT + 1
+static const fvi_free_parameter SEVEN[] = {
+    FVI_FREE_PARAMETER_ALPHA,       FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS,
+    FVI_FREE_PARAMETER_X0,          FVI_FREE_PARAMETER_P0,  FVI_FREE_PARAMETER_CONSTANT,
+    FVI_FREE_PARAMETER_CONSTANT + 1
 };
 
 /* Duffing's oscillator of the references; the run points into ref_rest. */
@@ -35,8 +35,8 @@ START_TEST(eq_24_6_tangents_are_the_derivatives_of_the_run)
             double x[REF_STEPS + 1], slope[(REF_STEPS + 1) * 7];
             fvi_system system;
             fvi_run run = duffing(&system, i, REF_STEPS);
-            run.memory = kind ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
-            ck_assert_int_eq(fvi_tangents(&run, 7, SEVEN, x, slope),
+            run.memory = kind ? FVI_HISTORY_MODES : FVI_HISTORY_DIRECT;
+            ck_assert_int_eq(fvi_tangent(&run, 7, SEVEN, x, slope),
                              FVI_SUCCESS);
             ck_assert_double_eq_tol(x[REF_STEPS], ref_slopes[i].x, 1e-12);
             for (size_t j = 0; j < 7; j++) {
@@ -61,10 +61,10 @@ START_TEST(tangents_do_not_feel_each_other)
     const fvi_run run = duffing(&system, 0, REF_STEPS);
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, alone, NULL, NULL),
                      0);
-    ck_assert_int_eq(fvi_tangents(&run, 7, SEVEN, x, all), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_tangent(&run, 7, SEVEN, x, all), FVI_SUCCESS);
     ck_assert_mem_eq(x, alone, sizeof x);
     for (size_t j = 0; j < 7; j++) {
-        ck_assert_int_eq(fvi_tangents(&run, 1, &SEVEN[j], x, one), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_tangent(&run, 1, &SEVEN[j], x, one), FVI_SUCCESS);
         for (size_t k = 0; k <= REF_STEPS; k++)
             ck_assert_near(one[k], all[k * 7 + j], 1e-13, "%zu at %zu", j, k);
     }
@@ -79,7 +79,7 @@ START_TEST(eq_24_6_by_a_damping_of_zero)
     fvi_system system;
     fvi_run run = duffing(&system, 0, 100);
     system.damping = &zero;
-    ck_assert_int_eq(fvi_tangents(&run, 1, &SEVEN[1], x, slope), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_tangent(&run, 1, &SEVEN[1], x, slope), FVI_SUCCESS);
     system.damping = &small;
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, up, NULL, NULL), 0);
     for (size_t k = 0; k <= 100; k++) /* x'' by rho is about 10: 1e-5 */
@@ -95,7 +95,7 @@ START_TEST(eq_24_6_a_motion_between_the_steps_has_its_slopes)
     enum { n = 30, P = 7 };
     question q;
     double slope[n * P], motion[n], up[n];
-    fvi_fit_model m;
+    fvi_estimation_model m;
     ask(&q, NULL, P);
     q.constants[0] = 1;
     q.constants[1] = 0.5;
@@ -105,18 +105,18 @@ START_TEST(eq_24_6_a_motion_between_the_steps_has_its_slopes)
     q.run.alpha = 0.3;
     for (size_t i = 0; i < n; i++)
         q.t[i] = 0.173 * (double)i;
-    fvi_fit_model_init(&m, &q.fit, motion);
-    fvi_fit_model_step(&m, 0.0625);
-    ck_assert(fvi_fit_model_has_tangents(&m));
-    ck_assert_int_eq(fvi_fit_model_tangents(&m, slope), FVI_SUCCESS);
+    fvi_estimation_model_init(&m, &q.fit, motion);
+    fvi_estimation_model_step(&m, 0.0625);
+    ck_assert(fvi_estimation_model_has_tangents(&m));
+    ck_assert_int_eq(fvi_estimation_model_tangents(&m, slope), FVI_SUCCESS);
     for (size_t j = 0; j < P; j++) {
-        const double there = fvi_fit_model_get(&m, j);
-        fvi_fit_model_set(&m, j, there + 1e-4);
-        ck_assert_int_eq(fvi_fit_model_run(&m), FVI_SUCCESS);
+        const double there = fvi_estimation_model_get(&m, j);
+        fvi_estimation_model_set(&m, j, there + 1e-4);
+        ck_assert_int_eq(fvi_estimation_model_run(&m), FVI_SUCCESS);
         memcpy(up, motion, sizeof up);
-        fvi_fit_model_set(&m, j, there - 1e-4);
-        ck_assert_int_eq(fvi_fit_model_run(&m), FVI_SUCCESS);
-        fvi_fit_model_set(&m, j, there);
+        fvi_estimation_model_set(&m, j, there - 1e-4);
+        ck_assert_int_eq(fvi_estimation_model_run(&m), FVI_SUCCESS);
+        fvi_estimation_model_set(&m, j, there);
         for (size_t i = 0; i < n; i++) {
             const double want = (up[i] - motion[i]) / 2e-4;
             seen(fabs(slope[i * P + j] - want), "difference");
@@ -131,17 +131,17 @@ END_TEST
 START_TEST(eq_24_3_slopes_and_differences_find_the_same)
 {
     question q;
-    fvi_fitted ridden, taken;
+    fvi_estimate ridden, taken;
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     fvi_method other = fvi_fractional;
-    other.scheme = FVI_SCHEME_OTHER;
+    other.scheme = FVI_SCHEME_CLASSICAL;
     ask(&q, ref_low, 5);
     add_noise(&q, 0.02, r);
     q.fit.h = 0.1;
     q.fit.method = &fvi_fractional;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &ridden), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &ridden), FVI_SUCCESS);
     q.fit.method = &other;
-    ck_assert_int_eq(fvi_fit_search(&q.fit, NULL, &taken), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &taken), FVI_SUCCESS);
     for (size_t j = 0; j < 5; j++) {
         ck_assert_near(ridden.estimate[j], taken.estimate[j],
                        1e-4 * taken.sd[j], "estimate %zu", j);
@@ -156,26 +156,26 @@ START_TEST(tangents_refuse_what_they_do_not_know)
 {
     static const double ones[] = { 1, 1 };
     double x[11], slope[11];
-    const fvi_parameter beyond = FVI_PARAMETER_CONSTANT + 2;
+    const fvi_free_parameter beyond = FVI_FREE_PARAMETER_CONSTANT + 2;
     fvi_system system;
     fvi_run run = duffing(&system, 0, 10);
     fvi_set_error_handler(handler);
-    ck_assert_int_eq(fvi_tangents(NULL, 1, SEVEN, x, slope), FVI_EFAULT);
-    ck_assert_int_eq(fvi_tangents(&run, 1, NULL, x, slope), FVI_EFAULT);
-    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, NULL, slope), FVI_EFAULT);
-    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_tangents(&run, 0, SEVEN, x, slope), FVI_EINVAL);
-    ck_assert_int_eq(fvi_tangents(&run, 1, &beyond, x, slope), FVI_EINVAL);
-    const fvi_law_term term = { FVI_LAW_MAXWELL, 1, 0, 1, 0 };
-    run.law = &(fvi_law){ 1, &term };
-    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_tangent(NULL, 1, SEVEN, x, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangent(&run, 1, NULL, x, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, NULL, slope), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, x, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_tangent(&run, 0, SEVEN, x, slope), FVI_EINVAL);
+    ck_assert_int_eq(fvi_tangent(&run, 1, &beyond, x, slope), FVI_EINVAL);
+    const fvi_kernel_term term = { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 };
+    run.law = &(fvi_kernel){ 1, &term };
+    ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, x, slope), FVI_EUNSUP);
     run.law = NULL;
     run.h = -1;
-    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EDOM);
+    ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, x, slope), FVI_EDOM);
     run.h = 1;
     system.d = 2;
     system.mass = system.damping = ones;
-    ck_assert_int_eq(fvi_tangents(&run, 1, SEVEN, x, slope), FVI_EINVAL);
+    ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, x, slope), FVI_EINVAL);
     ck_assert_int_eq(handled, 9);
     fvi_set_error_handler(NULL);
 }

@@ -8,27 +8,27 @@ START_TEST(each_flag_of_an_answer_has_its_words)
     char text[FVI_WARNING_ROOM] = "";
     question q;
     ask(&q, NULL, 2);
-    fvi_fitted f = { .correlation = { { 1, -0.95 }, { -0.95, 1 } } };
+    fvi_estimate f = { .correlation = { { 1, -0.95 }, { -0.95, 1 } } };
     ck_assert(
-        fvi_fit_warning_of_pair(&f, 0, 1, "alpha", "rho", sizeof text, text));
+        fvi_estimate_warning_of_pair(&f, 0, 1, "alpha", "rho", sizeof text, text));
     ck_assert_str_eq(text, "these data can hardly tell alpha and rho apart "
                            "(correlation -0.950)");
     f.correlation[0][1] = 0.89;
-    ck_assert(!fvi_fit_warning_of_pair(&f, 0, 1, "", "", sizeof text, text));
+    ck_assert(!fvi_estimate_warning_of_pair(&f, 0, 1, "", "", sizeof text, text));
     f.bias = 0.02;
-    ck_assert(!fvi_fit_warning_of_step(&q.fit, &f, sizeof text, text));
+    ck_assert(!fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
     f.bias = 0.03;
-    ck_assert(fvi_fit_warning_of_step(&q.fit, &f, sizeof text, text));
+    ck_assert(fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
     ck_assert_ptr_nonnull(strstr(text, "0.03 sd"));
     f.bias = NAN;
-    ck_assert(fvi_fit_warning_of_step(&q.fit, &f, sizeof text, text));
+    ck_assert(fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
     q.fit.h = 0.1; /* which was given: nothing was halved */
-    ck_assert(!fvi_fit_warning_of_step(&q.fit, &f, sizeof text, text));
+    ck_assert(!fvi_estimate_warning_of_step(&q.fit, &f, sizeof text, text));
     q.fit.n = 100;
     f.neighbours = -0.49;
-    ck_assert(!fvi_fit_warning_of_model(&q.fit, &f, sizeof text, text));
+    ck_assert(!fvi_estimate_warning_of_model(&q.fit, &f, sizeof text, text));
     f.neighbours = -0.51;
-    ck_assert(fvi_fit_warning_of_model(&q.fit, &f, sizeof text, text));
+    ck_assert(fvi_estimate_warning_of_model(&q.fit, &f, sizeof text, text));
     ck_assert_ptr_nonnull(strstr(text, "(correlation -0.51)"));
 }
 END_TEST
@@ -38,17 +38,17 @@ START_TEST(an_answer_that_no_motion_has_is_warned_of)
 {
     question q;
     ask(&q, NULL, 4); /* alpha, rho, c, x0 */
-    q.run.past = FVI_PAST_RIEMANN_LIOUVILLE;
-    fvi_fitted f = { .estimate = { 0.7, 0.2, 1, 1 } };
-    ck_assert_ptr_nonnull(fvi_fit_warning_of_past(&q.fit, &f));
+    q.run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    fvi_estimate f = { .estimate = { 0.7, 0.2, 1, 1 } };
+    ck_assert_ptr_nonnull(fvi_estimate_warning_of_initial_history(&q.fit, &f));
     f.estimate[3] = 0;
-    ck_assert_ptr_null(fvi_fit_warning_of_past(&q.fit, &f));
+    ck_assert_ptr_null(fvi_estimate_warning_of_initial_history(&q.fit, &f));
     f.estimate[3] = 1;
     f.estimate[0] = 0.4;
-    ck_assert_ptr_null(fvi_fit_warning_of_past(&q.fit, &f));
+    ck_assert_ptr_null(fvi_estimate_warning_of_initial_history(&q.fit, &f));
     f.estimate[0] = 0.7;
     f.estimate[1] = 0;
-    ck_assert_ptr_null(fvi_fit_warning_of_past(&q.fit, &f));
+    ck_assert_ptr_null(fvi_estimate_warning_of_initial_history(&q.fit, &f));
 }
 END_TEST
 

@@ -100,7 +100,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const setup a = { .alpha = alphas[r / 5],
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           .kappa = 0.25 * (double)(r % 5),
                           .h = 0.05,
                           .steps = N };
@@ -172,7 +172,7 @@ START_TEST(eq_8_5_kappa_0_is_the_fractional_symplectic_euler_method)
     const double alphas[] = { 0.1, 0.3, 0.5, 0.75, 1 }, rho = 0.5, h = 0.05;
     double x[N + 1], p[N + 1], p_alpha[N + 1], term[N + 1], g;
     for (size_t r = 0; r < LEN(alphas); r++) {
-        const setup a = { alphas[r], 0,    h, N,   FVI_PAST_RIEMANN_LIOUVILLE,
+        const setup a = { alphas[r], 0,    h, N,   FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           2,         rho,  1, 0.5, DUFFING,
                           { 1, 1 },  { 0 } };
         solve(&fvi_fractional, &a, x, p);
@@ -205,7 +205,7 @@ START_TEST(eq_8_6_alpha_one_half_is_linear_damping_exactly)
     const size_t steps[] = { 2, 10 };
     for (size_t r = 0; r < 2; r++) {
         const setup a = {
-            0.5,      0,    h, steps[r], FVI_PAST_RIEMANN_LIOUVILLE,
+            0.5,      0,    h, steps[r], FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
             m,        rho,  1, 0.5,      kinds[r],
             { 1, 1 }, { 0 }
         };
@@ -237,7 +237,7 @@ START_TEST(eq_8_6_areas_shrink_by_1_minus_h_rho_over_m)
                               0,
                               h,
                               1,
-                              FVI_PAST_RIEMANN_LIOUVILLE,
+                              FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                               m,
                               rho,
                               0.5 + (column == 0 ? shift : 0),

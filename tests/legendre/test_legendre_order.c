@@ -70,7 +70,7 @@ static void paper_errors(double h, double p_error[3], double E_error[3])
     static double x[MOST + 1];
     const size_t N = (size_t)lround(15 / h);
     const setup a = { .alpha = 0.5,
-                      .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                      .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                       .kappa = 0.5,
                       .h = h,
                       .steps = N };
@@ -141,7 +141,7 @@ START_TEST(eq_8_8_the_quotient_loses_an_order_without_damping)
     for (size_t i = 0; i < 2; i++) {
         const size_t N = 800 * (i + 1);
         const setup a = { .alpha = 0.5,
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           .kappa = 0.5,
                           .h = 5 / (double)N,
                           .steps = N };
@@ -176,7 +176,7 @@ START_TEST(eq_8_9_the_integrator_moves_the_mass_m_minus_rho_h_over_2)
             const size_t N = 15 * 128 * (i + 1);
             const double h = 15 / (double)N, M = 1 - rho * h / 2;
             const setup a = { .alpha = 0.5,
-                              .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                              .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                               .kappa = kappa,
                               .h = h,
                               .steps = N };
@@ -215,7 +215,7 @@ START_TEST(eq_8_7_kappa_tilde_is_another_start)
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const double tilde = 0.25 * (double)(r % 5);
         const setup a = { .alpha = alphas[r / 5],
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           .kappa = 0.25,
                           .h = h,
                           .steps = N };
@@ -257,7 +257,7 @@ START_TEST(eq_8_7_another_start_is_wrong_at_alpha_one_half)
     for (size_t i = 0; i < 2; i++) {
         const size_t N = 512 * (i + 1);
         const setup a = { .alpha = 0.5,
-                          .past = FVI_PAST_RIEMANN_LIOUVILLE,
+                          .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                           .kappa = 0.5,
                           .h = T / (double)N,
                           .steps = N };

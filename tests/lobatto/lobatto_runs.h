@@ -9,15 +9,15 @@
 #include <gsl/gsl_math.h>
 
 static const fvi_method *const methods[] = {
-    NULL,          NULL,          &fvi_lobatto2, &fvi_lobatto3, &fvi_lobatto4,
-    &fvi_lobatto5, &fvi_lobatto6, &fvi_lobatto7, &fvi_lobatto8
+    NULL,          NULL,          &fvi_lobatto_m2, &fvi_lobatto_m3, &fvi_lobatto_m4,
+    &fvi_lobatto_m5, &fvi_lobatto_m6, &fvi_lobatto_m7, &fvi_lobatto_m8
 };
 /* The same of form D. */
 static const fvi_method *const damped[] = { NULL,           NULL,
-                                            &fvi_lobatto2d, &fvi_lobatto3d,
-                                            &fvi_lobatto4d, &fvi_lobatto5d,
-                                            &fvi_lobatto6d, &fvi_lobatto7d,
-                                            &fvi_lobatto8d };
+                                            &fvi_lobatto_d2, &fvi_lobatto_d3,
+                                            &fvi_lobatto_d4, &fvi_lobatto_d5,
+                                            &fvi_lobatto_d6, &fvi_lobatto_d7,
+                                            &fvi_lobatto_d8 };
 
 typedef struct {
     size_t s;
@@ -25,7 +25,7 @@ typedef struct {
     size_t steps;
     double cg[2]; /* Duffing */
     fvi_force force;
-    fvi_memory_kind memory;
+    fvi_history_kind memory;
     double mass; /* 0 stands for 1 */
     double tolerance;
 } setup;
@@ -42,7 +42,7 @@ static inline int try_run(const setup *a, double *x, double *p)
                           .h = a->h,
                           .steps = a->steps,
                           .alpha = a->alpha,
-                          .past = FVI_PAST_CAPUTO,
+                          .past = FVI_INITIAL_HISTORY_CAPUTO,
                           .memory = a->memory,
                           .tolerance = a->tolerance };
     return fvi_trajectory(methods[a->s], &run, x, p, NULL);

@@ -2,7 +2,7 @@
  * Run alone: make test-lobatto */
 #include <fvi/error.h>
 #include "harness/ulp.h"
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_history.h"
 
 #include "lobatto_ref.h"
 
@@ -180,14 +180,14 @@ START_TEST(eq_17_11_the_damping_only_takes)
     srand(11);
     for (size_t s = 2; s <= 4; s++)
         for (size_t t = 0; t < LEN(betas); t++)
-            for (int kind = FVI_MEMORY_DIRECT; kind <= FVI_MEMORY_EXPONENTIALS;
-                 kind += FVI_MEMORY_EXPONENTIALS - FVI_MEMORY_DIRECT) {
-                fvi_lobatto_memory *m;
-                ck_assert_int_eq(fvi_lobatto_memory_alloc(s, betas[t], 1, N,
-                                                          (fvi_memory_kind)kind,
+            for (int kind = FVI_HISTORY_DIRECT; kind <= FVI_HISTORY_MODES;
+                 kind += FVI_HISTORY_MODES - FVI_HISTORY_DIRECT) {
+                fvi_lobatto_history *m;
+                ck_assert_int_eq(fvi_lobatto_history_alloc(s, betas[t], 1, N,
+                                                          (fvi_history_kind)kind,
                                                           0, &m),
                                  FVI_SUCCESS);
-                const double *w = fvi_lobatto_memory_now(m),
+                const double *w = fvi_lobatto_history_now(m),
                              *b = fvi_lobatto(s)->b;
                 double work = 0, H[4] = { 0 }, v[4], scale = 0;
                 for (size_t k = 0; k < N; k++) {
@@ -202,10 +202,10 @@ START_TEST(eq_17_11_the_damping_only_takes)
                         scale += fabs(Y);
                     }
                     ck_assert_double_ge(work, -NEAR * scale);
-                    ck_assert_int_eq(fvi_lobatto_memory_push(m, v, H),
+                    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H),
                                      FVI_SUCCESS);
                 }
-                fvi_lobatto_memory_free(m);
+                fvi_lobatto_history_free(m);
             }
 }
 END_TEST
@@ -222,15 +222,15 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
     srand(12);
     for (size_t s = 2; s <= 4; s++)
         for (size_t t = 0; t < LEN(betas); t++) {
-            fvi_lobatto_memory *direct, *fast[LEN(tolerances)];
-            ck_assert_int_eq(fvi_lobatto_memory_alloc(s, betas[t], D, MANY,
-                                                      FVI_MEMORY_DIRECT, 0,
+            fvi_lobatto_history *direct, *fast[LEN(tolerances)];
+            ck_assert_int_eq(fvi_lobatto_history_alloc(s, betas[t], D, MANY,
+                                                      FVI_HISTORY_DIRECT, 0,
                                                       &direct),
                              FVI_SUCCESS);
             for (size_t e = 0; e < LEN(tolerances); e++)
                 ck_assert_int_eq(
-                    fvi_lobatto_memory_alloc(s, betas[t], D, MANY,
-                                             FVI_MEMORY_EXPONENTIALS,
+                    fvi_lobatto_history_alloc(s, betas[t], D, MANY,
+                                             FVI_HISTORY_MODES,
                                              tolerances[e], &fast[e]),
                     FVI_SUCCESS);
             seen((double)fvi_lobatto_nodes(s, betas[t], MANY, 1e-13, 0, NULL,
@@ -240,12 +240,12 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
             for (size_t k = 0; k < MANY; k++) {
                 for (size_t i = 0; i < s * D; i++)
                     v[i] = 0.5 + 0.5 * rand() / (double)RAND_MAX;
-                fvi_lobatto_memory_push(direct, v, H);
+                fvi_lobatto_history_push(direct, v, H);
                 const double size = larger(1, pow((double)k + 1, -betas[t]));
                 for (size_t e = 0; e < LEN(tolerances); e++) {
                     const double keep =
                         tolerances[e] > 0 ? tolerances[e] : 1e-13;
-                    fvi_lobatto_memory_push(fast[e], v, G);
+                    fvi_lobatto_history_push(fast[e], v, G);
                     for (size_t i = 0; i < s * D; i++)
                         ck_assert_near(G[i], H[i],
                                        keep * size
@@ -255,9 +255,9 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
                                        betas[t], k, keep);
                 }
             }
-            fvi_lobatto_memory_free(direct);
+            fvi_lobatto_history_free(direct);
             for (size_t e = 0; e < LEN(tolerances); e++)
-                fvi_lobatto_memory_free(fast[e]);
+                fvi_lobatto_history_free(fast[e]);
         }
 }
 END_TEST
@@ -280,58 +280,58 @@ START_TEST(bad_stages_are_refused)
     ck_assert_ptr_null(fvi_lobatto(1));
     ck_assert_ptr_null(fvi_lobatto(9));
 
-    fvi_lobatto_memory *m = (fvi_lobatto_memory *)w;
-    const fvi_memory_kind direct = FVI_MEMORY_DIRECT,
-                          fast = FVI_MEMORY_EXPONENTIALS;
+    fvi_lobatto_history *m = (fvi_lobatto_history *)w;
+    const fvi_history_kind direct = FVI_HISTORY_DIRECT,
+                          fast = FVI_HISTORY_MODES;
 #define REFUSED(s, beta, d, steps, kind, tolerance, code)                      \
     ck_assert_int_eq(                                                          \
-        fvi_lobatto_memory_alloc(s, beta, d, steps, kind, tolerance, &m),      \
+        fvi_lobatto_history_alloc(s, beta, d, steps, kind, tolerance, &m),      \
         code);                                                                 \
     ck_assert_ptr_eq(m, w);
     REFUSED(1, 0.5, 1, 9, direct, 0, FVI_EINVAL)
     REFUSED(3, 0.5, 0, 9, direct, 0, FVI_EINVAL)
     REFUSED(3, 0.5, SIZE_MAX, 9, fast, 0, FVI_EINVAL)
     REFUSED(3, 0.5, 1, SIZE_MAX, direct, 0, FVI_EINVAL)
-    REFUSED(3, 0.5, 1, 9, (fvi_memory_kind)99, 0, FVI_EINVAL)
-    REFUSED(3, 0.5, 1, 9, FVI_MEMORY_FFT, 0, FVI_EUNSUP)
+    REFUSED(3, 0.5, 1, 9, (fvi_history_kind)99, 0, FVI_EINVAL)
+    REFUSED(3, 0.5, 1, 9, FVI_HISTORY_FFT, 0, FVI_EUNSUP)
     REFUSED(3, 1.5, 1, 9, direct, 0, FVI_EDOM)
     REFUSED(3, GSL_NAN, 1, 9, direct, 0, FVI_EDOM)
     REFUSED(3, 0.5, 1, 9, direct, 1, FVI_EDOM)
     REFUSED(3, 0.5, 1, 9, direct, GSL_NAN, FVI_EDOM)
     REFUSED(3, 0.5, 1, 9, fast, 1e-15, FVI_ETOL)
-    REFUSED(3, 0.5, 1, 65, FVI_MEMORY_AUTO, 1e-15, FVI_ETOL)
+    REFUSED(3, 0.5, 1, 65, FVI_HISTORY_AUTO, 1e-15, FVI_ETOL)
     REFUSED(3, 0.5, 1, (size_t)1 << 50, direct, 0, FVI_ENOMEM)
 #undef REFUSED
-    ck_assert_int_eq(fvi_lobatto_memory_alloc(3, 0.5, 1, 9, direct, 0, NULL),
+    ck_assert_int_eq(fvi_lobatto_history_alloc(3, 0.5, 1, 9, direct, 0, NULL),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_memory_alloc(2, 0.5, 1, 2, fast, 0, &m),
+    ck_assert_int_eq(fvi_lobatto_history_alloc(2, 0.5, 1, 2, fast, 0, &m),
                      FVI_SUCCESS);
     double v[] = { 1, 1 }, H[] = { 7, 7 };
-    ck_assert_int_eq(fvi_lobatto_memory_push(NULL, v, H), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_memory_push(m, NULL, H), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_memory_push(m, v, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(NULL, v, H), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, NULL, H), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, NULL), FVI_EFAULT);
     ck_assert_double_eq(H[0], 7);
-    ck_assert_int_eq(fvi_lobatto_memory_push(m, v, H), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_lobatto_memory_push(m, v, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, v), FVI_SUCCESS);
     H[0] = 7;
-    ck_assert_int_eq(fvi_lobatto_memory_push(m, v, H), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H), FVI_EINVAL);
     ck_assert_double_eq(H[0], 7);
-    fvi_lobatto_memory_free(m);
-    fvi_lobatto_memory_free(NULL);
+    fvi_lobatto_history_free(m);
+    fvi_lobatto_history_free(NULL);
     ck_assert_int_eq(/* summed directly, so nothing is left out */
-                     fvi_lobatto_memory_alloc(3, 0.5, 1, 64, FVI_MEMORY_AUTO,
+                     fvi_lobatto_history_alloc(3, 0.5, 1, 64, FVI_HISTORY_AUTO,
                                               1e-15, &m),
                      FVI_SUCCESS);
-    fvi_lobatto_memory_free(m);
+    fvi_lobatto_history_free(m);
     for (int beta = -1; beta <= 0; beta++) { /* no history, whatever the kind */
         ck_assert_int_eq(
-            fvi_lobatto_memory_alloc(3, beta, 1, SIZE_MAX, direct, 0, &m),
+            fvi_lobatto_history_alloc(3, beta, 1, SIZE_MAX, direct, 0, &m),
             FVI_SUCCESS);
-        fvi_lobatto_memory_free(m);
+        fvi_lobatto_history_free(m);
         ck_assert_int_eq(
-            fvi_lobatto_memory_alloc(3, beta, 1, 9, fast, 1e-15, &m),
+            fvi_lobatto_history_alloc(3, beta, 1, 9, fast, 1e-15, &m),
             FVI_SUCCESS);
-        fvi_lobatto_memory_free(m);
+        fvi_lobatto_history_free(m);
     }
 }
 END_TEST

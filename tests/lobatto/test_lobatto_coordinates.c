@@ -4,7 +4,7 @@
 
 /* A run in three dimensions into x and p. */
 static void solve3(const fvi_system *system, size_t s, double alpha,
-                   fvi_memory_kind memory, const double *x0, const double *p0)
+                   fvi_history_kind memory, const double *x0, const double *p0)
 {
     const fvi_run run = { .system = system,
                           .x0 = x0,
@@ -12,7 +12,7 @@ static void solve3(const fvi_system *system, size_t s, double alpha,
                           .h = 0.1,
                           .steps = N,
                           .alpha = alpha,
-                          .past = FVI_PAST_CAPUTO,
+                          .past = FVI_INITIAL_HISTORY_CAPUTO,
                           .memory = memory };
     ck_assert_int_eq(fvi_trajectory(methods[s], &run, x, p, NULL), 0);
 }
@@ -37,7 +37,7 @@ START_TEST(eq_17_8_a_chain_is_its_modes)
                     push[c] -= 0.5 * sin((double)((c + 1) * j) * M_PI_4);
                 }
             }
-            solve3(&system, s, alphas[i], FVI_MEMORY_AUTO, start, push);
+            solve3(&system, s, alphas[i], FVI_HISTORY_AUTO, start, push);
             for (size_t j = 1; j <= 3; j++) {
                 const setup a = { .s = s,
                                   .alpha = alphas[i],
@@ -79,7 +79,7 @@ START_TEST(eq_17_8_only_damped_coordinates_remember)
                 3,   mass, rho, fvi_potential_duffing(cg), fvi_force_cosine(aw),
                 NULL
             };
-            solve3(&system, s, alpha, FVI_MEMORY_DIRECT, start, push);
+            solve3(&system, s, alpha, FVI_HISTORY_DIRECT, start, push);
             for (size_t c = 0; c < 3; c++) {
                 const setup a = { .s = s,
                                   .alpha = alpha,
@@ -90,7 +90,7 @@ START_TEST(eq_17_8_only_damped_coordinates_remember)
                                   .h = 0.1,
                                   .steps = N,
                                   .cg = { 1, 1 },
-                                  .memory = FVI_MEMORY_DIRECT,
+                                  .memory = FVI_HISTORY_DIRECT,
                                   .force = fvi_force_cosine(aw) };
                 solve(&a, want_x, want_p);
                 for (size_t k = 0; k <= N; k++)
@@ -111,10 +111,10 @@ START_TEST(eq_17_8_newton_finds_what_one_factorisation_finds)
     fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 }, NULL };
     for (size_t s = 2; s <= 4; s++) {
         system.potential = fvi_potential_chain(cg);
-        solve3(&system, s, 0.3, FVI_MEMORY_AUTO, start, push);
+        solve3(&system, s, 0.3, FVI_HISTORY_AUTO, start, push);
         memcpy(want_x, x, sizeof x);
         system.potential.quadratic = NULL;
-        solve3(&system, s, 0.3, FVI_MEMORY_AUTO, start, push);
+        solve3(&system, s, 0.3, FVI_HISTORY_AUTO, start, push);
         ck_assert_near(farthest(0, 3 * N + 3, x, want_x), 0, 10 * N * U,
                        "s=%zu", s);
     }

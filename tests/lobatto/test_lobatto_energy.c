@@ -27,7 +27,7 @@ START_TEST(eq_17_26_form_d_never_gains_energy)
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, N);
         double E[N + 1];
         run.alpha = alpha;
-        run.past = FVI_PAST_CAPUTO;
+        run.past = FVI_INITIAL_HISTORY_CAPUTO;
         const size_t s = 2 + i % 7;
         ck_assert_int_eq(fvi_trajectory(damped[s], &run, NULL, NULL, E), 0);
         for (size_t k = 1; k <= N; k++) {
@@ -57,8 +57,8 @@ START_TEST(eq_17_28_form_d_is_stable_for_every_step)
             fvi_run run = fvi_run_default(&system, x0, p0, 10, 300);
             double load = 7, h = 0;
             run.alpha = a / 10.;
-            ck_assert_int_eq(fvi_stability_load(damped[s], &run, &load), 0);
-            ck_assert_int_eq(fvi_stability_step(damped[s], &run, &h), 0);
+            ck_assert_int_eq(fvi_stability_number(damped[s], &run, &load), 0);
+            ck_assert_int_eq(fvi_stability_longest_step(damped[s], &run, &h), 0);
             ck_assert(load == 0 && h == GSL_POSINF);
             ck_assert_int_eq(fvi_trajectory(damped[s], &run, rows, NULL, NULL),
                              0);

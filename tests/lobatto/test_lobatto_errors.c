@@ -1,7 +1,7 @@
 /* tests/lobatto/test_lobatto_errors.c -- Chapter 17: corrected momenta, what is not taken
  * and what is refused. Run alone: make test-lobatto_errors */
 #include "lobatto_runs.h"
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_history.h"
 
 #include "lobatto_ref.h"
 #include "system/larger.h"
@@ -30,7 +30,7 @@ START_TEST(eq_17_14_constants_are_right)
                    / (s == 2   ? 2
                       : s == 3 ? 6
                                : 24);
-        ck_assert_int_eq(fvi_lobatto_momenta(methods[s], &run, q, zero), 0);
+        ck_assert_int_eq(fvi_lobatto_correct_momenta(methods[s], &run, q, zero), 0);
         const double want =
             s == 2 && ref_corrections[i].beta < 0 ? 0 : ref_corrections[i].want;
         ck_assert_near(zero[2], want, 32 * U * larger(fabs(want), 1e-3),
@@ -56,12 +56,12 @@ START_TEST(what_needs_no_stages_of_the_past_keeps_none)
                                   .h = 0.1,
                                   .steps = (size_t)1 << 50,
                                   .alpha = at[i],
-                                  .memory = FVI_MEMORY_DIRECT };
+                                  .memory = FVI_HISTORY_DIRECT };
             fvi_stepper *stepper;
-            ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), 0);
+            ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), 0);
             for (size_t k = 0; k < 20; k++)
-                ck_assert_int_eq(fvi_step(stepper), FVI_SUCCESS);
-            fvi_stop(stepper);
+                ck_assert_int_eq(fvi_stepper_step(stepper), FVI_SUCCESS);
+            fvi_stepper_free(stepper);
         }
 }
 END_TEST
@@ -106,27 +106,27 @@ START_TEST(lobatto_start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *same = (fvi_stepper *)&bad;                               \
-        ck_assert_int_eq(fvi_start(method, &bad, &same), code);                \
+        ck_assert_int_eq(fvi_stepper_start(method, &bad, &same), code);                \
         ck_assert_ptr_eq(same, &bad);                                          \
     }
     for (size_t s = 2; s <= 4; s++) {
-        WITH(methods[s], memory, FVI_MEMORY_FFT, FVI_EUNSUP)
+        WITH(methods[s], memory, FVI_HISTORY_FFT, FVI_EUNSUP)
         fvi_run local = run;
-        local.memory = FVI_MEMORY_FFT;
+        local.memory = FVI_HISTORY_FFT;
         local.alpha = 0.5;
         fvi_stepper *none = NULL;
-        ck_assert_int_eq(fvi_start(methods[s], &local, &none), FVI_EUNSUP);
-        WITH(methods[s], memory, (fvi_memory_kind)99, FVI_EINVAL)
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &local, &none), FVI_EUNSUP);
+        WITH(methods[s], memory, (fvi_history_kind)99, FVI_EINVAL)
         WITH(methods[s], alpha, 1.1, FVI_EDOM)
         WITH(methods[s], h, 0, FVI_EDOM)
         WITH(methods[s], steps, 0, FVI_EINVAL)
         WITH(methods[s], system, NULL, FVI_EFAULT)
         WITH(methods[s], tolerance, 1, FVI_EDOM)
         fvi_run exact = run;
-        exact.memory = FVI_MEMORY_EXPONENTIALS;
+        exact.memory = FVI_HISTORY_MODES;
         exact.tolerance = 1e-15;
         fvi_stepper *stepper = NULL;
-        ck_assert_int_eq(fvi_start(methods[s], &exact, &stepper), FVI_ETOL);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &exact, &stepper), FVI_ETOL);
         ck_assert_ptr_null(stepper);
     }
 #undef WITH
@@ -207,7 +207,7 @@ START_TEST(a_mass_that_vanishes_against_the_step_is_refused)
     };
     fvi_stepper *stepper = NULL;
     for (size_t s = 2; s <= 4; s++)
-        ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), FVI_ESING);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_ESING);
     ck_assert_ptr_null(stepper);
 }
 END_TEST
@@ -233,7 +233,7 @@ START_TEST(stages_that_find_no_room_are_refused)
     fvi_stepper *stepper = NULL;
     for (size_t s = 3; s <= 4; s++) {
         system.d = D / (s - 2);
-        ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), FVI_ENOMEM);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_ENOMEM);
     }
     ck_assert_ptr_null(stepper);
     free(ones);
@@ -262,33 +262,33 @@ START_TEST(momenta_refuse)
     fvi_run run = { .system = &system, .h = 1, .steps = 4, .alpha = 0.7 };
     double q[5] = { 0, 1, 7, 1, 0 }, momentum[5] = { 0 };
     const fvi_method other = { .name = "other" };
-    ck_assert_int_eq(fvi_lobatto_momenta(NULL, &run, q, momentum), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, NULL, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(NULL, &run, q, momentum), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m3, NULL, q, momentum),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, &run, NULL, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m3, &run, NULL, momentum),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto3, &run, q, NULL),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m3, &run, q, NULL),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_momenta(&other, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&other, &run, q, momentum),
                      FVI_EINVAL);
     run.alpha = GSL_NAN;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EDOM);
     run.alpha = 0.7;
     run.h = 0;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EDOM);
     run.h = 1;
     run.steps = 0;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EINVAL);
     run.steps = 4;
     const fvi_system undamped = { .d = 1, .mass = &one };
     run.system = &undamped;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EFAULT);
     run.system = NULL;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto4, &run, q, momentum),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m4, &run, q, momentum),
                      FVI_EFAULT);
     ck_assert_double_eq(farthest(0, 5, momentum, NULL), 0);
 }
@@ -314,24 +314,24 @@ START_TEST(bytes_of_the_stages_are_what_is_kept)
     for (size_t i = 0; i < 3 * LEN(steps) * LEN(betas) * 2; i++) {
         const size_t s = 2 + i % 3, N = steps[i / 3 % 3], d = i % 2 ? 40 : 1;
         const double beta = betas[i / 9 % 5];
-        const fvi_memory_kind kind =
-            i < 45 ? FVI_MEMORY_DIRECT : FVI_MEMORY_AUTO;
-        fvi_lobatto_memory *m = NULL;
+        const fvi_history_kind kind =
+            i < 45 ? FVI_HISTORY_DIRECT : FVI_HISTORY_AUTO;
+        fvi_lobatto_history *m = NULL;
         const double before = heap();
-        ck_assert_int_eq(fvi_lobatto_memory_alloc(s, beta, d, N, kind, 0, &m),
+        ck_assert_int_eq(fvi_lobatto_history_alloc(s, beta, d, N, kind, 0, &m),
                          FVI_SUCCESS);
         const double taken = heap() - before,
-                     said = fvi_lobatto_memory_bytes(s, beta, d, N, kind, 0);
-        fvi_lobatto_memory_free(m);
+                     said = fvi_lobatto_history_bytes(s, beta, d, N, kind, 0);
+        fvi_lobatto_history_free(m);
         if (heap() > 0)
             ck_assert_msg(fabs(taken - said) <= 8192,
                           "s=%zu beta=%g d=%zu N=%zu: said %g, kept %g", s,
                           beta, d, N, said, taken);
     }
-    ck_assert(fvi_lobatto_memory_bytes(9, 0.4, 1, 9, FVI_MEMORY_AUTO, 0) == 0);
+    ck_assert(fvi_lobatto_history_bytes(9, 0.4, 1, 9, FVI_HISTORY_AUTO, 0) == 0);
     /* more than can be addressed, or nearly */
-    ck_assert(fvi_lobatto_memory_bytes(4, 0.4, 1, (size_t)1 << 40,
-                                       FVI_MEMORY_DIRECT, 0)
+    ck_assert(fvi_lobatto_history_bytes(4, 0.4, 1, (size_t)1 << 40,
+                                       FVI_HISTORY_DIRECT, 0)
               > 8 * 20 * 1e12);
 }
 END_TEST

@@ -119,7 +119,7 @@ END_TEST
 //< nonlinear
 
 /* Errors against the exact solution on [from, 1] T, N = 8, 16, ... */
-static void run_linear(const fvi_method *method, const fvi_linear *problem,
+static void run_linear(const fvi_method *method, const fvi_linear_oscillator *problem,
                        double T, size_t part, errors *ex, errors *ep)
 {
     const double aT[] = { problem->A, problem->T };
@@ -136,11 +136,11 @@ static void run_linear(const fvi_method *method, const fvi_linear *problem,
         fvi_run run = fvi_run_default(&system, &problem->x0, &problem->v0,
                                       T / (double)N, N);
         run.alpha = problem->alpha;
-        run.past = FVI_PAST_CAPUTO;
+        run.past = FVI_INITIAL_HISTORY_CAPUTO;
         ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
         for (size_t k = 0; k <= N; k++)
             times[k] = (double)k * run.h;
-        ck_assert_int_eq(fvi_exact(problem, N + 1, times, want_x, want_p), 0);
+        ck_assert_int_eq(fvi_exact_at(problem, N + 1, times, want_x, want_p), 0);
         const size_t first = N / part * (part / 4);
         ex->errors[ex->count++] = farthest(first, N + 1, x, want_x);
         ep->errors[ep->count++] = farthest(first, N + 1, p, want_p);
@@ -155,11 +155,11 @@ START_TEST(eq_17_27_form_d_has_the_full_order_from_a_start_away_from_zero)
     const double some[] = { 0.1, 0.25, 0.5, 0.75, 0.9 };
     for (size_t s = 2; s <= 5; s++)
         for (size_t i = 0; i < LEN(some); i++) {
-            const fvi_linear problem = { .m = 1,
+            const fvi_linear_oscillator problem = { .m = 1,
                                          .c = 16,
                                          .rho = 0.5,
                                          .alpha = some[i],
-                                         .past = FVI_PAST_CAPUTO,
+                                         .past = FVI_INITIAL_HISTORY_CAPUTO,
                                          .x0 = 1,
                                          .v0 = 0.5 };
             errors ex, ep;
@@ -180,7 +180,7 @@ END_TEST
  * s + 1/2. With 80 steps form D has seven stages down to 1e-13. */
 START_TEST(eq_17_27_bagley_torvik_with_both_forms)
 {
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,
@@ -246,12 +246,12 @@ START_TEST(eq_17_27_orders_of_form_d_with_another_past)
                                 .potential = fvi_potential_harmonic(&one) };
     for (size_t s = 3; s <= 4; s++)
         for (size_t i = 0; i < 2; i++) {
-            const fvi_linear problem = { .m = 1,
+            const fvi_linear_oscillator problem = { .m = 1,
                                          .c = 1,
                                          .rho = rho,
                                          .alpha = i ? 0.3 : 0.75,
-                                         .past = i ? FVI_PAST_RIEMANN_LIOUVILLE
-                                                   : FVI_PAST_HELD,
+                                         .past = i ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                                                   : FVI_INITIAL_HISTORY_HELD,
                                          .x0 = 1,
                                          .v0 = 0.5 };
             errors ex = { 0 };
@@ -265,7 +265,7 @@ START_TEST(eq_17_27_orders_of_form_d_with_another_past)
                 for (size_t k = 0; k <= N; k++)
                     times[k] = (double)k * run.h;
                 ck_assert_int_eq(
-                    fvi_exact(&problem, N + 1, times, want_x, want_p), 0);
+                    fvi_exact_at(&problem, N + 1, times, want_x, want_p), 0);
                 ex.errors[ex.count++] = farthest(N / 4, N + 1, x, want_x);
             }
             const double of = slope(&ex, 3e-13),
@@ -292,11 +292,11 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
             const fvi_system system = { 1,     &one,
                                         &rho,  fvi_potential_harmonic(&c),
                                         { 0 }, NULL };
-            const fvi_linear problem = { .m = 1,
+            const fvi_linear_oscillator problem = { .m = 1,
                                          .c = 1,
                                          .rho = 0.5,
                                          .alpha = alpha,
-                                         .past = FVI_PAST_CAPUTO,
+                                         .past = FVI_INITIAL_HISTORY_CAPUTO,
                                          .x0 = 1,
                                          .v0 = 2 };
             errors ex = { 0 }, ep = { 0 };
@@ -304,12 +304,12 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
             for (double h = longest; h > longest / 8; h /= 2) {
                 fvi_run run = fvi_run_default(&system, &x0, &p0, h, 16);
                 run.alpha = alpha;
-                run.past = FVI_PAST_CAPUTO;
+                run.past = FVI_INITIAL_HISTORY_CAPUTO;
                 ck_assert_int_eq(fvi_trajectory(damped[s], &run, x, p, NULL),
                                  0);
                 for (size_t k = 0; k <= 16; k++)
                     times[k] = (double)k * h;
-                ck_assert_int_eq(fvi_exact(&problem, 17, times, want_x, want_p),
+                ck_assert_int_eq(fvi_exact_at(&problem, 17, times, want_x, want_p),
                                  0);
                 ex.errors[ex.count++] = farthest(0, 17, x, want_x);
                 ep.errors[ep.count++] = farthest(0, 17, p, want_p);

@@ -77,7 +77,7 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
                               .h = 1 / (double)N,
                               .steps = N,
                               .alpha = a->alpha,
-                              .memory = FVI_MEMORY_EXPONENTIALS };
+                              .memory = FVI_HISTORY_MODES };
         ck_assert_int_eq(fvi_trajectory(methods[s], &run, x, p, NULL), 0);
         for (size_t k = 0; k <= N; k++) {
             want_x[k] = pow((double)k * run.h, 8);
@@ -85,7 +85,7 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
         }
         ex->errors[ex->count++] = farthest(0, N + 1, x, want_x);
         ep->errors[ep->count++] = farthest(0, N + 1, p, want_p);
-        ck_assert_int_eq(fvi_lobatto_momenta(methods[s], &run, x, p), 0);
+        ck_assert_int_eq(fvi_lobatto_correct_momenta(methods[s], &run, x, p), 0);
         fixed->errors[fixed->count++] = farthest(0, N - 1, p, want_p);
     }
 }
@@ -150,11 +150,11 @@ END_TEST
 
 /* ---- against the exact solution ---- */
 
-static void exact(const fvi_linear *problem, size_t N, double h)
+static void exact(const fvi_linear_oscillator *problem, size_t N, double h)
 {
     for (size_t k = 0; k <= N; k++)
         times[k] = (double)k * h;
-    ck_assert_int_eq(fvi_exact(problem, N + 1, times, want_x, want_p), 0);
+    ck_assert_int_eq(fvi_exact_at(problem, N + 1, times, want_x, want_p), 0);
 }
 
 //> linear
@@ -175,11 +175,11 @@ START_TEST(eq_17_13_orders_from_a_start_away_from_zero)
                                   .h = 4 / (double)N,
                                   .steps = N,
                                   .cg = { 1, 0 } };
-                const fvi_linear problem = { .m = 1,
+                const fvi_linear_oscillator problem = { .m = 1,
                                              .c = 1,
                                              .rho = 0.3,
                                              .alpha = alpha,
-                                             .past = FVI_PAST_CAPUTO,
+                                             .past = FVI_INITIAL_HISTORY_CAPUTO,
                                              .x0 = 1,
                                              .v0 = 0.5 };
                 solve(&a, x, p);
@@ -217,11 +217,11 @@ START_TEST(eq_17_22_orders_of_the_first_nodes)
                                   .h = h,
                                   .steps = 16,
                                   .cg = { 1, 0 } };
-                const fvi_linear problem = { .m = 1,
+                const fvi_linear_oscillator problem = { .m = 1,
                                              .c = 1,
                                              .rho = 0.5,
                                              .alpha = alpha,
-                                             .past = FVI_PAST_CAPUTO,
+                                             .past = FVI_INITIAL_HISTORY_CAPUTO,
                                              .x0 = 1,
                                              .v0 = 2 };
                 solve(&a, x, p);
@@ -254,7 +254,7 @@ static void bagley_torvik(size_t s, size_t N, double *ex, double *ep)
                       .steps = N,
                       .cg = { 1, 0 },
                       .force = fvi_force_step(aT) };
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,

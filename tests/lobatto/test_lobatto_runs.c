@@ -63,9 +63,9 @@ START_TEST(eq_17_12_compressed_runs_equal_direct_ones)
                         .steps = N,
                         .cg = { 1, 0.5 },
                         .force = fvi_force_cosine(aw) };
-            a.memory = FVI_MEMORY_DIRECT;
+            a.memory = FVI_HISTORY_DIRECT;
             solve(&a, want_x, want_p);
-            a.memory = FVI_MEMORY_EXPONENTIALS;
+            a.memory = FVI_HISTORY_MODES;
             solve(&a, x, p);
             const double of_x = farthest(0, N + 1, x, want_x),
                          of_p = farthest(0, N + 1, p, want_p);
@@ -95,9 +95,9 @@ START_TEST(eq_17_21_the_tolerance_is_kept_as_alpha_goes_to_1)
                             .h = 1e-3,
                             .steps = LONG,
                             .cg = { springs[i % 2], 0 },
-                            .memory = FVI_MEMORY_DIRECT };
+                            .memory = FVI_HISTORY_DIRECT };
                 solve(&a, X, P);
-                a.memory = FVI_MEMORY_EXPONENTIALS;
+                a.memory = FVI_HISTORY_MODES;
                 for (size_t t = 0; t < LEN(tolerances); t++) {
                     a.tolerance = tolerances[t];
                     solve(&a, y, q);
@@ -198,15 +198,15 @@ START_TEST(eq_17_8_without_damping_the_energy_stays)
                               .steps = 20000,
                               .alpha = 0.3 };
         fvi_stepper *stepper;
-        ck_assert_int_eq(fvi_start(methods[s], &run, &stepper), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_SUCCESS);
         double worst[2] = { 0 };
         while (stepper->k < run.steps) {
             double *w = worst + (stepper->k >= 10000);
-            ck_assert_int_eq(fvi_step(stepper), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(stepper), FVI_SUCCESS);
             *w = larger(
                 *w, fabs(energy_of(&system, stepper->x, stepper->p) - 0.75));
         }
-        fvi_stop(stepper);
+        fvi_stepper_free(stepper);
         seen(larger(worst[0], worst[1]), "energy, s=%zu", s);
         ck_assert_double_lt(worst[0], band[s]);
         ck_assert_double_le(worst[1], 1.01 * worst[0] + 1e-12);

@@ -2,7 +2,7 @@
  * Run alone: make test-lobatto_stages */
 #include "lobatto_runs.h"
 #include "lobatto_stages_ref.h"
-#include "stages/lobatto_memory.h"
+#include "stages/lobatto_history.h"
 #include "system/larger.h"
 
 #include <fvi/stability.h>
@@ -59,22 +59,22 @@ START_TEST(eq_17_12_modes_of_many_stages_equal_the_direct_sum)
     const double betas[] = { -0.9, -0.4, 0.3, 0.9 };
     for (size_t s = 5; s <= 8; s++)
         for (size_t t = 0; t < LEN(betas); t++) {
-            fvi_lobatto_memory *direct, *fast;
+            fvi_lobatto_history *direct, *fast;
             const double beta = betas[t];
-            ck_assert_int_eq(fvi_lobatto_memory_alloc(
-                                 s, beta, 1, N, FVI_MEMORY_DIRECT, 0, &direct),
+            ck_assert_int_eq(fvi_lobatto_history_alloc(
+                                 s, beta, 1, N, FVI_HISTORY_DIRECT, 0, &direct),
                              FVI_SUCCESS);
-            ck_assert_int_eq(fvi_lobatto_memory_alloc(s, beta, 1, N,
-                                                      FVI_MEMORY_EXPONENTIALS,
+            ck_assert_int_eq(fvi_lobatto_history_alloc(s, beta, 1, N,
+                                                      FVI_HISTORY_MODES,
                                                       0, &fast),
                              FVI_SUCCESS);
             for (size_t k = 0; k < N; k++) {
                 double v[8], want[8], got[8];
                 for (size_t i = 0; i < s; i++)
                     v[i] = cos(0.1 * (double)k + (double)i);
-                ck_assert_int_eq(fvi_lobatto_memory_push(direct, v, want),
+                ck_assert_int_eq(fvi_lobatto_history_push(direct, v, want),
                                  FVI_SUCCESS);
-                ck_assert_int_eq(fvi_lobatto_memory_push(fast, v, got),
+                ck_assert_int_eq(fvi_lobatto_history_push(fast, v, got),
                                  FVI_SUCCESS);
                 for (size_t i = 0; i < s; i++)
                     ck_assert_near(got[i], want[i],
@@ -82,8 +82,8 @@ START_TEST(eq_17_12_modes_of_many_stages_equal_the_direct_sum)
                                        + 4000 * U,
                                    "s=%zu beta=%g k=%zu", s, beta, k);
             }
-            fvi_lobatto_memory_free(direct);
-            fvi_lobatto_memory_free(fast);
+            fvi_lobatto_history_free(direct);
+            fvi_lobatto_history_free(fast);
         }
 }
 END_TEST
@@ -110,8 +110,8 @@ START_TEST(eq_17_24_form_d_is_the_solution_of_its_equations)
             fvi_run run = fvi_run_default(&system, &x0, &p0, 0.5, 3);
             double x[4], p[4];
             run.alpha = ref_damped[e].alpha;
-            run.past = FVI_PAST_CAPUTO;
-            run.memory = kind ? FVI_MEMORY_EXPONENTIALS : FVI_MEMORY_DIRECT;
+            run.past = FVI_INITIAL_HISTORY_CAPUTO;
+            run.memory = kind ? FVI_HISTORY_MODES : FVI_HISTORY_DIRECT;
             ck_assert_int_eq(
                 fvi_trajectory(damped[ref_damped[e].s], &run, x, p, NULL),
                 FVI_SUCCESS);

@@ -3,8 +3,8 @@
 #include <fvi/error.h>
 #include <fvi/memory.h>
 #include "harness/ulp.h"
-#include "memory/blocks.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_tiled.h"
+#include "memory/history_kinds.h"
 
 #include "memory_ref.h"
 
@@ -12,29 +12,29 @@
 #include <gsl/gsl_rng.h>
 #include <stdlib.h>
 
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                         FVI_HISTORY_MODES };
 
-static fvi_memory *memory_of(double beta, size_t d, size_t steps,
-                             fvi_memory_kind kind, double tolerance)
+static fvi_history *memory_of(double beta, size_t d, size_t steps,
+                             fvi_history_kind kind, double tolerance)
 {
-    fvi_memory *m = NULL;
-    ck_assert_int_eq(fvi_memory_alloc(beta, d, steps, kind, tolerance, &m),
+    fvi_history *m = NULL;
+    ck_assert_int_eq(fvi_history_alloc(beta, d, steps, kind, tolerance, &m),
                      FVI_SUCCESS);
     return m;
 }
 
 /* H_0 ... H_{count-1} of one sequence; steps may be more than count - 1. */
-static void sums(double beta, size_t steps, fvi_memory_kind kind,
+static void sums(double beta, size_t steps, fvi_history_kind kind,
                  double tolerance, size_t count, const double *x, double *H)
 {
-    fvi_memory *m = memory_of(beta, 1, steps, kind, tolerance);
+    fvi_history *m = memory_of(beta, 1, steps, kind, tolerance);
     for (size_t k = 0; k < count; k++) {
         double dx = k ? x[k] - x[k - 1] : x[0];
-        if (fvi_memory_push(m, x + k, &dx, H + k))
+        if (fvi_history_push(m, x + k, &dx, H + k))
             ck_abort_msg("term %zu was refused", k);
     }
-    fvi_memory_free(m);
+    fvi_history_free(m);
 }
 
 static void fill_random(size_t count, double *x)
@@ -80,10 +80,10 @@ START_TEST(eq_12_1_integer_orders_need_no_memory)
                 ck_assert_ulp(H[k], want[beta], 0, "beta=%d k=%zu", beta, k);
             }
             const size_t bytes =
-                fvi_memory_bytes(beta, 1, 1000000, kinds[i], 0);
+                fvi_history_bytes(beta, 1, 1000000, kinds[i], 0);
             ck_assert_uint_lt(bytes, 200);
             /* the last term of each coordinate */
-            ck_assert_uint_eq(fvi_memory_bytes(beta, 8, 1000000, kinds[i], 0),
+            ck_assert_uint_eq(fvi_history_bytes(beta, 8, 1000000, kinds[i], 0),
                               bytes + 7 * sizeof *x);
         }
 }
@@ -106,7 +106,7 @@ START_TEST(eq_12_6_every_weight_of_the_tail_is_within_delta)
             double N = longest[j / LEN(deltas)], n = (double)ref_tail[i].n;
             if (n > N)
                 continue;
-            size_t Q = fvi_exponentials_nodes(ref_tail[i].nu, N, delta, s, c, NULL);
+            size_t Q = fvi_history_modes_nodes(ref_tail[i].nu, N, delta, s, c, NULL);
             double sum = 0;
             for (size_t q = 0; q < Q; q++)
                 sum += c[q] * exp(-n * s[q]);
@@ -135,8 +135,8 @@ START_TEST(eq_12_11_the_errors_of_all_weights_add_up_to_delta_at_most)
     for (size_t i = 0; i < LEN(ref_rest); i++) {
         const double nu = ref_rest[i].nu, delta = 1e-14;
         double lost = 0, rounding = 0;
-        fvi_coefficients(nu, N + 1, w);
-        sums(nu, N, FVI_MEMORY_EXPONENTIALS, 10 * delta, N + 1, x, H);
+        fvi_gl_weights(nu, N + 1, w);
+        sums(nu, N, FVI_HISTORY_MODES, 10 * delta, N + 1, x, H);
         for (size_t n = 0; n <= N; n++) {
             double bound = n < FVI_TAIL ? 0 : (0.1 * (double)n + 140) * U;
             double error = fabs(H[n] - w[n]);
@@ -165,16 +165,16 @@ static void ck_assert_many_memories(size_t D, size_t N)
     fill_random(N * D, x);
     for (size_t b = 0; b < LEN(betas) * LEN(kinds); b++) {
         double beta = betas[b % 3];
-        if (kinds[b / 3] == FVI_MEMORY_EXPONENTIALS && D >= FVI_TILES_FROM)
+        if (kinds[b / 3] == FVI_HISTORY_MODES && D >= FVI_TILES_FROM)
             continue;
-        fvi_memory *m = memory_of(beta, D, N, kinds[b / 3], 0);
+        fvi_history *m = memory_of(beta, D, N, kinds[b / 3], 0);
         for (size_t k = 0; k < N; k++) {
             for (size_t i = 0; i < D; i++)
                 dx[i] = x[k * D + i] - (k ? x[(k - 1) * D + i] : 0);
-            fvi_memory_push(m, x + k * D, dx, H);
+            fvi_history_push(m, x + k * D, dx, H);
             memcpy(all + k * D, H, D * sizeof *H);
         }
-        fvi_memory_free(m);
+        fvi_history_free(m);
         for (size_t i = 0; i < D; i++) {
             for (size_t k = 0; k < N; k++)
                 one[k] = x[k * D + i];
@@ -201,13 +201,13 @@ START_TEST(eq_12_1_the_sum_may_replace_the_term)
     fill_random(LEN(x), x);
     for (size_t i = 0; i < LEN(kinds); i++) {
         sums(0.6, 299, kinds[i], 0, 300, x, H);
-        fvi_memory *m = memory_of(0.6, 1, 299, kinds[i], 0);
+        fvi_history *m = memory_of(0.6, 1, 299, kinds[i], 0);
         for (size_t k = 0; k < 300; k++) {
             double z = x[k];
-            ck_assert_int_eq(fvi_memory_push(m, &z, &z, &z), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_history_push(m, &z, &z, &z), FVI_SUCCESS);
             ck_assert_ulp(z, H[k], 0, "kind %zu k=%zu", i, k);
         }
-        fvi_memory_free(m);
+        fvi_history_free(m);
     }
 }
 END_TEST
@@ -231,8 +231,8 @@ START_TEST(eq_12_4_blocks_of_convolutions_are_the_direct_sum)
     for (size_t i = 0; i < LEN(lengths) * LEN(betas); i++) {
         size_t N = lengths[i / LEN(betas)];
         double beta = betas[i % LEN(betas)], n = (double)N;
-        sums(beta, N, FVI_MEMORY_FFT, 0, N + 1, x, fft);
-        sums(beta, N, FVI_MEMORY_DIRECT, 0, N + 1, x, direct);
+        sums(beta, N, FVI_HISTORY_FFT, 0, N + 1, x, fft);
+        sums(beta, N, FVI_HISTORY_DIRECT, 0, N + 1, x, direct);
         double size = beta < 1 ? 1 : 2; /* max |x|, max |dx| */
         double bound = (24 * log2(2 * n + 1) + 4) * 2 * 3.42 * sqrt(n) + n + 8;
         for (size_t k = 0; k <= N; k++)
@@ -260,19 +260,19 @@ START_TEST(eq_12_13_the_weights_fall_and_are_convex)
         const double nu = ref_rest[i / 12].nu,
                      tolerance = tolerances[i / 3 % 4];
         const size_t N = ends[i % 3];
-        const double delta = fvi_exponentials_delta(N, tolerance);
+        const double delta = fvi_history_modes_delta(N, tolerance);
         ck_assert(delta > 0 && delta * (double)N <= 16); /* (12.11) */
         ck_assert(delta <= tolerance / 10 && delta <= 1. / 2000);
-        size_t Q = fvi_exponentials_nodes(nu, (double)N, delta, s, c, NULL);
+        size_t Q = fvi_history_modes_nodes(nu, (double)N, delta, s, c, NULL);
         for (size_t q = 0; q < Q; q++)
             ck_assert(c[q] < 0 && s[q] > 0 && (q == 0 || s[q] > s[q - 1]));
         for (size_t k = 0; k <= N; k++)
             x[k] = 1;
-        sums(nu, N, FVI_MEMORY_EXPONENTIALS, tolerance, N + 1, x, a);
+        sums(nu, N, FVI_HISTORY_MODES, tolerance, N + 1, x, a);
         const double W = a[N];
         for (size_t k = 1; k <= N; k++)
             x[k] = 0;
-        sums(nu, N, FVI_MEMORY_EXPONENTIALS, tolerance, N + 1, x, a);
+        sums(nu, N, FVI_HISTORY_MODES, tolerance, N + 1, x, a);
         double bend = 1, slope = 1;
         for (size_t n = 1; n < N; n++) {
             slope = smaller(slope, (a[n + 1] - a[n]) / -a[n]);
@@ -297,47 +297,47 @@ START_TEST(bad_memories_are_refused_and_nothing_is_touched)
     const struct {
         double beta;
         size_t d, steps;
-        fvi_memory_kind kind;
+        fvi_history_kind kind;
         double tolerance;
         int code;
     } bad[] = {
-        { 0.5, 0, 9, FVI_MEMORY_AUTO, 0, FVI_EINVAL },
-        { 0.5, SIZE_MAX / 8, 9, FVI_MEMORY_AUTO, 0, FVI_EINVAL },
-        { 0.5, SIZE_MAX / 999, 9, FVI_MEMORY_EXPONENTIALS, 0, FVI_EINVAL },
-        { 0.5, 1, 9, (fvi_memory_kind)4, 0, FVI_EINVAL },
-        { 0.5, 1, SIZE_MAX, FVI_MEMORY_DIRECT, 0, FVI_EINVAL },
-        { 0.5, 8, SIZE_MAX / 64, FVI_MEMORY_DIRECT, 0, FVI_EINVAL },
-        { 0.5, 1, SIZE_MAX, FVI_MEMORY_FFT, 0, FVI_EINVAL },
-        { 0.5, 8, SIZE_MAX / 64, FVI_MEMORY_FFT, 0, FVI_EINVAL },
-        { 0.5, 1, 1000000001, FVI_MEMORY_EXPONENTIALS, 0, FVI_EINVAL },
-        { 0.5, 1, 1000000001, FVI_MEMORY_AUTO, 0, FVI_EINVAL },
-        { -0x1p-1074, 1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { 2 + 0x1p-51, 1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { GSL_NAN, 1, 9, FVI_MEMORY_AUTO, 0, FVI_EDOM },
-        { 0.5, 1, 9, FVI_MEMORY_DIRECT, 1, FVI_EDOM },
-        { 0.5, 1, 9, FVI_MEMORY_DIRECT, -1e-13, FVI_EDOM },
-        { 0.5, 1, 9, FVI_MEMORY_DIRECT, GSL_NAN, FVI_EDOM },
-        { 0.5, 1, 9, FVI_MEMORY_EXPONENTIALS, 0.99e-14, FVI_ETOL },
-        { 0.5, 1, 1000, FVI_MEMORY_AUTO, 0.99e-14, FVI_ETOL },
-        { 0.5, 1, (size_t)1 << 50, FVI_MEMORY_FFT, 0, FVI_ENOMEM },
-        { 0.5, (size_t)1 << 45, 9, FVI_MEMORY_DIRECT, 0, FVI_ENOMEM },
-        { 0.5, (size_t)1 << 45, 9, FVI_MEMORY_EXPONENTIALS, 0, FVI_ENOMEM },
-        { 1, (size_t)1 << 50, 9, FVI_MEMORY_AUTO, 0, FVI_ENOMEM },
+        { 0.5, 0, 9, FVI_HISTORY_AUTO, 0, FVI_EINVAL },
+        { 0.5, SIZE_MAX / 8, 9, FVI_HISTORY_AUTO, 0, FVI_EINVAL },
+        { 0.5, SIZE_MAX / 999, 9, FVI_HISTORY_MODES, 0, FVI_EINVAL },
+        { 0.5, 1, 9, (fvi_history_kind)4, 0, FVI_EINVAL },
+        { 0.5, 1, SIZE_MAX, FVI_HISTORY_DIRECT, 0, FVI_EINVAL },
+        { 0.5, 8, SIZE_MAX / 64, FVI_HISTORY_DIRECT, 0, FVI_EINVAL },
+        { 0.5, 1, SIZE_MAX, FVI_HISTORY_FFT, 0, FVI_EINVAL },
+        { 0.5, 8, SIZE_MAX / 64, FVI_HISTORY_FFT, 0, FVI_EINVAL },
+        { 0.5, 1, 1000000001, FVI_HISTORY_MODES, 0, FVI_EINVAL },
+        { 0.5, 1, 1000000001, FVI_HISTORY_AUTO, 0, FVI_EINVAL },
+        { -0x1p-1074, 1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { 2 + 0x1p-51, 1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { GSL_NAN, 1, 9, FVI_HISTORY_AUTO, 0, FVI_EDOM },
+        { 0.5, 1, 9, FVI_HISTORY_DIRECT, 1, FVI_EDOM },
+        { 0.5, 1, 9, FVI_HISTORY_DIRECT, -1e-13, FVI_EDOM },
+        { 0.5, 1, 9, FVI_HISTORY_DIRECT, GSL_NAN, FVI_EDOM },
+        { 0.5, 1, 9, FVI_HISTORY_MODES, 0.99e-14, FVI_ETOL },
+        { 0.5, 1, 1000, FVI_HISTORY_AUTO, 0.99e-14, FVI_ETOL },
+        { 0.5, 1, (size_t)1 << 50, FVI_HISTORY_FFT, 0, FVI_ENOMEM },
+        { 0.5, (size_t)1 << 45, 9, FVI_HISTORY_DIRECT, 0, FVI_ENOMEM },
+        { 0.5, (size_t)1 << 45, 9, FVI_HISTORY_MODES, 0, FVI_ENOMEM },
+        { 1, (size_t)1 << 50, 9, FVI_HISTORY_AUTO, 0, FVI_ENOMEM },
     };
-    fvi_memory *const sentinel = (fvi_memory *)&kinds, *m = sentinel;
+    fvi_history *const sentinel = (fvi_history *)&kinds, *m = sentinel;
     for (size_t i = 0; i < LEN(bad); i++) {
-        size_t bytes = fvi_memory_bytes(bad[i].beta, bad[i].d, bad[i].steps,
+        size_t bytes = fvi_history_bytes(bad[i].beta, bad[i].d, bad[i].steps,
                                         bad[i].kind, bad[i].tolerance);
         ck_assert_msg((bytes == 0) == (bad[i].code != FVI_ENOMEM), "row %zu",
                       i);
-        int code = fvi_memory_alloc(bad[i].beta, bad[i].d, bad[i].steps,
+        int code = fvi_history_alloc(bad[i].beta, bad[i].d, bad[i].steps,
                                     bad[i].kind, bad[i].tolerance, &m);
         ck_assert_msg(code == bad[i].code && m == sentinel, "row %zu: %d", i,
                       code);
     }
-    ck_assert_int_eq(fvi_memory_alloc(0.5, 1, 9, FVI_MEMORY_AUTO, 0, NULL),
+    ck_assert_int_eq(fvi_history_alloc(0.5, 1, 9, FVI_HISTORY_AUTO, 0, NULL),
                      FVI_EFAULT);
-    fvi_memory_free(NULL);
+    fvi_history_free(NULL);
 }
 END_TEST
 //< errors
@@ -348,20 +348,20 @@ START_TEST(more_terms_than_announced_are_refused)
     double x = 1, H;
     for (size_t i = 0; i < LEN(kinds); i++)
         for (double beta = 0.5; beta <= 1; beta += 0.5) {
-            fvi_memory *m = memory_of(beta, 1, 2, kinds[i], 1e-14);
-            ck_assert_int_eq(fvi_memory_push(NULL, &x, &x, &H), FVI_EFAULT);
-            ck_assert_int_eq(fvi_memory_push(m, NULL, &x, &H), FVI_EFAULT);
-            ck_assert_int_eq(fvi_memory_push(m, &x, NULL, &H), FVI_EFAULT);
-            ck_assert_int_eq(fvi_memory_push(m, &x, &x, NULL), FVI_EFAULT);
+            fvi_history *m = memory_of(beta, 1, 2, kinds[i], 1e-14);
+            ck_assert_int_eq(fvi_history_push(NULL, &x, &x, &H), FVI_EFAULT);
+            ck_assert_int_eq(fvi_history_push(m, NULL, &x, &H), FVI_EFAULT);
+            ck_assert_int_eq(fvi_history_push(m, &x, NULL, &H), FVI_EFAULT);
+            ck_assert_int_eq(fvi_history_push(m, &x, &x, NULL), FVI_EFAULT);
             for (int k = 0; k < 3; k++)
-                ck_assert_int_eq(fvi_memory_push(m, &x, &x, &H), FVI_SUCCESS);
+                ck_assert_int_eq(fvi_history_push(m, &x, &x, &H), FVI_SUCCESS);
             H = 77;
-            ck_assert_int_eq(fvi_memory_push(m, &x, &x, &H), FVI_EINVAL);
+            ck_assert_int_eq(fvi_history_push(m, &x, &x, &H), FVI_EINVAL);
             ck_assert(H == 77);
-            fvi_memory_free(m);
+            fvi_history_free(m);
         }
-    fvi_memory_free(memory_of(1.5, 1, FVI_LONGEST, FVI_MEMORY_EXPONENTIALS, 0));
-    fvi_memory_free(memory_of(0x1p-1070, 1, 9, FVI_MEMORY_EXPONENTIALS, 0));
+    fvi_history_free(memory_of(1.5, 1, FVI_LONGEST, FVI_HISTORY_MODES, 0));
+    fvi_history_free(memory_of(0x1p-1070, 1, 9, FVI_HISTORY_MODES, 0));
 }
 END_TEST
 

@@ -13,7 +13,7 @@ enum { STEPS = 400 };
 typedef struct {
     double C[4], mass[2], rho[2], x0[2], p0[2], kappa, alpha;
     size_t steps;
-    fvi_memory_kind kind;
+    fvi_history_kind kind;
 } plane;
 
 static int plane_value(size_t d, const double *x, void *params, double *value)
@@ -41,7 +41,7 @@ static int plane_hessian(size_t d, const double *x, void *params, double *H)
 }
 
 /* C = B B^T, W up to 3; R up to 1.5 times the bound of kappa = 1/2, 4^{1-alpha}. */
-static plane random_plane(gsl_rng *random, fvi_memory_kind kind)
+static plane random_plane(gsl_rng *random, fvi_history_kind kind)
 {
     plane a = { .kappa = gsl_rng_uniform(random),
                 .alpha = gsl_rng_uniform_pos(random),
@@ -84,19 +84,19 @@ static size_t run_plane(const plane *a, double *x, double *load)
                           .steps = a->steps,
                           .kappa = a->kappa,
                           .alpha = a->alpha,
-                          .past = FVI_PAST_HELD,
+                          .past = FVI_INITIAL_HISTORY_HELD,
                           .memory = a->kind,
                           .tolerance = 0.5 };
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, load),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, load),
                      FVI_SUCCESS);
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
     memcpy(x, s->x, 2 * sizeof *x);
     while (s->k < a->steps && fabs(x[2 * s->k]) < 1e60
-           && fvi_step(s) == FVI_SUCCESS)
+           && fvi_stepper_step(s) == FVI_SUCCESS)
         memcpy(x + 2 * s->k, s->x, 2 * sizeof *x);
     const size_t steps = s->k;
-    fvi_stop(s);
+    fvi_stepper_free(s);
     return steps;
 }
 
@@ -127,17 +127,17 @@ START_TEST(eq_12_15_the_energy_changes_by_the_work_on_the_mean_displacement)
     static double x[2 * (STEPS + 1)];
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < 300; i++) {
-        const plane a = random_plane(random, i % 2 ? FVI_MEMORY_DIRECT
-                                                   : FVI_MEMORY_EXPONENTIALS);
+        const plane a = random_plane(random, i % 2 ? FVI_HISTORY_DIRECT
+                                                   : FVI_HISTORY_MODES);
         double load, before, after, size = 0;
         const size_t N = run_plane(&a, x, &load);
-        fvi_memory *memory;
+        fvi_history *memory;
         ck_assert_int_eq(
-            fvi_memory_alloc(2 * a.alpha, 2, a.steps, a.kind, 0.5, &memory),
+            fvi_history_alloc(2 * a.alpha, 2, a.steps, a.kind, 0.5, &memory),
             FVI_SUCCESS);
         const double none[2] = { 0 };
         double H[2];
-        fvi_memory_push(memory, none, none, H);
+        fvi_history_push(memory, none, none, H);
         before = energy(&a, x, &size);
         for (size_t k = 1; k < N; k++) {
             double z[2], d[2], work = 0;
@@ -145,7 +145,7 @@ START_TEST(eq_12_15_the_energy_changes_by_the_work_on_the_mean_displacement)
                 z[l] = x[2 * k + l] - x[l];
                 d[l] = x[2 * k + l] - x[2 * k - 2 + l];
             }
-            fvi_memory_push(memory, z, d, H);
+            fvi_history_push(memory, z, d, H);
             for (size_t l = 0; l < 2; l++) {
                 const double mean = (x[2 * k + 2 + l] - x[2 * k - 2 + l]) / 2;
                 work += mean * a.rho[l] * H[l];
@@ -155,7 +155,7 @@ START_TEST(eq_12_15_the_energy_changes_by_the_work_on_the_mean_displacement)
                            "run %d, k = %zu, load %g", i, k, load);
             before = after;
         }
-        fvi_memory_free(memory);
+        fvi_history_free(memory);
     }
     gsl_rng_free(random);
 }
@@ -173,8 +173,8 @@ START_TEST(eq_12_16_no_run_gains_energy_from_its_memory)
     size_t stable = 0;
     double grown = 0;
     for (int i = 0; i < 3000; i++) {
-        const plane a = random_plane(random, i % 2 ? FVI_MEMORY_DIRECT
-                                                   : FVI_MEMORY_EXPONENTIALS);
+        const plane a = random_plane(random, i % 2 ? FVI_HISTORY_DIRECT
+                                                   : FVI_HISTORY_MODES);
         const double share =
             pow(4, a.alpha) + (i % 2 ? 0 : 2 * (1. / 2000 + 1. / STEPS));
         double load, size = 0, rounding = 0;

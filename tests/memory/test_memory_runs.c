@@ -2,18 +2,18 @@
  *                                      Run alone: make test-memory_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "memory/memory_kinds.h"
+#include "memory/history_kinds.h"
 
 #include <malloc.h>
 #include <stdlib.h>
 
-static const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_FFT,
-                                         FVI_MEMORY_EXPONENTIALS };
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+                                         FVI_HISTORY_MODES };
 
 /* Three kinds of motion, to T = 20. */
 enum { OSCILLATOR, BAGLEY_TORVIK, DUFFING, PROBLEMS };
 
-static void motion(int which, double beta, size_t N, fvi_memory_kind kind,
+static void motion(int which, double beta, size_t N, fvi_history_kind kind,
                    double tolerance, double *x)
 {
     static const double mass = 1, c = 1, cg[2] = { 1, 1 }, step[2] = { 8, 1 },
@@ -37,8 +37,8 @@ static void motion(int which, double beta, size_t N, fvi_memory_kind kind,
                     .steps = N,
                     .kappa = 0.5,
                     .alpha = beta / 2,
-                    .past = which == DUFFING ? FVI_PAST_CAPUTO
-                                             : FVI_PAST_RIEMANN_LIOUVILLE,
+                    .past = which == DUFFING ? FVI_INITIAL_HISTORY_CAPUTO
+                                             : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
                     .memory = kind,
                     .tolerance = tolerance };
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL),
@@ -46,8 +46,8 @@ static void motion(int which, double beta, size_t N, fvi_memory_kind kind,
 }
 
 /* max |x_1 - x_2| / max |x_1| of two ways to sum */
-static double distance(int which, double beta, size_t N, fvi_memory_kind kind1,
-                       fvi_memory_kind kind2, double tolerance)
+static double distance(int which, double beta, size_t N, fvi_history_kind kind1,
+                       fvi_history_kind kind2, double tolerance)
 {
     double *x = malloc(2 * (N + 1) * sizeof *x), far = 0, size = 0;
     ck_assert_ptr_nonnull(x);
@@ -71,22 +71,22 @@ START_TEST(eq_12_14_compressed_runs_stay_within_the_tolerance)
     const double betas[] = { 0, 0.02, 0.5, 0.98, 1, 1.02, 1.5, 1.98, 2 };
     for (int which = 0; which < PROBLEMS; which++)
         for (size_t b = 0; b < LEN(betas); b++)
-            ck_assert_near(distance(which, betas[b], 10000, FVI_MEMORY_DIRECT,
-                                    FVI_MEMORY_EXPONENTIALS, 0),
+            ck_assert_near(distance(which, betas[b], 10000, FVI_HISTORY_DIRECT,
+                                    FVI_HISTORY_MODES, 0),
                            0, 1e-13, "problem %d beta=%g", which, betas[b]);
 }
 END_TEST
 
 START_TEST(eq_12_14_and_so_do_long_ones)
 {
-    ck_assert_near(distance(BAGLEY_TORVIK, 1.5, 100000, FVI_MEMORY_DIRECT,
-                            FVI_MEMORY_EXPONENTIALS, 0),
+    ck_assert_near(distance(BAGLEY_TORVIK, 1.5, 100000, FVI_HISTORY_DIRECT,
+                            FVI_HISTORY_MODES, 0),
                    0, 1e-13, "N = 10^5");
-    ck_assert_near(distance(DUFFING, 0.98, 50000, FVI_MEMORY_DIRECT,
-                            FVI_MEMORY_EXPONENTIALS, 0),
+    ck_assert_near(distance(DUFFING, 0.98, 50000, FVI_HISTORY_DIRECT,
+                            FVI_HISTORY_MODES, 0),
                    0, 1e-13, "N = 5 10^4");
-    ck_assert_near(distance(BAGLEY_TORVIK, 1.5, 300000, FVI_MEMORY_FFT,
-                            FVI_MEMORY_EXPONENTIALS, 0),
+    ck_assert_near(distance(BAGLEY_TORVIK, 1.5, 300000, FVI_HISTORY_FFT,
+                            FVI_HISTORY_MODES, 0),
                    0, 1e-12, "N = 3 10^5, against the FFT");
 }
 END_TEST
@@ -100,13 +100,13 @@ START_TEST(eq_12_14_other_tolerances)
     for (size_t i = 0; i < LEN(tolerances); i++)
         for (size_t b = 0; b < LEN(betas); b++) {
             double far =
-                distance(BAGLEY_TORVIK, betas[b], 2000, FVI_MEMORY_DIRECT,
-                         FVI_MEMORY_EXPONENTIALS, tolerances[i]);
+                distance(BAGLEY_TORVIK, betas[b], 2000, FVI_HISTORY_DIRECT,
+                         FVI_HISTORY_MODES, tolerances[i]);
             ck_assert_near(far, 0, tolerances[i], "beta=%g", betas[b]);
         }
     ck_assert_uint_lt(
-        fvi_memory_bytes(0.5, 1, 100000, FVI_MEMORY_EXPONENTIALS, 1e-3),
-        fvi_memory_bytes(0.5, 1, 100000, FVI_MEMORY_EXPONENTIALS, 1e-10));
+        fvi_history_bytes(0.5, 1, 100000, FVI_HISTORY_MODES, 1e-3),
+        fvi_history_bytes(0.5, 1, 100000, FVI_HISTORY_MODES, 1e-10));
 }
 END_TEST
 
@@ -114,24 +114,24 @@ END_TEST
 
 START_TEST(auto_is_direct_for_few_steps_and_compressed_for_many)
 {
-    ck_assert_int_eq(fvi_memory_choose(0.5, 10), FVI_MEMORY_DIRECT);
-    ck_assert_int_eq(fvi_memory_choose(0.5, 1000000), FVI_MEMORY_EXPONENTIALS);
-    ck_assert_int_eq(fvi_memory_choose(1, 1000000), FVI_MEMORY_DIRECT);
+    ck_assert_int_eq(fvi_history_choose(0.5, 10), FVI_HISTORY_DIRECT);
+    ck_assert_int_eq(fvi_history_choose(0.5, 1000000), FVI_HISTORY_MODES);
+    ck_assert_int_eq(fvi_history_choose(1, 1000000), FVI_HISTORY_DIRECT);
     for (size_t N = 10; N <= 100000; N *= 10)
         ck_assert_uint_eq(
-            fvi_memory_bytes(0.5, 1, N, FVI_MEMORY_AUTO, 0),
-            fvi_memory_bytes(0.5, 1, N, fvi_memory_choose(0.5, N), 0));
-    seen((double)fvi_memory_bytes(1.5, 1, 10000000, FVI_MEMORY_EXPONENTIALS, 0),
+            fvi_history_bytes(0.5, 1, N, FVI_HISTORY_AUTO, 0),
+            fvi_history_bytes(0.5, 1, N, fvi_history_choose(0.5, N), 0));
+    seen((double)fvi_history_bytes(1.5, 1, 10000000, FVI_HISTORY_MODES, 0),
          "exponentials, 10^7 steps, bytes");
-    seen(1e-9 * (double)fvi_memory_bytes(1.5, 1, 10000000, FVI_MEMORY_FFT, 0),
+    seen(1e-9 * (double)fvi_history_bytes(1.5, 1, 10000000, FVI_HISTORY_FFT, 0),
          "FFT, 10^7 steps, gigabytes");
     /* 10^8 steps: the promise of "state O(Q d)" in bytes */
     ck_assert_uint_lt(
-        fvi_memory_bytes(0.5, 1, 1000000, FVI_MEMORY_EXPONENTIALS, 0), 2800);
+        fvi_history_bytes(0.5, 1, 1000000, FVI_HISTORY_MODES, 0), 2800);
     ck_assert_uint_lt(
-        fvi_memory_bytes(0.5, 1, 100000000, FVI_MEMORY_EXPONENTIALS, 0), 3500);
+        fvi_history_bytes(0.5, 1, 100000000, FVI_HISTORY_MODES, 0), 3500);
     ck_assert_uint_lt(
-        fvi_memory_bytes(1.9, 10, 100000000, FVI_MEMORY_EXPONENTIALS, 0),
+        fvi_history_bytes(1.9, 10, 100000000, FVI_HISTORY_MODES, 0),
         20000);
 }
 END_TEST
@@ -155,13 +155,13 @@ START_TEST(bytes_are_what_is_taken)
 {
     const size_t steps[] = { 3, 64, 1000, 30000 }, dims[] = { 1, 40 };
     for (size_t i = 0; i < LEN(kinds) * LEN(steps) * LEN(dims); i++) {
-        fvi_memory_kind kind = kinds[i / 8];
+        fvi_history_kind kind = kinds[i / 8];
         size_t N = steps[i / 2 % 4], d = dims[i % 2];
-        size_t said = fvi_memory_bytes(0.5, d, N, kind, 0), before = heap();
-        fvi_memory *m = NULL;
-        ck_assert_int_eq(fvi_memory_alloc(0.5, d, N, kind, 0, &m), FVI_SUCCESS);
+        size_t said = fvi_history_bytes(0.5, d, N, kind, 0), before = heap();
+        fvi_history *m = NULL;
+        ck_assert_int_eq(fvi_history_alloc(0.5, d, N, kind, 0, &m), FVI_SUCCESS);
         size_t taken = heap() - before;
-        fvi_memory_free(m);
+        fvi_history_free(m);
         ck_assert_uint_gt(said, 0);
         if (heap() > 0)
             ck_assert_msg(taken + 2048 >= said
@@ -182,7 +182,7 @@ START_TEST(eq_12_9_the_first_node_is_where_the_bound_says)
     const double delta = 1e-10;
     for (int k = 1; k <= 40; k++) { /* A from 30 to 3e13 */
         const double above = ldexp(1, -k), nu = above - 1;
-        const double t = fvi_exponentials_grid(nu, 1e6, delta, 1).left;
+        const double t = fvi_node_range_of(nu, 1e6, delta, 1).left;
         const double A = (log(4 / delta) - lgamma(1 + above)) / above + 0.04;
         const double magnified = A < 700 ? A : fabs(t);
         ck_assert_near(exp(-t) - t, A, 5 * (1 + magnified) * A * U,

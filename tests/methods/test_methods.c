@@ -10,16 +10,16 @@ START_TEST(a_method_is_found_by_its_name)
     size_t count = 0;
     FOR_EACH(m)
     {
-        ck_assert_ptr_eq(fvi_method_named(m->name),
+        ck_assert_ptr_eq(fvi_method_find(m->name),
                          m); /* no name stands twice */
         ck_assert(m->order && m->memory && m->step);
         count++;
     }
     ck_assert_uint_eq(count, 22);
-    ck_assert_ptr_null(fvi_method_named("variational"));
-    ck_assert_ptr_null(fvi_method_named("fv"));
-    ck_assert_ptr_null(fvi_method_named(""));
-    ck_assert_ptr_null(fvi_method_named(NULL));
+    ck_assert_ptr_null(fvi_method_find("variational"));
+    ck_assert_ptr_null(fvi_method_find("fv"));
+    ck_assert_ptr_null(fvi_method_find(""));
+    ck_assert_ptr_null(fvi_method_find(NULL));
 }
 END_TEST
 
@@ -31,7 +31,7 @@ START_TEST(a_method_knows_all_alpha_or_one)
         ck_assert((m->alpha_least == 0 && m->alpha_most == 1)
                   || (m->alpha_least == m->alpha_most && m->alpha_most > 0
                       && m->alpha_most < 1));
-        ck_assert(m->load || !m->load_grows);
+        ck_assert(m->stability_number || !m->stability_number_grows);
         ck_assert((m->memories == 0) == (strcmp(m->memory, "none") == 0));
     }
 }
@@ -56,8 +56,8 @@ START_TEST(a_method_runs_at_its_alpha_and_not_outside)
         for (size_t j = 0; j < LEN(outside); j++) {
             const fvi_run run = run_of(&system, outside[j]);
             ck_assert_int_eq(fvi_trajectory(m, &run, x, NULL, NULL), FVI_EDOM);
-            if (m->load)
-                ck_assert_int_eq(fvi_stability_load(m, &run, &kept), FVI_EDOM);
+            if (m->stability_number)
+                ck_assert_int_eq(fvi_stability_number(m, &run, &kept), FVI_EDOM);
         }
         ck_assert(kept == 7);
     }
@@ -99,11 +99,11 @@ START_TEST(an_implicit_step_asks_for_the_hessian)
     {
         const fvi_run run = run_of(&system, middle(m));
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(m, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(m, &run, &s), FVI_SUCCESS);
         asked = 0;
         while (s->k < run.steps)
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-        fvi_stop(s);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+        fvi_stepper_free(s);
         const size_t least = m->dense ? 1 : STEPS;
         ck_assert_msg(m->implicit ? asked >= least : asked == 0, "%s: %zu",
                       m->name, asked);
@@ -122,11 +122,11 @@ START_TEST(a_memory_is_used_or_refused)
         double x[STEPS + 1], other[STEPS + 1];
         fvi_run run = run_of(&system, middle(m));
         ck_assert_int_eq(fvi_trajectory(m, &run, x, NULL, NULL), FVI_SUCCESS);
-        for (int kind = FVI_MEMORY_AUTO; kind <= FVI_MEMORY_EXPONENTIALS;
+        for (int kind = FVI_HISTORY_AUTO; kind <= FVI_HISTORY_MODES;
              kind++) {
             const int has = m->memories == 0 || (m->memories >> kind & 1);
-            run.memory = (fvi_memory_kind)kind;
-            ck_assert(!fvi_method_has_memory(m, run.memory) == !has);
+            run.memory = (fvi_history_kind)kind;
+            ck_assert(!fvi_method_takes_history(m, run.memory) == !has);
             ck_assert_int_eq(fvi_trajectory(m, &run, other, NULL, NULL),
                              has ? FVI_SUCCESS : FVI_EUNSUP);
             for (size_t k = 0; has && k <= STEPS; k++)
@@ -155,9 +155,9 @@ START_TEST(eq_13_7_the_quadrature_is_the_one_named)
         ran++;
         ck_assert_int_eq(fvi_trajectory(m, &run, x, NULL, NULL), FVI_SUCCESS);
         ck_assert_int_eq(
-            fvi_quadrature_weights(m->quadrature, 2 * alpha, STEPS + 1, w),
+            fvi_cq_weights(m->quadrature, 2 * alpha, STEPS + 1, w),
             FVI_SUCCESS);
-        const int is_stable = m == &fvi_stable; /* the mean of two, (13.16) */
+        const int is_stable = m == &fvi_cq2_midpoint; /* the mean of two, (13.16) */
         for (size_t n = STEPS; is_stable && n > 0; n--)
             w[n] = (0.5 + alpha) * w[n] + (0.5 - alpha) * w[n - 1];
         w[0] *= is_stable ? 0.5 + alpha : 1;
@@ -194,9 +194,9 @@ START_TEST(eq_9_5_a_past_as_printed_is_a_kick)
         if (m->alpha_most < 1 || m->dense) /* h is no step of the latter */
             continue;
         ran++;
-        run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         ck_assert_int_eq(fvi_trajectory(m, &run, x, NULL, NULL),
-                         m->past_as_printed ? FVI_SUCCESS : FVI_EDOM);
+                         m->paper_convention ? FVI_SUCCESS : FVI_EDOM);
         run.alpha = 0.25;
         for (size_t j = 0; j < 3; j++) {
             run.steps = (size_t)160 << j;
@@ -212,8 +212,8 @@ START_TEST(eq_9_5_a_past_as_printed_is_a_kick)
         if (D[1] < 1e-11) /* rounding is all that is left */
             continue;
         const double rate = log2(D[1] / D[2]);
-        seen(rate, m->past_as_printed ? "as printed" : "exact impulses");
-        ck_assert_msg((rate < 0.75) == (m->past_as_printed != 0), "%s: %g",
+        seen(rate, m->paper_convention ? "as printed" : "exact impulses");
+        ck_assert_msg((rate < 0.75) == (m->paper_convention != 0), "%s: %g",
                       m->name, rate);
     }
     ck_assert_uint_eq(ran, 18); /* without the three of alpha = 1/2 */

@@ -13,13 +13,13 @@ static int grows(const fvi_method *m, const fvi_run *run)
 {
     double most = 0;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(m, run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(m, run, &s), FVI_SUCCESS);
     int status = FVI_SUCCESS;
     while (s->k < run->steps && !status && most < 1e6) {
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
         most = larger(most, fabs(s->x[0]));
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
     ck_assert(status == FVI_SUCCESS || status == FVI_EOVRFLW);
     ck_assert_msg(status || most > 1e6 || most < 100, "%s alpha=%g: %g",
                   m->name, run->alpha, most);
@@ -36,7 +36,7 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
     {
         size_t above = 0, below = 0;
         double most = 0;
-        for (size_t i = 0; i < 200 && m->load; i++) {
+        for (size_t i = 0; i < 200 && m->stability_number; i++) {
             double stiffness =
                        pow(10, (m->stages > 4 ? 5 : 3) * gsl_rng_uniform(random)
                                    - 1),
@@ -51,7 +51,7 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
                 + gsl_rng_uniform(random) * (m->alpha_most - m->alpha_least);
             if (m->takes_kappa)
                 run.kappa = gsl_rng_uniform(random);
-            ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stability_number(m, &run, &load), FVI_SUCCESS);
             most = larger(most, load);
             if (load > 0.8 && load < 1.25)
                 continue;
@@ -60,7 +60,7 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
                           run.alpha, run.kappa, stiffness, damping, load);
             *(load > 1 ? &above : &below) += 1;
         }
-        ck_assert_msg(!m->load || most == 0 || (above >= 5 && below >= 5),
+        ck_assert_msg(!m->stability_number || most == 0 || (above >= 5 && below >= 5),
                       "%s: %zu, %zu", m->name, above, below);
     }
     gsl_rng_free(random);
@@ -78,29 +78,29 @@ START_TEST(eq_14_4_the_longest_step_parts_the_loads)
         fvi_run run = run_of(&system, middle(m));
         double h = 7, load, last = 0;
         run.kappa = 0.25;
-        if (!m->load)
-            ck_assert_int_eq(fvi_stability_load(m, &run, &h), FVI_EUNSUP);
+        if (!m->stability_number)
+            ck_assert_int_eq(fvi_stability_number(m, &run, &h), FVI_EUNSUP);
         int falls = 0;
-        for (int n = 0; n < 400 && m->load; n++, last = load) {
+        for (int n = 0; n < 400 && m->stability_number; n++, last = load) {
             run.h = exp2(n / 50. - 4);
-            ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stability_number(m, &run, &load), FVI_SUCCESS);
             falls |= load < last;
         }
-        ck_assert_msg(!m->load || falls == !m->load_grows, "%s", m->name);
+        ck_assert_msg(!m->stability_number || falls == !m->stability_number_grows, "%s", m->name);
         const int is_safe = last == 0;
         last = 0;
-        if (!m->load_grows) {
-            ck_assert_int_eq(fvi_stability_step(m, &run, &h), FVI_EUNSUP);
+        if (!m->stability_number_grows) {
+            ck_assert_int_eq(fvi_stability_longest_step(m, &run, &h), FVI_EUNSUP);
             ck_assert(h == 7);
             continue;
         }
-        ck_assert_int_eq(fvi_stability_step(m, &run, &h), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stability_longest_step(m, &run, &h), FVI_SUCCESS);
         ck_assert(!isinf(h) == !is_safe); /* then no step is too long */
         if (is_safe)
             continue;
         for (int n = -100; n <= 100; n++) {
             run.h = n == 0 ? h : h * (1 + 1e-11 * n) * exp2(n / 10);
-            ck_assert_int_eq(fvi_stability_load(m, &run, &load), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stability_number(m, &run, &load), FVI_SUCCESS);
             ck_assert_msg((load > 1) == (n > 0) && load >= last,
                           "%s: load %.17g at %.17g h", m->name, load,
                           run.h / h);
@@ -118,7 +118,7 @@ START_TEST(a_load_that_overflows_at_every_step_is_reported)
     double h = 7;
     c = GSL_POSINF;
     run.kappa = 0;
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &h),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &h),
                      FVI_EOVRFLW);
     ck_assert(h == 7);
     c = 1;
@@ -138,12 +138,12 @@ START_TEST(a_copied_method_is_as_good)
         fvi_run run = run_of(&system, middle(m));
         double x[2][STEPS + 1], p[2][STEPS + 1], v[2] = { 0, 0 };
         fvi_step_found found[2] = { { 0 } };
-        run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         for (size_t j = 0; j < 2; j++) {
             const fvi_method *which = j ? &copy : m;
             ck_assert_int_eq(fvi_trajectory(which, &run, x[j], p[j], NULL),
                              FVI_SUCCESS);
-            ck_assert_int_eq(fvi_lobatto_momenta(which, &run, x[j], p[j]),
+            ck_assert_int_eq(fvi_lobatto_correct_momenta(which, &run, x[j], p[j]),
                              m->stages >= 2 && m->stages <= 4
                                      && !m->damped_inertia
                                  ? FVI_SUCCESS
@@ -151,11 +151,11 @@ START_TEST(a_copied_method_is_as_good)
         }
         ck_assert(memcmp(x[0], x[1], sizeof x[0]) == 0
                   && memcmp(p[0], p[1], sizeof p[0]) == 0);
-        ck_assert_int_eq(fvi_stability_load(m, &run, v),
-                         fvi_stability_load(&copy, &run, v + 1));
+        ck_assert_int_eq(fvi_stability_number(m, &run, v),
+                         fvi_stability_number(&copy, &run, v + 1));
         ck_assert(v[0] == v[1]);
-        ck_assert_int_eq(fvi_stability_step(m, &run, v),
-                         fvi_stability_step(&copy, &run, v + 1));
+        ck_assert_int_eq(fvi_stability_longest_step(m, &run, v),
+                         fvi_stability_longest_step(&copy, &run, v + 1));
         ck_assert(v[0] == v[1]);
         ck_assert_ptr_eq(fvi_step_search_other(m, &run),
                          fvi_step_search_other(&copy, &run));

@@ -7,19 +7,19 @@
 
 #include <gsl/gsl_math.h>
 
-static const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                             &fvi_bdf2,       &fvi_lobatto2,
-                                             &fvi_lobatto3,   &fvi_lobatto4 };
+static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                             &fvi_cq_bdf2,       &fvi_lobatto_m2,
+                                             &fvi_lobatto_m3,   &fvi_lobatto_m4 };
 enum { FVI, SHIFTED, BDF2, LOBATTO2, LOBATTO3, LOBATTO4, METHODS };
 
-static const fvi_past pasts[] = { FVI_PAST_HELD, FVI_PAST_CAPUTO,
-                                  FVI_PAST_RIEMANN_LIOUVILLE };
+static const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO,
+                                  FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
 static const char *const past_names[] = { "held", "Caputo",
                                           "Riemann-Liouville" };
 
 /* m = 1, U = c x^2/2 + g x^4/4; g = 0 is the harmonic potential. */
 typedef struct {
-    fvi_past past;
+    fvi_initial_history past;
     double alpha, rho, x0, p0, cg[2];
 } problem;
 
@@ -50,14 +50,14 @@ static inline void solve(const fvi_method *method, const problem *q, double h,
 static inline void exact(const problem *q, size_t count, const double *t,
                          double *x, double *v)
 {
-    const fvi_linear linear = { .m = 1,
+    const fvi_linear_oscillator linear = { .m = 1,
                                 .c = q->cg[0],
                                 .rho = q->rho,
                                 .alpha = q->alpha,
                                 .past = q->past,
                                 .x0 = q->x0,
                                 .v0 = q->p0 };
-    ck_assert_int_eq(fvi_exact(&linear, count, t, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&linear, count, t, x, v), FVI_SUCCESS);
 }
 
 #endif

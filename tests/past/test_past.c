@@ -20,10 +20,10 @@ START_TEST(eq_19_5_impulses_are_the_integrals)
     for (size_t i = 0; i < LEN(ref_impulses); i++) {
         const double alpha = ref_impulses[i].alpha;
         const size_t n = ref_impulses[i].n, k = ref_impulses[i].k;
-        fvi_past_pull pull;
-        double b[FVI_PAST_NODES], sum = 0;
-        fvi_past_prepare(alpha, n, ref_nodes[n - 2].c, &pull);
-        fvi_past_impulses(&pull, k, b);
+        fvi_kernel_impulse pull;
+        double b[FVI_KERNEL_IMPULSE_NODES], sum = 0;
+        fvi_kernel_impulse_prepare(alpha, n, ref_nodes[n - 2].c, &pull);
+        fvi_kernel_impulses(&pull, k, b);
         for (size_t j = 0; j < n; j++)
             sum += fabs(ref_impulses[i].b[j]);
         for (size_t j = 0; j < n; j++)
@@ -46,12 +46,12 @@ START_TEST(eq_19_5_they_are_exact_on_polynomials)
 {
     const double alphas[] = { 0, 0.2, 0.49, 0.51, 0.7, 0.95 };
     for (size_t i = 0; i < LEN(alphas); i++)
-        for (size_t n = 2; n <= FVI_PAST_NODES; n++)
+        for (size_t n = 2; n <= FVI_KERNEL_IMPULSE_NODES; n++)
             for (size_t q = 0; q < n; q++) {
-                fvi_past_pull pull;
-                double b[FVI_PAST_NODES], sum = 0, all = 0;
-                fvi_past_prepare(alphas[i], n, ref_nodes[n - 2].c, &pull);
-                fvi_past_impulses(&pull, 0, b);
+                fvi_kernel_impulse pull;
+                double b[FVI_KERNEL_IMPULSE_NODES], sum = 0, all = 0;
+                fvi_kernel_impulse_prepare(alphas[i], n, ref_nodes[n - 2].c, &pull);
+                fvi_kernel_impulses(&pull, 0, b);
                 for (size_t j = 0; j < n; j++) {
                     sum +=
                         b[j] * gsl_pow_uint(ref_nodes[n - 2].c[j], (unsigned)q);
@@ -68,7 +68,7 @@ END_TEST
 
 /* ---- pasts that are one ---- */
 
-static int same_bits(const problem *q, const fvi_method *method, fvi_past past)
+static int same_bits(const problem *q, const fvi_method *method, fvi_initial_history past)
 {
     problem r = *q;
     r.past = past;
@@ -86,18 +86,18 @@ START_TEST(eq_19_1_where_two_pasts_are_one)
     for (size_t i = 0; i < LEN(alphas) * METHODS; i++) {
         const double alpha = alphas[i / METHODS];
         const fvi_method *method = methods[i % METHODS];
-        problem q = { FVI_PAST_HELD, alpha, 0.2, 1, 0.5, { 1, 0.5 } };
+        problem q = { FVI_INITIAL_HISTORY_HELD, alpha, 0.2, 1, 0.5, { 1, 0.5 } };
         const int low = alpha <= 0.5, half = alpha == 0.5;
-        ck_assert_int_eq(same_bits(&q, method, FVI_PAST_CAPUTO), low);
+        ck_assert_int_eq(same_bits(&q, method, FVI_INITIAL_HISTORY_CAPUTO), low);
         if (low)
-            ck_assert_int_eq(same_bits(&q, method, FVI_PAST_RIEMANN_LIOUVILLE),
+            ck_assert_int_eq(same_bits(&q, method, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE),
                              half);
         q.p0 = 0;
-        ck_assert(same_bits(&q, method, FVI_PAST_CAPUTO));
+        ck_assert(same_bits(&q, method, FVI_INITIAL_HISTORY_CAPUTO));
         q.p0 = 0.5;
         q.x0 = 0;
-        ck_assert(same_bits(&q, method, FVI_PAST_RIEMANN_LIOUVILLE));
-        ck_assert_int_eq(same_bits(&q, method, FVI_PAST_CAPUTO), low);
+        ck_assert(same_bits(&q, method, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE));
+        ck_assert_int_eq(same_bits(&q, method, FVI_INITIAL_HISTORY_CAPUTO), low);
     }
 }
 END_TEST
@@ -140,12 +140,12 @@ START_TEST(eq_19_6_caputo_jumps_at_one_half_and_held_does_not)
 {
     static double long_x[2001];
     const double step = 1e-6;
-    problem q = { FVI_PAST_HELD, 0.5, 0.4, 1, 0.5, { 1, 0.5 } };
+    problem q = { FVI_INITIAL_HISTORY_HELD, 0.5, 0.4, 1, 0.5, { 1, 0.5 } };
     double at[3];
     for (size_t i = 0; i < 3; i++) { /* 1/2, held, Caputo */
         q.alpha = i == 0 ? 0.5 : 0.5 + step;
-        q.past = i == 2 ? FVI_PAST_CAPUTO : FVI_PAST_HELD;
-        solve(&fvi_lobatto4, &q, 0.01, 2000, long_x, NULL);
+        q.past = i == 2 ? FVI_INITIAL_HISTORY_CAPUTO : FVI_INITIAL_HISTORY_HELD;
+        solve(&fvi_lobatto_m4, &q, 0.01, 2000, long_x, NULL);
         at[i] = long_x[2000];
     }
     seen(at[0], "one half");
@@ -167,7 +167,7 @@ START_TEST(eq_19_6_held_is_continuous_in_alpha)
     for (double e = 1e-3; e > 5e-13; e /= 10)
         for (size_t i = 0; i < LEN(from); i++)
             for (int side = -1; side <= 1; side += 2) {
-                problem q = { FVI_PAST_HELD, from[i], 0.2, 1, 0.5, { 1, 0 } };
+                problem q = { FVI_INITIAL_HISTORY_HELD, from[i], 0.2, 1, 0.5, { 1, 0 } };
                 double here[LEN(t)], there[LEN(t)];
                 exact(&q, LEN(t), t, here, NULL);
                 q.alpha += side * e;
@@ -189,7 +189,7 @@ END_TEST
  * their own undamped selves, N (8 s + 20) roundings of numbers below 1.2. */
 START_TEST(eq_19_7_a_velocity_jumps_at_alpha_1)
 {
-    const problem q = { FVI_PAST_HELD, 1, 0.2, 1, 0.5, { 1, 0 } };
+    const problem q = { FVI_INITIAL_HISTORY_HELD, 1, 0.2, 1, 0.5, { 1, 0 } };
     const double heavy = 1.2, w = sqrt(1 / heavy), zero = 0;
     const fvi_system system = { .d = 1,
                                 .mass = &heavy,
@@ -248,7 +248,7 @@ static double dice(const gsl_rng *rng, double low, double high)
 }
 
 /* (19.4), 300 random problems and any alpha: E(t) never exceeds E(0), but for the
- * 4e-14 (max|x'| + max|x| / t) of fvi_exact, here below 1e-11. */
+ * 4e-14 (max|x'| + max|x| / t) of fvi_exact_at, here below 1e-11. */
 START_TEST(eq_19_4_held_never_gives_more_than_it_took)
 {
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
@@ -280,7 +280,7 @@ START_TEST(eq_19_4_with_the_integral_it_never_rises)
     for (size_t i = 0; i < LEN(alphas) * LEN(rhos); i++) {
         const double alpha = alphas[i / 2], g = 2 - 2 * alpha;
         const problem q = {
-            FVI_PAST_HELD, alpha, rhos[i % 2], 0.3, 1, { 1, 0 }
+            FVI_INITIAL_HISTORY_HELD, alpha, rhos[i % 2], 0.3, 1, { 1, 0 }
         };
         double last = (1 + 0.09) / 2;
         gsl_integration_qaws_table *table =
@@ -308,11 +308,11 @@ END_TEST
  * energy at t = 3.75. The same data, held: no more than at the start. */
 START_TEST(eq_19_4_caputo_gains_energy)
 {
-    problem q = { FVI_PAST_CAPUTO, 0.75, 3, 0, 1, { 1, 0 } };
+    problem q = { FVI_INITIAL_HISTORY_CAPUTO, 0.75, 3, 0, 1, { 1, 0 } };
     const double caputo = energy(&q, 3.75) / 0.5;
     seen(caputo, "Caputo");
     ck_assert_near(caputo, 4.28, 0.005, "Caputo");
-    q.past = FVI_PAST_HELD;
+    q.past = FVI_INITIAL_HISTORY_HELD;
     ck_assert_double_lt(energy(&q, 3.75), 0.5);
 }
 END_TEST

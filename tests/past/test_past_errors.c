@@ -6,7 +6,7 @@
 static const double one = 1;
 
 static fvi_run run_of(const fvi_system *system, const double *x0,
-                      const double *p0, double alpha, fvi_past past)
+                      const double *p0, double alpha, fvi_initial_history past)
 {
     fvi_run run = fvi_run_default(system, x0, p0, 0.05, 100);
     run.alpha = alpha;
@@ -15,7 +15,7 @@ static fvi_run run_of(const fvi_system *system, const double *x0,
 }
 
 /* (19.2): every method but Algorithm 3 refuses what has no solution, and only that.
- * fvi_exact does, too. */
+ * fvi_exact_at does, too. */
 START_TEST(eq_19_2_what_has_no_solution_is_refused)
 {
     const double alphas[] = { 0.3, 0.5, 0.5 + 0x1p-53, 0.8, 1 };
@@ -28,16 +28,16 @@ START_TEST(eq_19_2_what_has_no_solution_is_refused)
                             i / 2 % 2 ? 1e-300 : 0,
                             0.5,
                             { 1, 0 } };
-        const int none = q.past == FVI_PAST_RIEMANN_LIOUVILLE && q.alpha > 0.5
+        const int none = q.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && q.alpha > 0.5
                          && q.rho > 0 && q.x0 != 0;
-        ck_assert_int_eq(fvi_past_has_solution(q.past, q.alpha, q.rho, q.x0),
+        ck_assert_int_eq(fvi_initial_history_solvable(q.past, q.alpha, q.rho, q.x0),
                          !none);
         ck_assert_int_eq(try_run(methods[method], &q, 0.01, 100, x, p),
                          none && method != FVI ? FVI_EDOM : FVI_SUCCESS);
-        const fvi_linear linear = { 1,      1,    q.rho, q.alpha,
+        const fvi_linear_oscillator linear = { 1,      1,    q.rho, q.alpha,
                                     q.past, q.x0, q.p0,  FVI_FORCING_NONE,
                                     0,      0,    0, NULL };
-        ck_assert_int_eq(fvi_exact(&linear, 1, &one, x, p),
+        ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p),
                          none ? FVI_EDOM : FVI_SUCCESS);
     }
 }
@@ -45,15 +45,15 @@ END_TEST
 
 START_TEST(an_unknown_past_is_refused)
 {
-    const problem q = { (fvi_past)3, 0.3, 0.2, 1, 0.5, { 1, 0 } };
-    const fvi_linear linear = {
-        .m = 1, .c = 1, .rho = 0.2, .alpha = 0.3, .past = (fvi_past)3
+    const problem q = { (fvi_initial_history)3, 0.3, 0.2, 1, 0.5, { 1, 0 } };
+    const fvi_linear_oscillator linear = {
+        .m = 1, .c = 1, .rho = 0.2, .alpha = 0.3, .past = (fvi_initial_history)3
     };
     double x[101], p[101];
     for (size_t method = 0; method < METHODS; method++)
         ck_assert_int_eq(try_run(methods[method], &q, 0.01, 100, x, p),
                          FVI_EINVAL);
-    ck_assert_int_eq(fvi_exact(&linear, 1, &one, x, p), FVI_EINVAL);
+    ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p), FVI_EINVAL);
 }
 END_TEST
 
@@ -73,14 +73,14 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
     const fvi_system all = { D, mass, damping, potential, { 0 }, NULL };
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * METHODS; i++) {
         const fvi_method *method = methods[i % METHODS];
-        const fvi_past past = pasts[i / METHODS % LEN(pasts)];
+        const fvi_initial_history past = pasts[i / METHODS % LEN(pasts)];
         const double alpha = alphas[i / METHODS / LEN(pasts)];
         double x0[D];
         memcpy(x0, start, sizeof x0);
         fvi_run run = run_of(&all, x0, p0, alpha, past);
-        run.memory = FVI_MEMORY_DIRECT;
+        run.memory = FVI_HISTORY_DIRECT;
         int status = fvi_trajectory(method, &run, x, p, NULL);
-        if (past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5
+        if (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5
             && method != &fvi_fractional) {
             ck_assert_int_eq(status, FVI_EDOM);
             x0[2] = 0; /* the damped one */
@@ -91,7 +91,7 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
             const fvi_system single = { 1,         mass + j, damping + j,
                                         potential, { 0 },    NULL };
             fvi_run own = run_of(&single, x0 + j, p0 + j, alpha, past);
-            own.memory = FVI_MEMORY_DIRECT;
+            own.memory = FVI_HISTORY_DIRECT;
             ck_assert_int_eq(
                 fvi_trajectory(method, &own, alone_x, alone_p, NULL), 0);
             for (size_t k = 0; k <= N; k++) {
@@ -114,10 +114,10 @@ START_TEST(the_default_run_is_held)
     ck_assert(run.system == &system && run.x0 == &one && run.p0 == &one);
     ck_assert(run.h == 0.25 && run.steps == 7);
     ck_assert(run.kappa == 0.5 && run.alpha == 0.5 && run.tolerance == 0);
-    ck_assert(run.past == FVI_PAST_HELD && run.memory == FVI_MEMORY_AUTO);
+    ck_assert(run.past == FVI_INITIAL_HISTORY_HELD && run.memory == FVI_HISTORY_AUTO);
     const fvi_run zeroed = { 0 };
-    const fvi_linear linear = { 0 };
-    ck_assert(zeroed.past == FVI_PAST_HELD && linear.past == FVI_PAST_HELD);
+    const fvi_linear_oscillator linear = { 0 };
+    ck_assert(zeroed.past == FVI_INITIAL_HISTORY_HELD && linear.past == FVI_INITIAL_HISTORY_HELD);
 }
 END_TEST
 

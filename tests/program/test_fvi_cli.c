@@ -36,8 +36,8 @@ START_TEST(rows_are_the_numbers_of_the_library)
                           .steps = 40,
                           .kappa = 0.25,
                           .alpha = 0.3,
-                          .past = FVI_PAST_CAPUTO,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .past = FVI_INITIAL_HISTORY_CAPUTO,
+                          .memory = FVI_HISTORY_DIRECT };
     double x[41], p[41], energy[41];
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, energy),
                      FVI_SUCCESS);
@@ -209,11 +209,11 @@ END_TEST
  * and with a law in three batches. */
 START_TEST(exact_prints_the_exact_solution)
 {
-    const fvi_linear problem = { .m = 2,
+    const fvi_linear_oscillator problem = { .m = 2,
                                  .c = 3,
                                  .rho = 0.5,
                                  .alpha = 0.75,
-                                 .past = FVI_PAST_CAPUTO,
+                                 .past = FVI_INITIAL_HISTORY_CAPUTO,
                                  .x0 = 1,
                                  .v0 = -0.25,
                                  .forcing = FVI_FORCING_COSINE,
@@ -224,8 +224,8 @@ START_TEST(exact_prints_the_exact_solution)
         char line[200];
         for (size_t k = 0; k <= N; k++)
             t[k] = (double)k * 0.01;
-        ck_assert_int_eq(N == 399 ? fvi_exact(&problem, N + 1, t, x, v)
-                                  : fvi_exact_rows(&problem, 0.01, N, 0, x, v),
+        ck_assert_int_eq(N == 399 ? fvi_exact_at(&problem, N + 1, t, x, v)
+                                  : fvi_exact_grid(&problem, 0.01, N, 0, x, v),
                          FVI_SUCCESS);
         snprintf(line, sizeof line,
                  "exact --mass 2 --potential harmonic:3 --rho 0.5 --alpha 0.75 "
@@ -241,23 +241,23 @@ START_TEST(exact_prints_the_exact_solution)
             ck_assert_ulp(cell(k, 3), x[N - k], 0, "y, k=%zu", k);
         }
     }
-    const fvi_law_term term = { .kind = FVI_LAW_POWER,
+    const fvi_kernel_term term = { .kind = FVI_KERNEL_POWER,
                                 .rho = 0.5,
                                 .alpha = 0.75 };
-    const fvi_law law = { .count = 1, .term = &term };
-    const fvi_linear held = { .m = 1, .c = 1, .rho = 1, .x0 = 1, .law = &law };
+    const fvi_kernel law = { .count = 1, .term = &term };
+    const fvi_linear_oscillator held = { .m = 1, .c = 1, .rho = 1, .x0 = 1, .law = &law };
     ck_assert_int_eq(fvi("exact --damping power:0.5,0.75 --p0 0 --h 0.01 "
                          "--steps 1499 --columns x"),
                      0);
     for (size_t k = 0; k < 1500; k += 100) {
         double t = (double)k * 0.01, x;
-        ck_assert_int_eq(fvi_exact(&held, 1, &t, &x, NULL), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&held, 1, &t, &x, NULL), FVI_SUCCESS);
         ck_assert_ulp(cell(k, 0), x, 0, "a law, k=%zu", k);
     }
     ck_assert_int_eq(
         fvi("exact --potential free --rho 0 --h 2 --steps 1 --columns x"), 0);
     ck_assert_near(cell(1, 0), 2, 1e-13 * 2,
-                   "1 + 2 * 0.5, to what fvi_exact says");
+                   "1 + 2 * 0.5, to what fvi_exact_at says");
 }
 END_TEST
 

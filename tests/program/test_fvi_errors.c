@@ -280,7 +280,7 @@ static int asks_the_loader(const char *header, const char *options)
     char line[1000];
     snprintf(line, sizeof line,
              "mkdir -p fake; for h in stddef stdint; do echo '%s' > "
-             "fake/$h.h; done; printf '#include \"memory/memory_kinds.h\"\n"
+             "fake/$h.h; done; printf '#include \"memory/history_kinds.h\"\n"
              "FVI_VECTORS\n' | ${CC:-cc} -nostdinc -Ifake -D__x86_64__ %s "
              "-I\"$SOURCES\" -x c -E - | tail -n 1",
              header, options);

@@ -2,9 +2,9 @@
  * Run alone: make test-fvi_options */
 #include "harness/ulp.h"
 #include "output/fvi_table.h"
-#include "words/fvi_options.h"
-#include "words/fvi_shortest.h"
-#include "words/fvi_words.h"
+#include "options/fvi_options.h"
+#include "options/fvi_format_double.h"
+#include "options/fvi_words.h"
 
 #include <float.h>
 #include <math.h>
@@ -140,11 +140,11 @@ START_TEST(defaults_are_those_of_the_manual)
     ck_assert(o.alpha == 0.5 && o.rho[0] == 0.2 && o.mass[0] == 1
               && o.kappa == 0.5);
     ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
-    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_PAST_HELD
+    ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_INITIAL_HISTORY_HELD
               && !o.output);
     ck_assert(o.potential == FVI_POTENTIAL_HARMONIC && o.spring[0] == 1
               && o.force == FVI_FORCING_NONE);
-    ck_assert(o.memory == FVI_MEMORY_AUTO && o.tolerance == 1e-13);
+    ck_assert(o.memory == FVI_HISTORY_AUTO && o.tolerance == 1e-13);
     ck_assert(o.error == 0);
     const fvi_column columns[] = { FVI_COLUMN_T, FVI_COLUMN_X, FVI_COLUMN_P,
                                    FVI_COLUMN_ENERGY };
@@ -302,7 +302,7 @@ START_TEST(digits_are_those_of_the_c_library)
             if (strtod(want, NULL) == v)
                 break;
         }
-        ck_assert_int_eq(fvi_shortest(v, text), (int)strlen(want));
+        ck_assert_int_eq(fvi_format_double(v, text), (int)strlen(want));
         ck_assert_str_eq(text, want);
     }
 }

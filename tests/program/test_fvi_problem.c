@@ -32,7 +32,7 @@ START_TEST(an_expression_is_a_potential)
 {
     const double m = 1.5, rho = 0.3, x0 = 1, p0 = 0.5, k[] = { 3, 6 };
     const char *const names[] = { "k", "c" };
-    const fvi_names of_x = { "x", 1, names, 2 }, of_t = { "t", 1, names, 2 };
+    const fvi_symbols of_x = { "x", 1, names, 2 }, of_t = { "t", 1, names, 2 };
     fvi_expression *V = NULL, *F = NULL;
     ck_assert(!fvi_expression_parse("k*x^4/c - cos(x)", &of_x, k, &V, NULL)
               && !fvi_expression_parse("sin(k*t)/4", &of_t, k, &F, NULL));

@@ -32,18 +32,18 @@ static inline fvi_run hit_at(double t, double alpha, size_t steps)
 static inline double truth(const fvi_run *run, double t, double at, double *v)
 {
     double more = 0, more_v = 0, y;
-    fvi_linear q = { .m = 1,
+    fvi_linear_oscillator q = { .m = 1,
                      .c = cg[0],
                      .rho = rho,
                      .alpha = run->alpha,
                      .x0 = x0,
                      .v0 = p0 };
-    ck_assert_int_eq(fvi_exact(&q, 1, &t, &y, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &y, v), FVI_SUCCESS);
     t -= at;
     q.x0 = 0;
     q.v0 = J;
     if (t > 0)
-        ck_assert_int_eq(fvi_exact(&q, 1, &t, &more, &more_v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &more, &more_v), FVI_SUCCESS);
     *v += more_v;
     return y + more;
 }

@@ -20,9 +20,9 @@ enum {
 
 static const fvi_method *const many_methods[METHODS] = {
     &fvi_fractional,     &fvi_lagrange_dalembert, &fvi_euler_explicit,
-    &fvi_euler_implicit, &fvi_shifted,            &fvi_bdf2,
-    &fvi_lobatto2,       &fvi_lobatto3,           &fvi_lobatto4,
-    &fvi_lobatto6,       &fvi_lobatto4d,          &fvi_stable
+    &fvi_euler_implicit, &fvi_cq2_shifted,            &fvi_cq_bdf2,
+    &fvi_lobatto_m2,       &fvi_lobatto_m3,           &fvi_lobatto_m4,
+    &fvi_lobatto_m6,       &fvi_lobatto_d4,          &fvi_cq2_midpoint
 };
 static const double many_orders[ORDERS] = { 0, 0.125, 0.25, 0.3, 0.5, 0.75, 1 };
 
@@ -31,7 +31,7 @@ static const double many_orders[ORDERS] = { 0, 0.125, 0.25, 0.3, 0.5, 0.75, 1 };
 enum { ARITHMETIC, LINEAR_ALGEBRA, FUNCTIONS };
 
 typedef struct {
-    int status;   /* of fvi_start or of the step that failed */
+    int status;   /* of fvi_stepper_start or of the step that failed */
     int with;     /* ARITHMETIC, ... */
     size_t count; /* numbers in row */
     double row[KEPT * 2 * MASSES];
@@ -47,13 +47,13 @@ static int many_needs(const fvi_run *run, const fvi_method *method,
                       int potential, int force)
 {
     const double parts = method->stages         ? 2
-                         : method == &fvi_bdf2 ? 4
+                         : method == &fvi_cq_bdf2 ? 4
                                                 : 8,
                  part = run->alpha * parts;
-    const int pull = (run->past == FVI_PAST_HELD && run->alpha > 0.5)
-                     || (run->past == FVI_PAST_RIEMANN_LIOUVILLE
+    const int pull = (run->past == FVI_INITIAL_HISTORY_HELD && run->alpha > 0.5)
+                     || (run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                          && run->alpha != 0.5);
-    const int fast = run->memory != FVI_MEMORY_DIRECT && run->alpha > 0
+    const int fast = run->memory != FVI_HISTORY_DIRECT && run->alpha > 0
                      && run->alpha != 0.5 && run->alpha < 1;
     if (pull || fast || potential == 2 || force == 2
         || part != (double)(int)part)
@@ -75,9 +75,9 @@ static void many_run_of(size_t number, many_run *r)
     const fvi_force forces[] = { { 0 },
                                  fvi_force_step(at),
                                  fvi_force_cosine(at) };
-    const fvi_memory_kind memories[] = { FVI_MEMORY_DIRECT, FVI_MEMORY_DIRECT,
-                                         FVI_MEMORY_EXPONENTIALS,
-                                         FVI_MEMORY_FFT };
+    const fvi_history_kind memories[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_DIRECT,
+                                         FVI_HISTORY_MODES,
+                                         FVI_HISTORY_FFT };
     const fvi_method *method = many_methods[number / (PASTS * ORDERS)];
     const size_t turn = number % (PASTS * ORDERS) + number / (PASTS * ORDERS);
     const int potential = (int)(turn % 4), force = (int)(turn / 2 % 3);
@@ -87,7 +87,7 @@ static void many_run_of(size_t number, many_run *r)
     run.alpha = method->alpha_least == method->alpha_most
                     ? method->alpha_least
                     : many_orders[number % ORDERS];
-    run.past = (fvi_past)(number / ORDERS % PASTS);
+    run.past = (fvi_initial_history)(number / ORDERS % PASTS);
     run.memory = memories[method->stages ? turn % 3 : turn / 3 % 4];
     run.kappa = turn % 2 ? 0.5 : 0.25;
 
@@ -98,18 +98,18 @@ static void many_run_of(size_t number, many_run *r)
              (int)run.past, run.alpha, potential, force, (int)run.memory,
              run.kappa);
     fvi_stepper *s;
-    r->status = fvi_start(method, &run, &s);
+    r->status = fvi_stepper_start(method, &run, &s);
     if (r->status)
         return;
     while (!r->status && s->k < STEPS) {
-        r->status = fvi_step(s);
+        r->status = fvi_stepper_step(s);
         if (!r->status && s->k % (STEPS / KEPT) == 0) {
             memcpy(r->row + r->count, s->x, sizeof x0);
             memcpy(r->row + r->count + MASSES, s->p, sizeof p0);
             r->count += 2 * MASSES;
         }
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
 #endif

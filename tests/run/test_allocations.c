@@ -63,7 +63,7 @@ static const double mass[] = { 1, 2, 1 }, rho[] = { 0.3, 0.2, 0.1 },
                     x0[] = { 1, 0, 0.5 }, p0[] = { 0.5, 0.1, 0 },
                     cg[] = { 1, 0.5 };
 
-static fvi_run run_of(fvi_system *system, const fvi_law *law)
+static fvi_run run_of(fvi_system *system, const fvi_kernel *law)
 {
     *system = (fvi_system){ .d = 3,
                             .mass = mass,
@@ -75,25 +75,25 @@ static fvi_run run_of(fvi_system *system, const fvi_law *law)
     return run;
 }
 
-static int whole_life(const fvi_method *method, const fvi_law *law)
+static int whole_life(const fvi_method *method, const fvi_kernel *law)
 {
     fvi_system system;
     const fvi_run run = run_of(&system, law);
     fvi_stepper *s, *copy;
-    int status = fvi_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s);
     if (status)
         return status;
     for (size_t k = 0; k < 3 && !status; k++)
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
     if (!status)
-        status = fvi_copy(s, &copy);
+        status = fvi_stepper_copy(s, &copy);
     if (!status) {
-        status = fvi_step(copy);
-        fvi_stop(copy);
+        status = fvi_stepper_step(copy);
+        fvi_stepper_free(copy);
     }
     if (!status)
-        status = fvi_reset(s);
-    fvi_stop(s);
+        status = fvi_stepper_reset(s);
+    fvi_stepper_free(s);
     return status;
 }
 
@@ -104,11 +104,11 @@ static int life(const fvi_method *method)
 
 static int life_with_a_law(const fvi_method *method)
 {
-    static const fvi_law_term terms[] = {
-        { .kind = FVI_LAW_DISTRIBUTED, .rho = 0.5, .alpha = 0.1, .end = 0.4 },
-        { .kind = FVI_LAW_MAXWELL, .rho = 0.5, .alpha = 0.3, .time = 1 }
+    static const fvi_kernel_term terms[] = {
+        { .kind = FVI_KERNEL_DISTRIBUTED, .rho = 0.5, .alpha = 0.1, .end = 0.4 },
+        { .kind = FVI_KERNEL_MAXWELL, .rho = 0.5, .alpha = 0.3, .time = 1 }
     };
-    static const fvi_law law = { LEN(terms), terms };
+    static const fvi_kernel law = { LEN(terms), terms };
     return whole_life(method, &law);
 }
 
@@ -117,7 +117,7 @@ static int load(const fvi_method *method)
     fvi_system system;
     const fvi_run run = run_of(&system, NULL);
     double growth;
-    return fvi_stability_load(method, &run, &growth);
+    return fvi_stability_number(method, &run, &growth);
 }
 
 static int control(const fvi_method *method)
@@ -126,22 +126,22 @@ static int control(const fvi_method *method)
     fvi_system system;
     fvi_run run = run_of(&system, NULL);
     double u[3 * (N + 1)];
-    fvi_controlled found;
+    fvi_control_result found;
     run.steps = N;
-    return fvi_control(method, &run, x0, p0, u, &found);
+    return fvi_control_solve(method, &run, x0, p0, u, &found);
 }
 
 static int moduli(const fvi_method *method)
 {
     double w[10], storage[10], loss[10];
-    fvi_fitted fitted;
+    fvi_estimate fitted;
     (void)method;
     for (size_t i = 0; i < LEN(w); i++) {
         w[i] = 1 + (double)i;
         storage[i] = 2 + 0.1 * (double)i;
         loss[i] = 0.5 + 0.2 * (double)i;
     }
-    return fvi_fit_moduli(LEN(w), w, storage, loss, &fitted);
+    return fvi_estimate_moduli(LEN(w), w, storage, loss, &fitted);
 }
 
 typedef int call(const fvi_method *method);

@@ -7,12 +7,12 @@ enum { N = 20 };
 
 /* A spring, or a visitor, that tries everything with `of`, if there is one. */
 typedef struct {
-    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first: a pointer to it is one to this */
     fvi_stepper *of;
     size_t refused, asked;
 } meddler;
 
-static int let_pass(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int let_pass(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     (void)v, (void)data, (void)bytes, (void)constant;
     return 0;
@@ -20,13 +20,13 @@ static int let_pass(fvi_visitor *v, void *data, size_t bytes, int constant)
 
 static void meddle(meddler *m)
 {
-    fvi_visitor visitor = { let_pass };
+    fvi_archive archive = { let_pass };
     fvi_stepper *copy;
     if (!m->of)
         return;
-    const int codes[] = { fvi_step(m->of), fvi_copy(m->of, &copy),
-                          fvi_visit(m->of, &visitor), fvi_reset(m->of),
-                          fvi_stop(m->of) };
+    const int codes[] = { fvi_stepper_step(m->of), fvi_stepper_copy(m->of, &copy),
+                          fvi_stepper_archive(m->of, &archive), fvi_stepper_reset(m->of),
+                          fvi_stepper_free(m->of) };
     for (size_t i = 0; i < LEN(codes); i++)
         m->refused += codes[i] == FVI_EINVAL;
     m->asked += LEN(codes);
@@ -65,7 +65,7 @@ static int force(double t, size_t d, void *params, double *F)
     return 0;
 }
 
-static int meddle_and_pass(fvi_visitor *v, void *data, size_t bytes,
+static int meddle_and_pass(fvi_archive *v, void *data, size_t bytes,
                            int constant)
 {
     (void)data, (void)bytes, (void)constant;
@@ -94,32 +94,32 @@ START_TEST(a_callback_cannot_touch_its_stepper)
 {
     size_t tried = 0;
     for (size_t n = 0; fvi_methods[n]; n++) {
-        meddler m = { .visitor = { meddle_and_pass } }, *to = &m;
+        meddler m = { .archive = { meddle_and_pass } }, *to = &m;
         const fvi_system system = system_of(&to);
         fvi_run run = fvi_run_default(&system, &one, &half, 0.1, N);
         fvi_stepper *calm, *s;
-        if (fvi_start(fvi_methods[n], &run, &calm))
+        if (fvi_stepper_start(fvi_methods[n], &run, &calm))
             continue;
         while (calm->t < N * 0.1)
-            ck_assert_int_eq(fvi_step(calm), 0);
-        ck_assert_int_eq(fvi_start(fvi_methods[n], &run, &s), 0);
+            ck_assert_int_eq(fvi_stepper_step(calm), 0);
+        ck_assert_int_eq(fvi_stepper_start(fvi_methods[n], &run, &s), 0);
         m.of = s;
         while (s->t < N * 0.1)
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_uint_gt(m.asked, 0);
         ck_assert_msg(s->k == calm->k && *s->x == *calm->x && *s->p == *calm->p
                           && m.refused == m.asked,
                       "%s: %zu of %zu refused", fvi_methods[n]->name, m.refused,
                       m.asked);
         m.refused = m.asked = 0;
-        ck_assert_int_eq(fvi_visit(s, &m.visitor), 0);
-        ck_assert_int_eq(fvi_reset(s), 0);
+        ck_assert_int_eq(fvi_stepper_archive(s, &m.archive), 0);
+        ck_assert_int_eq(fvi_stepper_reset(s), 0);
         ck_assert_msg(m.asked > 0 && m.refused == m.asked,
                       "%s: visit and reset", fvi_methods[n]->name);
         m.of = NULL;
-        ck_assert_int_eq(fvi_step(s), 0); /* it is its own again */
-        ck_assert_int_eq(fvi_stop(s), 0);
-        ck_assert_int_eq(fvi_stop(calm), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0); /* it is its own again */
+        ck_assert_int_eq(fvi_stepper_free(s), 0);
+        ck_assert_int_eq(fvi_stepper_free(calm), 0);
         tried++;
     }
     ck_assert_uint_gt(tried, 20);

@@ -49,15 +49,15 @@ START_TEST(eq_2_15_at_a_node_it_is_a_force_of_one_node)
         ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, NULL),
                          FVI_SUCCESS);
         spring.force = (fvi_force){ 0 };
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
         for (size_t k = 1; k <= 40; k++) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             if (k == 10)
                 s->p[0] += run.h * (J / run.h);
             ck_assert_near(s->x[0], x[k], 64 * U, "x %zu", k);
             ck_assert_near(s->p[0], p[k], 64 * U, "p %zu", k);
         }
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -74,16 +74,16 @@ START_TEST(eq_2_15_orders_at_a_node)
         { &fvi_lagrange_dalembert, 0.5, 1, 1 },
         { &fvi_euler_explicit, 0.5, 1, 1 },
         { &fvi_euler_implicit, 0.5, 1, 1 },
-        { &fvi_shifted, 0.3, 2, 2 },
-        { &fvi_shifted, 0.5, 2, 2 },
-        { &fvi_bdf2, 0.1, 2, 2 },
-        { &fvi_stable, 0.3, 2, 2 },
-        { &fvi_lobatto2, 0.3, 2, 2 },
-        { &fvi_lobatto3, 0.5, 4, 4 },
-        { &fvi_lobatto3d, 0.5, 4, 4 },
-        { &fvi_lobatto4, 0.3, 2.4, 1.4 },
-        { &fvi_lobatto4d, 0.3, 2.4, 1.4 },
-        { &fvi_lobatto4d, 0.7, 1.6, 0.6 },
+        { &fvi_cq2_shifted, 0.3, 2, 2 },
+        { &fvi_cq2_shifted, 0.5, 2, 2 },
+        { &fvi_cq_bdf2, 0.1, 2, 2 },
+        { &fvi_cq2_midpoint, 0.3, 2, 2 },
+        { &fvi_lobatto_m2, 0.3, 2, 2 },
+        { &fvi_lobatto_m3, 0.5, 4, 4 },
+        { &fvi_lobatto_d3, 0.5, 4, 4 },
+        { &fvi_lobatto_m4, 0.3, 2.4, 1.4 },
+        { &fvi_lobatto_d4, 0.3, 2.4, 1.4 },
+        { &fvi_lobatto_d4, 0.7, 1.6, 0.6 },
     };
     for (size_t i = 0; i < LEN(all); i++) {
         double coarse_p, fine_p;
@@ -107,9 +107,9 @@ END_TEST
  * or 0. */
 START_TEST(eq_2_15_order_two_between_nodes)
 {
-    static const fvi_method *const all[] = { &fvi_shifted, &fvi_stable,
-                                             &fvi_lobatto2, &fvi_lobatto4,
-                                             &fvi_lobatto3d };
+    static const fvi_method *const all[] = { &fvi_cq2_shifted, &fvi_cq2_midpoint,
+                                             &fvi_lobatto_m2, &fvi_lobatto_m4,
+                                             &fvi_lobatto_d3 };
     for (size_t m = 0; m < LEN(all); m++) {
         double worst[2] = { 0 };
         for (size_t part = 0; part < 8; part++)
@@ -189,14 +189,14 @@ START_TEST(gradients_know_impulses)
     const double duffing[] = { 2, 0.5 }, small = 1e-4;
     const fvi_objective end = { .slopes = last_x, .params = &N };
     for (size_t m = 0; fvi_methods[m]; m++) {
-        if (fvi_methods[m]->scheme == FVI_SCHEME_OTHER)
+        if (fvi_methods[m]->scheme == FVI_SCHEME_CLASSICAL)
             continue;
         fvi_run run = hit_at(1.2837, 0.3, N);
         double mass = 1, start = p0, by_p0, by_mass, slopes[2];
         spring.mass = &mass;
         spring.potential = fvi_potential_duffing(duffing);
         run.p0 = &start;
-        const fvi_gradients by = { .p0 = &by_p0, .mass = &by_mass };
+        const fvi_sensitivities by = { .p0 = &by_p0, .mass = &by_mass };
         ck_assert_int_eq(
             fvi_adjoint(fvi_methods[m], &run, NULL, NULL, &end, &by),
             FVI_SUCCESS);
@@ -223,20 +223,20 @@ START_TEST(a_control_knows_impulses)
 {
     fvi_run run = hit_at(1.2837, 0.3, 40);
     double u[41] = { 0 }, rest = 0;
-    fvi_controlled found;
+    fvi_control_result found;
     ck_assert_int_eq(
-        fvi_control(&fvi_fractional, &run, &rest, &rest, u, &found),
+        fvi_control_solve(&fvi_fractional, &run, &rest, &rest, u, &found),
         FVI_SUCCESS);
     ck_assert(fabs(found.miss) < 1e-12);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
     for (size_t k = 1; k <= 40; k++) {
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         s->p[0] += run.h * u[k];
     }
     ck_assert_near(s->x[0], 0, 1e-12, "x at the end");
     ck_assert_near(s->p[0], 0, 1e-12, "p at the end");
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -263,16 +263,16 @@ START_TEST(impulses_that_cannot_be)
     };
     for (size_t i = 0; i < LEN(all); i++) {
         spring.force = all[i].force;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), all[i].status);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), all[i].status);
     }
     run = hit_at(1, 1, 40);
-    ck_assert_int_eq(fvi_start(&fvi_lobatto3, &run, &s), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
-    fvi_stop(s);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m3, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    fvi_stepper_free(s);
     ck_assert_int_eq(fvi_algorithm_3(&spring, 0.3, 0.5, 0.1, 40, x0, p0, x),
                      FVI_EUNSUP);
     spring.damping = &none;
-    ck_assert_int_eq(fvi_start(&fvi_variational, &run, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s), FVI_EINVAL);
 }
 END_TEST
 

@@ -12,7 +12,7 @@ START_TEST(eq_22_22_at_its_time_whatever_the_memory)
         for (int e = -12; e <= -4; e += 4) {
             fvi_run run = hit_at(1.2837, orders[i], 40);
             run.step_error = pow(10, e);
-            const double off = error(&fvi_adaptive, &run, 1.2837, NULL);
+            const double off = error(&fvi_variable_step, &run, 1.2837, NULL);
             seen_worst(off / run.step_error, "of step_error");
             ck_assert_msg(off <= run.step_error, "alpha = %g, 1e%d: %g",
                           orders[i], e, off);
@@ -20,10 +20,10 @@ START_TEST(eq_22_22_at_its_time_whatever_the_memory)
     const double most = 1 - 14 / 498.4; /* the default tolerance is 10^-10 */
     fvi_run run = hit_at(1.2837, most + 1e-4, 40);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_EUNSUP);
     run.alpha = most - 1e-4;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
-    fvi_stop(s);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -33,19 +33,19 @@ START_TEST(eq_22_22_at_the_ends_and_at_a_row)
     static const double other = p0 + J;
     double y[41], v;
     fvi_run run = hit_at(0, 0.3, 40);
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, y, p, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, y, p, NULL),
                      FVI_SUCCESS);
     ck_assert_near(p[0], other, U, "p0");
     spring.force = (fvi_force){ 0 };
     run.p0 = &other;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, NULL, NULL),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= 40; k++)
         ck_assert_near(y[k], x[k], 1e-12, "row %zu", k);
     for (double at = 2.5; at <= 5; at += 2.5) {
         run = hit_at(at, 0.3, 40);
         const size_t k = at > 3 ? 40 : 20;
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL),
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL),
                          FVI_SUCCESS);
         truth(&run, at, at, &v);
         ck_assert_near(p[k], v + J, 1e-8, "at %g", at);
@@ -61,13 +61,13 @@ START_TEST(eq_22_22_a_search_asks_for_the_wanted_error)
     for (size_t i = 0; i < LEN(orders); i++)
         for (double wish = 1e-3; wish > 1e-7; wish /= 1000) {
             fvi_run run = hit_at(1.2837, orders[i], 40);
-            fvi_adaptive_found found;
-            const int status = fvi_adaptive_search(&run, wish, 100000, x, NULL,
+            fvi_variable_step_found found;
+            const int status = fvi_variable_step_search(&run, wish, 100000, x, NULL,
                                                    &found);
             run.step_error = wish / 10; /* that of the finer of two runs */
             fvi_stepper *s = NULL;
-            ck_assert_int_eq(status, fvi_start(&fvi_adaptive, &run, &s));
-            fvi_stop(s);
+            ck_assert_int_eq(status, fvi_stepper_start(&fvi_variable_step, &run, &s));
+            fvi_stepper_free(s);
             for (size_t k = 0; !status && k <= 40; k++) {
                 double v;
                 const double t = (double)k * run.h;
@@ -84,19 +84,19 @@ START_TEST(eq_22_22_a_copy_remembers_what_has_struck)
     for (double alpha = 0.25; alpha < 1; alpha += 0.5) {
         const fvi_run run = hit_at(1.2837, alpha, 40);
         fvi_stepper *s, *copy;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
         while (s->t < 1.2837)
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert(s->t == 1.2837);
-        ck_assert_int_eq(fvi_copy(s, &copy), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_copy(s, &copy), FVI_SUCCESS);
         while (s->t < 5) {
-            ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
-            ck_assert_int_eq(fvi_step(copy), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_step(copy), FVI_SUCCESS);
             ck_assert(s->t == copy->t && s->x[0] == copy->x[0]
                       && s->p[0] == copy->p[0]);
         }
-        fvi_stop(s);
-        fvi_stop(copy);
+        fvi_stepper_free(s);
+        fvi_stepper_free(copy);
     }
 }
 END_TEST

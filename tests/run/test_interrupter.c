@@ -36,18 +36,18 @@ START_TEST(a_run_ends_with_the_code_that_was_given)
     fvi_stepper *s;
     fvi_set_interrupter(stop);
     asks = 3;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
     int status = 0;
     while (!status)
-        status = fvi_step(s);
+        status = fvi_stepper_step(s);
     ck_assert_int_eq(status, CODE);
     ck_assert_uint_eq(s->k, 128);
     asks = 0; /* the run goes on as if nothing had been */
     while (s->k < run.steps)
-        ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
     ck_assert(s->x[0] == x[10000]);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     run = run_of(&large, 0.5, 10);
     asks = 5;
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, w, NULL, NULL),
@@ -55,7 +55,7 @@ START_TEST(a_run_ends_with_the_code_that_was_given)
     ck_assert_int_eq(asked, 5);
     run = run_of(&small, 0.3, 10000);
     asks = 5;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL), CODE);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, NULL, NULL), CODE);
     ck_assert_int_eq(asked, 5);
     ck_assert(fvi_set_interrupter(NULL) == stop);
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL), 0);
@@ -66,10 +66,10 @@ START_TEST(a_search_and_the_exact_solution_end_too)
 {
     *one = 1;
     const fvi_system system = { .d = 1, .mass = one, .damping = one };
-    const fvi_linear problem = { .m = 1, .c = 1, .rho = 0.2, .alpha = 0.3 };
+    const fvi_linear_oscillator problem = { .m = 1, .c = 1, .rho = 0.2, .alpha = 0.3 };
     double x[101], t[10];
     fvi_step_found found;
-    fvi_adaptive_found adaptive;
+    fvi_variable_step_found adaptive;
     fvi_run run = run_of(&system, 0.3, 100);
     fvi_set_interrupter(stop);
     asks = 1;
@@ -77,11 +77,11 @@ START_TEST(a_search_and_the_exact_solution_end_too)
         fvi_step_search(&fvi_fractional, &run, 1e-9, 1 << 20, x, NULL, &found),
         CODE);
     ck_assert_int_eq(
-        fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
+        fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
     for (size_t i = 0; i < LEN(t); i++)
         t[i] = (double)i;
-    const fvi_parameter rho = FVI_PARAMETER_RHO;
-    const fvi_fit fit = { .method = &fvi_fractional,
+    const fvi_free_parameter rho = FVI_FREE_PARAMETER_RHO;
+    const fvi_estimation fit = { .method = &fvi_fractional,
                           .run = &run,
                           .n = LEN(t),
                           .t = t,
@@ -89,19 +89,19 @@ START_TEST(a_search_and_the_exact_solution_end_too)
                           .parameters = 1,
                           .which = &rho,
                           .starts = 1000 };
-    fvi_fitted fitted;
+    fvi_estimate fitted;
     asked = 0;
     asks = 10; /* the first starts are over */
-    ck_assert_int_eq(fvi_fit_search(&fit, NULL, &fitted), CODE);
+    ck_assert_int_eq(fvi_estimate_multistart(&fit, NULL, &fitted), CODE);
     ck_assert_int_lt(asked, 1000);
     asked = 0;
     asks = 4;
-    ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), CODE);
+    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL), CODE);
     ck_assert_int_eq(asked, 4);
     asked = 0;
-    ck_assert_int_eq(fvi_exact_rows(&problem, 0.1, 100, 0, x, NULL), CODE);
+    ck_assert_int_eq(fvi_exact_grid(&problem, 0.1, 100, 0, x, NULL), CODE);
     fvi_set_interrupter(NULL);
-    ck_assert_int_eq(fvi_exact(&problem, LEN(t), t, x, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL), 0);
 }
 END_TEST
 

@@ -98,7 +98,7 @@ static int slopes(size_t k, size_t d, const double *at, const double *momentum,
  * what is no start. */
 START_TEST(a_derivative_that_is_too_large_is_an_error)
 {
-    static const fvi_memory_kind direct = FVI_MEMORY_DIRECT;
+    static const fvi_history_kind direct = FVI_HISTORY_DIRECT;
     const fvi_objective J = { slopes, NULL };
     const fvi_system spring = { .d = 1,
                                 .mass = &one,
@@ -108,19 +108,19 @@ START_TEST(a_derivative_that_is_too_large_is_an_error)
     run.alpha = 0.25;
     run.memory = direct;
     for (size_t m = 0; fvi_methods[m]; m++) {
-        if (fvi_methods[m]->scheme == FVI_SCHEME_OTHER)
+        if (fvi_methods[m]->scheme == FVI_SCHEME_CLASSICAL)
             continue;
         double by[2] = { 0 }, c[1];
-        const fvi_gradients outputs[] = { { .mass = by },
+        const fvi_sensitivities outputs[] = { { .mass = by },
                                           { .damping = by },
                                           { .alpha = by },
                                           { .parameters = c,
-                                            .sensitivity = fvi_sensitivity_of(
+                                            .sensitivity = fvi_parameter_gradient_of(
                                                 &spring.potential) } };
         for (size_t i = 0; i < LEN(outputs); i++) {
-            run.memory = fvi_method_has_memory(fvi_methods[m], direct)
+            run.memory = fvi_method_takes_history(fvi_methods[m], direct)
                              ? direct
-                             : FVI_MEMORY_AUTO;
+                             : FVI_HISTORY_AUTO;
             ck_assert_msg(
                 fvi_adjoint(fvi_methods[m], &run, NULL, NULL, &J, &outputs[i])
                     == FVI_EOVRFLW,
@@ -139,16 +139,16 @@ START_TEST(a_control_that_costs_too_much_is_an_error)
                                 .damping = &rho,
                                 .potential = fvi_potential_harmonic(&one) };
     const fvi_run run = fvi_run_default(&spring, start, start + 1, 0.1, 8);
-    fvi_controlled found;
+    fvi_control_result found;
     ck_assert_int_eq(
-        fvi_control(&fvi_fractional, &run, end, end + 1, u, &found),
+        fvi_control_solve(&fvi_fractional, &run, end, end + 1, u, &found),
         FVI_SUCCESS);
     for (size_t k = 0; k < 9; k++)
         u[k] = ldexp(u[k], 600);
     for (size_t i = 0; i < 2; i++)
         start[i] = ldexp(start[i], 600), end[i] = ldexp(end[i], 600);
     ck_assert_int_eq(
-        fvi_control(&fvi_fractional, &run, end, end + 1, u, &found),
+        fvi_control_solve(&fvi_fractional, &run, end, end + 1, u, &found),
         FVI_EOVRFLW);
 }
 END_TEST
@@ -156,24 +156,24 @@ END_TEST
 START_TEST(momenta_moduli_and_slopes_that_are_too_large_are_errors)
 {
     static const double tiny = 1e-10, start = 1e300;
-    static const fvi_parameter mass[] = { FVI_PARAMETER_MASS };
-    const fvi_law_term term[] = { { FVI_LAW_POWER, 1e308, 0.5, 0, 0 } };
-    const fvi_law law = { 1, term };
+    static const fvi_free_parameter mass[] = { FVI_FREE_PARAMETER_MASS };
+    const fvi_kernel_term term[] = { { FVI_KERNEL_POWER, 1e308, 0.5, 0, 0 } };
+    const fvi_kernel law = { 1, term };
     double storage = 7, loss = 7;
-    ck_assert_int_eq(fvi_law_moduli(&law, 1e10, &storage, &loss), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_kernel_moduli(&law, 1e10, &storage, &loss), FVI_EOVRFLW);
     ck_assert(storage == 7 && loss == 7);
     const fvi_system light = { .d = 1,
                                .mass = &tiny,
                                .damping = &tiny,
                                .potential = fvi_potential_harmonic(&tiny) };
     const fvi_run run = fvi_run_default(&light, &start, &half, 0.1, 8);
-    ck_assert_int_eq(fvi_tangents(&run, 1, mass, x, p), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_tangent(&run, 1, mass, x, p), FVI_EOVRFLW);
     const fvi_system body = { .d = 1, .mass = &one, .damping = &one };
     fvi_run steps = fvi_run_default(&body, &one, &half, 1e-10, 8);
     steps.alpha = 0.9;
     for (size_t k = 0; k <= 8; k++)
         x[k] = k % 2 ? 1e308 : -1e308, p[k] = 0;
-    ck_assert_int_eq(fvi_lobatto_momenta(&fvi_lobatto2, &steps, x, p),
+    ck_assert_int_eq(fvi_lobatto_correct_momenta(&fvi_lobatto_m2, &steps, x, p),
                      FVI_EOVRFLW);
 }
 END_TEST

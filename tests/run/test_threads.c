@@ -72,8 +72,8 @@ static void *run_of_wide_matrices(void *place)
         triplets[n++] = (fvi_triplet){ i, i, 1 };
     *x = NAN;
     pthread_barrier_wait(&ready);
-    if (fvi_sparse_sum(WIDE, n, triplets, &M)
-        || fvi_sparse_sum(WIDE, 0, triplets, &none))
+    if (fvi_sparse_assemble(WIDE, n, triplets, &M)
+        || fvi_sparse_assemble(WIDE, 0, triplets, &none))
         return NULL;
     for (int i = 0; i < WIDE; i++)
         triplets[i].entry = 4;
@@ -81,14 +81,14 @@ static void *run_of_wide_matrices(void *place)
         triplets[n++] = (fvi_triplet){ i, i + WIDE / 2, -1 };
         triplets[n++] = (fvi_triplet){ i + WIDE / 2, i, -1 };
     }
-    if (!fvi_sparse_sum(WIDE, n, triplets, &K)
+    if (!fvi_sparse_assemble(WIDE, n, triplets, &K)
         && !fvi_structure_alloc(&M, &K, &none, &structure, &fault)) {
         const fvi_system system = fvi_structure_system(structure);
         const fvi_run run = fvi_run_default(&system, x0, p0, 0.1, 3);
-        if (!fvi_start(&fvi_stable, &run, &s)) {
-            while (s->k < 3 && !fvi_step(s))
+        if (!fvi_stepper_start(&fvi_cq2_midpoint, &run, &s)) {
+            while (s->k < 3 && !fvi_stepper_step(s))
                 *x = s->x[0];
-            fvi_stop(s);
+            fvi_stepper_free(s);
         }
         fvi_structure_free(structure);
         fvi_sparse_free(&K);

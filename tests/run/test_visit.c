@@ -9,12 +9,12 @@ enum { N = 120, HALF = 70, D = 3, ROOM = 1 << 20 };
 
 /* A visitor that keeps the pieces, or gives them back. */
 typedef struct {
-    fvi_visitor visitor;
+    fvi_archive archive;
     unsigned char *at, *end;
     size_t pieces, constants, wrong; /* the number of a piece that is spoiled */
 } shelf;
 
-static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int save(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     ck_assert(bytes <= (size_t)(s->end - s->at));
@@ -26,7 +26,7 @@ static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
     return 0;
 }
 
-static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     if (bytes > (size_t)(s->end - s->at)
@@ -40,7 +40,7 @@ static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
 
 /* The same, but the number s->wrong of the pieces that are one count, or one number of
  * that size, is far too large. */
-static int load_wrong(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load_wrong(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     const int status = load(v, data, bytes, constant);
@@ -50,7 +50,7 @@ static int load_wrong(fvi_visitor *v, void *data, size_t bytes, int constant)
 }
 
 /* The same, but it is one more, or a rounding. */
-static int load_one_more(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load_one_more(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     const int status = load(v, data, bytes, constant);
@@ -61,7 +61,7 @@ static int load_one_more(fvi_visitor *v, void *data, size_t bytes, int constant)
 
 static unsigned char bytes[ROOM];
 
-static int add_if_constant(fvi_visitor *v, void *data, size_t length,
+static int add_if_constant(fvi_archive *v, void *data, size_t length,
                            int constant)
 {
     (void)data;
@@ -72,15 +72,15 @@ static int add_if_constant(fvi_visitor *v, void *data, size_t length,
 /* The bytes that steps do not change, also of a stepper that is of no use any more. */
 static size_t constant_bytes(fvi_stepper *s)
 {
-    shelf all = { .visitor = { add_if_constant } };
-    fvi_visit(s, &all.visitor);
+    shelf all = { .archive = { add_if_constant } };
+    fvi_stepper_archive(s, &all.archive);
     return all.constants;
 }
 
 static size_t saved(fvi_stepper *s)
 {
     shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
-    ck_assert_int_eq(fvi_visit(s, &all.visitor), 0);
+    ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), 0);
     ck_assert(all.pieces > all.constants && all.constants >= 5);
     return (size_t)(all.at - bytes);
 }
@@ -88,7 +88,7 @@ static size_t saved(fvi_stepper *s)
 static int loaded(fvi_stepper *s, size_t size)
 {
     shelf all = { { load }, bytes, bytes + size, 0, 0, 0 };
-    int status = fvi_visit(s, &all.visitor);
+    int status = fvi_stepper_archive(s, &all.archive);
     ck_assert(status != 0 || all.at == all.end);
     return status;
 }
@@ -96,7 +96,7 @@ static int loaded(fvi_stepper *s, size_t size)
 static void steps(fvi_stepper *s, size_t count)
 {
     for (size_t k = 0; k < count; k++)
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
 }
 
 static const double mass[D] = { 1, 2, 1 }, rho[D] = { 0.3, 0, 0.2 },
@@ -119,27 +119,27 @@ START_TEST(a_run_goes_on_with_the_same_bits)
     size_t tried = 0;
     for (size_t m = 0; fvi_methods[m]; m++)
         for (size_t a = 0; a < LEN(alphas); a++)
-            for (int kind = 0; kind <= FVI_MEMORY_EXPONENTIALS; kind++)
+            for (int kind = 0; kind <= FVI_HISTORY_MODES; kind++)
                 for (int past = 0; past < 3; past++) {
                     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
                     fvi_stepper *whole, *again;
                     run.alpha = alphas[a];
-                    run.memory = (fvi_memory_kind)kind;
-                    run.past = (fvi_past)past;
+                    run.memory = (fvi_history_kind)kind;
+                    run.past = (fvi_initial_history)past;
                     if (kind > 0 && 4 * run.alpha == floor(4 * run.alpha)
                         && run.alpha != 0.75)
                         continue; /* 0, 1/2, 1: the kinds are one */
-                    if (fvi_start(fvi_methods[m], &run, &whole))
+                    if (fvi_stepper_start(fvi_methods[m], &run, &whole))
                         continue; /* not for this method */
                     if (fvi_methods[m]
                             ->dense) { /* steps of its own: chapter 22 */
-                        fvi_stop(whole);
+                        fvi_stepper_free(whole);
                         continue;
                     }
                     steps(whole, HALF);
                     const size_t size = saved(whole);
                     steps(whole, N - HALF);
-                    ck_assert_int_eq(fvi_start(fvi_methods[m], &run, &again),
+                    ck_assert_int_eq(fvi_stepper_start(fvi_methods[m], &run, &again),
                                      0);
                     ck_assert_int_eq(loaded(again, size), 0);
                     ck_assert(again->k == HALF && again->t == HALF * 0.05);
@@ -149,8 +149,8 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                             && memcmp(whole->p, again->p, D * sizeof *x0) == 0,
                         "%s, alpha = %g, memory %d, past %d",
                         fvi_methods[m]->name, alphas[a], kind, past);
-                    fvi_stop(whole);
-                    fvi_stop(again);
+                    fvi_stepper_free(whole);
+                    fvi_stepper_free(again);
                     tried++;
                 }
     ck_assert_uint_gt(tried, 200);
@@ -165,11 +165,11 @@ START_TEST(what_is_saved_is_short)
     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 1000000);
     fvi_stepper *s;
     run.alpha = 0.3;
-    run.memory = FVI_MEMORY_EXPONENTIALS;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    run.memory = FVI_HISTORY_MODES;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
     steps(s, 1000);
     ck_assert_uint_lt(saved(s), 8 * (D * (100 + 2 * 32 + 20) + 200 + 20));
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -186,37 +186,37 @@ START_TEST(another_run_is_refused)
         const fvi_system *system;
         double alpha;
         size_t steps;
-        fvi_memory_kind memory;
+        fvi_history_kind memory;
         int status;
-    } runs[] = { { &system, 0.3, N, FVI_MEMORY_EXPONENTIALS, 0 },
-                 { &other, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
-                 { &second, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
-                 { &small, 0.3, N, FVI_MEMORY_EXPONENTIALS, -7 },
-                 { &system, 0.4, N, FVI_MEMORY_EXPONENTIALS, -7 },
-                 { &system, 0.3, 9 * N, FVI_MEMORY_EXPONENTIALS, -7 },
-                 { &system, 0.3, N, FVI_MEMORY_DIRECT, -7 },
-                 { &system, 0.3, 99, FVI_MEMORY_DIRECT, FVI_EINVAL } };
+    } runs[] = { { &system, 0.3, N, FVI_HISTORY_MODES, 0 },
+                 { &other, 0.3, N, FVI_HISTORY_MODES, -7 },
+                 { &second, 0.3, N, FVI_HISTORY_MODES, -7 },
+                 { &small, 0.3, N, FVI_HISTORY_MODES, -7 },
+                 { &system, 0.4, N, FVI_HISTORY_MODES, -7 },
+                 { &system, 0.3, 9 * N, FVI_HISTORY_MODES, -7 },
+                 { &system, 0.3, N, FVI_HISTORY_DIRECT, -7 },
+                 { &system, 0.3, 99, FVI_HISTORY_DIRECT, FVI_EINVAL } };
     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
     fvi_stepper *s;
     run.alpha = 0.3;
-    run.memory = FVI_MEMORY_EXPONENTIALS;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+    run.memory = FVI_HISTORY_MODES;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
     steps(s, 100);
     const size_t size = saved(s);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     for (size_t n = 0; n < LEN(runs); n++) {
         run.system = runs[n].system;
         run.alpha = runs[n].alpha;
         run.steps = runs[n].steps;
         run.memory = runs[n].memory;
-        ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
         const size_t own = constant_bytes(s);
         ck_assert_int_eq(loaded(s, size), runs[n].status);
         if (runs[n].status == -7)
             ck_assert_uint_eq(constant_bytes(s), own);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
-    ck_assert_int_eq(fvi_visit(NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_archive(NULL, NULL), FVI_EFAULT);
 }
 END_TEST
 
@@ -236,15 +236,15 @@ START_TEST(a_count_that_no_run_has_is_refused)
     const struct {
         const fvi_method *method;
         const fvi_system *system;
-        fvi_memory_kind memory;
+        fvi_history_kind memory;
         size_t any;
-    } runs[] = { { &fvi_fractional, &small, FVI_MEMORY_DIRECT, 0 },
-                 { &fvi_fractional, &small, FVI_MEMORY_FFT, 0 },
-                 { &fvi_fractional, &small, FVI_MEMORY_EXPONENTIALS, 0 },
-                 { &fvi_fractional, &wide, FVI_MEMORY_EXPONENTIALS, 0 },
-                 { &fvi_bdf2, &small, FVI_MEMORY_EXPONENTIALS, 0 },
-                 { &fvi_lobatto3, &small, FVI_MEMORY_EXPONENTIALS, 0 },
-                 { &fvi_adaptive, &small, FVI_MEMORY_EXPONENTIALS, 5 } };
+    } runs[] = { { &fvi_fractional, &small, FVI_HISTORY_DIRECT, 0 },
+                 { &fvi_fractional, &small, FVI_HISTORY_FFT, 0 },
+                 { &fvi_fractional, &small, FVI_HISTORY_MODES, 0 },
+                 { &fvi_fractional, &wide, FVI_HISTORY_MODES, 0 },
+                 { &fvi_cq_bdf2, &small, FVI_HISTORY_MODES, 0 },
+                 { &fvi_lobatto_m3, &small, FVI_HISTORY_MODES, 0 },
+                 { &fvi_variable_step, &small, FVI_HISTORY_MODES, 5 } };
     for (size_t n = 0; n < LEN(runs); n++) {
         const int is_wide = runs[n].system == &wide;
         fvi_run run = fvi_run_default(runs[n].system, is_wide ? many[2] : x0,
@@ -253,23 +253,23 @@ START_TEST(a_count_that_no_run_has_is_refused)
         run.memory = runs[n].memory;
         fvi_stepper *s;
         size_t accepted = 0, wrong = 0;
-        ck_assert_int_eq(fvi_start(runs[n].method, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(runs[n].method, &run, &s), 0);
         while (s->k < HALF)
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
         const size_t size = saved(s);
         for (;; wrong++) {
             shelf all = { { load_wrong }, bytes, bytes + size, 0, 0, wrong };
-            const int status = fvi_visit(s, &all.visitor);
+            const int status = fvi_stepper_archive(s, &all.archive);
             if (!status && all.pieces <= wrong)
                 break; /* there are no more */
             ck_assert_msg(!status || status == FVI_EINVAL, "run %zu", n);
             accepted += !status;
-            ck_assert_int_eq(fvi_reset(s), 0);
+            ck_assert_int_eq(fvi_stepper_reset(s), 0);
         }
         ck_assert_msg(wrong >= 3 && accepted == runs[n].any,
                       "run %zu: of %zu counts %zu may be anything", n, wrong,
                       accepted);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -280,18 +280,18 @@ START_TEST(counts_that_do_not_fit_are_refused)
 {
     const fvi_system system = duffing();
     const fvi_method *const methods[] = { &fvi_fractional, &fvi_fractional,
-                                          &fvi_adaptive };
+                                          &fvi_variable_step };
     const size_t wrong[] = { 0, 2, 0 };
     for (size_t n = 0; n < LEN(wrong); n++) {
         const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(methods[n], &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(methods[n], &run, &s), 0);
         while (s->k < HALF)
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
         const size_t size = saved(s);
         shelf all = { { load_one_more }, bytes, bytes + size, 0, 0, wrong[n] };
-        ck_assert_int_eq(fvi_visit(s, &all.visitor), FVI_EINVAL);
-        fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), FVI_EINVAL);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -303,19 +303,19 @@ START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 2 * N);
     fvi_stepper *whole, *first, *longer;
     run.alpha = 0.3;
-    run.memory = FVI_MEMORY_DIRECT;
-    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &whole), 0);
-    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &longer), 0);
+    run.memory = FVI_HISTORY_DIRECT;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &whole), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &longer), 0);
     run.steps = N;
-    ck_assert_int_eq(fvi_start(&fvi_shifted, &run, &first), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &first), 0);
     steps(whole, 2 * N);
     steps(first, N);
     ck_assert_int_eq(loaded(longer, saved(first)), 0);
     steps(longer, N);
     ck_assert(memcmp(whole->x, longer->x, D * sizeof *x0) == 0);
-    fvi_stop(whole);
-    fvi_stop(first);
-    fvi_stop(longer);
+    fvi_stepper_free(whole);
+    fvi_stepper_free(first);
+    fvi_stepper_free(longer);
 }
 END_TEST
 
@@ -323,15 +323,15 @@ END_TEST
 START_TEST(a_method_without_a_visit_is_refused)
 {
     fvi_method shy = fvi_fractional;
-    shy.visit = NULL;
+    shy.serialize = NULL;
     const fvi_system system = duffing();
     const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&shy, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&shy, &run, &s), 0);
     shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
-    ck_assert_int_eq(fvi_visit(s, &all.visitor), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), FVI_EUNSUP);
     ck_assert_uint_eq(all.pieces, 0);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 

@@ -45,7 +45,7 @@ static void forms_truth(size_t N, double h, long double *x)
 static void forms_second_difference(size_t N, double h, double *x)
 {
     static double w[FORMS_MOST + 1];
-    fvi_coefficients(1.5, N + 1, w);
+    fvi_gl_weights(1.5, N + 1, w);
     x[0] = x[1] = 0;
     for (size_t k = 1; k < N; k++) {
         double sum = 0;
@@ -71,7 +71,7 @@ static void forms_momentum(size_t N, double h, double *x)
                           .steps = N,
                           .kappa = 0.5,
                           .alpha = 0.75,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .memory = FVI_HISTORY_DIRECT };
     fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
 }
 
@@ -86,11 +86,11 @@ static void forms_add(double *s, double *rest, double term)
 /* The same with compensated sums for x and p. */
 static void forms_compensated(size_t N, double h, double *x)
 {
-    fvi_memory *memory;
+    fvi_history *memory;
     double s = 0, s_rest = 0, p = 0, p_rest = 0, zero = 0, sum;
-    if (fvi_memory_alloc(1.5, 1, N, FVI_MEMORY_DIRECT, 0, &memory))
+    if (fvi_history_alloc(1.5, 1, N, FVI_HISTORY_DIRECT, 0, &memory))
         return;
-    fvi_memory_push(memory, &zero, &zero, &sum);
+    fvi_history_push(memory, &zero, &zero, &sum);
     x[0] = 0;
     for (size_t k = 0; k < N; k++) {
         double d =
@@ -98,11 +98,11 @@ static void forms_compensated(size_t N, double h, double *x)
         double midpoint = s + (d / 2 + s_rest);
         forms_add(&s, &s_rest, d);
         x[k + 1] = s + s_rest;
-        fvi_memory_push(memory, &s, &d, &sum);
+        fvi_history_push(memory, &s, &d, &sum);
         forms_add(&p, &p_rest, h * (forms_force(k + 1, h) - midpoint));
         forms_add(&p, &p_rest, -pow(h, -0.5) * sum);
     }
-    fvi_memory_free(memory);
+    fvi_history_free(memory);
 }
 
 /* max |x_k - truth_k| / max |truth_k|. */

@@ -19,7 +19,7 @@ START_TEST(eq_14_3_load_of_single_oscillators)
         const fvi_run run =
             scalar_run(row[i][0], row[i][1], row[i][2], row[i][3], 1);
         double load = 0;
-        ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &load),
+        ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &load),
                          FVI_SUCCESS);
         ck_assert_near(load, row[i][4], 8 * U * row[i][4], "row %zu", i);
     }
@@ -27,7 +27,7 @@ START_TEST(eq_14_3_load_of_single_oscillators)
     fvi_run run = scalar_run(0.5, 0, 1, 1, 1);
     scalar.potential = (fvi_potential){ 0 };
     double load = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &load),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &load),
                      FVI_SUCCESS);
     ck_assert_double_eq(load, 0.5);
 }
@@ -49,7 +49,7 @@ START_TEST(eq_14_3_load_of_a_nonlinear_spring_is_that_at_the_start)
                           .kappa = 0,
                           .alpha = 0.5 };
     double load = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &load),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &load),
                      FVI_SUCCESS);
     ck_assert_near(load, 0.13 / 4 + 0.1 / 4, 8 * U, "load");
 }
@@ -61,28 +61,28 @@ START_TEST(eq_14_4_largest_step)
 {
     fvi_run run = scalar_run(0.75, 0.5, 1, 1, 1);
     double step = 0;
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     ck_assert_near(step, 2, 8 * GSL_DBL_EPSILON * 2, "Bagley-Torvik");
     run = scalar_run(0.5, 0.5, 1, 0.25, 1);
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     ck_assert_near(step, 8, 8 * GSL_DBL_EPSILON * 8, "linear damping");
     run = scalar_run(0.5, 0, 1, 1, 1); /* h^2 + 2 h = 4 */
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     ck_assert_near(step, sqrt(5) - 1, 8 * GSL_DBL_EPSILON * 2, "kappa = 0");
     run = scalar_run(1, 0.5, 1, 0.999, 1);
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     ck_assert(step == GSL_POSINF);
     run = scalar_run(1, 0.5, 1, 1.001, 1);
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     ck_assert(step == 0);
     m = 0.1; /* the load overflows on the way; the step is 2e-154.5, and tiny */
     run = scalar_run(0, 0.5, 1, 1e308, 1);
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &step),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &step),
                      FVI_SUCCESS);
     m = 1;
     ck_assert(step < 1e-150);
@@ -109,7 +109,7 @@ START_TEST(eq_14_3_long_chains)
             .system = &chain, .x0 = zero, .h = h, .alpha = 0.5
         };
         double load, s = sin((double)d * M_PI / (2 * (double)(d + 1)));
-        ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &load),
+        ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &load),
                          FVI_SUCCESS);
         ck_assert_near(load, h * h * spring[0] * s * s,
                        8 * U * h * h * spring[0], "d = %zu", d);
@@ -123,7 +123,7 @@ START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
     double kept = 7;
     int modes = 7;
     int (*const both[])(const fvi_method *, const fvi_run *,
-                        double *) = { fvi_stability_load, fvi_stability_step };
+                        double *) = { fvi_stability_number, fvi_stability_longest_step };
     const fvi_method *const fvi = &fvi_fractional;
     for (size_t i = 0; i < 2; i++) {
         fvi_run bad = run;
@@ -147,14 +147,14 @@ START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
     }
     fvi_run bad = run;
     bad.h = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &bad, &kept),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &bad, &kept),
                      FVI_EDOM);
     bad.h = 1e300;
     bad.alpha = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &bad, &kept),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &bad, &kept),
                      FVI_EOVRFLW);
     bad.kappa = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &bad, &kept),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &bad, &kept),
                      FVI_EOVRFLW);
 
     const double wrong[][4] = { { -0.1, 0.5, 1, 1 },        { 1.1, 0.5, 1, 1 },
@@ -163,12 +163,12 @@ START_TEST(bad_questions_are_refused_and_outputs_are_untouched)
                                 { 0.5, 0.5, 1, GSL_POSINF } };
     for (size_t i = 0; i < LEN(wrong); i++) {
         const double *w = wrong[i];
-        ck_assert_int_eq(fvi_unstable_modes(w[0], w[1], w[2], w[3], &modes),
+        ck_assert_int_eq(fvi_unstable_roots(w[0], w[1], w[2], w[3], &modes),
                          FVI_EDOM);
-        ck_assert_int_eq(fvi_growth(w[0], w[1], w[2], w[3], &kept), FVI_EDOM);
+        ck_assert_int_eq(fvi_amplification(w[0], w[1], w[2], w[3], &kept), FVI_EDOM);
     }
-    ck_assert_int_eq(fvi_unstable_modes(0.5, 0.5, 1, 1, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_growth(0.5, 0.5, 1, 1, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_unstable_roots(0.5, 0.5, 1, 1, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_amplification(0.5, 0.5, 1, 1, NULL), FVI_EFAULT);
     ck_assert(kept == 7 && modes == 7);
 }
 END_TEST
@@ -185,13 +185,13 @@ START_TEST(a_hessian_that_finds_no_room_is_reported)
                           { 0 }, NULL };
     system.potential.diagonals = 0; /* it is never asked for */
     fvi_run run = { .system = &system, .x0 = ones, .h = 1, .alpha = 0.5 };
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &kept),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &kept),
                      FVI_ENOMEM);
-    ck_assert_int_eq(fvi_stability_step(&fvi_fractional, &run, &kept),
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_fractional, &run, &kept),
                      FVI_ENOMEM);
     ck_assert_double_eq(kept, 7);
     run.kappa = 0.5;
-    ck_assert_int_eq(fvi_stability_load(&fvi_fractional, &run, &kept),
+    ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &kept),
                      FVI_SUCCESS);
     ck_assert_double_eq(kept, 0.5);
     free(ones);

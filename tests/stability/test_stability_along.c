@@ -23,8 +23,8 @@ static int counted(size_t d, const double *x, void *params, double *H)
 START_TEST(eq_14_6_the_load_along_a_run)
 {
     fvi_system system = { D, m, rho, fvi_potential_chain(cg), { 0 }, NULL };
-    const fvi_method *const some[] = { &fvi_fractional, &fvi_lobatto2,
-                                       &fvi_lobatto5, &fvi_stable };
+    const fvi_method *const some[] = { &fvi_fractional, &fvi_lobatto_m2,
+                                       &fvi_lobatto_m5, &fvi_cq2_midpoint };
     for (size_t i = 0; i < LEN(some); i++) {
         fvi_run run = fvi_run_default(&system, x0, x0, 0.5, 10);
         double stiffest = 0, load = 7, want = 0;
@@ -34,15 +34,15 @@ START_TEST(eq_14_6_the_load_along_a_run)
             fvi_run here = run;
             here.x0 = x;
             ck_assert_int_eq(
-                fvi_stability_along(some[i], &run, x, &stiffest, &load), 0);
-            ck_assert_int_eq(fvi_stability_load(some[i], &here, &want), 0);
-            ck_assert(load == want && (want > 0) == (some[i] != &fvi_stable));
+                fvi_stability_along_run(some[i], &run, x, &stiffest, &load), 0);
+            ck_assert_int_eq(fvi_stability_number(some[i], &here, &want), 0);
+            ck_assert(load == want && (want > 0) == (some[i] != &fvi_cq2_midpoint));
         }
         /* row 1: (c + 3 g r^2) of the springs at 2 and 3 beside it, over m, twice */
         const double springs = 1 + 3 * 9, third = 1 + 3 * 2.25;
         ck_assert_near(stiffest, 2 * (springs + third) / 0.5, 200 * U, "row 3");
         for (size_t j = 0; j < 2; j++) { /* not stiffer: not asked */
-            ck_assert_int_eq(fvi_stability_along(some[i], &run, j ? x0 : far,
+            ck_assert_int_eq(fvi_stability_along_run(some[i], &run, j ? x0 : far,
                                                  &stiffest, &load),
                              0);
             ck_assert(load == 0);
@@ -52,7 +52,7 @@ START_TEST(eq_14_6_the_load_along_a_run)
     const fvi_run run = fvi_run_default(&system, x0, x0, 0.5, 10);
     double stiffest = 1e9, load = 7;
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_lobatto3, &run, far, &stiffest, &load), 0);
+        fvi_stability_along_run(&fvi_lobatto_m3, &run, far, &stiffest, &load), 0);
     ck_assert(asked == 1 && load == 0 && stiffest == 1e9);
 }
 END_TEST
@@ -77,13 +77,13 @@ START_TEST(eq_14_6_small_motions_grow_where_the_load_says_so)
         double stiffest = 0, load = 0, x[2001];
         const double small = 1e-3;
         ck_assert_int_eq(
-            fvi_stability_along(&fvi_lobatto2, &run, &place, &stiffest, &load),
+            fvi_stability_along_run(&fvi_lobatto_m2, &run, &place, &stiffest, &load),
             0);
         fvi_run about = run;
         about.system = &linear;
         about.x0 = &small;
         const int grows =
-            fvi_trajectory(&fvi_lobatto2, &about, x, NULL, NULL) != 0
+            fvi_trajectory(&fvi_lobatto_m2, &about, x, NULL, NULL) != 0
             || fabs(x[2000]) > 1;
         ck_assert_msg(grows == (load > 1), "%g: load %g, %g", place, load,
                       x[2000]);
@@ -98,25 +98,25 @@ START_TEST(bad_questions_about_a_place_are_refused)
     };
     fvi_run run = fvi_run_default(&system, x0, x0, 0.5, 10);
     double stiffest = 3, load = 7;
-    ck_assert_int_eq(fvi_stability_along(NULL, &run, x0, &stiffest, &load),
+    ck_assert_int_eq(fvi_stability_along_run(NULL, &run, x0, &stiffest, &load),
                      FVI_EFAULT);
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_lobatto2, NULL, x0, &stiffest, &load),
+        fvi_stability_along_run(&fvi_lobatto_m2, NULL, x0, &stiffest, &load),
         FVI_EFAULT);
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_lobatto2, &run, NULL, &stiffest, &load),
+        fvi_stability_along_run(&fvi_lobatto_m2, &run, NULL, &stiffest, &load),
         FVI_EFAULT);
-    ck_assert_int_eq(fvi_stability_along(&fvi_lobatto2, &run, x0, NULL, &load),
+    ck_assert_int_eq(fvi_stability_along_run(&fvi_lobatto_m2, &run, x0, NULL, &load),
                      FVI_EFAULT);
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_lobatto2, &run, x0, &stiffest, NULL),
+        fvi_stability_along_run(&fvi_lobatto_m2, &run, x0, &stiffest, NULL),
         FVI_EFAULT);
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_adaptive, &run, far, &stiffest, &load),
+        fvi_stability_along_run(&fvi_variable_step, &run, far, &stiffest, &load),
         FVI_EUNSUP);
     run.h = -1;
     ck_assert_int_eq(
-        fvi_stability_along(&fvi_lobatto2, &run, far, &stiffest, &load),
+        fvi_stability_along_run(&fvi_lobatto_m2, &run, far, &stiffest, &load),
         FVI_EDOM);
     ck_assert(stiffest == 3 && load == 7);
 }

@@ -8,19 +8,19 @@
 START_TEST(a_run_without_a_solution_is_warned_of)
 {
     fvi_run run = scalar_run(0.8, 0.5, 1, 0.2, 10);
-    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     x0 = 0;
-    ck_assert_ptr_null(fvi_warning_of_past(&run));
+    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
     x0 = 1;
-    ck_assert_ptr_nonnull(strstr(fvi_warning_of_past(&run), "no solution"));
+    ck_assert_ptr_nonnull(strstr(fvi_warning_of_initial_history(&run), "no solution"));
     run.alpha = 0.5;
-    ck_assert_ptr_null(fvi_warning_of_past(&run));
+    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
     run.alpha = 0.8;
     rho = 0;
-    ck_assert_ptr_null(fvi_warning_of_past(&run));
-    run.past = FVI_PAST_HELD;
+    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
+    run.past = FVI_INITIAL_HISTORY_HELD;
     rho = 0.2;
-    ck_assert_ptr_null(fvi_warning_of_past(&run));
+    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
     x0 = 0;
 }
 END_TEST
@@ -36,7 +36,7 @@ START_TEST(a_step_that_is_too_long_is_warned_of)
     ck_assert(fvi_warning_of_step(&fvi_fractional, &run, sizeof text, text));
     ck_assert_str_eq(text, "this step is unstable (load 1.01, above 1); "
                            "stable below h = 0.9901");
-    ck_assert(!fvi_warning_of_step(&fvi_adaptive, &run, sizeof text, text));
+    ck_assert(!fvi_warning_of_step(&fvi_variable_step, &run, sizeof text, text));
     run.alpha = 1;
     ck_assert(fvi_warning_of_step(&fvi_fractional, &run, sizeof text, text));
     ck_assert_str_eq(text, "this step is unstable (load 2.02, above 1); "

@@ -12,14 +12,14 @@ static inline void run_rows(const fvi_method *method, fvi_run run, size_t rows,
     fvi_stepper *s;
     run.h /= (double)parts;
     run.steps = rows * parts;
-    ck_assert_int_eq(fvi_start(method, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(method, &run, &s), FVI_SUCCESS);
     int status = FVI_SUCCESS;
     for (size_t k = 0; k <= rows; k++) {
         x[k] = status ? GSL_NAN : s->x[0];
         for (size_t i = 0; i < parts && k < rows && !status; i++)
-            status = fvi_step(s);
+            status = fvi_stepper_step(s);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
 /* (18.2), the order held between 1/4 and the lowest of the method, at once believed:

@@ -20,13 +20,13 @@ static inline double dice(double low, double high)
 }
 
 /* The cosine is within reach of the rows. */
-static inline fvi_linear any_problem(void)
+static inline fvi_linear_oscillator any_problem(void)
 {
-    return (fvi_linear){ .m = dice(0.5, 2),
+    return (fvi_linear_oscillator){ .m = dice(0.5, 2),
                          .c = dice(0.2, 5),
                          .rho = dice(0.05, 1),
                          .alpha = dice(0.05, 0.95),
-                         .past = FVI_PAST_CAPUTO,
+                         .past = FVI_INITIAL_HISTORY_CAPUTO,
                          .x0 = dice(-1, 1),
                          .v0 = dice(-1, 1),
                          .forcing = FVI_FORCING_COSINE,
@@ -35,13 +35,13 @@ static inline fvi_linear any_problem(void)
 }
 
 /* max |x - exact| over the rows */
-static inline double true_error(const fvi_linear *q, double h, size_t rows,
+static inline double true_error(const fvi_linear_oscillator *q, double h, size_t rows,
                                 const double *x)
 {
     double t[ROWS + 1], want[ROWS + 1], worst = 0;
     for (size_t k = 0; k <= rows; k++)
         t[k] = (double)k * h;
-    ck_assert_int_eq(fvi_exact(q, rows + 1, t, want, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(q, rows + 1, t, want, NULL), FVI_SUCCESS);
     for (size_t k = 0; k <= rows; k++)
         worst = larger(worst, fabs(x[k] - want[k]));
     return worst;
@@ -53,7 +53,7 @@ typedef int decider(const fvi_method *method, const fvi_run *run, double error,
 
 /* rows rows to T; the status of the search, and what its error truly is. */
 static inline int search_with(decider *decide, const fvi_method *method,
-                              const fvi_linear *q, double T, size_t rows,
+                              const fvi_linear_oscillator *q, double T, size_t rows,
                               double error, size_t most, fvi_step_found *found,
                               double *worst)
 {
@@ -78,7 +78,7 @@ static inline int search_with(decider *decide, const fvi_method *method,
     return status;
 }
 
-static inline int search_linear(const fvi_method *method, const fvi_linear *q,
+static inline int search_linear(const fvi_method *method, const fvi_linear_oscillator *q,
                                 double T, size_t rows, double error,
                                 size_t most, fvi_step_found *found,
                                 double *worst)

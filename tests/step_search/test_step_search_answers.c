@@ -23,7 +23,7 @@ static fvi_run pair_run(const fvi_system *system)
                       .steps = 40,
                       .kappa = 0.5,
                       .alpha = 0.3,
-                      .past = FVI_PAST_CAPUTO };
+                      .past = FVI_INITIAL_HISTORY_CAPUTO };
 }
 
 /* What is given out is that very run: parts divides each step exactly. */
@@ -35,13 +35,13 @@ START_TEST(the_rows_are_those_of_the_run_that_was_found)
     fvi_run run = pair_run(&system);
     fvi_step_found found;
     ck_assert_int_eq(
-        fvi_step_search(&fvi_shifted, &run, 1e-5, MOST, x, p, &found),
+        fvi_step_search(&fvi_cq2_shifted, &run, 1e-5, MOST, x, p, &found),
         FVI_SUCCESS);
     ck_assert(found.parts >= 4 && found.parts <= 1 << 12);
     ck_assert(found.estimate <= 1e-5 && found.order <= 2);
     run.h /= (double)found.parts;
     run.steps *= found.parts;
-    ck_assert_int_eq(fvi_trajectory(&fvi_shifted, &run, all, all_p, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq2_shifted, &run, all, all_p, NULL),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= 40; k++)
         for (size_t i = 0; i < 2; i++) {
@@ -62,10 +62,10 @@ START_TEST(two_methods_agree_to_what_was_asked_of_them)
     const fvi_run run = pair_run(&system);
     fvi_step_found found;
     ck_assert_int_eq(
-        fvi_step_search(&fvi_shifted, &run, 1e-6, 1 << 24, x, NULL, &found),
+        fvi_step_search(&fvi_cq2_shifted, &run, 1e-6, 1 << 24, x, NULL, &found),
         FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto4, &run, 1e-11, 1 << 24, y, NULL, &found),
+        fvi_step_search(&fvi_lobatto_m4, &run, 1e-11, 1 << 24, y, NULL, &found),
         FVI_SUCCESS);
     ck_assert(found.order == 6 - 2 * run.alpha); /* more is not believed */
     for (size_t i = 0; i < 82; i++)
@@ -79,10 +79,10 @@ START_TEST(the_order_is_a_number_of_the_method)
     const fvi_system system = pair();
     const fvi_run run = pair_run(&system);
     const fvi_method *const all[] = {
-        &fvi_variational,    &fvi_lagrange_dalembert, &fvi_euler_explicit,
-        &fvi_euler_implicit, &fvi_fractional,         &fvi_shifted,
-        &fvi_bdf2,           &fvi_lobatto2,           &fvi_lobatto3,
-        &fvi_lobatto4
+        &fvi_midpoint_variational,    &fvi_lagrange_dalembert, &fvi_euler_explicit,
+        &fvi_euler_implicit, &fvi_fractional,         &fvi_cq2_shifted,
+        &fvi_cq_bdf2,           &fvi_lobatto_m2,           &fvi_lobatto_m3,
+        &fvi_lobatto_m4
     };
     const char *const words[] = { "%d", "%d or %d", "%d to %d" };
     for (size_t i = 0; i < LEN(all); i++) {
@@ -98,7 +98,7 @@ START_TEST(the_order_is_a_number_of_the_method)
         ck_assert_int_eq(all[i]->stages != 0,
                          strncmp(all[i]->name, "fvi-lobatto", 11) == 0);
     }
-    fvi_method nameless = fvi_shifted;
+    fvi_method nameless = fvi_cq2_shifted;
     nameless.name = nameless.order = nameless.memory = NULL;
     double x[82], y[82];
     fvi_step_found found;
@@ -106,7 +106,7 @@ START_TEST(the_order_is_a_number_of_the_method)
         fvi_step_search(&nameless, &run, 1e-4, 1 << 20, x, NULL, &found),
         FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_step_search(&fvi_shifted, &run, 1e-4, 1 << 20, y, NULL, &found),
+        fvi_step_search(&fvi_cq2_shifted, &run, 1e-4, 1 << 20, y, NULL, &found),
         FVI_SUCCESS);
     for (size_t i = 0; i < 82; i++) /* and the same question has one answer */
         ck_assert_ulp(x[i], y[i], 0, "row %zu", i / 2);
@@ -118,22 +118,22 @@ START_TEST(another_method_is_named_if_its_order_is_higher)
 {
     const fvi_system system = pair();
     fvi_run run = pair_run(&system);
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
-    ck_assert(fvi_step_search_other(&fvi_lobatto4, &run) == &fvi_adaptive);
-    ck_assert(fvi_step_search_other(&fvi_adaptive, &run) == NULL);
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_variable_step);
+    ck_assert(fvi_step_search_other(&fvi_lobatto_m4, &run) == &fvi_variable_step);
+    ck_assert(fvi_step_search_other(&fvi_variable_step, &run) == NULL);
     const double alpha = run.alpha;
     run.alpha = 0.5; /* where eight stages have order 14 */
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_adaptive);
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_variable_step);
     run.alpha = alpha;
-    const fvi_law_term term = { .kind = FVI_LAW_MAXWELL, .rho = 1, .time = 2 };
-    const fvi_law law = { 1, &term };
+    const fvi_kernel_term term = { .kind = FVI_KERNEL_MAXWELL, .rho = 1, .time = 2 };
+    const fvi_kernel law = { 1, &term };
     run.law = &law; /* not for fvi-adaptive */
-    const fvi_method *other = fvi_step_search_other(&fvi_bdf2, &run);
+    const fvi_method *other = fvi_step_search_other(&fvi_cq_bdf2, &run);
     ck_assert(other && other->takes_laws && other->highest == 14);
     run.law = NULL;
-    run.memory = FVI_MEMORY_FFT; /* not for the stages */
-    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_shifted);
-    ck_assert(fvi_step_search_other(&fvi_bdf2, &run) == NULL);
+    run.memory = FVI_HISTORY_FFT; /* not for the stages */
+    ck_assert(fvi_step_search_other(&fvi_fractional, &run) == &fvi_cq2_shifted);
+    ck_assert(fvi_step_search_other(&fvi_cq_bdf2, &run) == NULL);
     run.kappa = 1; /* leaves order 1 to all but Lobatto's */
     ck_assert(fvi_step_search_other(&fvi_fractional, &run) == NULL);
 }
@@ -159,7 +159,7 @@ START_TEST(an_error_out_of_reach_is_reported_with_the_best)
     fvi_step_found found = { 0 };
     /* rounding: the run before the estimates grow is near 1e-13 */
     ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto4, &run, 1e-16, 1 << 24, x, NULL, &found),
+        fvi_step_search(&fvi_lobatto_m4, &run, 1e-16, 1 << 24, x, NULL, &found),
         FVI_ETOL);
     ck_assert(found.estimate > 1e-13 && found.estimate < 1e-11);
     ck_assert(found.parts < 1 << 10);
@@ -188,7 +188,7 @@ START_TEST(bad_arguments_are_refused)
     const fvi_system system = pair();
     const fvi_run good = pair_run(&system);
     fvi_step_found found = { .parts = 77 };
-    const fvi_method *m = &fvi_shifted;
+    const fvi_method *m = &fvi_cq2_shifted;
 #define REFUSED(call, code) ck_assert_int_eq(call, code)
     REFUSED(fvi_step_search(NULL, &good, 1, 1000, x, p, &found), FVI_EFAULT);
     REFUSED(fvi_step_search(m, NULL, 1, 1000, x, p, &found), FVI_EFAULT);
@@ -209,13 +209,13 @@ START_TEST(bad_arguments_are_refused)
     bad.h = -1;
     REFUSED(fvi_step_search(m, &bad, 1, 1000, x, p, &found), FVI_EDOM);
     bad = good;
-    bad.memory = FVI_MEMORY_FFT;
-    REFUSED(fvi_step_search(&fvi_lobatto3, &bad, 1, 1000, x, p, &found),
+    bad.memory = FVI_HISTORY_FFT;
+    REFUSED(fvi_step_search(&fvi_lobatto_m3, &bad, 1, 1000, x, p, &found),
             FVI_EUNSUP);
     const fvi_method nameless = { .alpha_most = 1,
-                                  .start = fvi_shifted.start,
-                                  .step = fvi_shifted.step,
-                                  .stop = fvi_shifted.stop };
+                                  .start = fvi_cq2_shifted.start,
+                                  .step = fvi_cq2_shifted.step,
+                                  .stop = fvi_cq2_shifted.stop };
     REFUSED(fvi_step_search(&nameless, &good, 1, 1000, x, p, &found),
             FVI_EINVAL);
     ck_assert(x[0] == -77 && p[0] == -77 && found.parts == 77);
@@ -230,13 +230,13 @@ START_TEST(what_has_no_solution_has_no_error)
     fvi_system system = pair();
     fvi_run run = pair_run(&system);
     fvi_step_found found;
-    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     run.alpha = 0.75;
     ck_assert_int_eq(
         fvi_step_search(&fvi_fractional, &run, 1, 1 << 16, x, NULL, &found),
         FVI_EDOM);
     ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto3, &run, 1, 1 << 16, x, NULL, &found),
+        fvi_step_search(&fvi_lobatto_m3, &run, 1, 1 << 16, x, NULL, &found),
         FVI_EDOM);
     ck_assert(x[0] == -77);
     const double away[] = { 0, -0.5 };

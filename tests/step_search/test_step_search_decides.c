@@ -20,7 +20,7 @@ START_TEST(eq_18_6_differences_of_what_stands_still_grow)
                           .alpha = 0.5 };
     double x[3][11], D[2] = { 0 };
     for (size_t j = 0; j < 3; j++)
-        run_rows(&fvi_shifted, run, 10, (size_t)2 << j, x[j]);
+        run_rows(&fvi_cq2_shifted, run, 10, (size_t)2 << j, x[j]);
     for (size_t j = 0; j < 2; j++)
         for (size_t k = 0; k <= 10; k++)
             D[j] = larger(D[j], fabs(x[j + 1][k] - x[j][k]));
@@ -37,23 +37,23 @@ END_TEST
 START_TEST(eq_18_6_what_stands_still_is_not_what_converged)
 {
     for (int light = 0; light < 2; light++) {
-        const fvi_linear q = {
+        const fvi_linear_oscillator q = {
             .m = light ? 1e-30 : 1, .c = light ? 1 : 1e30, .alpha = 0.5, .x0 = 1
         };
         fvi_step_found found;
         double worst;
-        ck_assert_int_eq(search_linear(&fvi_shifted, &q, 20, 20, 1e-2, 1 << 12,
+        ck_assert_int_eq(search_linear(&fvi_cq2_shifted, &q, 20, 20, 1e-2, 1 << 12,
                                        &found, &worst),
                          FVI_ETOL);
-        ck_assert_int_eq(search_with(credulous, &fvi_shifted, &q, 20, 20, 1e-2,
+        ck_assert_int_eq(search_with(credulous, &fvi_cq2_shifted, &q, 20, 20, 1e-2,
                                      1 << 12, &found, &worst),
                          FVI_SUCCESS);
         ck_assert(worst > 1);
     }
-    const fvi_linear rest = { .m = 1, .c = 1e3, .alpha = 0.5 };
+    const fvi_linear_oscillator rest = { .m = 1, .c = 1e3, .alpha = 0.5 };
     fvi_step_found found; /* but what is at rest is found to be */
     double worst;
-    ck_assert_int_eq(search_linear(&fvi_shifted, &rest, 20, 20, 1e-2, 1 << 16,
+    ck_assert_int_eq(search_linear(&fvi_cq2_shifted, &rest, 20, 20, 1e-2, 1 << 16,
                                    &found, &worst),
                      FVI_SUCCESS);
 }
@@ -118,7 +118,7 @@ START_TEST(eq_18_6_all_of_a_row_of_the_hessian_counts)
                               .alpha = 0.5 };
         double x[2 * 129];
         fvi_step_found found;
-        ck_assert_int_eq(fvi_step_search(&fvi_shifted, &run, 1e300, 1 << 12, x,
+        ck_assert_int_eq(fvi_step_search(&fvi_cq2_shifted, &run, 1e300, 1 << 12, x,
                                          NULL, &found),
                          FVI_ETOL);
     }
@@ -154,11 +154,11 @@ START_TEST(eq_18_7_a_small_fast_part_of_a_force_is_seen)
     fvi_step_found found;
     fast = 2 * M_PI * 0x1p12;
     ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto3, &run, 1e-3, 1 << 13, x, NULL, &found),
+        fvi_step_search(&fvi_lobatto_m3, &run, 1e-3, 1 << 13, x, NULL, &found),
         FVI_ETOL);
     fast = 3; /* nothing hides */
     ck_assert_int_eq(
-        fvi_step_search(&fvi_lobatto3, &run, 1e-3, 1 << 13, x, NULL, &found),
+        fvi_step_search(&fvi_lobatto_m3, &run, 1e-3, 1 << 13, x, NULL, &found),
         FVI_SUCCESS);
 }
 END_TEST
@@ -199,7 +199,7 @@ START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)
                               .alpha = 0.5 };
         double x[129];
         fvi_step_found found;
-        ck_assert_int_eq(fvi_step_search(&fvi_lobatto4, &run, 1e-6, 1 << 11, x,
+        ck_assert_int_eq(fvi_step_search(&fvi_lobatto_m4, &run, 1e-6, 1 << 11, x,
                                          NULL, &found),
                          FVI_SUCCESS);
     }
@@ -209,7 +209,7 @@ END_TEST
 /* F is a constant and the rounding of it: nothing to come nearer to. */
 START_TEST(eq_18_7_rounding_is_no_deviation)
 {
-    const fvi_linear q = { .m = 1,
+    const fvi_linear_oscillator q = { .m = 1,
                            .c = 1,
                            .rho = 0.2,
                            .alpha = 0.5,
@@ -219,7 +219,7 @@ START_TEST(eq_18_7_rounding_is_no_deviation)
     fvi_step_found found;
     double worst;
     ck_assert_int_eq(
-        search_linear(&fvi_shifted, &q, 20, 20, 1e-3, 1 << 13, &found, &worst),
+        search_linear(&fvi_cq2_shifted, &q, 20, 20, 1e-3, 1 << 13, &found, &worst),
         FVI_SUCCESS);
 }
 END_TEST

@@ -34,10 +34,10 @@ START_TEST(steps_that_cannot_be_solved_are_passed_over)
                           .alpha = 0.5 };
     double x[129];
     fvi_step_found found;
-    ck_assert_int_eq(fvi_trajectory(&fvi_shifted, &run, x, NULL, NULL),
+    ck_assert_int_eq(fvi_trajectory(&fvi_cq2_shifted, &run, x, NULL, NULL),
                      FVI_EMAXITER);
     ck_assert_int_eq(
-        fvi_step_search(&fvi_shifted, &run, 1e-2, 1 << 20, x, NULL, &found),
+        fvi_step_search(&fvi_cq2_shifted, &run, 1e-2, 1 << 20, x, NULL, &found),
         FVI_SUCCESS);
     ck_assert(found.parts >= 8 && found.estimate <= 1e-2);
 }
@@ -65,7 +65,7 @@ START_TEST(steps_that_do_not_start_are_passed_over)
         const double end = cosh(128 * h[i]);
         double x[129];
         fvi_step_found found;
-        ck_assert_int_eq(fvi_step_search(&fvi_shifted, &run, end / 20, 1 << 20,
+        ck_assert_int_eq(fvi_step_search(&fvi_cq2_shifted, &run, end / 20, 1 << 20,
                                          x, NULL, &found),
                          FVI_SUCCESS);
         ck_assert_double_lt(fabs(x[128] - end), end / 20);

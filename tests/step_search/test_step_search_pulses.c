@@ -7,7 +7,7 @@
  * would be too many. */
 START_TEST(eq_18_8_no_pulse_of_an_expression_is_missed)
 {
-    static const fvi_method *const methods[] = { &fvi_stable, &fvi_lobatto3,
+    static const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_m3,
                                                  &fvi_fractional };
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     ck_assert_ptr_nonnull(r);
@@ -52,31 +52,31 @@ START_TEST(a_longest_step_sees_what_no_bound_says)
     fvi_run run = fvi_run_default(&system, &zero, &zero, 4, 5);
     double x[6], y[6], z[6];
     fvi_step_found found;
-    fvi_adaptive_found of_adaptive;
+    fvi_variable_step_found of_adaptive;
     run.alpha = 0.3;
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL,
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL,
                                          &of_adaptive),
                      0);
     ck_assert(x[5] == 0); /* it was missed */
     run.longest = 4e-3;
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL,
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL,
                                          &of_adaptive),
                      0);
     ck_assert_double_le(of_adaptive.counts.longest, 4e-3 * (1 + 1e-12));
-    ck_assert_int_eq(fvi_step_search(&fvi_stable, &run, 1e-3, 1 << 20, y, NULL,
+    ck_assert_int_eq(fvi_step_search(&fvi_cq2_midpoint, &run, 1e-3, 1 << 20, y, NULL,
                                      &found),
                      0);
     ck_assert_double_le(run.h / (double)found.parts, 4e-3);
     run.step_error = 1e-9;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, z, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, z, NULL, NULL), 0);
     ck_assert_double_gt(fabs(x[5]), 1e-4);
     ck_assert_near(y[5], x[5], 1e-3, "halved");
     ck_assert_near(z[5], x[5], 1e-7, "one run");
     fvi_stepper *s;
     run.longest = -1;
-    ck_assert_int_eq(fvi_start(&fvi_stable, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s), FVI_EDOM);
     run.longest = GSL_NAN;
-    ck_assert_int_eq(fvi_start(&fvi_stable, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s), FVI_EDOM);
 }
 END_TEST
 

@@ -14,26 +14,26 @@ static double finest(double T, size_t rows)
     return T / (double)rows;
 }
 
-static void ordinary(fvi_linear *q, double h)
+static void ordinary(fvi_linear_oscillator *q, double h)
 {
     (void)q, (void)h;
 }
 
-static void stiff(fvi_linear *q, double h)
+static void stiff(fvi_linear_oscillator *q, double h)
 {
     (void)h;
     q->c = pow(10, dice(13, 17));
 }
 
 /* All nodes of the first runs see one phase of the cosine. */
-static void aliased(fvi_linear *q, double h)
+static void aliased(fvi_linear_oscillator *q, double h)
 {
     q->w = 2 * M_PI / h * floor(dice(1, 6)) * exp2(floor(dice(0, 11)));
 }
 
 static const struct {
     const char *name;
-    void (*change)(fvi_linear *q, double h);
+    void (*change)(fvi_linear_oscillator *q, double h);
 } families[] = { { "ordinary", ordinary },
                  { "stiff", stiff },
                  { "aliased", aliased } };
@@ -42,9 +42,9 @@ static const struct {
     const fvi_method *method;
     double loosest, tightest;
 } methods[] = { { &fvi_fractional, 1e-1, 2e-2 },
-                { &fvi_shifted, 1e-2, 1e-4 },
-                { &fvi_lobatto3, 1e-3, 1e-8 },
-                { &fvi_lobatto4, 1e-3, 1e-10 } };
+                { &fvi_cq2_shifted, 1e-2, 1e-4 },
+                { &fvi_lobatto_m3, 1e-3, 1e-8 },
+                { &fvi_lobatto_m4, 1e-3, 1e-10 } };
 
 /* EACH problems of a family, both decisions about each; the same for all methods
  * but for E. */
@@ -54,7 +54,7 @@ static void ck_assert_none_wrong(size_t family, size_t m)
     const char *const who[] = { "estimate", "rule" };
     int accepted[2] = { 0 }, wrong[2] = { 0 };
     for (int i = 0; i < EACH; i++) {
-        fvi_linear q = any_problem();
+        fvi_linear_oscillator q = any_problem();
         const double T = dice(2, 10),
                      error = exp(dice(log(methods[m].tightest),
                                       log(methods[m].loosest)));
@@ -98,8 +98,8 @@ END_TEST
 START_TEST(eq_18_5_where_the_order_is_low_it_must_be_seen_too)
 {
     for (int i = 0; i < 40; i++) {
-        fvi_linear q = any_problem();
-        q.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        fvi_linear_oscillator q = any_problem();
+        q.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         q.alpha = dice(0.35, 0.49);
         q.c = pow(10, dice(3, 8));
         fvi_step_found found;
@@ -115,7 +115,7 @@ END_TEST
 /* ---- four runs that were accepted once ---- */
 
 static void ck_assert_right_or_refused(const fvi_method *method,
-                                       const char *name, const fvi_linear *q,
+                                       const char *name, const fvi_linear_oscillator *q,
                                        double T, size_t rows, double error)
 {
     fvi_step_found found;
@@ -135,9 +135,9 @@ static void ck_assert_right_or_refused(const fvi_method *method,
 
 START_TEST(eq_18_5_what_once_was_accepted_is_refused_or_right)
 {
-    const fvi_method *const all[] = { &fvi_fractional, &fvi_shifted, &fvi_bdf2,
-                                      &fvi_lobatto2, &fvi_lobatto3 };
-    const fvi_linear cosine = { .m = 1,
+    const fvi_method *const all[] = { &fvi_fractional, &fvi_cq2_shifted, &fvi_cq_bdf2,
+                                      &fvi_lobatto_m2, &fvi_lobatto_m3 };
+    const fvi_linear_oscillator cosine = { .m = 1,
                                 .c = 1,
                                 .rho = 0.2,
                                 .alpha = 0.5,
@@ -146,13 +146,13 @@ START_TEST(eq_18_5_what_once_was_accepted_is_refused_or_right)
                                 .forcing = FVI_FORCING_COSINE,
                                 .A = 1,
                                 .w = 160.84954386379741 };
-    const fvi_linear hard = {
+    const fvi_linear_oscillator hard = {
         .m = 1, .c = 1e12, .rho = 0.2, .alpha = 0.5, .x0 = 1, .v0 = 0.5
     };
-    const fvi_linear harder = {
+    const fvi_linear_oscillator harder = {
         .m = 1, .c = 1e16, .rho = 0.1, .alpha = 0.3, .x0 = 1
     };
-    fvi_linear faster = cosine;
+    fvi_linear_oscillator faster = cosine;
     faster.A = 5;
     faster.w = 2 * M_PI * 0x1p14;
     for (size_t i = 0; i < LEN(all); i++) {

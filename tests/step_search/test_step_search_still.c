@@ -14,8 +14,8 @@
  * j steps later |sin(j phi)| <= 4 j / sqrt(W) of that is in x. Seen: 0.23 of the bound. */
 START_TEST(eq_18_6_a_stiff_spring_turns_by_almost_half_a_turn)
 {
-    const fvi_method *const methods[] = { &fvi_fractional, &fvi_shifted,
-                                          &fvi_bdf2, &fvi_lagrange_dalembert };
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                          &fvi_cq_bdf2, &fvi_lagrange_dalembert };
     const double one = 1, none = 0;
     for (size_t i = 0; i < LEN(ref_turns) * LEN(methods); i++) {
         const fvi_method *method = methods[i % LEN(methods)];

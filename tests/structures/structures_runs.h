@@ -13,8 +13,8 @@
 
 #define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
 
-static const fvi_method *const takers[] = { &fvi_fractional, &fvi_shifted,
-                                            &fvi_bdf2, &fvi_stable };
+static const fvi_method *const takers[] = { &fvi_fractional, &fvi_cq2_shifted,
+                                            &fvi_cq_bdf2, &fvi_cq2_midpoint };
 
 /* Three matrices, and the structure of them. */
 typedef struct {
@@ -48,7 +48,7 @@ static inline void tridiagonal(int n, double a, double b, fvi_sparse *A)
     for (int i = 0; i < n; i++)
         for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < n; j++)
             list[count++] = (fvi_triplet){ i, j, i == j ? a : b };
-    OK(fvi_sparse_sum((size_t)n, count, list, A));
+    OK(fvi_sparse_assemble((size_t)n, count, list, A));
     free(list);
 }
 

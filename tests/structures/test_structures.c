@@ -20,7 +20,7 @@ static void diagonal(const double *a, fvi_sparse *A)
     for (int i = 0; i < D; i++)
         if (a[i] != 0)
             list[count++] = (fvi_triplet){ i, i, a[i] };
-    OK(fvi_sparse_sum(D, count, list, A));
+    OK(fvi_sparse_assemble(D, count, list, A));
 }
 
 static void pull(double t, size_t d, double *F)
@@ -80,9 +80,9 @@ START_TEST(eq_27_1_diagonal_matrices_are_masses_and_dampings)
              i++) {
             const fvi_method *method = takers[i % LEN(takers)];
             const double alpha = alphas[i / LEN(takers) % LEN(alphas)];
-            const fvi_past past =
-                (fvi_past)(i / LEN(takers) / LEN(alphas) / LEN(kappas));
-            const int zero = past == FVI_PAST_RIEMANN_LIOUVILLE && alpha > 0.5;
+            const fvi_initial_history past =
+                (fvi_initial_history)(i / LEN(takers) / LEN(alphas) / LEN(kappas));
+            const int zero = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5;
             fvi_run run = run_of(&plain, alpha, 0.1, N, zero ? rest : x0, p0);
             run.kappa = kappas[i / LEN(takers) / LEN(alphas) % LEN(kappas)];
             run.past = past;
@@ -97,11 +97,11 @@ START_TEST(eq_27_1_laws_of_damping_take_matrices)
 {
     const double spring[] = { 2, 0 }, x0[D] = { 1, 0, -0.5, 0.2, 0, 0.3 },
                  p0[D] = { 0, 0.3, 0.1, 0, -1, 0.2 };
-    const fvi_law_term terms[] = {
-        { .kind = FVI_LAW_POWER, .rho = 0.5, .alpha = 0.3 },
-        { .kind = FVI_LAW_MAXWELL, .rho = 0.2, .time = 2 }
+    const fvi_kernel_term terms[] = {
+        { .kind = FVI_KERNEL_POWER, .rho = 0.5, .alpha = 0.3 },
+        { .kind = FVI_KERNEL_MAXWELL, .rho = 0.2, .time = 2 }
     };
-    const fvi_law law = { .count = 2, .term = terms };
+    const fvi_kernel law = { .count = 2, .term = terms };
     matrices m;
     diagonal(mass, &m.M);
     diagonal(dampings[0], &m.C);
@@ -114,8 +114,8 @@ START_TEST(eq_27_1_laws_of_damping_take_matrices)
     fvi_run run = run_of(&plain, 0.5, 0.1, N, x0, p0);
     run.law = &law;
     ck_assert_same_runs(&fvi_fractional, &run, &m.system);
-    ck_assert_same_runs(&fvi_bdf2, &run, &m.system);
-    ck_assert_same_runs(&fvi_stable, &run, &m.system);
+    ck_assert_same_runs(&fvi_cq_bdf2, &run, &m.system);
+    ck_assert_same_runs(&fvi_cq2_midpoint, &run, &m.system);
     drop(&m);
 }
 END_TEST
@@ -132,19 +132,19 @@ START_TEST(a_copy_of_a_run_with_matrices_goes_on_alike)
     for (size_t i = 0; i < LEN(takers); i++) {
         fvi_stepper *s, *fork;
         const fvi_run run = run_of(&m.system, 0.3, 0.1, N, x0, p0);
-        OK(fvi_start(takers[i], &run, &s));
+        OK(fvi_stepper_start(takers[i], &run, &s));
         while (s->k < N / 2)
-            OK(fvi_step(s));
-        OK(fvi_copy(s, &fork));
+            OK(fvi_stepper_step(s));
+        OK(fvi_stepper_copy(s, &fork));
         while (s->k < N)
-            OK(fvi_step(s));
+            OK(fvi_stepper_step(s));
         double x[D];
         memcpy(x, s->x, sizeof x);
-        fvi_stop(s);
+        fvi_stepper_free(s);
         while (fork->k < N)
-            OK(fvi_step(fork));
+            OK(fvi_stepper_step(fork));
         ck_assert_int_eq(memcmp(x, fork->x, sizeof x), 0);
-        fvi_stop(fork);
+        fvi_stepper_free(fork);
     }
     drop(&m);
 }
@@ -166,9 +166,9 @@ START_TEST(eq_27_5_a_mode_of_the_bar_is_one_oscillator)
         const double theta = 3.14159265358979324 * mode * dx,
                      mu = dx * (4 + 2 * cos(theta)) / 6,
                      k = (2 - 2 * cos(theta)) / dx,
-                     rho = method == &fvi_stable ? 0.05 : 0.0005,
+                     rho = method == &fvi_cq2_midpoint ? 0.05 : 0.0005,
                      c = rho * k + sigma * mu,
-                     h = method == &fvi_stable ? 0.05 : 0.002;
+                     h = method == &fvi_cq2_midpoint ? 0.05 : 0.002;
         matrices m;
         tridiagonal(n, dx * 4 / 6, dx / 6, &m.M);
         tridiagonal(n, 2 / dx, -1 / dx, &m.K);
@@ -223,7 +223,7 @@ static void random_matrix(unsigned *seed, int rank, double more, fvi_sparse *A)
                 sum += B[l][i] * B[l][j];
             list[3 * i + j] = (fvi_triplet){ i, j, sum };
         }
-    OK(fvi_sparse_sum(3, 9, list, A));
+    OK(fvi_sparse_assemble(3, 9, list, A));
 }
 
 static double largest(const double *x, size_t from, size_t to)
@@ -246,13 +246,13 @@ START_TEST(eq_27_8_no_motion_of_fvi_stable_grows)
     unsigned seed = 27;
     for (int i = 0; i < 60; i++) {
         static const double alphas[] = { 0.1, 0.25, 0.4, 0.6 };
-        static const fvi_law_term terms[][2] = {
-            { { FVI_LAW_POWER, 1, 0.2, 0, 0 }, { FVI_LAW_POWER, 1, 0.9, 0, 0 } },
-            { { FVI_LAW_ZENER, 9, 0.3, 0.1, 0 }, { FVI_LAW_MAXWELL, 1, 0, 2, 0 } },
-            { { FVI_LAW_ZENER, 1, 0.8, 5, 0 }, { FVI_LAW_POWER, 1, 0.5, 0, 0 } },
-            { { FVI_LAW_DISTRIBUTED, 5, 0, 0, 1 }, { FVI_LAW_POWER, 0, 0, 0, 0 } }
+        static const fvi_kernel_term terms[][2] = {
+            { { FVI_KERNEL_POWER, 1, 0.2, 0, 0 }, { FVI_KERNEL_POWER, 1, 0.9, 0, 0 } },
+            { { FVI_KERNEL_ZENER, 9, 0.3, 0.1, 0 }, { FVI_KERNEL_MAXWELL, 1, 0, 2, 0 } },
+            { { FVI_KERNEL_ZENER, 1, 0.8, 5, 0 }, { FVI_KERNEL_POWER, 1, 0.5, 0, 0 } },
+            { { FVI_KERNEL_DISTRIBUTED, 5, 0, 0, 1 }, { FVI_KERNEL_POWER, 0, 0, 0, 0 } }
         };
-        const fvi_law law = { 2, terms[i % 4] };
+        const fvi_kernel law = { 2, terms[i % 4] };
         matrices m;
         random_matrix(&seed, 3, 0.5, &m.M);
         random_matrix(&seed, 3, 0.1, &m.K);
@@ -263,7 +263,7 @@ START_TEST(eq_27_8_no_motion_of_fvi_stable_grows)
                              pow(10, i / 4 % 5 - 1), ALL, x0, p0);
         for (int by_law = 0; by_law <= 1; by_law++) {
             run.law = by_law ? &law : NULL;
-            OK(fvi_trajectory(&fvi_stable, &run, x, NULL, NULL));
+            OK(fvi_trajectory(&fvi_cq2_midpoint, &run, x, NULL, NULL));
             const double ratio =
                 largest(x, 3 * ALL / 4, ALL) / largest(x, 0, ALL / 4);
             seen_worst(ratio, by_law ? "by a law" : "last quarter over first");
@@ -282,8 +282,8 @@ START_TEST(eq_27_9_the_load_of_matrices)
     enum { ALL = 1500 };
     static double x[3 * (ALL + 1)];
     const double x0[3] = { 1, 0.3, -1 }, p0[3] = { 0, 0.5, 0 };
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_bdf2,
-                                                 &fvi_shifted };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq_bdf2,
+                                                 &fvi_cq2_shifted };
     unsigned seed = 7;
     for (int i = 0; i < 30; i++) {
         const fvi_method *method = methods[i % 3];
@@ -297,11 +297,11 @@ START_TEST(eq_27_9_the_load_of_matrices)
         double load = 0, low = 1e-3, high = 1e3;
         while (high / low > 1.0001) {
             run.h = sqrt(low * high);
-            OK(fvi_stability_load(method, &run, &load));
+            OK(fvi_stability_number(method, &run, &load));
             *(load < 1 ? &low : &high) = run.h;
         }
         double h = 0; /* the same: log2 h to 2^-12, and the 1.0001 of above */
-        OK(fvi_stability_step(method, &run, &h));
+        OK(fvi_stability_longest_step(method, &run, &h));
         ck_assert_near(log2(h / low), 0,
                        0x1p-12 * larger(1, fabs(log2(low))) + log2(1.0001),
                        "run %d", i);
@@ -331,18 +331,18 @@ START_TEST(loads_that_are_not_known_are_refused)
     make(&m);
     fvi_run run = run_of(&m.system, 0.7, 0.1, 9, one, one);
     run.kappa = 0;
-    ck_assert_int_eq(fvi_stability_load(&fvi_shifted, &run, &load), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_stability_load(&fvi_lobatto2, &run, &load),
+    ck_assert_int_eq(fvi_stability_number(&fvi_cq2_shifted, &run, &load), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_number(&fvi_lobatto_m2, &run, &load),
                      FVI_EUNSUP);
     ck_assert(load == 7);
-    OK(fvi_stability_load(&fvi_stable, &run, &load));
+    OK(fvi_stability_number(&fvi_cq2_midpoint, &run, &load));
     ck_assert(load == 0);
     double h = 7;
-    ck_assert_int_eq(fvi_stability_step(&fvi_shifted, &run, &h), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_stability_step(&fvi_lobatto4, &run, &h), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_cq2_shifted, &run, &h), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stability_longest_step(&fvi_lobatto_m4, &run, &h), FVI_EUNSUP);
     fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_start(&fvi_lobatto4, &run, &s), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_EUNSUP);
     ck_assert(h == 7 && !s);
     drop(&m);
 }

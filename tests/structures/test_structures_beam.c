@@ -34,12 +34,12 @@ static double lowest_mode(const matrices *m, double *v)
     for (size_t i = 0; i < d; i++)
         v[i] = 1;
     for (int k = 0; k < 30; k++) {
-        fvi_sparse_product(&m->M, v, y);
+        fvi_sparse_multiply(&m->M, v, y);
         OK(f->solve(d, factors, y));
         for (size_t i = 0; i < d; i++)
             v[i] = y[i] / y[d - 2];
     }
-    fvi_sparse_product(&m->M, v, y);
+    fvi_sparse_multiply(&m->M, v, y);
     for (size_t i = 0; i < d; i++)
         norm += v[i] * y[i];
     f->forget(factors);
@@ -54,7 +54,7 @@ START_TEST(eq_27_5_the_cantilevers_first_mode_is_one_oscillator)
     matrices m;
     OK(cantilever(n, tau, &m.M, &m.K, &m.C));
     make(&m);
-    ck_assert_str_eq(fvi_structure_solver(m.structure, 1, 1, 1), "band");
+    ck_assert_str_eq(fvi_structure_solver_name(m.structure, 1, 1, 1), "band");
     double v[d], p0[d] = { 0 }, x[(STEPS + 1) * d], y[STEPS + 1];
     const double lambda = lowest_mode(&m, v), c = tau * lambda, one = 1,
                  none = 0;
@@ -67,14 +67,14 @@ START_TEST(eq_27_5_the_cantilevers_first_mode_is_one_oscillator)
                                 .damping = &c,
                                 .potential = fvi_potential_harmonic(&lambda) };
     const fvi_run scalar = run_of(&single, alpha, 0.02, STEPS, &one, &none);
-    OK(fvi_trajectory(&fvi_stable, &scalar, y, NULL, NULL));
+    OK(fvi_trajectory(&fvi_cq2_midpoint, &scalar, y, NULL, NULL));
     for (int k = 0; k < 2; k++) {
         fvi_run whole = scalar;
         double worst = 0;
         whole.system = k ? &m.system : &free_;
         whole.x0 = v;
         whole.p0 = p0;
-        OK(fvi_trajectory(&fvi_stable, &whole, x, NULL, NULL));
+        OK(fvi_trajectory(&fvi_cq2_midpoint, &whole, x, NULL, NULL));
         for (size_t l = 0; l < (STEPS + 1) * d; l++)
             worst = larger(worst, fabs(x[l] - y[l / d] * v[l % d]));
         seen(worst, "%s", k ? "assembled" : "by elements");
@@ -127,7 +127,7 @@ static void all_modes(const matrices *m, double lambda[d_few],
         lambda[j] = gsl_vector_get(values, j);
         for (size_t i = 0; i < d_few; i++)
             v[j][i] = gsl_matrix_get(V, i, j);
-        fvi_sparse_product(&m->M, v[j], Mv);
+        fvi_sparse_multiply(&m->M, v[j], Mv);
         for (size_t i = 0; i < d_few; i++)
             norm += v[j][i] * Mv[i];
         for (size_t i = 0; i < d_few; i++)
@@ -152,23 +152,23 @@ static void bent(const matrices *m, double *x0)
     f->forget(factors);
 }
 
-/* The tip at t: the sum of its modes, each an oscillator that fvi_exact knows. */
+/* The tip at t: the sum of its modes, each an oscillator that fvi_exact_at knows. */
 static double tip_at(const matrices *m, const double *x0, double tau,
                      double alpha, double t)
 {
     double lambda[d_few], v[d_few][d_few], Mx[d_few], sum = 0;
     all_modes(m, lambda, v);
-    fvi_sparse_product(&m->M, x0, Mx);
+    fvi_sparse_multiply(&m->M, x0, Mx);
     for (size_t j = 0; j < d_few; j++) {
         double share = 0, x;
-        const fvi_linear mode = { .m = 1,
+        const fvi_linear_oscillator mode = { .m = 1,
                                   .c = lambda[j],
                                   .rho = tau * lambda[j],
                                   .alpha = alpha,
                                   .x0 = 1 };
         for (size_t i = 0; i < d_few; i++)
             share += v[j][i] * Mx[i];
-        OK(fvi_exact(&mode, 1, &t, &x, NULL));
+        OK(fvi_exact_at(&mode, 1, &t, &x, NULL));
         sum += share * x * v[j][d_few - 2];
     }
     return sum;
@@ -194,11 +194,11 @@ START_TEST(eq_27_5_the_tip_is_the_sum_of_exact_modes_to_order_two)
             fvi_stepper *s;
             const fvi_run run =
                 run_of(&m.system, alphas[i], t / (double)steps, steps, x0, p0);
-            OK(fvi_start(&fvi_stable, &run, &s));
+            OK(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
             while (s->k < steps)
-                OK(fvi_step(s));
+                OK(fvi_stepper_step(s));
             error[k] = s->x[d_few - 2] - want;
-            fvi_stop(s);
+            fvi_stepper_free(s);
         }
         for (int k = 0; k < 2; k++) {
             seen(error[k] / error[k + 1], "ratio %g", alphas[i]);

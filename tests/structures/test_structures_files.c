@@ -13,12 +13,12 @@ START_TEST(triplets_sum_in_any_order)
                                  { 1, 1, 3 }, { 0, 0, 10 }, { 2, 2, 7 },
                                  { 1, 1, -3 } };
     fvi_sparse A;
-    OK(fvi_sparse_sum(3, LEN(list), list, &A));
+    OK(fvi_sparse_assemble(3, LEN(list), list, &A));
     ck_assert_int_eq(A.start[3], 5); /* (1, 1) has stayed, as zero */
     ck_assert(A.row[0] == 0 && A.row[1] == 2 && A.entry[0] == 11);
     const double x[3] = { 1, 2, 3 }, want[3] = { 26, 0, 26 };
     double y[3];
-    fvi_sparse_product(&A, x, y);
+    fvi_sparse_multiply(&A, x, y);
     for (int i = 0; i < 3; i++)
         ck_assert(y[i] == want[i]);
     fvi_sparse_free(&A);
@@ -35,11 +35,11 @@ START_TEST(bad_triplets_are_refused)
                                    { { 0, 0, NAN } } };
     fvi_sparse A = { .n = 77 };
     for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(fvi_sparse_sum(2, 1, bad[i], &A), FVI_EDOM);
-    ck_assert_int_eq(fvi_sparse_sum(0, 1, good, &A), FVI_EINVAL);
-    ck_assert_int_eq(fvi_sparse_sum((size_t)1 << 31, 1, good, &A), FVI_EINVAL);
-    ck_assert_int_eq(fvi_sparse_sum(2, 1, NULL, &A), FVI_EFAULT);
-    ck_assert_int_eq(fvi_sparse_sum(2, 1, good, NULL), FVI_EFAULT);
+        ck_assert_int_eq(fvi_sparse_assemble(2, 1, bad[i], &A), FVI_EDOM);
+    ck_assert_int_eq(fvi_sparse_assemble(0, 1, good, &A), FVI_EINVAL);
+    ck_assert_int_eq(fvi_sparse_assemble((size_t)1 << 31, 1, good, &A), FVI_EINVAL);
+    ck_assert_int_eq(fvi_sparse_assemble(2, 1, NULL, &A), FVI_EFAULT);
+    ck_assert_int_eq(fvi_sparse_assemble(2, 1, good, NULL), FVI_EFAULT);
     ck_assert_uint_eq(A.n, 77);
 }
 END_TEST

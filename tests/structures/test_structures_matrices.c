@@ -22,7 +22,7 @@ static void grid(int m, double diagonal, fvi_sparse *A)
         if (i < m * m - m)
             list[count++] = (fvi_triplet){ i, i + m, -1 };
     }
-    OK(fvi_sparse_sum((size_t)(m * m), count, list, A));
+    OK(fvi_sparse_assemble((size_t)(m * m), count, list, A));
     free(list);
 }
 
@@ -42,7 +42,7 @@ START_TEST(eq_27_3_every_way_solves_the_same_equations)
         grid(m, 4.02, &A);
         for (int l = 0; l < n; l++)
             x[l] = cos(7.0 * l);
-        fvi_sparse_product(&A, x, r);
+        fvi_sparse_multiply(&A, x, r);
         OK(fvi_factors_alloc(ways[i], &A, &f));
         ck_assert_ptr_null(A.start); /* taken over */
         for (int twice = 0; twice < 2; twice++) {
@@ -109,7 +109,7 @@ START_TEST(the_way_of_a_sum_is_not_that_of_entries_that_cancel)
     tridiagonal(5, 4, 1, &M);
     tridiagonal(5, 2, -1, &K);
     OK(fvi_structure_alloc(&M, &K, NULL, &s, NULL));
-    ck_assert_str_eq(fvi_structure_solver(s, 1, 0, 1), "band");
+    ck_assert_str_eq(fvi_structure_solver_name(s, 1, 0, 1), "band");
     fvi_structure_free(s);
     fvi_sparse_free(&M);
     fvi_sparse_free(&K);
@@ -131,7 +131,7 @@ static void dense(int n, const double *lower, fvi_sparse *A)
             if (i != j)
                 list[count++] = (fvi_triplet){ j, i, *lower };
         }
-    OK(fvi_sparse_sum((size_t)n, count, list, A));
+    OK(fvi_sparse_assemble((size_t)n, count, list, A));
 }
 
 /* S B^T x by the callbacks, against C x. */
@@ -143,7 +143,7 @@ static void ck_assert_damps(const matrices *m, size_t remembered)
     ck_assert_uint_eq(f->remembered, remembered);
     for (size_t i = 0; i < d; i++)
         x[i] = cos(3.0 * (double)i);
-    fvi_sparse_product(&m->C, x, y);
+    fvi_sparse_multiply(&m->C, x, y);
     if (remembered > 0) {
         OK(f->remember(d, x, zero, f->params, z));
         OK(f->damp(d, 2, z, f->params, p));

@@ -45,7 +45,7 @@ static void relative(const damper *kind, size_t places, size_t apart,
     }
     if (ground > 0)
         list[count++] = (fvi_triplet){ D - 1, D - 1, ground };
-    OK(fvi_sparse_sum(D, count, list, C));
+    OK(fvi_sparse_assemble(D, count, list, C));
 }
 
 /* |C x0|, as a run has it, over the bound for zero without its 64. */
@@ -76,7 +76,7 @@ static void ck_assert_runs_as_held(const matrices *m, const double *x0,
         const double bound = takers[i] == &fvi_fractional ? 1e-11 : 0;
         fvi_run run = run_of(&m->system, alpha, 0.05, N, x0, p0);
         OK(fvi_trajectory(takers[i], &run, x, p, NULL));
-        run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         OK(fvi_trajectory(takers[i], &run, X, P, NULL));
         for (size_t j = 0; j < (N + 1) * D; j++) {
             ck_assert_near(X[j], x[j], bound, "%s: x", takers[i]->name);
@@ -92,11 +92,11 @@ static void ck_assert_is_felt(const matrices *m, const double *x0,
 {
     for (size_t i = 0; i < LEN(takers); i++) {
         fvi_run run = run_of(&m->system, alpha, 0.05, 1, x0, p0);
-        run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+        run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         static double x[2 * D], p[2 * D];
         fvi_step_found found;
         ck_assert_int_eq(fvi_trajectory(takers[i], &run, x, p, NULL),
-                         takers[i]->past_as_printed ? FVI_SUCCESS : FVI_EDOM);
+                         takers[i]->paper_convention ? FVI_SUCCESS : FVI_EDOM);
         ck_assert_int_eq(
             fvi_step_search(takers[i], &run, 1e-3, 1000, x, p, &found),
             FVI_EDOM);
@@ -162,7 +162,7 @@ START_TEST(eq_9_5_a_start_that_is_not_felt_is_no_kick)
     }
     for (int printed = 0; printed < 2; printed++) {
         fvi_run run = run_of(&m.system, 0.45, 1, 1, x0, p0);
-        run.past = printed ? FVI_PAST_RIEMANN_LIOUVILLE : FVI_PAST_HELD;
+        run.past = printed ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE : FVI_INITIAL_HISTORY_HELD;
         OK(fvi_step_search(&fvi_fractional, &run, 1e-6, 100000, x, p,
                            found + printed));
     }
@@ -192,14 +192,14 @@ START_TEST(a_damping_that_cannot_be_asked_says_so)
     };
     fvi_run run = run_of(&system, 0.7, 1, 1, &one, &one);
     int felt;
-    ck_assert_int_eq(fvi_run_feels_start(&run, &felt), 77);
-    run.past = FVI_PAST_RIEMANN_LIOUVILLE;
+    ck_assert_int_eq(fvi_run_start_is_damped(&run, &felt), 77);
+    run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     ck_assert_int_eq(fvi_run_has_solution(&run, &felt), 77);
     run.alpha = 0.5; /* all starts have one */
     OK(fvi_run_has_solution(&run, &felt));
     ck_assert_int_eq(felt, 1);
     system.matrices = &none;
-    OK(fvi_run_feels_start(&run, &felt));
+    OK(fvi_run_start_is_damped(&run, &felt));
     ck_assert_int_eq(felt, 0);
 }
 END_TEST

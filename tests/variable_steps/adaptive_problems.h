@@ -1,4 +1,4 @@
-/* tests/variable_steps/adaptive_problems.h -- Random problems for fvi_adaptive_search: how
+/* tests/variable_steps/adaptive_problems.h -- Random problems for fvi_variable_step_search: how
  * much of 1.2 times the wanted error is used. */
 #ifndef ADAPTIVE_PROBLEMS_H
 #define ADAPTIVE_PROBLEMS_H
@@ -19,11 +19,11 @@ typedef struct {
     size_t d, N;
     double T, alpha, error, mass[MASSES_MOST], rho[MASSES_MOST];
     double x0[MASSES_MOST], p0[MASSES_MOST], spring[2], force[2];
-    fvi_past past;
+    fvi_initial_history past;
     int kind, pushed; /* of potential, of force */
     double want[(ROWS_MOST + 1) * MASSES_MOST],
         x[(ROWS_MOST + 1) * MASSES_MOST];
-    fvi_adaptive_found found;
+    fvi_variable_step_found found;
     int status;
 } adaptive_problem;
 
@@ -51,7 +51,7 @@ static inline void draw(gsl_rng *r, int linear, adaptive_problem *q)
     q->alpha = gsl_rng_uniform_int(r, 4) ? gsl_rng_uniform(r)
                                          : hard[gsl_rng_uniform_int(r, 7)];
     q->T = decades(r, 1, 100) / w;
-    q->past = (fvi_past)gsl_rng_uniform_int(r, 3);
+    q->past = (fvi_initial_history)gsl_rng_uniform_int(r, 3);
     q->kind = (int)gsl_rng_uniform_int(r, 3);
     q->pushed = (int)gsl_rng_uniform_int(r, 3);
     for (size_t j = 0; j < q->d; j++) {
@@ -61,7 +61,7 @@ static inline void draw(gsl_rng *r, int linear, adaptive_problem *q)
                                * pow(w, 2 - 2 * q->alpha);
         q->x0[j] = between(r, -1, 1);
         q->p0[j] = q->mass[j] * w * between(r, -1, 1);
-        if (!fvi_past_has_solution(q->past, q->alpha, q->rho[j], q->x0[j]))
+        if (!fvi_initial_history_solvable(q->past, q->alpha, q->rho[j], q->x0[j]))
             q->x0[j] = 0;
     }
     q->spring[0] = stiff * q->mass[0] * w * w;
@@ -91,9 +91,9 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
     if (!linear) {
         fvi_run finer = *run;
         finer.step_error = 1e-13;
-        return fvi_trajectory(&fvi_adaptive, &finer, q->want, NULL, NULL);
+        return fvi_trajectory(&fvi_variable_step, &finer, q->want, NULL, NULL);
     }
-    const fvi_linear exact = {
+    const fvi_linear_oscillator exact = {
         .m = q->mass[0],
         .c = q->spring[0],
         .rho = q->rho[0],
@@ -111,7 +111,7 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
     double t[ROWS_MOST + 1];
     for (size_t k = 0; k <= q->N; k++)
         t[k] = (double)k * run->h;
-    return fvi_exact(&exact, q->N + 1, t, q->want, NULL);
+    return fvi_exact_at(&exact, q->N + 1, t, q->want, NULL);
 }
 
 /* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). -1, which the
@@ -133,7 +133,7 @@ static inline double used_by(adaptive_problem *q, int linear)
         size = larger(size, fabs(q->want[i]));
     q->error *= size;
     q->status =
-        fvi_adaptive_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
+        fvi_variable_step_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
     if (q->status) /* said in words; is there a reason? */
         return (q->status == FVI_ETOL && (!linear || q->error < 1e-9 * size))
                        || (q->status == FVI_EUNSUP && q->alpha > 0.99)

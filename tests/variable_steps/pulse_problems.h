@@ -58,13 +58,13 @@ static inline int pulse_truth(pulse_problem *q, fvi_system system, fvi_run run)
     system.force.bound = NULL;
     run.system = &system;
     run.step_error = q->error / 1000;
-    return fvi_trajectory(&fvi_adaptive, &run, q->want, NULL, NULL);
+    return fvi_trajectory(&fvi_variable_step, &run, q->want, NULL, NULL);
 }
 
 /* The error of the rows over what is wanted. method: NULL for steps of any length. */
 static inline double used_by_pulse(pulse_problem *q, const fvi_method *method)
 {
-    static const fvi_names names = { "t", 1, NULL, 0 };
+    static const fvi_symbols names = { "t", 1, NULL, 0 };
     fvi_expression *e;
     if (fvi_expression_parse(q->text, &names, NULL, &e, NULL))
         return GSL_NAN;
@@ -87,8 +87,8 @@ static inline double used_by_pulse(pulse_problem *q, const fvi_method *method)
                                     &found);
         q->estimate = found.estimate;
     } else {
-        fvi_adaptive_found found = { 0 };
-        q->status = fvi_adaptive_search(&run, q->error, 1 << 22, q->x, NULL,
+        fvi_variable_step_found found = { 0 };
+        q->status = fvi_variable_step_search(&run, q->error, 1 << 22, q->x, NULL,
                                         &found);
         q->estimate = found.estimate;
     }

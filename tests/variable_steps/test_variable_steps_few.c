@@ -3,7 +3,7 @@
  * Run alone: make test-variable_steps_few */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 #include <gsl/gsl_math.h>
 
@@ -25,14 +25,14 @@ START_TEST(steps_too_long_to_be_solved_are_rare)
     for (double tolerance = 1e-2; tolerance < 2; tolerance *= 10) {
         fvi_run run = fvi_run_default(&system, &zero, &zero, 1, 50);
         run.alpha = 0.3;
-        run.past = FVI_PAST_CAPUTO;
+        run.past = FVI_INITIAL_HISTORY_CAPUTO;
         run.step_error = tolerance;
         fvi_stepper *s;
-        fvi_adaptive_counts counts;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        ck_assert_int_eq(fvi_run_to(s, 50, NULL, NULL), 0);
-        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-        fvi_stop(s);
+        fvi_step_statistics counts;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, 50, NULL, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+        fvi_stepper_free(s);
         const double share = (double)counts.rejected / (double)counts.steps;
         ck_assert_msg(share <= 0.2, "%g: %g", tolerance, share);
         seen(share, "rejected of the steps");
@@ -54,17 +54,17 @@ START_TEST(a_digit_takes_few_steps)
     fvi_run run = fvi_run_default(&system, &zero, &zero, 50. / ROWS, ROWS);
     double want[ROWS + 1], got[ROWS + 1];
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
+    fvi_step_statistics counts;
     run.alpha = 0.3;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 1e-9;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, want, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, want, NULL, NULL), 0);
     run.step_error = 0.1;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
     for (size_t k = 0; k <= ROWS; k++)
-        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, got + k, NULL), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-    fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, got + k, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+    fvi_stepper_free(s);
     for (size_t k = 0; k <= ROWS; k++)
         ck_assert_near(got[k], want[k], 0.1, "row %zu", k);
     ck_assert_uint_le(counts.steps + counts.rejected, 26);
@@ -85,13 +85,13 @@ START_TEST(a_stiff_spring_is_not_leapt_over)
                                 .force = fvi_force_cosine(slow) };
     fvi_run run = fvi_run_default(&system, &rest, &zero, 0.5, 80);
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
-    run.past = FVI_PAST_CAPUTO;
+    fvi_step_statistics counts;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 0.1;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 40, NULL, NULL), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-    fvi_stop(s);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 40, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+    fvi_stepper_free(s);
     ck_assert_uint_le(counts.steps, 24);
 }
 END_TEST
@@ -115,7 +115,7 @@ START_TEST(a_leap_that_goes_astray_is_no_guess)
             run.alpha = 0.25;
             run.step_error = wish;
             ck_assert_int_eq(
-                fvi_trajectory(&fvi_adaptive, &run, *row, NULL, NULL), 0);
+                fvi_trajectory(&fvi_variable_step, &run, *row, NULL, NULL), 0);
             for (size_t i = 0; i < 2 * LEN(row); i++)
                 ck_assert_near(row[i / 2][i % 2], 0, 1.5,
                                "c = %g, to %g: row %zu", c, wish, i / 2);
@@ -152,7 +152,7 @@ START_TEST(a_pendulum_keeps_to_its_valley)
         run.alpha = a[2];
         for (double wish = 0.1; wish > 0.011; wish /= 2) {
             run.step_error = wish;
-            ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, NULL, NULL),
+            ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, NULL, NULL),
                              0);
             for (size_t k = 0; k <= ROWS; k++)
                 ck_assert_near(x[k], 0, 3, "%zu, to %g: row %zu", i, wish, k);
@@ -207,13 +207,13 @@ static void run_on_hard_spring(known *k)
                                 .force = fvi_force_cosine(drive) };
     fvi_run run = fvi_run_default(&system, &from, &zero, 20. / ROWS, ROWS);
     run.alpha = 0.7;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 0.1;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 20, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 20, NULL, NULL), 0);
     ck_assert_double_lt(fabs(*s->x), 1);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
 /* From stage to stage a step may leap to where no force is known, or no double: nobody is

@@ -2,7 +2,7 @@
  * copies, what is saved of it, what ends it.   Run alone: make test-variable_steps_life */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 enum { D = 5, N = 80 };
 static const double one = 1;
@@ -24,11 +24,11 @@ static const double cg[2] = { 2, 0.7 };
 
 /* A visitor that keeps the pieces, or gives them back. */
 typedef struct {
-    fvi_visitor visitor;
+    fvi_archive visitor;
     size_t at;
 } shelf;
 static unsigned char pieces[1 << 16];
-static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int save(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     (void)constant;
@@ -37,7 +37,7 @@ static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
     s->at += bytes;
     return 0;
 }
-static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     if (constant && memcmp(pieces + s->at, data, bytes) != 0)
@@ -67,32 +67,32 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         fvi_run run = run_of(&system, 1e-9);
         run.alpha = way == 2 ? 0.75 : 0.3;
         fvi_stepper *s, *copy, *again;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
         double last = -1;
         int met = 0;
         while (s->t < 1e-3) {
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
             ck_assert(s->t > last);
             last = s->t;
         }
         if (way == 0) {
-            fvi_adaptive_run *o = s->own;
+            fvi_variable_step_state *o = s->method_state;
             o->solve = FVI_SOLVE_TOGETHER;
             o->length.h = 0; /* other matrices */
         }
-        ck_assert_int_eq(fvi_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
         while (s->t < 0.3 * (double)way)
-            ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_copy(s, &copy), 0);
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &again), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &again), 0);
         shelf saved = { .visitor = { save } }, read = { .visitor = { load } };
-        ck_assert_int_eq(fvi_visit(s, &saved.visitor), 0);
-        ck_assert_int_eq(fvi_visit(again, &read.visitor), 0);
+        ck_assert_int_eq(fvi_stepper_archive(s, &saved.visitor), 0);
+        ck_assert_int_eq(fvi_stepper_archive(again, &read.visitor), 0);
         ck_assert(read.at == saved.at && again->t == s->t);
         while (s->k < N) {
-            ck_assert_int_eq(fvi_step(s), 0);
-            ck_assert_int_eq(fvi_step(copy), 0);
-            ck_assert_int_eq(fvi_step(again), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(copy), 0);
+            ck_assert_int_eq(fvi_stepper_step(again), 0);
             ck_assert(s->t == again->t
                       && memcmp(s->x, again->x, 2 * D * sizeof *x) == 0);
             ck_assert(s->t == copy->t && s->k == copy->k);
@@ -103,25 +103,25 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
             met += s->t == 3.3 || s->t == 1.1;
         }
         ck_assert(met == 2 && s->t == N * run.h);
-        ck_assert_int_eq(fvi_step(s), FVI_EINVAL);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_EINVAL);
         memcpy(x, s->x, D * sizeof *x);
-        const fvi_adaptive_run *o = s->own;
+        const fvi_variable_step_state *o = s->method_state;
         double middle = (o->t0 + s->t) / 2;
-        ck_assert_int_eq(fvi_run_to(s, middle, y, NULL), 0);
-        ck_assert_int_eq(fvi_run_to(copy, middle, NULL, p), 0);
-        ck_assert_int_eq(fvi_run_to(copy, s->t, y, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, middle, y, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(copy, middle, NULL, p), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(copy, s->t, y, NULL), 0);
         ck_assert(memcmp(x, y, D * sizeof *x) == 0);
-        ck_assert_int_eq(fvi_run_to(s, o->t0 * 0.999, y, NULL), FVI_EDOM);
-        ck_assert_int_eq(fvi_run_to(s, s->t * 1.001, y, NULL), FVI_EDOM);
-        ck_assert_int_eq(fvi_run_to(NULL, 1, y, NULL), FVI_EFAULT);
-        fvi_stop(copy);
-        fvi_stop(again);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, o->t0 * 0.999, y, NULL), FVI_EDOM);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, s->t * 1.001, y, NULL), FVI_EDOM);
+        ck_assert_int_eq(fvi_stepper_advance_to(NULL, 1, y, NULL), FVI_EFAULT);
+        fvi_stepper_free(copy);
+        fvi_stepper_free(again);
         if (way > 0) {
-            ck_assert_int_eq(fvi_reset(s), 0);
-            ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
+            ck_assert_int_eq(fvi_stepper_reset(s), 0);
+            ck_assert_int_eq(fvi_stepper_advance_to(s, N * run.h, y, NULL), 0);
             ck_assert(memcmp(x, y, D * sizeof *x) == 0);
         }
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -141,37 +141,37 @@ START_TEST(a_copy_makes_factors_of_its_own)
     run.step_error = 1e-5;
     fvi_stepper *s, *copy[200]; /* all at once: none is where another was */
     size_t copies = 0;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
     for (; s->k < run.steps; copies++) {
         ck_assert_uint_lt(copies, 200);
-        ck_assert_int_eq(fvi_copy(s, &copy[copies]), 0);
-        ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_step(copy[copies]), 0);
+        ck_assert_int_eq(fvi_stepper_copy(s, &copy[copies]), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_step(copy[copies]), 0);
         ck_assert(s->t == copy[copies]->t && s->x[0] == copy[copies]->x[0]);
     }
     while (copies > 0)
-        fvi_stop(copy[--copies]);
-    fvi_stop(s);
+        fvi_stepper_free(copy[--copies]);
+    fvi_stepper_free(s);
 }
 END_TEST
 
-/* fvi_run_to knows the rows of methods that step by h, and no other times. */
+/* fvi_stepper_advance_to knows the rows of methods that step by h, and no other times. */
 START_TEST(uniform_methods_have_rows_only)
 {
     const fvi_system system = { D,     mass, rho, fvi_potential_harmonic(cg),
                                 { 0 }, NULL };
     const fvi_run run = run_of(&system, 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_fractional, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 7 * run.h, x, p), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 7 * run.h, x, p), 0);
     ck_assert(s->k == 7 && memcmp(x, s->x, D * sizeof *x) == 0
               && memcmp(p, s->p, D * sizeof *x) == 0);
-    ck_assert_int_eq(fvi_run_to(s, 7.5 * run.h, x, p), FVI_EDOM);
-    ck_assert_int_eq(fvi_run_to(s, 2 * run.h, x, p), FVI_EDOM);
-    fvi_adaptive_counts counts;
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), FVI_EINVAL);
-    ck_assert_int_eq(fvi_adaptive_look(NULL, &counts), FVI_EFAULT);
-    fvi_stop(s);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 7.5 * run.h, x, p), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 2 * run.h, x, p), FVI_EDOM);
+    fvi_step_statistics counts;
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_statistics(NULL, &counts), FVI_EFAULT);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -195,18 +195,18 @@ START_TEST(what_callbacks_say_comes_back)
         fvi_stepper *s;
         int status = 0;
         moods = 0;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
         while (s->k < run.steps && !status)
-            status = fvi_step(s);
+            status = fvi_stepper_step(s);
         ck_assert_int_eq(status, mood ? FVI_EOVRFLW : -77);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
     fvi_run wrong = run;
     fvi_stepper *s;
     wrong.step_error = -1;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s), FVI_EDOM);
     wrong.step_error = GSL_NAN;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &wrong, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s), FVI_EDOM);
 }
 END_TEST
 

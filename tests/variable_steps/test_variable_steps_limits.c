@@ -25,11 +25,11 @@ static int short_pulse(double t, size_t d, void *params, double *F)
 /* Its exact motion in all rows, from x0, if the force A ends at T. */
 static int plate_exact(double x0, double A, double T, double *exact)
 {
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,
                                  .rho = 1,
                                  .alpha = 0.75,
-                                 .past = FVI_PAST_CAPUTO,
+                                 .past = FVI_INITIAL_HISTORY_CAPUTO,
                                  .forcing = FVI_FORCING_STEP,
                                  .A = A,
                                  .T = T,
@@ -37,7 +37,7 @@ static int plate_exact(double x0, double A, double T, double *exact)
     double t[ROWS + 1], v[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = 20. / ROWS * (double)k;
-    return fvi_exact(&problem, ROWS + 1, t, exact, v);
+    return fvi_exact_at(&problem, ROWS + 1, t, exact, v);
 }
 
 static double worst_of(const double *x, const double *exact)
@@ -49,7 +49,7 @@ static double worst_of(const double *x, const double *exact)
 }
 
 /* Bagley and Torvik's plate, under a force that declares no jumps. */
-static fvi_adaptive_counts plate(int (*value)(double, size_t, void *, double *),
+static fvi_step_statistics plate(int (*value)(double, size_t, void *, double *),
                                  double x0, double tolerance, double *x)
 {
     const fvi_system system = { .d = 1,
@@ -59,15 +59,15 @@ static fvi_adaptive_counts plate(int (*value)(double, size_t, void *, double *),
                                 .force = { .value = value } };
     fvi_run run = fvi_run_default(&system, &x0, &zero, 20. / ROWS, ROWS);
     run.alpha = 0.75;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = tolerance;
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+    fvi_step_statistics counts;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
     for (size_t k = 0; k <= ROWS; k++)
-        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, x + k, NULL), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-    fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, x + k, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+    fvi_stepper_free(s);
     return counts;
 }
 
@@ -78,7 +78,7 @@ START_TEST(a_jump_that_is_not_declared_costs_steps)
     double exact[ROWS + 1], x[ROWS + 1];
     ck_assert_int_eq(plate_exact(0, 8, 0.7310585, exact), FVI_SUCCESS);
     for (double tolerance = 1e-4; tolerance > 1e-13; tolerance /= 100) {
-        const fvi_adaptive_counts n = plate(late_jump, 0, tolerance, x);
+        const fvi_step_statistics n = plate(late_jump, 0, tolerance, x);
         const double off = worst_of(x, exact) / tolerance;
         seen_worst(off, "of the tolerance");
         ck_assert_double_lt(off, 10);
@@ -156,7 +156,7 @@ START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
                                 .force = { .value = some_jump } };
     fvi_run run = fvi_run_default(&system, &one, &zero, 20. / ROWS, ROWS);
     run.alpha = 0.75;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     size_t ran = 0;
     for (size_t n = 0; n < SIZES; n++) {
         double most = 0;
@@ -164,9 +164,9 @@ START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
             double x[ROWS + 1];
             choose_jump(n, i);
             for (double error = 1e-3; error > 1e-10; error /= 100) {
-                fvi_adaptive_found found;
+                fvi_variable_step_found found;
                 ck_assert_int_eq(
-                    fvi_adaptive_search(&run, error, 100000, x, NULL, &found),
+                    fvi_variable_step_search(&run, error, 100000, x, NULL, &found),
                     0);
                 most = larger(most, worst_of(x, jumped[n][i]) / error);
                 ran++;
@@ -183,7 +183,7 @@ END_TEST
 START_TEST(a_pulse_between_the_stages_is_passed_over)
 {
     double x[ROWS + 1];
-    const fvi_adaptive_counts n = plate(short_pulse, 0, 1e-8, x);
+    const fvi_step_statistics n = plate(short_pulse, 0, 1e-8, x);
     seen((double)n.steps, "steps");
     for (size_t k = 0; k <= ROWS; k++)
         ck_assert_double_eq(x[k], 0);
@@ -200,22 +200,22 @@ START_TEST(a_fast_spring_is_followed_through_every_period)
                                 .potential = fvi_potential_harmonic(&c) };
     fvi_run run = fvi_run_default(&system, &one, &zero, 2. / ROWS, ROWS);
     run.alpha = 0.3;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 1e-10;
-    const fvi_linear problem = { .m = 1,
+    const fvi_linear_oscillator problem = { .m = 1,
                                  .c = c,
                                  .rho = rho,
                                  .alpha = 0.3,
-                                 .past = FVI_PAST_CAPUTO,
+                                 .past = FVI_INITIAL_HISTORY_CAPUTO,
                                  .x0 = 1 };
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
+    fvi_step_statistics counts;
     double x, p, t = 2, exact, v;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, t, &x, &p), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-    fvi_stop(s);
-    ck_assert_int_eq(fvi_exact(&problem, 1, &t, &exact, &v), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, t, &x, &p), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+    fvi_stepper_free(s);
+    ck_assert_int_eq(fvi_exact_at(&problem, 1, &t, &exact, &v), 0);
     /* rounding: omega t u for the phase, ten times */
     ck_assert_near(x, exact, 10 * 1e4 * t * U + 1e-10, "at %g", t);
     seen((double)counts.steps / (1e4 * t / (2 * M_PI)), "steps a period");
@@ -237,16 +237,16 @@ START_TEST(without_damping_the_energy_drifts)
     for (double tolerance = 1e-5; tolerance > 1e-8; tolerance /= 100) {
         double off[2] = { 0, 0 };
         fvi_stepper *s;
-        fvi_adaptive_counts counts;
+        fvi_step_statistics counts;
         run.step_error = tolerance;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
         while (s->k < ROWS) {
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
             double *o = &off[s->t > 1000];
             *o = larger(*o, fabs(energy_of(&system, s->x, s->p) - 0.25));
         }
-        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-        fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+        fvi_stepper_free(s);
         ck_assert_int_eq(counts.form, 'M');
         seen(off[1], "drift, %.0e", tolerance);
         seen((double)counts.steps, "steps, %.0e", tolerance);
@@ -271,9 +271,9 @@ START_TEST(an_error_far_above_the_start_is_kept)
     fvi_run run = fvi_run_default(&system, &x0, &p0, 2.5, 4);
     const double t[] = { 0, 2.5, 5, 7.5, 10 };
     double found_x[5], want[5], v[5];
-    fvi_adaptive_found found;
+    fvi_variable_step_found found;
     run.alpha = 0.001;
-    const fvi_linear problem = { .m = m,
+    const fvi_linear_oscillator problem = { .m = m,
                                  .c = c,
                                  .rho = drag,
                                  .alpha = run.alpha,
@@ -281,9 +281,9 @@ START_TEST(an_error_far_above_the_start_is_kept)
                                  .forcing = FVI_FORCING_STEP,
                                  .A = aT[0],
                                  .T = aT[1] };
-    ck_assert_int_eq(fvi_exact(&problem, 5, t, want, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&problem, 5, t, want, v), FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_adaptive_search(&run, error, 100000, found_x, NULL, &found),
+        fvi_variable_step_search(&run, error, 100000, found_x, NULL, &found),
         FVI_SUCCESS);
     for (size_t k = 0; k < 5; k++)
         ck_assert_near(found_x[k], want[k], error + 4e-13 * 9, "row %zu", k);

@@ -25,11 +25,11 @@ START_TEST(eq_22_25_no_pulse_of_an_expression_is_missed)
 END_TEST
 
 static const double one = 1, zero = 0, rho = 0.2;
-static const fvi_names names = { "t", 1, NULL, 0 };
+static const fvi_symbols names = { "t", 1, NULL, 0 };
 
 /* Steps of a run to 20 of a damped body at rest, with such a force, whose bounds are known
  * or not; x at the end. */
-static fvi_adaptive_counts steps_with(const char *text, int bounded, double *x)
+static fvi_step_statistics steps_with(const char *text, int bounded, double *x)
 {
     fvi_expression *e;
     ck_assert_int_eq(fvi_expression_parse(text, &names, NULL, &e, NULL), 0);
@@ -44,11 +44,11 @@ static fvi_adaptive_counts steps_with(const char *text, int bounded, double *x)
     run.alpha = 0.3;
     run.step_error = 1e-9;
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 20, x, NULL), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
-    fvi_stop(s);
+    fvi_step_statistics counts;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 20, x, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
+    fvi_stepper_free(s);
     fvi_expression_free(e);
     return counts;
 }
@@ -63,7 +63,7 @@ START_TEST(eq_22_25_a_smooth_force_takes_the_same_steps)
     };
     for (size_t i = 0; i < LEN(smooth); i++) {
         double x, y;
-        const fvi_adaptive_counts with = steps_with(smooth[i], 1, &x),
+        const fvi_step_statistics with = steps_with(smooth[i], 1, &x),
                                   without = steps_with(smooth[i], 0, &y);
         ck_assert_msg(with.steps == without.steps && x == y, "%s: %zu, %zu",
                       smooth[i], with.steps, without.steps);
@@ -79,7 +79,7 @@ START_TEST(eq_22_25_what_has_no_bound_is_passed)
                                         "sqrt(abs(t-3.3))", "abs(sin(t))" };
     for (size_t i = 0; i < LEN(hard); i++) {
         double x;
-        const fvi_adaptive_counts n = steps_with(hard[i], 1, &x);
+        const fvi_step_statistics n = steps_with(hard[i], 1, &x);
         seen((double)n.steps, "steps, %s", hard[i]);
         ck_assert_msg(n.steps < 1000 && isfinite(x), "%s: %zu", hard[i],
                       n.steps);
@@ -102,16 +102,16 @@ START_TEST(eq_22_25_a_copy_goes_on_with_the_same_digits)
                           .force = fvi_force_expression(e) };
     const fvi_run run = fvi_run_default(&system, &one, &zero, 20, 1);
     fvi_stepper *s, *copy;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_run_to(s, 5, NULL, NULL), 0);
-    ck_assert_int_eq(fvi_copy(s, &copy), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_advance_to(s, 5, NULL, NULL), 0);
+    ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
     while (s->t < 20) {
-        ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_step(copy), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_stepper_step(copy), 0);
         ck_assert(s->t == copy->t && s->x[0] == copy->x[0]);
     }
-    fvi_stop(s);
-    fvi_stop(copy);
+    fvi_stepper_free(s);
+    fvi_stepper_free(copy);
     fvi_expression_free(e);
 }
 END_TEST

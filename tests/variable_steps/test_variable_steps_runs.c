@@ -2,7 +2,7 @@
  * Run alone: make test-variable_steps_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 #include "variable_steps_runs_ref.h"
 
@@ -53,13 +53,13 @@ START_TEST(eq_22_14_steps_of_given_lengths)
         system.force.jump_count = LEN(ends);
         fvi_run run = run_of(&system, ref_runs[r].alpha, &x0, &p0,
                              ref_runs[r].s == 6 ? 1e-3 : 1e-8);
-        run.past = FVI_PAST_CAPUTO;
+        run.past = FVI_INITIAL_HISTORY_CAPUTO;
         run.h = 1.5;
         run.steps = 1;
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
         s->run.step_error = 1e9; /* of the stages it has been asked before */
-        fvi_adaptive_run *o = s->own;
+        fvi_variable_step_state *o = s->method_state;
         o->next = o->first = 3;
         fvi_modes_free(o->modes);
         o->modes = NULL;
@@ -68,7 +68,7 @@ START_TEST(eq_22_14_steps_of_given_lengths)
                                              1, o->T, o->least, &o->modes),
                              0);
         for (size_t k = 0; k < 4; k++) {
-            ck_assert_int_eq(fvi_step(s), 0);
+            ck_assert_int_eq(fvi_stepper_step(s), 0);
             const double *want = ref_runs[r].want + (k < 2 ? 0 : 2 * k - 2);
             if (k == 1)
                 continue;
@@ -78,11 +78,11 @@ START_TEST(eq_22_14_steps_of_given_lengths)
                            ref_runs[r].s, ref_runs[r].alpha, k);
         }
         ck_assert(s->t == 1.5 && s->k == 1);
-        fvi_adaptive_counts counts;
-        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+        fvi_step_statistics counts;
+        ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
         ck_assert(counts.steps == 4 && counts.rejected == 0
                   && counts.form == 'D' && counts.stages == (int)ref_runs[r].s);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
     ck_assert_uint_ge(ran, 10);
 }
@@ -92,13 +92,13 @@ END_TEST
 /* ---- against the exact solution ---- */
 
 /* The largest errors of x and p over the rows of a run of 1 + n rows. */
-static double error_of(const fvi_run *run, const fvi_linear *problem,
+static double error_of(const fvi_run *run, const fvi_linear_oscillator *problem,
                        double *of_p)
 {
     for (size_t k = 0; k <= run->steps; k++)
         T[k] = (double)k * run->h;
-    ck_assert_int_eq(fvi_exact(problem, run->steps + 1, T, X, V), 0);
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, run, x, p, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(problem, run->steps + 1, T, X, V), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, run, x, p, NULL), 0);
     double worst = 0;
     *of_p = 0;
     for (size_t k = 0; k <= run->steps; k++) {
@@ -111,7 +111,7 @@ static double error_of(const fvi_run *run, const fvi_linear *problem,
 //> alphas
 /* Every past, alpha from 0 to 1, a force that ends between all rows: the error over all
  * rows, the first and those behind the jump among them, is below the tolerance of a step,
- * and p within 100 times that; 1e-13 and 3e-12 for the rounding of fvi_exact and of the
+ * and p within 100 times that; 1e-13 and 3e-12 for the rounding of fvi_exact_at and of the
  * run. Seen: 0.23 of that. */
 START_TEST(all_alphas_all_pasts_all_rows)
 {
@@ -121,25 +121,25 @@ START_TEST(all_alphas_all_pasts_all_rows)
     const double aT[] = { 8, 0.7310585 };
     const fvi_system system = spring(aT);
     for (size_t a = 0; a < LEN(alphas); a++)
-        for (int past = FVI_PAST_HELD; past <= FVI_PAST_RIEMANN_LIOUVILLE;
+        for (int past = FVI_INITIAL_HISTORY_HELD; past <= FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
              past++)
             for (size_t e = 0; e < LEN(errors); e++) {
-                const double v0 = 0.5, x0 = past == FVI_PAST_RIEMANN_LIOUVILLE
+                const double v0 = 0.5, x0 = past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                                                     && alphas[a] > 0.5
                                                 ? 0
                                                 : 1;
-                const fvi_linear problem = { .m = 1,
+                const fvi_linear_oscillator problem = { .m = 1,
                                              .c = 1,
                                              .rho = 1,
                                              .alpha = alphas[a],
-                                             .past = (fvi_past)past,
+                                             .past = (fvi_initial_history)past,
                                              .x0 = x0,
                                              .v0 = v0,
                                              .forcing = FVI_FORCING_STEP,
                                              .A = aT[0],
                                              .T = aT[1] };
                 fvi_run run = run_of(&system, alphas[a], &x0, &v0, errors[e]);
-                run.past = (fvi_past)past;
+                run.past = (fvi_initial_history)past;
                 double of_p, of_x = error_of(&run, &problem, &of_p);
                 ck_assert_near(of_x, 0, errors[e] + 1e-13,
                                "alpha %g, past %d, %g", alphas[a], past,
@@ -152,7 +152,7 @@ START_TEST(all_alphas_all_pasts_all_rows)
 END_TEST
 //< alphas
 
-/* The same by power series in 60 digits, without fvi_exact. 1e-13, 1e-12. Seen: 0.02 of that. */
+/* The same by power series in 60 digits, without fvi_exact_at. 1e-13, 1e-12. Seen: 0.02 of that. */
 START_TEST(the_end_of_runs_by_power_series)
 {
     for (size_t r = 0; r < LEN(ref_exact); r++) {
@@ -160,12 +160,12 @@ START_TEST(the_end_of_runs_by_power_series)
         const fvi_system system = spring(aT);
         fvi_run run = run_of(&system, ref_exact[r].alpha, &ref_exact[r].x0,
                              &ref_exact[r].v0, 1e-12);
-        run.past = ref_exact[r].past == 'c' ? FVI_PAST_CAPUTO
-                                            : FVI_PAST_RIEMANN_LIOUVILLE;
+        run.past = ref_exact[r].past == 'c' ? FVI_INITIAL_HISTORY_CAPUTO
+                                            : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
         run.h = ref_exact[r].t / N;
         if (ref_exact[r].F != 0 && ref_exact[r].t == 20)
             continue; /* a constant force for 20 */
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
         ck_assert_near(x[N], ref_exact[r].x, 1e-13, "row %zu", r);
         ck_assert_near(p[N], ref_exact[r].p, 1e-12, "row %zu", r);
     }
@@ -188,7 +188,7 @@ START_TEST(every_strength_and_long_relaxations)
         system.damping = &cases[i].rho;
         fvi_run run = run_of(&system, cases[i].alpha, &x0, &p0, 1e-11);
         run.h = cases[i].end / N;
-        const fvi_linear problem = { .m = 1,
+        const fvi_linear_oscillator problem = { .m = 1,
                                      .c = cases[i].c,
                                      .rho = cases[i].rho,
                                      .alpha = cases[i].alpha,
@@ -198,12 +198,12 @@ START_TEST(every_strength_and_long_relaxations)
         ck_assert_near(error_of(&run, &problem, &of_p), 0, 1e-11 + 1e-13,
                        "case %zu", i);
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        ck_assert_int_eq(fvi_run_to(s, (double)N * run.h, NULL, NULL), 0);
-        fvi_adaptive_counts n;
-        ck_assert_int_eq(fvi_adaptive_look(s, &n), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, (double)N * run.h, NULL, NULL), 0);
+        fvi_step_statistics n;
+        ck_assert_int_eq(fvi_stepper_statistics(s, &n), 0);
         ck_assert_uint_le(n.steps, cases[i].most);
-        fvi_stop(s);
+        fvi_stepper_free(s);
     }
 }
 END_TEST
@@ -217,13 +217,13 @@ static double fine[DENSE + 1], coarse[DENSE + 1];
 static size_t steps_taken(const fvi_run *run, double *rows)
 {
     fvi_stepper *s;
-    fvi_adaptive_counts counts = { 0 };
-    int status = fvi_start(&fvi_adaptive, run, &s);
+    fvi_step_statistics counts = { 0 };
+    int status = fvi_stepper_start(&fvi_variable_step, run, &s);
     for (size_t k = 0; !status && k <= run->steps; k++)
-        status = fvi_run_to(s, (double)k * run->h, rows + k, NULL);
+        status = fvi_stepper_advance_to(s, (double)k * run->h, rows + k, NULL);
     if (!status)
-        status = fvi_adaptive_look(s, &counts);
-    fvi_stop(s);
+        status = fvi_stepper_statistics(s, &counts);
+    fvi_stepper_free(s);
     return status ? 0 : counts.steps;
 }
 
@@ -257,7 +257,7 @@ START_TEST(the_order_in_the_number_of_steps)
     static const double alphas[] = { 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.9 };
     const double half = 0.5, cg[2] = { 1, 1 };
     for (size_t i = 0; i < 6 * LEN(alphas); i++) {
-        const fvi_past past = (fvi_past)(i % 3);
+        const fvi_initial_history past = (fvi_initial_history)(i % 3);
         const double alpha = alphas[i / 6];
         const fvi_system system = { 1,
                                     &one,
@@ -270,11 +270,11 @@ START_TEST(the_order_in_the_number_of_steps)
             fvi_run_default(&system, &one, &half, 20. / DENSE, DENSE);
         run.alpha = alpha;
         run.past = past;
-        if (!fvi_past_has_solution(past, alpha, half, one))
+        if (!fvi_initial_history_solvable(past, alpha, half, one))
             continue;
         const double order = order_in_steps(run);
-        ck_assert_msg(order > fvi_adaptive.lowest
-                          && order < fvi_adaptive.highest,
+        ck_assert_msg(order > fvi_variable_step.lowest
+                          && order < fvi_variable_step.highest,
                       "alpha = %g, past %d: %g", alpha, (int)past, order);
         seen(order, "order");
     }

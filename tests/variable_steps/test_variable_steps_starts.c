@@ -3,7 +3,7 @@
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 #include <fvi/error.h>
 #include <gsl/gsl_math.h>
@@ -34,7 +34,7 @@ static void draw(gsl_rng *random, int i, bodies *b)
 {
     b->run = fvi_run_default(&b->system, b->x0, b->p0,
                              decades(random, 0, 1.5) / ROWS, ROWS);
-    b->run.past = i % 2 ? FVI_PAST_HELD : FVI_PAST_RIEMANN_LIOUVILLE;
+    b->run.past = i % 2 ? FVI_INITIAL_HISTORY_HELD : FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     b->run.alpha = i / 2 % 4 == 0   ? 1. / 3 + between(random, -0.005, 0.005)
                    : i / 2 % 4 == 1 ? between(random, 0.9, 0.98)
                                     : between(random, 0.02, 0.98);
@@ -61,7 +61,7 @@ static double worst_of(const bodies *b, const double *x)
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = (double)k * b->run.h;
     for (size_t j = 0; j < D; j++) {
-        const fvi_linear problem = { .m = b->mass[j],
+        const fvi_linear_oscillator problem = { .m = b->mass[j],
                                      .c = b->c,
                                      .rho = b->rho[j],
                                      .alpha = b->run.alpha,
@@ -71,7 +71,7 @@ static double worst_of(const bodies *b, const double *x)
                                      .forcing = FVI_FORCING_STEP,
                                      .A = b->AT[0],
                                      .T = b->AT[1] };
-        ck_assert_int_eq(fvi_exact(&problem, ROWS + 1, t, exact, v), 0);
+        ck_assert_int_eq(fvi_exact_at(&problem, ROWS + 1, t, exact, v), 0);
         for (size_t k = 0; k <= ROWS; k++)
             worst = larger(worst, fabs(x[k * D + j] - exact[k]));
     }
@@ -87,11 +87,11 @@ START_TEST(eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error)
     for (int i = 0; i < 400; i++) {
         bodies b;
         double x[(ROWS + 1) * D];
-        fvi_adaptive_found found;
+        fvi_variable_step_found found;
         draw(random, i, &b);
         const double error = decades(random, -10, -3);
         const int status =
-            fvi_adaptive_search(&b.run, error, 100000, x, NULL, &found);
+            fvi_variable_step_search(&b.run, error, 100000, x, NULL, &found);
         ck_assert_msg(!status, "run %d: %d", i, status);
         const double used = worst_of(&b, x) / error;
         seen_worst(used, "of the wanted error");
@@ -131,7 +131,7 @@ START_TEST(eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error)
     for (int i = 0; i < 300; i++) {
         bodies b;
         double x[(ROWS + 1) * D];
-        fvi_adaptive_found found;
+        fvi_variable_step_found found;
         fvi_stepper *s;
         draw(random, i, &b);
         const double error = decades(random, -10, -3),
@@ -142,17 +142,17 @@ START_TEST(eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error)
             b.rho[j] = b.mass[j] * rho * between(random, 0.5, 1);
             b.x0[j] = i % 2 ? b.x0[j] : 0;
         }
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &b.run, &s),
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &b.run, &s),
                          refused(&b) ? FVI_EUNSUP : FVI_SUCCESS);
         not_had += (size_t)refused(&b);
         if (refused(&b))
             continue;
-        const fvi_singular g = ((const fvi_adaptive_run *)s->own)->singular;
+        const fvi_singular g = ((const fvi_variable_step_state *)s->method_state)->singular;
         const int falls = g.gap < 0;
         turned += !falls && g.t1 == 1e-3 * b.run.h * ROWS;
-        fvi_stop(s);
+        fvi_stepper_free(s);
         ck_assert_int_eq(
-            fvi_adaptive_search(&b.run, error, 100000, x, NULL, &found), 0);
+            fvi_variable_step_search(&b.run, error, 100000, x, NULL, &found), 0);
         const double used = worst_of(&b, x) / error;
         fell += (size_t)falls;
         steps += falls ? found.counts.steps : 0;
@@ -184,11 +184,11 @@ START_TEST(eq_22_23_a_single_body_is_never_refused)
                 fvi_run run = fvi_run_default(&system, &zero, &one, T, 1);
                 fvi_stepper *s;
                 run.alpha = 1 - gap / 2;
-                run.past = FVI_PAST_RIEMANN_LIOUVILLE;
-                ck_assert_msg(!fvi_start(&fvi_adaptive, &run, &s),
+                run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+                ck_assert_msg(!fvi_stepper_start(&fvi_variable_step, &run, &s),
                               "alpha = 1 - %g, rho = %g, T = %g", gap / 2, rho,
                               T);
-                fvi_stop(s);
+                fvi_stepper_free(s);
                 began++;
             }
     ck_assert_uint_gt(began, 20000);
@@ -210,9 +210,9 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
     for (size_t i = 0; i < 4; i++) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.125, ROWS);
         run.alpha = alphas[i / 2];
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
         *(i % 2 ? &run.p0 : &run.x0) = &almost;
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, y, q, NULL), 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, y, q, NULL), 0);
         for (size_t k = 0; k <= ROWS; k++) {
             ck_assert_double_le(fabs(x[k] - y[k]), almost);
             ck_assert_double_le(fabs(p[k] - q[k]), almost);
@@ -222,31 +222,31 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
     run.step_error = 1e-3;
     for (int s = 6; s <= 8; s += 2, run.h *= 4) {
         fvi_stepper *stepper;
-        fvi_adaptive_counts counts;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &stepper), 0);
-        ck_assert_int_eq(fvi_adaptive_look(stepper, &counts), 0);
+        fvi_step_statistics counts;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper), 0);
+        ck_assert_int_eq(fvi_stepper_statistics(stepper, &counts), 0);
         ck_assert_int_eq(counts.stages, s);
-        fvi_stop(stepper);
+        fvi_stepper_free(stepper);
     }
 }
 END_TEST
 
 /* x_1 at the end of each step is off from p by no more than a step may err. */
-static void ck_assert_follows(const fvi_linear *p, fvi_run *run)
+static void ck_assert_follows(const fvi_linear_oscillator *p, fvi_run *run)
 {
     fvi_stepper *s;
     double exact;
     run->alpha = p->alpha;
     run->past = p->past;
     run->step_error = 1e-8;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, run, &s), 0);
     while (s->k < run->steps) {
-        ck_assert_int_eq(fvi_step(s), 0);
-        ck_assert_int_eq(fvi_exact(p, 1, &s->t, &exact, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        ck_assert_int_eq(fvi_exact_at(p, 1, &s->t, &exact, NULL), 0);
         ck_assert_near(s->x[0], exact, run->step_error,
                        "alpha = %g, x0 = %g, t = %g", p->alpha, p->x0, s->t);
     }
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 
 /* Rows so far apart that what pulls a body, and nothing else, would take it 10^12 times as far
@@ -257,11 +257,11 @@ START_TEST(rows_far_apart_are_no_size)
     const double one = 1, none = 0, alphas[] = { 0.3, 0.75 }, AT[] = { 1, 2e8 };
     for (size_t i = 0; i < 4; i++) {
         const int rest = i % 2;
-        const fvi_linear p = { .m = 1,
+        const fvi_linear_oscillator p = { .m = 1,
                                .c = 1,
                                .rho = 1,
                                .alpha = alphas[i / 2],
-                               .past = FVI_PAST_CAPUTO,
+                               .past = FVI_INITIAL_HISTORY_CAPUTO,
                                .x0 = rest ? 0 : 1,
                                .forcing =
                                    rest ? FVI_FORCING_STEP : FVI_FORCING_NONE,
@@ -286,8 +286,8 @@ START_TEST(rows_far_apart_are_no_size_of_a_chain)
 {
     const double ones[] = { 1, 1 }, none[] = { 0, 0 }, link[] = { 1, 0 },
                  apart[] = { 1, -1 };
-    const fvi_linear p = {
-        .m = 1, .c = 3, .rho = 1, .alpha = 0.3, .past = FVI_PAST_CAPUTO, .x0 = 1
+    const fvi_linear_oscillator p = {
+        .m = 1, .c = 3, .rho = 1, .alpha = 0.3, .past = FVI_INITIAL_HISTORY_CAPUTO, .x0 = 1
     };
     const fvi_system system = { .d = 2,
                                 .mass = ones,
@@ -317,7 +317,7 @@ START_TEST(a_jump_next_to_the_end_of_a_singular_start_is_that_end)
         fvi_run run = fvi_run_default(&system, &one, &one, 0.1, ROWS);
         run.alpha = 0.75;
         run.step_error = 1e-12;
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x[i], NULL, NULL),
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x[i], NULL, NULL),
                          0);
         for (size_t k = 0; k <= ROWS; k++)
             ck_assert_double_le(fabs(x[i][k] - x[0][k]), 1e-11);

@@ -2,7 +2,7 @@
  * between its points, and what a start does to the modes.
  * Run alone: make test-variable_steps_step */
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 #include <fvi/error.h>
 
 #include "variable_steps_ref.h"
@@ -28,8 +28,8 @@ START_TEST(eq_22_14_by_eigenvectors)
                 double H[D * 5], r[D * FVI_LANES] = { 0 }, x[D * FVI_LANES],
                                        move[D][FVI_LANES];
                 fvi_square W0;
-                fvi_adaptive_band *band =
-                    fvi_adaptive_band_alloc(rule, beta, D, 2, n);
+                fvi_variable_step_band *band =
+                    fvi_variable_step_band_alloc(rule, beta, D, 2, n);
                 ck_assert_ptr_nonnull(band);
                 for (size_t i = 0; i < D * n; i++)
                     H[i] = i % n ? cos((double)(i * i)) : 3 + sin((double)i);
@@ -37,11 +37,11 @@ START_TEST(eq_22_14_by_eigenvectors)
                     for (size_t i = 0; i < s; i++)
                         r[j * FVI_LANES + i] = cos((double)(3 * i + j));
                 for (size_t l = 0; l < 2; l++)
-                    fvi_adaptive_band_kind(band, l, m[l], drag[l]);
-                fvi_adaptive_band_factorise(band, kind, hh, H);
+                    fvi_variable_step_band_kind(band, l, m[l], drag[l]);
+                fvi_variable_step_band_factorise(band, kind, hh, H);
                 memcpy(x, r, sizeof x);
-                fvi_adaptive_band_solve(band, x);
-                fvi_adaptive_band_free(band);
+                fvi_variable_step_band_solve(band, x);
+                fvi_variable_step_band_free(band);
                 fvi_variable_present(rule, beta, &W0);
                 for (size_t j = 0; j < D; j++)
                     fvi_square_apply(s, &rule->A, x + j * FVI_LANES, move[j]);
@@ -85,17 +85,17 @@ START_TEST(eq_22_15_form_m_keeps_the_area)
     fvi_run run = fvi_run_default(&system, x0, p0, 1, 40);
     run.step_error = 0.1;
     fvi_stepper *s;
-    fvi_adaptive_counts n = { 0 };
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
+    fvi_step_statistics n = { 0 };
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
     for (size_t k = 1; s->t < 40; k++) {
-        ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert_near(s->x[0] * s->p[1] - s->x[1] * s->p[0], 1,
                        64 * U * (double)k, "step %zu", k);
     }
-    ck_assert_int_eq(fvi_adaptive_look(s, &n), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &n), FVI_SUCCESS);
     ck_assert_int_eq(n.form, 'M');
     ck_assert_double_ge(n.longest, 1.5);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -121,14 +121,14 @@ static fvi_stepper *after_one_step(size_t s, pushed push)
     fvi_run run = fvi_run_default(&system, &zero, &zero, 0.5, 1);
     fvi_stepper *stepper;
     run.alpha = (push.beta + 1) / 2;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = s == 6 ? 1e-3 : 1e-8;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &stepper), FVI_SUCCESS);
-    fvi_adaptive_run *o = stepper->own;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper), FVI_SUCCESS);
+    fvi_variable_step_state *o = stepper->method_state;
     ck_assert_uint_eq(o->rule->s, s);
     o->next = 20;
     stepper->run.step_error = push.tolerance;
-    ck_assert_int_eq(fvi_step(stepper), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_step(stepper), FVI_SUCCESS);
     return stepper;
 }
 
@@ -149,38 +149,38 @@ START_TEST(eq_22_16_what_the_last_coefficient_adds)
         ck_assert_ulp(rule->alias, ref_last[0].want[9], 1, "beyond");
         fvi_stepper *s =
             after_one_step(n, (pushed){ (int)n - 1, 1e-3, beta, 1e9 });
-        const fvi_adaptive_run *o = s->own;
+        const fvi_variable_step_state *o = s->method_state;
         const double drag = 1e-3 * pow(h, 1 - beta);
         /* W0 is right to 880 s u of entries up to 100 */
-        ck_assert_near(o->slip, want[n], 880 * 100 * (double)n * U, "slip");
+        ck_assert_near(o->memory_leakage, want[n], 880 * 100 * (double)n * U, "slip");
         ck_assert_near(fabs(s->p[0]), h * want[n] * drag,
                        0.05 * h * want[n] * drag + 64 * U, "beta=%g", beta);
-        fvi_stop(s);
+        fvi_stepper_free(s);
         s = after_one_step(n, (pushed){ (int)n - 1, 1e-300, beta, 1e9 });
         double X[FVI_LANES];
-        o = s->own;
+        o = s->method_state;
         fvi_square_apply(n, &rule->A, o->delta, X);
         ck_assert_near(fabs(h * X[0]), h * h * want[n + 1], 256 * U, "stage");
-        fvi_stop(s);
+        fvi_stepper_free(s);
         s = after_one_step(n, (pushed){ 2 * (int)n - 2, 1e-300, beta, 1e9 });
         ck_assert_near(s->p[0], h * want[n + 2], 256 * U, "beyond");
-        fvi_stop(s);
+        fvi_stepper_free(s);
         s = after_one_step(n, (pushed){ (int)n - 1, 1, beta, 1e9 });
-        o = s->own;
+        o = s->method_state;
         const double estimate =
             (want[n + 1] * h
-             + smaller(o->of_kind[0].reach, h)
+             + smaller(o->group[0].compliance, h)
                    * (want[n] * pow(h, 1 - beta) + rule->alias))
-            * fabs(o->bend[n - 1]);
-        fvi_stop(s);
+            * fabs(o->accel_legendre[n - 1]);
+        fvi_stepper_free(s);
         for (int below = 0; below < 2; below++) {
-            fvi_adaptive_counts counts;
+            fvi_step_statistics counts;
             s = after_one_step(
                 n, (pushed){ (int)n - 1, 1, beta,
                              estimate * (1 + (below ? -1e-8 : 1e-8)) });
-            ck_assert_int_eq(fvi_adaptive_look(s, &counts), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_stepper_statistics(s, &counts), FVI_SUCCESS);
             ck_assert_int_eq(counts.rejected > 0, below);
-            fvi_stop(s);
+            fvi_stepper_free(s);
         }
     }
 }
@@ -196,14 +196,14 @@ START_TEST(a_first_step_may_be_1_long)
                                 { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &one, 1.01 * T, 1);
     run.step_error = tolerance;
-    run.past = FVI_PAST_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.alpha = 0.3;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), FVI_SUCCESS);
-    ck_assert_int_eq(((const fvi_adaptive_run *)s->own)->next, 0);
-    ck_assert_int_eq(fvi_step(s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(((const fvi_variable_step_state *)s->method_state)->next, 0);
+    ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
     ck_assert_double_le(s->t, 1);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -236,9 +236,9 @@ START_TEST(eq_22_18_dense_output_integrates_the_interpolant)
             fvi_square_apply(s, &rule->A, unit, by_A);
             fvi_square_apply(s, &rule->legendre, by_A, bend);
             double once[FVI_LANES], twice[FVI_LANES];
-            fvi_adaptive_powers(s, bend, g);
-            fvi_adaptive_once(theta, once);
-            fvi_adaptive_twice(theta, twice);
+            fvi_variable_step_powers(s, bend, g);
+            fvi_variable_step_once(theta, once);
+            fvi_variable_step_twice(theta, twice);
             ck_assert_near(product(g, once), ref_dense[r].want[i], 0x1p15 * U,
                            "once");
             ck_assert_near(product(g, twice), ref_dense[r].want[s + i],
@@ -258,14 +258,14 @@ START_TEST(eq_22_18_the_next_step_is_guessed)
         fvi_square all;
         for (size_t i = 0; i < s; i++)
             theta[i] = 1 - 0.12 * (double)i;
-        fvi_adaptive_shapes(s, theta, &all);
+        fvi_variable_step_shapes(s, theta, &all);
         for (size_t n = 0; n < s; n++) {
             double bend[FVI_LANES] = { 0 }, g[FVI_LANES];
             bend[n] = 1;
-            fvi_adaptive_powers(s, bend, g);
+            fvi_variable_step_powers(s, bend, g);
             for (size_t i = 0; i < s; i++) {
                 double once[FVI_LANES];
-                fvi_adaptive_once(theta[i], once);
+                fvi_variable_step_once(theta[i], once);
                 ck_assert_near(all.column[n][i], product(g, once), 0x1p13 * U,
                                "s=%zu n=%zu i=%zu", s, n, i);
             }
@@ -296,23 +296,23 @@ START_TEST(eq_22_14_guessed_from_stage_to_stage)
                 fvi_stepper *s;
                 double want[D * FVI_LANES], off = 0, size = 0;
                 run.alpha = alpha;
-                run.past = FVI_PAST_CAPUTO;
+                run.past = FVI_INITIAL_HISTORY_CAPUTO;
                 run.step_error = 0.1;
-                ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-                fvi_adaptive_run *o = s->own;
+                ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+                fvi_variable_step_state *o = s->method_state;
                 o->next = k;
-                ck_assert_int_eq(fvi_step(s), 0);
+                ck_assert_int_eq(fvi_stepper_step(s), 0);
                 memcpy(want, o->delta, sizeof want);
-                ck_assert_int_eq(fvi_adaptive_leap(s, o), 0);
+                ck_assert_int_eq(fvi_variable_step_leap(s, o), 0);
                 for (size_t i = 0; i < D * FVI_LANES; i++) {
                     off = larger(off, fabs(o->delta[i] - want[i]));
                     size = larger(size, fabs(want[i]));
                 }
-                const double h = o->length.h, drag = o->of_kind[0].drag / m[0];
+                const double h = o->length.h, drag = o->group[0].damping_coeff / m[0];
                 ck_assert_near(
                     off, 0, (h * h / 10 + drag / (alpha > 0.5 ? 1 : 20)) * size,
                     "alpha=%g h=%g", alpha, h);
-                fvi_stop(s);
+                fvi_stepper_free(s);
             }
 }
 END_TEST

@@ -3,7 +3,7 @@
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
-#include "adaptive/adaptive.h"
+#include "variable_step/variable_step.h"
 
 #include "adaptive_problems.h"
 
@@ -53,7 +53,7 @@ static int full_hessian(size_t d, const double *at, void *params, double *H)
 /* One equation, solved with one Hessian for all stages, by Newton's method for a band
  * matrix and for a full one, and by the fixed-point iteration: the same motion to 20 times
  * the tolerance of a step; and against
- * fvi_lobatto4, whose order is 4 at least, its last 30 rows to the square of its distance
+ * fvi_lobatto_m4, whose order is 4 at least, its last 30 rows to the square of its distance
  * from a run with steps twice as long. Seen: 6e-5 of the first. */
 START_TEST(many_masses_by_four_ways_and_by_lobatto)
 {
@@ -61,26 +61,26 @@ START_TEST(many_masses_by_four_ways_and_by_lobatto)
         D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL
     };
     fvi_run run = run_of(&system, 1e-11);
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ((fvi_adaptive_run *)s->own)->solve = FVI_SOLVE_TOGETHER;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ((fvi_variable_step_state *)s->method_state)->solve = FVI_SOLVE_TOGETHER;
     for (size_t k = 0; k <= N; k++)
-        ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, y + k * D, q + k * D),
+        ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, y + k * D, q + k * D),
                          0);
     ck_assert_ptr_nonnull(s->newton);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     ck_assert_near(distance((N + 1) * D, x, y), 0, 20e-11, "band");
     ck_assert_near(distance((N + 1) * D, p, q), 0, 200e-11, "band, p");
     system.potential.hessian = full_hessian;
     system.potential.diagonals = 0;
     for (int together = 0; together < 2; together++) {
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        fvi_adaptive_run *o = s->own;
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        fvi_variable_step_state *o = s->method_state;
         ck_assert(o->solve == FVI_SOLVE_COUPLED && !o->band);
         o->solve = together ? FVI_SOLVE_TOGETHER : o->solve;
-        ck_assert_int_eq(fvi_run_to(s, N * run.h, y, NULL), 0);
-        fvi_stop(s);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, N * run.h, y, NULL), 0);
+        fvi_stepper_free(s);
         ck_assert_near(distance(D, x + N * D, y), 0, 20e-11, "full");
     }
     system.potential = fvi_potential_chain(cg);
@@ -89,7 +89,7 @@ START_TEST(many_masses_by_four_ways_and_by_lobatto)
         run.h = 0.125 / (double)(4 << j);
         run.steps = N * ((size_t)4 << j);
         double *rows = malloc((run.steps + 1) * D * sizeof *rows);
-        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto4, &run, rows, NULL, NULL),
+        ck_assert_int_eq(fvi_trajectory(&fvi_lobatto_m4, &run, rows, NULL, NULL),
                          0);
         far[j] = distance(D, x + N * D, rows + run.steps * D);
         free(rows);
@@ -125,17 +125,17 @@ START_TEST(a_chain_takes_one_hessian_a_step)
     for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= 100) {
         fvi_run run = run_of(&system, tolerance);
         fvi_stepper *s;
-        fvi_adaptive_counts counts;
+        fvi_step_statistics counts;
         hessians = gradients = 0;
-        ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-        ck_assert_int_eq(fvi_run_to(s, N * run.h, NULL, NULL), 0);
-        ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_advance_to(s, N * run.h, NULL, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
         ck_assert_ptr_null(s->newton);
         const double steps = (double)(counts.steps + counts.rejected),
                      each = (double)hessians / steps,
                      looks = (double)gradients / steps
-                             / (double)((fvi_adaptive_run *)s->own)->rule->s;
-        fvi_stop(s);
+                             / (double)((fvi_variable_step_state *)s->method_state)->rule->s;
+        fvi_stepper_free(s);
         ck_assert_msg(each <= 1.3, "%g Hessians a step", each);
         ck_assert_msg(looks <= 4.25, "%g looks a step", looks);
         seen(each, "Hessians a step");
@@ -154,15 +154,15 @@ START_TEST(stiff_chains_keep_their_energy)
     fvi_run run = run_of(&system, 1e-10);
     double E[N + 1];
     run.h = 0.02;
-    ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, NULL, NULL, E), 0);
+    ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, NULL, NULL, E), 0);
     for (size_t k = 1; k <= N; k++)
         ck_assert_near(E[k], E[0], 1e-8 * E[0], "k=%zu", k);
     fvi_stepper *s;
-    fvi_adaptive_counts counts;
-    ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
-    ck_assert_int_eq(fvi_adaptive_look(s, &counts), 0);
+    fvi_step_statistics counts;
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     ck_assert(counts.form == 'M' && counts.stages == 8 && counts.steps == 0);
-    fvi_stop(s);
+    fvi_stepper_free(s);
 }
 END_TEST
 
@@ -176,7 +176,7 @@ START_TEST(masses_alone_and_together)
     for (size_t u = 0; u < 2; u++) {
         const fvi_system all = { D, mass, rho, potentials[u], { 0 }, NULL };
         const fvi_run run = run_of(&all, 1e-11);
-        ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &run, x, p, NULL), 0);
+        ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
         for (size_t j = 0; j < D; j++) {
             const fvi_system alone = { 1,     mass + j, rho + j, potentials[u],
                                        { 0 }, NULL };
@@ -184,7 +184,7 @@ START_TEST(masses_alone_and_together)
             of_one.system = &alone;
             of_one.x0 = start + j;
             of_one.p0 = push + j;
-            ck_assert_int_eq(fvi_trajectory(&fvi_adaptive, &of_one, y, q, NULL),
+            ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &of_one, y, q, NULL),
                              0);
             for (size_t k = 0; k <= N; k++)
                 ck_assert_near(x[k * D + j], y[k], 20e-11, "u=%zu j=%zu k=%zu",
@@ -216,20 +216,20 @@ START_TEST(a_jump_that_is_not_declared_is_found)
     };
     for (int e = 6; e <= 12; e += 3) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.25, N);
-        fvi_adaptive_counts counts[2];
+        fvi_step_statistics counts[2];
         fvi_stepper *s;
         run.alpha = 0.75;
         run.step_error = pow(10, -e);
         for (size_t declared = 0; declared < 2; declared++) {
             system.force =
                 declared ? fvi_force_step(aT) : (fvi_force){ .value = jumping };
-            ck_assert_int_eq(fvi_start(&fvi_adaptive, &run, &s), 0);
+            ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
             double *to = declared ? y : x;
             for (size_t k = 0; k <= N; k++)
-                ck_assert_int_eq(fvi_run_to(s, (double)k * run.h, to + k, NULL),
+                ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, to + k, NULL),
                                  0);
-            ck_assert_int_eq(fvi_adaptive_look(s, counts + declared), 0);
-            fvi_stop(s);
+            ck_assert_int_eq(fvi_stepper_statistics(s, counts + declared), 0);
+            fvi_stepper_free(s);
         }
         ck_assert_near(distance(N + 1, x, y), 0, 100 * run.step_error, "%d", e);
         ck_assert(counts[0].rejected > counts[1].rejected);
@@ -274,23 +274,23 @@ START_TEST(a_search_checks_and_ends)
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
                                 { 0 }, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 8);
-    fvi_adaptive_found found = { .estimate = 7 };
-    ck_assert_int_eq(fvi_adaptive_search(NULL, 1, 99, x, p, &found),
+    fvi_variable_step_found found = { .estimate = 7 };
+    ck_assert_int_eq(fvi_variable_step_search(NULL, 1, 99, x, p, &found),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1, 99, NULL, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1, 99, NULL, p, &found),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_adaptive_search(&run, 0, 99, x, p, &found), FVI_EDOM);
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, 99, x, p, &found), FVI_EDOM);
     ck_assert(found.estimate == 7);
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 3, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 3, x, p, &found),
                      FVI_ETOL);
     ck_assert(found.estimate == GSL_POSINF);
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-18, 1 << 20, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-18, 1 << 20, x, p, &found),
                      FVI_ETOL);
     ck_assert(found.estimate > 1e-15 && found.estimate < 1e-12);
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-9, 1 << 20, x, NULL, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &found),
                      0);
     ck_assert(found.estimate <= 1e-9 && found.counts.steps > 8);
-    ck_assert_int_eq(fvi_step_search(&fvi_adaptive, &run, 1e-3, 99, x, p,
+    ck_assert_int_eq(fvi_step_search(&fvi_variable_step, &run, 1e-3, 99, x, p,
                                      &(fvi_step_found){ 0 }),
                      FVI_EUNSUP);
 }
@@ -332,13 +332,13 @@ START_TEST(a_motion_that_runs_away_is_given_up)
                                         .params = &asked };
     fvi_run run = fvi_run_default(&system, &one, &v0, 1.5, 4);
     run.alpha = 0.3;
-    fvi_adaptive_found found;
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-3, 1 << 24, x, p, &found),
+    fvi_variable_step_found found;
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-3, 1 << 24, x, p, &found),
                      FVI_EMAXITER);
     seen((double)asked, "slopes asked for");
     ck_assert_uint_lt(asked, 50000000);
     run.steps = 2; /* to t = 3, where it is on its way */
-    ck_assert_int_eq(fvi_adaptive_search(&run, 1e-3, 1 << 24, x, p, &found), 0);
+    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-3, 1 << 24, x, p, &found), 0);
     ck_assert(found.estimate <= 1e-3);
 }
 END_TEST

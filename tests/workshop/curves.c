@@ -20,7 +20,7 @@ enum { N = 60 };
 static const double mass = 1, damping = 0.2, one = 1, x0 = 1, p0 = 0.5;
 
 static int trajectory(const fvi_method *method, fvi_potential potential,
-                      double alpha, fvi_memory_kind memory, size_t every)
+                      double alpha, fvi_history_kind memory, size_t every)
 {
     enum { MOST = 2000 };
     static double x[MOST + 1];
@@ -36,7 +36,7 @@ static int trajectory(const fvi_method *method, fvi_potential potential,
                           .alpha = alpha,
                           .memory = memory,
                           .tolerance = 1e-12,
-                          .past = FVI_PAST_HELD };
+                          .past = FVI_INITIAL_HISTORY_HELD };
     int status = fvi_trajectory(method, &run, x, NULL, NULL);
     for (size_t k = 0; k <= N && !status; k++)
         printf("%.17g %.17g\n", (double)k * 15. / N, x[k * every]);
@@ -47,12 +47,12 @@ static int trajectory(const fvi_method *method, fvi_potential potential,
 static int weights(void)
 {
     double w[N];
-    int status = fvi_coefficients_simple(0.3, N, w);
+    int status = fvi_gl_weights_simple(0.3, N, w);
     for (size_t n = 1; n < N && !status; n++)
         printf("%zu %.17g\n", n, w[n] / 0.3);
     puts("");
     if (!status)
-        status = fvi_coefficients(0.6, N, w);
+        status = fvi_gl_weights(0.6, N, w);
     for (size_t n = 1; n < N && !status; n++)
         printf("%zu %.17g\n", n, w[n] / 0.6);
     return status;
@@ -115,7 +115,7 @@ int main(int argc, char **argv)
     switch (argc == 2 ? atoi(argv[1]) : 0) {
     case 2:
         return trajectory(&fvi_lagrange_dalembert, fvi_potential_pendulum(&one),
-                          0.5, FVI_MEMORY_DIRECT, 1);
+                          0.5, FVI_HISTORY_DIRECT, 1);
     case 4:
         return weights();
     case 5:
@@ -125,15 +125,15 @@ int main(int argc, char **argv)
     case 8:
         return momenta();
     case 9:
-        return trajectory(&fvi_fractional, spring, 0.25, FVI_MEMORY_DIRECT, 1);
+        return trajectory(&fvi_fractional, spring, 0.25, FVI_HISTORY_DIRECT, 1);
     case 10:
         return matrix();
     case 12:
-        return trajectory(&fvi_fractional, spring, 0.25, FVI_MEMORY_DIRECT, 1)
+        return trajectory(&fvi_fractional, spring, 0.25, FVI_HISTORY_DIRECT, 1)
                || trajectory(&fvi_fractional, spring, 0.75,
-                             FVI_MEMORY_EXPONENTIALS, 30);
+                             FVI_HISTORY_MODES, 30);
     case 13:
-        return trajectory(&fvi_shifted, spring, 0.25, FVI_MEMORY_DIRECT, 1);
+        return trajectory(&fvi_cq2_shifted, spring, 0.25, FVI_HISTORY_DIRECT, 1);
     default:
         return -1;
     }

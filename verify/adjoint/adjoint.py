@@ -327,6 +327,6 @@ table("ref_rates", "double beta; size_t n; double want;", rates)
 print("""
 /* A Duffing oscillator, c = 1, g = 1/2, m = 1, rho = 3/8, p0 = 1/2, F = cos(t)/4; x_N, p_N;
    J = (h/2) sum_{k=1}^N (x_k - sin t_k)^2 + x_N/2 + x_N p_N^2/4, by all that there is */""")
-table("ref_slopes", "const fvi_method *method; fvi_past past; double alpha, kappa; size_t N; "
+table("ref_slopes", "const fvi_method *method; fvi_initial_history past; double alpha, kappa; size_t N; "
       "double h, x0; size_t force; double x, p, by_x0, by_p0, by_mass, by_rho, by_alpha, "
       "by_c, by_g, by_F;", runs)

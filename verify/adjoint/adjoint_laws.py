@@ -234,9 +234,9 @@ header("verify/adjoint/adjoint_laws.py")
 print("""
 /* Two Duffing springs, F = cos(5t/4)/5, h = 1/16, twelve steps, a law of three terms; dJ, J as in
    to_sine, by rho, alpha, time and end of each term, 0 where it has none */""")
-table("ref_law_numbers", "const fvi_method *method; double kappa; fvi_law_term term[3]; double x0[2], p0[2], "
+table("ref_law_numbers", "const fvi_method *method; double kappa; fvi_kernel_term term[3]; double x0[2], p0[2], "
       "mass[2], rho[2], cg[2], want[12];", rows)
 print("""
 /* The same of a chain of five masses, form D, six steps */""")
-table("ref_stage_law_numbers", "const fvi_method *method; fvi_law_term term[3]; double x0[5], p0[5], mass[5], "
+table("ref_stage_law_numbers", "const fvi_method *method; fvi_kernel_term term[3]; double x0[5], p0[5], mass[5], "
       "rho[5], cg[2], want[12];", staged)

@@ -219,5 +219,5 @@ print("""
 /* Three unknowns, F_i = (i + 1) cos(5t/4)/5, h = 1/16, twelve steps;
    J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2/2, by factors of M and C, by alpha
    (at 1/2 from below) and by a factor of K */""")
-table("ref_matrices", "const fvi_method *method; fvi_past past; double alpha, kappa, M[9], C[9], K[9], "
+table("ref_matrices", "const fvi_method *method; fvi_initial_history past; double alpha, kappa, M[9], C[9], K[9], "
       "x0[3], p0[3], want[4];", runs)

@@ -61,4 +61,4 @@ table("ref_mesh_impulses", "double t, J[5];",
 print("""
 /* Five masses, F = cos(5t/4)/5 on each, four rows; dJ, J as in to_sine, by x0, p0, mass, rho, c,
    g, alpha, and by F_1 of row 0, F_3 of row 2, F_5 of row 4, the force changed along lines */""")
-table("ref_meshes", "fvi_past past; double alpha, x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)
+table("ref_meshes", "fvi_initial_history past; double alpha, x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)

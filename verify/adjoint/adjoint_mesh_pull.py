@@ -320,4 +320,4 @@ if __name__ == "__main__":
 /* Five masses whose past pulls, stages, terms and t1, where steps end, F = cos(5t/4)/5 on each, four
    rows; dJ, J as in to_sine, by x0, p0, mass, rho, c, g, alpha, and by F_1 of row 0, F_3 of row 2, F_5 of
    row 4, the force changed along lines */""")
-    table("ref_pulls", "fvi_past past; double alpha; size_t s, J; double t1, ends[18], x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)
+    table("ref_pulls", "fvi_initial_history past; double alpha; size_t s, J; double t1, ends[18], x0[5], p0[5], mass[5], rho[5], cg[2], want[26];", runs)

@@ -166,5 +166,5 @@ print("""
 /* Five masses, F = cos(5t/4)/5 on each, h = 1/16, twelve steps; dJ, J as in to_sine, by x0, p0,
    mass, rho, c, g, alpha, and three entries of F */""")
 print("static const size_t ref_node_forces[] = { " + ", ".join(map(str, FORCES)) + " };")
-table("ref_nodes", "const fvi_method *method; fvi_past past; double alpha, kappa, x0[5], p0[5], mass[5], "
+table("ref_nodes", "const fvi_method *method; fvi_initial_history past; double alpha, kappa, x0[5], p0[5], mass[5], "
       "rho[5], cg[2], want[26];", runs)

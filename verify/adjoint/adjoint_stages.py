@@ -228,10 +228,10 @@ table("ref_stage_rates", "size_t s; double beta; size_t n; double want[64];", ra
 print("""
 /* Five masses, F = cos(5t/4)/5 on each, h = 1/16, six steps; dJ, J as in to_sine, by x0, p0,
    mass, rho, c, g, alpha, and three entries of F */""")
-table("ref_chains", "const fvi_method *method; fvi_past past; double alpha, x0[5], p0[5], mass[5], "
+table("ref_chains", "const fvi_method *method; fvi_initial_history past; double alpha, x0[5], p0[5], mass[5], "
       "rho[5], cg[2]; size_t force[3]; double want[26];", runs)
 print("""
 /* The same run with a law of three terms; dJ by x0, p0, mass, rho, c, g, the factors of the terms,
    and three entries of F */""")
-table("ref_law_chains", "const fvi_method *method; fvi_law_term term[3]; double x0[5], p0[5], mass[5], "
+table("ref_law_chains", "const fvi_method *method; fvi_kernel_term term[3]; double x0[5], p0[5], mass[5], "
       "rho[5], cg[2]; size_t force[3]; double want[28];", laws)

@@ -216,7 +216,7 @@ MASS, RHO, CG = [1, 2], [Q(1, 2), Q(3, 2)], [1, Q(1, 2)]
 X = [[Q(v, 4) for v in p] for p in ((3, -2), (5, 1), (2, 4), (-3, 2), (-4, -1), (1, -3))]
 P = [[Q(v, 8) for v in p] for p in ((4, 0), (7, -5), (-3, 6), (2, 2), (-9, 1), (5, -4))]
 V = [[Q(v, 8) for v in p] for p in ((1, 3), (-6, 2), (8, -1), (3, 5), (-2, -7), (4, 2))]
-EULER, BDF2 = "FVI_QUADRATURE_EULER", "FVI_QUADRATURE_BDF2"
+EULER, BDF2 = "FVI_DELTA_EULER", "FVI_DELTA_BDF2"
 
 
 def weights(kind, order, count):
@@ -340,12 +340,12 @@ SCHEMES = [(EULER, Q(0), Q(1, 2)), (EULER, Q(0), Q(1, 4)), (EULER, Q(0), Q(3, 4)
            (EULER, Q(1, 4), Q(1, 4)), (EULER, Q(1, 2), Q(1, 2)), (EULER, Q(3, 4), Q(3, 4)),
            (BDF2, Q(0), Q(1, 2)), (BDF2, Q(0), Q(0)), (EULER, Q(1), Q(1)), (EULER, Q(0), Q(0))]
 #> forms
-table("ref_forms", "fvi_quadrature weights; double theta, alpha, kappa; double want[5];",
+table("ref_forms", "fvi_delta weights; double theta, alpha, kappa; double want[5];",
       [[kind, hexd(theta), hexd(alpha), hexd(k),
         "{ " + ", ".join(hexd(v) for v in exact_forms(kind, theta, alpha, k)) + " }", ""]
        for kind, theta, alpha in SCHEMES for k in (Q(1, 4), Q(1))])
 #< forms
-table("ref_energies", "fvi_quadrature weights; double theta, alpha, kappa; double E[5], hat[5];",
+table("ref_energies", "fvi_delta weights; double theta, alpha, kappa; double E[5], hat[5];",
       [[kind, hexd(theta), hexd(alpha), hexd(k),
         *("{ " + ", ".join(hexd(v[c]) for v in exact_energies(kind, theta, alpha, k, 2)) + " }"
           for c in (0, 1)), ""]

@@ -149,7 +149,7 @@ for case in cases:
                 + [len(values), nearest(cost)])
     values += us
 print("\n/* m = 1, U = c x^2/2 + g x^4/4; where u_0 stands in ref_u, and the cost */")
-table("ref_controls", "size_t N; double h, kappa, rho, alpha; fvi_past past; double c, g, x0, p0, x, p; "
+table("ref_controls", "size_t N; double h, kappa, rho, alpha; fvi_initial_history past; double c, g, x0, p0, x, p; "
       "size_t at; double cost;", rows)
 print("\nstatic const double ref_u[] = {")
 for v in values:

@@ -324,8 +324,8 @@ print("\n#include <fvi/damping_laws.h>")
 for name, laws in (("ref", LAWS), ("steep", STEEP)):
     for i, law in enumerate(laws):
         rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
-        print(f"static const fvi_law_term {name}_terms_{i}[] = {{ {rows} }};")
-    print(f"\nstatic const fvi_law {name}_laws[] = {{")
+        print(f"static const fvi_kernel_term {name}_terms_{i}[] = {{ {rows} }};")
+    print(f"\nstatic const fvi_kernel {name}_laws[] = {{")
     for i, law in enumerate(laws):
         print(f"    {{ {len(law)}, {name}_terms_{i} }},")
     print("};")
@@ -334,7 +334,7 @@ LAGS = [0, 3, 4, 33, 150]
 print(f"\nenum {{ REF_LAGS = {len(LAGS)} }};")
 print("static const size_t ref_lag[REF_LAGS] = { %s };" % ", ".join(map(str, LAGS)))
 print("\n/* W_n of (26.12) with h = 1/8, row by row; the law is of ref_laws, or of steep_laws. */")
-print("static const struct { const fvi_law *law; size_t s; double W[REF_LAGS][9]; } ref_stages[] = {")
+print("static const struct { const fvi_kernel *law; size_t s; double W[REF_LAGS][9]; } ref_stages[] = {")
 with mp.workdps(50):
     # what comes round again is (7/10)^192 = 2e-30 of the largest; of the digits (10/7)^150 = 2e23 are lost
     rings = [(s, around(s, mpf(7) / 10, 192, mpf(1) / 8)) for s in (2, 3)]
@@ -374,11 +374,11 @@ for i, law in enumerate(LAWS):
 print("};")
 
 print("\n/* Laws of which Q has more zeros than one, or strong damping: their number, by the argument")
-print(" * principle, and m = 2, c = 3; forcing, A and T or w as in fvi_linear. */")
+print(" * principle, and m = 2, c = 3; forcing, A and T or w as in fvi_linear_oscillator. */")
 for i, law in enumerate(HARD):
     rows = ", ".join("{ %d, %s }" % (t[0], ", ".join(nearest(n) for n in t[1:])) for t in law)
-    print(f"static const fvi_law_term hard_terms_{i}[] = {{ {rows} }};")
-print("\nstatic const struct { fvi_law law; int zeros; } ref_hard[] = {")
+    print(f"static const fvi_kernel_term hard_terms_{i}[] = {{ {rows} }};")
+print("\nstatic const struct { fvi_kernel law; int zeros; } ref_hard[] = {")
 for i, law in enumerate(HARD):
     print(f"    {{ {{ {len(law)}, hard_terms_{i} }}, {zeros(law, 2, 3)} }},")
 print("};")

@@ -253,7 +253,7 @@ def values(case):
     return rows_of(case, want, got, lambda: by_definition(case, Digits))
 
 
-methods = {"variational": "&fvi_variational", "forced": "&fvi_lagrange_dalembert",
+methods = {"variational": "&fvi_midpoint_variational", "forced": "&fvi_lagrange_dalembert",
            "explicit": "&fvi_euler_explicit", "implicit": "&fvi_euler_implicit"}
 header("verify/discrete_mechanics/discrete_mechanics_runs.py")
 runs, rows = [], []

@@ -238,7 +238,7 @@ def main():
     for al, kap, past in RUNS:
         pairs = zip(*(slopes((al, *REST), STEPS, kap, past, digits) for digits in (40, 50)))
         rows.append((al, kap, past, [both(pair) for pair in pairs]))
-    print("static const struct { double alpha, kappa; fvi_past past; double x, slope[7]; } ref_slopes[] = {")
+    print("static const struct { double alpha, kappa; fvi_initial_history past; double x, slope[7]; } ref_slopes[] = {")
     for al, kap, past, (first, *others) in rows:
         print(f"    {{ {hexd(al)}, {hexd(kap)}, FVI_PAST_{past}, {first}, {{ {', '.join(others)} }} }},")
     print("};")

@@ -21,8 +21,8 @@ extern "C" {
  *   x             output, N + 1 numbers
  *
  * Riemann-Liouville. Cost O(N^2), memory O(N). Returns FVI_SUCCESS; what
- * fvi_start returns; FVI_EINVAL if d != 1 or if 2 N + 2 numbers cannot be
- * addressed; FVI_EMAXITER, FVI_ESING and FVI_EOVRFLW as fvi_step; FVI_ENOMEM. On
+ * fvi_stepper_start returns; FVI_EINVAL if d != 1 or if 2 N + 2 numbers cannot be
+ * addressed; FVI_EMAXITER, FVI_ESING and FVI_EOVRFLW as fvi_stepper_step; FVI_ENOMEM. On
  * error x is untouched. */
 int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                     double h, size_t N, double x0, double p0, double *x);

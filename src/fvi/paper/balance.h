@@ -23,11 +23,11 @@ extern "C" {
  *   theta   the damping of node k is rho ((1 - theta) D_k + theta D_{k+1}),
  *           0 <= theta <= 1
  *
- * fvi_fractional is { EULER, 0 }, fvi_shifted { EULER, alpha }, fvi_bdf2 { BDF2, 0 }. */
+ * fvi_fractional is { EULER, 0 }, fvi_cq2_shifted { EULER, alpha }, fvi_cq_bdf2 { BDF2, 0 }. */
 typedef struct {
     const fvi_system *system;
     double alpha, kappa, h;
-    fvi_quadrature weights;
+    fvi_delta weights;
     double theta;
 } fvi_balance_scheme;
 

@@ -50,7 +50,7 @@ int fvi_damped_oscillator(double m, double rho, double c, double x0, double p0,
  *
  * Nothing is stored over the steps. Cost: N steps of the method and N
  * exponentials. Returns FVI_SUCCESS; FVI_EFAULT if errors is NULL; what
- * fvi_start, fvi_step and fvi_damped_oscillator return. On error errors is
+ * fvi_stepper_start, fvi_stepper_step and fvi_damped_oscillator return. On error errors is
  * untouched. */
 int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
                           double c, double x0, double p0, double h, size_t N,

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_coefficients_product -- the weights of two derivatives in a row. [(7.2)]
+/* fvi_gl_weights_product -- the weights of two derivatives in a row. [(7.2)]
  *
  *     c[k] = sum_{n=0}^{k} alpha_n beta_{k-n},     k = 0, ..., count - 1,
  *
@@ -22,11 +22,11 @@ extern "C" {
  *
  * Cost O(count^2), memory O(count). Absolute error of c[k] at most
  * (k + 5) u sum_n |alpha_n beta_{k-n}|, u = 2^-53: small against 1, not against
- * c[k]. To integrate, use fvi_coefficients(alpha + beta).
+ * c[k]. To integrate, use fvi_gl_weights(alpha + beta).
  * Returns FVI_SUCCESS; FVI_EFAULT if c is NULL; FVI_EINVAL if count == 0 or
  * 2 count numbers cannot be addressed; FVI_EDOM if an order is out of range;
  * FVI_ENOMEM. On error c is untouched. */
-int fvi_coefficients_product(double alpha, double beta, size_t count,
+int fvi_gl_weights_product(double alpha, double beta, size_t count,
                              double *c);
 
 /* fvi_delta_twice -- Delta_-^alpha Delta_-^alpha z, by two sums, as the paper

@@ -42,7 +42,7 @@ int fvi_legendre_plus(const fvi_system *system, double kappa, double h,
  *   x, p  d finite numbers each
  *   y     output x_{k+1}, d numbers
  *
- * Cost of the equation of a step (fvi_step), and a factorisation each time: for one
+ * Cost of the equation of a step (fvi_stepper_step), and a factorisation each time: for one
  * step, not for a run. Returns what fvi_system_check returns; FVI_EMAXITER or FVI_ESING
  * if the equation could not be solved; what the potential returned; FVI_EFAULT if a
  * pointer is NULL; FVI_EDOM if kappa or h is out of range, m/h is not finite and > 0, or

@@ -34,12 +34,12 @@ def warn_of(question: Any, f: Any, names: list) -> None:
     """What the program says below its answer."""
     for i, name in enumerate(names):
         for j, other in enumerate(names[:i]):
-            ask_for_warning(lib.fvi_fit_warning_of_pair, f, j, i, other.encode(), name.encode())
-    past = lib.fvi_fit_warning_of_past(question, f)
+            ask_for_warning(lib.fvi_estimate_warning_of_pair, f, j, i, other.encode(), name.encode())
+    past = lib.fvi_estimate_warning_of_initial_history(question, f)
     if past != ffi.NULL:
         warn(text_of(past))
-    ask_for_warning(lib.fvi_fit_warning_of_model, question, f)
-    ask_for_warning(lib.fvi_fit_warning_of_step, question, f)
+    ask_for_warning(lib.fvi_estimate_warning_of_model, question, f)
+    ask_for_warning(lib.fvi_estimate_warning_of_step, question, f)
 
 
 @spelt(prepare)
@@ -72,12 +72,12 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         if name in options:
             raise ValueError(f"{name}: not for a fit, whose times are those of the data")
     problem, model, found = prepare(potential, method=method, **options)
-    places = {"alpha": lib.FVI_PARAMETER_ALPHA, "rho": lib.FVI_PARAMETER_RHO, "mass": lib.FVI_PARAMETER_MASS,
-              "x0": lib.FVI_PARAMETER_X0, "p0": lib.FVI_PARAMETER_P0}
-    places.update((name, lib.FVI_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))
+    places = {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO, "mass": lib.FVI_FREE_PARAMETER_MASS,
+              "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0}
+    places.update((name, lib.FVI_FREE_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))
     names = word("which", which).split(",")
-    chosen = ffi.new("fvi_parameter[]", [int(choice("which", name, places)) for name in names])
-    question = ffi.new("fvi_fit *")
+    chosen = ffi.new("fvi_free_parameter[]", [int(choice("which", name, places)) for name in names])
+    question = ffi.new("fvi_estimation *")
     question.method, question.run, question.n = found, model, times.size
     question.t, question.x = problem.pointer(times), problem.pointer(xs)
     if problem.constants is not None:
@@ -87,14 +87,14 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     question.starts, question.h = starts, number("h", h)
     box = np.empty((2, len(names)))
     low, high = (problem.pointer(side) for side in box)
-    succeed(ask(lib.fvi_fit_box, question, low, high))
+    succeed(ask(lib.fvi_estimate_box, question, low, high))
     for j, name in enumerate(names):  # the library knows nothing of the constants of an expression
         if problem.constants is problem.values and name in problem.let:
             k = problem.let[name]
             box[:, j] = sorted((k / 10, 10 * k)) if k else (-1, 1)  # as the program
     question.low, question.high = low, high
-    curve, f = np.empty_like(times), ffi.new("fvi_fitted *")
-    status = ask(lib.fvi_fit_search, question, ffi.from_buffer("double[]", curve), f)
+    curve, f = np.empty_like(times), ffi.new("fvi_estimate *")
+    status = ask(lib.fvi_estimate_multistart, question, ffi.from_buffer("double[]", curve), f)
     if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
         raise failure(status)
     P = range(len(names))
@@ -107,7 +107,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
         warn_of(question, f, names)
     if status:
         text = ffi.new("char[]", lib.FVI_WARNING_ROOM)
-        lib.fvi_fit_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
+        lib.fvi_estimate_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
         error = Error(text_of(text), status)
         error.fit = answer
         raise error

@@ -35,8 +35,8 @@ def text_of(pointer: Any) -> str:
 def failure(code: int, where: str = "") -> Error:
     """The exception for a code that the last call returned."""
     why = lib.why(code)
-    words = text_of(lib.fvi_strerror(code) if why == ffi.NULL else why)
-    if text_of(lib.fvi_strerror(code)) == text_of(lib.fvi_strerror(-1)):  # which is never the library's
+    words = text_of(lib.fvi_error_name(code) if why == ffi.NULL else why)
+    if text_of(lib.fvi_error_name(code)) == text_of(lib.fvi_error_name(-1)):  # which is never the library's
         words += f", code {code}"
     return Error(words + where, code)
 

@@ -127,7 +127,7 @@ class Expression:
         self.values = values  # of `let`; whoever changes them changes them for all expressions
         encoded = [ffi.new("char[]", name.encode()) for name in let]
         coordinate, parameters = ffi.new("char[]", variable.encode()), ffi.new("const char *[]", encoded)
-        names = ffi.new("fvi_names *", {"variable": coordinate, "d": d, "parameter": parameters,
+        names = ffi.new("fvi_symbols *", {"variable": coordinate, "d": d, "parameter": parameters,
                                         "parameters": len(let)})
         out, wrong = ffi.new("fvi_expression **"), ffi.new("fvi_misprint *")
         status = lib.fvi_expression_parse(text.encode(), names, ffi.cast("double *", self.values.ctypes.data),
@@ -139,9 +139,9 @@ class Expression:
         self.pointer = ffi.gc(out[0], lib.fvi_expression_free)
 
 
-LAWS = {"power": (lib.FVI_LAW_POWER, ("rho", "alpha")), "zener": (lib.FVI_LAW_ZENER, ("rho", "alpha", "time")),
-        "maxwell": (lib.FVI_LAW_MAXWELL, ("rho", "time")),
-        "distributed": (lib.FVI_LAW_DISTRIBUTED, ("rho", "alpha", "end"))}
+LAWS = {"power": (lib.FVI_KERNEL_POWER, ("rho", "alpha")), "zener": (lib.FVI_KERNEL_ZENER, ("rho", "alpha", "time")),
+        "maxwell": (lib.FVI_KERNEL_MAXWELL, ("rho", "time")),
+        "distributed": (lib.FVI_KERNEL_DISTRIBUTED, ("rho", "alpha", "end"))}
 
 
 def law(given: Union[str, Sequence[str]]) -> tuple:
@@ -150,13 +150,13 @@ def law(given: Union[str, Sequence[str]]) -> tuple:
                                            and all(isinstance(each, str) for each in given)):
         raise TypeError(f"damping: {arguments.described(given)} is no text and no list of texts")
     terms = [given] if isinstance(given, str) else given
-    array_ = ffi.new("fvi_law_term[]", len(terms))
+    array_ = ffi.new("fvi_kernel_term[]", len(terms))
     for term, text in zip(array_, terms):
         name, n = arguments.words("damping", text, {word: len(fields) for word, (_, fields) in LAWS.items()})
         term.kind = LAWS[name][0]
         for field, value in zip(LAWS[name][1], n):
             setattr(term, field, value)
-    return ffi.new("fvi_law *", {"count": len(terms), "term": array_}), array_
+    return ffi.new("fvi_kernel *", {"count": len(terms), "term": array_}), array_
 
 
 class Problem:
@@ -171,7 +171,7 @@ class Problem:
         self.values = np.array(list(self.let.values()) or [0.0])
         self.named: set = set()  # by the expressions
         for name in self.let:
-            if not (lib.fvi_name_is_free(name.encode(), b"x") and lib.fvi_name_is_free(name.encode(), b"t")):
+            if not (lib.fvi_symbol_is_free(name.encode(), b"x") and lib.fvi_symbol_is_free(name.encode(), b"t")):
                 raise ValueError(f"let: '{name}' is not a name for a parameter")
         self.constants: Optional[Array] = None  # of the potential, by names
         self.names: list = []

@@ -12,10 +12,10 @@ from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
 from ._problem import Potential, Problem, law
 
-PASTS = {"held": lib.FVI_PAST_HELD, "caputo": lib.FVI_PAST_CAPUTO,
-         "rl": lib.FVI_PAST_RIEMANN_LIOUVILLE}
-MEMORIES = {"auto": lib.FVI_MEMORY_AUTO, "direct": lib.FVI_MEMORY_DIRECT,
-            "fft": lib.FVI_MEMORY_FFT, "exponentials": lib.FVI_MEMORY_EXPONENTIALS}
+PASTS = {"held": lib.FVI_INITIAL_HISTORY_HELD, "caputo": lib.FVI_INITIAL_HISTORY_CAPUTO,
+         "rl": lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE}
+MEMORIES = {"auto": lib.FVI_HISTORY_AUTO, "direct": lib.FVI_HISTORY_DIRECT,
+            "fft": lib.FVI_HISTORY_FFT, "exponentials": lib.FVI_HISTORY_MODES}
 
 
 def version() -> str:
@@ -53,8 +53,8 @@ CHUNK = 4096  # steps after which another thread may have a Stepper
 
 def warn_of_start(method: Any, run: Any) -> Any:
     """What the program says before the first step. Returns how to watch what comes after it."""
-    if method.past_as_printed and lib.fvi_warning_of_past(run) != ffi.NULL:
-        warn(text_of(lib.fvi_warning_of_past(run)))
+    if method.paper_convention and lib.fvi_warning_of_initial_history(run) != ffi.NULL:
+        warn(text_of(lib.fvi_warning_of_initial_history(run)))
     is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)
     return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
 
@@ -82,13 +82,13 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
         raise ValueError("h: not together with time")
     if time is not None:
         h = number("time", time) / steps
-    found = lib.fvi_method_named(word("method", method).encode())
+    found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
     for name, value in (("step_error", step_error), ("longest", longest), ("most_steps", most_steps)):
-        if value is not None and found != lib.fvi_method_named(b"fvi-adaptive"):
+        if value is not None and found != lib.fvi_method_find(b"fvi-adaptive"):
             raise ValueError(f"{name}: not for {method}, whose steps are given; fvi-adaptive chooses its own")
     run = ffi.new("fvi_run *")
     run.step_error, run.longest = length("step_error", step_error), length("longest", longest)
@@ -127,8 +127,8 @@ class Stepper:
         self._problem, self._run, self._method = prepare(potential, **options)
         self._lock, self._is_busy, self._taken = threading.RLock(), False, ffi.new("size_t *")
         out = ffi.new("fvi_stepper **")
-        succeed(ask(lib.fvi_start, self._method, self._run, out))
-        self._s = ffi.gc(out[0], lib.fvi_stop)
+        succeed(ask(lib.fvi_stepper_start, self._method, self._run, out))
+        self._s = ffi.gc(out[0], lib.fvi_stepper_free)
         self._watch = warn_of_start(self._method, self._run)
         self._watch_at_start = ffi.new("fvi_watch *", self._watch[0])[0]
         self.steps: int = self._run.steps
@@ -188,8 +188,8 @@ class Stepper:
         """The same run again, at the same step; neither knows of the other."""
         other, out = object.__new__(Stepper), ffi.new("fvi_stepper **")
         with self._lock:
-            succeed(self._alone(ask, lib.fvi_copy, self._s, out))
-            other.__dict__.update(self.__dict__, _s=ffi.gc(out[0], lib.fvi_stop), _lock=threading.RLock(),
+            succeed(self._alone(ask, lib.fvi_stepper_copy, self._s, out))
+            other.__dict__.update(self.__dict__, _s=ffi.gc(out[0], lib.fvi_stepper_free), _lock=threading.RLock(),
                                   _is_busy=False, _taken=ffi.new("size_t *"),
                                   _watch=ffi.new("fvi_watch *", self._watch[0]))
         return other
@@ -197,7 +197,7 @@ class Stepper:
     def reset(self) -> None:
         """Back to k = 0."""
         with self._lock:
-            succeed(self._alone(ask, lib.fvi_reset, self._s))
+            succeed(self._alone(ask, lib.fvi_stepper_reset, self._s))
             self._watch[0] = self._watch_at_start
 
 
@@ -242,16 +242,16 @@ def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
 
 def search(r: Any, method: Any, error: float, most: int, x: Any, p: Any) -> float:
     """Rows with an error of at most that by an estimate, which is returned."""
-    if method == lib.fvi_method_named(b"fvi-adaptive"):
-        found = ffi.new("fvi_adaptive_found *")
-        status = ask(lib.fvi_adaptive_search, r, error, most, x, p, found)
+    if method == lib.fvi_method_find(b"fvi-adaptive"):
+        found = ffi.new("fvi_variable_step_found *")
+        status = ask(lib.fvi_variable_step_search, r, error, most, x, p, found)
     else:
         found = ffi.new("fvi_step_found *")
         status = ask(lib.fvi_step_search, method, r, error, most, x, p, found)
     if status == lib.FVI_ETOL:
         if not math.isfinite(found.estimate):
             raise failure(status, ": no step gives a result that can be trusted")
-        is_adaptive = method == lib.fvi_method_named(b"fvi-adaptive")
+        is_adaptive = method == lib.fvi_method_find(b"fvi-adaptive")
         other = ffi.NULL if is_adaptive else lib.fvi_step_search_other(method, r)
         raise failure(status, f": the smallest estimate of the error was {found.estimate:.2g}" + (
             f"; {text_of(other.name)} has a higher order" if other != ffi.NULL else ""))
@@ -368,7 +368,7 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
         raise ValueError("damping: not together with alpha or rho")
     kept = law(damping) if damping is not None else (ffi.NULL,)
     default = 0.2 if damping is None else 1.0
-    problem = ffi.new("fvi_linear *", {
+    problem = ffi.new("fvi_linear_oscillator *", {
         "m": number("mass", mass), "c": number("c", c), "rho": number("rho", default if rho is None else rho),
         "alpha": number("alpha", 0.5 if alpha is None else alpha), "x0": number("x0", x0), "v0": number("v0", v0),
         "past": choice("derivative", derivative, PASTS), "law": kept[0]})
@@ -382,10 +382,10 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     x, v = np.empty_like(flat), np.empty_like(flat)
     room = lambda a: ffi.from_buffer("double[]", a)
     count = on_grid(flat) if damping is None else 0
-    status = ask(lib.fvi_exact_rows, problem, flat[1], count - 1, 0, room(x), room(v)) if count > 513 else 0
+    status = ask(lib.fvi_exact_grid, problem, flat[1], count - 1, 0, room(x), room(v)) if count > 513 else 0
     rest = count if count > 513 else 0
     if not status and rest < flat.size:
-        status = ask(lib.fvi_exact, problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]))
+        status = ask(lib.fvi_exact_at, problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]))
     succeed(status)
     return x.reshape(times.shape), v.reshape(times.shape)
 
@@ -394,5 +394,5 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
 def weights(order: float, count: int) -> Array:
     """The first `count` weights of (1 - z)^order, 0 <= order <= 2, each to the last bit or next to it."""
     w = np.empty(whole("count", count, 1))
-    succeed(ask(lib.fvi_coefficients, number("order", order), w.size, ffi.from_buffer("double[]", w)))
+    succeed(ask(lib.fvi_gl_weights, number("order", order), w.size, ffi.from_buffer("double[]", w)))
     return w

@@ -1,7 +1,7 @@
 /* tests/bench/peers/blocks.c -- Discrete convolutions, as they come: blocks.h.
  *                                                                       [Chapter 18] */
 #include "blocks.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>

@@ -11,7 +11,7 @@
  * t^{1/2}; N. Hale, S. Olver, SIAM J. Sci. Comput. 40 (2018).) The integrals of the
  * polynomials over
  * [0, 1] are numbers of the method and kept.                            [Chapter 18] */
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
 
 #include <gsl/gsl_integration.h>
@@ -150,7 +150,7 @@ static double value(size_t M, const double *a, double s)
 static int run(const task *of, double *rows)
 {
     const problem *p = of->p;
-    const fvi_linear *l = p->linear;
+    const fvi_linear_oscillator *l = p->linear;
     const size_t N = of->N, W = N + 2, M = N + LOST;
     const double T = p->T, beta = 2 * l->alpha, size = pow(T, 2 - beta);
     const table *t = table_of(N, 2 - beta);
@@ -196,7 +196,7 @@ static int run(const task *of, double *rows)
 static int takes(const problem *p)
 {
     const double quarters = 4 * p->alpha;
-    return p->linear && p->past == FVI_PAST_CAPUTO && quarters == rint(quarters)
+    return p->linear && p->past == FVI_INITIAL_HISTORY_CAPUTO && quarters == rint(quarters)
            && p->linear->forcing != FVI_FORCING_COSINE;
 }
 

@@ -17,13 +17,13 @@ static int run_exact(const task *of, double *rows)
     double t[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = of->p->T * (double)k / ROWS;
-    return fvi_exact(of->p->linear, ROWS + 1, t, rows, NULL);
+    return fvi_exact_at(of->p->linear, ROWS + 1, t, rows, NULL);
 }
 
 /* At all rows from one contour or a few, to the error that is asked (11.15). */
 static int run_rows(const task *of, double *rows)
 {
-    return fvi_exact_rows(of->p->linear, of->p->T / ROWS, ROWS, of->tolerance,
+    return fvi_exact_grid(of->p->linear, of->p->T / ROWS, ROWS, of->tolerance,
                           rows, NULL);
 }
 
@@ -37,7 +37,7 @@ static int from_rest(const problem *p)
 static int run_matrix(const task *of, double *rows)
 {
     const problem *p = of->p;
-    const fvi_linear *l = p->linear;
+    const fvi_linear_oscillator *l = p->linear;
     double *x = malloc((of->N + 1) * sizeof *x);
     int status =
         x ? fvi_matrix_method(l->m, l->rho, l->c, l->alpha, p->system.force,

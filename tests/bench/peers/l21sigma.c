@@ -7,7 +7,7 @@
  * 2 alpha - 1. x' = v and m v' are taken at t_{n + sigma} by the slope of the parabola
  * through three nodes.                                                  [Chapter 18] */
 #include "ends.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
 #include "system/larger.h"
 
@@ -108,7 +108,7 @@ static int solve(solver *o, const double *M, const double *a, double e,
         double curvature = 0, moved = 0, largest = 1e-30;
         for (size_t j = 0; j < o->d; j++)
             o->at[j] = a[j] + e * w[j];
-        int status = fvi_gradient(s, o->at, o->grad);
+        int status = fvi_potential_gradient(s, o->at, o->grad);
         if (!status && o->d == 1 && s->potential.hessian)
             status =
                 s->potential.hessian(1, o->at, s->potential.params, &curvature);
@@ -216,7 +216,7 @@ static int run(const task *of, double *rows)
 
 static int fractional(const problem *p)
 {
-    return p->alpha != 0.5 && p->past == FVI_PAST_CAPUTO;
+    return p->alpha != 0.5 && p->past == FVI_INITIAL_HISTORY_CAPUTO;
 }
 
 const peer peer_l21sigma = { "fast L2-1_sigma",

@@ -16,7 +16,7 @@ static int slope(double t, const double y[], double f[], void *params)
     const problem *p = params;
     const fvi_system *s = &p->system;
     const size_t d = s->d;
-    int status = fvi_gradient(s, y, f);
+    int status = fvi_potential_gradient(s, y, f);
     for (size_t a = 0; a < d; a++)
         f[d + a] = -(f[a] + s->damping[a] * y[d + a]) / s->mass[a];
     if (!status && s->force.value) {

@@ -63,7 +63,7 @@ static int solve(solver *o, double A)
     double *x = o->x[3], before = GSL_POSINF;
     for (int i = 0; i < 60; i++) {
         double curvature = 0, moved = 0, largest = 1e-30;
-        int status = fvi_gradient(s, x, o->grad);
+        int status = fvi_potential_gradient(s, x, o->grad);
         if (!status && o->d == 1 && s->potential.hessian)
             status =
                 s->potential.hessian(1, x, s->potential.params, &curvature);
@@ -91,7 +91,7 @@ static int solve(solver *o, double A)
 /* s at t: u = x - s is what the memory is of. */
 static double line(const solver *o, size_t a, double t)
 {
-    if (o->p->past == FVI_PAST_RIEMANN_LIOUVILLE)
+    if (o->p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return 0;
     return o->p->x0[a]
            + (o->p->alpha > 0.5 ? t * o->p->p0[a] / o->p->system.mass[a] : 0);
@@ -101,7 +101,7 @@ static double line(const solver *o, size_t a, double t)
 static int remember(solver *o, size_t n, double t)
 {
     const double h = o->h;
-    int status = fvi_gradient(&o->p->system, o->x[3], o->grad);
+    int status = fvi_potential_gradient(&o->p->system, o->x[3], o->grad);
     for (size_t a = 0; a < o->d && !status; a++) {
         const double g = o->F[a] - o->grad[a];
         if (n > 0) {

@@ -140,7 +140,7 @@ static int run(const task *of, int s, int grade, double *rows)
     const problem *p = of->p;
     const double L = radau_memory_spacing(of->tolerance), T = p->T,
                  tolerance = larger(of->tolerance, 1e-16),
-                 power = p->past == FVI_PAST_RIEMANN_LIOUVILLE
+                 power = p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
                              ? 1 / (1 - 2 * p->alpha)
                              : 0.4;
     double longest = T / (double)of->N;

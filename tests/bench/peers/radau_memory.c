@@ -2,7 +2,7 @@
  * the header.                                                           [Chapter 18] */
 #include "radau_memory.h"
 #include "ends.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>

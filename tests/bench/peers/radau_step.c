@@ -1,7 +1,7 @@
 /* tests/bench/peers/radau_step.c -- The equations of the stages: radau_step.h.
  *                                                                       [Chapter 18] */
 #include "radau_step.h"
-#include "memory/memory_kinds.h" /* FVI_VECTORS */
+#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -96,7 +96,7 @@ static int pull(radau_solver *o, double t, double h)
         double *X = o->X + (size_t)i * d, *G = o->G + (size_t)i * d;
         for (size_t a = 0; a < d; a++)
             X[a] = o->x[a] + h * (o->m->c[i] * o->v[a] + X[a]);
-        int status = fvi_gradient(system, X, o->room);
+        int status = fvi_potential_gradient(system, X, o->room);
         memset(G, 0, d * sizeof *G);
         if (!status && system->force.value)
             status = system->force.value(t + h * o->m->c[i], d,
@@ -118,7 +118,7 @@ static void known(radau_solver *o, double t, double h)
         double row = 0, fades = 0;
         for (int j = 0; j < o->s; j++)
             row += power * o->W[i * o->s + j];
-        if (o->p->past == FVI_PAST_RIEMANN_LIOUVILLE)
+        if (o->p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
             fades = pow(t + h * o->m->c[i], -order) / tgamma(1 - order);
         for (size_t a = 0; a < o->d; a++) {
             double *H = &o->H[(size_t)i * o->d + a];

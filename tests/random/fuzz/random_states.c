@@ -15,7 +15,7 @@ static unsigned char state[ROOM];
 
 /* The pieces of a state, one behind the other. */
 typedef struct {
-    fvi_visitor visitor; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first: a pointer to it is one to this */
     size_t at, pieces;
     size_t begin[PIECES], bytes[PIECES];
     int constant[PIECES];
@@ -28,7 +28,7 @@ const char *random_state_words(void)
     return said;
 }
 
-static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int save(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     if (bytes > ROOM - s->at || s->pieces == PIECES)
@@ -43,7 +43,7 @@ static int save(fvi_visitor *v, void *data, size_t bytes, int constant)
 }
 
 /* A piece of another length is none: so does a file say it. */
-static int load(fvi_visitor *v, void *data, size_t bytes, int constant)
+static int load(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
     if (s->pieces == PIECES || s->bytes[s->pieces] != bytes)
@@ -109,10 +109,10 @@ static void random_system_of(problem *o)
 static const fvi_method *random_run_of(problem *o)
 {
     static const double alphas[] = { 0, 0.1, 0.3, 0.5, 0.7, 0.95, 1 };
-    static const fvi_law_term terms[] = {
-        { .kind = FVI_LAW_POWER, .alpha = 0.3, .rho = 0.5 }
+    static const fvi_kernel_term terms[] = {
+        { .kind = FVI_KERNEL_POWER, .alpha = 0.3, .rho = 0.5 }
     };
-    static const fvi_law law = { LEN(terms), terms };
+    static const fvi_kernel law = { LEN(terms), terms };
     size_t methods = 0;
     while (fvi_methods[methods])
         methods++;
@@ -121,12 +121,12 @@ static const fvi_method *random_run_of(problem *o)
                              1 + dice(dice(2) ? 20 : MOST_STEPS));
     o->run.alpha = alphas[dice(LEN(alphas))];
     o->run.kappa = (double)dice(3) / 2;
-    o->run.memory = (fvi_memory_kind)dice(4);
-    o->run.past = dice(2) ? FVI_PAST_HELD : (fvi_past)dice(3);
+    o->run.memory = (fvi_history_kind)dice(4);
+    o->run.past = dice(2) ? FVI_INITIAL_HISTORY_HELD : (fvi_initial_history)dice(3);
     o->run.law = dice(6) ? NULL : &law;
     static const double errors[] = { 0, 1e-2, 1e-5, 1e-12 };
     o->run.step_error = errors[dice(LEN(errors))];
-    return dice(3) ? fvi_methods[dice(methods)] : &fvi_adaptive;
+    return dice(3) ? fvi_methods[dice(methods)] : &fvi_variable_step;
 }
 
 /* ---- what a stranger writes ---- */
@@ -176,21 +176,21 @@ static void go_on(fvi_stepper *s, size_t most)
 {
     double x[MOST_D], p[MOST_D];
     fvi_stepper *copy;
-    fvi_run_to(s, s->t, x, p);
-    fvi_run_to(s, s->t * 0.99, x, p);
+    fvi_stepper_advance_to(s, s->t, x, p);
+    fvi_stepper_advance_to(s, s->t * 0.99, x, p);
     for (size_t n = 0; n < most && s->k < s->run.steps; n++)
-        if (fvi_step(s))
+        if (fvi_stepper_step(s))
             return;
-    if (!fvi_copy(s, &copy)) {
-        fvi_step(copy);
-        fvi_stop(copy);
+    if (!fvi_stepper_copy(s, &copy)) {
+        fvi_stepper_step(copy);
+        fvi_stepper_free(copy);
     }
 }
 
 /* A stepper that was refused begins anew. */
 static const char *begin_anew(const problem *o, fvi_stepper *s)
 {
-    if (fvi_reset(s))
+    if (fvi_stepper_reset(s))
         return "no reset after a refusal";
     if (s->k != 0 || memcmp(s->x, o->x0, o->system.d * sizeof *s->x) != 0)
         return "reset to another start";
@@ -207,24 +207,24 @@ const char *random_state(size_t *refused)
     const size_t N = o.run.steps;
     snprintf(said, sizeof said, "%s, d = %zu, N = %zu, alpha = %g, memory %d",
              method->name, o.system.d, N, o.run.alpha, (int)o.run.memory);
-    if (fvi_start(method, &o.run, &s))
+    if (fvi_stepper_start(method, &o.run, &s))
         return NULL; /* not for this method */
     for (size_t n = dice(N + 1); n > 0 && s->k < N; n--)
-        if (fvi_step(s)) {
-            fvi_stop(s);
+        if (fvi_stepper_step(s)) {
+            fvi_stepper_free(s);
             return NULL;
         }
-    all = (shelf){ .visitor = { save } };
-    int status = fvi_visit(s, &all.visitor);
-    fvi_stop(s);
-    if (status || fvi_start(method, &o.run, &again))
+    all = (shelf){ .archive = { save } };
+    int status = fvi_stepper_archive(s, &all.archive);
+    fvi_stepper_free(s);
+    if (status || fvi_stepper_start(method, &o.run, &again))
         return "not saved";
-    all.visitor.visit = load;
+    all.archive.serialize = load;
     all.pieces = 0;
-    const char *wrong = fvi_visit(again, &all.visitor) ? "not loaded" : NULL;
+    const char *wrong = fvi_stepper_archive(again, &all.archive) ? "not loaded" : NULL;
     change_state(&all);
     all.pieces = 0;
-    status = wrong ? 0 : fvi_visit(again, &all.visitor);
+    status = wrong ? 0 : fvi_stepper_archive(again, &all.archive);
     if (status && status != FVI_EINVAL && status != FVI_ESING && status != -2)
         wrong = "refused with another code";
     *refused += status != 0;
@@ -232,6 +232,6 @@ const char *random_state(size_t *refused)
         go_on(again, 60);
     else if (!wrong)
         wrong = begin_anew(&o, again);
-    fvi_stop(again);
+    fvi_stepper_free(again);
     return wrong;
 }

@@ -6,7 +6,7 @@
 
 /* random_state -- the case that the dice are seeded for: a run is saved, some numbers of
  * what steps change become others, as in a file with a checksum that somebody made anew,
- * and a run goes on from there. fvi_visit must refuse the state with FVI_EINVAL, and leave
+ * and a run goes on from there. fvi_stepper_archive must refuse the state with FVI_EINVAL, and leave
  * a run that can be reset; or steps must end, well or with a code. The sanitizers see the
  * rest. Returns NULL, or what went wrong; *refused counts the states that were refused. */
 const char *random_state(size_t *refused);

@@ -14,12 +14,12 @@ enum { P = 3, SETS = 500, MANY = 100 };
 static const double SIGMA = 0.02;
 
 /* alpha, rho, c from noisy data; all else is known. */
-static int fit_of(const double *t, const double *x, const fvi_linear *begin,
-                  size_t starts, fvi_fitted *f)
+static int fit_of(const double *t, const double *x, const fvi_linear_oscillator *begin,
+                  size_t starts, fvi_estimate *f)
 {
-    static const fvi_parameter which[P] = { FVI_PARAMETER_ALPHA,
-                                            FVI_PARAMETER_RHO,
-                                            FVI_PARAMETER_CONSTANT };
+    static const fvi_free_parameter which[P] = { FVI_FREE_PARAMETER_ALPHA,
+                                            FVI_FREE_PARAMETER_RHO,
+                                            FVI_FREE_PARAMETER_CONSTANT };
     double c = begin->c;
     const double p0 = begin->m * begin->v0;
     const fvi_system system = { .d = 1,
@@ -28,7 +28,7 @@ static int fit_of(const double *t, const double *x, const fvi_linear *begin,
                                 .potential = fvi_potential_harmonic(&c) };
     fvi_run run = fvi_run_default(&system, &begin->x0, &p0, 1, 1);
     run.alpha = begin->alpha;
-    const fvi_fit fit = { .method = &fvi_lobatto4,
+    const fvi_estimation fit = { .method = &fvi_lobatto_m4,
                           .run = &run,
                           .constants = &c,
                           .n = REF_POINTS,
@@ -38,7 +38,7 @@ static int fit_of(const double *t, const double *x, const fvi_linear *begin,
                           .parameters = P,
                           .which = which,
                           .starts = starts };
-    return fvi_fit_search(&fit, NULL, f);
+    return fvi_estimate_multistart(&fit, NULL, f);
 }
 
 static void noisy(gsl_rng *random, const double *exact, double *x)
@@ -53,7 +53,7 @@ static void noisy(gsl_rng *random, const double *exact, double *x)
 double stress_scatter(gsl_rng *random, char *describe, size_t size)
 {
     const double *truth = ref_errors[0].truth;
-    const fvi_linear begin = { .m = 1,
+    const fvi_linear_oscillator begin = { .m = 1,
                                .c = 1.5,
                                .rho = 0.2,
                                .alpha = 0.45,
@@ -64,7 +64,7 @@ double stress_scatter(gsl_rng *random, char *describe, size_t size)
     for (size_t i = 0; i < REF_POINTS; i++)
         t[i] = 0.1 * (double)(i + 1);
     for (int set = 0; set < SETS; set++) {
-        fvi_fitted f;
+        fvi_estimate f;
         noisy(random, ref_low, x);
         if (fit_of(t, x, &begin, 4, &f))
             return GSL_POSINF;
@@ -98,13 +98,13 @@ double stress_found(gsl_rng *random, char *describe, size_t size)
         t[i] = 0.1 * (double)(i + 1);
     for (int set = 0; set < MANY; set++) {
         const double *truth = ref_errors[set % 2 ? 2 : 0].truth;
-        const fvi_linear begin = { .m = 1,
+        const fvi_linear_oscillator begin = { .m = 1,
                                    .c = 2.5,
                                    .rho = 0.2,
                                    .alpha = 0.5,
                                    .x0 = truth[3],
                                    .v0 = truth[4] };
-        fvi_fitted f;
+        fvi_estimate f;
         noisy(random, set % 2 ? ref_high : ref_low, x);
         const clock_t began = clock();
         int near = fit_of(t, x, &begin, 20, &f) == 0;

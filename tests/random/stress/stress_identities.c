@@ -52,12 +52,12 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
                         .steps = steps,
                         .kappa = stress_kappa(random),
                         .alpha = stress_alpha(random),
-                        .past = (fvi_past)gsl_rng_uniform_int(random, 3) };
-    fvi_stability_step(&fvi_fractional, &c->run, &step);
+                        .past = (fvi_initial_history)gsl_rng_uniform_int(random, 3) };
+    fvi_stability_longest_step(&fvi_fractional, &c->run, &step);
     if (step == 0) { /* alpha near 1: no step is stable; less damping */
         for (size_t i = 0; i < d; i++)
             c->damping[i] *= 0.1 * c->mass[i];
-        fvi_stability_step(&fvi_fractional, &c->run, &step);
+        fvi_stability_longest_step(&fvi_fractional, &c->run, &step);
     }
     c->run.h = GSL_MIN(0.7 * step, 0.02);
 }
@@ -81,7 +81,7 @@ double stress_matching(gsl_rng *random, char *describe, size_t size)
         for (size_t i = 0; i < d; i++) {
             double v0 = c.run.alpha > 0.5 ? c.p0[i] / c.mass[i] : 0;
             z[k * d + i] = x[k * d + i];
-            if (c.run.past != FVI_PAST_RIEMANN_LIOUVILLE)
+            if (c.run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
                 z[k * d + i] -= c.x0[i] + (double)k * c.run.h * v0;
             allowed =
                 GSL_MAX(allowed, fabs(x[k * d + i]) * c.mass[i] / c.run.h);
@@ -127,7 +127,7 @@ static void random_oscillator(gsl_rng *random, oscillator *o, size_t steps)
                         .h = stress_decades(random, 0.003, 0.03),
                         .kappa = 0.5,
                         .alpha = stress_alpha(random),
-                        .past = FVI_PAST_CAPUTO };
+                        .past = FVI_INITIAL_HISTORY_CAPUTO };
     o->rho = o->m * stress_decades(random, 1e-4, 0.5);
 }
 
@@ -196,8 +196,8 @@ double stress_scaling(gsl_rng *random, char *describe, size_t size)
     o.system.potential = fvi_potential_duffing(o.cg);
     o.p0 = o.m * stress_uniform(random, -1, 1);
     o.run.kappa = stress_kappa(random);
-    o.run.memory = gsl_rng_uniform_int(random, 2) ? FVI_MEMORY_DIRECT
-                                                  : FVI_MEMORY_EXPONENTIALS;
+    o.run.memory = gsl_rng_uniform_int(random, 2) ? FVI_HISTORY_DIRECT
+                                                  : FVI_HISTORY_MODES;
     const int s = (int)gsl_rng_uniform_int(random, 1000) - 500; /* 10^+-150 */
     snprintf(describe, size, "alpha=%.17g m=%g rho=%g h=%g s=%d", o.run.alpha,
              o.m, o.rho, o.run.h, s);
@@ -225,14 +225,14 @@ double stress_overflow(gsl_rng *random, char *describe, size_t size)
     o.run.h = stress_decades(random, 1e-12, 1e12);
     o.run.kappa = stress_kappa(random);
     fvi_stepper *s;
-    int status = fvi_start(&fvi_fractional, &o.run, &s), silent = 0;
+    int status = fvi_stepper_start(&fvi_fractional, &o.run, &s), silent = 0;
     snprintf(describe, size, "alpha=%.17g m=%g rho=%g h=%g x0=%g p0=%g",
              o.run.alpha, o.m, o.rho, o.run.h, o.x0, o.p0);
     if (status)
         return status == FVI_EDOM || status == FVI_ESING ? 0 : 2;
-    while (s->k < STEPS && (status = fvi_step(s)) == FVI_SUCCESS)
+    while (s->k < STEPS && (status = fvi_stepper_step(s)) == FVI_SUCCESS)
         silent |= !gsl_finite(s->x[0]) || !gsl_finite(s->p[0]);
-    fvi_stop(s);
+    fvi_stepper_free(s);
     int honest = status == FVI_SUCCESS || status == FVI_EOVRFLW
                  || status == FVI_EMAXITER || status == FVI_ESING;
     return silent || !honest ? 2 : 0;
@@ -247,8 +247,8 @@ double stress_memories(gsl_rng *random, char *describe, size_t size)
     oscillator o;
     random_oscillator(random, &o, N);
     o.p0 = o.m * stress_uniform(random, -1, 1);
-    const fvi_memory_kind kinds[] = { FVI_MEMORY_DIRECT,
-                                      FVI_MEMORY_EXPONENTIALS, FVI_MEMORY_FFT };
+    const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
+                                      FVI_HISTORY_MODES, FVI_HISTORY_FFT };
     for (size_t i = 0; i < 3; i++) {
         o.run.memory = kinds[i];
         if (fvi_trajectory(&fvi_fractional, &o.run, x[i], NULL, NULL))
@@ -310,9 +310,9 @@ double stress_refusals(gsl_rng *random, char *describe, size_t size)
         break;
     }
     fvi_stepper *untouched = NULL;
-    int status = fvi_start(&fvi_fractional, &o.run, &untouched);
+    int status = fvi_stepper_start(&fvi_fractional, &o.run, &untouched);
     snprintf(describe, size, "field %lu, value %g: %s", field, bad,
-             fvi_strerror(status));
-    fvi_stop(untouched);
+             fvi_error_name(status));
+    fvi_stepper_free(untouched);
     return status == expected && !untouched ? 0 : 2;
 }

@@ -23,7 +23,7 @@ typedef long double quad;
 /* ---- exact: masses, stiffness and damping over twelve decades ---- */
 
 /* The largest error of a run over [0, T] in N steps, relative to max |x|. */
-static double error_of_run(const fvi_linear *problem, double kappa, double T,
+static double error_of_run(const fvi_linear_oscillator *problem, double kappa, double T,
                            size_t N)
 {
     const double c = problem->c, p0 = problem->m * problem->v0;
@@ -37,7 +37,7 @@ static double error_of_run(const fvi_linear *problem, double kappa, double T,
                           .steps = N,
                           .kappa = kappa,
                           .alpha = problem->alpha,
-                          .past = FVI_PAST_CAPUTO };
+                          .past = FVI_INITIAL_HISTORY_CAPUTO };
     double *x = malloc(3 * (N + 1) * sizeof *x), *exact, *t, error = GSL_NAN;
     if (!x)
         return error;
@@ -46,7 +46,7 @@ static double error_of_run(const fvi_linear *problem, double kappa, double T,
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) == FVI_SUCCESS
-        && fvi_exact(problem, N + 1, t, exact, NULL) == FVI_SUCCESS)
+        && fvi_exact_at(problem, N + 1, t, exact, NULL) == FVI_SUCCESS)
         error = stress_distance(N + 1, x, exact) / stress_size(N + 1, exact);
     free(x);
     return error;
@@ -64,11 +64,11 @@ double stress_exact(gsl_rng *random, char *describe, size_t size)
            w = stress_decades(random, 1e-6, 1e6);
     double alpha = stress_alpha(random), r = stress_decades(random, 1e-6, 0.7);
     double kappa = stress_kappa(random), T = stress_uniform(random, 2, 20) / w;
-    const fvi_linear problem = { .m = m,
+    const fvi_linear_oscillator problem = { .m = m,
                                  .c = m * w * w,
                                  .rho = r * m * pow(w, 2 - 2 * alpha),
                                  .alpha = alpha,
-                                 .past = FVI_PAST_CAPUTO,
+                                 .past = FVI_INITIAL_HISTORY_CAPUTO,
                                  .x0 = stress_uniform(random, -1, 1),
                                  .v0 = w * stress_uniform(random, -1, 1) };
     double used = 0, error[2];
@@ -92,11 +92,11 @@ double stress_halves(gsl_rng *random, char *describe, size_t size)
 {
     enum { TIMES = 5 };
     const double alpha = gsl_rng_uniform(random);
-    const fvi_law_term half[] = { { FVI_LAW_POWER, 0.5, alpha, 0, 0 },
-                                  { FVI_LAW_POWER, 0.5, alpha, 0, 0 } };
-    const fvi_law law = { 2, half };
+    const fvi_kernel_term half[] = { { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 },
+                                  { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 } };
+    const fvi_kernel law = { 2, half };
     const int free = stress_uniform(random, 0, 10) < 1;
-    fvi_linear p = { .m = 1,
+    fvi_linear_oscillator p = { .m = 1,
                      .c = free ? 0 : stress_decades(random, 0.01, 100),
                      .rho = stress_decades(random, 0.01, 100),
                      .alpha = alpha,
@@ -111,11 +111,11 @@ double stress_halves(gsl_rng *random, char *describe, size_t size)
         t[j] = stress_decades(random, 1e-3, 1e3);
     snprintf(describe, size, "alpha=%.17g c=%g rho=%g forcing=%d", alpha, p.c,
              p.rho, (int)p.forcing);
-    if (fvi_exact(&p, TIMES, t, x, NULL))
+    if (fvi_exact_at(&p, TIMES, t, x, NULL))
         return GSL_POSINF;
     p.law = &law;
     p.alpha = 0;
-    if (fvi_exact(&p, TIMES, t, y, NULL))
+    if (fvi_exact_at(&p, TIMES, t, y, NULL))
         return GSL_POSINF;
     const double most = larger(fabs(p.x0), stress_size(TIMES, x));
     return stress_distance(TIMES, x, y) / (2.4e-13 * most);
@@ -178,13 +178,13 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
                           .steps = N,
                           .kappa = kappa,
                           .alpha = alpha,
-                          .past = FVI_PAST_CAPUTO,
-                          .memory = FVI_MEMORY_DIRECT };
+                          .past = FVI_INITIAL_HISTORY_CAPUTO,
+                          .memory = FVI_HISTORY_DIRECT };
     double x[N + 1], load = 0, most = 0, off = 0;
     static quad truth[N + 1];
     snprintf(describe, size, "alpha=%.17g m=%g rho=%g h=%g kappa=%g c=%g g=%g",
              alpha, m, rho, h, kappa, cg[0], cg[1]);
-    fvi_stability_load(&fvi_fractional, &run, &load);
+    fvi_stability_number(&fvi_fractional, &run, &load);
     if (load > 0.9
         || fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) != FVI_SUCCESS)
         return load > 0.9 ? 0 : GSL_POSINF;
@@ -241,8 +241,8 @@ double stress_rounding(gsl_rng *random, char *describe, size_t size)
                               .steps = N,
                               .kappa = 0.5,
                               .alpha = 0.75,
-                              .memory = fast ? FVI_MEMORY_EXPONENTIALS
-                                             : FVI_MEMORY_DIRECT };
+                              .memory = fast ? FVI_HISTORY_MODES
+                                             : FVI_HISTORY_DIRECT };
         fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL);
         off[fast] =
             stress_distance(N + 1, x, rounded) / stress_size(N + 1, rounded);
@@ -267,7 +267,7 @@ double stress_weights(gsl_rng *random, char *describe, size_t size)
     double *w = malloc((furthest + 1) * sizeof *w), made = -1;
     for (size_t i = 0; w && i < rows; i++) {
         if (ref_far[i].alpha != made)
-            fvi_coefficients(made = ref_far[i].alpha, furthest + 1, w);
+            fvi_gl_weights(made = ref_far[i].alpha, furthest + 1, w);
         wrong += w[ref_far[i].n] != ref_far[i].want;
     }
     snprintf(describe, size, "%zu of %zu are not the nearest doubles", wrong,

@@ -1,0 +1,78 @@
+/* src/analysis/convergence.c -- How far from the motion a run can be.    [Chapter 20] */
+#include <fvi/convergence.h>
+
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <math.h>
+
+static int is_bound(double v)
+{
+    return isfinite(v) && v >= 0;
+}
+
+static int check(const fvi_smoothness *q, const void *output)
+{
+    if (!q || !output)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(q->alpha >= 0 && q->alpha < 1))
+        FVI_FAIL("alpha must be in [0, 1)", FVI_EDOM);
+    if (!(q->kappa >= 0 && q->kappa <= 1))
+        FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
+    if (!(q->T > 0 && isfinite(q->T) && q->room > 0))
+        FVI_FAIL("T and room must be > 0, T finite", FVI_EDOM);
+    if (!is_bound(q->damping) || !is_bound(q->lipschitz)
+        || !is_bound(q->gradient) || !is_bound(q->variation)
+        || !is_bound(q->start) || !is_bound(q->speed)
+        || !is_bound(q->acceleration))
+        FVI_FAIL("a bound must be finite and >= 0", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+//> defect
+/* What the memory's sum misses of r I^gamma u on a known path, by h. [(20.4)] */
+static double defect_of_memory(const fvi_smoothness *q)
+{
+    const double gamma = 2 - 2 * q->alpha;
+    double missed = 2 * q->acceleration * pow(q->T, gamma) / tgamma(gamma + 2);
+    if (gamma > 1) /* then u(0) = v0 */
+        missed += q->start * pow(q->T, gamma - 1) / tgamma(gamma + 1);
+    return q->damping * fabs(gamma - 1) * missed;
+}
+
+//> miss
+/* C, by which the motion misses the scheme. */
+static double defect(const fvi_smoothness *q)
+{
+    return defect_of_memory(q) + q->variation
+           + q->lipschitz * q->speed * q->T / 2 + q->acceleration / 2
+           + q->kappa * q->gradient; /* (20.5) */
+}
+//< miss
+
+/* lambda, at which errors feed on errors: ell / lambda^2 + r / lambda^gamma <= 1/2. */
+static double rate(const fvi_smoothness *q)
+{
+    const double gamma = 2 - 2 * q->alpha;
+    return fmax(2 * sqrt(q->lipschitz),
+                pow(4 * q->damping, 1 / gamma)); /* (20.6) */
+}
+//< defect
+
+int fvi_error_bound_compute(const fvi_smoothness *motion, fvi_error_bound *bound)
+{
+    int status = check(motion, bound);
+    if (status)
+        return status;
+    const double C = defect(motion), lambda = rate(motion), T = motion->T;
+    if (!isfinite(C) || !isfinite(lambda))
+        FVI_FAIL("no finite bound", FVI_EOVRFLW);
+    /* x stays within the room, and a step has one solution there. Without a defect, x does not
+     * leave the exact motion, however much errors would grow. */
+    const double growth = lambda > 0 ? expm1(lambda * T) / lambda : T,
+                 k = motion->kappa * (1 - motion->kappa) * motion->lipschitz;
+    *bound = (fvi_error_bound){ C, lambda, 1 / sqrt(k) };
+    if (isfinite(motion->room) && C > 0)
+        bound->h = smaller(bound->h, motion->room / (2 * C * growth));
+    return FVI_SUCCESS;
+}

@@ -1,0 +1,141 @@
+/* src/analysis/stability_explicit.c -- The load of Euler's explicit method. [Chapter 14] */
+#include <fvi/stability.h>
+
+#include "stability_share.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEW = 64 /* coupled masses whose exponents are found in a moment */ };
+
+//> mode
+/* h |s|^2 / (-2 Re s), the larger of both roots of m s^2 + rho s + c = 0. (14.8) */
+static double of_mode(double h, double m, double rho, double c)
+{
+    const double square = rho * rho, four = 4 * m * c;
+    const double gap = (square - four) /* and what both products lost */
+                       + (fma(rho, rho, -square) - fma(4 * m, c, -four));
+    if (gap < 0) /* a pair: |s|^2 = c / m, -2 Re s = rho / m */
+        return h * c / rho;
+    return h / m * (rho + sqrt(gap)) / 4;
+}
+//< mode
+
+/* Masses without springs from one to another. K: the diagonal, or NULL for none. */
+static double of_separate(const fvi_run *run, const double *K)
+{
+    const fvi_system *system = run->system;
+    double largest = 0;
+    for (size_t i = 0; i < system->d; i++) {
+        const double load =
+            of_mode(run->h, system->mass[i], system->damping[i], K ? K[i] : 0);
+        if (!(load <= largest)) /* a NaN is kept */
+            largest = load;
+    }
+    return largest;
+}
+
+/* What one exponent s asks for; `largest` is the largest |s| of all. Numbers of some
+ * sqrt(u) of that are rounded zeros, a body at rest, and a real s > 0 is a motion that
+ * grows whatever the step is. */
+static double of_exponent(double h, gsl_complex s, double largest)
+{
+    const double size = gsl_complex_abs(s), re = GSL_REAL(s);
+    if (size <= 1e-7 * largest || (GSL_IMAG(s) == 0 && re > 0))
+        return 0;
+    if (re > -1e-13 * largest)
+        return GSL_POSINF; /* not damped */
+    return h * size * (size / (-2 * re));
+}
+
+/* The matrix of (x, v)' = A (x, v) in units in which the masses are 1. */
+static void first_order(const fvi_system *system, const double *K,
+                        gsl_matrix *A)
+{
+    const size_t d = system->d;
+    const double *m = system->mass;
+    gsl_matrix_set_zero(A);
+    for (size_t i = 0; i < d; i++) {
+        gsl_matrix_set(A, i, d + i, 1);
+        for (size_t j = 0; j < d; j++)
+            gsl_matrix_set(A, d + i, j, -K[i * d + j] / sqrt(m[i] * m[j]));
+        gsl_matrix_set(A, d + i, d + i, -system->damping[i] / m[i]);
+    }
+}
+
+/* Springs between the masses, by all exponents of the motion. K has d^2 numbers. */
+static int of_coupled(const fvi_run *run, const double *K, double *load)
+{
+    const size_t n = 2 * run->system->d;
+    int status = FVI_ENOMEM;
+    fvi_quiet();
+    gsl_matrix *A = gsl_matrix_alloc(n, n);
+    gsl_vector_complex *s = gsl_vector_complex_alloc(n);
+    gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(n);
+    if (A && s && work) {
+        first_order(run->system, K, A);
+        gsl_eigen_nonsymm_params(0, 1, work); /* balanced */
+        status = fvi_all_finite(n * n, A->data) ? gsl_eigen_nonsymm(A, s, work)
+                                                : FVI_EOVRFLW;
+    }
+    double largest = 0;
+    for (size_t i = 0; !status && i < n; i++)
+        largest =
+            larger(largest, gsl_complex_abs(gsl_vector_complex_get(s, i)));
+    *load = 0;
+    for (size_t i = 0; !status && i < n; i++)
+        *load = larger(
+            *load, of_exponent(run->h, gsl_vector_complex_get(s, i), largest));
+    gsl_matrix_free(A);
+    gsl_vector_complex_free(s);
+    gsl_eigen_nonsymm_free(work);
+    fvi_loud();
+    if (status)
+        FVI_FAIL("no exponents of the motion", status);
+    return FVI_SUCCESS;
+}
+
+/* The Hessian at x0, and the load of it. */
+static int of_hessian(const fvi_run *run, double *load)
+{
+    const fvi_system *system = run->system;
+    const fvi_potential *u = &system->potential;
+    const int separate = u->diagonals == 1 || system->d == 1;
+    if (!separate && system->d > FEW)
+        FVI_FAIL("the load of so many coupled masses is not known", FVI_EUNSUP);
+    double *K = malloc(
+        (u->diagonals == 1 ? system->d : fvi_potential_hessian_size(system)) * sizeof *K);
+    if (!K)
+        FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
+    int status = u->diagonals == 1
+                     ? u->hessian(system->d, run->x0, u->params, K)
+                     : fvi_potential_hessian(system, run->x0, K);
+    if (!status && separate)
+        *load = of_separate(run, K);
+    else if (!status)
+        status = of_coupled(run, K, load);
+    free(K);
+    return status;
+}
+
+int fvi_stability_explicit(const fvi_run *run, double *load)
+{
+    double there = 0; /* which asks about the run, too */
+    fvi_run half = *run;
+    half.kappa = 0.5;
+    int status = fvi_stability_share(0, &half, &there);
+    if (!status && run->system->potential.hessian)
+        status = of_hessian(run, &there);
+    else if (!status)
+        there = of_separate(run, NULL);
+    if (!status && isnan(there))
+        FVI_FAIL("the load is not finite", FVI_EOVRFLW);
+    if (!status)
+        *load = there;
+    return status;
+}

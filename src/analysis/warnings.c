@@ -1,0 +1,106 @@
+/* src/analysis/warnings.c -- What to know before a run is believed. [Chapters 14, 19] */
+#include <fvi/warnings.h>
+
+#include <fvi/stability.h>
+#include "run/solution.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum {
+    FEW = 256,  /* masses whose modes are found in a moment */
+    BETWEEN = 8 /* steps from one look to the next */
+};
+
+#define NO_SOLUTION(START)                                                     \
+    "rl with " START " != 0 and alpha > 1/2 has no solution; these rows "      \
+    "depend on h and come near to no motion"
+
+const char *fvi_warning_of_initial_history(const fvi_run *run)
+{
+    int has;
+    if (fvi_run_has_solution(run, &has) || has)
+        return NULL;
+    return run->system->matrices ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
+}
+
+/* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
+ * step is stable, NaN if h is not known. Returns 0, or another number if the load is
+ * not known, or would take d^3 operations, which no run of a long chain does. */
+static int load_of(const fvi_method *method, const fvi_run *run, double *load,
+                   double *h)
+{
+    *h = NAN;
+    if (run->system->d > FEW && method->stages > 0)
+        return -1; /* the other methods keep to two diagonals */
+    int status = fvi_stability_number(method, run, load);
+    if (!status && *load > 1 && method->stability_number_grows)
+        status = fvi_stability_longest_step(method, run, h);
+    return status;
+}
+
+static double largest_damping_by_mass(const fvi_system *system)
+{
+    double ratio = 0;
+    for (size_t i = 0; i < system->d; i++)
+        ratio = larger(ratio, system->damping[i] / system->mass[i]);
+    return ratio;
+}
+
+int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
+                        size_t size, char *text)
+{
+    const int has_matrices = run->system->matrices != NULL;
+    double load = 0, h = 0;
+    char more[80] = "";
+    *text = '\0';
+    if (load_of(method, run, &load, &h) != 0 || load <= 1)
+        return 0;
+    if (h > 0)
+        snprintf(more, sizeof more,
+                 has_matrices ? "; stable below some h = %.2g"
+                              : "; stable below h = %.4g",
+                 h);
+    else if (h == 0 && (run->alpha < 1 || has_matrices))
+        snprintf(more, sizeof more, "; no step is stable");
+    else if (h == 0)
+        snprintf(more, sizeof more, "; no step is stable: rho / m is %.4g",
+                 largest_damping_by_mass(run->system));
+    snprintf(text, size, "this step is unstable (load %.4g, above 1)%s", load,
+             more);
+    return 1;
+}
+
+fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
+                          int is_unstable)
+{
+    const fvi_potential *u = &run->system->potential;
+    const int depends = method->stages > 0
+                            ? !method->damped_inertia && run->system->d <= FEW
+                        : method->takes_kappa ? run->kappa != 0.5
+                                              : !method->implicit,
+              worth = depends && !is_unstable && method->stability_number && u->hessian
+                      && !(u->quadratic && u->quadratic(u->params));
+    return (fvi_watch){ 0, worth ? 1 : SIZE_MAX };
+}
+
+int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
+                      const fvi_run *run, size_t k, const double *x,
+                      size_t size, char *text)
+{
+    double load = 0;
+    if (k < watch->next)
+        return 0;
+    watch->next = k + (k < BETWEEN ? 1 : BETWEEN);
+    if (fvi_stability_along_run(method, run, x, &watch->stiffest, &load)
+        || load <= 1)
+        return 0;
+    watch->next = SIZE_MAX;
+    snprintf(text, size,
+             "this step is unstable where the run is at t = %.4g (load %.4g, "
+             "above 1)",
+             (double)k * run->h, load);
+    return 1;
+}

@@ -1,0 +1,354 @@
+/* src/error_control/step_search.c -- The step that a wanted error needs.      [Chapter 18] */
+#include <fvi/step_search.h>
+
+#include <fvi/fvi.h>
+#include "run/solution.h"
+#include "search_bound.h"
+#include "step_search_force.h"
+#include "system/fail.h"
+#include "system/larger.h"
+#include "system/stiffness.h"
+
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    FEWEST = 128,
+    PATIENCE = 3,
+    RUNS = 8 /* a run and three with steps longer by 2, 4, 8: the fewest that are believed */
+};
+
+/* Rows 0, ..., rows of a run, parts steps apart. x and p have equal length. */
+typedef struct {
+    const fvi_method *method;
+    const fvi_run *run;
+    size_t first;        /* parts between the rows of the caller and of these */
+    size_t rows, length; /* rows; (rows + 1) d */
+    double *x, *before;  /* this run and the one with steps twice as long */
+    double *p;
+    double *H; /* a Hessian, made when it is needed */
+    fvi_force_probe probe;
+} search;
+
+/* What is known of a run when it has been compared with the two before. */
+typedef struct {
+    double D, D_before, q, q_before; /* (18.1) */
+    double largest;                  /* |x| */
+    double floor;                    /* below which D means nothing */
+} comparison;
+
+//> trial
+/* One run with each step of the caller's cut into first * parts. */
+static int trial(const search *o, size_t parts)
+{
+    const size_t d = o->run->system->d;
+    fvi_run run = *o->run;
+    run.h /= (double)(o->first * parts); /* a power of two: exact */
+    run.steps = o->rows * parts;
+    fvi_stepper *s;
+    int status = fvi_stepper_start(o->method, &run, &s);
+    if (status)
+        return status;
+    for (size_t row = 0;; row++) {
+        memcpy(o->x + row * d, s->x, d * sizeof *o->x);
+        memcpy(o->p + row * d, s->p, d * sizeof *o->p);
+        for (size_t i = 0; i < parts && row < o->rows && !status; i++)
+            status = fvi_stepper_step(s);
+        if (status || row == o->rows)
+            break;
+    }
+    fvi_stepper_free(s);
+    return status;
+}
+//< trial
+
+static int too_long(int status)
+{
+    return status == FVI_EOVRFLW || status == FVI_EMAXITER
+           || status == FVI_ESING;
+}
+
+/* max |x|, and D = max |x - before| */
+static double distance(const search *o, double *largest)
+{
+    double D = 0;
+    *largest = 0;
+    for (size_t i = 0; i < o->length; i++) {
+        D = larger(D, fabs(o->x[i] - o->before[i]));
+        *largest = larger(*largest, fabs(o->x[i]));
+    }
+    return D;
+}
+
+/* ---- the order that a method has on a run ---- */
+
+/* A method with the past as printed, Riemann-Liouville, and a damping that feels x0, or
+ * may: it could not be asked. */
+static int is_kicked(const fvi_method *method, const fvi_run *run)
+{
+    int felt;
+    return method->paper_convention && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+           && run->alpha < 0.5 && (fvi_run_start_is_damped(run, &felt) || felt);
+}
+
+//> order
+/* p of (18.5): of x, over all rows (least) and at a fixed t > 0 (most). Of a law the
+ * worst on stages, that of its highest order, or of 1. */
+static void orders(const fvi_method *method, const fvi_run *run, double *least,
+                   double *most)
+{
+    const double alpha = run->law ? fmax(0.5, fvi_kernel_growth(run->law) / 2)
+                                  : run->alpha,
+                 s = method->stages;
+    *least = method->lowest;
+    *most = method->highest;
+    if (method->stages == 0 && run->kappa != 0.5)
+        *least = *most = 1;
+    if (is_kicked(method, run))
+        *least = *most = 1 - 2 * alpha; /* (9.5) */
+    if (method->stages > 0)
+        *least = *most = 2 * s - 2;
+    if (method->stages > 2 && (run->law || (alpha != 0 && alpha != 0.5))) {
+        *most = fmin(2 * s - 2, (method->damped_inertia ? s + 4 : s + 2)
+                                    - 2 * alpha); /* (17.13), (17.27) */
+        *least = fmin(*most, 3 - 2 * alpha);
+    }
+}
+//< order
+
+const fvi_method *fvi_step_search_other(const fvi_method *method,
+                                        const fvi_run *run)
+{
+    const fvi_method *best = NULL;
+    double least, most, others;
+    orders(method, run, &least, &most);
+    const double own = most;
+    for (size_t i = 0; fvi_methods[i] && !(best && best->dense); i++) {
+        const fvi_method *other = fvi_methods[i];
+        orders(other, run, &least, &others);
+        if (others > (other->dense ? own : most)
+            && run->alpha >= other->alpha_least
+            && run->alpha <= other->alpha_most
+            && fvi_method_takes_history(other, run->memory)
+            && (other->takes_laws || !run->law)
+            && (other->takes_matrices || !run->system->matrices)) {
+            best = other;
+            most = others;
+        }
+    }
+    return best;
+}
+
+/* ---- the estimate ---- */
+
+/* The bound of the eigenvalues of M^{-1} Hess U, the largest over the rows; NaN, too
+ * stiff, if there is no memory for it. */
+static int stiffness(search *o, double *most)
+{
+    const fvi_system *system = o->run->system;
+    const fvi_potential *u = &system->potential;
+    const size_t d = system->d, width = u->diagonals ? u->diagonals : d;
+    *most = 0;
+    if (!u->hessian)
+        return FVI_SUCCESS;
+    if (!o->H && !(o->H = malloc(d * width * sizeof *o->H))) {
+        *most = GSL_NAN;
+        return FVI_SUCCESS;
+    }
+    const int constant = u->quadratic && u->quadratic(u->params);
+    for (size_t row = 0; row <= (constant ? 0 : o->rows); row++) {
+        int status = u->hessian(d, o->x + row * d, u->params, o->H);
+        if (status)
+            return status;
+        *most = larger(*most, fvi_stiffness(system, o->H));
+    }
+    return FVI_SUCCESS;
+}
+
+/* Not (18.6): the potential may swing so fast that these steps pass over it. Of matrices the
+ * load of Algorithm 3 says it, damping included, which only asks for more. */
+static int passes_over(search *o, size_t parts, int *still)
+{
+    const double h = o->run->h / (double)(o->first * parts);
+    double most;
+    if (o->run->system->matrices) {
+        fvi_run trial = *o->run;
+        trial.h = h;
+        trial.kappa = 0;
+        int known = fvi_stability_number(&fvi_fractional, &trial, &most);
+        *still = !(4 * most <= 1);
+        return known;
+    }
+    int status = stiffness(o, &most);
+    *still = !(h * h * most <= 1);
+    return status;
+}
+
+//> estimate
+/* (18.2), with the order in *order; infinite where (18.5) is not so. */
+static double estimate(const comparison *c, double least, double most,
+                       double *order)
+{
+    const double q = fmin(c->q, c->q_before);
+    *order = fmin(q, most);
+    return q >= fmax(least - 0.5, least / 2)
+               ? c->D / expm1(*order * M_LN2) + c->floor
+               : GSL_POSINF;
+}
+//< estimate
+
+static int is_rounding(const comparison *c)
+{
+    return larger(c->D, c->D_before) <= 10 * c->floor;
+}
+
+/* The run in o->x, as it compares with the one before, which may have failed. */
+static comparison compare(const search *o, const comparison *last, int failed,
+                          int failed_before)
+{
+    const double tolerance = o->run->tolerance;
+    comparison c = { GSL_POSINF, last->D, GSL_NEGINF, last->q, 0, 0 };
+    if (failed || failed_before)
+        return c;
+    c.D = distance(o, &c.largest);
+    c.floor = (tolerance > 0 ? tolerance : 1e-13) * c.largest;
+    if (gsl_finite(c.D_before))
+        c.q = c.D > 0 ? log2(c.D_before / c.D) : GSL_POSINF;
+    return c;
+}
+
+//> search
+/* Begin so that the first run that sees all of the force can be believed; where no run does,
+ * none is made. Halve; the rows of the last run stay in o->x and o->p. What stands still by (18.6)
+ * and what F hides may yet be seen: only runs without such an excuse wear patience. */
+static int halve(search *o, double error, size_t most, fvi_step_found *found)
+{
+    comparison c = { GSL_POSINF, GSL_POSINF, GSL_NEGINF, GSL_NEGINF, 0, 0 };
+    double least, highest;
+    int failed = 1, worse = 0;
+    size_t seen; /* so many parts see all of the force */
+    orders(o->method, o->run, &least, &highest);
+    found->estimate = GSL_POSINF;
+    int unknown = fvi_search_least_parts(o->run, error, most / o->run->steps,
+                                         &seen);
+    if (unknown)
+        return unknown;
+    seen /= o->first;
+    for (size_t parts = seen > RUNS ? seen / RUNS : 1;
+         seen <= most / o->rows && o->rows <= most / parts; parts *= 2) {
+        const int failed_before = failed;
+        int resolved, still = 0;
+        int status = fvi_force_probe_evaluate(&o->probe, o->run, o->first * parts,
+                                          &resolved);
+        if (status)
+            return status;
+        resolved = resolved && parts >= seen;
+        failed = trial(o, parts);
+        if (failed && !too_long(failed))
+            return failed;
+        c = compare(o, &c, failed, failed_before);
+        fvi_step_found now = { .parts = o->first * parts };
+        now.estimate = estimate(&c, least, highest, &now.order);
+        if (is_rounding(&c)) {
+            status = passes_over(o, parts, &still);
+            if (status)
+                return status;
+            now.estimate = still ? GSL_POSINF : c.D + c.floor;
+            now.order = 1;
+        }
+        if (resolved && now.estimate < found->estimate) {
+            *found = now;
+            worse = 0;
+        } else if (resolved && !still
+                   && c.D <= GSL_SQRT_DBL_EPSILON * c.largest) {
+            worse++;
+        }
+        if (found->estimate <= error)
+            return FVI_SUCCESS;
+        if (worse == PATIENCE)
+            break;
+        double *swap = o->x;
+        o->x = o->before;
+        o->before = swap;
+    }
+    return FVI_ETOL;
+}
+//< search
+
+static int check(const fvi_method *method, const fvi_run *run, double error,
+                 const double *x, const fvi_step_found *found)
+{
+    if (!x || !found)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(gsl_finite(error) && error > 0))
+        FVI_FAIL("error must be finite and positive", FVI_EDOM);
+    fvi_stepper *s;
+    fvi_run shortest;
+    if (run) { /* one step of it is enough to check it */
+        shortest = *run;
+        shortest.steps = run->steps > 0;
+    }
+    if (method && method->dense)
+        FVI_FAIL("its steps are its own: fvi_variable_step_search", FVI_EUNSUP);
+    int status = fvi_stepper_start(method, run ? &shortest : NULL, &s);
+    if (status && !too_long(status))
+        return status;
+    if (!status)
+        fvi_stepper_free(s);
+    int has;
+    status = fvi_run_has_solution(run, &has); /* some run it as printed */
+    if (!has)
+        FVI_FAIL("there is no solution to be near to", FVI_EDOM);
+    if (status)
+        return status;
+    if (method->lowest < 1)
+        FVI_FAIL("the method does not say its order", FVI_EINVAL);
+    return FVI_SUCCESS;
+}
+
+/* The arrays of a search, in one block, which is returned; NULL: no memory. */
+static double *make_room(search *o, size_t d)
+{
+    double *block =
+        malloc((3 * o->length + FVI_PROBE_ROOM * d) * sizeof *block);
+    if (!block)
+        return NULL;
+    o->x = block;
+    o->before = o->x + o->length;
+    o->p = o->before + o->length;
+    fvi_force_probe_start(&o->probe, d, o->p + o->length);
+    return block;
+}
+
+int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
+                    size_t most, double *x, double *p, fvi_step_found *found)
+{
+    int status = check(method, run, error, x, found);
+    if (status)
+        return status;
+    const size_t d = run->system->d;
+    search o = { .method = method, .run = run, .first = 1 };
+    while (run->steps * o.first < FEWEST)
+        o.first *= 2;
+    if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first)
+        FVI_FAIL("rows must be addressable", FVI_EINVAL);
+    o.rows = run->steps * o.first;
+    o.length = (o.rows + 1) * d;
+    double *block = make_room(&o, d);
+    if (!block)
+        FVI_FAIL("no memory for the rows", FVI_ENOMEM);
+    fvi_step_found best = { 0 };
+    status = halve(&o, error, most, &best);
+    for (size_t k = 0; !status && k <= run->steps; k++) {
+        memcpy(x + k * d, o.x + k * o.first * d, d * sizeof *x);
+        if (p)
+            memcpy(p + k * d, o.p + k * o.first * d, d * sizeof *p);
+    }
+    free(o.H);
+    free(block);
+    if (!status || status == FVI_ETOL)
+        *found = best;
+    return status;
+}

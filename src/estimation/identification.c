@@ -1,0 +1,273 @@
+/* src/estimation/identification.c -- Parameters from a measured motion.   [Chapter 24] */
+#include <fvi/identification.h>
+
+#include "identification_search.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_qrng.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MANY_STEPS 0x1p17
+#define ROUGH 1e-6 /* of u: here the starts end, */
+#define FINE 1e-9  /* and here the best of them */
+#define VAGUE 20   /* sd of a logit or a logarithm that says nothing */
+
+typedef fvi_estimation_slot place;
+typedef fvi_estimation_work search;
+
+/* ---- many starts ---- */
+
+//> starts
+/* Start 0 are the values of the run, if they are possible; the others lie in the box,
+ * evenly by the logarithm where that is meant. */
+static void begin(search *o, const double *low, const double *high,
+                  gsl_qrng *sobol, size_t start)
+{
+    double share[FVI_ESTIMATION_MOST];
+    fvi_estimation_model *m = &o->model;
+    double *u = o->found[start].u;
+    if (start > 0)
+        gsl_qrng_get(sobol, share);
+    for (size_t j = 0; j < o->fdf.p; j++) {
+        const int logarithmic =
+            low[j] > 0 && m->fit->which[j] != FVI_FREE_PARAMETER_ALPHA;
+        double theta = start == 0    ? fvi_estimation_model_get(m, j)
+                       : logarithmic ? low[j] * pow(high[j] / low[j], share[j])
+                                     : low[j] + (high[j] - low[j]) * share[j];
+        u[j] = fvi_estimation_model_free(m, j, theta);
+    }
+}
+//< starts
+
+static void keep(const search *o, size_t k, size_t *best)
+{
+    if (o->found[k].sum < o->found[*best].sum)
+        *best = k;
+}
+
+/* Where the best so far is as good as the truth would be, a start that creeps is given up. */
+static int try_all(search *o, const double *low, const double *high,
+                   size_t *best)
+{
+    const fvi_estimation *fit = o->model.fit;
+    gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)fit->parameters);
+    if (!sobol)
+        FVI_FAIL("no memory for the starts", FVI_ENOMEM);
+    for (size_t k = 0; k < fit->starts; k++)
+        begin(o, low, high, sobol,
+              k); /* while the model has the run's values */
+    gsl_qrng_free(sobol);
+    o->fine = ROUGH;
+    for (size_t k = 0; k < fit->starts; k++) {
+        const double least = o->found[*best].sum;
+        o->found[k].sum = GSL_POSINF;
+        if (fvi_all_finite(fit->parameters, o->found[k].u))
+            fvi_estimation_minimise(o, &o->found[k],
+                             k > 0 && least < o->believed ? least : GSL_POSINF);
+        keep(o, k, best);
+        const int end = fvi_interrupted();
+        if (end)
+            return end;
+    }
+    if (o->model.ended)
+        return o->model.ended;
+    if (!(o->found[*best].sum < GSL_POSINF))
+        FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
+    return FVI_SUCCESS;
+}
+
+/* With those that were given up; were there any? */
+static int go_on(search *o, size_t *best)
+{
+    int any = 0;
+    for (size_t k = 0; k < o->model.fit->starts && !fvi_interrupted(); k++)
+        if (o->found[k].gave_up) {
+            any = 1;
+            fvi_estimation_minimise(o, &o->found[k], GSL_POSINF);
+            keep(o, k, best);
+        }
+    return any;
+}
+
+/* The size of parameter j, of which small parts do not count: a start or a constant may be
+ * 0, and has still that of the data. */
+static double size_of(const search *o, size_t j, double theta)
+{
+    return o->model.fit->which[j] <= FVI_FREE_PARAMETER_MASS
+               ? fabs(theta)
+               : fmax(fabs(theta), o->size[j]);
+}
+
+/* Starts that came within sd / 10 of the best, or 1e-6 of its size. (24.5) */
+static size_t agreeing(const search *o, const place *best,
+                       const fvi_estimate *fitted)
+{
+    const fvi_estimation_model *m = &o->model;
+    size_t agree = 0;
+    for (size_t k = 0; k < m->fit->starts; k++) {
+        int same = o->found[k].sum < GSL_POSINF;
+        for (size_t j = 0; same && j < o->fdf.p; j++) {
+            const double here = fvi_estimation_model_bound(m, j, o->found[k].u[j]),
+                         there = fvi_estimation_model_bound(m, j, best->u[j]);
+            same = fabs(here - there)
+                   <= fmax(fitted->sd[j] / 10, 1e-6 * size_of(o, j, there));
+        }
+        agree += same != 0;
+    }
+    return agree;
+}
+
+/* ---- what the data say of the parameters ---- */
+
+//> covariance
+/* (24.3), from the Jacobian by u where the solver stands. */
+static int covariance(search *o, const place *at, fvi_estimate *fitted)
+{
+    const fvi_estimation_model *m = &o->model;
+    const size_t P = o->fdf.p, n = o->fdf.n;
+    const double deviation =
+        m->fit->sigma > 0 ? 1 : sqrt(at->sum / (double)(n - P)); /* of f */
+    if (fvi_estimation_errors(gsl_multifit_nlinear_jac(o->solver), fitted->sd,
+                       fitted->correlation))
+        return FVI_ESING;
+    for (size_t j = 0; j < P; j++) {
+        const double slope =
+            fabs(fvi_estimation_model_slope(m, j, fitted->estimate[j]));
+        fitted->sd[j] *= deviation;
+        if (m->fit->which[j] <= FVI_FREE_PARAMETER_MASS && !(fitted->sd[j] < VAGUE))
+            return FVI_ESING;
+        fitted->sd[j] *= slope;
+    }
+    return fvi_estimate_is_finite(P, fitted) ? FVI_SUCCESS : FVI_EOVRFLW;
+}
+//< covariance
+
+/* Everything of *fitted but what the starts and the steps say. */
+static int statistics(search *o, const place *at, fvi_estimate *fitted)
+{
+    const fvi_estimation_model *m = &o->model;
+    const gsl_vector *f = gsl_multifit_nlinear_residual(o->solver);
+    const double freedom = (double)(o->fdf.n - o->fdf.p);
+    const int known = m->fit->sigma > 0;
+    double pairs = 0;
+    for (size_t j = 0; j < o->fdf.p; j++)
+        fitted->estimate[j] = fvi_estimation_model_bound(m, j, at->u[j]);
+    for (size_t i = 1; i < f->size; i++)
+        pairs += gsl_vector_get(f, i - 1) * gsl_vector_get(f, i);
+    fitted->neighbours = at->sum > 0 ? pairs / at->sum : 0;
+    fitted->sigma = known ? m->fit->sigma : m->scale * sqrt(at->sum / freedom);
+    fitted->chi2 = known ? at->sum : freedom;
+    fitted->probability = !known ? 1
+                                 : fmin(gsl_cdf_chisq_P(at->sum, freedom),
+                                        gsl_cdf_chisq_Q(at->sum, freedom));
+    fitted->quantile = known ? gsl_cdf_ugaussian_Pinv(0.975)
+                             : gsl_cdf_tdist_Pinv(0.975, freedom);
+    fitted->h = m->run.h;
+    return covariance(o, at, fitted);
+}
+
+//> refine
+/* Halve the step until no estimate moves any more: the error of the method is one of
+ * the model, and no noise tells of it. If a move is hardly shorter than the one before,
+ * it is not the step that moves them, and bias tells. */
+static int refine(search *o, place *best, fvi_estimate *fitted)
+{
+    int status = FVI_SUCCESS, moves = 1;
+    while (!status && moves && (double)o->model.run.steps <= MANY_STEPS / 2) {
+        const fvi_estimate before = *fitted;
+        fvi_estimation_model_step(&o->model, o->model.run.h / 2);
+        fvi_estimation_minimise(o, best, GSL_POSINF);
+        if (!(best->sum < GSL_POSINF))
+            return FVI_EMAXITER;
+        status = statistics(o, best, fitted);
+        fitted->bias = 0;
+        for (size_t j = 0; j < o->fdf.p; j++) {
+            const double by = fabs(fitted->estimate[j] - before.estimate[j]);
+            if (by > 1e-7 * size_of(o, j, fitted->estimate[j]))
+                fitted->bias = larger(fitted->bias, by / fitted->sd[j]);
+        }
+        moves = fitted->bias > 0.01 && !(fitted->bias > 0.75 * before.bias);
+    }
+    return status;
+}
+//< refine
+
+/* ---- the whole ---- */
+
+static int status_of(const search *o, const fvi_estimate *fitted)
+{
+    if (fitted->agree < 2)
+        return FVI_EMAXITER;
+    return o->model.fit->sigma > 0 && fitted->probability < 1e-6 ? FVI_ETOL
+                                                                 : FVI_SUCCESS;
+}
+
+/* The place where start `first` ended, to the last digits; who else came there. */
+static int refine_estimate(search *o, size_t first, place *best, fvi_estimate *fitted)
+{
+    *best = o->found[first];
+    o->fine = FINE;
+    fvi_estimation_minimise(o, best, GSL_POSINF);
+    const int status = statistics(o, best, fitted);
+    fitted->agree = agreeing(o, &o->found[first], fitted);
+    return status;
+}
+
+static int whole(search *o, const double *low, const double *high,
+                 double *curve, fvi_estimate *fitted)
+{
+    const fvi_estimation *fit = o->model.fit;
+    size_t first = 0;
+    const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit);
+    fvi_estimation_model_step(&o->model, fmax(h, fit->t[fit->n - 1] / MANY_STEPS));
+    int status = try_all(o, low, high, &first);
+    if (status)
+        return status;
+    place best;
+    *fitted = (fvi_estimate){ .bias = GSL_NAN };
+    status = refine_estimate(o, first, &best, fitted);
+    if (fitted->agree < 2 && go_on(o, &first))
+        status = refine_estimate(o, first, &best, fitted);
+    if (!status && fit->h == 0)
+        status = refine(o, &best, fitted);
+    const int end = fvi_interrupted();
+    if (end)
+        return end;
+    gsl_vector_const_view u = gsl_vector_const_view_array(best.u, o->fdf.p);
+    fvi_estimation_residuals(&u.vector, o, o->solver->f); /* for the motion there */
+    if (curve)
+        memcpy(curve, o->model.motion, fit->n * sizeof *curve);
+    return status ? status : status_of(o, fitted);
+}
+
+int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted)
+{
+    search o;
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
+    int status = fvi_estimation_check(fit);
+    if (status)
+        return status;
+    if (!fitted)
+        FVI_FAIL("no room for the answer", FVI_EFAULT);
+    fvi_quiet();
+    status = fvi_estimation_work_alloc(&o, fit, low, high);
+    for (size_t j = 0; !status && j < fit->parameters; j++)
+        were[j] = fvi_estimation_model_get(&o.model, j);
+    if (!status) {
+        status = whole(&o, low, high, curve, fitted);
+        for (size_t j = 0; j < fit->parameters; j++)
+            fvi_estimation_model_set(&o.model, j, were[j]);
+    }
+    fvi_estimation_work_free(&o);
+    fvi_loud();
+    if (o.model.ended == FVI_ERUNAWAY) { /* no mistake of the caller */
+        *fitted = (fvi_estimate){ .reached = o.model.reached };
+        return o.model.ended;
+    }
+    if (o.model.ended)
+        FVI_FAIL("no memory for a motion", o.model.ended);
+    return status;
+}

@@ -1,0 +1,199 @@
+/* src/estimation/identification_profile.c -- How far a parameter can go while the others
+ * make up for it.                                                      [Chapter 24] */
+#include "identification_search.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+enum { OUTWARD = 40, INWARD = 60 };
+#define FARTHEST 16 /* a logit or a logarithm beyond this tells nothing more */
+#define LOWER 1e-6  /* of chi^2: a least that is lower by this is another one */
+
+/* Where the others were found last, for these values of the fixed one. */
+typedef struct {
+    fvi_estimation_slot at, before;
+    double u, u_before;
+} trail;
+
+typedef struct {
+    fvi_estimation fit; /* of the others */
+    fvi_free_parameter
+        which[FVI_ESTIMATION_MOST]; /* the others, and behind them the fixed one */
+    size_t others;
+    fvi_estimation_work work;
+    trail on;
+    double unit, least; /* of the sum of squares in sigma^2; chi^2 of the fit */
+    int is_least;       /* no chi^2 was lower than that */
+} profile;
+
+//> excess
+/* (24.11): the root of what chi^2 grows by if the fixed parameter is u and the others are
+ * the best for it, searched on the line through where they were found last. */
+static double excess(profile *o, double u)
+{
+    fvi_estimation_model *m = &o->work.model;
+    const double far = o->on.u != o->on.u_before
+                           ? (u - o->on.u) / (o->on.u - o->on.u_before)
+                           : 0;
+    fvi_estimation_slot now = o->on.at;
+    for (size_t i = 0; i < o->others && fabs(far) < 4; i++)
+        now.u[i] += far * (o->on.at.u[i] - o->on.before.u[i]);
+    fvi_estimation_model_set(m, o->others, fvi_estimation_model_bound(m, o->others, u));
+    if (o->others > 0) {
+        fvi_estimation_minimise(&o->work, &now, GSL_POSINF);
+    } else {
+        now.sum = fvi_estimation_model_run(m) ? GSL_POSINF : 0;
+        for (size_t i = 0; i < o->fit.n && now.sum < GSL_POSINF; i++)
+            now.sum += gsl_pow_2((m->motion[i] - o->fit.x[i]) / m->scale);
+    }
+    if (!(now.sum < GSL_POSINF))
+        return GSL_POSINF;
+    const double chi2 = now.sum * o->unit, more = chi2 - o->least;
+    o->is_least &= more >= -LOWER * fmax(1, o->least);
+    o->on.before = o->on.at;
+    o->on.u_before = o->on.u;
+    o->on.at = now;
+    o->on.u = u;
+    return sqrt(fmax(0, more));
+}
+//< excess
+
+/* Where the excess is `reach`, between a and b, by regula falsi with Illinois' halving: it
+ * is nearly linear. */
+static double between(profile *o, double a, double b, double below,
+                      double above, double reach)
+{
+    double u = b, low = below - reach,
+           high = above < GSL_POSINF ? above - reach : reach;
+    for (int i = 0, side = 0; i < INWARD && fabs(b - a) > 1e-9 * fabs(a + b);
+         i++) {
+        u = b - high * (b - a) / (high - low);
+        const double now = excess(o, u) - reach;
+        if (fabs(now) < 1e-4 * reach)
+            break;
+        if (now > 0) {
+            b = u;
+            high = fmin(now, reach);
+            low = side > 0 ? low / 2 : low;
+            side = 1;
+        } else {
+            a = u;
+            low = now;
+            high = side < 0 ? high / 2 : high;
+            side = -1;
+        }
+    }
+    return u;
+}
+
+/* From u outward by `step`, then by longer ones, until the excess is beyond reach; then
+ * where it is reached. Where it never is, the infinity of that side. A step by which the
+ * excess jumps may have lost the valley, and is made shorter, but not without end. */
+static double edge(profile *o, double u, double step, double reach)
+{
+    const int bounded = o->fit.which[o->others] <= FVI_FREE_PARAMETER_MASS;
+    const double least = fabs(step) / 1024;
+    double before = u, below = 0;
+    for (int i = 0; i < OUTWARD; i++) {
+        const double there = before + step;
+        const trail here = o->on;
+        if (bounded && fabs(there - u) > FARTHEST)
+            break;
+        const double now = excess(o, there);
+        if (now > below + reach / 2 && fabs(step) > least) {
+            o->on = here;
+            step /= 4;
+            continue;
+        }
+        if (now >= reach)
+            return between(o, before, there, below, now, reach);
+        before = there;
+        below = now;
+        step *= 1.5;
+    }
+    return step > 0 ? GSL_POSINF : GSL_NEGINF;
+}
+
+/* All numbers of the fit, parameter j the last of them. */
+static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitted,
+                 size_t j, double *were)
+{
+    double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], found[FVI_ESTIMATION_MOST];
+    o->fit = *fit;
+    o->fit.low = o->fit.high = NULL; /* nothing begins anywhere else */
+    o->fit.which = o->which;
+    for (size_t i = 0; i < fit->parameters; i++)
+        if (i != j) {
+            o->which[o->others] = fit->which[i];
+            found[o->others++] = fitted->estimate[i];
+        }
+    o->which[o->others] = fit->which[j];
+    found[o->others] = fitted->estimate[j];
+    o->fit.parameters = o->others > 0 ? o->others : 1;
+    int status = fvi_estimation_work_alloc(&o->work, &o->fit, low, high);
+    fvi_estimation_model *m = &o->work.model;
+    for (size_t i = 0; !status && i <= o->others; i++) {
+        were[i] = fvi_estimation_model_get(m, i);
+        fvi_estimation_model_set(m, i, found[i]);
+        o->on.at.u[i] = fvi_estimation_model_free(m, i, found[i]);
+    }
+    if (status)
+        return status;
+    fvi_estimation_model_step(m, fitted->h);
+    o->work.fine = 1e-5; /* chi^2 is flat at its least */
+    o->unit = gsl_pow_2(m->scale / fitted->sigma);
+    o->least = fitted->chi2;
+    return FVI_SUCCESS;
+}
+
+/* u_j of the fit, and a standard deviation of it. */
+static void both_edges(profile *o, const fvi_estimate *fitted, size_t j,
+                       double *low, double *high)
+{
+    const fvi_estimation_model *m = &o->work.model;
+    const double theta = fitted->estimate[j],
+                 u = fvi_estimation_model_free(m, o->others, theta),
+                 sd = fitted->sd[j]
+                      / fabs(fvi_estimation_model_slope(m, o->others, theta));
+    const trail here = { o->on.at, o->on.at, u, u };
+    const double step = fitted->quantile * sd / 4;
+    o->on = here;
+    const double down = edge(o, u, -step, fitted->quantile);
+    o->on = here;
+    const double up = edge(o, u, step, fitted->quantile);
+    *low = fvi_estimation_model_bound(m, o->others, down);
+    *high = fvi_estimation_model_bound(m, o->others, up);
+}
+
+int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,
+                    double *low, double *high)
+{
+    profile o = { .is_least = 1 };
+    double were[FVI_ESTIMATION_MOST];
+    int status = fvi_estimation_check(fit);
+    if (status)
+        return status;
+    if (!fitted || !low || !high)
+        FVI_FAIL("a pointer of the profile is NULL", FVI_EFAULT);
+    if (j >= fit->parameters)
+        FVI_FAIL("there is no such parameter", FVI_EINVAL);
+    if (!(fitted->sd[j] > 0) || !isfinite(fitted->sd[j]) || !(fitted->h > 0)
+        || !(fitted->sigma > 0))
+        FVI_FAIL("a profile needs the answer of a fit", FVI_EDOM);
+    fvi_quiet();
+    status = begin(&o, fit, fitted, j, were);
+    if (!status) {
+        both_edges(&o, fitted, j, low, high);
+        for (size_t i = 0; i <= o.others; i++)
+            fvi_estimation_model_set(&o.work.model, i, were[i]);
+    }
+    fvi_estimation_work_free(&o.work);
+    fvi_loud();
+    if (o.work.model.ended == FVI_ERUNAWAY)
+        return FVI_ERUNAWAY;
+    if (o.work.model.ended)
+        FVI_FAIL("no memory for a motion", o.work.model.ended);
+    return status || o.is_least ? status : FVI_EMAXITER;
+}

@@ -1,0 +1,183 @@
+/* src/estimation/identification_search.c -- One search downhill.          [Chapter 24] */
+#include "identification_search.h"
+
+#include "system/fail.h"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEP 1e-7 /* of a difference: the memory is smooth to 1e-13 */
+
+typedef fvi_estimation_slot place;
+typedef fvi_estimation_work search;
+
+//> residuals
+/* f_i = (x(t_i) - x_i) / scale. A motion that cannot be had is a bad one. */
+int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
+{
+    search *o = params;
+    fvi_estimation_model *m = &o->model;
+    for (size_t j = 0; j < u->size; j++)
+        fvi_estimation_model_set(m, j,
+                          fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
+    const int failed = fvi_estimation_model_run(m);
+    for (size_t i = 0; i < f->size; i++) {
+        const double r = (m->motion[i] - m->fit->x[i]) / m->scale;
+        o->last[i] = !failed && fabs(r) < m->hopeless ? r : m->hopeless;
+        gsl_vector_set(f, i, o->last[i]);
+    }
+    return m->ended ? GSL_ENOMEM : GSL_SUCCESS;
+}
+//< residuals
+
+/* The Jacobian from slopes that ride along with the run; 0 if they cannot be had. */
+static int ride(const gsl_vector *u, search *o, gsl_matrix *J)
+{
+    fvi_estimation_model *m = &o->model;
+    const size_t P = u->size;
+    for (size_t j = 0; j < P; j++)
+        fvi_estimation_model_set(m, j,
+                          fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
+    if (!o->ridden || fvi_estimation_model_tangents(m, o->ridden)
+        || !fvi_all_finite(J->size1 * P, o->ridden))
+        return 0;
+    for (size_t j = 0; j < P; j++) {
+        const double by =
+            fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale;
+        for (size_t i = 0; i < J->size1; i++)
+            gsl_matrix_set(J, i, j, by * o->ridden[i * P + j]);
+    }
+    return 1;
+}
+
+//> slopes
+/* The Jacobian, by differences if the run cannot carry it along, at the u of the last residuals, where GSL asks for it. Its
+ * own steps, in proportion to u, are lost in rounding where u is almost 0: at alpha = 1/2,
+ * rho = 1, p0 = 0. */
+static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
+{
+    search *o = params;
+    double there[FVI_ESTIMATION_MOST];
+    gsl_vector_view v = gsl_vector_view_array(there, u->size);
+    if (ride(u, o, J))
+        return GSL_SUCCESS;
+    memcpy(o->base, o->last, J->size1 * sizeof *o->base);
+    for (size_t j = 0; j < u->size; j++) {
+        gsl_vector_view f = gsl_matrix_column(J, j);
+        const double size = fmax(fabs(gsl_vector_get(u, j)), o->size[j]),
+                     step = STEP * size;
+        gsl_vector_memcpy(&v.vector, u);
+        there[j] += step;
+        fvi_estimation_residuals(&v.vector, o, &f.vector);
+        for (size_t i = 0; i < J->size1; i++)
+            gsl_vector_set(&f.vector, i, (o->last[i] - o->base[i]) / step);
+    }
+    memcpy(o->last, o->base, J->size1 * sizeof *o->last);
+    return o->model.ended ? GSL_ENOMEM : GSL_SUCCESS;
+}
+//< slopes
+
+//> minimise
+/* From at->u downhill. Of what the driver says only that it is not there yet counts: a false
+ * minimum is reached with success, and a good one may be left with a complaint about the
+ * last digits. One that creeps is given up where 60 iterations at the pace of the last ten
+ * would end above `below`. */
+void fvi_estimation_minimise(search *o, place *at, double below)
+{
+    enum { TEN = 10, TENS = 6 };
+    const size_t P = o->fdf.p;
+    gsl_vector_view u = gsl_vector_view_array(at->u, P);
+    double before = GSL_POSINF;
+    int info = 0, goes_on = 1;
+    at->sum = GSL_POSINF;
+    at->gave_up = 0;
+    if (gsl_multifit_nlinear_init(&u.vector, &o->fdf, o->solver))
+        return;
+    for (int left = TENS - 1; goes_on && left >= 0; left--) {
+        goes_on = gsl_multifit_nlinear_driver(TEN, o->fine, 1e-10, 0, NULL,
+                                              NULL, &info, o->solver)
+                      == GSL_EMAXITER
+                  && info == 0;
+        gsl_blas_ddot(o->solver->f, o->solver->f, &at->sum);
+        if (goes_on && !(at->sum * pow(at->sum / before, left) <= below)) {
+            at->gave_up = 1;
+            break;
+        }
+        before = at->sum;
+    }
+    gsl_vector_memcpy(&u.vector, gsl_multifit_nlinear_position(o->solver));
+    if (!(at->sum < gsl_pow_2(o->model.hopeless)) || !fvi_all_finite(P, at->u))
+        at->sum = GSL_POSINF;
+}
+//< minimise
+
+/* ---- ready, and done ---- */
+
+/* Of a start or a constant 1/16 of the box, the smaller one if there are two: the unit of a
+ * constant is the caller's, and his box may be wide. */
+static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
+                      const double *high)
+{
+    for (size_t j = 0; j < fit->parameters; j++) {
+        const double size = fit->which[j] <= FVI_FREE_PARAMETER_MASS
+                                ? 0.25 /* of a logit, a logarithm */
+                                : (high[j] - low[j]) / 16;
+        o->size[j] = o->size[j] > 0 ? fmin(o->size[j], size) : size;
+    }
+}
+
+static int search_alloc(search *o, const fvi_estimation *fit)
+{
+    const gsl_multifit_nlinear_parameters how =
+        gsl_multifit_nlinear_default_parameters();
+    double *motion = malloc(fit->n * sizeof *motion);
+    fvi_estimation_model_init(&o->model, fit, motion);
+    o->fdf = (gsl_multifit_nlinear_fdf){ .f = fvi_estimation_residuals,
+                                         .df = slopes,
+                                         .n = fit->n,
+                                         .p = fit->parameters,
+                                         .params = o };
+    o->last = calloc(2 * fit->n, sizeof *o->last);
+    o->base = o->last ? o->last + fit->n : NULL;
+    o->found = calloc(fit->starts, sizeof *o->found);
+    const int rides = fvi_estimation_model_has_tangents(&o->model);
+    o->ridden =
+        rides ? malloc(fit->n * fit->parameters * sizeof *o->ridden) : NULL;
+    o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
+                                           fit->n, fit->parameters);
+    if (!motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
+        FVI_FAIL("no memory for the fit", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+int fvi_estimation_work_alloc(search *o, const fvi_estimation *fit, double *low, double *high)
+{
+    *o = (search){ .fine = 0 };
+    int status = fvi_estimate_box(fit, low, high);
+    if (status)
+        return status;
+    o->believed =
+        fit->sigma > 0
+            ? gsl_cdf_chisq_Pinv(0.99, (double)(fit->n - fit->parameters))
+            : 0;
+    set_sizes(o, fit, low, high);
+    if (fit->low) {
+        memcpy(low, fit->low, fit->parameters * sizeof *low);
+        memcpy(high, fit->high, fit->parameters * sizeof *high);
+        set_sizes(o, fit, low, high);
+    }
+    return search_alloc(o, fit);
+}
+
+void fvi_estimation_work_free(search *o)
+{
+    gsl_multifit_nlinear_free(o->solver);
+    free(o->found);
+    free(o->last);
+    free(o->ridden);
+    free(o->model.motion);
+}

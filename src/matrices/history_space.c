@@ -1,0 +1,234 @@
+/* src/matrices/history_space.c -- What a damping remembers.                [Chapter 27] */
+#include "history_space.h"
+
+#include "factors.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SMALL = 512 /* unknowns whose C may be taken apart densely */ };
+
+/* ---- in a step ---- */
+
+//> remember
+/* z = B^T x - from */
+void fvi_history_space_gather(const fvi_history_space *B, const double *x,
+                           const double *from, double *z)
+{
+    for (size_t l = 0; l < B->r; l++) {
+        if (B->kind == FVI_HISTORY_SPACE_ALL)
+            z[l] = x[l] - from[l];
+        if (B->kind == FVI_HISTORY_SPACE_SOME)
+            z[l] = x[B->columns.row[l]] - from[l];
+        if (B->kind != FVI_HISTORY_SPACE_FEW)
+            continue;
+        double sum = 0;
+        for (int e = B->columns.start[l]; e < B->columns.start[l + 1]; e++)
+            sum += B->columns.entry[e] * x[B->columns.row[e]];
+        z[l] = sum - from[l];
+    }
+}
+
+/* p -= a S z: S is B, or the columns of C that are not zero. */
+void fvi_history_space_apply_damping(const fvi_history_space *B, double a, const double *z,
+                         double *p)
+{
+    const fvi_sparse *C = B->C;
+    for (size_t l = 0; l < B->r; l++) {
+        if (B->kind == FVI_HISTORY_SPACE_ALL) { /* row l is column l */
+            double sum = 0;
+            for (int e = C->start[l]; e < C->start[l + 1]; e++)
+                sum += C->entry[e] * z[C->row[e]];
+            p[l] -= a * sum;
+        }
+        if (B->kind == FVI_HISTORY_SPACE_SOME) {
+            const int j = B->columns.row[l];
+            for (int e = C->start[j]; e < C->start[j + 1]; e++)
+                p[C->row[e]] -= a * C->entry[e] * z[l];
+        }
+        if (B->kind == FVI_HISTORY_SPACE_FEW)
+            for (int e = B->columns.start[l]; e < B->columns.start[l + 1]; e++)
+                p[B->columns.row[e]] -= a * B->columns.entry[e] * z[l];
+    }
+}
+//< remember
+
+/* ---- which numbers ---- */
+
+static int room(size_t r, size_t count, fvi_history_space *B)
+{
+    B->r = r;
+    return fvi_sparse_alloc(r, count, &B->columns);
+}
+
+void fvi_history_space_free(fvi_history_space *B)
+{
+    fvi_sparse_free(&B->columns);
+}
+
+/* The unknowns that C touches. */
+static int pick(const fvi_sparse *C, fvi_history_space *B)
+{
+    size_t r = 0;
+    for (size_t j = 0; j < C->n; j++)
+        r += C->start[j + 1] > C->start[j];
+    if (room(r, r, B))
+        return FVI_ENOMEM;
+    B->kind = FVI_HISTORY_SPACE_SOME;
+    for (size_t j = 0, l = 0; j < C->n; j++)
+        if (C->start[j + 1] > C->start[j])
+            B->columns.row[l++] = (int)j;
+    return FVI_SUCCESS;
+}
+
+static int is_zero(size_t n, const double *D, double noise)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(D[i]) <= noise))
+            return 0;
+    return 1;
+}
+
+/* D in units, powers of two, in which its diagonal is between 1/4 and 4: a small damper
+ * beside a large one is no rounding. Where the diagonal is not positive nothing else may
+ * be in the row: returns 0 if something is. */
+static int take_units(size_t r, double *D, double *unit)
+{
+    for (size_t i = 0; i < r; i++) {
+        const double size = D[i * r + i];
+        unit[i] = size > 0 ? ldexp(1, ilogb(size) / 2) : 1;
+        if (!(size > 0) && !is_zero(r, D + i * r, 0))
+            return 0;
+    }
+    for (size_t i = 0; i < r; i++)
+        for (size_t j = 0; j < r; j++)
+            D[i * r + j] = D[i * r + j] / unit[i] / unit[j];
+    return 1;
+}
+
+//> rank
+/* C = B B^T by Cholesky's elimination, always of the largest diagonal entry that is left,
+ * until nothing is: D is C between the unknowns that it touches, its diagonal at most 4,
+ * and B's columns come into `out`, of r rows each. Of a C that is negative somewhere more
+ * than rounding is left when no positive entry of the diagonal is. Returns the rank, or
+ * -1. */
+static int take_apart(size_t r, double *D, double *out)
+{
+    const double noise = (double)r * 8 * DBL_EPSILON * 4;
+    for (size_t rank = 0;; rank++, out += r) {
+        size_t pivot = 0;
+        for (size_t i = 0; i < r; i++)
+            if (D[i * r + i] > D[pivot * r + pivot])
+                pivot = i;
+        const double top = D[pivot * r + pivot];
+        if (!(top > noise) || rank == r)
+            return is_zero(r * r, D, noise) ? (int)rank : -1;
+        for (size_t i = 0; i < r; i++)
+            out[i] = D[i * r + pivot] / sqrt(top);
+        for (size_t i = 0; i < r; i++)
+            for (size_t j = 0; j < r && out[i] != 0; j++)
+                D[i * r + j] -= out[i] * out[j];
+    }
+}
+//< rank
+
+/* C between the unknowns in B. */
+static double *between(const fvi_history_space *B)
+{
+    const size_t r = B->r;
+    double *D =
+        calloc(2 * r * r + r, sizeof *D); /* and B's columns, and units */
+    for (size_t l = 0; D && l < r; l++)
+        for (size_t i = 0; i < r; i++)
+            D[l * r + i] = fvi_sparse_entry(B->C, (size_t)B->columns.row[i],
+                                            (size_t)B->columns.row[l]);
+    return D;
+}
+
+/* The unknowns in B become so many columns, dense ones of which zeros are left out. */
+static int keep_columns(size_t rank, const double *dense, fvi_history_space *B)
+{
+    fvi_history_space few = { .C = B->C, .kind = FVI_HISTORY_SPACE_FEW };
+    if (room(rank, rank * B->r, &few))
+        return FVI_ENOMEM;
+    for (size_t l = 0; l < rank; l++) {
+        int e = few.columns.start[l];
+        for (size_t i = 0; i < B->r; i++)
+            if (dense[l * B->r + i] != 0) {
+                few.columns.row[e] = B->columns.row[i];
+                few.columns.entry[e++] = dense[l * B->r + i];
+            }
+        few.columns.start[l + 1] = e;
+    }
+    fvi_history_space_free(B);
+    *B = few;
+    return FVI_SUCCESS;
+}
+
+/* A small C: is it negative, and is its rank so low that B^T x pays? */
+static int look_for_few(fvi_history_space *B)
+{
+    const size_t r = B->r;
+    double *D = between(B);
+    if (!D)
+        return FVI_ENOMEM;
+    double *columns = D + r * r, *unit = columns + r * r;
+    const int rank = take_units(r, D, unit) ? take_apart(r, D, columns) : -1;
+    int status = rank < 0 ? FVI_EDOM : FVI_SUCCESS;
+    if (rank >= 0 && 2 * (size_t)rank <= r) {
+        for (size_t i = 0; i < (size_t)rank * r; i++)
+            columns[i] *= unit[i % r];
+        status = keep_columns((size_t)rank, columns, B);
+    }
+    free(D);
+    return status;
+}
+
+/* A large C is not negative if C and a thousand-millionth of M, in its units, are positive
+ * definite together. Conjugate gradients could not tell. */
+static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
+{
+    double largest = 0;
+    for (size_t i = 0; i < C->n; i++) {
+        const double damping = fvi_sparse_entry(C, i, i);
+        if (damping < 0)
+            return FVI_EDOM;
+        largest = larger(largest, damping / fvi_sparse_entry(M, i, i));
+    }
+    const fvi_sparse *const terms[3] = { M, C, NULL };
+    const double a[3] = { 1e-9 * largest, 1, 0 };
+    fvi_sparse A;
+    fvi_factors *f;
+    int status = fvi_sparse_add(terms, a, &A);
+    if (status)
+        return status;
+    const fvi_way way = fvi_way_of(&A);
+    if (way == FVI_BY_GRADIENTS) {
+        fvi_sparse_free(&A);
+        return FVI_SUCCESS;
+    }
+    status = fvi_factors_alloc(way, &A, &f);
+    if (!status)
+        fvi_factors_free(f);
+    return status == FVI_ESING ? FVI_EDOM : status;
+}
+
+int fvi_history_space_find(const fvi_sparse *M, const fvi_sparse *C,
+                        fvi_history_space *B)
+{
+    *B = (fvi_history_space){ .C = C };
+    if (!C || C->start[C->n] == 0)
+        return FVI_SUCCESS;
+    int status = pick(C, B);
+    if (!status)
+        status = B->r <= SMALL ? look_for_few(B) : look_at_all(M, C);
+    if (!status && B->kind == FVI_HISTORY_SPACE_SOME && B->r == C->n) {
+        fvi_history_space_free(B);
+        B->kind = FVI_HISTORY_SPACE_ALL;
+    }
+    return status;
+}

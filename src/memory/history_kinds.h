@@ -1,0 +1,164 @@
+/* src/memory/history_kinds.h -- The ways to sum behind memory.h.        [Chapter 12]
+ *
+ * Internal: memory.c chooses one and checks the arguments; nothing is checked
+ * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n),
+ * and each kind has the same five functions: bytes, alloc, push, ahead, free.
+ * bytes is what alloc will ask for, SIZE_MAX if that cannot be addressed; alloc
+ * returns NULL if it is not there; push takes d terms and writes d sums; ahead
+ * adds to `sum` the d sums to come next, their first terms left out. */
+#ifndef FVI_HISTORY_KINDS_H
+#define FVI_HISTORY_KINDS_H
+
+#include <fvi/archive.h>
+#include "system/fail.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* A function so marked is compiled for plain x86-64, AVX2 and AVX-512, and
+ * the loader picks. -ffp-contract=off holds in all, and the order of the sums
+ * is written down: the digits are the same. The loader must be glibc's, which any
+ * header of the C library tells, and must not ask code that ThreadSanitizer has
+ * not made ready yet. */
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer) /* clang's word for it */
+#define FVI_THREADS_ARE_WATCHED
+#endif
+#elif defined(__SANITIZE_THREAD__)
+#define FVI_THREADS_ARE_WATCHED
+#endif
+#if defined(__x86_64__) && defined(__GLIBC__)                                  \
+    && !defined(FVI_THREADS_ARE_WATCHED)                                       \
+    && ((defined(__clang__) && __clang_major__ >= 14)                          \
+        || (!defined(__clang__) && defined(__GNUC__)))
+#define FVI_VECTORS __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define FVI_VECTORS
+#endif
+
+/* Of the places that a count k decides, those of another count may be out of the arrays: a
+ * visitor that writes must have written the same one everywhere. */
+static inline int fvi_check_count(size_t written, size_t k)
+{
+    if (written != k)
+        FVI_FAIL("the terms of a memory are not as many as its steps",
+                 FVI_EINVAL);
+    return FVI_SUCCESS;
+}
+
+/* ---- the sum as it stands (history_direct.c) ---- */
+
+typedef struct fvi_history_direct fvi_history_direct;
+
+size_t fvi_history_direct_bytes(size_t d, size_t steps);
+/* `by_order`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
+fvi_history_direct *fvi_history_direct_alloc(double nu, int by_order, size_t d, size_t steps);
+/* Takes over weights 1, w_1, ..., w_steps of another's making, or NULL, of which it makes
+ * NULL; they are freed if it fails. */
+fvi_history_direct *fvi_history_direct_of(size_t d, size_t steps, double *weights);
+fvi_history_direct *fvi_history_direct_copy(const fvi_history_direct *from);
+void fvi_history_direct_push(fvi_history_direct *m, const double *term, double *H);
+void fvi_history_direct_push_by_order(fvi_history_direct *m, const double *term, double *H,
+                          double *rate);
+void fvi_history_direct_ahead(const fvi_history_direct *m, double *sum);
+/* k: how many terms there are, or will be when v has written them. */
+int fvi_history_direct_archive(fvi_history_direct *m, size_t k, fvi_archive *v);
+void fvi_history_direct_free(fvi_history_direct *m);
+
+/* ---- blocks of convolutions (history_fft.c) ---- */
+
+typedef struct fvi_history_fft fvi_history_fft;
+
+size_t fvi_history_fft_bytes(size_t d, size_t steps);
+/* With the weights w_n, or, if rate is not zero, with d w_n / d nu. */
+fvi_history_fft *fvi_history_fft_alloc(double nu, int rate, size_t d, size_t steps);
+fvi_history_fft *fvi_history_fft_copy(const fvi_history_fft *from);
+void fvi_history_fft_push(fvi_history_fft *b, const double *term, double *H);
+void fvi_history_fft_ahead(const fvi_history_fft *b, double *sum);
+/* k: how many terms there are, which what v has written must say, too, or FVI_EINVAL. */
+int fvi_history_fft_archive(fvi_history_fft *b, size_t k, fvi_archive *v);
+void fvi_history_fft_free(fvi_history_fft *b);
+
+/* ---- a window and decaying exponentials (history_modes.c, memory_nodes.c) ---- */
+
+enum {
+    FVI_WINDOW = 32, /* lags 1 ... 32 are summed with their own weights */
+    FVI_TAIL = 33    /* from here on the weights are sums of exponentials */
+};
+
+/* Beyond this many steps, or below this tolerance, rounding and not the nodes
+ * would decide. */
+#define FVI_LONGEST 1000000000
+#define FVI_LEAST_TOLERANCE 1e-14
+
+/* fvi_history_modes_nodes -- the sum of exponentials.           [(12.6), (12.7)]
+ *
+ *     |w_n - sum_q c_q exp(-n s_q)| <= delta |w_n|,   FVI_TAIL <= n <= N
+ *
+ *   nu     0 < nu < 1
+ *   N      the longest lag, 128 <= N <= FVI_LONGEST
+ *   delta  relative error of a weight, 1e-15 <= delta <= 1/50
+ *   s, c   outputs, both NULL or Q numbers each: 0 < s_0 < s_1 < ..., c_q <= 0
+ *   rate   NULL, or output: dc_q/d nu, the s_q being held, so that the sum of
+ *          rate_q exp(-n s_q) is d w_n/d nu; 0 <= nu <= 1 then           [(23.11)]
+ *
+ * Returns Q, about (ln(N/33) + ln(1/delta) ...)/h: see (12.7). */
+size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
+                              double *c, double *rate);
+
+/* Where those nodes are: at s = exp(t - exp(-t)) / N, t = left + q step, q = 0, ..., Q - 1.
+ *                                                             [(12.9), (12.10)] */
+typedef struct {
+    double left, step;
+    size_t Q;
+} fvi_node_range;
+
+/* fvi_node_range_of -- for the powers s^nu, -1 < nu < 1, or what is analytic in a
+ * strip narrower than theirs by the factor `strip` (26.6). */
+fvi_node_range fvi_node_range_of(double nu, double N, double delta, double strip);
+
+/* fvi_history_modes_rule -- the sum at the nodes of a grid: s, c and rate as above, of
+ * which rate alone may be NULL. */
+void fvi_history_modes_rule(const fvi_node_range *g, double nu, double N, double *s,
+                           double *c, double *rate);
+
+typedef struct fvi_history_modes fvi_history_modes;
+
+/* delta of (12.6) for a run: see (12.11). */
+double fvi_history_modes_delta(size_t steps, double tolerance);
+
+/* The nodes of a run, which the next two want. */
+fvi_node_range fvi_history_modes_plan(double nu, size_t steps, double delta);
+
+/* `by_order`: nonzero for a kind that push_rate can be called of; 0 <= nu <= 1 then. */
+size_t fvi_history_modes_bytes(const fvi_node_range *g, int by_order, size_t d);
+fvi_history_modes *fvi_history_modes_alloc(const fvi_node_range *g, double nu,
+                                         int by_order, size_t d, size_t steps);
+/* Modes and the weights 1, w_1, ..., w_32 of another's making. */
+fvi_history_modes *fvi_history_modes_of(size_t Q, const double *s,
+                                      const double *c, const double *w,
+                                      size_t d);
+fvi_history_modes *fvi_history_modes_copy(const fvi_history_modes *from);
+void fvi_history_modes_push(fvi_history_modes *e, const double *term, double *H);
+void fvi_history_modes_push_by_order(fvi_history_modes *e, const double *term,
+                                double *H, double *rate);
+/* NULL, or the blocks that many coordinates go by (history_tiled.h). */
+struct fvi_history_tiled *fvi_history_modes_tiles(const fvi_history_modes *e);
+void fvi_history_modes_ahead(const fvi_history_modes *e, double *sum);
+int fvi_history_modes_archive(fvi_history_modes *e, size_t k, fvi_archive *v);
+void fvi_history_modes_free(fvi_history_modes *e);
+
+/* ---- a memory with weights of another's making (memory.c) ---- */
+
+struct fvi_history;
+
+/* fvi_history_of_weights -- takes over either weights, 1, w_1, ..., w_steps, or e; the other one
+ * is NULL. What it takes over is freed if it fails.
+ *
+ *   increments  nonzero if push shall sum dx, not x
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_history_of_weights(int increments, size_t d, size_t steps, double *weights,
+                  fvi_history_modes *e, struct fvi_history **memory);
+
+#endif

@@ -1,0 +1,318 @@
+/* src/memory/history_tiled.c -- Thirty-two steps of many memories at once.      [Chapter 28] */
+#include "history_tiled.h"
+#include "history_kinds.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- eight rows of a product, by vectors of 2, 4 or 8 doubles ---- */
+
+typedef void product(size_t columns, size_t n, const double *table,
+                     const double *in, const double *lose, double *out);
+
+#define LANES 2
+#define PRODUCT product_2
+#define TARGET
+#include "history_tiled_product.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define LANES 4
+#define PRODUCT product_4
+#define TARGET __attribute__((target("avx2")))
+#include "history_tiled_product.h"
+
+#define LANES 8
+#define PRODUCT product_8
+#define TARGET __attribute__((target("avx512f")))
+#include "history_tiled_product.h"
+
+/* NULL if this machine has no vectors so wide. */
+static product *product_of(size_t lanes)
+{
+    switch (lanes) {
+    case 8:
+        return __builtin_cpu_supports("avx512f") ? product_8 : NULL;
+    case 4:
+        return __builtin_cpu_supports("avx2") ? product_4 : NULL;
+    default:
+        return lanes == 2 ? product_2 : NULL;
+    }
+}
+#else
+static product *product_of(size_t lanes)
+{
+    return lanes == 2 ? product_2 : NULL;
+}
+#endif
+
+/* ---- the memory ---- */
+
+enum {
+    THREADS_FROM = 10000,        /* coordinates, where compiled with -fopenmp */
+    AHEAD = 4,                   /* tiles: so early a step asks for its rows */
+    AREA = FVI_EIGHT * FVI_TILE, /* numbers of eight rows of a tile */
+    SQUARE = FVI_EIGHT * FVI_EIGHT, /* of a table between two eights */
+    FARTHEST = 2 * FVI_SLABS - 1    /* so far are two eights apart at most */
+};
+
+struct fvi_history_tiled {
+    size_t d, Q, k, tiles;
+    product *times;
+    double *w;     /* w_1 to w_63 at their lags */
+    double *lags;  /* w_{8 D + r - j} for D from 7 down to 1: (28.3) */
+    double *far;   /* c_q e^{-s_q r}, r = 0, ..., 31, by eights: (28.1) */
+    double *decay; /* e^{-s_q (31 - j)} by eights of modes: (28.2) */
+    double *lose;  /* 1 - e^{-32 s_q} */
+    double *z;     /* Q modes of each coordinate, tile by tile */
+    double
+        *slab[FVI_SLABS]; /* rows: terms that are in, sums of those to come */
+};
+
+/* Numbers of the tables, and of the state. */
+static size_t tables(size_t Q)
+{
+    return 2 * FVI_WINDOW + FARTHEST * SQUARE + 2 * FVI_WINDOW * Q + Q;
+}
+
+static size_t state(size_t d, size_t Q)
+{
+    return (d + FVI_TILE - 1) / FVI_TILE * FVI_TILE * (Q + FVI_WINDOW);
+}
+
+size_t fvi_history_tiled_bytes(size_t d, size_t Q)
+{
+    if (d > SIZE_MAX / sizeof(double) / 4 / (Q + FVI_WINDOW))
+        return SIZE_MAX;
+    return sizeof(fvi_history_tiled) + (tables(Q) + state(d, Q)) * sizeof(double);
+}
+
+/* Zeros, or NULL. */
+static fvi_history_tiled *make(size_t d, size_t Q)
+{
+    fvi_history_tiled *t = malloc(sizeof *t);
+    const size_t n = tables(Q) + state(d, Q);
+    double *block = aligned_alloc(64, n * sizeof *block);
+    if (!t || !block) {
+        free(t);
+        free(block);
+        return NULL;
+    }
+    memset(block, 0, n * sizeof *block);
+    *t = (fvi_history_tiled){ .d = d, .Q = Q, .w = block };
+    for (size_t lanes = 8; !fvi_history_tiled_width(t, lanes); lanes /= 2)
+        ;
+    t->tiles = (d + FVI_TILE - 1) / FVI_TILE;
+    t->lags = t->w + 2 * FVI_WINDOW;
+    t->far = t->lags + FARTHEST * SQUARE;
+    t->decay = t->far + FVI_WINDOW * Q;
+    t->lose = t->decay + FVI_WINDOW * Q;
+    t->z = t->lose + Q;
+    for (size_t s = 0; s < FVI_SLABS; s++)
+        t->slab[s] = t->z + t->tiles * (FVI_TILE * Q + s * AREA);
+    return t;
+}
+
+/* (1 - p)^n; where p is 1, that is 1 for n = 0. */
+static double power(double p, size_t n)
+{
+    return n == 0 ? 1 : exp((double)n * log1p(-p));
+}
+
+/* The table between eights D apart; that of the next nearer one follows it. */
+static double *square(const fvi_history_tiled *t, size_t D)
+{
+    return t->lags + (FARTHEST - D) * SQUARE;
+}
+
+//> tables
+/* The weights from lag 33 on are what the modes say, so that both ways have the same. */
+static void fill(fvi_history_tiled *t, const double *p, const double *c)
+{
+    for (size_t q = 0; q < t->Q; q++) {
+        double *decay = t->decay + (q / FVI_EIGHT * FVI_WINDOW) * FVI_EIGHT;
+        for (size_t r = 0; r < FVI_WINDOW; r++) {
+            const double left = power(p[q], r);
+            double *far = t->far + (r / FVI_EIGHT * t->Q + q) * FVI_EIGHT;
+            far[r % FVI_EIGHT] = c[q] * left;
+            decay[(FVI_WINDOW - 1 - r) * FVI_EIGHT + q % FVI_EIGHT] = left;
+            if (FVI_TAIL + r < 2 * FVI_WINDOW)
+                t->w[FVI_TAIL + r] += c[q] * left;
+        }
+        t->lose[q] = p[q] < 1 ? -expm1(FVI_WINDOW * log1p(-p[q])) : 1;
+    }
+    for (size_t D = FARTHEST; D > 0; D--)
+        for (size_t j = 0; j < FVI_EIGHT; j++)
+            for (size_t r = 0; r < FVI_EIGHT; r++)
+                square(t, D)[j * FVI_EIGHT + r] = t->w[D * FVI_EIGHT + r - j];
+}
+//< tables
+
+fvi_history_tiled *fvi_history_tiled_alloc(size_t d, size_t Q, const double *p, const double *c,
+                           const double *w)
+{
+    fvi_history_tiled *t = make(d, Q);
+    if (!t)
+        return NULL;
+    memcpy(t->w + 1, w + 1, FVI_WINDOW * sizeof *w);
+    fill(t, p, c);
+    return t;
+}
+
+int fvi_history_tiled_width(fvi_history_tiled *t, size_t lanes)
+{
+    product *times = product_of(lanes);
+    if (times)
+        t->times = times;
+    return times != NULL;
+}
+
+fvi_history_tiled *fvi_history_tiled_copy(const fvi_history_tiled *from)
+{
+    fvi_history_tiled *t = make(from->d, from->Q);
+    if (!t)
+        return NULL;
+    memcpy(t->w, from->w, (tables(t->Q) + state(t->d, t->Q)) * sizeof *t->w);
+    t->k = from->k;
+    t->times = from->times;
+    return t;
+}
+
+int fvi_history_tiled_archive(fvi_history_tiled *t, size_t k, fvi_archive *v)
+{
+    int status = v->serialize(v, &t->k, sizeof t->k, 0);
+    if (!status)
+        status = fvi_check_count(t->k, k);
+    return status ? status
+                  : v->serialize(v, t->z, state(t->d, t->Q) * sizeof *t->z, 0);
+}
+
+void fvi_history_tiled_free(fvi_history_tiled *t)
+{
+    if (!t)
+        return;
+    free(t->w);
+    free(t);
+}
+
+/* ---- the sums ---- */
+
+static size_t columns(const fvi_history_tiled *t, size_t tile)
+{
+    const size_t rest = t->d - tile * FVI_TILE;
+    return rest < FVI_TILE ? rest : FVI_TILE;
+}
+
+/* To the sums of the eight rows of `to`, what so many eights of terms say, one after the
+ * other, the first of them D before these rows. */
+static void between(const fvi_history_tiled *t, size_t count, size_t eights, size_t D,
+                    const double *terms, double *to)
+{
+    static const double none[FVI_EIGHT] = { 0 };
+    t->times(count, eights * FVI_EIGHT, square(t, D), terms, none, to);
+}
+
+/* So many numbers of a tile to come are on their way while this one is worked on. */
+static void fetch(const double *from, size_t count)
+{
+    for (size_t i = 0; i < count; i += 8)
+        __builtin_prefetch(from + i);
+}
+
+//> block
+/* Thirty-two terms are in: what they and all before them say to the next 32 sums, and
+ * then to the modes. The sums take the places of the terms. */
+static void open_block(fvi_history_tiled *t, size_t tile)
+{
+    static const double none[FVI_EIGHT] = { 0 };
+    const size_t count = columns(t, tile);
+    double terms[FVI_SLABS * AREA], *z = t->z + tile * FVI_TILE * t->Q;
+    for (size_t s = 0; s < FVI_SLABS; s++) {
+        double *slab = t->slab[s] + tile * AREA;
+        memcpy(terms + s * AREA, slab, AREA * sizeof *slab);
+        memset(slab, 0, AREA * sizeof *slab);
+    }
+    for (size_t g = 0; g < FVI_SLABS; g++) { /* (28.1) */
+        double *to = t->slab[g] + tile * AREA;
+        t->times(count, t->Q, t->far + g * FVI_EIGHT * t->Q, z, none, to);
+        between(t, count, FVI_SLABS, FVI_SLABS + g, terms, to);
+    }
+    for (size_t q = 0; q < t->Q; q += FVI_EIGHT) { /* (28.2) */
+        if (tile + 1 < t->tiles)
+            fetch(z + (t->Q + q) * FVI_TILE, AREA);
+        t->times(count, FVI_WINDOW, t->decay + q * FVI_WINDOW, terms,
+                 t->lose + q, z + q * FVI_TILE);
+    }
+}
+//< block
+
+//> eight
+/* After every eighth term: to the next eight sums, what the block has so far. */
+static void open_eight(fvi_history_tiled *t, size_t tile, size_t g)
+{
+    for (size_t s = 0; s < g; s++)
+        between(t, columns(t, tile), 1, g - s, t->slab[s] + tile * AREA,
+                t->slab[g] + tile * AREA);
+}
+//< eight
+
+/* The terms in the eight so far, the oldest first, and row r. */
+FVI_VECTORS static void next_row(size_t r, const double *restrict w,
+                                 const double *restrict rows,
+                                 double *restrict sum)
+{
+    for (size_t i = 0; i < FVI_TILE; i++)
+        sum[i] = 0;
+    for (size_t j = 0; j < r; j++) {
+#pragma GCC unroll 16
+        for (size_t i = 0; i < FVI_TILE; i++)
+            sum[i] += w[r - j] * rows[j * FVI_TILE + i];
+    }
+#pragma GCC unroll 16
+    for (size_t i = 0; i < FVI_TILE; i++)
+        sum[i] += rows[r * FVI_TILE + i];
+}
+
+//> push
+void fvi_history_tiled_push_part(fvi_history_tiled *t, size_t first, size_t count,
+                         const double *term, double *H)
+{
+    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
+    const size_t next = (t->k + 1) / FVI_EIGHT % FVI_SLABS;
+#pragma omp parallel for schedule(static) if (count >= THREADS_FROM)
+    for (size_t i = 0; i < count; i += FVI_TILE) {
+        const size_t tile = (first + i) / FVI_TILE;
+        double sum[FVI_TILE], *rows = t->slab[g] + tile * AREA;
+        if (tile + AHEAD < t->tiles)
+            fetch(rows + AHEAD * AREA, (r + 1) * FVI_TILE);
+        next_row(r, t->w, rows, sum);
+        for (size_t j = 0; j < columns(t, tile); j++) {
+            const double new = term[i + j];
+            H[i + j] = new + sum[j];
+            rows[r * FVI_TILE + j] = new;
+        }
+        if (r + 1 == FVI_EIGHT && next == 0)
+            open_block(t, tile);
+        else if (r + 1 == FVI_EIGHT)
+            open_eight(t, tile, next);
+    }
+    t->k += first + count == t->d;
+}
+//< push
+
+void fvi_history_tiled_push(fvi_history_tiled *t, const double *term, double *H)
+{
+    fvi_history_tiled_push_part(t, 0, t->d, term, H);
+}
+
+void fvi_history_tiled_ahead(const fvi_history_tiled *t, double *sum)
+{
+    const size_t r = t->k % FVI_EIGHT, g = t->k / FVI_EIGHT % FVI_SLABS;
+    for (size_t tile = 0; tile < t->tiles; tile++) {
+        double row[FVI_TILE];
+        next_row(r, t->w, t->slab[g] + tile * AREA, row);
+        for (size_t i = 0; i < columns(t, tile); i++)
+            sum[tile * FVI_TILE + i] += row[i];
+    }
+}

@@ -1,0 +1,60 @@
+/* src/methods/stability_number.c -- The loads of the methods.       [Chapters 13, 14 and 17] */
+#include "stability_number.h"
+
+#include <fvi/stability.h>
+#include "analysis/stability_share.h"
+
+#include <math.h>
+
+/* C(s/h) of the run's law over the power that alpha would give there: 1 without a law. At
+ * z = -1 delta(z) is s = 2 for Euler, 4 for BDF2. */
+static double of_law(const fvi_run *run, double s)
+{
+    return run->law ? fvi_kernel_symbol(run->law, s / run->h)
+                          / pow(s / run->h, 2 * run->alpha)
+                    : 1;
+}
+
+int fvi_stability_number_backward(const fvi_run *run, double *load)
+{
+    return fvi_stability_share(of_law(run, 2), run, load);
+}
+
+int fvi_stability_number_shifted(const fvi_run *run, double *load)
+{
+    double largest;
+    int status = fvi_stability_share(1 - 2 * run->alpha, run, &largest);
+    if (!status)
+        *load = fmax(0, largest); /* alpha > 1/2: the damping helps */
+    return status;
+}
+
+int fvi_stability_number_bdf2(const fvi_run *run, double *load)
+{
+    return fvi_stability_share(pow(4, run->alpha) * of_law(run, 4), run, load);
+}
+
+int fvi_stability_number_explicit(const fvi_run *run, double *load)
+{
+    return fvi_stability_explicit(run, load);
+}
+
+int fvi_stability_number_none(const fvi_run *run, double *load)
+{
+    fvi_run half = *run; /* of which kappa is not used */
+    half.kappa = 0.5;
+    return fvi_stability_share(0, &half, load);
+}
+
+#define OF_STAGES(s)                                                           \
+    int fvi_stability_number_lobatto##s(const fvi_run *run, double *load)                  \
+    {                                                                          \
+        return fvi_stability_lobatto(s, run, load);                            \
+    }
+OF_STAGES(2)
+OF_STAGES(3)
+OF_STAGES(4)
+OF_STAGES(5)
+OF_STAGES(6)
+OF_STAGES(7)
+OF_STAGES(8)

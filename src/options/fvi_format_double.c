@@ -1,0 +1,183 @@
+/* src/options/fvi_format_double.c -- A number as a word. */
+#include "fvi_format_double.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- by the C library ---- */
+
+/* Does v come back from so many digits? */
+static int comes_back(double v, int digits, char text[32])
+{
+    snprintf(text, 32, "%.*g", digits, v);
+    return strtod(text, NULL) == v;
+}
+
+/* A decimal number of up to 15 digits is in its double, and 17 digits bring every double
+ * back: the question is 15, 16 or 17. Of subnormal numbers fewer may do. */
+static void slowly(double v, char text[32])
+{
+    if (fabs(v) < DBL_MIN)
+        for (int digits = 1; !comes_back(v, digits, text); digits++)
+            ;
+    else if (!comes_back(v, 16, text))
+        snprintf(text, 32, "%.17g", v);
+    else if (!comes_back(v, 15, text))
+        snprintf(text, 32, "%.16g", v);
+}
+
+/* ---- by whole numbers, where they have room ---- */
+
+#ifdef __SIZEOF_INT128__ /* processors of 64 bits have them, others go slowly */
+__extension__ typedef unsigned __int128 wide;
+
+static const uint64_t fives[] = { 1U,
+                                  5U,
+                                  25U,
+                                  125U,
+                                  625U,
+                                  3125U,
+                                  15625U,
+                                  78125U,
+                                  390625U,
+                                  1953125U,
+                                  9765625U,
+                                  48828125U,
+                                  244140625U,
+                                  1220703125U,
+                                  6103515625U,
+                                  30517578125U,
+                                  152587890625U,
+                                  762939453125U,
+                                  3814697265625U,
+                                  19073486328125U,
+                                  95367431640625U,
+                                  476837158203125U,
+                                  2384185791015625U,
+                                  11920928955078125U,
+                                  59604644775390625U,
+                                  298023223876953125U,
+                                  1490116119384765625U,
+                                  7450580596923828125U };
+#define SEVENTEEN 100000000000000000U /* the least number of 18 digits */
+
+/* |v| 10^k = product / 2^s, exactly, is a number of 17 digits and its fraction: |v| is
+ * m 2^e, and product is m 5^k. */
+typedef struct {
+    uint64_t m, whole;
+    wide product;
+    int k, s;
+} scaled;
+
+/* Returns 0 where there is no room. */
+static int scale(double v, scaled *n)
+{
+    uint64_t bits;
+    memcpy(&bits, &v, sizeof bits);
+    const int e = (int)(bits >> 52 & 0x7ff) - 1075;
+    n->m = (bits & 0xfffffffffffffU) | 0x10000000000000U;
+    n->k = 16 - (int)floor((e + 52) * 0.30102999566398120);
+    for (
+        ;;
+        n->k--) { /* the logarithm of 2^{e+52}, not of |v|: one too many perhaps */
+        n->s = -(e + n->k);
+        if (n->k < 0 || n->k > 27 || n->s < 1 || n->s > 64)
+            return 0;
+        n->product = (wide)n->m * fives[n->k];
+        const wide whole = n->product >> n->s;
+        n->whole = (uint64_t)whole;
+        if (whole < SEVENTEEN)
+            return 1;
+    }
+}
+
+/* The nearest number of 17 digits or fewer, where the last ones, up to unit, are zero. */
+static uint64_t nearest(const scaled *n, uint64_t unit)
+{
+    const uint64_t q = n->whole / unit;
+    const wide half = (wide)unit << n->s,
+               rest = (n->product - ((wide)(q * unit) << n->s)) * 2;
+    return (q + (rest > half || (rest == half && q % 2 == 1))) * unit;
+}
+
+/* Nearer to |v| than half the distance to the next double, which is 5^k, or, below a power
+ * of two, half of that? Never as near, as 5^k is odd. */
+static int is_near(const scaled *n, uint64_t digits)
+{
+    const wide there = (wide)digits << n->s;
+    const int below = there < n->product && n->m == 0x10000000000000U;
+    const wide off =
+        there < n->product ? n->product - there : there - n->product;
+    return off * (below ? 4 : 2) < fives[n->k];
+}
+
+/* As %g has it: so many of the digits, no zeros at the end. */
+static void write(int negative, uint64_t digits, int exponent, int precision,
+                  char *text)
+{
+    char all[17];
+    int last = 17;
+    for (int i = 17; i-- > 0; digits /= 10)
+        all[i] = (char)('0' + digits % 10);
+    while (last > 1 && all[last - 1] == '0')
+        last--;
+    if (negative)
+        *text++ = '-';
+    const int power = exponent < -4 || exponent >= precision,
+              point = power ? 1 : exponent + 1; /* so many digits before it */
+    if (point <= 0) {
+        *text++ = '0';
+        *text++ = '.';
+        for (int i = point; i < 0; i++)
+            *text++ = '0';
+    }
+    for (int i = 0; i < last || i < point; i++) {
+        if (i == point && i > 0)
+            *text++ = '.';
+        *text++ = i < last ? all[i] : '0';
+    }
+    if (power) {
+        const int size = exponent < 0 ? -exponent : exponent; /* 17 at most */
+        *text++ = 'e';
+        *text++ = exponent < 0 ? '-' : '+';
+        *text++ = (char)('0' + size / 10);
+        *text++ = (char)('0' + size % 10);
+    }
+    *text = 0;
+}
+
+static int quickly(double v, char *text)
+{
+    scaled n;
+    int precision = 15;
+    uint64_t digits = 0;
+    if (!scale(v, &n))
+        return 0;
+    for (uint64_t unit = 100;; unit /= 10, precision++) {
+        digits = nearest(&n, unit);
+        if (unit == 1 || is_near(&n, digits))
+            break;
+    }
+    const int more = digits == SEVENTEEN; /* rounded up to a power of ten */
+    write(v < 0, more ? digits / 10 : digits, 16 - n.k + more, precision, text);
+    return 1;
+}
+#else
+static int quickly(double v, char *text)
+{
+    (void)v;
+    (void)text;
+    return 0;
+}
+#endif
+
+int fvi_format_double(double v, char text[32])
+{
+    if (fabs(v) < DBL_MIN || !quickly(v, text))
+        slowly(v, text);
+    return (int)strlen(text);
+}

@@ -1,0 +1,83 @@
+/* src/options/fvi_option_list.c -- What the command line of build/fvi can say. */
+#include "fvi_option_list.h"
+
+#include <string.h>
+
+const char *const fvi_format_names[] = { "tsv", "csv", "json", NULL };
+
+enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
+
+const fvi_option fvi_option_list[OPTIONS] = {
+    [METHOD] = { "method", RUN, "fvi" },
+    [ALPHA] = { "alpha", RUN | EXACT | COEFFICIENTS, "0.5" },
+    [RHO] = { "rho", RUN | EXACT, "0.2" },
+    [DAMPING] = { "damping", RUN | EXACT, NULL },
+    [MASS] = { "mass", RUN | EXACT, "1" },
+    [POTENTIAL] = { "potential", RUN | EXACT, "harmonic:1" },
+    [LET] = { "let", RUN | EXACT, NULL },
+    [DIMENSION] = { "dimension", RUN, NULL },
+    [SYSTEM] = { "system", RUN, NULL },
+    [FORCE] = { "force", RUN | EXACT, "none" },
+    [DERIVATIVE] = { "derivative", RUN | EXACT, "held" },
+    [KAPPA] = { "kappa", RUN, "0.5" },
+    [X0] = { "x0", RUN | EXACT, "1" },
+    [P0] = { "p0", RUN | EXACT, "0.5" },
+    [H] = { "h", RUN | EXACT, "0.1" },
+    [STEPS] = { "steps", RUN | EXACT, "200" },
+    [TIME] = { "time", RUN | EXACT, NULL },
+    [ERROR] = { "error", RUN, NULL },
+    [STEP_ERROR] = { "step-error", RUN, NULL },
+    [LONGEST] = { "longest", RUN, NULL },
+    [COLUMNS] = { "columns", RUN | EXACT, "t,x,p,energy" },
+    [UNKNOWNS] = { "unknowns", RUN, NULL },
+    [EVERY] = { "every", RUN | EXACT, "1" },
+    [MEMORY] = { "memory", RUN, "auto" },
+    [TOLERANCE] = { "tolerance", RUN, "1e-13" },
+    [COUNT] = { "count", COEFFICIENTS, "10" },
+    [MOST_STEPS] = { "most-steps", RUN, NULL },
+    [FORMAT] = { "format", RUN | EXACT | COEFFICIENTS, "tsv" },
+    [PLOT] = { "plot", RUN | EXACT, NULL },
+    [SNAPSHOT] = { "snapshot", RUN, NULL },
+    [CHECKPOINT] = { "checkpoint", RUN, NULL },
+    [CONTINUE] = { "continue", RUN, NULL },
+    [OUTPUT] = { "o", RUN | EXACT | COEFFICIENTS, NULL },
+};
+
+static int mask(fvi_command command)
+{
+    return command == FVI_COMMAND_RUN            ? RUN
+           : command == FVI_COMMAND_EXACT        ? EXACT
+           : command == FVI_COMMAND_COEFFICIENTS ? COEFFICIENTS
+                                                 : 0;
+}
+
+int fvi_option_is_known(fvi_command command, option_index i)
+{
+    if (i == OPTIONS)
+        return mask(command) != 0;
+    return (fvi_option_list[i].commands & mask(command)) != 0;
+}
+
+option_index fvi_option_named(const char *word)
+{
+    const size_t length = strcspn(word, "=");
+    for (int i = 0; i < OUTPUT && strncmp(word, "--", 2) == 0; i++)
+        if (strlen(fvi_option_list[i].name) == length - 2
+            && strncmp(fvi_option_list[i].name, word + 2, length - 2) == 0)
+            return (option_index)i;
+    return OPTIONS;
+}
+
+int fvi_options_describe(const fvi_options *o, size_t i, const char **name,
+                         const char **value)
+{
+    size_t seen = 0;
+    for (size_t j = 0; j < FORMAT; j++)
+        if (fvi_option_is_known(o->command, (option_index)j) && o->text[j]
+            && seen++ == i) {
+            *name = fvi_option_list[j].name;
+            *value = o->text[j];
+            return 1;
+        }
+    return 0;
+}

@@ -1,0 +1,212 @@
+/* src/options/fvi_options.c -- What the command line of build/fvi says. */
+#define _GNU_SOURCE /* getopt_long */
+#include "fvi_options.h"
+
+#include <fvi/convolution_quadrature_methods.h>
+#include <fvi/variable_steps.h>
+
+#include <getopt.h>
+#include <string.h>
+#include <strings.h>
+
+static int is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+/* in the order of fvi_command, then other words for the help */
+static const char *const commands[] = { "run",     "coefficients", "exact",
+                                        "methods", "help",         "--version",
+                                        "sweep",   "fit",          "gradient",
+                                        "--help",  "-h",           NULL };
+
+const char *fvi_command_name(fvi_command command)
+{
+    return commands[command];
+}
+
+static int command_of(const char *name, fvi_command *command, fvi_complaint c)
+{
+    for (size_t i = 0; commands[i]; i++)
+        if (strcasecmp(name, commands[i]) == 0) {
+            *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
+            return 0;
+        }
+    static const char *const all[] = {
+        "run",  "exact",        "fit",    "sweep",     "gradient", "methods",
+        "help", "coefficients", "--help", "--version", NULL
+    };
+    char place[64];
+    return fvi_refuse(c, "'%s' is not a command%s", name,
+                      fvi_word_hint(name, strlen(name), all, place));
+}
+
+/* A word that is none of the options of this command. */
+static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
+{
+    const char *names[OPTIONS + 2];
+    size_t n = 0;
+    for (int i = 0; i < OUTPUT; i++)
+        if (fvi_option_is_known(o->command, (option_index)i))
+            names[n++] = fvi_option_list[i].name;
+    names[n++] = "help";
+    names[n] = NULL;
+    return fvi_refuse_option(c, given, names);
+}
+
+/* One more option with its text. A long name must be written in full. */
+static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
+{
+    if (found == '?')
+        return unknown(o, given, c);
+    const int bare = found == ':'; /* of a short name, too: --alph */
+    if (bare)
+        found = optopt == 'o' ? 256 + OUTPUT : optopt;
+    option_index i = (option_index)(found - 256);
+    size_t length = strcspn(given, "=");
+    if (i != OUTPUT
+        && (length != strlen(fvi_option_list[i].name) + 2
+            || strncmp(given + 2, fvi_option_list[i].name, length - 2) != 0))
+        return unknown(o, given, c);
+    if (!fvi_option_is_known(o->command, i))
+        return fvi_refuse(c, "%s%s: not an option of this command",
+                          i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
+    if (bare)
+        return fvi_refuse(c, "%s: a value is missing", given);
+    if (i == CONTINUE)
+        optarg = optarg ? optarg : "";
+    if (i == LET) { /* --let k=3 --let c=1 is --let k=3,c=1 */
+        o->text[LET] = o->lets.text;
+        return fvi_user_parameters_add(&o->lets, optarg, c);
+    }
+    if (i == DAMPING) { /* laws add */
+        o->text[DAMPING] = o->laws.text;
+        return fvi_laws_add(&o->laws, optarg, c);
+    }
+    return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
+                         &o->text[i], optarg, c);
+}
+
+/* The words behind the command into o->text; --help or -h among them changes
+ * the command. */
+static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
+{
+    struct option longs[OPTIONS + 1] = { { 0 } };
+    for (int i = 0; i < OUTPUT; i++)
+        longs[i] =
+            (struct option){ fvi_option_list[i].name,
+                             i == CONTINUE ? no_argument : required_argument,
+                             NULL, 256 + i };
+    longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
+
+    optind = 0; /* start afresh, whoever parsed before */
+    opterr = 0;
+    for (;;) {
+        const char *given = words[optind ? optind : 1];
+        int found = getopt_long(count, words, "+:o:h", longs, NULL);
+        if (found == -1)
+            break;
+        if ((found == 256 + OPTIONS || found == 'h') && is_help(given)) {
+            o->about = o->command;
+            o->command = FVI_COMMAND_HELP;
+            return 0;
+        }
+        found = found == 'o' ? 256 + OUTPUT
+                : found == 256 + OPTIONS || found == 'h'
+                    ? '?' /* --hel, -h0.1 */
+                    : found;
+        int status = take(o, found, given, c);
+        if (status)
+            return status;
+    }
+    return optind < count
+               ? fvi_refuse(c, "'%s': not expected here", words[optind])
+               : 0;
+}
+
+/* Of --system: what its files stand for is not an option too, and has no preset. */
+static const option_index replaced[] = { MASS, RHO, POTENTIAL, DIMENSION };
+
+static int is_replaced(const fvi_options *o, option_index i)
+{
+    for (size_t n = 0; n < sizeof replaced / sizeof *replaced; n++)
+        if (o->text[SYSTEM] && replaced[n] == i)
+            return 1;
+    return 0;
+}
+
+static int check_system(const fvi_options *o, fvi_complaint c)
+{
+    for (int i = 0; i < OPTIONS; i++)
+        if (o->text[i] && is_replaced(o, (option_index)i))
+            return fvi_refuse(c, "--system: not together with --%s",
+                              fvi_option_list[i].name);
+    return 0;
+}
+
+/* A building is at rest until something acts on it. */
+static const char *preset(const fvi_options *o, option_index i)
+{
+    const int is_start = i == X0 || i == P0;
+    return is_start && o->text[SYSTEM] ? "0" : fvi_option_list[i].preset;
+}
+
+/* The presets; the step comes from --h, or from --time, or is looked for. */
+static int fill_in(fvi_options *o, fvi_complaint c)
+{
+    const option_index instead = o->text[ERROR] ? ERROR : TIME;
+    if (o->text[H] && o->text[instead])
+        return fvi_refuse(c, "--h: not together with --%s",
+                          fvi_option_list[instead].name);
+    if (o->text[STEP_ERROR] && o->text[ERROR])
+        return fvi_refuse(c, "--step-error: not together with --error");
+    if (o->text[ERROR] && !o->text[TIME])
+        o->text[TIME] = "20";
+    const int law = o->text[DAMPING] != NULL;
+    if (law && (o->text[ALPHA] || o->text[RHO]))
+        return fvi_refuse(c, "--damping: not together with --%s",
+                          o->text[ALPHA] ? "alpha" : "rho");
+    if (o->text[ERROR] && !o->text[METHOD])
+        o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
+                          : law           ? fvi_cq_bdf2.name
+                                          : fvi_variable_step.name;
+    if ((o->text[STEP_ERROR] || o->text[LONGEST]) && !o->text[METHOD])
+        o->text[METHOD] = fvi_variable_step.name;
+    const int status = check_system(o, c);
+    for (int i = 0; i < OPTIONS; i++)
+        if (!o->text[i] && !(i == H && o->text[TIME])
+            && !is_replaced(o, (option_index)i)
+            && !(law && (i == ALPHA || i == RHO)))
+            o->text[i] = preset(o, (option_index)i);
+    return status;
+}
+
+int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
+                      size_t size)
+{
+    fvi_complaint c = { text, size };
+    *o =
+        (fvi_options){ .command = FVI_COMMAND_HELP, .about = FVI_COMMAND_HELP };
+    if (argc < 2)
+        return fvi_refuse(c, "a command is missing");
+    int status = command_of(argv[1], &o->command, c);
+    const int about = !status && o->command == FVI_COMMAND_HELP && argc > 2;
+    if (about) /* fvi help run */
+        status = command_of(argv[2], &o->about, c);
+    if (!status
+        && o->command >= FVI_COMMAND_SWEEP) { /* its words: src/program */
+        for (int i = 2; i < argc; i++)
+            if (is_help(argv[i])) {
+                o->about = o->command;
+                o->command = FVI_COMMAND_HELP;
+            }
+        return 0;
+    }
+    if (!status)
+        status = take_all(o, argc - 1 - about, argv + 1 + about, c);
+    if (!status && fvi_option_is_known(o->command, OPTIONS))
+        status = fill_in(o, c);
+    return !status && fvi_option_is_known(o->command, OPTIONS)
+               ? fvi_options_interpret(o, c)
+               : status;
+}

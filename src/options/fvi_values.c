@@ -1,0 +1,404 @@
+/* src/options/fvi_values.c -- From the words of the command line to values. */
+#include "fvi_values.h"
+#include "input/fvi_files.h"
+#include "input/fvi_shared.h"
+#include "fvi_format_double.h"
+#include "memory/kernel_terms.h"
+#include "methods/damping.h"
+
+#include <fvi/fvi.h>
+
+#include <ctype.h>
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* The number of option i; see fvi_word_number. */
+static int number(const fvi_options *o, option_index i, double low, double high,
+                  const char *brackets, double *value, fvi_complaint c)
+{
+    return fvi_word_number(fvi_option_list[i].name, o->text[i], low, high,
+                           brackets, value, c);
+}
+
+/* Counts of rows are added and doubled: half of what a size_t holds is enough. */
+static int whole(const fvi_options *o, option_index i, size_t *value,
+                 fvi_complaint c)
+{
+    return fvi_word_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2,
+                          value, c);
+}
+
+/* The text becomes the word that is chosen, in small letters, as the head shows it. */
+static int choice(fvi_options *o, option_index i, const char *const *words,
+                  size_t *which, fvi_complaint c)
+{
+    const int status =
+        fvi_word_choice(fvi_option_list[i].name, o->text[i], words, which, c);
+    if (!status)
+        o->text[i] = words[*which];
+    return status;
+}
+
+/* ---- what belongs together ---- */
+
+/* A jump of the force that is not at a row is what no estimate can see, but that of a
+ * method whose steps end there. */
+static int interpret_error(fvi_options *o, fvi_complaint c)
+{
+    int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
+    for (size_t i = 0; !status && !o->method->dense; i++) {
+        const double jump = o->forces ? fvi_forces_jump(o->forces, i)
+                            : i == 0 && o->force == FVI_FORCING_STEP
+                                ? o->forcing[1]
+                                : NAN;
+        const double end = jump / o->h, row = round(end);
+        if (isnan(jump))
+            break;
+        if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
+            return fvi_refuse(c,
+                              "--error: the force '%s' jumps between two rows; "
+                              "take other --steps%s",
+                              o->text[FORCE],
+                              o->text[DAMPING] || o->directory
+                                  ? ""
+                                  : ", or --method fvi-adaptive");
+    }
+    return status;
+}
+
+/* Steps of a given length have no tolerance, and no limit unless they are searched for. */
+static int interpret_of_steps(fvi_options *o, option_index i, double *value,
+                              fvi_complaint c)
+{
+    if (o->text[i] && !o->method->dense && !(i != STEP_ERROR && o->text[ERROR]))
+        return fvi_refuse(c,
+                          "--%s: '%s' is not for %s, whose steps are "
+                          "given; fvi-adaptive chooses its own",
+                          fvi_option_list[i].name, o->text[i], o->method->name);
+    return !o->text[i]       ? 0
+           : i == MOST_STEPS ? whole(o, i, &o->most_steps, c)
+                             : number(o, i, 0, INFINITY, "()", value, c);
+}
+
+/* What is asked for is done or refused: the words that a method cannot honour. */
+static int check_method(const fvi_options *o, fvi_complaint c)
+{
+    const fvi_method *m = o->method;
+    if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
+        return fvi_refuse(c, "--alpha: '%s' is not %g, all that %s knows",
+                          o->text[ALPHA], m->alpha_least, m->name);
+    if (o->text[DAMPING] && !m->takes_laws)
+        return fvi_refuse(c, "--damping: '%s' is not known to %s",
+                          o->text[DAMPING], m->name);
+    if (o->text[DAMPING] && o->memory == FVI_HISTORY_FFT)
+        return fvi_refuse(c, "--memory: 'fft' is not for --damping");
+    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES
+        && !fvi_kernel_has_modes(&o->laws.law, fvi_damping_quadrature(m), o->h))
+        return fvi_refuse(c,
+                          "--memory: 'exponentials': of --damping '%s' there "
+                          "are none with this step; 'auto' sums it all",
+                          o->text[DAMPING]);
+    if (o->directory && !m->takes_matrices)
+        return fvi_refuse(c,
+                          "--method: '%s' takes no matrices; fvi, fvi-shifted, "
+                          "fvi-bdf2 and fvi-stable do",
+                          m->name);
+    if (!m->takes_kappa && o->kappa != 0.5)
+        return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
+                          o->text[KAPPA], m->name);
+    if (!fvi_method_takes_history(m, o->memory))
+        return fvi_refuse(c, "--memory: '%s' is not known to %s",
+                          o->text[MEMORY], m->name);
+    return 0;
+}
+
+static int interpret_method(fvi_options *o, fvi_complaint c)
+{
+    size_t count = 0, which;
+    while (fvi_methods[count])
+        count++;
+    const char *names[count + 1];
+    for (size_t i = 0; i < count; i++)
+        names[i] = fvi_methods[i]->name;
+    names[count] = NULL;
+    int status = choice(o, METHOD, names, &which, c);
+    if (status)
+        return status;
+    o->method = fvi_methods[which];
+    return check_method(o, c);
+}
+
+static int interpret_run(fvi_options *o, fvi_complaint c)
+{
+    static const char *const memories[] = { "auto", "direct", "fft",
+                                            "exponentials", NULL };
+    size_t which;
+    int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
+    if (!status)
+        status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
+    if (!status)
+        status = choice(o, MEMORY, memories, &which, c);
+    if (status)
+        return status;
+    o->memory = (fvi_history_kind)which;
+    status = interpret_method(o, c);
+    if (!status)
+        status = interpret_of_steps(o, STEP_ERROR, &o->step_error, c);
+    if (!status)
+        status = interpret_of_steps(o, LONGEST, &o->longest, c);
+    if (!status)
+        status = interpret_of_steps(o, MOST_STEPS, NULL, c);
+    return !status && o->text[ERROR] ? interpret_error(o, c) : status;
+}
+
+/* The rows are at t_k = k h: by --h, or by --time. */
+static int interpret_grid(fvi_options *o, fvi_complaint c)
+{
+    int status = whole(o, STEPS, &o->steps, c);
+    if (status || !o->text[TIME])
+        return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
+    double time = 0;
+    status = number(o, TIME, 0, INFINITY, "()", &time, c);
+    o->h = time / (double)o->steps;
+    if (!status && !(o->h > 0))
+        return fvi_refuse(c, "--time: '%s' is too short for so many steps",
+                          o->text[TIME]);
+    fvi_format_double(o->h, o->step);
+    o->text[H] = o->step; /* the head says what follows */
+    return status;
+}
+
+/* What has an exact solution in the library. */
+static int check_linear(const fvi_options *o, fvi_complaint c)
+{
+    if (o->potential != FVI_POTENTIAL_FREE
+        && !(o->potential == FVI_POTENTIAL_HARMONIC && o->spring[0] >= 0))
+        return fvi_refuse(c,
+                          "--potential: '%s' has no exact solution here; "
+                          "harmonic:C with C >= 0 and free have",
+                          o->text[POTENTIAL]);
+    if (o->forces)
+        return fvi_refuse(c,
+                          "--force: '%s' has no exact solution here; none, "
+                          "step:A,T and cosine:A,W have",
+                          o->text[FORCE]);
+    return 0;
+}
+
+/* A problem without a solution is for `run` with the paper's method alone, and not
+ * with --error, as there is nothing to be near to. (19.2) */
+static int check_solution(fvi_options *o, fvi_complaint c)
+{
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    o->no_solution = fvi_warning_of_initial_history(&run);
+    if (o->no_solution
+        && !(o->method && o->method->paper_convention && o->error == 0))
+        return fvi_refuse(c,
+                          "--derivative: 'rl' has no solution for %s != 0 and "
+                          "alpha > 1/2; take held or caputo",
+                          o->directory ? "C x0" : "x0");
+    return 0;
+}
+
+/* At alpha = 1 the momentum of a method with stages is not the one that is hit. (17.17) */
+static int check_impulses(const fvi_options *o, fvi_complaint c)
+{
+    int added_mass = 0;
+    for (size_t i = 0; i < o->d; i++)
+        added_mass |= o->alpha == 1 && o->rho[i] > 0;
+    if (added_mass && o->method && o->method->stages && o->forces
+        && fvi_forces_force(o->forces).impulse_count)
+        return fvi_refuse(c,
+                          "--force: '%s': %s takes no impulse at alpha = 1; "
+                          "fvi-adaptive does",
+                          o->text[FORCE], o->method->name);
+    return 0;
+}
+
+/* "3,17" of x1, ..., xd; all of them where nothing is said. */
+static int interpret_unknowns(fvi_options *o, fvi_complaint c)
+{
+    const char *text = o->text[UNKNOWNS];
+    o->shown = malloc(o->d * sizeof *o->shown);
+    if (!o->shown) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    for (; !text && o->shown_count < o->d; o->shown_count++)
+        o->shown[o->shown_count] = o->shown_count;
+    while (text) {
+        char *stop;
+        const size_t i =
+            isdigit((unsigned char)*text) ? strtoul(text, &stop, 10) : 0;
+        if (i < 1 || i > o->d || (*stop && *stop != ','))
+            return fvi_refuse(c,
+                              "--unknowns: '%s' is not a list of numbers from "
+                              "1 to %zu",
+                              o->text[UNKNOWNS], o->d);
+        for (size_t k = 0; k < o->shown_count; k++)
+            if (o->shown[k] == i - 1)
+                return fvi_refuse(c, "--unknowns: %zu stands twice in '%s'", i,
+                                  o->text[UNKNOWNS]);
+        o->shown[o->shown_count++] = i - 1;
+        text = *stop ? stop + 1 : NULL;
+    }
+    return 0;
+}
+
+/* What run and exact share: the system, its start, the grid, the columns. */
+static int interpret_trajectory(fvi_options *o, fvi_complaint c)
+{
+    /* in the order of fvi_initial_history */
+    static const char *const pasts[] = { "held", "caputo", "rl", NULL };
+    size_t which = 0;
+    int status = fvi_problem_potential(o, c);
+    if (!status)
+        status = fvi_problem_lists(o, c);
+    if (!status)
+        status = interpret_grid(o, c);
+    if (!status)
+        status = fvi_problem_force(o, c);
+    if (!status)
+        status = fvi_user_parameters_are_used(&o->lets, c);
+    if (!status)
+        status = choice(o, DERIVATIVE, pasts, &which, c);
+    o->past = (fvi_initial_history)which;
+    if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD)
+        status = fvi_refuse(c, "--derivative: '%s' is not for --damping",
+                            o->text[DERIVATIVE]);
+    if (!status)
+        status = whole(o, EVERY, &o->every, c);
+    if (!status)
+        status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
+    if (!status)
+        status = interpret_unknowns(o, c);
+    for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
+        if (o->columns.at[i] == FVI_COLUMN_Y)
+            status = fvi_refuse(c, "--continue: column y needs every row");
+    if (!status && o->plot && o->columns.count == 1
+        && o->columns.at[0] == FVI_COLUMN_T)
+        status = fvi_refuse(c, "--plot: the only column is t");
+    if (!status && o->command == FVI_COMMAND_RUN)
+        status = interpret_run(o, c);
+    if (!status && o->command == FVI_COMMAND_EXACT)
+        status = check_linear(o, c);
+    if (!status)
+        status = check_impulses(o, c);
+    return status ? status : check_solution(o, c);
+}
+
+/* Is this a name for a picture: does it end with .svg or .png? */
+static int is_picture(const char *name)
+{
+    for (const char *at = name; *at; at++)
+        if ((unsigned char)*at < ' ')
+            return 0; /* a line of gnuplot's must not end here */
+    const size_t length = strlen(name);
+    return length > 4
+           && (strcasecmp(name + length - 4, ".svg") == 0
+               || strcasecmp(name + length - 4, ".png") == 0);
+}
+
+/* Of two outputs in one file the later would take the place of the other. */
+static int check_files(const fvi_options *o, fvi_complaint c)
+{
+    static const option_index files[] = { PLOT, SNAPSHOT, CHECKPOINT };
+    for (int i = 0; i < 3; i++) {
+        const char *name = fvi_option_list[files[i]].name,
+                   *text = o->text[files[i]];
+        if (text && fvi_same_file(text, o->output))
+            return fvi_refuse(c, "--%s: '%s' is the table's file, too", name,
+                              text);
+        for (int j = 0; text && j < i; j++)
+            if (o->text[files[j]] && fvi_same_file(text, o->text[files[j]]))
+                return fvi_refuse(c, "--%s: '%s' is the file of --%s, too",
+                                  name, text, fvi_option_list[files[j]].name);
+    }
+    return 0;
+}
+
+static int interpret(fvi_options *o, fvi_complaint c)
+{
+    size_t format;
+    if (o->text[OUTPUT] && !*o->text[OUTPUT])
+        return fvi_refuse(c, "-o: '' is not a file's name");
+    o->output = o->text[OUTPUT];
+    o->plot = o->text[PLOT];
+    if (o->plot && !is_picture(o->plot))
+        return fvi_refuse(c, "--plot: '%s' is not a name.svg or name.png",
+                          o->plot);
+    o->snapshot = o->text[SNAPSHOT];
+    if (o->snapshot && !*o->snapshot)
+        return fvi_refuse(c, "--snapshot: '' is not a file's name");
+    if (o->snapshot && o->text[ERROR])
+        return fvi_refuse(c, "--snapshot: not together with --error");
+    o->checkpoint = o->text[CHECKPOINT];
+    o->resume = o->text[CONTINUE] != NULL;
+    if (o->checkpoint && (!*o->checkpoint || strcmp(o->checkpoint, "-") == 0))
+        return fvi_refuse(c, "--checkpoint: '%s' is not a file's name",
+                          o->checkpoint);
+    if (o->checkpoint && o->text[ERROR])
+        return fvi_refuse(c, "--checkpoint: not together with --error");
+    if (o->resume && !o->checkpoint)
+        return fvi_refuse(c, "--continue: from which --checkpoint FILE?");
+    int status = check_files(o, c);
+    if (!status)
+        status = choice(o, FORMAT, fvi_format_names, &format, c);
+    if (status)
+        return status;
+    o->format = (fvi_format)format;
+    /* The weights go up to the order 2 alpha of the damping. */
+    int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
+    o->alpha = 0.5;
+    if (o->text[ALPHA])
+        status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+    if (status)
+        return status;
+    return only_weights ? whole(o, COUNT, &o->count, c)
+                        : interpret_trajectory(o, c);
+}
+
+/* No output in the place of what was read. */
+static int check_outputs(const fvi_options *o, fvi_complaint c)
+{
+    int status = fvi_check_output("-o", o->output, c);
+    if (!status)
+        status = fvi_check_output("--plot", o->plot, c);
+    if (!status)
+        status = fvi_check_output("--snapshot", o->snapshot, c);
+    if (!status)
+        status = fvi_check_output("--checkpoint", o->checkpoint, c);
+    return status;
+}
+
+int fvi_options_interpret(fvi_options *o, fvi_complaint c)
+{
+    int status = interpret(o, c);
+    if (!status)
+        status = check_outputs(o, c);
+    if (status)
+        fvi_options_free(o);
+    return status;
+}
+
+void fvi_options_free(fvi_options *o)
+{
+    free(o->x0);
+    fvi_expression_free(o->expression);
+    fvi_forces_free(o->forces);
+    fvi_directory_close(o->directory);
+    free(o->shown);
+    o->x0 = o->p0 = o->mass = o->rho = NULL;
+    o->expression = NULL;
+    fvi_shared_close(o->library);
+    o->library = NULL;
+    o->forces = NULL;
+    o->directory = NULL;
+    o->shown = NULL;
+}

@@ -1,0 +1,145 @@
+/* src/program/fvi_subcommand_options.c -- Commands with options of their own beside those of run. */
+#include "fvi_subcommand_options.h"
+#include "output/fvi_complain.h"
+#include "output/fvi_format.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Words on their way: those of run are kept. */
+typedef struct {
+    const fvi_own_command *command;
+    fvi_subcommand_options *w;
+    char **run;
+    int count;
+    fvi_complaint c;
+} sorter;
+
+/* The number of this long option, "--name" or "--name=value", or -1. */
+static int index_of(const char *word, const char *const *names)
+{
+    const size_t length = strcspn(word, "=");
+    for (int i = 0; names[i]; i++)
+        if (strncmp(word, "--", 2) == 0 && length == strlen(names[i]) + 2
+            && strncmp(word + 2, names[i], length - 2) == 0)
+            return i;
+    return -1;
+}
+
+static int is_without(const fvi_own_command *command, const char *name)
+{
+    int i = 0;
+    while (command->without[i] && strcmp(command->without[i], name) != 0)
+        i++;
+    return command->without[i] != NULL;
+}
+
+/* Is it an option of run, and of this command? */
+static int is_shared(const fvi_own_command *command, option_index i)
+{
+    return fvi_option_is_known(FVI_COMMAND_RUN, i)
+           && !is_without(command, fvi_option_list[i].name);
+}
+
+/* An option of another command, or of none: a slip of the finger, perhaps. */
+static int refuse_option(const sorter *s, const char *word, option_index i)
+{
+    const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 2];
+    size_t n = 0;
+    if (i < OPTIONS)
+        return fvi_refuse(s->c, "--%s: not an option of this command",
+                          fvi_option_list[i].name);
+    for (; s->command->own[n]; n++)
+        names[n] = s->command->own[n];
+    for (int j = 0; j < OUTPUT; j++)
+        if (is_shared(s->command, (option_index)j))
+            names[n++] = fvi_option_list[j].name;
+    names[n++] = "help";
+    names[n] = NULL;
+    return fvi_refuse_option(s->c, word, names);
+}
+
+static int take_own(sorter *s, int which, const char *value)
+{
+    const char *name = s->command->own[which], **text = &s->w->own[which];
+    if (!value)
+        return fvi_refuse(s->c, "--%s: a value is missing", name);
+    return fvi_word_once("--", name, text, value, s->c);
+}
+
+static int take_operand(sorter *s, const char *word)
+{
+    if (!s->command->operand || s->w->operand)
+        return fvi_refuse(s->c, "'%s': not expected here", word);
+    s->w->operand = word;
+    return 0;
+}
+
+static int sort_words(sorter *s, int argc, char **argv)
+{
+    int status = 0;
+    for (int i = 2; i < argc && !status; i++) {
+        char *word = argv[i], *equals = strchr(word, '=');
+        const int own = index_of(word, s->command->own),
+                  is_output = strncmp(word, "-o", 2) == 0;
+        const option_index of_run = is_output ? OUTPUT : fvi_option_named(word);
+        if (own >= 0) {
+            status = take_own(s, own, equals ? equals + 1 : argv[i + 1]);
+            i += !equals;
+        } else if (*word != '-') {
+            status = take_operand(s, word);
+        } else if (of_run == OPTIONS || !is_shared(s->command, of_run)) {
+            status = refuse_option(s, word, of_run);
+        } else {
+            s->w->given[of_run] = 1;
+            s->run[s->count++] = word;
+            if (i + 1 < argc && (is_output ? !word[2] : !equals))
+                s->run[s->count++] = argv[++i];
+        }
+    }
+    return status;
+}
+
+int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
+                        fvi_subcommand_options *w, fvi_options *o, fvi_complaint c)
+{
+    char **room = malloc(((size_t)argc + 2) * sizeof *room);
+    if (!room) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    sorter s = { command, w, room + 3, 0, c };
+    int status = sort_words(&s, argc, argv);
+    s.run[s.count] = NULL;
+    /* The method goes ahead: a last word without its value must not find it there. */
+    const int preset = command->method && !w->given[METHOD];
+    char **run = room + !preset;
+    run[0] = argv[0];
+    run[1] = "run";
+    if (preset)
+        run[2] = command->method;
+    if (!status)
+        status =
+            fvi_options_parse(s.count + 2 + preset, run, o, c.text, c.size);
+    free(room);
+    return status;
+}
+
+void fvi_subcommand_options_head(FILE *out, const fvi_own_command *command,
+                        const fvi_subcommand_options *w, const fvi_options *o)
+{
+    const char *name, *value;
+    fvi_format_begin(out, FVI_FORMAT_TSV);
+    for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
+        if (!is_without(command, name))
+            fvi_format_parameter(out, FVI_FORMAT_TSV, name, value);
+    for (size_t i = 0; command->own[i + 1]; i++)
+        if (w->own[i])
+            fvi_format_parameter(out, FVI_FORMAT_TSV, command->own[i],
+                                 w->own[i]);
+}
+
+void fvi_subcommand_options_refuse(const fvi_own_command *command, const char *complaint)
+{
+    fvi_refused(complaint, command->name);
+}

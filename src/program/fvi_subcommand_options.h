@@ -1,0 +1,45 @@
+/* src/program/fvi_subcommand_options.h -- Commands with options of their own beside those of
+ * `fvi run`: fit and gradient. */
+#ifndef FVI_SUBCOMMAND_OPTIONS_H
+#define FVI_SUBCOMMAND_OPTIONS_H
+
+#include "options/fvi_options.h"
+
+#include <stdio.h>
+
+enum { FVI_SUBCOMMAND_MOST = 4 /* options of its own that a command may have */ };
+
+/* What such a command knows. */
+typedef struct {
+    const char *name;
+    /* Its options without hyphens, ended by NULL. All have values; the last is the name
+     * of a file to be written, and not in the head. */
+    const char *own[FVI_SUBCOMMAND_MOST + 1];
+    const char *const *without; /* options of run that it has not, likewise */
+    char *method; /* "--method=M" where none is given; NULL: that of run */
+    int operand;  /* 1: one word may be no option */
+} fvi_own_command;
+
+/* What the words say of that. */
+typedef struct {
+    const char *own[FVI_SUBCOMMAND_MOST]; /* texts, in that order, or NULL */
+    const char *operand;           /* or NULL */
+    int given[OPTIONS];            /* is this option of run? */
+} fvi_subcommand_options;
+
+/* fvi_subcommand_options_parse -- sort the words of main behind the name of the command: its own
+ * into w, which is all 0, those of run into o. Returns as fvi_options_parse, and o is to
+ * be freed as there. */
+int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
+                        fvi_subcommand_options *w, fvi_options *o, fvi_complaint c);
+
+/* fvi_subcommand_options_head -- the head of a table: the version, the options of run that the
+ * command has, and its own that are given. */
+void fvi_subcommand_options_head(FILE *out, const fvi_own_command *command,
+                        const fvi_subcommand_options *w, const fvi_options *o);
+
+/* fvi_subcommand_options_refuse -- the complaint, and where help is, on standard error. */
+void fvi_subcommand_options_refuse(const fvi_own_command *command,
+                          const char *complaint);
+
+#endif

@@ -1,0 +1,326 @@
+/* src/program/sweep_grid.c -- The runs of a sweep. */
+#include "sweep_grid.h"
+#include "options/fvi_options.h"
+#include "options/fvi_format_double.h"
+
+#include <ctype.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The decimal number of fewest digits that is as near to v as the formula of a point is to
+ * the point, or v if that number has more than 12 digits: 79.99999999999999 is 80. */
+static double nearest_decimal(double v, double error)
+{
+    if (!isfinite(error))
+        return v;
+    if (fabs(v) <= error)
+        return 0;
+    for (int digits = 1; digits <= 12; digits++) {
+        char text[32];
+        snprintf(text, sizeof text, "%.*g", digits, v);
+        const double decimal = strtod(text, NULL);
+        if (fabs(decimal - v) <= error)
+            return decimal;
+    }
+    return v;
+}
+
+/* Point i of the axis. Its roundings are bounded by 4 units of the larger end, or, where
+ * points grow by a factor, by 4 units and one for each power of e between the ends. */
+static double axis_value(const fvi_axis *a, size_t i)
+{
+    if (i == 0 || i == a->count - 1)
+        return i == 0 ? a->from : a->to;
+    const double part = (double)i / (double)(a->count - 1);
+    if (!a->log)
+        return nearest_decimal(a->from + part * (a->to - a->from),
+                               4 * DBL_EPSILON
+                                   * fmax(fabs(a->from), fabs(a->to)));
+    const double ratio = a->to / a->from, v = a->from * pow(ratio, part);
+    return nearest_decimal(v, (4 + fabs(log(ratio))) * DBL_EPSILON * fabs(v));
+}
+
+double sweep_grid_value(const sweep_grid *g, size_t i, size_t n)
+{
+    for (size_t m = g->count - 1; m > n; m--)
+        i /= g->axis[m].count;
+    return axis_value(&g->axis[n], i % g->axis[n].count);
+}
+
+int sweep_grid_has(const sweep_grid *g, const char *name)
+{
+    for (size_t n = 0; n < g->count; n++)
+        if (strcmp(g->axis[n].name, name) == 0)
+            return 1;
+    return 0;
+}
+
+/* "fvi run" and what is varied go ahead of the other words: a last one without its value
+ * must not find it there. */
+enum { AHEAD = 2 + FVI_MOST_AXES };
+
+int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
+                     char *complaint, size_t size)
+{
+    /* getopt needs words that may be written to, and o keeps pointers to them */
+    static char fvi[] = "fvi", run[] = "run", word[FVI_MOST_AXES][140];
+    char value[32];
+    char **words = g->words + (FVI_MOST_AXES - g->count);
+    words[0] = fvi;
+    words[1] = run;
+    for (size_t n = 0; n < g->count; n++) {
+        fvi_format_double(sweep_grid_value(g, i, n), value);
+        snprintf(word[n], sizeof word[n],
+                 g->axis[n].is_let ? "--let=%s=%s" : "--%s=%s", g->axis[n].name,
+                 value);
+        words[2 + n] = word[n];
+    }
+    return fvi_options_parse(2 + (int)g->count + g->word_count, words, o,
+                             complaint, size);
+}
+
+/* ---- words ---- */
+
+/* What a sweep can vary, besides the parameters of expressions. */
+static const char *const numbers[] = {
+    "alpha", "rho",  "mass",  "kappa",      "x0",        "p0", "h",
+    "steps", "time", "error", "step-error", "longest",
+    "tolerance", NULL
+};
+
+static int is_numeric(const char *name)
+{
+    for (size_t i = 0; numbers[i]; i++)
+        if (strcmp(numbers[i], name) == 0)
+            return 1;
+    return 0;
+}
+
+static int is_option(const char *name)
+{
+    for (int i = 0; i < OPTIONS; i++)
+        if (strcmp(fvi_option_list[i].name, name) == 0)
+            return 1;
+    return 0;
+}
+
+/* "A:B:N[:log]" */
+static int take_range(fvi_axis *a, const char *text, const char *range,
+                      fvi_complaint c)
+{
+    char place[3][40] = { "", "", "" };
+    double count = 0;
+    int used = 0;
+    const int found = sscanf(range, "%39[^:]:%39[^:]:%39[^:]%n", place[0],
+                             place[1], place[2], &used);
+    a->log = found == 3 && strcmp(range + used, ":log") == 0;
+    if (found != 3 || (range[used] && !a->log))
+        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+                          text);
+    int status = fvi_word_number("vary", place[0], -INFINITY, INFINITY, "()",
+                                 &a->from, c);
+    if (!status)
+        status = fvi_word_number("vary", place[1], -INFINITY, INFINITY, "()",
+                                 &a->to, c);
+    if (!status)
+        status = fvi_word_number("vary", place[2], 1, 1e9, "[]", &count, c);
+    if (status)
+        return status;
+    if (count != floor(count) || (count == 1 && a->from != a->to))
+        return fvi_refuse(c, "--vary: '%s': %s values from %s to %s", text,
+                          place[2], place[0], place[1]);
+    if (a->log && !(a->from * a->to > 0))
+        return fvi_refuse(c, "--vary: '%s': log needs two ends of one sign",
+                          text);
+    a->count = (size_t)count;
+    return 0;
+}
+
+/* One more axis. */
+static int take_axis(sweep_grid *g, const char *text, fvi_complaint c)
+{
+    const char *equals = strchr(text, '=');
+    const size_t length = equals ? (size_t)(equals - text) : 0,
+                 end = strlen(g->text);
+    fvi_axis *a = &g->axis[g->count];
+    if (g->count == FVI_MOST_AXES)
+        return fvi_refuse(c, "--vary: '%s': at most %d are varied", text,
+                          FVI_MOST_AXES);
+    if (length == 0 || length >= sizeof a->name)
+        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+                          text);
+    memcpy(a->name, text, length);
+    a->name[length] = '\0';
+    a->is_let = !is_numeric(a->name);
+    if (sweep_grid_has(g, a->name))
+        return fvi_refuse(c, "--vary: '%s' is varied twice", a->name);
+    if (a->is_let
+        && (is_option(a->name) || !fvi_symbol_is_free(a->name, "x")
+            || !fvi_symbol_is_free(a->name, "t")))
+        return fvi_refuse(c, "--vary: '%s' is not a number that can be varied",
+                          a->name);
+    int status = take_range(a, text, equals + 1, c);
+    if (status)
+        return status;
+    g->count++;
+    snprintf(g->text + end, sizeof g->text - end, "%s%s", end ? "," : "", text);
+    return 0;
+}
+
+static int take_part(sweep_grid *g, const char *text, fvi_complaint c)
+{
+    char first[32] = "", rest[32] = "";
+    int used = 0;
+    if (sscanf(text, "%31[^/]/%31[^/]%n", first, rest, &used) != 2
+        || text[used])
+        return fvi_refuse(c, "--part: '%s' is not I/K", text);
+    int status = fvi_word_whole("part", rest, 1000000, &g->parts, c);
+    if (!status)
+        status = fvi_word_whole("part", first, g->parts, &g->part, c);
+    snprintf(g->part_text, sizeof g->part_text, "%s", text);
+    return status;
+}
+
+/* --jobs, or --part; text is what it was before. */
+static int take_once(sweep_grid *g, int jobs, const char *value,
+                     const char **text, fvi_complaint c)
+{
+    const int status =
+        fvi_word_once("--", jobs ? "jobs" : "part", text, value, c);
+    return status ? status
+           : jobs ? fvi_word_whole("jobs", value, 1024, &g->jobs, c)
+                  : take_part(g, value, c);
+}
+
+/* Is this word the option, with its value behind = or as the next word? Then *value is
+ * that. */
+static int option(char **argv, int *i, const char *name, const char **value)
+{
+    const size_t length = strlen(name);
+    if (strncmp(argv[*i], name, length) != 0
+        || (argv[*i][length] && argv[*i][length] != '='))
+        return 0;
+    *value = argv[*i][length] ? argv[*i] + length + 1 : argv[++*i];
+    return 1;
+}
+
+/* A word that is none of `fvi run`, but nearly one of a sweep; or one of it that a run of
+ * one row has no use for. */
+static int check_word(const char *word, fvi_complaint c)
+{
+    static const char *const names[] = { "vary", "jobs", "part", NULL };
+    const option_index i = fvi_option_named(word);
+    if (i == EVERY || i == PLOT || i == SNAPSHOT || i == CHECKPOINT
+        || i == CONTINUE)
+        return fvi_refuse(c, "--%s: not an option of this command",
+                          fvi_option_list[i].name);
+    if (strncmp(word, "--", 2) != 0 || i < OPTIONS
+        || !fvi_word_nearest(word + 2, strcspn(word + 2, "="), names))
+        return 0;
+    return fvi_refuse_option(c, word, names);
+}
+
+/* Sort the words: those of a sweep are read, the others kept. */
+static int take_words(sweep_grid *g, int argc, char **argv, fvi_complaint c)
+{
+    const char *texts[2] = { NULL, NULL }; /* of --part and --jobs */
+    for (int i = 2; i < argc; i++) {
+        const char *value, *given = argv[i];
+        int status = 0;
+        const int vary = option(argv, &i, "--vary", &value),
+                  jobs = !vary && option(argv, &i, "--jobs", &value),
+                  part = !vary && !jobs && option(argv, &i, "--part", &value);
+        if ((vary || jobs || part) && !value)
+            return fvi_refuse(c, "%s: a value is missing", given);
+        if (vary)
+            status = take_axis(g, value, c);
+        else if (jobs || part)
+            status = take_once(g, jobs, value, &texts[jobs], c);
+        else {
+            status = check_word(argv[i], c);
+            g->words[AHEAD + g->word_count++] = argv[i];
+        }
+        int at = i;
+        if (!vary && !jobs && !part && option(argv, &at, "--let", &value)
+            && value) {
+            const size_t end = strlen(g->lets);
+            snprintf(g->lets + end, sizeof g->lets - end, "%s%s",
+                     end ? "," : "", value);
+        }
+        if (status)
+            return status;
+    }
+    return 0;
+}
+
+int sweep_grid_parse(int argc, char **argv, sweep_grid *g, char *complaint,
+                   size_t size)
+{
+    const fvi_complaint c = { complaint, size };
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    double all = 1;
+    *g = (sweep_grid){ .part = 1,
+                     .parts = 1,
+                     .jobs = cores > 0 ? (size_t)cores : 1 };
+    g->words = calloc(AHEAD + (size_t)argc, sizeof *g->words);
+    if (!g->words) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    int status = take_words(g, argc, argv, c);
+    if (status)
+        return status;
+    if (g->count == 0)
+        return fvi_refuse(c, "sweep: --vary NAME=A:B:N is missing");
+    for (size_t n = 0; n < g->count; n++)
+        all *= (double)g->axis[n].count;
+    if (all > 1e9)
+        return fvi_refuse(c, "--vary: %g runs are too many", all);
+    /* part I has the runs from (I - 1) R / K to I R / K: none, if there are more parts than runs */
+    const size_t runs = (size_t)all;
+    g->first = (g->part - 1) * runs / g->parts;
+    g->runs = g->part * runs / g->parts - g->first;
+    return 0;
+}
+
+static int is_of_name(char letter)
+{
+    return isalnum((unsigned char)letter) || letter == '_';
+}
+
+/* Does the name stand in this text, and not as a part of another one? */
+static int stands_in(const char *text, const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *at = text; (at = strstr(at, name)); at++)
+        if (!(at > text && is_of_name(at[-1])) && !is_of_name(at[length]))
+            return 1;
+    return 0;
+}
+
+int sweep_grid_check(const sweep_grid *g, fvi_complaint c)
+{
+    for (size_t n = 0; n < g->count; n++) {
+        const char *name = g->axis[n].name;
+        char place[64];
+        int found = 0;
+        for (int i = 0; i < g->word_count; i++)
+            found = found || stands_in(g->words[AHEAD + i], name);
+        if (g->axis[n].is_let && !found)
+            return fvi_refuse(
+                c,
+                "--vary: '%s' is no option that can be varied, "
+                "and in no expression%s",
+                name, fvi_word_hint(name, strlen(name), numbers, place));
+    }
+    return 0;
+}
+
+void sweep_grid_free(sweep_grid *g)
+{
+    free(g->words);
+}

@@ -1,0 +1,178 @@
+/* src/reference/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [Chapter 26] */
+#include "exact_law.h"
+
+#include "memory/kernel_terms.h"
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+/* A rectangle of ln s = u + i v. */
+typedef struct {
+    double u[2], v[2];
+} box;
+
+static const double STEP = 0.5; /* of ln s, from one look at Q to the next */
+
+/* ---- how often Q winds around 0 ---- */
+
+/* arg of Q(s) times 1 + T s^{2 alpha} for each fraction that has poles off the cut: what
+ * is left has zeros only. */
+static double phase(const fvi_pole *Q, double u, double v)
+{
+    const double complex s = exp(u) * (cos(v) + I * sin(v));
+    double complex slope;
+    double angle =
+        carg(Q->m * s * s + Q->c + Q->rho * fvi_kernel_at(Q->law, s, &slope));
+    for (size_t i = 0; i < Q->law->count; i++) {
+        const fvi_kernel_term *t = &Q->law->term[i];
+        if (t->kind == FVI_KERNEL_ZENER && t->alpha > 0.5 && t->rho > 0)
+            angle += carg(1 + t->time * cexp(2 * t->alpha * (u + I * v)));
+    }
+    return angle;
+}
+
+/* How far the phase turns from one end of a piece to the other, in halves until it turns
+ * by small angles; NaN if it never does, where a zero is on the way. */
+static double turned(const fvi_pole *Q, const double a[2], const double b[2],
+                     double at_a, double at_b, int depth)
+{
+    const double middle[2] = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 };
+    const double here = phase(Q, middle[0], middle[1]),
+                 first = remainder(here - at_a, 2 * M_PI),
+                 second = remainder(at_b - here, 2 * M_PI);
+    if (fabs(first) < 0.5 && fabs(second) < 0.5)
+        return first + second;
+    if (depth == 0 || isnan(here))
+        return GSL_NAN;
+    return turned(Q, a, middle, at_a, here, depth - 1)
+           + turned(Q, middle, b, here, at_b, depth - 1);
+}
+
+/* The same along a side of any length. */
+static double along(const fvi_pole *Q, const double a[2], const double b[2])
+{
+    const double length = fmax(fabs(b[0] - a[0]), fabs(b[1] - a[1]));
+    const int pieces = (int)ceil(length / STEP);
+    double sum = 0, from[2] = { a[0], a[1] }, before = phase(Q, a[0], a[1]);
+    for (int i = 1; i <= pieces; i++) {
+        const double part = (double)i / pieces,
+                     to[2] = { a[0] + part * (b[0] - a[0]),
+                               a[1] + part * (b[1] - a[1]) };
+        const double now = phase(Q, to[0], to[1]);
+        sum += turned(Q, from, to, before, now, 40);
+        from[0] = to[0];
+        from[1] = to[1];
+        before = now;
+    }
+    return sum;
+}
+
+/* The number of zeros in a box, or -1 if one is on its side. */
+//> count
+static int zeros_in(const fvi_pole *Q, const box *b)
+{
+    const double corner[5][2] = { { b->u[0], b->v[0] },
+                                  { b->u[1], b->v[0] },
+                                  { b->u[1], b->v[1] },
+                                  { b->u[0], b->v[1] },
+                                  { b->u[0], b->v[0] } };
+    double sum = 0;
+    for (int i = 0; i < 4; i++)
+        sum += along(Q, corner[i], corner[i + 1]);
+    return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
+}
+//< count
+
+/* ---- where they are ---- */
+
+static int is_inside(const box *b, double complex s)
+{
+    const double u = log(cabs(s)), v = carg(s);
+    return u > b->u[0] && u < b->u[1] && v > b->v[0] && v < b->v[1];
+}
+
+/* Newton's method for ln s from the middle of a box; returns 1 if it ends inside. */
+static int newton(const box *b, fvi_pole *Q)
+{
+    double u = (b->u[0] + b->u[1]) / 2, v = (b->v[0] + b->v[1]) / 2;
+    for (int i = 0; i < 50; i++) {
+        const double complex s = exp(u) * (cos(v) + I * sin(v));
+        double complex slope;
+        const double complex C = fvi_kernel_at(Q->law, s, &slope),
+                             step = -(Q->m * s * s + Q->c + Q->rho * C)
+                                    / (2 * Q->m * s * s + Q->rho * slope);
+        if (!(cabs(step) < 1))
+            return 0;
+        u += creal(step);
+        v += cimag(step);
+        Q->s = exp(u) * (cos(v) + I * sin(v));
+        if (cabs(step) < 1e-12)
+            return is_inside(b, Q->s);
+    }
+    return 0;
+}
+
+/* Halves of a box, cut where no zero is: its longer side, not in the middle, where
+ * symmetry may have put one. Returns how many zeros are in the first, or -1. */
+static int cut(const fvi_pole *Q, const box *b, box half[2])
+{
+    static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
+    const int wide = b->u[1] - b->u[0] > b->v[1] - b->v[0];
+    int first = -1;
+    for (size_t i = 0; first < 0 && i < sizeof parts / sizeof *parts; i++) {
+        half[0] = half[1] = *b;
+        const double *side = wide ? b->u : b->v,
+                     at = side[0] + parts[i] * (side[1] - side[0]);
+        (wide ? half[0].u : half[0].v)[1] = at;
+        (wide ? half[1].u : half[1].v)[0] = at;
+        first = zeros_in(Q, &half[0]);
+    }
+    return first;
+}
+
+/* The n zeros of a box, behind those that have been found. */
+static int find(const fvi_pole *Q, const box *b, int n, size_t most,
+                fvi_pole *pole, size_t *count)
+{
+    if (n == 0)
+        return FVI_SUCCESS;
+    if (*count + (size_t)n > most)
+        FVI_FAIL("the law has too many oscillations", FVI_EUNSUP);
+    fvi_pole one = *Q;
+    if (n == 1 && newton(b, &one)) {
+        pole[(*count)++] = one;
+        return FVI_SUCCESS;
+    }
+    box half[2];
+    const int first =
+        b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? cut(Q, b, half) : -1;
+    if (first < 0 || first > n)
+        FVI_FAIL("the poles of the motion were not found", FVI_EMAXITER);
+    int status = find(Q, &half[0], first, most, pole, count);
+    if (!status)
+        status = find(Q, &half[1], n - first, most, pole, count);
+    return status;
+}
+
+int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
+                  size_t most, fvi_pole *pole, size_t *count)
+{
+    static const double edge[] = { 2.95, 2.94, 2.96 };
+    const fvi_pole Q = { .m = m, .c = c, .rho = rho, .law = law };
+    if (isnan(phase(&Q, 150, 2)) || isnan(phase(&Q, -150, 2)))
+        FVI_FAIL("the law is not finite", FVI_EOVRFLW);
+    int n = -1;
+    box all;
+    for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
+        all = (box){ { -150, 150 }, { 1.5, edge[i] } };
+        n = zeros_in(&Q, &all);
+    }
+    *count = 0;
+    if (n < 0)
+        FVI_FAIL("the poles of the motion were not found", FVI_EMAXITER);
+    int status = find(&Q, &all, n, most, pole, count);
+    for (size_t i = 0; !status && i < *count; i++)
+        fvi_pole_polish(&pole[i]);
+    return status;
+}

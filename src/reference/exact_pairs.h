@@ -1,0 +1,51 @@
+/* src/reference/exact_pairs.h -- Complex numbers that a compiler can take several of.
+ *                                                                      [Chapter 11]
+ * C's own ask after every product whether it is not a number. */
+#ifndef FVI_EXACT_PAIRS_H
+#define FVI_EXACT_PAIRS_H
+
+#include <stddef.h>
+
+/* Complex numbers as two arrays. */
+typedef struct {
+    double *re, *im;
+} fvi_parts;
+
+typedef struct {
+    double re, im;
+} pair;
+
+static inline pair product(pair a, pair b)
+{
+    return (pair){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
+}
+
+static inline pair sum(pair a, pair b)
+{
+    return (pair){ a.re + b.re, a.im + b.im };
+}
+
+static inline pair scaled(double a, pair b)
+{
+    return (pair){ a * b.re, a * b.im };
+}
+
+/* 1 / a, whose square is not out of range. */
+static inline pair reciprocal(pair a)
+{
+    const double size = a.re * a.re + a.im * a.im;
+    return (pair){ a.re / size, -a.im / size };
+}
+
+static inline pair at(const fvi_parts *a, size_t i)
+{
+    return (pair){ a->re[i], a->im[i] };
+}
+
+static inline void put(const fvi_parts *a, size_t i, pair z)
+{
+    a->re[i] = z.re;
+    a->im[i] = z.im;
+}
+
+#endif

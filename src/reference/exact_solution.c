@@ -1,0 +1,181 @@
+/* src/reference/exact_solution.c -- The linear problem, solved exactly.    [Chapter 11] */
+#include "exact_inverse.h"
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+
+static const double LOST = 1e-14; /* what a phase may be wrong */
+
+static int in_range(double a, double low, double high)
+{
+    return gsl_finite(a) && a >= low && a <= high;
+}
+
+int fvi_exact_check(const fvi_linear_oscillator *p)
+{
+    const double most = GSL_DBL_MAX;
+    if (!p)
+        FVI_FAIL("there is no problem", FVI_EFAULT);
+    if (p->forcing != FVI_FORCING_NONE && p->forcing != FVI_FORCING_STEP
+        && p->forcing != FVI_FORCING_COSINE)
+        FVI_FAIL("unknown forcing", FVI_EINVAL);
+    if (!(in_range(p->m, GSL_DBL_MIN, most) && in_range(p->c, 0, most)
+          && in_range(p->rho, 0, most) && in_range(p->alpha, 0, 1)
+          && gsl_finite(p->x0) && gsl_finite(p->v0)))
+        FVI_FAIL("m, c, rho, alpha or the start is out of range", FVI_EDOM);
+    if (p->forcing && !gsl_finite(p->A))
+        FVI_FAIL("A must be finite", FVI_EDOM);
+    if (p->forcing == FVI_FORCING_STEP && !in_range(p->T, 0, most))
+        FVI_FAIL("T must be finite and not negative", FVI_EDOM);
+    if (p->forcing == FVI_FORCING_COSINE && !gsl_finite(p->w))
+        FVI_FAIL("w must be finite", FVI_EDOM);
+    if (p->past != FVI_INITIAL_HISTORY_HELD && p->past != FVI_INITIAL_HISTORY_CAPUTO
+        && p->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+        FVI_FAIL("unknown past", FVI_EINVAL);
+    if (p->law && p->past != FVI_INITIAL_HISTORY_HELD)
+        FVI_FAIL("a law of damping is for a body that was held", FVI_EUNSUP);
+    if (p->law)
+        return fvi_kernel_check(p->law);
+    if (!fvi_initial_history_solvable(p->past, p->alpha, p->rho, p->x0))
+        FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
+                 "alpha > 1/2",
+                 FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+static int check_times(size_t n, const double *t, const double *x,
+                       const double *v)
+{
+    if (!t || (!x && !v))
+        FVI_FAIL("there are no times, or no outputs", FVI_EFAULT);
+    if (n == 0)
+        FVI_FAIL("n must be at least 1", FVI_EINVAL);
+    for (size_t i = 0; i < n; i++)
+        if (!in_range(t[i], 0, GSL_DBL_MAX))
+            FVI_FAIL("a time must be finite and not negative", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+/* Both parts of a problem's check, and its preparation. */
+static int prepare(const fvi_linear_oscillator *problem, size_t n, const double *t,
+                   const double *x, const double *v, fvi_inverse *S)
+{
+    int status = fvi_exact_check(problem);
+    if (!status)
+        status = check_times(n, t, x, v);
+    if (!status)
+        status = fvi_inverse_prepare(problem, S);
+    return status;
+}
+
+int fvi_exact_phase_is_lost(const fvi_inverse *S, double t)
+{
+    int lost = 0;
+    for (size_t i = 0; i < S->roots && t > 0; i++)
+        lost = lost || fvi_pole_phase_error(&S->root[i], t) > LOST;
+    return lost;
+}
+
+static int put(size_t i, double xi, double vi, double *x, double *v)
+{
+    if (!gsl_finite(xi) || !gsl_finite(vi))
+        FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+    if (x)
+        x[i] = xi;
+    if (v)
+        v[i] = vi;
+    return FVI_SUCCESS;
+}
+
+//> events
+/* The events of a time t: the start with its force, and, soon after the end of
+ * a step, its end. Later the two are one pulse, which rounds less. */
+static size_t events_at(const fvi_linear_oscillator *p, double t, fvi_event at[2])
+{
+    at[0] = (fvi_event){ .t = t, .start = 1, .sign = 1 };
+    if (p->forcing != FVI_FORCING_STEP || t <= p->T)
+        return 1;
+    if (t >= 2 * p->T) {
+        at[0].lasts = p->T;
+        at[0].sign = p->T > 0;
+        return 1;
+    }
+    at[1] = (fvi_event){ .t = t - p->T, .sign = -1 }; /* exact: t < 2 T */
+    return 2;
+}
+//< events
+
+void fvi_exact_evaluate(fvi_inverse *S, double t, double *x, double *v)
+{
+    fvi_event at[2];
+    const size_t events = t > 0 ? events_at(&S->p, t, at) : 0;
+    *x = t > 0 ? 0 : S->p.x0;
+    *v = t > 0 ? 0 : S->p.v0;
+    for (size_t j = 0; j < events; j++)
+        fvi_inverse_add(S, &at[j], x, v);
+}
+
+int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x,
+              double *v)
+{
+    fvi_inverse S;
+    int status = prepare(problem, n, t, x, v, &S);
+    if (status)
+        return status;
+    for (size_t i = 0; i < n && !status; i++) {
+        double xi, vi;
+        status = fvi_interrupted();
+        if (status)
+            return status;
+        if (fvi_exact_phase_is_lost(&S, t[i]))
+            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+        fvi_exact_evaluate(&S, t[i], &xi, &vi);
+        status = put(i, xi, vi, x, v);
+    }
+    return status;
+}
+
+int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const double *t,
+                          double *x, double *v)
+{
+    fvi_inverse S;
+    int status = prepare(problem, n, t, x, v, &S);
+    if (status)
+        return status;
+    if (S.roots == 0)
+        FVI_FAIL("there are no complex poles", FVI_EDOM);
+    for (size_t i = 0; i < n && !status; i++) {
+        double xi = 0, vi = 0;
+        fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
+        if (fvi_exact_phase_is_lost(&S, t[i]))
+            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+        if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
+            at.lasts = problem->T;
+            at.sign = problem->T > 0;
+        }
+        fvi_inverse_oscillation(&S, &at, &xi, &vi);
+        status = put(i, xi, vi, x, v);
+    }
+    return status;
+}
+
+int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im)
+{
+    fvi_inverse S;
+    if (!re || !im)
+        FVI_FAIL("nowhere to put the pole", FVI_EFAULT);
+    int status = fvi_exact_check(problem);
+    if (!status)
+        status = fvi_inverse_prepare(problem, &S);
+    if (status)
+        return status;
+    if (S.roots == 0)
+        FVI_FAIL("there is no complex pole", FVI_EDOM);
+    const fvi_pole *slowest = S.root;
+    for (size_t i = 1; i < S.roots; i++)
+        if (creal(S.root[i].s) > creal(slowest->s))
+            slowest = &S.root[i];
+    *re = creal(slowest->s) + creal(slowest->low);
+    *im = cimag(slowest->s) + cimag(slowest->low);
+    return FVI_SUCCESS;
+}

@@ -1,0 +1,82 @@
+/* src/reference/exact_weights.c -- What a problem has on the nodes of a contour. [Chapter 11] */
+#include "exact_window.h"
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+
+#include <gsl/gsl_math.h>
+
+/* The weight of the rule over t^2 Q(z/t) / m = z^2 + C + D; the largest of z^2, C and D is
+ * scaled, so that squares stay in range. D takes the place of z^beta. */
+FVI_VECTORS static void divide_by_Q(const fvi_window *w)
+{
+    const double C = w->C, R = w->R, by = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), zz = product(z, z),
+                   D = scaled(R, at(&w->power, i)),
+                   Q = { zz.re + C + D.re, zz.im + D.im },
+                   q = product(at(&w->weight, i), reciprocal(scaled(by, Q)));
+        put(&w->power, i, D);
+        put(&w->weight, i, scaled(by, q));
+    }
+}
+
+/* F times 1/z, or z / (z^2 + wt^2) of a cosine. */
+FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
+                                  double wt, const fvi_parts *f)
+{
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), zz = product(z, z),
+                   of_cosine = { zz.re + wt * wt, zz.im };
+        put(f, i,
+            scaled(F,
+                   cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
+    }
+}
+
+FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
+                                 const fvi_parts *f)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put(f, i, product(at(by, i), at(f, i)));
+}
+
+/* x and v: as add_integral of exact_inverse.c, without e^z. */
+FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
+                                    const fvi_parts *f)
+{
+    const double k0 = w->S->keeps_x0, k1 = w->S->keeps_v0, C = w->C,
+                 by_t = 1 / w->unit;
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = at(&w->z, i), D = at(&w->power, i), by_z = reciprocal(z),
+                   q = at(&w->weight, i), F = at(f, i), Dz = product(D, by_z),
+                   pushed = sum(z, scaled(k1, Dz)),
+                   x = sum(scaled(x0, sum(z, scaled(k0, Dz))),
+                           scaled(v0, product(pushed, by_z))),
+                   held = { C + (1 - k0) * D.re, (1 - k0) * D.im },
+                   v = sum(scaled(v0, pushed), scaled(-x0, held));
+        put(&w->x, i, product(q, sum(x, F)));
+        put(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
+    }
+}
+
+void fvi_window_weigh(fvi_window *w, const fvi_event *event)
+{
+    const fvi_linear_oscillator *p = &w->S->p;
+    const double t = w->unit,
+                 F = p->forcing ? event->sign * p->A / p->m * t * t : 0;
+    const int cosine = p->forcing == FVI_FORCING_COSINE;
+    transform(w, F, cosine, cosine ? p->w * t : 0, &w->scratch);
+    if (event->lasts > 0) { /* (11.19) */
+        fvi_window_exp(w, w->count, event->lasts / t, 1, &w->x);
+        multiply(w->count, &w->x, &w->scratch);
+    }
+    weigh_nodes(w, event->start * p->x0, event->start * p->v0 * t, &w->scratch);
+}
+
+void fvi_window_divide(fvi_window *w)
+{
+    divide_by_Q(w);
+}

@@ -1,0 +1,275 @@
+/* src/reference/exact_window.c -- One contour for many times.              [Chapter 11] */
+#include "exact_window.h"
+
+#include "exact_vectors.h"
+#include "memory/kernel_terms.h"
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double MU = 3;     /* the hyperbola crosses Im z = 0 left of it */
+static const double PHI = 1.35; /* and comes no closer to the cut than this */
+static const double GONE = -90; /* e^GONE is nothing */
+
+/* Logarithms, beside that of the tolerance: of what the rule may err, (11.17), and of how
+ * far below it the contour is cut off. */
+static const double EDGES = 5, CUT = 2;
+
+/* ---- where the contour goes ---- */
+
+/* (11.11): phi of the hyperbola through z; the sum is of the distances to its foci. */
+static double hyperbola_through(double complex z)
+{
+    const double x = creal(z) / MU, y = cimag(z) / MU;
+    return asin(2 * (1 - x) / (hypot(x, y) + hypot(x - 2, y)));
+}
+
+/* The middle of the widest part of (0, PHI) without a pole, and half the width in room: k
+ * poles leave one of PHI / (k + 1). */
+static double between_poles(fvi_window *w, double *room)
+{
+    const size_t poles = w->S->poles;
+    double phi[FVI_POLES], edge[FVI_POLES + 2] = { 0 }, middle = 0;
+    for (size_t i = 0; i < poles; i++) {
+        phi[i] = hyperbola_through(w->S->pole[i].s * w->unit);
+        size_t j = i + 1; /* sorted by insertion */
+        for (; j > 1 && edge[j - 1] > phi[i]; j--)
+            edge[j] = edge[j - 1];
+        edge[j] = GSL_MIN_DBL(GSL_MAX_DBL(phi[i], 0), PHI);
+    }
+    edge[poles + 1] = PHI;
+    *room = 0;
+    for (size_t j = 0; j <= poles; j++)
+        if (edge[j + 1] - edge[j] > 2 * *room) {
+            *room = (edge[j + 1] - edge[j]) / 2;
+            middle = edge[j] + *room;
+        }
+    w->all_passed = 1;
+    for (size_t i = 0; i < poles; i++) {
+        w->passed[i] = phi[i] < middle;
+        w->all_passed = w->all_passed && w->passed[i];
+    }
+    return middle;
+}
+
+/* ---- exponentials on the nodes ---- */
+
+FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        put(a, i, scaled(by, at(a, i)));
+}
+
+void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
+                    const fvi_parts *to)
+{
+    size_t here = n;
+    while (here > 0 && a * w->z.re[here - 1] < GONE)
+        here--;
+    memcpy(to->re, w->z.re, here * sizeof *to->re);
+    memcpy(to->im, w->z.im, here * sizeof *to->im);
+    scale(here, a, to);
+    (less ? fvi_vector_expm1 : fvi_vector_exp)(here, to->re, to->im);
+    for (size_t i = here; i < n; i++)
+        put(to, i, (pair){ -less, 0 });
+}
+
+/* ---- the nodes ---- */
+
+/* z and h / pi dz/du, from e^u */
+FVI_VECTORS static void place_nodes(size_t n, double h, double sine,
+                                    double cosine, const double *restrict eu,
+                                    double *restrict z_re,
+                                    double *restrict z_im,
+                                    double *restrict dz_re,
+                                    double *restrict dz_im)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++) {
+        const double ch = (eu[i] + 1 / eu[i]) / 2, sh = (eu[i] - 1 / eu[i]) / 2;
+        z_re[i] = MU * (1 - sine * ch);
+        z_im[i] = MU * (cosine * sh);
+        dz_re[i] = -h / M_PI * MU * (sine * sh);
+        dz_im[i] = h / M_PI * MU * (cosine * ch);
+    }
+}
+
+static void prepare_nodes(fvi_window *w, double phi, double h)
+{
+    const fvi_inverse *S = w->S;
+    double complex unused;
+    for (size_t i = 0; i < w->count; i++) {
+        w->scratch.re[i] = ((double)i + 0.5) * h;
+        w->scratch.im[i] = 0;
+    }
+    fvi_vector_exp(w->count, w->scratch.re, w->scratch.im);
+    place_nodes(w->count, h, sin(phi), cos(phi), w->scratch.re, w->z.re,
+                w->z.im, w->weight.re, w->weight.im);
+    for (size_t i = 0; i < w->count && S->p.law; i++) {
+        const double complex C = fvi_kernel_at(
+            S->p.law, (w->z.re[i] + I * w->z.im[i]) / w->unit, &unused);
+        put(&w->power, i, (pair){ creal(C), cimag(C) });
+    }
+    if (S->p.law)
+        return;
+    memcpy(w->power.re, w->z.re, w->count * sizeof *w->z.re);
+    memcpy(w->power.im, w->z.im, w->count * sizeof *w->z.im);
+    fvi_vector_log(w->count, w->power.re, w->power.im);
+    scale(w->count, S->beta, &w->power);
+    fvi_vector_exp(w->count, w->power.re, w->power.im);
+}
+
+/* e^{z j h} for the rows of a block: rows j to 2 j - 1 from those below, by e^{z j h}, whose
+ * square takes its place. */
+FVI_VECTORS static void step_rows(size_t n, size_t j, double *restrict re,
+                                  double *restrict im, double *restrict steps)
+{
+    for (size_t i = 0; i < n; i++) {
+        double *r = steps + 2 * FVI_BLOCK * i, *q = r + FVI_BLOCK;
+        const double a = re[i], b = im[i];
+#pragma omp simd
+        for (size_t l = 0; l < j; l++) {
+            r[l + j] = r[l] * a - q[l] * b;
+            q[l + j] = r[l] * b + q[l] * a;
+        }
+        re[i] = a * a - b * b;
+        im[i] = 2 * a * b;
+    }
+}
+
+/* Squares of squares would add up errors: every second power is computed. */
+static void prepare_steps(fvi_window *w, double h)
+{
+    for (size_t i = 0; i < w->count; i++) {
+        w->steps[2 * FVI_BLOCK * i] = 1;
+        w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
+    }
+    for (size_t j = 1; j < FVI_BLOCK; j *= 4) {
+        fvi_window_exp(w, w->count, fmin((double)j * h / w->unit, 1), 0,
+                       &w->scratch); /* no row is later than the unit */
+        step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
+        step_rows(w->count, 2 * j, w->scratch.re, w->scratch.im, w->steps);
+    }
+}
+
+/* ---- a window ---- */
+
+static int prepare_memory(fvi_window *w)
+{
+    fvi_parts *parts[] = { &w->z,       &w->weight, &w->power,
+                           &w->scratch, &w->x,      &w->v };
+    const size_t arrays = sizeof parts / sizeof *parts, n = w->count;
+    double *next = malloc(n * (2 * arrays + 2 * FVI_BLOCK) * sizeof *next);
+    w->memory = next;
+    if (!next)
+        FVI_FAIL("no memory for a contour", FVI_ENOMEM);
+    for (size_t i = 0; i < arrays; i++) {
+        *parts[i] = (fvi_parts){ next, next + n };
+        next += 2 * n;
+    }
+    w->steps = next;
+    return FVI_SUCCESS;
+}
+
+/* t^2 Q(z/t) / m for z > 0, over its value at z = 1; a law counts as none. */
+static double over_that_at_1(const fvi_inverse *S, double t, double z)
+{
+    const fvi_linear_oscillator *p = &S->p;
+    const double C = p->c / p->m * t * t,
+                 R = p->law ? 0 : p->rho / p->m * pow(t, 2 - S->beta);
+    return (z * z + C + R * pow(z, S->beta)) / (1 + C + R);
+}
+
+double fvi_window_growth(const fvi_inverse *S, double from, double to)
+{
+    const double z = to / from;
+    return over_that_at_1(S, to, z);
+}
+
+int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
+                    double tolerance, double grows, fvi_window *w)
+{
+    const fvi_linear_oscillator *p = &S->p;
+    const double wanted = -log(tolerance);
+    double room;
+    *w = (fvi_window){ .S = S, .unit = last, .folds = wanted + CUT };
+    const double phi = between_poles(w, &room);
+    if (S->closed && w->all_passed)
+        return FVI_SUCCESS;
+    w->C = p->c / p->m * last * last;
+    w->R = p->rho / p->m * (p->law ? last * last : pow(last, 2 - S->beta));
+    const double edge = MU * (1 - sin(phi + room)),
+                 excess = log(grows / over_that_at_1(S, last, edge)),
+                 step = 2 * M_PI * room / (wanted + EDGES + excess),
+                 end = acosh((1 + last / first * w->folds / MU) / sin(phi));
+    w->count = (size_t)ceil(end / step);
+    const int status = prepare_memory(w);
+    if (status)
+        return status;
+    prepare_nodes(w, phi, step);
+    prepare_steps(w, h);
+    fvi_window_divide(w);
+    return FVI_SUCCESS;
+}
+
+void fvi_window_close(fvi_window *w)
+{
+    free(w->memory);
+}
+
+/* ---- the rows ---- */
+
+//> block
+/* sum[j] += Im of the sum of c e e^{z j h} over the nodes, small ones first */
+FVI_VECTORS static void
+block_rows(size_t n, const double *restrict c_re, const double *restrict c_im,
+           const double *restrict e_re, const double *restrict e_im,
+           const double *restrict steps, double *restrict sums)
+{
+    double s[FVI_BLOCK] = { 0 };
+    for (size_t i = n; i-- > 0;) {
+        const double *r = steps + 2 * FVI_BLOCK * i, *q = r + FVI_BLOCK;
+        const double re = c_re[i] * e_re[i] - c_im[i] * e_im[i],
+                     im = c_re[i] * e_im[i] + c_im[i] * e_re[i];
+#pragma omp simd
+        for (size_t j = 0; j < FVI_BLOCK; j++)
+            s[j] += re * q[j] + im * r[j];
+    }
+    for (size_t j = 0; j < FVI_BLOCK; j++)
+        sums[j] = s[j];
+}
+//< block
+
+static void add_to(double *x, size_t rows, size_t n, const fvi_window *w,
+                   const fvi_parts *weight)
+{
+    double sums[FVI_BLOCK];
+    if (!x)
+        return;
+    block_rows(n, weight->re, weight->im, w->scratch.re, w->scratch.im,
+               w->steps, sums);
+    for (size_t j = 0; j < rows; j++)
+        x[j] += sums[j];
+}
+
+void fvi_window_add(fvi_window *w, const fvi_event *event, double h,
+                    size_t rows, double *x, double *v)
+{
+    size_t n = w->count;
+    fvi_window_weigh(w, event);
+    for (size_t k = 0; k < rows && n > 0 && !fvi_interrupted();
+         k += FVI_BLOCK) {
+        const double t = (event->t + (double)k * h) / w->unit;
+        const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
+        while (n > 0 && w->z.re[n - 1] * t < -w->folds)
+            n--;
+        fvi_window_exp(w, n, t, 0, &w->scratch);
+        add_to(x ? x + k : NULL, these, n, w, &w->x);
+        add_to(v ? v + k : NULL, these, n, w, &w->v);
+    }
+}

@@ -1,0 +1,229 @@
+/* src/sensitivity/adjoint.c -- Every derivative of a run for one mirrored run. [Chapter 23] */
+#include <fvi/adjoint.h>
+
+#include "checkpointing.h"
+#include "adjoint_multistep.h"
+#include "adjoint_matrices.h"
+#include "adjoint_variable.h"
+#include "adjoint_lobatto.h"
+#include "system/fail.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int check(const fvi_method *method, const fvi_run *run, const double *x,
+                 const double *p, const fvi_objective *J,
+                 const fvi_sensitivities *want)
+{
+    if (!method || !run || !J || !J->slopes || !want || !x != !p)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (method->scheme == FVI_SCHEME_CLASSICAL)
+        FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    if (run->law ? want->alpha != NULL : fvi_adjoint_kernel_is_wanted(want))
+        FVI_FAIL("a law has terms, and no alpha; a power the other way round",
+                 FVI_EINVAL);
+    if ((method->scheme == FVI_SCHEME_LOBATTO
+         || method->scheme == FVI_SCHEME_VARIABLE_STEP)
+        && x)
+        FVI_FAIL("stages need their own run", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia
+        && want->alpha && run->alpha == 1)
+        FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
+        && (run->alpha == 0 || run->alpha == 1)
+        && fvi_initial_history_acts(run->past, run->alpha))
+        FVI_FAIL("where the past pulls, a mesh has no derivative by alpha at 0 "
+                 "and at 1",
+                 FVI_EUNSUP);
+    if (want->parameters && want->sensitivity.count > 0
+        && !(run->system && run->system->matrices) && !want->sensitivity.column)
+        FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
+    fvi_stepper
+        *s; /* knows what a run may be; one of a step has no long memory */
+    fvi_run one = *run;
+    one.steps = run->steps > 0;
+    int status = fvi_stepper_start(method, &one, &s);
+    if (!status)
+        fvi_stepper_free(s);
+    return status;
+}
+
+/* Of a step: its end, and the stages before. */
+static size_t rows_of(const fvi_method *method)
+{
+    const size_t first = method->damped_inertia != 0;
+    return method->stages ? (size_t)method->stages - 1 + first : 1;
+}
+
+/* Times of a step at which a force acts, but for its beginning. */
+static size_t forces_of(const fvi_method *method)
+{
+    return method->stages ? (size_t)method->stages - 1 : 1;
+}
+
+/* What is added to, from zero on. */
+static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
+{
+    const size_t d = run->system->d;
+    if (want->alpha)
+        *want->alpha = 0;
+    double *const of_law[] = { want->terms, want->orders, want->times,
+                               want->ends };
+    for (size_t l = 0; l < sizeof of_law / sizeof *of_law; l++)
+        for (size_t i = 0; of_law[l] && i < run->law->count; i++)
+            of_law[l][i] = 0;
+    if (want->damping && !run->system->matrices)
+        memset(want->damping, 0, d * sizeof *want->damping);
+    if (want->force)
+        memset(want->force, 0,
+               (run->steps * per + 1) * d * sizeof *want->force);
+    for (size_t j = 0; want->parameters && !run->system->matrices
+                       && j < want->sensitivity.count;
+         j++)
+        want->parameters[j] = 0;
+}
+
+/* dJ/dx_k, zeroed before it is asked for. */
+static int slopes(const fvi_objective *J, size_t k, size_t d, const double *x,
+                  const double *p, double *Jx, double *Jp)
+{
+    *Jx = 0;
+    for (size_t i = 1; i < d; i++)
+        Jx[i] = 0;
+    return J->slopes(k, d, x, p, J->params, Jx, Jp);
+}
+
+/* One of the two kinds of mirrored runs: with stages, or without (0). */
+typedef struct {
+    size_t stages;
+    fvi_adjoint_multistep plain;
+    fvi_adjoint_lobatto staged;
+} mirror;
+
+static int begin(const fvi_method *method, const fvi_run *run,
+                 const fvi_sensitivities *want, const double *p, const double *Jp,
+                 mirror *m)
+{
+    m->stages = (size_t)method->stages;
+    return m->stages
+               ? fvi_adjoint_lobatto_start(method, run, want, p, Jp, &m->staged)
+               : fvi_adjoint_multistep_start(method, run, want, Jp, &m->plain);
+}
+
+static int step(mirror *m, size_t k, const double *rows, const double *Jx)
+{
+    return m->stages ? fvi_adjoint_lobatto_step(&m->staged, k, rows, Jx)
+                     : fvi_adjoint_multistep_step(&m->plain, k, rows, Jx);
+}
+
+static int finish(mirror *m, const double *Jx)
+{
+    return m->stages ? fvi_adjoint_lobatto_end(&m->staged, Jx)
+                     : fvi_adjoint_multistep_end(&m->plain, Jx);
+}
+
+static void stop(mirror *m)
+{
+    fvi_adjoint_lobatto_stop(&m->staged);
+    fvi_adjoint_multistep_free(&m->plain);
+}
+
+//> walk
+/* From node N to node 0. J: d numbers for dJ/dx_k, and d for dJ/dp_N. */
+static int walk(const fvi_method *method, fvi_checkpointing *path,
+                const fvi_run *run, const fvi_objective *objective,
+                const fvi_sensitivities *want, double *J)
+{
+    const size_t d = run->system->d, N = run->steps;
+    const size_t per = rows_of(method);
+    const double *rows;
+    mirror m = { 0 };
+    int status = fvi_checkpointing_step(path, N - 1, &rows);
+    if (!status)
+        status = slopes(objective, N, d, rows + per * d,
+                        fvi_checkpointing_momentum(path), J, J + d);
+    if (!status)
+        status =
+            begin(method, run, want, fvi_checkpointing_momentum(path), J + d, &m);
+    for (size_t k = N; !status && k-- > 0;) {
+        if (k + 1 < N)
+            status = fvi_checkpointing_step(path, k, &rows);
+        if (!status)
+            status = step(&m, k, rows, J);
+        if (!status)
+            status = slopes(objective, k, d, rows, NULL, J, NULL);
+    }
+    if (!status)
+        status = finish(&m, J);
+    stop(&m);
+    return status;
+}
+//< walk
+
+/* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
+ * none by x0. */
+static int are_finite(const fvi_run *run, const fvi_sensitivities *want, size_t per)
+{
+    const int whole = run->system->matrices != NULL;
+    const size_t d = run->system->d, l = run->law ? run->law->count : 0,
+                 c = whole ? 1 : want->sensitivity.count;
+    const struct {
+        const double *by;
+        size_t count;
+    } outputs[] = { { run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? NULL : want->x0,
+                      d },
+                    { want->p0, d },
+                    { want->mass, whole ? 1 : d },
+                    { want->damping, whole ? 1 : d },
+                    { want->alpha, 1 },
+                    { want->terms, l },
+                    { want->orders, l },
+                    { want->times, l },
+                    { want->ends, l },
+                    { want->force, (run->steps * per + 1) * d },
+                    { want->parameters, c } };
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
+        if (outputs[i].by && !fvi_all_finite(outputs[i].count, outputs[i].by))
+            return 0;
+    return 1;
+}
+
+static int all_derivatives(const fvi_method *method, const fvi_run *run,
+                           const double *x, const double *p,
+                           const fvi_objective *objective,
+                           const fvi_sensitivities *want)
+{
+    fvi_checkpointing *path;
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP)
+        return fvi_adjoint_variable(run, objective, want);
+    int status = fvi_checkpointing_alloc(method, run, x, p, &path);
+    if (status)
+        return status;
+    if (run->system->matrices) {
+        status = fvi_adjoint_matrices(method, run, path, objective, want);
+        fvi_checkpointing_free(path);
+        return status;
+    }
+    double *J = calloc(2 * run->system->d, sizeof *J);
+    if (!J) {
+        fvi_checkpointing_free(path);
+        FVI_FAIL("no memory for the slopes", FVI_ENOMEM);
+    }
+    status = walk(method, path, run, objective, want, J);
+    free(J);
+    fvi_checkpointing_free(path);
+    return status;
+}
+
+int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
+                const double *p, const fvi_objective *objective,
+                const fvi_sensitivities *want)
+{
+    int status = check(method, run, x, p, objective, want);
+    if (status)
+        return status;
+    clear(run, want, forces_of(method));
+    status = all_derivatives(method, run, x, p, objective, want);
+    return status || are_finite(run, want, forces_of(method)) ? status
+                                                              : FVI_EOVRFLW;
+}

@@ -1,0 +1,67 @@
+/* src/sensitivity/adjoint_kernel.h -- What a term of a law gives, going backwards. [Chapter 23]
+ *
+ * Internal. With C the symbol of the term for rho = 1 and L = ln(delta(z)/h),
+ *
+ *     dC/d alpha = 2 L C (1 - time C),     dC/d time = -C^2               (23.21)
+ *
+ * of a power (time 0), a fraction or a Maxwell element; of a range of orders a and e
+ * dC/da = -s^{2a}, dC/de = s^{2e}. All of these are memories, one behind another. */
+#ifndef FVI_ADJOINT_KERNEL_H
+#define FVI_ADJOINT_KERNEL_H
+
+#include <fvi/adjoint.h>
+#include <fvi/convolution_quadrature.h>
+
+/* One memory of a law with its first weight. */
+typedef struct {
+    fvi_history *memory;
+    double first;
+} fvi_adjoint_convolution;
+
+/* Where the comment says "each", d numbers. */
+typedef struct {
+    fvi_kernel_term term; /* with rho = 1 */
+    size_t d;
+    double log_h, rho;                   /* of the law */
+    fvi_adjoint_convolution self, again;  /* of nu; of what self gives */
+    fvi_adjoint_convolution lower, upper; /* of a range: powers of its ends */
+    fvi_history *log;                     /* of (1 - z)^0, with its rate */
+    size_t taps, place;                  /* of ln((3 - z)/2); 0: none */
+    double l[FVI_BDF2_TAPS];
+    double *sum, *change; /* each: C nu, and its increment */
+    double *square;       /* each: C^2 nu, or a power */
+    double *left, *moved; /* each: C (1 - time C) nu, and its increment */
+    double *rate;         /* each: its derivative by the order of (1 - z)^0 */
+    double *past;         /* each of taps: left */
+    double *block;        /* all these; owned */
+} fvi_adjoint_term;
+
+/* fvi_adjoint_kernel_is_wanted -- are derivatives by numbers of a law wanted? */
+int fvi_adjoint_kernel_is_wanted(const fvi_sensitivities *want);
+
+/* fvi_adjoint_is_fraction, _has_order -- a ZENER or MAXWELL; a POWER or ZENER. */
+int fvi_adjoint_is_fraction(const fvi_kernel_term *t);
+int fvi_adjoint_has_order(const fvi_kernel_term *t);
+
+/* fvi_adjoint_unit_term -- the term with rho = 1, time = 0 if it has none; and its rho. */
+void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_term *unit,
+                          double *rho);
+
+/* fvi_adjoint_term_start -- the memories for what is wanted of term i of run->law, of `d`
+ * numbers. t is in any case to be given back by fvi_adjoint_term_stop. Returns FVI_SUCCESS;
+ * what fvi_kernel_history and fvi_history_alloc_by_order return; FVI_ENOMEM. */
+int fvi_adjoint_term_start(const fvi_run *run, const fvi_sensitivities *want,
+                          fvi_delta kind, size_t i, size_t d,
+                          fvi_adjoint_term *t);
+
+/* fvi_adjoint_term_accumulate -- nu comes in; the sums that the derivatives of C make of it, times
+ * `weight`, are taken away from entry i of what is wanted.
+ *
+ *   nu, dnu, weight  d numbers each; dnu the increment of nu */
+int fvi_adjoint_term_accumulate(fvi_adjoint_term *t, const double *nu,
+                         const double *dnu, const double *weight,
+                         const fvi_sensitivities *want, size_t i);
+
+void fvi_adjoint_term_stop(fvi_adjoint_term *t);
+
+#endif

@@ -1,0 +1,346 @@
+/* src/sensitivity/adjoint_variable.c -- The run that goes backwards over its own mesh. [Chapter 23] */
+#include "adjoint_variable.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the start ---- */
+
+enum { LANED = 5, PLAIN = 11, STAGED = 2 };
+
+static int allocate(fvi_adjoint_variable_run *m)
+{
+    const size_t s = m->s, d = m->d;
+    const fvi_system *system = m->run->system;
+    const size_t room =
+        system->potential.hessian ? fvi_potential_hessian_size(system) : 0;
+    double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
+    double **plain[PLAIN] = { &m->xi,    &m->after,  &m->before,  &m->Jx,
+                              &m->Jp,    &m->column, &m->kinetic, &m->sum,
+                              &m->plain, &m->push,   &m->subtracted_velocity };
+    m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d + s * room,
+                      sizeof *m->block);
+    if (!m->block)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    double *next = m->block;
+    for (size_t i = 0; i < LANED; i++, next += FVI_LANES * d)
+        *laned[i] = next;
+    for (size_t i = 0; i < PLAIN; i++, next += d)
+        *plain[i] = next;
+    m->X = next;
+    m->r = m->X + s * d;
+    m->G = room ? m->r + s * d : NULL;
+    const size_t w =
+        system->potential.diagonals ? system->potential.diagonals : d;
+    if (fvi_band_alloc(s * d, s * w, &m->J_band))
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    return FVI_SUCCESS;
+}
+
+static int start(fvi_adjoint_variable_run *m)
+{
+    const fvi_recorded_steps *path = &m->path;
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    m->rule = path->rule;
+    m->s = m->rule->s;
+    m->row = m->run->steps;
+    m->mass_plus_damping = path->beta == 1;
+    m->has_history = m->want->damping != NULL;
+    for (size_t j = 0; j < m->d; j++)
+        m->has_history |= m->run->system->damping[j] > 0;
+    m->has_history = m->has_history && (!m->mass_plus_damping || m->want->alpha);
+    int status = allocate(m);
+    if (status)
+        return status;
+    fvi_square_apply(m->s, &path->W0, ones, m->W_1);
+    if (!m->has_history || (path->beta == 0 && !m->want->alpha))
+        return FVI_SUCCESS;
+    status =
+        fvi_modes_alloc(m->rule, m->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE,
+                        path->beta, m->d, path->T, path->least, &m->modes);
+    if (status || !m->want->alpha)
+        return status;
+    fvi_variable_present_by_order(m->rule, path->beta, &m->W0_rate);
+    return fvi_modes_add_order(m->modes);
+}
+
+/* ---- what J has of the rows within a step ---- */
+
+/* By V - v: what moves x at theta of a step of length h, (22.18). */
+static void shape_at(const fvi_adjoint_variable_run *m, double h, double theta,
+                     double *shape)
+{
+    double twice[FVI_LANES];
+    fvi_variable_step_twice(theta, twice);
+    for (size_t i = 0; i < m->s; i++) {
+        double unit[FVI_LANES] = { 0 }, bend[FVI_LANES], power[FVI_LANES];
+        unit[i] = 1;
+        fvi_square_apply(m->s, &m->rule->legendre, unit, bend);
+        fvi_variable_step_powers(m->s, bend, power);
+        shape[i] = 0;
+        for (size_t k = 0; k < m->s; k++)
+            shape[i] += h * twice[k] * power[k];
+    }
+}
+
+/* The slopes of row k, zeroed before they are asked for. */
+static int evaluate_slopes(fvi_adjoint_variable_run *m, size_t k)
+{
+    const int last = k == m->run->steps;
+    memset(m->Jx, 0, m->d * sizeof *m->Jx);
+    return m->J->slopes(k, m->d, m->path.rows + k * m->d,
+                        last ? m->path.p : NULL, m->J->params, m->Jx,
+                        last ? m->Jp : NULL);
+}
+
+/* All rows in the step n that are not at its beginning: to the source of Lambda, and what
+ * v_n and x_n do to them, to `by_v` and `by_x`. */
+static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
+                     double *by_x)
+{
+    const fvi_recorded_step *step = &m->path.step[n];
+    const double h = step->length.h;
+    int status = FVI_SUCCESS;
+    memset(m->source, 0, m->d * FVI_LANES * sizeof *m->source);
+    for (; !status && m->row > 0; m->row--) {
+        const double t = (double)m->row * m->run->h,
+                     theta = fmin((t - step->t) / h, 1);
+        double shape[FVI_LANES];
+        if (t <= step->t)
+            break;
+        status = evaluate_slopes(m, m->row);
+        shape_at(m, h, theta, shape);
+        for (size_t j = 0; j < m->d; j++) {
+            double whole = 0;
+            for (size_t i = 0; i < m->s; i++) {
+                m->source[j * FVI_LANES + i] += m->Jx[j] * shape[i];
+                whole += shape[i];
+            }
+            by_v[j] += m->Jx[j] * (h * theta - whole);
+            by_x[j] += m->Jx[j];
+            if (m->row == m->run->steps) /* p_N = m v_N */
+                m->after[j] = m->run->system->mass[j] * m->Jp[j];
+            if (fvi_adjoint_variable_is_singular(m, n))
+                fvi_singular_start_adjoint_accumulate(&m->pull, j, t, m->Jx[j],
+                                     m->row == m->run->steps ? m->after[j] : 0,
+                                     0);
+        }
+    }
+    return status;
+}
+
+/* ---- a step ---- */
+
+/* What T, the inertia and V meet. numbers: those of the step. */
+static void accumulate_damping(fvi_adjoint_variable_run *m, const double *numbers, double h)
+{
+    const size_t s = m->s, d = m->d;
+    const double now = pow(h, -m->path.beta), *b = m->rule->b;
+    for (size_t j = 0; j < d; j++) {
+        const double *delta = numbers + 3 * d + j * FVI_LANES;
+        const double *Lambda = m->Lambda + j * FVI_LANES,
+                     *mu = m->mu + j * FVI_LANES, *T = m->T + j * FVI_LANES;
+        double jump[FVI_LANES] = { 0 }, bend[FVI_LANES], present[FVI_LANES];
+        for (size_t i = 0; i < s; i++) /* V less the last v before an impulse */
+            jump[i] = delta[i] + numbers[2 * d + j];
+        fvi_square_apply(s, &m->rule->inverse, jump, bend);
+        fvi_square_apply(s, &m->path.W0, mu, present);
+        for (size_t i = 0; i < s; i++) {
+            const double V = numbers[d + j] + delta[s - 1 - i] - m->subtracted_velocity[j],
+                         all = T[i] + now * present[i];
+            m->kinetic[j] -= b[i] * Lambda[i] * bend[i];
+            m->sum[j] += h * b[i] * V * all;
+            m->plain[j] += h * b[i] * all;
+            m->push[j] += h * b[i] * Lambda[i];
+        }
+    }
+}
+
+//> alpha
+/* dJ/dalpha, (23.18): what coordinate j has of it in a step. */
+static void accumulate_alpha(fvi_adjoint_variable_run *m, size_t j, const double *numbers,
+                       double h)
+{
+    const size_t s = m->s;
+    const int above = m->path.beta > 0;
+    const double now = pow(h, -m->path.beta), ln = log(h),
+                 *delta = numbers + 3 * m->d + j * FVI_LANES;
+    double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES],
+           past[FVI_LANES], sum = 0;
+    for (size_t i = 0; i < s; i++)
+        v[i] = m->mu[j * FVI_LANES + i] - (above ? m->before[j] : 0);
+    fvi_square_apply(s, &m->W0_rate, v, rate);
+    fvi_square_apply(s, &m->path.W0, v, same);
+    fvi_modes_history_by_order(m->modes, j, past);
+    for (size_t i = 0; i < s; i++)
+        sum += m->rule->b[i]
+               * (numbers[m->d + j] + delta[s - 1 - i] - m->subtracted_velocity[j])
+               * (past[i] + now * (rate[i] - ln * same[i]));
+    *m->want->alpha -= 2 * m->run->system->damping[j] * h * sum;
+}
+//< alpha
+
+/* The force acts at the stages; the derivative is by its values at the rows, between which
+ * it is changed along lines. */
+static void accumulate_force(fvi_adjoint_variable_run *m, const fvi_recorded_step *step)
+{
+    const size_t d = m->d, N = m->run->steps;
+    double *force = m->want->force;
+    for (size_t i = 0; force && i < m->s; i++) {
+        const double t = step->t + m->rule->c[i] * step->length.h,
+                     at = t / m->run->h, k = fmin(floor(at), (double)N - 1),
+                     share = fmin(at - k, 1);
+        for (size_t j = 0; j < d; j++) {
+            const double by =
+                step->length.h * m->rule->b[i] * m->Lambda[j * FVI_LANES + i];
+            force[(size_t)k * d + j] += (1 - share) * by;
+            force[((size_t)k + 1) * d + j] += share * by;
+        }
+    }
+}
+
+static int accumulate_parameters(fvi_adjoint_variable_run *m, double h)
+{
+    const fvi_parameter_gradient *by = &m->want->sensitivity;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; m->want->parameters && i < m->s; i++)
+        for (size_t p = 0; !status && p < by->count; p++) {
+            status = by->column(p, d, m->X + i * d,
+                                m->run->system->potential.params, m->column);
+            for (size_t j = 0; j < d; j++)
+                m->want->parameters[p] -= h * m->rule->b[i] * m->column[j]
+                                          * m->Lambda[j * FVI_LANES + i];
+        }
+    return status;
+}
+
+/* mu goes into the memory. */
+static void update_history(fvi_adjoint_variable_run *m)
+{
+    for (size_t j = 0; m->has_history && j < m->d; j++) {
+        const double *mu = m->mu + j * FVI_LANES;
+        double v[FVI_LANES] = { 0 };
+        for (size_t i = 0; i < m->s; i++)
+            v[i] = mu[i] - (m->path.beta > 0 ? m->before[j] : 0);
+        if (m->modes)
+            fvi_modes_advance(m->modes, j, v, m->before[j]);
+        m->before[j] = mu[m->s - 1];
+    }
+}
+
+/* From the end of step n to its beginning. */
+static int step_back(fvi_adjoint_variable_run *m, size_t n)
+{
+    const fvi_recorded_step *step = &m->path.step[n];
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
+    const double h = step->length.h, *b = m->rule->b;
+    double *by_v = m->v, *by_x = m->v + m->d;
+    if (fvi_adjoint_variable_is_singular(m, n) && n + 1 < m->path.steps
+        && !fvi_adjoint_variable_is_singular(m, n + 1))
+        fvi_adjoint_variable_hand_back(m);
+    memset(m->v, 0, 2 * m->d * sizeof *m->v);
+    int status = read_rows(m, n, by_v, by_x);
+    if (!status)
+        status = fvi_adjoint_variable_solve(m, n);
+    if (!status)
+        status = accumulate_parameters(m, h);
+    if (status)
+        return status;
+    accumulate_damping(m, numbers, h);
+    if (fvi_adjoint_variable_is_singular(m, n))
+        fvi_adjoint_variable_accumulate_singular_start(m, n);
+    for (size_t j = 0; m->want->alpha && j < m->d; j++)
+        if (m->run->system->damping[j] > 0)
+            accumulate_alpha(m, j, numbers, h);
+    accumulate_force(m, step);
+    update_history(m);
+    for (size_t j = 0; j < m->d; j++) { /* to x_n and v_n */
+        const double M = fvi_adjoint_variable_mass(m, j);
+        m->after[j] = M * m->Lambda[j * FVI_LANES] + by_v[j];
+        m->kinetic[j] -= by_v[j] * numbers[2 * m->d + j] / M; /* J / M, by M */
+        for (size_t i = 0; i < m->s; i++)
+            by_x[j] -= h * b[i] * fvi_adjoint_variable_hessian_product(m, j, i);
+        m->xi[j] += by_x[j];
+    }
+    return FVI_SUCCESS;
+}
+
+/* ---- the end ---- */
+
+/* Riemann-Liouville's damping of order 0 is a spring about 0, that of order 2 strikes, and so
+ * does the held one of order 2: v begins with p0 over m + rho. */
+static int end(fvi_adjoint_variable_run *m)
+{
+    const fvi_sensitivities *want = m->want;
+    const fvi_run *run = m->run;
+    const int liouville = run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+              struck = m->mass_plus_damping && run->past != FVI_INITIAL_HISTORY_CAPUTO;
+    int status = evaluate_slopes(m, 0);
+    for (size_t j = 0; j < m->d; j++) {
+        const double M = run->system->mass[j], rho = run->system->damping[j],
+                     first = struck ? M + rho : M, v0 = run->p0[j] / first,
+                     spring = liouville && run->alpha == 0 ? m->push[j] : 0,
+                     by_v0 = m->after[j]
+                             + (m->path.beta > 0 ? fvi_adjoint_variable_damping(m, j)
+                                                       * m->plain[j]
+                                                 : 0);
+        m->xi[j] += m->Jx[j] - rho * spring;
+        m->kinetic[j] -=
+            m->Jp[j] * M * m->path.impulse_dv[j] / fvi_adjoint_variable_mass(m, j);
+        if (want->x0)
+            want->x0[j] = m->xi[j];
+        if (want->p0)
+            want->p0[j] = by_v0 / first;
+        if (want->mass)
+            want->mass[j] = m->kinetic[j] - by_v0 * v0 / first
+                            + m->Jp[j] * m->path.p[j] / M;
+        if (want->damping)
+            want->damping[j] =
+                m->mass_plus_damping ? m->kinetic[j] - (struck ? by_v0 * v0 / first : 0)
+                         : -m->sum[j] - spring * run->x0[j];
+        if (m->pull.is)
+            fvi_adjoint_variable_end_singular_start(m, j, by_v0);
+        if (want->x0 && liouville && run->alpha > 0.5 && rho > 0)
+            want->x0[j] = NAN; /* (19.2): no run begins elsewhere */
+    }
+    if (want->alpha)
+        *want->alpha += m->pull.by_alpha;
+    return status || fvi_all_finite(m->d, m->xi) ? status : FVI_EOVRFLW;
+}
+
+/* A derivative by A needs steps that end at t1, also where A = 0 and the run's own do not. */
+static int needs_open(const fvi_run *run, const fvi_sensitivities *want)
+{
+    return fvi_initial_history_acts(run->past, run->alpha)
+           && (run->alpha > 0.5 ? want->p0 : want->x0) != NULL;
+}
+
+int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
+                    const fvi_sensitivities *want)
+{
+    fvi_adjoint_variable_run m = {
+        .run = run, .J = J, .want = want, .d = run->system->d
+    };
+    int status = fvi_recorded_steps_run(run, needs_open(run, want), &m.path);
+    if (!status)
+        status = start(&m);
+    if (!status)
+        status = fvi_singular_start_adjoint_start(
+            run, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.pull);
+    if (!status)
+        fvi_adjoint_variable_subtract_velocity(&m);
+    for (size_t n = m.path.steps; !status && n-- > 0;)
+        status = step_back(&m, n);
+    if (!status)
+        status = end(&m);
+    fvi_modes_free(m.modes);
+    fvi_singular_start_adjoint_stop(&m.pull);
+    fvi_band_free(&m.J_band);
+    free(m.block);
+    fvi_recorded_steps_free(&m.path);
+    return status;
+}

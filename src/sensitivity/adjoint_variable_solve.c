@@ -1,0 +1,134 @@
+/* src/sensitivity/adjoint_variable_solve.c -- A step backwards over a mesh.    [Chapter 23] */
+#include "adjoint_variable.h"
+
+#include "hessian_band.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <string.h>
+
+static double entry(const fvi_square *M, size_t i, size_t l)
+{
+    return M->column[l][i];
+}
+
+static int evaluate_hessians(fvi_adjoint_variable_run *m, size_t n, double h)
+{
+    const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
+    const fvi_potential *u = &m->run->system->potential;
+    const size_t d = m->d, room = m->G ? fvi_potential_hessian_size(m->run->system) : 0;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < d; j++) {
+        double move[FVI_LANES];
+        fvi_square_apply(m->s, m->path.to_x, numbers + 3 * d + j * FVI_LANES,
+                         move);
+        for (size_t i = 0; i < m->s; i++)
+            m->X[i * d + j] =
+                numbers[j] + h * (m->rule->c[i] * numbers[d + j] + move[i]);
+        for (size_t i = 0; fvi_adjoint_variable_is_singular(m, n) && i < m->s; i++)
+            m->X[i * d + j] += fvi_singular_start_adjoint_at(
+                &m->pull, j, fvi_adjoint_variable_time(m, n, i), NULL);
+    }
+    for (size_t i = 0; m->G && !status && i < m->s; i++)
+        status = u->hessian(d, m->X + i * d, u->params, m->G + i * room);
+    return status;
+}
+
+/* (G Lambda)_i of coordinate j */
+double fvi_adjoint_variable_hessian_product(const fvi_adjoint_variable_run *m, size_t j, size_t i)
+{
+    const fvi_system *system = m->run->system;
+    size_t low, high;
+    double sum = 0;
+    if (!m->G)
+        return 0;
+    fvi_hessian_reach(system, j, &low, &high);
+    for (size_t l = low; l < high; l++)
+        sum +=
+            fvi_hessian_entry(system, m->G + i * fvi_potential_hessian_size(system), j, l)
+            * m->Lambda[l * FVI_LANES + i];
+    return sum;
+}
+
+/* The matrix of the step, transposed: row c is the derivative by V_c. */
+static int factorise(fvi_adjoint_variable_run *m, double h)
+{
+    const size_t s = m->s;
+    const fvi_system *system = m->run->system;
+    const double unit = pow(h, 1 - m->path.beta), *b = m->rule->b;
+    fvi_band_clear(&m->J_band);
+    for (size_t j = 0; j < m->d; j++) {
+        size_t low = 0, high = 0;
+        if (m->G)
+            fvi_hessian_reach(system, j, &low, &high);
+        for (size_t c = 0; c < s; c++) {
+            double *row = fvi_band_row(&m->J_band, j * s + c);
+            for (size_t i = 0; i < s; i++)
+                row[j * s + i] = b[i]
+                                 * (fvi_adjoint_variable_mass(m, j)
+                                        * entry(&m->rule->inverse, i, c)
+                                    + fvi_adjoint_variable_damping(m, j) * unit
+                                          * entry(&m->path.W0, i, c));
+            for (size_t l = low; l < high; l++)
+                for (size_t i = 0; i < s; i++)
+                    row[l * s + i] +=
+                        h * h * entry(m->path.to_x, i, c) * b[i]
+                        * fvi_hessian_entry(
+                            system, m->G + i * fvi_potential_hessian_size(system), j, l);
+        }
+    }
+    return fvi_band_factorise(&m->J_band);
+}
+
+/* T but for W0 mu: the history. (22.6), (22.7) */
+static void recall(fvi_adjoint_variable_run *m, double h)
+{
+    const double now = pow(h, -m->path.beta);
+    for (size_t j = 0; m->has_history && j < m->d; j++) {
+        double *T = m->T + j * FVI_LANES;
+        memset(T, 0, FVI_LANES * sizeof *T);
+        if (m->modes)
+            fvi_modes_history(m->modes, j, T);
+        for (size_t i = 0; m->path.beta > 0 && i < m->s; i++)
+            T[i] -= now * m->W_1[i] * m->before[j];
+    }
+}
+
+//> mesh
+/* (23.16): Lambda of a step of length h. In both forms to_x 1 = c, and its last row is b,
+ * so that x_{n+1} = x_n + h b.V. */
+static int solve(fvi_adjoint_variable_run *m, double h)
+{
+    const size_t s = m->s;
+    const double *b = m->rule->b;
+    int status = factorise(m, h);
+    if (status)
+        return status;
+    for (size_t j = 0; j < m->d; j++)
+        for (size_t c = 0; c < s; c++) {
+            const double history = m->T[j * FVI_LANES + s - 1 - c];
+            m->r[j * s + c] =
+                m->source[j * FVI_LANES + c] + h * b[c] * m->xi[j]
+                - h * fvi_adjoint_variable_damping(m, j) * b[c] * history;
+            if (c == s - 1)
+                m->r[j * s + c] += m->after[j];
+        }
+    fvi_band_solve(&m->J_band, m->r);
+    for (size_t j = 0; j < m->d; j++)
+        for (size_t i = 0; i < s; i++) {
+            m->Lambda[j * FVI_LANES + i] = m->r[j * s + i];
+            m->mu[j * FVI_LANES + s - 1 - i] = m->r[j * s + i];
+        }
+    return FVI_SUCCESS;
+}
+//< mesh
+
+int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
+{
+    const fvi_length length = m->path.step[n].length;
+    int status = evaluate_hessians(m, n, length.h);
+    if (m->modes)
+        fvi_modes_begin(m->modes, length);
+    recall(m, length.h);
+    return status ? status : solve(m, length.h);
+}

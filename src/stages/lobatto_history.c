@@ -1,0 +1,345 @@
+/* src/stages/lobatto_history.c -- The history of a derivative on Lobatto nodes.
+ *                                                               [Chapter 17] */
+#include "lobatto_history.h"
+
+#include "lobatto_kernel.h"
+#include "memory/history_kinds.h" /* fvi_check_count */
+#include "system/fail.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES = FVI_MODE_LANES, SHORT = 64 /* runs that AUTO sums directly */ };
+
+struct fvi_lobatto_history {
+    size_t s, d, steps, k;
+    size_t lags;       /* how many W_n are summed as they are */
+    size_t Q;          /* modes, padded to a multiple of LANES */
+    double *q, *p, *a; /* of each mode; s entries a, Q apart */
+    double *z;         /* Q modes for each coordinate */
+    double *W;         /* W_0, ..., W_lags */
+    double *past;      /* the last `lags` v, a ring */
+    int by_order;         /* there are derivatives by beta, too: */
+    double *r, *R;     /* of q and W */
+};
+
+static size_t padded(size_t n)
+{
+    return (n + LANES - 1) / LANES * LANES;
+}
+
+/* Without rates, beta = 0 and beta = -1 need no history. */
+static int has_history(double beta, int by_order)
+{
+    return by_order || (beta != 0 && beta != -1);
+}
+
+/* Are all W_n summed as they are? Or modes stand for most of them. */
+static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_order)
+{
+    const int few = kind == FVI_HISTORY_AUTO && steps <= SHORT;
+    return (few || kind == FVI_HISTORY_DIRECT) && has_history(beta, by_order);
+}
+
+static int check(size_t s, double beta, size_t d, size_t steps,
+                 fvi_history_kind kind, int by_order, double tolerance)
+{
+    if (!fvi_lobatto(s))
+        FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
+    if (kind == FVI_HISTORY_FFT)
+        FVI_FAIL("there is no FFT for the stages", FVI_EUNSUP);
+    if (d == 0 || kind < FVI_HISTORY_AUTO || kind > FVI_HISTORY_MODES)
+        FVI_FAIL("d must be at least 1 and the kind known", FVI_EINVAL);
+    if (!(beta >= -1 && beta <= 1))
+        FVI_FAIL("beta must be in [-1, 1]", FVI_EDOM);
+    if (!(tolerance >= 0 && tolerance < 1))
+        FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
+    const int direct = is_direct(beta, steps, kind, by_order);
+    const size_t most = SIZE_MAX / sizeof(double) / 1024;
+    if (d > most || (direct && steps > most / d))
+        FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
+    if (!direct && has_history(beta, by_order) && tolerance > 0
+        && tolerance < 1e-14)
+        FVI_FAIL("no tolerance below 1e-14", FVI_ETOL);
+    return FVI_SUCCESS;
+}
+
+/* How many modes and how many W_n there will be, for arguments that are checked. */
+static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
+                 int by_order, double keep, size_t *Q, size_t *lags)
+{
+    const int direct = is_direct(beta, steps, kind, by_order);
+    const double N = (double)steps + 1;
+    *lags = direct ? steps : FVI_LAGS;
+    *Q = direct ? 0
+                : padded(fvi_lobatto_nodes(s, beta, N, keep, by_order, NULL, NULL,
+                                           NULL, NULL, 0));
+}
+
+/* The default stands for a tolerance of 0. */
+static double kept(double tolerance)
+{
+    return tolerance >= 1e-14 ? tolerance : 1e-13;
+}
+
+double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
+                                fvi_history_kind kind, double tolerance)
+{
+    size_t Q, lags;
+    if (check(s, beta, d, steps, kind, 0, tolerance))
+        return 0;
+    plan(s, beta, steps, kind, 0, kept(tolerance), &Q, &lags);
+    const double ring = (double)lags * (double)(s * (s + d)),
+                 rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
+    return sizeof(double) * (ring + rest) + sizeof(fvi_lobatto_history);
+}
+
+static size_t numbers(const fvi_lobatto_history *m)
+{
+    const size_t rates = m->by_order ? 1 : 0;
+    return (2 + m->s + m->d + rates) * m->Q
+           + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d;
+}
+
+/* Zeros of such sizes, and nothing else; or NULL. */
+static fvi_lobatto_history *make(fvi_lobatto_history sizes)
+{
+    fvi_lobatto_history *m = malloc(sizeof *m);
+    double *block = calloc(numbers(&sizes), sizeof *block);
+    if (!m || !block) {
+        free(m);
+        free(block);
+        return NULL;
+    }
+    *m = sizes;
+    m->q = block;
+    m->p = m->q + m->Q;
+    m->a = m->p + m->Q;
+    m->z = m->a + m->s * m->Q;
+    m->W = m->z + m->d * m->Q;
+    m->past = m->W + (m->lags + 1) * m->s * m->s;
+    m->r = m->past + m->lags * m->s * m->d;
+    m->R = m->r + m->Q;
+    return m;
+}
+
+/* The lag FVI_LAGS + 1 is the first that the modes stand for. */
+static void skip_near_lags(fvi_lobatto_history *m)
+{
+    for (size_t j = 0; j < m->Q; j++)
+        for (size_t l = 0; l < FVI_LAGS; l++) {
+            m->q[j] -= m->p[j] * m->q[j];
+            if (m->by_order)
+                m->r[j] -= m->p[j] * m->r[j];
+        }
+}
+
+static int allocate(size_t s, double beta, size_t d, size_t steps,
+                    fvi_history_kind kind, int by_order, double tolerance,
+                    fvi_lobatto_history **memory)
+{
+    if (!memory)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = check(s, beta, d, steps, kind, by_order, tolerance);
+    if (status)
+        return status;
+    const double keep = kept(tolerance), N = (double)steps + 1;
+    size_t Q, lags;
+    plan(s, beta, steps, kind, by_order, keep, &Q, &lags);
+    fvi_lobatto_history *m = make((fvi_lobatto_history){
+        .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .by_order = by_order });
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    status =
+        fvi_lobatto_weights_by_order(s, beta, lags + 1, m->W, by_order ? m->R : NULL);
+    if (status) {
+        fvi_lobatto_history_free(m);
+        return status;
+    }
+    if (Q > 0)
+        fvi_lobatto_nodes(s, beta, N, keep, by_order, m->q, m->r, m->p, m->a, Q);
+    skip_near_lags(m);
+    *memory = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
+                             fvi_history_kind kind, double tolerance,
+                             fvi_lobatto_history **memory)
+{
+    return allocate(s, beta, d, steps, kind, 0, tolerance, memory);
+}
+
+int fvi_lobatto_history_alloc_by_order(size_t s, double beta, size_t d, size_t steps,
+                                  fvi_history_kind kind, double tolerance,
+                                  fvi_lobatto_history **memory)
+{
+    return allocate(s, beta, d, steps, kind, 1, tolerance, memory);
+}
+
+int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, size_t d,
+                              size_t steps, fvi_history_kind kind,
+                              double tolerance, fvi_lobatto_history **memory)
+{
+    fvi_lobatto_kernel ready;
+    int status = fvi_lobatto_kernel_prepare(law, h, &ready);
+    if (status)
+        return status;
+    if (!ready.has_nodes && kind == FVI_HISTORY_AUTO)
+        kind = FVI_HISTORY_DIRECT;
+    status = check(s, -0.5, d, steps, kind, 0, tolerance);
+    const int without =
+        !status && !ready.has_nodes && kind == FVI_HISTORY_MODES;
+    if (status || without) {
+        fvi_lobatto_kernel_free(&ready);
+        if (without)
+            FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
+        return status;
+    }
+    const double N = (double)steps + 1, keep = kept(tolerance);
+    const int direct = is_direct(-0.5, steps, kind, 0);
+    const size_t Q = direct ? 0
+                            : padded(fvi_lobatto_kernel_nodes(
+                                s, &ready, N, keep, NULL, NULL, NULL, 0));
+    fvi_lobatto_history *m = make((fvi_lobatto_history){
+        .s = s,
+        .d = d,
+        .steps = steps,
+        .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+        .Q = Q });
+    if (m && Q > 0)
+        fvi_lobatto_kernel_nodes(s, &ready, N, keep, m->q, m->p, m->a, Q);
+    if (m)
+        skip_near_lags(m);
+    status =
+        m ? fvi_lobatto_kernel_weights(s, &ready, m->lags + 1, m->W) : FVI_ENOMEM;
+    fvi_lobatto_kernel_free(&ready);
+    if (status) {
+        fvi_lobatto_history_free(m);
+        FVI_FAIL("no memory for the history", status);
+    }
+    *memory = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
+                            fvi_lobatto_history **to)
+{
+    fvi_lobatto_history *m = make(*from);
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    memcpy(m->q, from->q, numbers(m) * sizeof *m->q);
+    *to = m;
+    return FVI_SUCCESS;
+}
+
+/* How many lags are kept, and the nodes, may depend on N, and must be the same. */
+int fvi_lobatto_history_archive(fvi_lobatto_history *m, size_t k, fvi_archive *v)
+{
+    const size_t number = sizeof(double);
+    int status = v->serialize(v, &m->lags, sizeof m->lags, 1);
+    if (!status)
+        status = v->serialize(v, &m->Q, sizeof m->Q, 1);
+    if (!status)
+        status = v->serialize(v, m->q, (2 + m->s) * m->Q * number, 1);
+    if (!status)
+        status = v->serialize(v, &m->k, sizeof m->k, 0);
+    if (!status)
+        status = fvi_check_count(m->k, k);
+    if (!status)
+        status = v->serialize(v, m->z, m->d * m->Q * number, 0);
+    return status ? status
+                  : v->serialize(v, m->past, m->lags * m->s * m->d * number, 0);
+}
+
+void fvi_lobatto_history_free(fvi_lobatto_history *m)
+{
+    if (!m)
+        return;
+    free(m->q);
+    free(m);
+}
+
+const double *fvi_lobatto_history_now(const fvi_lobatto_history *m)
+{
+    return m->W;
+}
+
+const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *m)
+{
+    return m->R;
+}
+
+/* sum += sum_n W_n v_{k-n} over the near lags. (17.9) */
+static void sum_near(const fvi_lobatto_history *m, const double *W,
+                     const double *past, double *sum)
+{
+    const size_t s = m->s, k = m->k;
+    size_t at = k % m->lags;
+    for (size_t n = 1; n <= m->lags && n <= k; n++) {
+        at = (at > 0 ? at : m->lags) - 1; /* k - n, in the ring */
+        const double *Wn = W + n * s * s, *v = past + at * s;
+        for (size_t l = 0; l < s; l++) {
+            double more = sum[l];
+            for (size_t j = 0; j < s; j++)
+                more += Wn[l * s + j] * v[j];
+            sum[l] = more;
+        }
+    }
+}
+
+/* The rates of the modes as they are. */
+static void sum_rates(const fvi_lobatto_history *m, const double *z, double *sum)
+{
+    for (size_t l = 0; l < m->s; l++) {
+        double part[LANES] = { 0 };
+        const double *a = m->a + l * m->Q;
+        for (size_t j = 0; j < m->Q; j += LANES)
+            for (size_t i = 0; i < LANES; i++)
+                part[i] += a[j + i] * (m->r[j + i] * z[j + i]);
+        for (size_t i = 0; i < LANES; i++)
+            sum[l] += part[i];
+    }
+}
+
+int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H)
+{
+    return fvi_lobatto_history_push_by_order(m, v, H, NULL);
+}
+
+//> push
+int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
+                                 double *H, double *Hdot)
+{
+    if (!m || !v || !H)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (Hdot && !m->by_order)
+        FVI_FAIL("this memory has no rates", FVI_EUNSUP);
+    if (m->k >= m->steps)
+        FVI_FAIL("the memory is full", FVI_EINVAL);
+    const size_t s = m->s, k = ++m->k, lags = m->lags;
+    const double *b = fvi_lobatto(s)->b;
+    for (size_t i = 0; i < m->d; i++, v += s, H += s) {
+        double *past = m->past + i * lags * s, *z = m->z + i * m->Q,
+               *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
+               sum[FVI_STAGES] = { 0 };
+        /* v_{k-1-lags} leaves the ring, as u = P B v, and goes to the modes. */
+        for (size_t l = 0; l < s; l++) {
+            u[s - 1 - l] = b[l] * place[l];
+            place[l] = v[l];
+        }
+        sum_near(m, m->W, past, sum);
+        if (m->Q > 0)
+            fvi_lobatto_advance(s, m->Q, m->q, m->p, m->a, u, z, sum);
+        memcpy(H, sum, s * sizeof *H);
+        if (!Hdot)
+            continue;
+        memset(sum, 0, sizeof sum);
+        sum_near(m, m->R, past, sum);
+        sum_rates(m, z, sum);
+        memcpy(Hdot + i * s, sum, s * sizeof *H);
+    }
+    return FVI_SUCCESS;
+}
+//< push

@@ -1,0 +1,272 @@
+/* src/stages/lobatto_kernel.c -- Laws of damping on Lobatto nodes.          [Chapter 26] */
+#include "lobatto_kernel.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "system/larger.h"
+#include "system/lu.h"
+
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A fraction whose poles lie on its cut, or near to it: it has no nodes. Of 2 alpha = 1
+ * the pole is a node itself. */
+static int is_divided(const fvi_kernel_simple *t)
+{
+    return t->rho > 0 && t->time > 0 && t->alpha > 0.45 && t->alpha != 0.5;
+}
+
+/* A dashpot acts at once, as a mass does. */
+static int has_cut(const fvi_kernel_simple *t)
+{
+    return t->rho > 0 && t->alpha > 0 && t->alpha < 1 && t->alpha != 0.5
+           && !is_divided(t);
+}
+
+int fvi_lobatto_kernel_prepare(const fvi_kernel *law, double h, fvi_lobatto_kernel *ready)
+{
+    int status = fvi_kernel_flatten(law, &ready->term, &ready->terms);
+    if (status)
+        return status;
+    ready->h = h;
+    ready->has_nodes = 1;
+    for (size_t i = 0; i < ready->terms; i++)
+        ready->has_nodes &= !is_divided(&ready->term[i]);
+    return FVI_SUCCESS;
+}
+
+void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready)
+{
+    free(ready->term);
+    ready->term = NULL;
+}
+
+/* ---- nodes ---- */
+
+/* h Im C(-mu/h + i0) / pi of one term, by ln mu. */
+static double on_the_cut(const fvi_kernel_simple *t, double h, double ln_mu)
+{
+    const double beta = 2 * t->alpha, q = exp(beta * (ln_mu - log(h)));
+    const double re = 1 + t->time * q * cos(M_PI * beta),
+                 im = t->time * q * sin(M_PI * beta);
+    return t->rho * h / M_PI * q * sin(M_PI * beta) / (re * re + im * im);
+}
+
+/* The sums of that, and of mu times that, over ln mu = first - step, first - 2 step, ...:
+ * of a power a geometric sequence, of a fraction one in the end. (17.12) */
+static void add_tail(const fvi_kernel_simple *t, double h, double first,
+                     double step, double *S0, double *S1)
+{
+    const double beta = 2 * t->alpha;
+    double at = first, now = on_the_cut(t, h, at);
+    if (t->time > 0) /* until the fraction is a power to all digits */
+        while (t->time * exp(beta * (at - log(h))) > 1e-17 && now > 0) {
+            at -= step;
+            now = on_the_cut(t, h, at);
+            *S0 += now;
+            *S1 += now * exp(at);
+        }
+    *S0 += now / expm1(beta * step);
+    *S1 += now * exp(at) / expm1((1 + beta) * step);
+}
+
+/* Orders up to 1, or those above, of which the sign on the cut is the other one: nodes
+ * below ln mu = first, as one. */
+static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
+                    double step, double *S0, double *S1)
+{
+    *S0 = *S1 = 0;
+    for (size_t i = 0; i < r->terms; i++)
+        if (has_cut(&r->term[i]) && (r->term[i].alpha > 0.5) == above)
+            add_tail(&r->term[i], r->h, first, step, S0, S1);
+}
+
+/* The cut's: (17.10) with all terms on one set of nodes. */
+static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
+                           double tolerance, double *q, double *p, double *a,
+                           size_t stride)
+{
+    double least = 1, most = -1, width = 1;
+    for (size_t i = 0; i < r->terms; i++) {
+        const fvi_kernel_simple *t = &r->term[i];
+        if (!has_cut(t))
+            continue;
+        least = smaller(least, 2 * t->alpha - 1);
+        most = larger(most, 2 * t->alpha - 1);
+        if (t->time > 0) /* poles on the sheet beyond the cut */
+            width = smaller(width, 0.9 * fmin(1, 1 / t->alpha - 2));
+    }
+    if (most < least)
+        return 0;
+    const fvi_lobatto_span span =
+        fvi_lobatto_span_of(s, least, most, N, tolerance, width);
+    const double first = span.first, step = span.step;
+    const size_t tails = (size_t)(least < 0) + (size_t)(most > 0),
+                 Q = tails + 1 + (size_t)ceil((span.last - first) / step);
+    for (size_t j = 0, above = least > 0; q && j < tails; j++, above = 1) {
+        double S0, S1;
+        tail_of(r, (int)above, first, step, &S0, &S1);
+        q[j] = step * S0;
+        fvi_lobatto_node(s, S1 / S0, &p[j], a + j, stride);
+    }
+    for (size_t j = tails; q && j < Q; j++) {
+        const double ln_mu = first + (double)(j - tails) * step;
+        q[j] = 0;
+        for (size_t i = 0; i < r->terms; i++)
+            if (has_cut(&r->term[i]))
+                q[j] += step * on_the_cut(&r->term[i], r->h, ln_mu);
+        fvi_lobatto_node(s, exp(ln_mu), &p[j], a + j, stride);
+    }
+    return Q;
+}
+
+size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
+                             double tolerance, double *q, double *p, double *a,
+                             size_t stride)
+{
+    size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p, a, stride);
+    double springs = 0;
+    for (size_t i = 0; i < ready->terms; i++) {
+        const fvi_kernel_simple *t = &ready->term[i];
+        if (t->rho > 0 && t->alpha == 0)
+            springs += t->rho / (1 + t->time);
+        if (!(t->rho > 0 && t->alpha == 0.5 && t->time > 0))
+            continue;
+        if (q) { /* rho / (1 + T s) = (rho/T) / (s + 1/T): a residue */
+            q[Q] = t->rho * ready->h / t->time;
+            fvi_lobatto_node(s, ready->h / t->time, &p[Q], a + Q, stride);
+        }
+        Q++;
+    }
+    if (springs > 0 && q) { /* of order -1: the sum of all velocities */
+        q[Q] = springs * ready->h;
+        fvi_lobatto_node(s, 0, &p[Q], a + Q, stride);
+    }
+    return Q + (springs > 0);
+}
+
+/* ---- weights ---- */
+
+/* out = (Delta(z)/h) N of a series N, by Delta's two coefficients (17.5). */
+static void differentiate(size_t s, double h, size_t n, const double *N,
+                          double *out)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    const size_t s2 = s * s;
+    for (size_t k = 0; k < n; k++)
+        for (size_t i = 0; i < s; i++)
+            for (size_t j = 0; j < s; j++) {
+                double sum = i == 0 ? N[k * s2 + j] / rule->b[0] : 0;
+                for (size_t l = 0; l < s; l++)
+                    sum += rule->D[i][l] * N[k * s2 + l * s + j];
+                if (i == 0 && k > 0)
+                    sum -= N[(k - 1) * s2 + (s - 1) * s + j] / rule->b[0];
+                out[k * s2 + i * s + j] = sum / h;
+            }
+}
+
+/* sum -= x y, s x s matrices */
+static inline void take_product(size_t s, const double *x, const double *y,
+                                double *restrict sum)
+{
+    for (size_t i = 0; i < s; i++)
+        for (size_t l = 0; l < s; l++)
+            for (size_t j = 0; j < s; j++)
+                sum[i * s + j] -= x[i * s + l] * y[l * s + j];
+}
+
+/* V -= Q_1 N_{k-1} + ... + Q_k N_0, where s is often a constant to the compiler. */
+FVI_VECTORS static void take_sum(size_t s, size_t k, const double *Q,
+                                 const double *N, double *V)
+{
+    const size_t s2 = s * s;
+    for (size_t j = 1; j <= k; j++) {
+        const double *x = Q + j * s2, *y = N + (k - j) * s2;
+        if (s == 4)
+            take_product(4, x, y, V);
+        else
+            take_product(s, x, y, V);
+    }
+}
+
+//> division
+/* V (1 + T Q) = N, one matrix after the other; V overwrites N. */
+static void divide(size_t s, double T, size_t n, double *Q, double *N)
+{
+    const size_t s2 = s * s;
+    double first[FVI_STAGES * FVI_STAGES], column[FVI_STAGES];
+    size_t order[FVI_STAGES];
+    gsl_permutation permutation = { s, order };
+    for (size_t i = 0; i < n * s2; i++)
+        Q[i] *= T;
+    for (size_t i = 0; i < s2; i++)
+        first[i] = Q[i] + (i % (s + 1) == 0);
+    gsl_matrix_view matrix = gsl_matrix_view_array(first, s, s);
+    fvi_lu_factorise(&matrix.matrix, &permutation);
+    for (size_t k = 0; k < n; k++) {
+        double *V = N + k * s2;
+        take_sum(s, k, Q, N, V);
+        for (size_t j = 0; j < s; j++) {
+            gsl_vector_view x = gsl_vector_view_array(column, s);
+            for (size_t i = 0; i < s; i++)
+                column[i] = V[i * s + j];
+            gsl_linalg_LU_svx(&matrix.matrix, &permutation, &x.vector);
+            for (size_t i = 0; i < s; i++)
+                V[i * s + j] = column[i];
+        }
+    }
+}
+//< division
+
+/* W += the matrices of a fraction without nodes, from W_{FVI_LAGS + 1} on. */
+static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
+                       double *W)
+{
+    const size_t s2 = s * s;
+    double *N = malloc(2 * n * s2 * sizeof *N);
+    if (!N)
+        FVI_FAIL("no memory for the weights", FVI_ENOMEM);
+    double *Q = N + n * s2;
+    int status = fvi_lobatto_weights(s, 2 * t->alpha - 1, n, N);
+    for (size_t i = 0; !status && i < n * s2; i++)
+        N[i] *= pow(h, 1 - 2 * t->alpha);
+    if (!status) {
+        differentiate(s, h, n, N, Q);
+        divide(s, t->time, n, Q, N);
+    }
+    for (size_t i = (FVI_LAGS + 1) * s2; !status && i < n * s2; i++)
+        W[i] += t->rho * N[i];
+    free(N);
+    return status;
+}
+
+int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t n,
+                            double *W)
+{
+    const double N = (double)n;
+    const size_t Q =
+        fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, NULL, NULL, NULL, 0);
+    double *q = calloc((2 + s) * Q + 1, sizeof *q);
+    int status = FVI_SUCCESS;
+    if (!q)
+        FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
+    fvi_lobatto_kernel_nodes(s, ready, N, 1e-16, q, q + Q, q + 2 * Q, Q);
+    memset(W, 0, (FVI_LAGS + 1) * s * s * sizeof *W);
+    for (size_t k = 2; k < n; k++) {
+        for (size_t j = 0; j < Q; j++)
+            q[j] -= q[Q + j] * q[j]; /* q_j r_j^(k-1) */
+        if (k > FVI_LAGS)
+            fvi_lobatto_sum(s, Q, q, q + 2 * Q, W + k * s * s);
+    }
+    free(q);
+    for (size_t i = 0; !status && i < ready->terms; i++) {
+        const fvi_kernel_simple *t = &ready->term[i];
+        if (t->rho > 0)
+            fvi_lobatto_near(s, t->rho, t->alpha, t->time, ready->h, W);
+        if (is_divided(t) && n > FVI_LAGS + 1)
+            status = add_divided(s, t, ready->h, n, W);
+    }
+    return status;
+}

@@ -1,0 +1,224 @@
+/* src/variable_step/variable_step_band.c -- Newton's correction of all coordinates, where their
+ * Hessian has few diagonals.                                          [Chapter 22] */
+#include "variable_step_band.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum {
+    PAIRS = 4
+}; /* eigenvalues side by side; of 6 stages the last one is idle */
+
+/* Four complex numbers, the size of the stages of a coordinate. */
+typedef struct __attribute__((may_alias)) {
+    fvi_four re, im;
+} quad;
+
+struct fvi_variable_step_band {
+    size_t s, d, diagonals;
+    quad lambda, power, inverse; /* lambda, lambda^beta, 1 / lambda */
+    quad in[FVI_LANES];          /* w: from the stages to the pairs */
+    double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: and back */
+    quad *factor; /* of column j: 1 / D_j, then what stands below */
+    quad kind[];  /* m lambda + drag lambda^beta, and then the factors */
+};
+
+static inline quad times(quad a, quad b)
+{
+    return (quad){ a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re };
+}
+
+/* ---- one matrix for each pair ---- */
+
+/* L D L^T, complex and symmetric. */
+//> factorise
+FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
+                                  double hh, const double *H)
+{
+    const size_t n = o->diagonals;
+    const quad scale = { hh * o->inverse.re, hh * o->inverse.im };
+    for (size_t j = 0; j < o->d; j++) {
+        quad *column = &o->factor[j * n];
+        for (size_t k = 0; k < n && j + k < o->d; k++) {
+            column[k].re = scale.re * H[j * n + k];
+            column[k].im = scale.im * H[j * n + k];
+        }
+        column[0].re += o->kind[kind[j]].re;
+        column[0].im += o->kind[kind[j]].im;
+    }
+    for (size_t j = 0; j < o->d; j++) {
+        quad *column = &o->factor[j * n], D = column[0];
+        const fvi_four size = D.re * D.re + D.im * D.im;
+        D = column[0] = (quad){ D.re / size, -D.im / size };
+        for (size_t k = 1; k < n && j + k < o->d; k++) {
+            const quad below = times(column[k], D);
+            for (size_t l = k; l < n && j + l < o->d; l++) {
+                const quad fill = times(below, column[l]);
+                quad *a = &o->factor[(j + k) * n + l - k];
+                a->re -= fill.re;
+                a->im -= fill.im;
+            }
+            column[k] = below;
+        }
+    }
+}
+//< factorise
+
+/* ---- solutions ---- */
+
+/* From the stages to the pairs, and forwards by L: e_j stands where r_j did. */
+//> forwards
+static inline __attribute__((always_inline)) void
+forwards(const fvi_variable_step_band *o, double *r)
+{
+    const size_t n = o->diagonals;
+    quad *e = (quad *)r;
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        quad sum = { { 0 }, { 0 } };
+        for (size_t i = 0; i < o->s; i++) {
+            sum.re += o->in[i].re * r[i];
+            sum.im += o->in[i].im * r[i];
+        }
+        for (size_t k = 1; k < n && k <= j; k++) {
+            const quad more = times(o->factor[(j - k) * n + k], e[j - k]);
+            sum.re -= more.re;
+            sum.im -= more.im;
+        }
+        e[j] = sum;
+    }
+}
+//< forwards
+
+/* Backwards by D and L^T. */
+static inline __attribute__((always_inline)) void
+backwards(const fvi_variable_step_band *o, double *r)
+{
+    const size_t n = o->diagonals;
+    quad *e = (quad *)r;
+    for (size_t j = o->d; j-- > 0;) {
+        quad sum = times(o->factor[j * n], e[j]);
+        for (size_t k = 1; k < n && j + k < o->d; k++) {
+            const quad more = times(o->factor[j * n + k], e[j + k]);
+            sum.re -= more.re;
+            sum.im -= more.im;
+        }
+        e[j] = sum;
+    }
+}
+
+/* From the pairs back to the stages. */
+static inline __attribute__((always_inline)) void
+join(const fvi_variable_step_band *o, double *r)
+{
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        fvi_four low = { 0 }, high = { 0 };
+        for (size_t n = 0; n < o->s / 2; n++) {
+            const fvi_four *re = (const fvi_four *)o->re[n],
+                           *im = (const fvi_four *)o->im[n];
+            low += re[0] * r[n] - im[0] * r[PAIRS + n];
+            high += re[1] * r[n] - im[1] * r[PAIRS + n];
+        }
+        ((fvi_four *)r)[0] = low;
+        ((fvi_four *)r)[1] = high;
+    }
+}
+
+void fvi_variable_step_band_kind(fvi_variable_step_band *o, size_t kind, double m,
+                            double damping_coeff)
+{
+    o->kind[kind] = (quad){ m * o->lambda.re + damping_coeff * o->power.re,
+                            m * o->lambda.im + damping_coeff * o->power.im };
+}
+
+void fvi_variable_step_band_factorise(fvi_variable_step_band *o, const size_t *kind,
+                                 double hh, const double *H)
+{
+    factorise(o, kind, hh, H);
+}
+
+/* All three where coordinates do not know of each other, with s a constant. */
+static inline __attribute__((always_inline)) void
+one_by_one(const size_t s, const fvi_variable_step_band *o, double *r)
+{
+    for (size_t j = 0; j < o->d; j++, r += FVI_LANES) {
+        quad e = { { 0 }, { 0 } };
+#pragma GCC unroll 8
+        for (size_t i = 0; i < s; i++) {
+            e.re += o->in[i].re * r[i];
+            e.im += o->in[i].im * r[i];
+        }
+        e = times(o->factor[j], e);
+        fvi_four low = { 0 }, high = { 0 };
+#pragma GCC unroll 4
+        for (size_t n = 0; n < s / 2; n++) {
+            const fvi_four *re = (const fvi_four *)o->re[n],
+                           *im = (const fvi_four *)o->im[n];
+            low += re[0] * e.re[n] - im[0] * e.im[n];
+            high += re[1] * e.re[n] - im[1] * e.im[n];
+        }
+        ((fvi_four *)r)[0] = low;
+        ((fvi_four *)r)[1] = high;
+    }
+}
+
+FVI_VECTORS static void solve(const fvi_variable_step_band *o, double *r)
+{
+    if (o->diagonals == 1 && o->s == 8) {
+        one_by_one(8, o, r);
+    } else if (o->diagonals == 1) {
+        one_by_one(6, o, r);
+    } else {
+        forwards(o, r);
+        backwards(o, r);
+        join(o, r);
+    }
+}
+
+void fvi_variable_step_band_solve(fvi_variable_step_band *o, double *r)
+{
+    solve(o, r);
+}
+
+/* ---- room ---- */
+
+fvi_variable_step_band *fvi_variable_step_band_alloc(const fvi_variable_rule *rule,
+                                           double beta, size_t d, size_t kinds,
+                                           size_t diagonals)
+{
+    if (d > SIZE_MAX / sizeof(quad) / (diagonals + 2))
+        return NULL;
+    fvi_variable_step_band *o =
+        malloc(sizeof *o + (kinds + d * diagonals) * sizeof *o->kind);
+    if (!o)
+        return NULL;
+    *o = (fvi_variable_step_band){ .s = rule->s, .d = d, .diagonals = diagonals };
+    o->factor = o->kind + kinds;
+    double power_re[PAIRS], power_im[PAIRS];
+    fvi_variable_powers(rule, beta, power_re, power_im);
+    for (size_t n = 0; n < PAIRS; n++) {
+        const int idle = n >= rule->s / 2;
+        const double re = idle ? 1 : rule->lambda_re[n],
+                     im = idle ? 0 : rule->lambda_im[n],
+                     size = re * re + im * im;
+        o->lambda.re[n] = re;
+        o->lambda.im[n] = im;
+        o->power.re[n] = idle ? 1 : power_re[n];
+        o->power.im[n] = idle ? 0 : power_im[n];
+        o->inverse.re[n] = idle ? 0 : re / size;
+        o->inverse.im[n] = idle ? 0 : -im / size;
+        for (size_t i = 0; i < rule->s && !idle; i++) {
+            o->in[i].re[n] = rule->b[i] * rule->re[n][rule->s - 1 - i];
+            o->in[i].im[n] = rule->b[i] * rule->im[n][rule->s - 1 - i];
+            o->re[n][i] = 2 * rule->re[n][i];
+            o->im[n][i] = 2 * rule->im[n][i];
+        }
+    }
+    return o;
+}
+
+void fvi_variable_step_band_free(fvi_variable_step_band *o)
+{
+    free(o);
+}

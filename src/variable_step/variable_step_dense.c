@@ -1,0 +1,166 @@
+/* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [Chapter 22] */
+#include "variable_step.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include <fvi/error.h>
+
+/* ---- within a step: powers ---- */
+
+/* P_n(2 theta - 1) = sum_k (-1)^{n+k} binom(n, k) binom(n + k, k) theta^k, column by
+ * column. The largest numbers belong to the last coefficients, which are small in a step
+ * that has been taken. */
+//> powers
+static const fvi_square powers = { { { 1 },
+                                     { -1, 2 },
+                                     { 1, -6, 6 },
+                                     { -1, 12, -30, 20 },
+                                     { 1, -20, 90, -140, 70 },
+                                     { -1, 30, -210, 560, -630, 252 },
+                                     { 1, -42, 420, -1680, 3150, -2772, 924 },
+                                     { -1, 56, -756, 4200, -11550, 16632,
+                                       -12012, 3432 } } };
+//< powers
+
+void fvi_variable_step_powers(size_t s, const double *accel_legendre, double *g)
+{
+    fvi_square_apply(s, &powers, accel_legendre, g);
+}
+
+static const fvi_four integral[] = { { 1, 1. / 2, 1. / 3, 1. / 4 },
+                                     { 1. / 5, 1. / 6, 1. / 7, 1. / 8 } },
+                      double_integral[] = {
+                          { 1. / 2, 1. / 6, 1. / 12, 1. / 20 },
+                          { 1. / 30, 1. / 42, 1. / 56, 1. / 72 }
+                      };
+
+/* w_k = first theta^k by_k */
+static inline __attribute__((always_inline)) void
+weigh(double first, double theta, const fvi_four by[2], fvi_four *w)
+{
+    const double square = theta * theta, cube = square * theta;
+    const fvi_four low = { first, first * theta, first * square, first * cube },
+                   high = low * (square * square);
+    w[0] = low * by[0];
+    w[1] = high * by[1];
+}
+
+void fvi_variable_step_once(double theta, double *w)
+{
+    weigh(theta, theta, integral, (fvi_four *)w);
+}
+
+void fvi_variable_step_twice(double theta, double *w)
+{
+    weigh(theta * theta, theta, double_integral, (fvi_four *)w);
+}
+
+/* The sums of w and g, which has zeros behind the s-th number. */
+static inline __attribute__((always_inline)) double product(const fvi_four *w,
+                                                            const double *g)
+{
+    const fvi_four *x = (const fvi_four *)g, sum = w[0] * x[0] + w[1] * x[1];
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+/* x = x_k + theta h v_k + the double integral of x''. */
+FVI_VECTORS static void positions(const fvi_variable_step_state *o, double h,
+                                  double theta, double *x)
+{
+    fvi_four w[2];
+    weigh(theta * theta, theta, double_integral, w);
+    for (size_t j = 0; j < o->d; j++)
+        x[j] = o->y0[j]
+               + h
+                     * (theta * o->v0[j]
+                        + product(w, o->powers + j * FVI_LANES));
+}
+
+/* m v, v = v_k + the integral of x''. */
+FVI_VECTORS static void momenta(const fvi_variable_step_state *o, const double *mass,
+                                double theta, double *p)
+{
+    fvi_four w[2];
+    weigh(theta, theta, integral, w);
+    for (size_t j = 0; j < o->d; j++)
+        p[j] = (o->v0[j] + product(w, o->powers + j * FVI_LANES)) * mass[j];
+}
+
+/* x'' of the last step as powers. */
+static void make_powers(fvi_variable_step_state *o)
+{
+    for (size_t j = 0; j < o->d; j++)
+        fvi_variable_step_powers(o->rule->s, o->accel_legendre0 + j * FVI_LANES,
+                            o->powers + j * FVI_LANES);
+    o->powers_known = 1;
+}
+
+/* What a singular start adds. */
+static void add_singular(const fvi_variable_step_state *o, const double *mass,
+                         double t, double *x, double *p)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        double G, slope;
+        fvi_singular_at(&o->singular, j, t, &G, &slope, NULL);
+        if (x)
+            x[j] += G;
+        if (p)
+            p[j] += mass[j] * slope;
+    }
+}
+
+//> dense
+/* x and p at a time within the last step: x'' integrated twice, once.       (22.18) */
+int fvi_variable_step_dense(const fvi_stepper *s, double t, double *x, double *p)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const double h = s->t - o->t0, theta = (t - o->t0) / h;
+    if (!(h > 0 && theta >= 0 && theta <= 1))
+        return FVI_EDOM;
+    if (!o->powers_known)
+        make_powers(o);
+    if (x)
+        positions(o, h, theta, x);
+    if (p)
+        momenta(o, s->run.system->mass, theta, p);
+    if (fvi_singular_is(o, o->t0) && t > 0)
+        add_singular(o, s->run.system->mass, t, x, p);
+    return FVI_SUCCESS;
+}
+//< dense
+
+/* ---- behind it: Legendre's polynomials, which powers would not do for ---- */
+
+/* What the recurrence multiplies by: no row has to wait for a quotient. */
+#define UP(n) ((2.0 * (n) + 1) / ((n) + 1))
+#define DOWN(n) ((n) / ((n) + 1.0))
+#define HALF(n) (1 / (4.0 * (n) + 2))
+#define EACH(f)                                                                \
+    {                                                                          \
+        f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)                         \
+    }
+static const double up[FVI_LANES] = EACH(UP), down[FVI_LANES] = EACH(DOWN),
+                    half[FVI_LANES] = EACH(HALF);
+
+/* The integrals of P_n(2 u - 1), n < s, from 0 to four numbers theta: R_n(theta_i) at
+ * column[n][i]. */
+//> legendre
+FVI_VECTORS static void integrate(size_t s, const double *theta,
+                                  double (*column)[FVI_LANES])
+{
+    const fvi_four u = { theta[0], theta[1], theta[2], theta[3] };
+    fvi_four P[FVI_LANES + 1], x = 2 * u - 1;
+    P[0] = (fvi_four){ 1, 1, 1, 1 };
+    P[1] = x;
+    *(fvi_four *)column[0] = u;
+    for (size_t n = 1; n < s; n++) {
+        P[n + 1] = up[n] * x * P[n] - down[n] * P[n - 1];
+        *(fvi_four *)column[n] = half[n] * (P[n + 1] - P[n - 1]);
+    }
+}
+//< legendre
+
+void fvi_variable_step_shapes(size_t s, const double *theta, fvi_square *R)
+{
+    for (size_t i = 0; i < s; i += 4)
+        integrate(s, theta + i, (double(*)[FVI_LANES])(R->column[0] + i));
+}

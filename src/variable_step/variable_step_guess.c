@@ -1,0 +1,115 @@
+/* src/variable_step/variable_step_guess.c -- Where the iteration of a step begins. [Chapter 22] */
+#include "variable_step.h"
+
+#include <fvi/error.h>
+
+#include <math.h>
+#include <string.h>
+
+void fvi_variable_step_extrapolate(fvi_variable_step_state *o)
+{
+    const size_t n = o->rule->s;
+    const double before = o->t - o->t0, /* 0 in the first step */
+        ratio = o->length.h / before;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    if (!(ratio < 2.1) || o->first_after_event)
+        return;
+    double theta[FVI_LANES] = { 0 };
+    fvi_square R;
+    for (size_t i = 0; i < n; i++)
+        theta[i] = 1 + o->rule->c[i] * ratio;
+    fvi_variable_step_shapes(n, theta, &R);
+    for (size_t j = 0; j < o->d; j++) {
+        double *delta = o->delta + j * FVI_LANES,
+               *accel_legendre = o->accel_legendre0 + j * FVI_LANES;
+        fvi_square_apply(n, &R, accel_legendre, delta);
+        for (size_t i = 0; i < FVI_LANES; i++)
+            delta[i] = i < n ? delta[i] - accel_legendre[0] : 0;
+    }
+}
+
+/* ---- from node to node ---- */
+
+/* So much farther than all motion before, than the error that is allowed, and than a free
+ * body, a leap comes to where springs were stiffer than its steps; from there an iteration
+ * may find no way back, or, where a Hessian's square is out of range, nothing to correct;
+ * and what it finds may be the rest of another valley. */
+static const double FAR = 10;
+
+static int is_far(const fvi_variable_step_state *o, size_t i)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        const double *base = o->base + j * FVI_LANES,
+                     away = o->point[i * o->d + j] - base[i];
+        if (!(fabs(away)
+              <= FAR * (o->scale + o->allowed + fabs(base[i] - base[0]))))
+            return 1;
+    }
+    return 0;
+}
+
+int fvi_variable_step_is_astray(const fvi_variable_step_state *o)
+{
+    int astray = 0;
+    for (size_t i = 0; i < o->rule->s; i++)
+        astray = astray || is_far(o, i);
+    return astray;
+}
+
+/* From stage i - 1 to stage i, which is dt later: x there. */
+static void leap(fvi_variable_step_state *o, size_t i, double dt)
+{
+    const double *before = o->point + (i - 1) * o->d;
+    for (size_t j = 0; j < o->d; j++) {
+        const size_t at = j * FVI_LANES + i;
+        o->point[i * o->d + j] =
+            before[j] + (o->base[at] - o->base[at - 1])
+            + dt * (o->delta[at - 1] + dt / 2 * o->accel_legendre[at - 1]);
+    }
+}
+
+/* V - v and its derivative at stage i, by the force there and by what stages up to this one
+ * add to the memory: drag W0. The derivatives stand where bend will. */
+static void push(fvi_variable_step_state *o, size_t i, double dt, double by_h)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
+        const double by_m = 1 / kind->mass, damping_coeff = kind->damping_coeff * by_h,
+                     w = by_m * damping_coeff * o->W0.column[i][i],
+                     held = 1 / (1 + dt / 2 * w);
+        double *v = o->delta + j * FVI_LANES, *a = o->accel_legendre + j * FVI_LANES,
+               past = 0;
+        for (size_t l = 0; l < i; l++)
+            past += o->W0.column[l][i] * v[l];
+        const double f = by_m
+                         * (o->R[j * FVI_LANES + i] * by_h - damping_coeff * past
+                            - o->gradient[i * o->d + j]);
+        if (i > 0)
+            v[i] = (v[i - 1] + dt / 2 * (a[i - 1] + f)) * held;
+        a[i] = f - w * v[i];
+    }
+}
+
+int fvi_variable_step_leap(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const fvi_variable_rule *rule = o->rule;
+    const double by_h = 1 / o->length.h;
+    memset(o->delta, 0, o->d * FVI_LANES * sizeof *o->delta);
+    for (size_t j = 0; j < o->d; j++)
+        o->point[j] = o->base[j * FVI_LANES];
+    for (size_t i = 0; i < rule->s; i++) {
+        const double dt =
+            i > 0 ? o->length.h * (rule->c[i] - rule->c[i - 1]) : 0;
+        if (i > 0)
+            leap(o, i, dt);
+        if (is_far(o, i))
+            return FVI_EMAXITER;
+        const int status = u->gradient(o->d, o->point + i * o->d, u->params,
+                                       o->gradient + i * o->d);
+        if (status)
+            return status;
+        push(o, i, dt, by_h);
+    }
+    return FVI_SUCCESS;
+}

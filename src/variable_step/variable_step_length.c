@@ -1,0 +1,135 @@
+/* src/variable_step/variable_step_length.c -- How long the next step may be.      [Chapter 22] */
+#include "variable_step.h"
+
+#include <fvi/error.h>
+
+#include <math.h>
+
+/* The next time at which a step has to end. */
+double fvi_variable_step_next_event(fvi_variable_step_state *o)
+{
+    while (o->events[o->event] <= o->t * (1 + 8 * GSL_DBL_EPSILON)
+           && o->events[o->event] < o->T)
+        o->event++;
+    return o->events[o->event];
+}
+
+//> length
+/* h = exp(L k), but the last two steps before an event are equal, to the last bit: what is
+ * made for one off the ladder does for both. */
+static fvi_length propose(const fvi_variable_step_state *o, double event)
+{
+    const double rest = event - o->t;
+    const fvi_length length = { o->next == o->length.k && o->length.h > 0
+                                    ? o->length.h
+                                    : exp(fvi_variable_spacing() * o->next),
+                                o->next };
+    if (length.h < rest / 2)
+        return length;
+    if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
+        && fabs(o->length.h - rest) <= 4 * GSL_DBL_EPSILON * event)
+        return o->length;
+    return (fvi_length){ length.h >= rest ? rest : rest / 2, FVI_OFF_LATTICE };
+}
+//< length
+
+/* The exponent of a length, which may be none of the lattice. */
+int fvi_variable_step_exponent(fvi_length length)
+{
+    return length.k != FVI_OFF_LATTICE
+               ? length.k
+               : (int)floor(log(length.h) / fvi_variable_spacing());
+}
+
+/* ---- what a step could pass over ---- */
+
+/* A step as short as this part of the run is taken, whatever the bound of the force says: a
+ * bound may be infinite where the force is not. */
+static const double BLIND = 1e-10;
+
+/* Each step that is clear lets the next bounds be asked for so many of them, at once. */
+enum { MOST_AHEAD = 64, FASTER = 3 };
+
+/* What is left of F_j, on some interval of length h, beside the best polynomial that stages
+ * integrate exactly: half of the range beside a number, or, by the last derivative and the
+ * polynomial of Chebyshev, 2 (h/4)^k |F^(k)| / k! beside one of degree k - 1.        (22.24) */
+//> hidden
+static double hidden_force(const double *most, size_t d, size_t order, double h)
+{
+    double least = most[0], power = 2;
+    for (size_t k = 1; k <= order; k++) {
+        power *= h / 4;
+        const double rest = power * most[k * d];
+        if (rest < least) /* 0 times INFINITY tells nothing */
+            least = rest;
+    }
+    return least;
+}
+
+/* Nothing is hidden if the impulse of what is left of F, and that of what its stages show,
+ * move no coordinate farther than this step may be wrong.                            (22.25) */
+static int is_clear(const fvi_variable_step_state *o, size_t order, double h)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
+        const double compliance = fvi_variable_step_compliance(o, kind),
+                     rest = hidden_force(o->most_of_force + j, o->d, order, h);
+        if (!(2 * h * rest * compliance <= o->allowed * kind->mass))
+            return 0;
+    }
+    return 1;
+}
+//< hidden
+
+/* Bounds of the force from t on, and what they say of steps of length h there. */
+static int check_force_bounds_to(const fvi_stepper *s, fvi_variable_step_state *o, double h,
+                      double end, int *clear)
+{
+    const fvi_force *force = &s->run.system->force;
+    const size_t order = 2 * o->rule->s - 2;
+    const double in = 4 * GSL_DBL_EPSILON;
+    int status = force->bound(o->t + in * fmax(o->t, h), end - in * end, order,
+                              o->d, force->params, o->most_of_force);
+    *clear = !status && is_clear(o, order, h);
+    if (*clear) {
+        o->clear_to = end;
+        o->clear_h = h;
+    }
+    return status;
+}
+
+/* Is a step of length h clear? What is clear for longer steps, in a longer time, is. */
+static int check_force_bounds(const fvi_stepper *s, fvi_variable_step_state *o, double h,
+                double event, int *clear)
+{
+    const double end = o->t + h;
+    *clear = end <= o->clear_to && h <= o->clear_h;
+    if (*clear)
+        return FVI_SUCCESS;
+    const double ahead = fmin(o->t + o->ahead * h, event);
+    int status = FVI_SUCCESS;
+    if (ahead > end)
+        status = check_force_bounds_to(s, o, h, ahead, clear);
+    o->ahead = *clear ? (int)fmin(2 * o->ahead, MOST_AHEAD) : 1;
+    if (!*clear && !status)
+        status = check_force_bounds_to(s, o, h, fmin(end, event), clear);
+    if (*clear && o->ahead == 1)
+        o->ahead = 2;
+    return status;
+}
+
+int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, double event,
+                        fvi_length *length)
+{
+    const double part = s->run.step_error > 0 ? FVI_TOLERANCE_LEAST : 1e-10;
+    o->allowed = fmax(s->run.step_error, part * o->scale);
+    for (;;) {
+        *length = propose(o, event);
+        int clear = !s->run.system->force.bound || length->h <= BLIND * o->T;
+        int status =
+            clear ? FVI_SUCCESS : check_force_bounds(s, o, length->h, event, &clear);
+        if (status || clear)
+            return status;
+        o->next = fvi_variable_step_exponent(*length) - FASTER;
+    }
+}

@@ -1,0 +1,91 @@
+/* src/variable_step/variable_step_linear.c -- The equation of a step where grad U = g + c (x - x_k),
+ * coordinate by coordinate, g at the step's start.                    [Chapter 22]
+ *
+ *     [L + c h^2 to_x] delta = R - h (g + c (base - x_k))                  (22.14)
+ *
+ * One product with the inverse of this matrix, where many coordinates share one; or by
+ * its eigenvectors. */
+#include "variable_step.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include <fvi/error.h>
+
+#include <string.h>
+
+/* The right sides, in the place of R. */
+FVI_VECTORS static void right_sides(fvi_variable_step_state *o, const double *g)
+{
+    const double h = o->length.h;
+    for (size_t j = 0; j < o->d; j++) {
+        const double c = o->group[o->kind[j]].spring, x = o->y[j];
+        const fvi_four *base = (const fvi_four *)(o->base + j * FVI_LANES);
+        fvi_four *R = (fvi_four *)(o->R + j * FVI_LANES);
+        R[0] -= h * (g[j] + c * (base[0] - x));
+        R[1] -= h * (g[j] + c * (base[1] - x));
+    }
+}
+
+/* eps = R - [L + c h^2 to_x] delta */
+FVI_VECTORS static void what_is_left(const fvi_variable_step_state *o, double *eps)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        const size_t at = j * FVI_LANES;
+        const fvi_square *L = &o->group[o->kind[j]].L;
+        fvi_four low = *(fvi_four *)(o->R + at),
+                 high = *(fvi_four *)(o->R + at + 4);
+        for (size_t l = 0; l < o->rule->s; l++) {
+            const fvi_four *column = (const fvi_four *)L->column[l];
+            low -= column[0] * o->delta[at + l];
+            high -= column[1] * o->delta[at + l];
+        }
+        *(fvi_four *)(eps + at) = low;
+        *(fvi_four *)(eps + at + 4) = high;
+    }
+}
+
+void fvi_variable_step_factorise(fvi_variable_step_state *o)
+{
+    const double h = o->length.h;
+    for (size_t n = 0; n < o->kinds; n++)
+        fvi_variable_step_band_kind(o->band, n, o->group[n].mass,
+                               o->group[n].damping_coeff);
+    fvi_variable_step_band_factorise(o->band, o->kind, h * h, o->hessian);
+}
+
+/* The factors are right to 1e-12 of delta, of eight stages: what is left is solved for
+ * again. eps stands where bend will. */
+static void by_pairs(fvi_variable_step_state *o)
+{
+    double *eps = o->accel_legendre;
+    const size_t n = o->d * FVI_LANES;
+    if (o->coupled != o->length.h) {
+        for (size_t j = 0; j < o->d; j++)
+            o->hessian[j] = o->group[o->kind[j]].spring;
+        fvi_variable_step_factorise(o);
+        o->coupled = o->length.h;
+    }
+    memcpy(o->delta, o->R, n * sizeof *o->delta);
+    fvi_variable_step_band_solve(o->band, o->delta);
+    if (o->rule->s < 8)
+        return;
+    what_is_left(o, eps);
+    fvi_variable_step_band_solve(o->band, eps);
+    for (size_t i = 0; i < n; i++)
+        o->delta[i] += eps[i];
+}
+
+//> linear
+int fvi_variable_step_solve_linear(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    int status = fvi_potential_gradient(s->run.system, o->y, s->g);
+    if (status)
+        return status;
+    right_sides(o, s->g);
+    if (o->band)
+        by_pairs(o);
+    for (size_t j = 0; j < o->d && !o->band; j++)
+        fvi_square_apply(o->rule->s, &o->group[o->kind[j]].inverse,
+                         o->R + j * FVI_LANES, o->delta + j * FVI_LANES);
+    return FVI_SUCCESS;
+}
+//< linear

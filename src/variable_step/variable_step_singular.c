@@ -1,0 +1,305 @@
+/* src/variable_step/variable_step_singular.c -- The start that is not smooth.    [Chapter 22]
+ *
+ * A body that was held, or put at x0, and has to forget it (19.3):
+ *
+ *     m x'' + rho D_C^{2 alpha} x + grad U = F - rho A t^{e - 2 alpha} / Gamma(1 + e - 2
+ *     alpha),
+ *
+ * A = v0 and e = 1, or A = x0 and e = 0. With c_n = A (-1)^n / Gamma(1 + a_n),
+ * a_n = n (2 - 2 alpha) + e, the sum G of (22.19) has m G'' + rho D_C^{2 alpha} G = - that
+ * pull, but for its last term, which is as smooth as one likes; y = x - G is solved for.
+ * Up to t1 = (m / (2 rho))^{1 / (2 - 2 alpha)} the terms of G fall like 2^-n or faster;
+ * there it is handed over, or, where alpha is near 1 and powers of m / rho are taken,
+ * wherever one likes: what G and the
+ * jump c_0 = A did to the mode of rate sigma by then is, in closed form,
+ *
+ *     c_0 e^{-S} + sum_n c_n a_n t1^{a_n} I(a_n, S),              e = 0, times sigma, to y
+ *     c_0 e^{-S} + sum_n c_n a_n (a_n - 1) t1^{a_n - 1} I(a_n - 1, S),   e = 1, to z
+ *
+ * with S = sigma t1 and I(a, S) = int_0^1 e^{-S (1 - u)} u^{a - 1} du.       (22.20) */
+#include "variable_step.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+/* 2^-32 of a velocity is left to y at t1, or 2^-16 where the tolerance is large, or 2^-8 for
+ * six stages; more terms where y would not be smooth. */
+enum { MANY = 32, FEW = 16, FEWEST = 8, ALL = 56 };
+
+/* Long after t1 G with A t is
+ *
+ *     sum_{n>=1} -A (-m/rho)^n t^{a_n} / Gamma(1 + a_n),   a_n = 1 - n (2 - 2 alpha),
+ *
+ * which is (22.19) with m/rho for rho/m, falling powers, and nothing for n = 0. With as
+ * many terms as leave 2^-56 at 1e-30 T, before which no stage is, no step has to see t1, and
+ * what they leave as a force is nothing. Their number, if it is not too large, and no a_n
+ * is below 0, where I(a_n - 1, S) of (22.20) has poles; or 0. */
+static size_t falling_terms(const fvi_singular *g, double slowest, double T)
+{
+    const double terms =
+        ceil(ALL * M_LN2 / log(slowest * pow(1e-30 * T, g->gap)));
+    return g->e == 1 && terms > 0 && terms <= FVI_SINGULAR_MOST
+                   && terms * g->gap < 1
+               ? (size_t)terms
+               : 0;
+}
+
+/* Where t1 is short and powers of m/rho do not fall either, alpha is near 1, and
+ * z = (rho/m) t^{2 - 2 alpha} not far from P = (rho/m) T^{2 - 2 alpha} at all times that a
+ * stage sees. Euler's transformation of (22.19) about P, p = P / (1 + P), converges like
+ * (p (1 - z/P))^N: it takes w_n = sum_{k=n}^{N} C(k, n) (1 - p)^{n+1} p^{k-n} of c_n. The
+ * terms cancel by (2 p)^N, so that P is 3/2 at most. N for the largest P, or 0. */
+static size_t euler_terms(const fvi_singular *g, double fastest, double T)
+{
+    const double P = fastest * pow(T, g->gap), p = P / (1 + P),
+                 by = p * (1 - pow(1e-30, g->gap));
+    const double terms = ceil(ALL * M_LN2 / -log(by));
+    return g->e == 1 && g->t1 < 1e-6 * T && P <= 1.5
+                   && terms <= FVI_SINGULAR_MOST / 4
+               ? (size_t)terms
+               : 0;
+}
+
+/* c_n by w_n, n = 0, ..., N: w_n is the chance of more than n heads in N + 1 throws that
+ * show them with 1 - p. */
+static void transform(size_t N, double p, double *c)
+{
+    double chance = pow(p, (double)N + 1), fewer = chance;
+    for (size_t n = 0; n <= N; n++) { /* fewer: n heads or less */
+        c[n] *= 1 - fewer;
+        chance *= (double)(N + 1 - n) / (double)(n + 1) * (1 - p) / p;
+        fewer += chance;
+    }
+}
+
+/* The largest and the least rho/m of the coordinates that need such a part: A is not 0; or
+ * any, if its derivative is asked for. */
+static void survey(const fvi_stepper *s, fvi_variable_step_state *o, double *fastest,
+                   double *slowest)
+{
+    const fvi_system *system = s->run.system;
+    *fastest = 0;
+    *slowest = GSL_POSINF;
+    for (size_t j = 0; j < o->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j],
+                     A = fvi_initial_history_amplitude(s->run.past, s->run.alpha, s->x[j],
+                                            s->p[j] / m);
+        if ((A == 0 && !o->open) || rho == 0)
+            continue;
+        *fastest = larger(*fastest, rho / m);
+        *slowest = smaller(*slowest, rho / m);
+    }
+}
+
+int fvi_singular_allocate(size_t d, fvi_singular *g)
+{
+    g->c = calloc(d * (g->J + 3), sizeof *g->c);
+    if (!g->c)
+        FVI_FAIL("no memory for the start", FVI_ENOMEM);
+    g->ratio = g->c + d * (g->J + 1);
+    g->pull = g->ratio + d;
+    return FVI_SUCCESS;
+}
+
+void fvi_singular_fill(const fvi_system *system, double alpha, double T,
+                       const double *A, fvi_singular *g)
+{
+    const int falling = g->gap < 0;
+    double gamma[FVI_SINGULAR_MOST + 1];
+    for (size_t n = 0; n <= g->J; n++)
+        gamma[n] = tgamma(1 + fvi_singular_power(g, n));
+    const double last = tgamma(1 + fvi_singular_power(g, g->J) - 2 * alpha);
+    for (size_t j = 0; j < system->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j];
+        double sign = rho == 0 ? 0 : falling ? -A[j] : A[j];
+        g->ratio[j] = rho == 0 ? 0 : falling ? m / rho : rho / m;
+        for (size_t n = 0; n <= g->J; n++, sign = -sign)
+            g->c[j * (g->J + 1) + n] = falling && n == 0 ? 0 : sign / gamma[n];
+        g->pull[j] = falling || g->by_euler_transform ? 0 : -sign * m / last;
+        const double P = g->ratio[j] * pow(T, g->gap);
+        if (g->by_euler_transform && rho > 0)
+            transform(g->J, P / (1 + P), g->c + j * (g->J + 1));
+    }
+}
+
+int fvi_singular_start(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const double alpha = s->run.alpha;
+    fvi_singular *g = &o->singular;
+    double fastest, slowest, *A = o->v; /* where nothing is yet */
+    survey(s, o, &fastest, &slowest);
+    if (fastest == 0 || alpha == 0 || alpha == 1)
+        return FVI_SUCCESS;
+    g->gap = 2 - 2 * alpha;
+    g->e = alpha > 0.5;
+    g->J = (size_t)fmin(fmax(ceil((1 + 2 * alpha - g->e) / g->gap),
+                             o->rule->s == 6        ? FEWEST
+                             : o->tolerance > FVI_TOLERANCE_LOOSE ? FEW
+                                                    : MANY),
+                        FVI_SINGULAR_MOST);
+    g->t1 = pow(2 * fastest, -1 / g->gap);
+    const size_t falling = falling_terms(g, slowest, o->T);
+    const size_t euler = falling ? 0 : euler_terms(g, fastest, o->T);
+    if (falling)
+        g->gap = -g->gap;
+    if (falling || euler) {
+        g->J = falling + euler;
+        g->t1 = 1e-3 * o->T;
+        g->by_euler_transform = euler > 0;
+    }
+    int status = fvi_singular_allocate(o->d, g);
+    if (status)
+        return status;
+    for (size_t j = 0; j < o->d; j++)
+        A[j] = fvi_initial_history_amplitude(s->run.past, alpha, s->x[j],
+                                  s->p[j] / s->run.system->mass[j]);
+    fvi_singular_fill(s->run.system, alpha, o->T, A, g);
+    return FVI_SUCCESS;
+}
+
+//> at
+void fvi_singular_at(const fvi_singular *g, size_t j, double t, double *G,
+                     double *slope, double *pull)
+{
+    const double *c = g->c + j * (g->J + 1), q = g->ratio[j] * pow(t, g->gap);
+    double value = 0, first = 0, last = 1;
+    for (size_t n = g->J; n > 0; n--) {
+        value = value * q + c[n];
+        first = first * q + c[n] * fvi_singular_power(g, n);
+        last *= q;
+    }
+    if (G)
+        *G = g->e == 1 ? value * q * t : value * q;
+    if (slope)
+        *slope = g->e == 1 ? first * q : first * q / t;
+    if (pull) /* q^{J + 1} t^{e - 2} */
+        *pull = g->pull[j] * (last * q / (g->e == 1 ? t : t * t));
+}
+//< at
+
+/* The sums of (22.20) over the terms of G, that over the modes need not do them again:
+ * sum_n d_n I(a_n, S) is e^{-S} sum_k B_k S^k, and sum_k D_k / S^{k+1} as S grows,
+ *
+ *     B_k = sum_n d_n / (a_n + k) / k!,   D_k = sum_n d_n (1 - a_n) (2 - a_n) ... (k - a_n). */
+//> moments
+FVI_VECTORS static void sum_up(size_t count, const double *d, const double *a,
+                               size_t near, fvi_singular_series *f)
+{
+    for (size_t k = 0; k < near; k += 4) {
+        const double l = (double)k;
+        const fvi_four at = { l, l + 1, l + 2, l + 3 };
+        fvi_four sum = { 0 };
+        for (size_t n = 0; n < count; n++)
+            sum += d[n] / (a[n] + at);
+        *(fvi_four *)(f->B + k) = sum;
+    }
+}
+
+void fvi_singular_sums(size_t count, const double *d, const double *a,
+                       int coarse, fvi_singular_series *f)
+{
+    const size_t near = coarse ? FVI_NEAR / 2 : FVI_NEAR;
+    double by = 1;
+    f->coarse = coarse;
+    sum_up(count, d, a, near, f);
+    for (size_t k = 1; k < near; k++)
+        f->B[k] *= by /= (double)k;
+    for (size_t k = 0; k < FVI_FAR; k++)
+        f->D[k] = 0;
+    for (size_t n = 0; n < count; n++) {
+        double term = d[n];
+        for (size_t k = 0; k < FVI_FAR; term *= (double)++k - a[n])
+            f->D[k] += term;
+    }
+}
+
+void fvi_singular_sums_by_order(size_t count, const double *d, const double *rate,
+                        const double *a, fvi_singular_series *f)
+{
+    double by = 1;
+    *f = (fvi_singular_series){ 0 };
+    for (size_t k = 0; k < FVI_NEAR; k++, by /= (double)k)
+        for (size_t n = 0; n < count; n++) {
+            const double at = 1 / (a[n] + (double)k);
+            f->B[k] += by * at * (rate[n] - d[n] * at);
+        }
+    for (size_t n = 0; n < count; n++) {
+        double term = d[n], slope = rate[n];
+        for (size_t k = 0; k < FVI_FAR; k++) {
+            f->D[k] += slope;
+            const double next = (double)(k + 1) - a[n];
+            slope = slope * next - term;
+            term *= next;
+        }
+    }
+}
+
+/* e^{-S} S^k / k! is below 1e-18 from 12 + S + 9 sqrt(S) on, and below 1e-8 from half of
+ * the first and two thirds of the last. The terms of the second series fall to 35! / 40^35,
+ * below rounding, before they grow, or to 20! / 20^20, 2e-8; of larger S so many are
+ * enough that S^-k is that small. */
+double fvi_singular_moment(const fvi_singular_series *f, double S)
+{
+    double sum = 0;
+    if (S < (f->coarse ? 20 : 40)) {
+        const double root = sqrt(S),
+                     last = f->coarse ? 6 + S + 6 * root : 12 + S + 9 * root;
+        for (size_t k = (size_t)last + 1; k-- > 0;)
+            sum = sum * S + f->B[k];
+        return exp(-S) * sum;
+    }
+    int octaves; /* 2^(octaves - 1) <= S; 86 = 20 log2 20, 192 = 36 log2 40 */
+    frexp(S, &octaves);
+    const double by = 1 / S;
+    for (int k = (f->coarse ? 86 : 192) / (octaves - 1) + 1; k-- > 0;)
+        if (k < FVI_FAR)
+            sum = (sum + f->D[k]) * by;
+    return sum;
+}
+//< moments
+
+//> hand-over
+/* d_n and a_n of (22.20) for coordinate j, and c_0 e^{-S} with them, which is nothing for
+ * the second series. */
+static void series(const fvi_singular *g, size_t j, int coarse,
+                   fvi_singular_series *f)
+{
+    const double *c = g->c + j * (g->J + 1);
+    double d[FVI_SINGULAR_MOST], a[FVI_SINGULAR_MOST], q = 1;
+    const double by = g->ratio[j] * pow(g->t1, g->gap);
+    for (size_t n = 1; n <= g->J; n++) {
+        a[n - 1] = fvi_singular_power(g, n) - g->e;
+        q *= by;
+        d[n - 1] =
+            c[n] * fvi_singular_power(g, n) * (g->e == 1 ? a[n - 1] : 1) * q;
+    }
+    fvi_singular_sums(g->J, d, a, coarse, f);
+    f->B[0] += c[0];
+}
+
+void fvi_singular_hand_over(fvi_variable_step_state *o)
+{
+    const fvi_singular *g = &o->singular;
+    for (size_t j = 0; j < o->d; j++) {
+        double G, slope;
+        fvi_singular_at(g, j, g->t1, &G, &slope, NULL);
+        o->y[j] += G;
+        o->v[j] += slope;
+    }
+    fvi_modes_activate_all(o->modes);
+    for (size_t l = 0; l < o->damped; l++) {
+        fvi_singular_series f;
+        series(g, o->index[l], o->tolerance > FVI_TOLERANCE_LOOSE, &f);
+        for (size_t q = 0; q < fvi_modes_count(o->modes); q++) {
+            const double sigma = fvi_modes_decay(o->modes, q),
+                         more = fvi_singular_moment(&f, sigma * g->t1);
+            fvi_modes_add(o->modes, l, q, g->e == 1 ? more : sigma * more);
+        }
+    }
+}
+//< hand-over

@@ -1,0 +1,288 @@
+/* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [Chapter 22] */
+#include "variable_step.h"
+
+#include "system/fail.h"
+#include "system/larger.h"
+#include "system/stiffness.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* About how far a velocity 1 more moves a body of mass m in the time T: t without forces;
+ * with a damping alone no more than (m/rho) t^{2 alpha - 1} / Gamma(2 alpha), which falls
+ * after (m/rho)^{1/(2 - 2 alpha)} if alpha < 1/2; with a spring alone sqrt(m/c), twice that
+ * for one that is softer elsewhere. */
+static double reach_of(double m, double rho, double c, double alpha, double T)
+{
+    double compliance = T;
+    if (rho > 0 && alpha < 1)
+        compliance = smaller(compliance, alpha > 0.5 ? m / rho * pow(T, 2 * alpha - 1)
+                                           : pow(m / rho, 1 / (2 - 2 * alpha)));
+    return c > 0 ? fmin(compliance, 2 * sqrt(m / c)) : compliance;
+}
+
+/* Kinds for all coordinates: a new one where mass, damping or spring change from the one
+ * before. springs: of each coordinate, or NULL. Returns their number; writes them if
+ * there is room. */
+static size_t sort_out(const fvi_stepper *s, const double *springs,
+                       fvi_variable_step_state *o)
+{
+    const fvi_system *system = s->run.system;
+    const int heavier = s->run.alpha == 1;
+    double mass = 0, damping = 0, spring = 0, linear = 0, compliance = 0;
+    size_t n = 0;
+    for (size_t j = 0; j < system->d; j++) {
+        const double rho = system->damping[j],
+                     m = system->mass[j] + (heavier ? rho : 0),
+                     c = springs ? springs[j] : 0,
+                     group = o->solve == FVI_SOLVE_LINEAR ? c : 0;
+        const int same = j > 0 && m == mass && rho == damping;
+        if (o->kind && !(same && c == spring))
+            compliance = reach_of(m, rho, c, s->run.alpha, o->T);
+        n += !(same && group == linear);
+        mass = m;
+        damping = rho;
+        spring = c;
+        linear = group;
+        if (o->kind) {
+            fvi_coordinate_group *kind = &o->group[o->kind[j] = n - 1];
+            kind->mass = m;
+            kind->damping = rho;
+            kind->spring = linear;
+            kind->compliance = larger(kind->compliance, compliance);
+        }
+    }
+    return n;
+}
+
+/* The springs at x0 of a U whose Hessian is diagonal. */
+static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **springs)
+{
+    const fvi_potential *u = &s->run.system->potential;
+    const int diagonal = u->diagonals == 1 || o->d == 1;
+    const int quadratic = u->quadratic && u->quadratic(u->params);
+    o->solve = !u->gradient || (diagonal && quadratic) ? FVI_SOLVE_LINEAR
+               : diagonal                              ? FVI_SOLVE_DIAGONAL
+                                                       : FVI_SOLVE_COUPLED;
+    if (o->solve == FVI_SOLVE_COUPLED || !u->gradient)
+        return FVI_SUCCESS;
+    *springs = malloc(fvi_potential_hessian_size(s->run.system) * sizeof **springs);
+    if (!*springs)
+        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
+    return u->hessian(o->d, s->x, u->params, *springs);
+}
+
+/* What part of a row's time the stiffest spring at x0 leaves, where coordinates know of each
+ * other. */
+static int find_part(const fvi_stepper *s, double *part)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_potential *u = &system->potential;
+    double *H = malloc(fvi_potential_hessian_size(system) * sizeof *H);
+    if (!H)
+        FVI_FAIL("no memory for the springs", FVI_ENOMEM);
+    const int status = u->hessian(system->d, s->x, u->params, H);
+    if (!status)
+        *part = fmin(1, 2 / sqrt(fvi_stiffness(system, H)) / s->run.h);
+    free(H);
+    return status;
+}
+
+/* What is not zero, but for rounding, beside the next. */
+static double or_else(double size, double next)
+{
+    return size > 1e-12 * next ? size : next;
+}
+
+/* A size for a tolerance that is none: of x0; or of what the body does in the time of a
+ * row, or until its spring stops it; or 1. springs: as for sort_out. */
+static int first_scale(fvi_stepper *s, const double *springs, double *scale)
+{
+    const fvi_system *system = s->run.system;
+    const fvi_force *force = &system->force;
+    double x = 0, of_v = 0, of_f = 0;
+    int status = fvi_potential_gradient(system, s->x, s->g);
+    if (!status)
+        status = fvi_force_value(s, 0);
+    for (size_t j = 0; !status && j < system->d; j++) {
+        const double m = system->mass[j],
+                     t = reach_of(m, 0, springs ? springs[j] : 0, 0, s->run.h);
+        double p = fabs(s->p[j]);
+        for (size_t i = 0; i < force->impulse_count; i++)
+            p = larger(p, fabs(force->impulses[i].J[j]));
+        x = larger(x, fabs(s->x[j]));
+        of_v = larger(of_v, p / m * t);
+        of_f = larger(of_f, fabs(s->F[j] - s->g[j]) / m * t * t);
+    }
+    double size = or_else(x, or_else(of_v, of_f)), part = 1;
+    if (!status && x > 0 && size != x && !springs && system->potential.gradient)
+        status = find_part(s, &part);
+    if (part < 1 && x > 1e-12 * fmax(of_v * part, of_f * part * part))
+        size = x;
+    *scale = size > 0 ? size : 1;
+    return status;
+}
+
+/* What does not depend on the system: form, stages, the lengths of steps. */
+static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
+{
+    const fvi_run *run = &s->run;
+    const double L = fvi_variable_spacing(), T = run->h * (double)run->steps,
+                 tolerance = run->step_error > 0
+                            ? fmax(run->step_error / scale, FVI_TOLERANCE_LEAST)
+                            : 1e-10;
+    int damped = 0;
+    for (size_t j = 0; j < o->d; j++)
+        damped |= run->system->damping[j] > 0;
+    o->rule = fvi_variable(tolerance > 1e-3 ? 6 : 8);
+    o->tolerance = tolerance;
+    o->beta = 2 * run->alpha - 1;
+    o->to_x = damped ? &o->rule->A : &o->rule->form_m;
+    o->counts.stages = (int)o->rule->s;
+    o->counts.form = damped ? 'D' : 'M';
+    o->diagonals =
+        o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
+    const int each = o->solve == FVI_SOLVE_DIAGONAL && tolerance > FVI_TOLERANCE_VERY_LOOSE;
+    if (!damped || each || o->diagonals > o->rule->s)
+        o->diagonals = 0; /* no functions of A; the steps are too long for one
+                             Hessian; no room for them in hessian */
+    o->scale = scale;
+    o->T = T;
+    o->least = 1e-14 * T;
+    o->growth = FVI_VARIABLE_STEP_GROWTH;
+    o->first = (int)floor(log(0.1 * pow(fmin(tolerance, 1), 0.4) * T) / L);
+    o->most = o->longest_solvable =
+        run->longest > 0 ? (int)floor(log(fmin(run->longest, T)) / L)
+                         : (int)ceil(log(T) / L);
+    o->first = (int)smaller(o->first, o->most);
+    o->first_after_event = 1;
+}
+
+/* The modes, if damping remembers; when the singular start is over. */
+static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_system *system = s->run.system;
+    for (size_t j = 0; j < o->d; j++)
+        if (system->damping[j] > 0)
+            o->index[o->damped++] = j;
+    fvi_variable_present(o->rule, o->beta, &o->W0);
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
+    double W_last[FVI_LANES], memory_leakage = 0;
+    fvi_square_apply(o->rule->s, &o->W0, o->rule->last, W_last);
+    for (size_t i = 0; i < o->rule->s; i++)
+        memory_leakage += o->rule->b[i] * W_last[i];
+    o->memory_leakage = fabs(memory_leakage);
+    int status = fvi_singular_start(s, o);
+    if (status || o->damped == 0 || fabs(o->beta) == 1 || o->beta == 0)
+        return status;
+    if (o->singular.J)
+        o->least = smaller(o->least, o->singular.t1 / 16);
+    if (system->force.impulse_count > 0 && o->beta > 0) /* x'' is as h^-beta */
+        o->least = smaller(
+            o->least, o->T * pow(1e-4 * fmin(o->tolerance, 1), 1 / (1 - o->beta)));
+    if (o->least < FVI_SHORTEST / 16 * o->T)
+        FVI_FAIL("no step is short enough for what such a damping makes of a "
+                 "velocity that jumps",
+                 FVI_EUNSUP);
+    const double tolerance = s->run.tolerance == FVI_FINE_MODES ? 0 : o->tolerance;
+    const fvi_modes_kind kind = tolerance > 10 * FVI_TOLERANCE_LOOSE   ? FVI_MODES_COARSE
+                                : tolerance > FVI_TOLERANCE_LOOSE / 10 ? FVI_MODES_MEDIUM
+                                                         : FVI_MODES_FINE;
+    o->counts.memory = kind == FVI_MODES_COARSE   ? 1e-7
+                       : kind == FVI_MODES_MEDIUM ? 3e-10
+                                                  : 0;
+    return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
+                           &o->modes);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Where steps end: the jumps and the impulses of the force within the run, the end of the
+ * singular start, and of the run, in order. */
+static int find_events(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const size_t hits = force->impulse_count;
+    if (force->jump_count > SIZE_MAX / sizeof(double) - 2 - hits)
+        FVI_FAIL("jumps must be addressable", FVI_EINVAL);
+    o->events = malloc((force->jump_count + hits + 2) * sizeof *o->events);
+    if (!o->events)
+        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
+    for (size_t i = 0; i < force->jump_count; i++)
+        if (force->jumps[i] > 0 && force->jumps[i] < o->T)
+            o->events[o->event_count++] = force->jumps[i];
+    for (size_t i = 0; i < hits; i++)
+        if (force->impulses[i].t > 0 && force->impulses[i].t < o->T)
+            o->events[o->event_count++] = force->impulses[i].t;
+    if (o->singular.J && o->singular.t1 < o->T)
+        o->events[o->event_count++] = o->singular.t1;
+    o->events[o->event_count++] = o->T;
+    qsort(o->events, o->event_count, sizeof *o->events, compare);
+    return FVI_SUCCESS;
+}
+
+static int start(fvi_stepper *s, int open)
+{
+    const size_t d = s->run.system->d;
+    double scale, *springs = NULL;
+    fvi_variable_step_state *o = s->method_state = calloc(1, sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->d = d;
+    o->open = open;
+    int status = find_springs(s, o, &springs);
+    if (!status)
+        status = first_scale(s, springs, &scale);
+    if (!status) {
+        plan(s, o, scale);
+        o->kinds = sort_out(s, springs, o);
+        if (o->solve == FVI_SOLVE_LINEAR && o->kinds < d)
+            o->diagonals = 0; /* many share an inverse */
+        status = fvi_variable_step_allocate(o);
+    }
+    if (!status) {
+        sort_out(s, springs, o);
+        status = begin_memory(s, o);
+    }
+    if (!status)
+        status = find_events(s, o);
+    free(springs);
+    if (status)
+        return status;
+    for (size_t j = 0; j < d; j++) {
+        const double m = s->run.system->mass[j];
+        const int struck = s->run.alpha == 1 && s->run.past != FVI_INITIAL_HISTORY_CAPUTO;
+        o->y[j] = s->x[j];
+        o->v[j] =
+            s->p[j] / (struck ? o->group[o->kind[j]].mass : m); /* (19.5) */
+        if (o->singular.J && o->singular.e == 1
+            && s->run.system->damping[j] > 0)
+            o->v[j] = o->singular.c[j * (o->singular.J + 1)];
+        o->centre[j] = s->run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : s->x[j];
+    }
+    fvi_variable_step_strike(s, o);
+    for (size_t j = 0; j < d; j++)
+        s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
+    o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
+    o->first = (int)larger(o->first, o->fewest);
+    o->next = o->first;
+    return FVI_SUCCESS;
+}
+
+int fvi_variable_step_start(fvi_stepper *s)
+{
+    return start(s, 0);
+}
+
+int fvi_variable_step_start_open(fvi_stepper *s)
+{
+    return start(s, 1);
+}

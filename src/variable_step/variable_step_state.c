@@ -1,0 +1,302 @@
+/* src/variable_step/variable_step_state.c -- What a run with variable steps keeps: room, copies, the
+ * matrices of a step, and what is saved.                              [Chapter 22] */
+#include "variable_step.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <float.h>
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    STATE = 8,
+    LANED = 5,
+    STAGED = 3,
+    BOUNDS = FVI_BOUND_ORDER + 1
+}; /* arrays: of d, of LANES d, of s d; numbers for each coordinate */
+
+void fvi_variable_step_stop(fvi_stepper *s)
+{
+    fvi_variable_step_state *o = s->method_state;
+    if (!o)
+        return;
+    fvi_modes_free(o->modes);
+    free(o->singular.c);
+    free(o->events);
+    free(o->jacobian);
+    fvi_variable_step_band_free(o->band);
+    free(o->y);
+    free(o);
+}
+
+/* ---- room ---- */
+
+static size_t numbers(const fvi_variable_step_state *o)
+{
+    return o->d * (STATE + FVI_LANES * LANED + o->rule->s * STAGED + BOUNDS);
+}
+
+int fvi_variable_step_allocate(fvi_variable_step_state *o)
+{
+    const size_t d = o->d, bytes = numbers(o) * sizeof *o->y,
+                 kinds = o->kinds * sizeof *o->group;
+    const int each = o->solve == FVI_SOLVE_DIAGONAL && o->diagonals == 0;
+    o->y = calloc(1, bytes + kinds + 2 * d * sizeof *o->kind);
+    o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
+    if (o->diagonals)
+        o->band = fvi_variable_step_band_alloc(o->rule, o->beta, d, o->kinds,
+                                          o->diagonals);
+    if (!o->y || (o->diagonals && !o->band) || (each && !o->jacobian))
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->group = (fvi_coordinate_group *)(o->y + numbers(o));
+    o->kind = (size_t *)(o->group + o->kinds);
+    o->index = o->kind + d;
+    o->y_less = o->y + d;
+    o->v = o->y + 2 * d;
+    o->v_less = o->y + 3 * d;
+    o->y0 = o->y + 4 * d;
+    o->v0 = o->y + 5 * d;
+    o->centre = o->y + 6 * d;
+    o->impulse_dv = o->y + 7 * d;
+    o->base = o->y + STATE * d;
+    o->R = o->base + FVI_LANES * d;
+    o->delta = o->R + FVI_LANES * d;
+    o->accel_legendre = o->delta + FVI_LANES * d;
+    o->accel_legendre0 = o->accel_legendre + FVI_LANES * d;
+    o->powers = o->accel_legendre;
+    o->point = o->accel_legendre0 + FVI_LANES * d;
+    o->gradient = o->point + o->rule->s * d;
+    o->hessian = o->gradient + o->rule->s * d;
+    o->most_of_force = o->hessian + o->rule->s * d;
+    return FVI_SUCCESS;
+}
+
+int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_variable_step_state *old = from->method_state;
+    fvi_variable_step_state *o = to->method_state = malloc(sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    *o = *old;
+    o->modes = NULL;
+    o->singular.c = NULL;
+    o->events = NULL;
+    o->jacobian = NULL;
+    o->band = NULL;
+    o->y = NULL;
+    o->coupled = old->band ? 0 : old->coupled; /* factors are not copied */
+    int status = fvi_variable_step_allocate(o);
+    if (status)
+        return status;
+    memcpy(o->y, old->y, numbers(o) * sizeof *o->y);
+    memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
+    memcpy(o->group, old->group, o->kinds * sizeof *o->group);
+    if (old->singular.c) {
+        const size_t n = o->d * (old->singular.J + 3);
+        status = fvi_singular_allocate(o->d, &o->singular);
+        if (status)
+            return status;
+        memcpy(o->singular.c, old->singular.c, n * sizeof *o->singular.c);
+    }
+    o->events = malloc(o->event_count * sizeof *o->events);
+    if (!o->events)
+        FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
+    memcpy(o->events, old->events, o->event_count * sizeof *o->events);
+    return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
+}
+
+/* ---- from outside ---- */
+
+void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const int most = (int)floor(log(longest) / fvi_variable_spacing());
+    o->most = (int)smaller(o->most, most);
+    o->next = o->first = (int)smaller(o->first, o->most);
+    o->growth = growth;
+}
+
+/* How far it came in the last PACE steps says how many the rest will take. No run that ends
+ * within weeks asks for ENDLESS, but where the motion, or a force, is singular. */
+int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
+{
+    enum { PACE = 1 << 18 };
+    static const double ENDLESS = 0x1p40;
+    const size_t steps = o->counts.steps + o->counts.rejected;
+    if (most_steps > 0)
+        return steps >= most_steps;
+    if (steps < o->next_look)
+        return 0;
+    const double came = o->t - o->looked_at, rest = o->T - o->t;
+    const int is_first = o->next_look == 0; /* of a run, or after a saved one */
+    o->next_look = steps + PACE;
+    o->looked_at = o->t;
+    return !is_first && rest * PACE > came * ENDLESS;
+}
+
+//> strike
+void fvi_variable_step_strike(const fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_force *force = &s->run.system->force;
+    const double now = o->t * (1 + 8 * GSL_DBL_EPSILON);
+    memset(o->impulse_dv, 0, o->d * sizeof *o->impulse_dv);
+    for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now;
+         o->hits++)
+        for (size_t j = 0; j < o->d; j++) {
+            const double jump =
+                force->impulses[o->hits].J[j] / o->group[o->kind[j]].mass;
+            o->impulse_dv[j] += jump;
+            o->v[j] += jump;
+        }
+}
+//< strike
+
+/* ---- matrices ---- */
+
+//> matrices
+/* M = a A + b B + c C */
+FVI_VECTORS static void combine(double a, const fvi_square *A, double b,
+                                const fvi_square *B, double c,
+                                const fvi_square *C, fvi_square *M)
+{
+    for (size_t l = 0; l < FVI_LANES; l++)
+        for (size_t i = 0; i < FVI_LANES; i += 4)
+            *(fvi_four *)(M->column[l] + i) =
+                a * *(const fvi_four *)(A->column[l] + i)
+                + b * *(const fvi_four *)(B->column[l] + i)
+                + c * *(const fvi_four *)(C->column[l] + i);
+}
+
+int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
+{
+    const double h = length.h;
+    if (h == o->length.h)
+        return FVI_SUCCESS;
+    const double power = pow(h, 1 - o->beta);
+    const int inverse = o->solve == FVI_SOLVE_TOGETHER /* who asks for it? */
+                        || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
+    o->length.h = 0; /* until all of them are there */
+    for (size_t n = 0; n < o->kinds; n++) {
+        fvi_coordinate_group *kind = &o->group[n];
+        kind->damping_coeff = o->beta == 1 ? 0 : kind->damping * power;
+        combine(kind->mass, &o->rule->inverse, kind->damping_coeff, &o->W0,
+                kind->spring * h * h, o->to_x, &kind->L);
+        if (!inverse)
+            continue;
+        kind->inverse = kind->L;
+        int status = fvi_square_invert(o->rule->s, &kind->inverse);
+        if (status)
+            return status;
+    }
+    o->length = length;
+    return FVI_SUCCESS;
+}
+//< matrices
+
+/* ---- what is saved ---- */
+
+/* Are these exponents of steps, and counts, that a run could have? Where a step is cut by an
+ * event its exponent may be as low as that of the least double. */
+static int has_possible_control(const fvi_variable_step_state *o)
+{
+    const double L = fvi_variable_spacing();
+    const int lowest = (int)floor(log(DBL_TRUE_MIN) / L) - FVI_VARIABLE_STEP_LESS,
+              highest = (int)ceil(log(o->T) / L);
+    return o->next >= lowest && o->next <= o->most && o->first >= lowest
+           && o->first <= o->most && o->longest_solvable >= lowest
+           && o->longest_solvable <= highest && o->most >= lowest && o->most <= highest
+           && o->growth >= 0 && o->growth <= FVI_VARIABLE_STEP_GROWTH && o->steps_since_failure >= 0
+           && o->steps_since_failure < FVI_VARIABLE_STEP_RETRY && o->stalled_iterations >= 0
+           && o->stalled_iterations <= FVI_VARIABLE_STEP_STUCK && (o->first_after_event == 0 || o->first_after_event == 1)
+           && o->scale > 0 && gsl_finite(o->scale) && !isnan(o->undeclared_jump_until);
+}
+
+/* Are these times that a run could be at, before the next event and after the impulses? */
+static int has_possible_times(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    return o->t == s->t && o->t0 >= 0 && o->t0 <= o->t
+           && fabs(o->t_less) <= 4 * GSL_DBL_EPSILON * o->t
+           && o->event < o->event_count
+           && o->hits <= s->run.system->force.impulse_count
+           && (o->length.h == 0 || fvi_length_is_possible(o->length, o->T));
+}
+
+/* What is allocated for one way to solve does for another only between these two. */
+static int has_room_to_solve(const fvi_variable_step_state *o, fvi_solve before)
+{
+    const int may_change =
+        before == FVI_SOLVE_COUPLED || before == FVI_SOLVE_TOGETHER;
+    return o->solve == before
+           || (may_change
+               && (o->solve == FVI_SOLVE_COUPLED
+                   || o->solve == FVI_SOLVE_TOGETHER));
+}
+
+/* All that the next step reads and no start knows. Matrices, factors and rows of modes are
+ * made anew, here and in the run that goes on: from the same numbers, the same digits. */
+//> visit
+int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const size_t number = sizeof(double), whole = sizeof(int);
+    const size_t once = STATE * o->d * number;
+    const fvi_solve before = o->solve;
+    const struct {
+        void *data;
+        size_t bytes;
+        int constant;
+    } pieces[] = {
+        { (void *)&o->rule->s, sizeof o->rule->s, 1 },
+        { &o->beta, number, 1 },
+        { &o->T, number, 1 },
+        { &o->event_count, sizeof o->event_count, 1 },
+        { o->events, o->event_count * number, 1 },
+        { &o->solve, sizeof o->solve, 0 },
+        { o->y, once, 0 },
+        { o->accel_legendre0, FVI_LANES * o->d * number, 0 },
+        { &o->t, number, 0 },
+        { &o->t_less, number, 0 },
+        { &o->t0, number, 0 },
+        { &o->length.h, number, 0 },
+        { &o->length.k, whole, 0 },
+        { &o->event, sizeof o->event, 0 },
+        { &o->hits, sizeof o->hits, 0 },
+        { &o->scale, number, 0 },
+        { &o->next, whole, 0 },
+        { &o->first, whole, 0 },
+        { &o->first_after_event, whole, 0 },
+        { &o->most, whole, 0 },
+        { &o->growth, whole, 0 },
+        { &o->longest_solvable, whole, 0 },
+        { &o->steps_since_failure, whole, 0 },
+        { &o->undeclared_jump_until, number, 0 },
+        { &o->stalled_iterations, whole, 0 },
+        { &o->counts.steps, sizeof o->counts.steps, 0 },
+        { &o->counts.rejected, sizeof o->counts.rejected, 0 },
+        { &o->counts.longest, number, 0 },
+    };
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
+        status =
+            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    if (!status
+        && !(has_room_to_solve(o, before) && has_possible_times(s, o)
+             && has_possible_control(o)))
+        FVI_FAIL("not a state of this run", FVI_EINVAL);
+    if (!status && o->modes)
+        status = fvi_modes_archive(o->modes, v);
+    if (status)
+        return status;
+    const fvi_length length = o->length;
+    o->length.h = 0;
+    o->coupled = 0;
+    o->powers_known = 0;
+    o->clear_to = 0;
+    return length.h > 0 ? fvi_variable_step_matrices(o, length) : FVI_SUCCESS;
+}
+//< visit

@@ -1,0 +1,361 @@
+/* src/variable_step/variable_steps.c -- Steps of any length.               [Chapter 22]
+ *
+ * A step from t_k to t_k + h, for each coordinate, with v_k = p_k / m and the unknown
+ * delta = V - v_k 1, V the velocities at the s stages:
+ *
+ *     [m A^{-1} + rho h^{1-beta} W0] delta + h grad U(X)
+ *         = h (F - rho H) - [beta <= 0] rho h^{1-beta} W0 1 v_k,            (22.14)
+ *     X = x_k 1 + h c v_k + h A delta,
+ *     x_{k+1} = X_s,   v_{k+1} = V_s.
+ *
+ * H is the history (22.10). x'' at the stages is A^{-1} delta / h, whatever the forces:
+ * the last of its Legendre coefficients says how good the step is, all of them give x
+ * and p in between. Form M, for rho = 0, has another matrix in place of A (22.15). */
+#include <fvi/variable_steps.h>
+
+#include "variable_step.h"
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_machine.h>
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+/* ---- the equation ---- */
+
+static double stage_time(const fvi_variable_step_state *o, size_t i)
+{
+    return fvi_variable_step_stage_time(o->rule, o->t, o->length.h, i);
+}
+
+/* Eight stages of a coordinate as two times four numbers; those beyond the s-th are of no
+ * use. */
+#define LANES(x) ((fvi_four *)(x))
+
+/* What a singular start adds to base and R. */
+static void apply_singular_force(fvi_variable_step_state *o)
+{
+    for (size_t i = 0; i < o->rule->s; i++) {
+        const double t = stage_time(o, i);
+        for (size_t j = 0; j < o->d; j++) {
+            double G, pull;
+            fvi_singular_at(&o->singular, j, t, &G, NULL, &pull);
+            o->base[j * FVI_LANES + i] += G;
+            o->R[j * FVI_LANES + i] -= o->length.h * pull;
+        }
+    }
+}
+
+/* base = x_k + h c v_k */
+FVI_VECTORS static void glide(fvi_variable_step_state *o)
+{
+    const fvi_four *c = LANES(o->rule->c);
+    for (size_t j = 0; j < o->d; j++) {
+        const double x = o->y[j], move = o->length.h * o->v[j];
+        fvi_four *base = LANES(o->base + j * FVI_LANES);
+        base[0] = x + move * c[0];
+        base[1] = x + move * c[1];
+    }
+}
+
+/* base, R = h F; and what a singular start adds to both. */
+//> drive
+static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const double h = o->length.h;
+    glide(o);
+    if (!s->run.system->force.value)
+        memset(o->R, 0, o->d * FVI_LANES * sizeof *o->R);
+    for (size_t i = 0; i < o->rule->s && s->run.system->force.value; i++) {
+        int status = fvi_force_value(s, stage_time(o, i));
+        if (status)
+            return status;
+        for (size_t j = 0; j < o->d; j++)
+            o->R[j * FVI_LANES + i] = h * s->F[j];
+    }
+    if (fvi_singular_is(o, o->t))
+        apply_singular_force(o);
+    return FVI_SUCCESS;
+}
+//< drive
+
+//> remember
+/* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
+ * v has jumped by. */
+FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
+{
+    const double h = o->length.h;
+    const fvi_four *W1 = LANES(o->W1);
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
+        const double now = kind->damping_coeff * (o->beta <= 0 ? o->v[j] : o->impulse_dv[j]),
+                     spring = o->beta == -1
+                                  ? h * kind->damping * (o->y[j] - o->centre[j])
+                                  : 0;
+        fvi_four *R = LANES(o->R + j * FVI_LANES);
+        R[0] -= now * W1[0] + spring;
+        R[1] -= now * W1[1] + spring;
+    }
+    for (size_t l = 0; o->modes && l < o->damped; l++) {
+        const size_t j = o->index[l];
+        const double factor = h * o->group[o->kind[j]].damping;
+        double H[FVI_LANES];
+        fvi_modes_history(o->modes, l, H);
+        fvi_four *R = LANES(o->R + j * FVI_LANES);
+        R[0] -= factor * LANES(H)[0];
+        R[1] -= factor * LANES(H)[1];
+    }
+}
+//< remember
+
+/* ---- a trial of a step, and its error ---- */
+
+/* What the last Legendre coefficient a of x'' in a step adds by itself, and should not: to
+ * X at the stages, h^2 stage a at most; to v, through what the memory makes of these
+ * stages, h memory_leakage (damping_coeff/m) a. And the quadrature adds h alias a to v, for the coefficients
+ * of twice the degree. A velocity 1 moves x by its reach. The largest sum of all
+ * coordinates; NaN if one is not finite.                                    (22.16) */
+//> estimate
+static double estimate(fvi_variable_step_state *o)
+{
+    const fvi_variable_rule *rule = o->rule;
+    const size_t s = rule->s;
+    double worst = 0;
+    for (size_t j = 0; j < o->d; j++) {
+        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
+        double *accel_legendre = o->accel_legendre + j * FVI_LANES;
+        fvi_square_apply(s, &rule->legendre, o->delta + j * FVI_LANES, accel_legendre);
+        if (!isfinite(accel_legendre[s - 1]))
+            return GSL_NAN;
+        const double compliance = fvi_variable_step_compliance(o, kind),
+                     of_x = rule->stage * o->length.h,
+                     of_v = o->memory_leakage * kind->damping_coeff / kind->mass + rule->alias;
+        worst = larger(worst, (of_x + compliance * of_v) * fabs(accel_legendre[s - 1]));
+    }
+    return worst;
+}
+//< estimate
+
+/* delta of a step of such length, and the estimate of its error. */
+static int try_step(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
+                 double *error)
+{
+    int status = fvi_variable_step_matrices(o, length);
+    if (status)
+        return status;
+    if (o->modes)
+        fvi_modes_begin(o->modes, length);
+    status = apply_forces(s, o);
+    if (status)
+        return status;
+    subtract_history(o);
+    status = fvi_variable_step_solve(s, o);
+    if (!status)
+        *error = estimate(o);
+    return status;
+}
+
+/* ---- the length of a step ---- */
+
+//> control
+/* How many factors exp(L) the next step is longer: the error is of order h^{s+1}. */
+static int step_change(const fvi_variable_step_state *o, double error)
+{
+    const double L = fvi_variable_spacing(),
+                 order = ((double)o->rule->s + 1) * L;
+    const double room = log(o->allowed / error) / order;
+    if (error <= o->allowed) { /* (22.17) */
+        const double more = floor(0.9 * room - 0.3);
+        return more < -1 ? -1 : more < o->growth ? (int)more : o->growth;
+    }
+    const double less = ceil(log(1.5) / order - room);
+    return less < 1                    ? -1
+           : less <= FVI_VARIABLE_STEP_LESS ? -(int)less
+                                       : -FVI_VARIABLE_STEP_LESS; /* NaN, too */
+}
+//< control
+
+/* Where x'' is smooth, a shorter step has an error of order h^s at least. One that hardly
+ * falls tells of a jump that is not declared, whose coefficients hardly fall, and what
+ * (22.16) says of it is a hundredth of the truth: until the place is passed it counts so
+ * much more. */
+static double assess_error(fvi_variable_step_state *o, double error, double error_before,
+                    double h_before)
+{
+    if (!o->first_after_event && error_before > 0
+        && error > error_before * gsl_pow_4(o->length.h / h_before))
+        o->undeclared_jump_until = larger(o->undeclared_jump_until, o->t + h_before);
+    return o->t < o->undeclared_jump_until ? 100 * error : error;
+}
+
+/* ---- a step ---- */
+
+/* The exponent of the next step, after one that is taken. A step that was made shorter
+ * before is not followed by a longer one. */
+static void grow_step(fvi_variable_step_state *o, double error, int again)
+{
+    const int more = step_change(o, error),
+              k = fvi_variable_step_exponent(o->length) + (again && more > 0 ? 0 : more);
+    o->next = o->length.k == FVI_OFF_LATTICE && !o->first_after_event
+                  ? (int)fmax(o->next, k) /* it was cut by an event */
+                  : k;
+    o->steps_since_failure = (o->steps_since_failure + 1) % FVI_VARIABLE_STEP_RETRY;
+    if (o->steps_since_failure == 0 && o->longest_solvable < o->most)
+        o->longest_solvable++;
+    o->next = (int)smaller(o->next, fmin(o->most, o->longest_solvable));
+    if (o->first_after_event) /* the next restart begins where this one got to */
+        o->first = o->next;
+}
+
+/* The same after one that is not, as its error is too large, or NaN; or as its equation
+ * was not solved. */
+static void shrink_step(fvi_variable_step_state *o, fvi_length length, double error,
+                    int failed)
+{
+    const int now = fvi_variable_step_exponent(length);
+    if (failed) {
+        o->longest_solvable = now - 1;
+        o->steps_since_failure = 0;
+    }
+    o->next = (int)fmax(now + (failed ? -2 : step_change(o, error)), o->fewest);
+    o->counts.rejected++;
+}
+
+/* sum += more, what rounding takes from it kept in less (Kahan). */
+static void add(double *sum, double *less, double more)
+{
+    const double y = more - *less, t = *sum + y;
+    *less = (t - *sum) - y;
+    *sum = t;
+}
+
+/* x and p of the state. */
+static void update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    for (size_t j = 0; j < o->d; j++) {
+        double G = 0, slope = 0;
+        if (fvi_singular_is(o, o->t))
+            fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
+        s->x[j] = o->y[j] + G;
+        s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
+        o->scale = larger(o->scale, fabs(s->x[j]));
+    }
+    s->t = o->t;
+}
+
+/* The velocities of coordinate j at the stages, as its memory wants them, to v. */
+FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_t j,
+                                         double *v)
+{
+    const double more = o->beta < 0 ? o->v[j] : o->impulse_dv[j];
+    const fvi_four *delta = LANES(o->delta + j * FVI_LANES);
+    LANES(v)[0] = delta[0] + more;
+    LANES(v)[1] = delta[1] + more;
+}
+
+//> take
+/* The trial is the step: x, v, the modes, the time. */
+static void accept_step(fvi_variable_step_state *o, double event)
+{
+    const size_t s = o->rule->s;
+    const double h = o->length.h;
+    for (size_t l = 0; o->modes && l < o->damped; l++) {
+        const size_t j = o->index[l];
+        double v[FVI_LANES];
+        stage_velocities(o, j, v);
+        fvi_modes_advance(o->modes, l, v, o->v[j] - o->impulse_dv[j]);
+    }
+    for (size_t j = 0; j < o->d; j++) {
+        double *delta = o->delta + j * FVI_LANES, move[FVI_LANES];
+        fvi_square_apply(s, o->to_x, delta, move);
+        o->y0[j] = o->y[j];
+        o->v0[j] = o->v[j];
+        add(&o->y[j], &o->y_less[j], h * (o->v[j] + move[s - 1]));
+        add(&o->v[j], &o->v_less[j], delta[s - 1]);
+    }
+    memcpy(o->accel_legendre0, o->accel_legendre, o->d * FVI_LANES * sizeof *o->accel_legendre);
+    o->t0 = o->t;
+    add(&o->t, &o->t_less, h);
+    if (fabs(o->t - event) <= 8 * GSL_DBL_EPSILON * event || o->t > event) {
+        o->t = event;
+        o->t_less = 0;
+    }
+    o->counts.steps++;
+    o->counts.longest = larger(o->counts.longest, h);
+}
+//< take
+
+//> step
+static int step(fvi_stepper *s)
+{
+    fvi_variable_step_state *o = s->method_state;
+    const double event = fvi_variable_step_next_event(o);
+    double found = 0, error = 0, found_before = 0, h_before = 0;
+    o->powers_known = 0; /* accel_legendre stands there */
+    for (;;) {
+        if (fvi_variable_step_runs_away(o, s->run.most_steps))
+            return FVI_ERUNAWAY;
+        fvi_length length;
+        int status = fvi_variable_step_choose(s, o, event, &length);
+        if (!status)
+            status = try_step(s, o, length, &found);
+        const int failed = status == FVI_EMAXITER || status == FVI_ESING;
+        if (status && !failed)
+            return status;
+        if (!failed)
+            error = assess_error(o, found, found_before, h_before);
+        if (!failed && error <= o->allowed) {
+            grow_step(o, error, h_before > 0);
+            break;
+        }
+        if (length.h <= o->least)
+            return status              ? status
+                   : gsl_finite(error) ? FVI_EMAXITER
+                                       : FVI_EOVRFLW;
+        shrink_step(o, length, error, failed);
+        found_before = failed ? 0 : found;
+        h_before = length.h;
+    }
+    accept_step(o, event);
+    const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
+    if (over)
+        fvi_singular_hand_over(o);
+    fvi_variable_step_strike(s, o);
+    o->first_after_event = o->t == event && !over;
+    if (o->first_after_event)
+        o->next = o->first;
+    update_stepper(s, o);
+    return FVI_SUCCESS;
+}
+//< step
+
+/* ---- the method ---- */
+
+int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts)
+{
+    if (!s || !counts)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (s->method->step != step)
+        FVI_FAIL("not a stepper of fvi_variable_step", FVI_EINVAL);
+    *counts = ((const fvi_variable_step_state *)s->method_state)->counts;
+    return FVI_SUCCESS;
+}
+
+const fvi_method fvi_variable_step = {
+    .name = "fvi-adaptive",
+    .order = "about 10",
+    .memory = "full",
+    .lowest = 9,
+    .highest = 12,
+    .alpha_most = 1,
+    .scheme = FVI_SCHEME_VARIABLE_STEP,
+    .memories = 1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_MODES,
+    .implicit = 1,
+    .start = fvi_variable_step_start,
+    .step = step,
+    .dense = fvi_variable_step_dense,
+    .copy = fvi_variable_step_copy,
+    .serialize = fvi_variable_step_archive,
+    .stop = fvi_variable_step_stop,
+};
