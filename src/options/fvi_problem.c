@@ -3,6 +3,7 @@
 #include "input/fvi_shared.h"
 
 #include <fvi/error.h>
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,10 +129,41 @@ int fvi_problem_force(fvi_options *o, fvi_complaint c)
         return 0;
     }
     if (!fvi_word_force(o->text[FORCE], &o->force, o->forcing))
-        return fvi_forces_parse(o->text[FORCE], o->d, &o->lets, last, &o->forces, c);
+        return fvi_forces_parse(o->text[FORCE], o->d, &o->lets, last,
+                                &o->forces, c);
     if (o->force == FVI_FORCING_STEP && o->forcing[1] < 0)
         return fvi_refuse(c, "--force: '%s' ends before it begins",
                           o->text[FORCE]);
+    return 0;
+}
+
+/* "3,17" of x1, ..., xd; all of them where nothing is said. */
+int fvi_problem_unknowns(fvi_options *o, fvi_complaint c)
+{
+    const char *text = o->text[UNKNOWNS];
+    o->shown = malloc(o->d * sizeof *o->shown);
+    if (!o->shown) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
+    for (; !text && o->shown_count < o->d; o->shown_count++)
+        o->shown[o->shown_count] = o->shown_count;
+    while (text) {
+        char *stop;
+        const size_t i =
+            isdigit((unsigned char)*text) ? strtoul(text, &stop, 10) : 0;
+        if (i < 1 || i > o->d || (*stop && *stop != ','))
+            return fvi_refuse(c,
+                              "--unknowns: '%s' is not a list of numbers from "
+                              "1 to %zu",
+                              o->text[UNKNOWNS], o->d);
+        for (size_t k = 0; k < o->shown_count; k++)
+            if (o->shown[k] == i - 1)
+                return fvi_refuse(c, "--unknowns: %zu stands twice in '%s'", i,
+                                  o->text[UNKNOWNS]);
+        o->shown[o->shown_count++] = i - 1;
+        text = *stop ? stop + 1 : NULL;
+    }
     return 0;
 }
 

@@ -13,6 +13,9 @@ int fvi_problem_potential(fvi_options *o, fvi_complaint c);
 int fvi_problem_lists(fvi_options *o, fvi_complaint c);
 int fvi_problem_force(fvi_options *o, fvi_complaint c);
 
+/* fvi_problem_unknowns -- the unknowns of the table, when it is known how many there are. */
+int fvi_problem_unknowns(fvi_options *o, fvi_complaint c);
+
 /* fvi_options_system -- the system that the words describe. It points into o. */
 fvi_system fvi_options_system(const fvi_options *o);
 

@@ -8,7 +8,6 @@
 
 #include <fvi/fvi.h>
 
-#include <ctype.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -221,36 +220,6 @@ static int check_impulses(const fvi_options *o, fvi_complaint c)
     return 0;
 }
 
-/* "3,17" of x1, ..., xd; all of them where nothing is said. */
-static int interpret_unknowns(fvi_options *o, fvi_complaint c)
-{
-    const char *text = o->text[UNKNOWNS];
-    o->shown = malloc(o->d * sizeof *o->shown);
-    if (!o->shown) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
-    }
-    for (; !text && o->shown_count < o->d; o->shown_count++)
-        o->shown[o->shown_count] = o->shown_count;
-    while (text) {
-        char *stop;
-        const size_t i =
-            isdigit((unsigned char)*text) ? strtoul(text, &stop, 10) : 0;
-        if (i < 1 || i > o->d || (*stop && *stop != ','))
-            return fvi_refuse(c,
-                              "--unknowns: '%s' is not a list of numbers from "
-                              "1 to %zu",
-                              o->text[UNKNOWNS], o->d);
-        for (size_t k = 0; k < o->shown_count; k++)
-            if (o->shown[k] == i - 1)
-                return fvi_refuse(c, "--unknowns: %zu stands twice in '%s'", i,
-                                  o->text[UNKNOWNS]);
-        o->shown[o->shown_count++] = i - 1;
-        text = *stop ? stop + 1 : NULL;
-    }
-    return 0;
-}
-
 /* What run and exact share: the system, its start, the grid, the columns. */
 static int interpret_trajectory(fvi_options *o, fvi_complaint c)
 {
@@ -277,7 +246,7 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
     if (!status)
-        status = interpret_unknowns(o, c);
+        status = fvi_problem_unknowns(o, c);
     for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
             status = fvi_refuse(c, "--continue: column y needs every row");

@@ -1,4 +1,5 @@
 /* src/petsc/petsc_state.c -- What a run leaves in files.                 [Chapter 28] */
+#include "output/fvi_output.h"
 #include "petsc_share.h"
 
 #include <stdint.h>
@@ -99,28 +100,52 @@ static PetscErrorCode make_head(const share *s, const fvi_stepper *run, head *h)
     PetscFunctionReturn(0);
 }
 
-/* Zero if all goes well. */
-static int save(const char *name, head *h, fvi_stepper *run)
+/* The file of a rank, written but not yet under its name; NULL if that fails. */
+static FILE *write_state(const char *name, head *h, fvi_stepper *run)
 {
-    state f = { .archive = { save_piece }, .file = fopen(name, "wb") };
+    state f = { .archive = { save_piece },
+                .file = fvi_output_open_file(name) };
     if (!f.file)
-        return 1;
-    int failed = save_piece(&f.archive, h, sizeof *h, 0)
-                 || fvi_stepper_archive(run, &f.archive)
-                 || fwrite(&f.sum, sizeof f.sum, 1, f.file) != 1;
-    failed |= fclose(f.file) != 0;
-    return failed;
+        return NULL;
+    if (save_piece(&f.archive, h, sizeof *h, 0) == 0
+        && fvi_stepper_archive(run, &f.archive) == 0
+        && fwrite(&f.sum, sizeof f.sum, 1, f.file) == 1 && fflush(f.file) == 0)
+        return f.file;
+    fvi_output_close(f.file, 0);
+    return NULL;
 }
 
+/* Is the last number of the file the sum of all before? The file is at its start then. */
+static int is_whole(FILE *file)
+{
+    state f = { .file = file };
+    unsigned char part[4096];
+    uint64_t sum;
+    long left = fseek(file, 0, SEEK_END) ? -1 : ftell(file);
+    rewind(file);
+    left -= (long)sizeof sum;
+    for (size_t n; left > 0; left -= (long)n) {
+        n = left < (long)sizeof part ? (size_t)left : sizeof part;
+        if (fread(part, 1, n, file) != n)
+            return 0;
+        add_to_sum(&f, part, n);
+    }
+    return left == 0 && fread(&sum, sizeof sum, 1, file) == 1 && sum == f.sum
+           && fseek(file, 0, SEEK_SET) == 0;
+}
+
+/* Zero if all goes well. The run is changed only by a file that is whole. */
 static int load(const char *name, head *h, fvi_stepper *run)
 {
     state f = { .archive = { load_piece }, .file = fopen(name, "rb") };
     uint64_t sum;
     if (!f.file)
         return 1;
-    const int failed =
-        load_piece(&f.archive, h, sizeof *h, 1) || fvi_stepper_archive(run, &f.archive)
-        || fread(&sum, sizeof sum, 1, f.file) != 1 || sum != f.sum;
+    const int failed = !is_whole(f.file)
+                       || load_piece(&f.archive, h, sizeof *h, 1)
+                       || fvi_stepper_archive(run, &f.archive)
+                       || fread(&sum, sizeof sum, 1, f.file) != 1
+                       || fgetc(f.file) != EOF;
     fclose(f.file);
     free(f.room);
     return failed;
@@ -128,17 +153,17 @@ static int load(const char *name, head *h, fvi_stepper *run)
 
 PetscErrorCode petsc_save(const share *s, const char *file, fvi_stepper *run)
 {
-    char name[PETSC_MAX_PATH_LEN], new[PETSC_MAX_PATH_LEN];
+    char name[PETSC_MAX_PATH_LEN];
     head h;
     PetscFunctionBeginUser;
     PetscCall(make_head(s, run, &h));
     PetscCall(PetscSNPrintf(name, sizeof name, "%s.%d", file, (int)h.rank));
-    PetscCall(PetscSNPrintf(new, sizeof new, "%s.new", name));
-    PetscCheck(!save(new, &h, run), PETSC_COMM_SELF, PETSC_ERR_FILE_WRITE,
-               "%s cannot be written", new);
-    PetscCallMPI(MPI_Barrier(PETSC_COMM_WORLD));
-    PetscCheck(rename(new, name) == 0, PETSC_COMM_SELF, PETSC_ERR_FILE_WRITE,
+    FILE *written = write_state(name, &h, run);
+    PetscCheck(written, PETSC_COMM_SELF, PETSC_ERR_FILE_WRITE,
                "%s cannot be written", name);
+    PetscCallMPI(MPI_Barrier(PETSC_COMM_WORLD));
+    PetscCheck(fvi_output_close(written, 1) == 0, PETSC_COMM_SELF,
+               PETSC_ERR_FILE_WRITE, "%s cannot be written", name);
     PetscFunctionReturn(0);
 }
 

@@ -113,4 +113,36 @@ static inline double table_of(const scheme *of, const duffing *q, int what,
     return all_t ? smaller(fixed, at_the_start(of, q, what)) : fixed;
 }
 
+/* ---- a generic start ---- */
+
+static const double alphas[] = { 0.3, 0.4, 0.5, 0.6, 0.75, 0.9 };
+
+enum { GENERIC = 36 }; /* alphas, pasts, springs; 24 of them are taken */
+
+/* c = 16 or U = x^4, F = cos(2 t)/2, x_0 = 0.7, v_0 = 1.3. No: held and alpha <= 1/2, which
+ * is Caputo's; Riemann-Liouville's with alpha > 1/2, which has no motion. */
+static inline int is_generic(size_t i, duffing *q)
+{
+    const double alpha = alphas[i % LEN(alphas)];
+    const fvi_initial_history past = pasts[i / LEN(alphas) % LEN(pasts)];
+    const int bent = i / LEN(alphas) >= LEN(pasts);
+    *q = (duffing){ past,         alpha, alpha > 0.8 ? 0.2 : 1,
+                    0.7,          1.3,   bent ? 0 : 16,
+                    bent ? 4 : 0, 0.5,   2 };
+    if ((past == FVI_INITIAL_HISTORY_HELD && alpha <= 0.5)
+        || (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5))
+        return 0;
+    return 1;
+}
+
+/* The motion that the runs go to. At alpha = 1/2 no run knows its past, so that all pasts
+ * have the motion of a held body; the equation of Riemann-Liouville's has a kick there. */
+static inline duffing limit_of_runs(const duffing *q)
+{
+    duffing limit = *q;
+    if (q->alpha == 0.5)
+        limit.past = FVI_INITIAL_HISTORY_CAPUTO;
+    return limit;
+}
+
 #endif

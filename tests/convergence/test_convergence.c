@@ -1,6 +1,8 @@
 /* tests/convergence/test_convergence.c -- Chapter 20: the velocity form, lemmas, constants.
  * Run alone: make test-convergence */
 #include "motions.h"
+#include "order_table.h"
+#include "series.h"
 
 #include "convergence_ref.h"
 #include "system/larger.h"
@@ -209,6 +211,36 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
 }
 END_TEST
 
+/* The series is the motion: of a spring that of Chapter 11, to 1e-13. */
+START_TEST(the_series_is_the_motion_of_a_spring)
+{
+    static series alone;
+    for (size_t i = 0; i < GENERIC / 2; i++) {
+        duffing q;
+        if (!is_generic(i, &q))
+            continue;
+        q = limit_of_runs(&q);
+        q.A = 0;
+        expand(&q, &alone);
+        const fvi_linear_oscillator linear = { .m = 1,
+                                    .c = q.c,
+                                    .rho = q.rho,
+                                    .alpha = q.alpha,
+                                    .past = q.past,
+                                    .x0 = q.x0,
+                                    .v0 = q.v0 };
+        const double t[] = { 0, 0.001, 0.25, 0.5, 1 };
+        ck_assert_int_eq(fvi_exact_at(&linear, LEN(t), t, x, p), FVI_SUCCESS);
+        for (size_t k = 0; k < LEN(t); k++) {
+            double where, speed;
+            at(&alone, t[k], &where, &speed);
+            ck_assert_near(where, x[k], 1e-13, "x(%g)", t[k]);
+            ck_assert_near(speed, p[k], 1e-12, "v(%g)", t[k]);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("20 convergence");
@@ -217,5 +249,6 @@ int main(void)
              eq_20_4_the_memory_of_a_parabola);
     ADD_CASE(suite, "constants", eq_20_5_constants,
              eq_20_8_what_is_no_motion_is_refused);
+    ADD_CASE(suite, "series", the_series_is_the_motion_of_a_spring);
     return run_suite(suite);
 }

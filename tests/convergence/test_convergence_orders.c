@@ -78,41 +78,15 @@ static double order(const errors *e, double floor)
     return last < 3 ? NAN : log2(e->error[last - 3] / e->error[last - 1]) / 2;
 }
 
-/* ---- the table ---- */
-
 /* ---- a generic start ---- */
-
-static const double alphas[] = { 0.3, 0.4, 0.5, 0.6, 0.75, 0.9 };
-
-enum { GENERIC = 36 }; /* alphas, pasts, springs; 24 of them are taken */
 
 static series motions[GENERIC];
 
-/* c = 16 or U = x^4, F = cos(2 t)/2, x_0 = 0.7, v_0 = 1.3. No: held and alpha <= 1/2, which
- * is Caputo's; Riemann-Liouville's with alpha > 1/2, which has no motion. */
+/* The motion of this start is the one that is compared, too. */
 static int generic(size_t i, duffing *q)
 {
-    const double alpha = alphas[i % LEN(alphas)];
-    const fvi_initial_history past = pasts[i / LEN(alphas) % LEN(pasts)];
-    const int bent = i / LEN(alphas) >= LEN(pasts);
-    *q = (duffing){ past,         alpha, alpha > 0.8 ? 0.2 : 1,
-                    0.7,          1.3,   bent ? 0 : 16,
-                    bent ? 4 : 0, 0.5,   2 };
-    if ((past == FVI_INITIAL_HISTORY_HELD && alpha <= 0.5)
-        || (past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && alpha > 0.5))
-        return 0;
     motion = &motions[i];
-    return 1;
-}
-
-/* The motion that the runs go to. At alpha = 1/2 no run knows its past, so that all pasts
- * have the motion of a held body; the equation of Riemann-Liouville's has a kick there. */
-static duffing limit_of_runs(const duffing *q)
-{
-    duffing limit = *q;
-    if (q->alpha == 0.5)
-        limit.past = FVI_INITIAL_HISTORY_CAPUTO;
-    return limit;
+    return is_generic(i, q);
 }
 
 /* Once, before the tests, each of which is a process of its own. */
@@ -384,36 +358,6 @@ START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
 }
 END_TEST
 
-/* The series is the motion: of a spring that of Chapter 11, to 1e-13. */
-START_TEST(the_series_is_the_motion_of_a_spring)
-{
-    static series alone;
-    for (size_t i = 0; i < GENERIC / 2; i++) {
-        duffing q;
-        if (!generic(i, &q))
-            continue;
-        q = limit_of_runs(&q);
-        q.A = 0;
-        expand(&q, &alone);
-        const fvi_linear_oscillator linear = { .m = 1,
-                                    .c = q.c,
-                                    .rho = q.rho,
-                                    .alpha = q.alpha,
-                                    .past = q.past,
-                                    .x0 = q.x0,
-                                    .v0 = q.v0 };
-        const double t[] = { 0, 0.001, 0.25, 0.5, 1 };
-        ck_assert_int_eq(fvi_exact_at(&linear, LEN(t), t, x, p), FVI_SUCCESS);
-        for (size_t k = 0; k < LEN(t); k++) {
-            double where, speed;
-            at(&alone, t[k], &where, &speed);
-            ck_assert_near(where, x[k], 1e-13, "x(%g)", t[k]);
-            ck_assert_near(speed, p[k], 1e-12, "v(%g)", t[k]);
-        }
-    }
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("20 convergence: orders");
@@ -421,7 +365,6 @@ int main(void)
     ADD_CASE(suite, "orders", eq_20_11_orders_at_fixed_times,
              eq_20_11_orders_over_all_nodes, eq_20_11_orders_of_the_first_nodes,
              eq_20_12_a_force_that_is_not_linear_feels_the_past,
-             eq_20_11_a_jump_inside_a_step_leaves_order_one,
-             the_series_is_the_motion_of_a_spring);
+             eq_20_11_a_jump_inside_a_step_leaves_order_one);
     return run_suite(suite);
 }

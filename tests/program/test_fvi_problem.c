@@ -292,118 +292,6 @@ START_TEST(case_does_not_matter_for_words)
 }
 END_TEST
 
-/* Three forms, the same numbers. */
-START_TEST(tables_in_three_formats)
-{
-    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format CSV"), 0);
-    ck_assert(strncmp(out, "t,x,p,energy\n0,1,0.5,0.625\n0.5,", 31) == 0);
-    ck_assert_uint_eq(count_lines(out), 3);
-    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format json --columns t,y "
-                         "--alpha .5 --let 'k=1,c=\"'"),
-                     2);
-    ck_assert_int_eq(fvi("run --h 0.5 --steps 1 --format json --columns x,t,y "
-                         "--alpha .5 --potential harmonic --dimension 2 "
-                         "--x0 1,0"),
-                     0);
-    ck_assert_ptr_nonnull(strstr(out, "\"alpha\": 0.5,\n"));
-    ck_assert_ptr_nonnull(strstr(out, "\"x0\": \"1,0\",\n"));
-    ck_assert_ptr_nonnull(
-        strstr(out, " },\n\"columns\": [\"x1\", \"x2\", \"t\", \"y1\", "
-                    "\"y2\"],\n\"rows\": [\n [1, 0, 0, "));
-    ck_assert_str_eq(strrchr(out, '\n') - 3, "\n]}\n");
-    ck_assert_int_eq(fvi("coefficients --count 2 --format csv"), 0);
-    ck_assert_str_eq(out, "n,w_n\n0,1\n1,-0.5\n");
-    ck_assert_int_eq(fvi("exact --steps 1 --format csv --columns t"), 0);
-    ck_assert_str_eq(out, "t\n0\n0.1\n");
-}
-END_TEST
-
-/* A file's name is bytes; in JSON stand characters. */
-START_TEST(a_name_of_any_bytes_is_json)
-{
-    ck_assert_int_eq(
-        shell("f=$(printf 'a\\377\\303\\251\\300\\257\\355\\240\\200\\364\\220"
-              "\\200\\200\\360\\237\\230\\200\\342'); printf '0 1\\n9 1\\n' > "
-              "\"$f\"; "
-              "\"$FVI\" run --steps 1 --force \"file:$f\" --format json"),
-        0);
-    ck_assert_ptr_nonnull(
-        strstr(out, "\"force\": \"file:a\\ufffd\303\251\\ufffd\\ufffd"
-                    "\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd\\ufffd"
-                    "\360\237\230\200\\ufffd\""));
-}
-END_TEST
-
-/* The head has the words as the program knows them, however they are typed. */
-START_TEST(the_head_has_its_own_words)
-{
-    ck_assert_int_eq(fvi("run --method FVI-Stable --derivative HELD --memory "
-                         "Direct --steps 1"),
-                     0);
-    ck_assert_ptr_nonnull(strstr(out, "# method = fvi-stable\n"));
-    ck_assert_ptr_nonnull(strstr(out, "# derivative = held\n"));
-    ck_assert_ptr_nonnull(strstr(out, "# memory = direct\n"));
-}
-END_TEST
-
-/* What other programs make of it: Python's json, numpy with names, gnuplot's columns by
- * name. Those that are not installed are not asked. */
-START_TEST(other_programs_read_the_tables)
-{
-    ck_assert_int_eq(
-        shell("command -v python3 > /dev/null || exit 0; \"$FVI\" run --alpha "
-              "0.3 --format json > j; \"$FVI\" run --alpha 0.3 > t; python3 -c "
-              "'import json; j = json.load(open(\"j\")); rows = [[float(v) for "
-              "v in l.split()] for l in open(\"t\") if l[0] != \"#\"]; assert "
-              "j[\"rows\"] == rows and len(rows) == 201 and j[\"columns\"] == "
-              "[\"t\", \"x\", \"p\", \"energy\"] and "
-              "j[\"parameters\"][\"alpha\"] == 0.3'"),
-        0);
-    ck_assert_int_eq(
-        shell("/usr/bin/python3 -c 'import numpy' 2> /dev/null || exit 0; "
-              "\"$FVI\" run --format csv > c; \"$FVI\" run > t; "
-              "/usr/bin/python3 -c 'import numpy as n; a = n.genfromtxt(\"c\", "
-              "delimiter=\",\", names=True); b = n.genfromtxt(\"t\"); assert "
-              "a.dtype.names == (\"t\", \"x\", \"p\", \"energy\") and "
-              "(a[\"energy\"] == b[:, 3]).all()'"),
-        0);
-    ck_assert_int_eq(
-        shell("command -v gnuplot > /dev/null || exit 0; \"$FVI\" run --format "
-              "csv > c; gnuplot -e 'set datafile separator comma; set key "
-              "autotitle columnhead; stats \"c\" using \"t\":\"energy\" "
-              "nooutput; print STATS_records' 2>&1 | grep -qx 201"),
-        0);
-}
-END_TEST
-
-/* The shortest digits come back as the same double, and no shorter ones do. */
-START_TEST(digits_are_the_fewest_that_come_back)
-{
-    ck_assert_int_eq(fvi("run --steps 500 --alpha 0.3 --columns x,p,energy "
-                         "--x0 0.1 --p0 1e-310 --potential free --rho 0"),
-                     0);
-    ck_assert(strncmp(first_row(), "0.1\t1e-310\t0\n", 12) == 0);
-    ck_assert_int_eq(fvi("run --steps 500 --alpha 0.3 --columns x,p"), 0);
-    size_t fewer = 0;
-    for (const char *at = first_row(); *at;) {
-        char *end, text[40];
-        const double v = strtod(at, &end);
-        const size_t length = (size_t)(end - at);
-        snprintf(text, sizeof text, "%.17g", v);
-        ck_assert(length <= strlen(text));
-        fewer += length < strlen(text);
-        for (int digits = 1; digits <= 17; digits++) {
-            snprintf(text, sizeof text, "%.*g", digits, v);
-            if (strtod(text, NULL) == v)
-                break;
-        }
-        ck_assert_msg(strlen(text) == length, "%.*s", (int)length, at);
-        at = end + 1;
-    }
-    ck_assert_uint_gt(fewer, 300);
-}
-END_TEST
-
 int main(void)
 {
     char *sources = realpath("src", NULL);
@@ -415,9 +303,6 @@ int main(void)
              a_shared_object_is_a_potential,
              a_file_of_c_is_compiled_and_nothing_stays,
              masses_and_dampings_one_by_one, impulses_are_forces, forces_add_up,
-             case_does_not_matter_for_words, a_name_of_any_bytes_is_json,
-             the_head_has_its_own_words, tables_in_three_formats,
-             other_programs_read_the_tables,
-             digits_are_the_fewest_that_come_back);
+             case_does_not_matter_for_words);
     return run_suite_of_program(suite);
 }

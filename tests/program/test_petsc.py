@@ -10,7 +10,7 @@ largest: conjugate gradients end at a residual of 1e-15 of the first, the condit
 step's matrix is below 10, and fvi-stable lets no error of a step grow. Seen: 4e-15.
 
 A run that was stopped and goes on gives the same bytes; a state that is not of such a run is
-refused."""
+refused. A state takes the place of no other file, and a link to one stays a link."""
 import math
 import pathlib
 import subprocess
@@ -115,6 +115,17 @@ for count in (1, 2, 4):
     if ranks(count, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS).read_bytes() != bytes_of_whole:
         sys.exit(f"petsc: a run that went on is another one, {count} ranks")
     compare("a grid", of_grid, count, ranks(count, "-grid", f"{NY},{NX}", "-damping", "0.05", **OF_GRID))
+
+# A user's file of a similar name is not touched, and the name may be a link.
+mine, behind = pathlib.Path(f"{state}.0.new"), FOLDER / "behind"
+mine.write_text("mine")
+pathlib.Path(f"{state}.0").rename(behind)
+pathlib.Path(f"{state}.0").symlink_to("behind")
+before = behind.read_bytes()
+ranks(4, "-system", FOLDER, "-checkpoint", state, **WORDS)
+if mine.read_text() != "mine" or not pathlib.Path(f"{state}.0").is_symlink() or behind.read_bytes() != before:
+    sys.exit("petsc: a state took the place of another file")
+mine.unlink()
 
 # What stands is the state of step 300, on 4 ranks.
 refused("the end", "has been reached before", start(4, "-system", FOLDER, "-checkpoint", state, "-resume", **WORDS))
