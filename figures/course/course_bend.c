@@ -1,4 +1,4 @@
-/* figures/course/course_bend.c -- Chapter 4: a body, its film, and the action when they are bent.
+/* figures/course/course_bend.c -- Chapter 4: a body, its mirror, and the action when they are bent.
  *
  * Block 0: t, x, y, and x and y with one bump of the size BUMP each. Block 1: how much of the bump,
  * the change of the action if both are bent, and if x alone is. */

@@ -1,16 +1,16 @@
-# figures/course/course_bend.gp -- Chapter 4: a body, its film, and the action when they are bent.
+# figures/course/course_bend.gp -- Chapter 4: a body, its mirror, and the action when they are bent.
 # Input: figures/course/course_bend.c. Output: figures/course/course_bend.svg.
 width = 900; height = 400
 load 'figures/style.gp'
 set multiplot layout 1,2 margins 0.07,0.985,0.14,0.9 spacing 0.12
 unset key
-set title "the body and its film, each with the same bump"
+set title "the body and its mirror, each with the same bump"
 set xlabel "t"
 set ylabel "place" offset 1,0
 set xrange [0:10]
 set yrange [-0.5:1.15]
 set label 1 "x" at 0.75,0.9 tc rgb BLUE
-set label 2 "y, the film run backwards" at 8.7,1.04 right tc rgb GREEN
+set label 2 "y, its mirror" at 8.7,1.04 right tc rgb GREEN
 set label 3 "x bent" at 6.3,0.56 left tc rgb BLUE
 set label 4 "y bent" at 4.25,0.62 right tc rgb GREEN
 plot dat index 0 using 1:2 with lines ls 1 lw 2.6, \

@@ -12,11 +12,11 @@ do for [k=0:4] { do for [j=0:k] {
   set label 100+10*k+j sprintf("w_%d", k-j) at j+0.5,4-k+0.5 center tc rgb BLACK
 } }
 do for [k=0:4] {
-  set label 20+k sprintf("G_%d", k) at -0.35,4.5-k right tc rgb RED
-  set label 30+k sprintf("F_%d", k) at k+0.5,-0.4 center tc rgb BLUE
+  set label 20+k sprintf("g_%d", k) at -0.35,4.5-k right tc rgb RED
+  set label 30+k sprintf("f_%d", k) at k+0.5,-0.4 center tc rgb BLUE
 }
 set arrow 1 from 5.3,2.5 to 6.1,2.5 head filled size .2,20 lc rgb RED lw 1.6
-set label 1 "by rows:\neach G_k  times a sum\nof earlier F" at 6.3,2.9 left tc rgb RED
+set label 1 "by rows:\neach g_k  times a sum\nof f up to k" at 6.3,2.9 left tc rgb RED
 set arrow 2 from 3.5,4.3 to 3.5,5.0 head filled size .2,20 lc rgb BLUE lw 1.6
-set label 2 "by columns: each F_j  times a sum of later G" at 3.5,5.5 center tc rgb BLUE
+set label 2 "by columns: each f_j  times a sum of g from j on" at 3.5,5.5 center tc rgb BLUE
 plot NaN

@@ -116,7 +116,7 @@ int main(void)
     enum { N = 100 };
     run(N);
     for (int k = 0; k <= N; k++)
-        y[k] = x[N - k]; /* the film, backwards */
+        y[k] = x[N - k]; /* the mirror */
     printf("    e     S(x+e, y+e)    S(x+e, y)\n");
     for (int i = -2; i <= 2; i++) {
         double e = i / 10.0;

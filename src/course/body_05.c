@@ -121,13 +121,13 @@ double change(int N, int k)
 /* The change of the action beside the two residuals, at every third node. */
 void table(const char *name, int N)
 {
-    static double film[MAX];
+    static double mirror[MAX];
     printf("%s\n k   change of S   residual of x   of y\n", name);
     for (int j = 0; j <= N; j++)
-        film[j] = y[N - j];
+        mirror[j] = y[N - j];
     for (int k = 1; k < N; k += 3)
         printf("%2d  %11.1e %13.1e %11.1e\n", k, change(N, k), residual(N, k, x),
-               residual(N, N - k, film));
+               residual(N, N - k, mirror));
 }
 
 int main(void)
@@ -140,5 +140,5 @@ int main(void)
     run(N);
     for (int k = 0; k <= N; k++)
         y[k] = x[N - k];
-    table("the run and its film", N);
+    table("the run and its mirror", N);
 }

@@ -92,7 +92,7 @@ void run(int N)
     int velocity = 2 * alpha >= 1; /* then z is a velocity, of order 2 alpha - 1, (10d) */
     double b = 2 * alpha - velocity, unit = velocity ? h : 1;
     double origin = past == RL ? 0 : x0; /* (7a) */
-    double drift = past == CAPUTO && velocity ? p0 / m : 0;
+    double drift = past == CAPUTO && 2 * alpha > 1 ? p0 / m : 0;
     weights(b, N + 1);
     make_modes(b, N);
     x[0] = x0, p[0] = p0, z[0] = (x0 - origin) / unit;

@@ -11,7 +11,7 @@ enum { HELD, CAPUTO, RL };
 int past = HELD;            /* before t = 0, (7a) */
 double push = 0, until = 0; /* a force */
 double x[MAX], p[MAX], z[MAX], w[MAX];
-int second = 0;      /* damp half a step later, (12b) */
+int second = 0;      /* damp a share of a step later, (12b) */
 int fast = 0, modes; /* exponentials in the place of old weights, (11b) */
 double decay[MODES], share[MODES], mode[MODES];
 //< head
@@ -93,7 +93,7 @@ void run(int N)
     int velocity = 2 * alpha >= 1; /* then z is a velocity, of order 2 alpha - 1, (10d) */
     double b = 2 * alpha - velocity, unit = velocity ? h : 1;
     double origin = past == RL ? 0 : x0; /* (7a) */
-    double drift = past == CAPUTO && velocity ? p0 / m : 0;
+    double drift = past == CAPUTO && 2 * alpha > 1 ? p0 / m : 0;
     weights(b, N + 1);
     make_modes(b, N);
     x[0] = x0, p[0] = p0, z[0] = (x0 - origin) / unit;

@@ -16,4 +16,22 @@ START_TEST(eq_10b_the_orders)
 }
 END_TEST
 
+/* At alpha = 1/2 the three pasts are one, for a body that starts with a momentum, too: a constant
+ * that is subtracted from all places drops out of a difference. */
+START_TEST(eq_8b_three_pasts_are_one_at_one_half)
+{
+    static double held[201];
+    alpha = 0.5, kappa = 0.5, p0 = 0.5, h = 0.01;
+    for (past = HELD; past <= RL; past++) {
+        run(200);
+        for (int k = 0; k <= 200; k++)
+            if (past == HELD)
+                held[k] = x[k];
+            else
+                ck_assert_near(x[k], held[k], rounding_of_run(200, 0.5), "past %d, k = %d", past, k);
+    }
+    past = HELD, p0 = 0, alpha = 0.25;
+}
+END_TEST
+
 #endif

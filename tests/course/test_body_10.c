@@ -35,6 +35,6 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("stage 10");
-    ADD_CASE(suite, "how wrong, and how long a step", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_10c_the_longest_stable_step, eq_10d_velocities_make_the_same_run);
+    ADD_CASE(suite, "how wrong, and how long a step", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_10c_the_longest_stable_step, eq_10d_velocities_make_the_same_run);
     return run_suite(suite);
 }

@@ -8,6 +8,6 @@
 int main(void)
 {
     Suite *suite = suite_create("stage 11");
-    ADD_CASE(suite, "a million steps", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_11b_modes_are_weights, eq_11c_modes_make_the_same_run);
+    ADD_CASE(suite, "a million steps", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_11b_modes_are_weights, eq_11c_modes_make_the_same_run);
     return run_suite(suite);
 }
