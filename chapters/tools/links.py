@@ -1,5 +1,5 @@
-"""Follow every relative link of README.md and the chapters; see that the map of the
-course names all 87 statements of the paper, each with a link. Exit 1 with the list of
+"""Follow every relative link of README.md and the chapters; see that the page of
+statements names all 87 of the paper, each with a link. Exit 1 with the list of
 what is wrong."""
 import pathlib
 import re
@@ -35,7 +35,7 @@ def faults_of_links(page):
             yield f"{page}: no such heading: {target}"
 
 
-def faults_of_map(page):
+def faults_of_statements(page):
     """Rows `| number | statement | [link] | check |` of the section on the paper."""
     section = page.read_text().partition("## Every statement of the paper")[2].partition("\n## ")[0]
     rows = re.findall(r"^\| (\d+) \|.*\]\(.*$", section, re.M)
@@ -48,7 +48,7 @@ def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
     faults = [fault for page in pages for fault in faults_of_links(page)]
-    faults += faults_of_map(root / "chapters/README.md")
+    faults += faults_of_statements(root / "chapters/handbook/statements.md")
     sys.exit("\n".join(faults) or 0)
 
 

@@ -4,14 +4,14 @@ A room is a folder. A file may include headers of its own room and of those belo
 an object of an ARCHIVE may use symbols of its own room and of those below;
 the public headers in src/fvi/ belong to the room that keeps what they declare, and
 fvi/fvi.h, which hands on all the others, to none. The peers of the benchmark, build/peers.a,
-are of no room; their names must not clash with the library's. The drawing in chapters/README.md
+are of no room; their names must not clash with the library's. The drawing in chapters/handbook/tour.md
 must be the one that the sources give. Only the standard library is used."""
 import pathlib
 import re
 import subprocess
 import sys
 
-SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/README.md")
+SRC, MAP = pathlib.Path("src"), pathlib.Path("chapters/handbook/tour.md")
 # From the roof to the ground; rooms of one floor know nothing of each other.
 FLOORS = [
     {"course": "the program that the Course writes; it knows no other file", "program": "build/fvi: its commands", "petsc": "build/fvi_petsc: a run on many machines"},

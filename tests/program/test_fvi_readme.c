@@ -1,9 +1,18 @@
-/* tests/program/test_fvi_readme.c -- The commands of README.md, pasted into a bare shell.
+/* tests/program/test_fvi_readme.c -- The commands of README.md and of the manual, pasted into a bare shell.
  * Run alone: make test-fvi_readme */
 #define _GNU_SOURCE
 #include "program.h"
 
-static char page[1 << 16];
+/* Where commands stand: the page, the section, how many, and how many show their output. */
+static const struct {
+    const char *path, *section;
+    size_t commands, outputs;
+    const char *plots; /* the picture that they draw */
+} parts[2] = {
+    { "README.md", "\n## Use\n", 2, 2, NULL },
+    { "chapters/handbook/manual.md", "\n## The program\n", 5, 4, "build/own.svg" },
+};
+static char pages[2][1 << 16];
 
 /* The next block of this kind behind `at`, without its fences, and where it ends; NULL if
  * there is none before the next heading. */
@@ -22,13 +31,13 @@ static char *block(char *at, const char *fence, char **end)
  * the C library. */
 static int agree(const char *got, const char *want)
 {
-    static const char parts[] = " \t\n,";
+    static const char gaps[] = " \t\n,";
     for (;;) {
-        got += strspn(got, parts);
-        want += strspn(want, parts);
+        got += strspn(got, gaps);
+        want += strspn(want, gaps);
         if (!*got || !*want)
             return !*got && !*want;
-        const size_t m = strcspn(got, parts), n = strcspn(want, parts);
+        const size_t m = strcspn(got, gaps), n = strcspn(want, gaps);
         char *ends[2];
         const double a = strtod(got, &ends[0]), b = strtod(want, &ends[1]);
         const int numbers = ends[0] == got + m && ends[1] == want + n;
@@ -42,12 +51,12 @@ static int agree(const char *got, const char *want)
 
 /* Each ```sh block runs; where a ```text block stands right behind it, it is what comes
  * out, on both streams. */
-START_TEST(the_tour_is_as_it_is_printed)
+static void run_and_compare(int part)
 {
     size_t commands = 0, outputs = 0;
     ck_assert_int_eq(shell("mkdir -p build; ln -sf \"$FVI\" build/fvi"), 0);
     const int plots = shell("command -v gnuplot > /dev/null") == 0;
-    char *at = strstr(page, "\n## The program\n"), *end, *command;
+    char *at = strstr(pages[part], parts[part].section), *end, *command;
     ck_assert_ptr_nonnull(at);
     for (at++; (command = block(at, "```sh\n", &end)); at = end + 3) {
         char line[1000], *want_end;
@@ -67,15 +76,29 @@ START_TEST(the_tour_is_as_it_is_printed)
         end = want_end;
         outputs++;
     }
-    ck_assert(commands == 5 && outputs == 4);
-    ck_assert(!plots || exists("build/own.svg"));
+    ck_assert_uint_eq(commands, parts[part].commands);
+    ck_assert_uint_eq(outputs, parts[part].outputs);
+    ck_assert(!plots || !parts[part].plots || exists(parts[part].plots));
+}
+
+START_TEST(the_commands_of_the_readme_are_as_they_are_printed)
+{
+    run_and_compare(0);
+}
+END_TEST
+
+START_TEST(the_tour_of_the_manual_is_as_it_is_printed)
+{
+    run_and_compare(1);
 }
 END_TEST
 
 int main(void)
 {
-    read_file("README.md", page, sizeof page);
-    Suite *suite = suite_create("the program fvi: README.md");
-    ADD_CASE(suite, "values", the_tour_is_as_it_is_printed);
+    for (int part = 0; part < 2; part++)
+        read_file(parts[part].path, pages[part], sizeof pages[part]);
+    Suite *suite = suite_create("the program fvi: README.md, the manual");
+    ADD_CASE(suite, "values", the_commands_of_the_readme_are_as_they_are_printed,
+             the_tour_of_the_manual_is_as_it_is_printed);
     return run_suite_of_program(suite);
 }
