@@ -490,7 +490,7 @@ goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
   $(call goal,check test test-% $(NUMBERS) workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% $(NUMBERS) workshop-figure,gnuplot) \
-  $(call goal,check verify verify-% refs refs-% $(NUMBERS),sympy) \
+  $(call goal,check verify verify-% refs refs-% $(NUMBERS),python sympy) \
   $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
