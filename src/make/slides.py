@@ -1,7 +1,9 @@
-"""Slides of every chapter, from its own words: OUT/09-fvi.html.      slides.py OUT [09]
+"""Slides of every chapter, from its own words.      slides.py OUT [06]
 
-The question, the first picture, and for each section of the main text its statements,
-numbered equations and figures; what stands in boxes that fold is left out. Each file
+OUT/06-fvi.html is Chapter 6 of the Course, OUT/h09-fvi.html is page 9 of the Handbook.
+A file has the question, the first picture, and for each section of the main text its statements,
+figures and numbered equations with the sentence before them. Slides of the Course also show tables, code and what we
+have now. What stands in boxes that fold is left out. Each file
 stands alone: pictures, style and fonts are in it. The formulas go the way of the book,
 by pandoc and KaTeX. Keys: right and left, Home and End; on paper a slide is a page."""
 import base64
@@ -14,12 +16,16 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.append("chapters/book")
-from pages import pandoc_math  # noqa: E402
+from pages import file_name, pandoc_math  # noqa: E402
 
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FIGURE = re.compile(r"^!\[([^\]]*)\]\((?:\.\./)+(figures/[^)]*\.svg)\)$", re.M)
-EQUATION = re.compile(r"^```math\n.*?\\tag\{.*?^```$", re.M | re.S)
+EQUATION = re.compile(r"^```math\n(?:(?!^```).)*?\\tag\{.*?^```$", re.M | re.S)
+TABLE = re.compile(r"^\|.*\n(?:\|.*\n)+", re.M)
+CODE = re.compile(r"^```(?:c|text)\n.*?^```$", re.M | re.S)
+LIST = re.compile(r"^- .*?(?=\n\n|\Z)", re.M | re.S)
+LINES = 18  # of code on a slide
 WORD = r"\*\*(?:Theorem|Lemma|Proposition|Corollary|Definition)\b"
 STATEMENT = re.compile(rf"^{WORD}.*?(?=\n\n)", re.M | re.S)
 QUOTED = re.compile(rf"^> {WORD}.*\n(?:>.*\n)*", re.M)
@@ -32,7 +38,7 @@ h1, h2, footer { font-family: "Helvetica Neue", Arial, "DejaVu Sans", sans-serif
 h1 { font-size: 3rem; margin-top: 22vh; } h2 { font-size: 1.9rem; margin: 0 0 3vh; }
 figure { margin: 0; text-align: center; } img { max-width: 100%; max-height: 68vh; }
 figcaption { font-size: 1.2rem; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
-code { font-size: .85em; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
+code { font-size: .85em; } pre { font-size: 1.2rem; line-height: 1.25; } table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ccc; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
 @media print { footer { display: none; } }
 """
 SCRIPT = """
@@ -65,9 +71,18 @@ def picture(match, known):
             f"<figcaption>{html.escape(words, quote=False)}</figcaption></figure>")
 
 
+def sentence_before(body, at):
+    """The last sentence of the paragraph that ends at this place; nothing, if no words stand there."""
+    paragraph = body[:at].rstrip().rpartition("\n\n")[2]
+    if re.match(r"[|>`!<-]", paragraph):
+        return ""
+    return re.split(r"(?<=[.?!])\s+(?=[A-Z])", paragraph)[-1] + "\n\n"
+
+
 def slides(page, known):
     """The Markdown of each slide."""
     text = ASIDE.sub("", page.read_text())
+    course = page.parent.name == "chapters"
     front, *sections = re.split(r"^## ", text, flags=re.M)
     title = re.search(r"^# (.*)", front)[1]
     asked = [p for p in front.split("\n\n")[1:] if not p.startswith(("|", "Play with it", "![", "```"))]
@@ -80,19 +95,27 @@ def slides(page, known):
         heading, _, body = section.partition("\n")
         if heading.startswith(("Exercises", "Sources", "Appendix")):
             break
-        found = sorted([m for kind in (STATEMENT, QUOTED, EQUATION, FIGURE) for m in kind.finditer(body)], key=lambda m: m.start())
+        kinds = [STATEMENT, QUOTED, EQUATION, FIGURE] + ([TABLE, CODE] if course else [])
+        kinds += [LIST] if heading == "What we have now" else []
+        found = sorted([m for kind in kinds for m in kind.finditer(body)], key=lambda m: m.start())
         waiting = []
         for match in found:
             if match.re is FIGURE:
                 yield f"## {heading}\n\n" + picture(match, known)
                 continue
-            waiting.append(re.sub(r"^> ?", "", match[0], flags=re.M).strip())
+            if match.re is CODE and match[0].count("\n") > LINES:
+                continue
+            before = sentence_before(body, match.start()) if match.re in (EQUATION, TABLE, CODE) else ""
+            waiting.append(before + re.sub(r"^> ?", "", match[0], flags=re.M).strip())
+            if match.re in (TABLE, CODE):
+                yield f"## {heading}\n\n" + "\n\n".join(waiting)
+                waiting = []
             if len(waiting) == 2:
                 yield f"## {heading}\n\n" + "\n\n".join(waiting)
                 waiting = []
         if waiting:
             yield f"## {heading}\n\n" + "\n\n".join(waiting)
-    yield f"## Exercises\n\n`{page}`, at its end; all of them: `chapters/workshop/exercises.md`"
+    yield f"## Exercises\n\nThey stand at the end of `{page}`." + ("" if course else " All of them: `chapters/workshop/exercises.md`.")
 
 
 def to_html(markdown):
@@ -125,8 +148,8 @@ def main():
         body = to_html(list(slides(page, known)))
         total += len(body)
         sections = "\n".join(f"<section>{piece}</section>" for piece in body)
-        (OUT / f"{page.stem}.html").write_text(
-            f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>{page.stem}</title><style>{css}</style>'
+        (OUT / f"{file_name(page)}.html").write_text(
+            f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>{file_name(page)}</title><style>{css}</style>'
             f"<body>{sections}<footer></footer><script>{SCRIPT}</script></body></html>\n")
     print(f"{total} slides of {len(pages)} chapters: {OUT}/*.html")
 
