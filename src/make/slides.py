@@ -37,9 +37,10 @@ section { box-sizing: border-box; width: 100vw; min-height: 100vh; padding: 4vh 
 h1, h2, footer { font-family: "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
 h1 { font-size: 3rem; margin-top: 22vh; } h2 { font-size: 1.9rem; margin: 0 0 3vh; }
 figure { margin: 0; text-align: center; } img { max-width: 100%; max-height: 68vh; }
+figure:not(:last-child) img { max-height: 50vh; } figure + p { font-size: 1.2rem; }
 figcaption { font-size: 1.2rem; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
 code { font-size: .85em; } pre { font-size: 1.2rem; line-height: 1.25; } table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ccc; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
-@media print { footer { display: none; } }
+@media print { footer { display: none; } .live section { display: block; } }
 """
 SCRIPT = """
 const all = [...document.querySelectorAll('section')], foot = document.querySelector('footer');
@@ -74,7 +75,7 @@ def picture(match, known):
 def sentence_before(body, at):
     """The last sentence of the paragraph that ends at this place; nothing, if no words stand there."""
     paragraph = body[:at].rstrip().rpartition("\n\n")[2]
-    if re.match(r"[|>`!<-]", paragraph):
+    if re.match(r"[|>!<-]|```", paragraph):
         return ""
     return re.split(r"(?<=[.?!])\s+(?=[A-Z])", paragraph)[-1] + "\n\n"
 
