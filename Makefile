@@ -114,9 +114,9 @@ excerpts: | needs ## rewrite code and numbers quoted in the chapters from their 
 	$(PYTHON) chapters/tools/excerpts.py
 	$(PYTHON) chapters/tools/quoted.py
 
-errata: $B/fvi | needs ## each row of chapter 16 with its counterexample; `make erratum-17` for one
+errata: $B/fvi | needs ## each row of H 16 with its counterexample; `make erratum-17` for one
 	$(PYTHON) chapters/tools/errata.py $B/fvi > $B/errata.log || { tail -1 $B/errata.log; exit 1; }
-	echo "errata: $$(grep -c '^  printed' $B/errata.log) rows of chapter 16 are as they say"
+	echo "errata: $$(grep -c '^  printed' $B/errata.log) rows of H 16 are as they say"
 
 erratum-%: $B/fvi | needs
 	$(PYTHON) chapters/tools/errata.py $B/fvi $*
@@ -312,7 +312,7 @@ $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) $(or $(LEVEL_$*),-O0) $(CHECK_CFLAGS) -Itests -c $< -o $@
 
-# These have much arithmetic of their own: forms, polynomials of chapter 14, the series of 20,
+# These have much arithmetic of their own: forms, polynomials of H 14, the series of 20,
 # complex steps, turns around a zero.
 LEVEL_stability_rounding := -O2
 LEVEL_stability_stages := -O2

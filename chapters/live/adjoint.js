@@ -1,4 +1,4 @@
-// Chapter 23: what a push at t does to the end, by one mirrored run.
+// H 23: what a push at t does to the end, by one mirrored run.
 {
 const N = 2000, h = 0.01, eps = 1e-4;
 FVI_LIVE.scene("adjoint", {

@@ -1,4 +1,4 @@
-// Chapter 4: the weights of a derivative, and what they add up to.
+// H 4: the weights of a derivative, and what they add up to.
 FVI_LIVE.scene("coefficients_weights", {
   about: "Move the order from 0 to 1 and on to 2; look n steps back.",
   controls: { order: ["order of the derivative", 0, 2, 0.5, 0.01], n: ["n steps ago", 1, 2000, 10, "log"] },

@@ -1,4 +1,4 @@
-// Chapter 25: the least force that brings a body to rest, and what memory does afterwards.
+// H 25: the least force that brings a body to rest, and what memory does afterwards.
 {
 const h = 0.01, last = 2000, x0 = 1, p0 = 0.25;
 FVI_LIVE.scene("control", {

@@ -1,4 +1,4 @@
-// Chapter 11: the poles, the cut, and the motion that they add up to.
+// H 11: the poles, the cut, and the motion that they add up to.
 FVI_LIVE.scene("exact_solution_plane", {
   about: "Move the order and the damping: the pole walks, and the part that belongs to the cut, the tail, changes its sign.",
   controls: { alpha: ["α", 0, 1, 0.25, 0.005], rho: ["ρ", 0, 2.5, 0.5, 0.01] },

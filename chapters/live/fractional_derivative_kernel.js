@@ -1,4 +1,4 @@
-// Chapter 1: how the past is weighed, and what that does to a sine.
+// H 1: how the past is weighed, and what that does to a sine.
 FVI_LIVE.scene("fractional_derivative_kernel", {
   about: "Move the order from 0, no derivative, to 1, the first: the memory shortens, and the sine becomes the cosine.",
   controls: { order: ["order", 0, 1, 0.5, 0.01] },

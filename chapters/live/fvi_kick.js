@@ -1,4 +1,4 @@
-// Chapter 9: the first step, as it is printed, kicks the body.
+// H 9: the first step, as it is printed, kicks the body.
 FVI_LIVE.scene("fvi_kick", {
   about: "Make the step smaller: as printed, the body was at 0 before it stood at 1, and is kicked the harder; held, nothing happens.",
   controls: { h: ["step h", 0.004, 0.5, 0.1, "log"], alpha: ["α", 0.5, 1, 0.9, 0.01] },

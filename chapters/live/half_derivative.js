@@ -1,4 +1,4 @@
-// Chapter 7: a derivative of order alpha, taken twice.
+// H 7: a derivative of order alpha, taken twice.
 FVI_LIVE.scene("half_derivative", {
   about: "Draw a curve with the pointer, and bring α to 1/2: twice the half derivative is the slope, and nothing else is remembered.",
   controls: { alpha: ["α", 0, 1, 0.35, 0.01] },

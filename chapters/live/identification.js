@@ -1,4 +1,4 @@
-// Chapter 24: data that are dragged, and the fit that follows.
+// H 24: data that are dragged, and the fit that follows.
 {
 const n = 40, every = 50, h = 0.01, x0 = 1, p0 = 0, truth = { rho: 0.4, c: 1 };
 const guess = [0.5, 0.3, 1.2]; // α, ρ, c to begin with

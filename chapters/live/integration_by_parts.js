@@ -1,4 +1,4 @@
-// Chapter 5: the retarded and the advanced derivative of a curve drawn by hand.
+// H 5: the retarded and the advanced derivative of a curve drawn by hand.
 FVI_LIVE.scene("integration_by_parts", {
   about: "Draw a curve with the pointer: the retarded derivative knows what came before, the advanced one what is to come.",
   controls: { alpha: ["α", 0, 1, 0.5, 0.01] },

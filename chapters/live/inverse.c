@@ -1,4 +1,4 @@
-/* chapters/live/inverse.c -- What the figures of chapters 23 to 25 ask: a gradient, a fit, a
+/* chapters/live/inverse.c -- What the figures of H 23 to 25 ask: a gradient, a fit, a
  * control. Numbers go in and out by the arrays of live.c; mass 1, a held past, Algorithm 3.
  *
  * Each function returns 0, or an error of <fvi/error.h>. */
@@ -32,7 +32,7 @@ static int table(double t, size_t d, void *params, double *F)
     return FVI_SUCCESS;
 }
 
-/* ---- chapter 23: what x_N depends on ---- */
+/* ---- H 23: what x_N depends on ---- */
 
 static const double one = 1, zero = 0;
 
@@ -100,7 +100,7 @@ void fvi_tangent_stages_stop(fvi_tangent_stages *o)
     (void)o;
 }
 
-/* ---- chapter 24: a fit ---- */
+/* ---- H 24: a fit ---- */
 
 /* A becomes L with A = L L^T; GSL's for a few numbers. */
 int gsl_linalg_cholesky_decomp1(gsl_matrix *A)
@@ -254,7 +254,7 @@ int EXPORT(live_fit)(double x0, double p0, double h, int n, int every,
     return FVI_SUCCESS;
 }
 
-/* ---- chapter 25: to rest, and afterwards ---- */
+/* ---- H 25: to rest, and afterwards ---- */
 
 /* What holds x = 0 from k = N on, after x_0 ... x_{N-1}: the damping's pull, from N + 1 on. */
 static int hold(double alpha, double c, const double *x, int N, int last,

@@ -1,4 +1,4 @@
-// Chapter 12: a power law as a sum of exponentials.
+// H 12: a power law as a sum of exponentials.
 FVI_LIVE.scene("memory", {
   about: "Ask for a longer past or a smaller error: a few more exponentials do it.",
   controls: { order: ["order", 0.05, 0.95, 0.5, 0.01], N: ["longest lag N", 128, 1e6, 1e4, "log"],

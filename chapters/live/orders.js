@@ -1,4 +1,4 @@
-// chapters/live/orders.js -- An order read off by dragging the step: what chapters 13 and 17 share.
+// chapters/live/orders.js -- An order read off by dragging the step: what H 13 and 17 share.
 const orders = (name, methods) => scene(name, {
   about: "Drag h, or move α: the errors once the push is over, and the order between h and h/2. Bagley and Torvik's plate, pushed until t = 1.",
   controls: { k: ["halvings of the step", 0, 5, 2, 1], alpha: ["α", 0.05, 0.95, 0.75, 0.05] },

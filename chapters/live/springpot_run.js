@@ -1,4 +1,4 @@
-// Chapter 0: from a spring through a dashpot to a mass.
+// H 0: from a spring through a dashpot to a mass.
 FVI_LIVE.scene("springpot_run", {
   about: "Move α: at 0 the springpot is a second spring, at 1/2 a dashpot, at 1 a second mass; in between it is what they are not.",
   controls: { alpha: ["α", 0, 1, 0.25, 0.01], rho: ["ρ", 0, 2, 0.5, 0.02] },

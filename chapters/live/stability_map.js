@@ -1,4 +1,4 @@
-// Chapter 14: where a step is stable, and the run at the pointer.
+// H 14: where a step is stable, and the run at the pointer.
 FVI_LIVE.scene("stability_map", {
   about: "Drag the point over the edge, and see the run below and above it. A step has length 1; R is the damping, W the spring.",
   controls: { alpha: ["α", 0, 0.995, 0.75, 0.005], R: ["damping R", 0.1, 60, 1, "log"], W: ["spring W", 0, 1, 0.1, 0.01] },

@@ -1,4 +1,4 @@
-// Chapter 18: work and precision, measured where this is read.
+// H 18: work and precision, measured where this is read.
 {
 const methods = { "fvi": ["run", []], "fvi-shifted": ["negative", [8, 4]], "fvi-bdf2": ["positive", [2, 3]], "fvi-lobatto3": ["past", [8, 3, 2, 3]] };
 const steps = [16, 32, 64, 128, 256, 512, 1024, 2048], names = Object.keys(methods);

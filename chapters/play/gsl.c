@@ -2,7 +2,7 @@
  *
  * The modules of src/ are compiled for the page with GSL's own headers; what they
  * call is here. In one dimension an eigenvalue is the number itself, and linear
- * equations come from the stages of chapter 17 only: at most four. What neither this nor
+ * equations come from the stages of H 17 only: at most four. What neither this nor
  * wasm.py's modules have is listed there as absent: no page reaches it. */
 #include "memory/history_kinds.h"
 

@@ -1,4 +1,4 @@
-"""Run what chapter 16 says, row by row: the counterexample, or the repair, in numbers.
+"""Run what H 16 says, row by row: the counterexample, or the repair, in numbers.
 
     errata.py FVI 17      one row, as the table has it, and its numbers   (make erratum-17)
     errata.py FVI         all rows; exit 1 if a claim does not hold, or if a row of the
@@ -18,7 +18,7 @@ PAGE = pathlib.Path("chapters/handbook/16-errata.md")
 
 
 def table():
-    """{number: (place, printed, right)} of chapter 16."""
+    """{number: (place, printed, right)} of H 16."""
     rows = re.findall(r"^\| (\d+) \| (.*) \|$", PAGE.read_text(), re.M)
     return {int(n): re.sub(r"\]\([^)]*\)", "]", cells).replace("`", "").split(" | ")[:3] for n, cells in rows}
 
@@ -37,7 +37,7 @@ def main():
         sys.exit(f"rows without numbers, or numbers without a row: {sorted((set(rows) - {7}) ^ set(ROWS))}")
     for number in [int(n) for n in sys.argv[2:]] or sorted(rows):
         if number not in rows:
-            sys.exit(f"there is no erratum {number}: chapter 16 has 1 to {max(rows)}")
+            sys.exit(f"there is no erratum {number}: H 16 has 1 to {max(rows)}")
         show(number, rows[number])
 
 

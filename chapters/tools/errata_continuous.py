@@ -1,4 +1,4 @@
-"""Rows of chapter 16 about derivatives and the continuous principle; and what all rows
+"""Rows of H 16 about derivatives and the continuous principle; and what all rows
 share: a `claim` is a line that is printed and must be true, what is only said has nothing
 to compute. Each function runs one row, by its number; errata.py calls them."""
 import math
@@ -59,7 +59,7 @@ def run(*options):
     return list(zip(*[[float(cell) for cell in line.split(",")] for line in text.split()[1:]]))
 
 
-# ---- derivatives (chapter 1) ----
+# ---- derivatives (H 1) ----
 
 @row(1)
 def sign():
@@ -107,7 +107,7 @@ def consistent():
     say("each a tenth of the one before: order 1, although f(0) = 1")
 
 
-# ---- the continuous principle (chapters 3, 15) ----
+# ---- the continuous principle (H 3, 15) ----
 
 @row(5)
 def origin():

@@ -1,11 +1,11 @@
-"""Rows of chapter 16 about sums on a grid, momenta and runs. Fractions are exact."""
+"""Rows of H 16 about sums on a grid, momenta and runs. Fractions are exact."""
 import math
 from fractions import Fraction as Q
 
 from errata_continuous import claim, say, near, row, run, weights, minus, plus
 
 
-# ---- sums (chapters 5, 6, 7) ----
+# ---- sums (H 5, 6, 7) ----
 
 INSIDE_F, INSIDE_G = [Q(2), Q(-3), Q(1)], [Q(1), Q(4), Q(-2)]
 
@@ -106,7 +106,7 @@ def induction():
     claim("one line: the square of 1, -1/2, -1/8, -1/16, ... is " + ", ".join(map(str, square)) + ", ...", square == [1, -1, 0, 0])
 
 
-# ---- momenta and runs (chapters 8, 9, 10, 14) ----
+# ---- momenta and runs (H 8, 9, 10, 14) ----
 
 @row(24)
 def shapes():
@@ -183,7 +183,7 @@ def ends():
 
 @row(32)
 def left_open():
-    say("the list of what the captions leave open, and of our choices, is chapter 10, What is not said")
+    say("the list of what the captions leave open, and of our choices, is H 10, What is not said")
 
 
 @row(34)

@@ -1,4 +1,4 @@
-/* figures/adjoint/adjoint.c -- Chapter 23: what a push at t does to x at the end.
+/* figures/adjoint/adjoint.c -- H 23: what a push at t does to x at the end.
  * Blocks: for a spring, then for a Duffing spring, rows t, x, lambda, mirror; then rows
  * t, (x_N of the run with a small push at t - x_N) / push. */
 #include <fvi/fvi.h>

@@ -1,4 +1,4 @@
-# figures/adjoint/adjoint.gp -- Chapter 23: what a push at t does to x at the end.
+# figures/adjoint/adjoint.gp -- H 23: what a push at t does to x at the end.
 # Input: figures/adjoint/adjoint.c. Output: figures/adjoint/adjoint.svg.
 width = 900; height = 440
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/balance/balance.c -- Chapter 21: what a pair of variations keeps, and how five
+/* figures/balance/balance.c -- H 21: what a pair of variations keeps, and how five
  * masses answer each other.
  *
  * Block 0: t, the area of two forward variations, the form C_n of a forward and a

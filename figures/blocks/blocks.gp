@@ -1,4 +1,4 @@
-# figures/blocks/blocks.gp -- Chapter 28: where a sum finds a term. No input.
+# figures/blocks/blocks.gp -- H 28: where a sum finds a term. No input.
 # Output: figures/blocks/blocks.svg.
 width = 1000; height = 470
 load 'figures/style.gp'

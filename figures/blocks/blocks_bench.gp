@@ -1,4 +1,4 @@
-# figures/blocks/blocks_bench.gp -- Chapter 28: what `make bench` measured.
+# figures/blocks/blocks_bench.gp -- H 28: what `make bench` measured.
 # Input: figures/blocks/blocks_bench.tsv. Output: figures/blocks/blocks_bench.svg.
 width = 1000; height = 430
 load 'figures/style.gp'

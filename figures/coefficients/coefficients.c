@@ -1,4 +1,4 @@
-/* figures/coefficients/coefficients.c -- Chapter 4: six formulas race to n = 10^6.
+/* figures/coefficients/coefficients.c -- H 4: six formulas race to n = 10^6.
  *
  * Prints, for alpha = 0.1 and alpha = 1/4, the largest relative error up to n of
  * each formula, in units of u = 2^-53. The truth is the same recurrence in

@@ -1,4 +1,4 @@
-# figures/coefficients/coefficients.gp -- Chapter 4: rounding in six formulas for alpha_n.
+# figures/coefficients/coefficients.gp -- H 4: rounding in six formulas for alpha_n.
 # Input: figures/coefficients/coefficients.c. Output: figures/coefficients/coefficients.svg.
 width = 860; height = 440
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/coefficients/coefficients_weights.c -- Chapter 4: the weights and their tail.
+/* figures/coefficients/coefficients_weights.c -- H 4: the weights and their tail.
  *
  * Blocks for alpha = 1/4, 1/2, 3/4: n, alpha_n, the power law of (4.5), and the sum
  * (4.3) of the first n + 1. */

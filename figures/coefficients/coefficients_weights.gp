@@ -1,4 +1,4 @@
-# figures/coefficients/coefficients_weights.gp -- Chapter 4: the weights and their tail.
+# figures/coefficients/coefficients_weights.gp -- H 4: the weights and their tail.
 # Input: figures/coefficients/coefficients_weights.c.
 # Output: figures/coefficients/coefficients_weights.svg.
 width = 900; height = 400

@@ -1,4 +1,4 @@
-/* figures/control/control.c -- Chapter 25: to rest with the least force, and afterwards;
+/* figures/control/control.c -- H 25: to rest with the least force, and afterwards;
  * and a pendulum that swings up.
  * Blocks: t, x, u to T; t, x without force after T; t, the force that holds; then the
  * pendulum: t, x / pi, u to T. */

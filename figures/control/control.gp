@@ -1,4 +1,4 @@
-# figures/control/control.gp -- Chapter 25: to rest, and afterwards; a pendulum swings up.
+# figures/control/control.gp -- H 25: to rest, and afterwards; a pendulum swings up.
 # Input: figures/control/control.c. Output: figures/control/control.svg.
 width = 900; height = 440
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/convergence/convergence.c -- Chapter 20: errors, and what bounds them.
+/* figures/convergence/convergence.c -- H 20: errors, and what bounds them.
  *
  * A pendulum, m = 1, U = 1 - cos x, rho = 0.3, x0 = 1, p0 = 1/2, Caputo's past, driven
  * by a force that jumps from 0 to 1/2 at t = 1, between the nodes of every run; the

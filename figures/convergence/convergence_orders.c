@@ -1,4 +1,4 @@
-/* figures/convergence/convergence_orders.c -- Chapter 20: orders of a body that was held.
+/* figures/convergence/convergence_orders.c -- H 20: orders of a body that was held.
  *
  * A spring, m = 1, rho = 1, x_0 = 0.7, v_0 = 1.3, without a force, against its exact
  * motion; c = 16 for the fixed

@@ -1,4 +1,4 @@
-# figures/convergence/convergence_orders.gp -- Chapter 20: orders of a body that was held.
+# figures/convergence/convergence_orders.gp -- H 20: orders of a body that was held.
 # Input: figures/convergence/convergence_orders.c. Output:
 # figures/convergence/convergence_orders.svg.
 width = 900; height = 420

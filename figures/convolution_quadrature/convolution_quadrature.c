@@ -1,4 +1,4 @@
-/* figures/convolution_quadrature/convolution_quadrature.c -- Chapter 13: error against h, three methods.
+/* figures/convolution_quadrature/convolution_quadrature.c -- H 13: error against h, three methods.
  *
  * Block 0: x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, to T = 20, against
  * the exact solution. Block 1: x'' + x + x^3 + D^{1/2} x = F, driven along t^4 to

@@ -1,4 +1,4 @@
-# figures/convolution_quadrature/convolution_quadrature.gp -- Chapter 13: error against h, orders 1 and 2.
+# figures/convolution_quadrature/convolution_quadrature.gp -- H 13: error against h, orders 1 and 2.
 # Input: figures/convolution_quadrature/convolution_quadrature.c. Output: figures/convolution_quadrature/convolution_quadrature.svg.
 width = 920; height = 420
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/convolution_quadrature/convolution_quadrature_stability.c -- Chapter 13: where the integrators
+/* figures/convolution_quadrature/convolution_quadrature_stability.c -- H 13: where the integrators
  * are stable, and what trapezoidal weights do. kappa = 1/2, m = h = 1.
  *
  * Block 0: alpha, then the largest stable R, measured and predicted, for fvi,

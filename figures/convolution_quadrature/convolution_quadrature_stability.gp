@@ -1,4 +1,4 @@
-# figures/convolution_quadrature/convolution_quadrature_stability.gp -- Chapter 13: stable steps, and growth.
+# figures/convolution_quadrature/convolution_quadrature_stability.gp -- H 13: stable steps, and growth.
 # Input: figures/convolution_quadrature/convolution_quadrature_stability.c.
 # Output: figures/convolution_quadrature/convolution_quadrature_stability.svg.
 width = 920; height = 470

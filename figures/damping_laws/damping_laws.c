@@ -1,4 +1,4 @@
-/* figures/damping_laws/damping_laws.c -- Chapter 26: the moduli of four laws.
+/* figures/damping_laws/damping_laws.c -- H 26: the moduli of four laws.
  *
  * Prints a block for each law: omega, storage and loss modulus, from 10^-3 to 10^3. */
 #include "laws.h"

@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws.gp -- Chapter 26: the moduli of four laws.
+# figures/damping_laws/damping_laws.gp -- H 26: the moduli of four laws.
 # Input: figures/damping_laws/damping_laws.c. Output: figures/damping_laws/damping_laws.svg.
 width = 900; height = 460
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws_creep.gp -- Chapter 26: four laws held, pulled and shaken.
+# figures/damping_laws/damping_laws_creep.gp -- H 26: four laws held, pulled and shaken.
 # Input: figures/damping_laws/damping_laws_creep.c. Output: figures/damping_laws/damping_laws_creep.svg.
 width = 1080; height = 420
 load 'figures/style.gp'

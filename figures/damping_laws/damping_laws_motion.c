@@ -1,4 +1,4 @@
-/* figures/damping_laws/damping_laws_motion.c -- Chapter 26: one spring, four laws.
+/* figures/damping_laws/damping_laws_motion.c -- H 26: one spring, four laws.
  *
  * m = c = 1, held at 1 and let go at rest. Prints a block for each law of laws.h: t and x of
  * a run of fvi-bdf2 with h = 1/32 up to t = 1000, every row up to t = 32 and then some,

@@ -1,4 +1,4 @@
-# figures/damping_laws/damping_laws_motion.gp -- Chapter 26: one spring, four laws.
+# figures/damping_laws/damping_laws_motion.gp -- H 26: one spring, four laws.
 # Input: figures/damping_laws/damping_laws_motion.c. Output: figures/damping_laws/damping_laws_motion.svg.
 width = 900; height = 460
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/discrete_mechanics/discrete_mechanics.c -- Chapter 2: energy over 10^5 steps, no damping.
+/* figures/discrete_mechanics/discrete_mechanics.c -- H 2: energy over 10^5 steps, no damping.
  *
  * Block 0: the harmonic oscillator m = c = 1 with h = 1/50, by both Euler methods
  * and by the variational integrator. Blocks 1 to 4: a pendulum that swings out to

@@ -1,4 +1,4 @@
-/* figures/discrete_principle/discrete_principle.c -- Chapter 6: what is stationary, and what not.
+/* figures/discrete_principle/discrete_principle.c -- H 6: what is stationary, and what not.
  *
  * Prints the derivatives of the discrete action along a solution x and a
  * mirrored solution y: unrestricted, restricted, with and without the end

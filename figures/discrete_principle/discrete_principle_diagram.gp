@@ -1,4 +1,4 @@
-# figures/discrete_principle/discrete_principle_diagram.gp -- Chapter 6: two ways to one integrator.
+# figures/discrete_principle/discrete_principle_diagram.gp -- H 6: two ways to one integrator.
 # Output: figures/discrete_principle/discrete_principle_diagram.svg. It draws no data.
 width = 860; height = 380
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/discrete_principle/discrete_principle_surface.c -- Chapter 6: the action of two curves.
+/* figures/discrete_principle/discrete_principle_surface.c -- H 6: the action of two curves.
  *
  * A solution x of (6.6a) and its mirror y, of a spring with m = c = 1, rho = 1/2,
  * alpha = 0.3, 40 steps of 0.1; x moves by epsilon delta, y by eta delta, with one bump

@@ -1,4 +1,4 @@
-# figures/discrete_principle/discrete_principle_surface.gp -- Chapter 6: the action of two curves.
+# figures/discrete_principle/discrete_principle_surface.gp -- H 6: the action of two curves.
 # Input: figures/discrete_principle/discrete_principle_surface.c.
 # Output: figures/discrete_principle/discrete_principle_surface.svg.
 width = 900; height = 420

@@ -1,4 +1,4 @@
-/* figures/exact_solution/exact_solution.c -- Chapter 11: an oscillation, a tail, and their sum.
+/* figures/exact_solution/exact_solution.c -- H 11: an oscillation, a tail, and their sum.
  *
  * m = c = 1, rho = 1/2, released at rest from x0 = 1, Caputo, for alpha = 1/4 and
  * 3/4. */

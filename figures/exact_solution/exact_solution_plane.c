@@ -1,4 +1,4 @@
-/* figures/exact_solution/exact_solution_plane.c -- Chapter 11: where X(s) is singular.
+/* figures/exact_solution/exact_solution_plane.c -- H 11: where X(s) is singular.
  *
  * m = c = 1. Blocks for alpha = 1/4, 1/2, 3/4: the zero of Q in the upper half plane, its
  * real and imaginary parts, for rho from 0 on; then a block of the three at rho = 1/2. */

@@ -1,4 +1,4 @@
-# figures/exact_solution/exact_solution_plane.gp -- Chapter 11: the plane of s.
+# figures/exact_solution/exact_solution_plane.gp -- H 11: the plane of s.
 # Input: figures/exact_solution/exact_solution_plane.c.
 # Output: figures/exact_solution/exact_solution_plane.svg.
 width = 900; height = 430

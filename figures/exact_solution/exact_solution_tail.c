@@ -1,4 +1,4 @@
-/* figures/exact_solution/exact_solution_tail.c -- Chapter 11: what is left when the oscillation
+/* figures/exact_solution/exact_solution_tail.c -- H 11: what is left when the oscillation
  * has died.
  *
  * |x| at logarithmic times and its predicted tail (11.9), m = c = 1, rho = 1/2:

@@ -1,4 +1,4 @@
-# figures/exact_solution/exact_solution_tail.gp -- Chapter 11: algebraic tails.
+# figures/exact_solution/exact_solution_tail.gp -- H 11: algebraic tails.
 # Input: figures/exact_solution/exact_solution_tail.c. Output: figures/exact_solution/exact_solution_tail.svg.
 width = 860; height = 500
 load 'figures/style.gp'

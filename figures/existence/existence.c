@@ -1,4 +1,4 @@
-/* figures/existence/existence.c -- Chapter 15: Picard's iterates, and their rate.
+/* figures/existence/existence.c -- H 15: Picard's iterates, and their rate.
  *
  * The pendulum x'' + sin x + D^(3/2) (x - x0) = 0, x0 = 0.5, v0 = 1, from v = v0.
  * Block 0: t, the velocities v_n of the iterates n = 0, ..., 6, and the limit.

@@ -1,4 +1,4 @@
-# figures/existence/existence.gp -- Chapter 15: iterates of the Picard map and their rate.
+# figures/existence/existence.gp -- H 15: iterates of the Picard map and their rate.
 # Input: figures/existence/existence.c. Output: figures/existence/existence.svg.
 width = 900; height = 480
 load 'figures/style.gp'

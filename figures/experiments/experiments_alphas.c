@@ -1,4 +1,4 @@
-/* figures/experiments/experiments_alphas.c -- Chapter 10: the FVI for several alpha.
+/* figures/experiments/experiments_alphas.c -- H 10: the FVI for several alpha.
  *
  * Prints the exact solution of the paper's oscillator (m = c = 1, rho = 0.2, x0 = 1,
  * p0 = 1/2) for alpha = 1/2 as a block, then for each alpha t and x of the run at

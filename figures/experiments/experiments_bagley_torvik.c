@@ -1,4 +1,4 @@
-/* figures/experiments/experiments_bagley_torvik.c -- Chapter 10: x'' + x + D^(3/2) x = F,
+/* figures/experiments/experiments_bagley_torvik.c -- H 10: x'' + x + D^(3/2) x = F,
  * F = 8 up to t = 1, then 0; x(0) = x'(0) = 0; 0 <= t <= 20.
  *
  * Blocks: t and the exact x; t and x of the FVI with h = 0.1; t and x of the

@@ -1,4 +1,4 @@
-# figures/experiments/experiments_bagley_torvik.gp -- Chapter 10: the problem with order 3/2.
+# figures/experiments/experiments_bagley_torvik.gp -- H 10: the problem with order 3/2.
 # Input: figures/experiments/experiments_bagley_torvik.c.
 # Output: figures/experiments/experiments_bagley_torvik.svg.
 width = 960; height = 480

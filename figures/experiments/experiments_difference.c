@@ -1,4 +1,4 @@
-/* figures/experiments/experiments_difference.c -- Chapter 10: x of the FVI minus x of the
+/* figures/experiments/experiments_difference.c -- H 10: x of the FVI minus x of the
  * Lagrange-d'Alembert integrator.
  *
  * Prints t and the difference in units of 2^-53 for the paper's oscillator

@@ -1,4 +1,4 @@
-/* figures/experiments/experiments_errors.c -- Chapter 10: global errors of the FVI.
+/* figures/experiments/experiments_errors.c -- H 10: global errors of the FVI.
  *
  * The paper's oscillator (m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2) up
  * to T = 15. Blocks: h and the largest errors of x, p, E for the steps that are

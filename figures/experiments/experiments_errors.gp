@@ -1,4 +1,4 @@
-# figures/experiments/experiments_errors.gp -- Chapter 10: global errors of the FVI.
+# figures/experiments/experiments_errors.gp -- H 10: global errors of the FVI.
 # Input: figures/experiments/experiments_errors.c. Output: figures/experiments/experiments_errors.svg.
 width = 900; height = 430
 load 'figures/style.gp'

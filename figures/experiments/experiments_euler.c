@@ -1,4 +1,4 @@
-/* figures/experiments/experiments_euler.c -- Chapter 10: the FVI against Euler's methods.
+/* figures/experiments/experiments_euler.c -- H 10: the FVI against Euler's methods.
  *
  * Prints t, x, energy of the paper's oscillator (m = c = 1, rho = 0.2, x0 = 1,
  * p0 = 1/2, alpha = 1/2) up to T = 15, one block each: the exact solution, FVI and

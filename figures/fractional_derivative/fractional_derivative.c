@@ -1,4 +1,4 @@
-/* figures/fractional_derivative/fractional_derivative.c -- Chapter 1: from a sine to a cosine, and the
+/* figures/fractional_derivative/fractional_derivative.c -- H 1: from a sine to a cosine, and the
  * Grunwald-Letnikov sum on its way to the derivative.
  *
  * Block 0: t and D_-^alpha sin(t) from t = 0 on, for five alpha; last what the

@@ -1,4 +1,4 @@
-# figures/fractional_derivative/fractional_derivative.gp -- Chapter 1: a sine becomes a cosine; the
+# figures/fractional_derivative/fractional_derivative.gp -- H 1: a sine becomes a cosine; the
 # Grunwald-Letnikov sum converges. Input: figures/fractional_derivative/fractional_derivative.c.
 # Output: figures/fractional_derivative/fractional_derivative.svg.
 width = 900; height = 480

@@ -1,4 +1,4 @@
-# figures/fractional_derivative/fractional_derivative_kernel.gp -- Chapter 1: what is remembered.
+# figures/fractional_derivative/fractional_derivative_kernel.gp -- H 1: what is remembered.
 # The kernels (1.3), drawn from their formula.
 # Output: figures/fractional_derivative/fractional_derivative_kernel.svg.
 width = 900; height = 400

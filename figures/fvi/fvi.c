@@ -1,4 +1,4 @@
-/* figures/fvi/fvi.c -- Chapter 9: the paper's problem as h goes to zero.
+/* figures/fvi/fvi.c -- H 9: the paper's problem as h goes to zero.
  *
  * x'' + x + D^{2 alpha} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, to t = 2. For
  * each alpha and h the largest error of x at ten times, against the solution as a

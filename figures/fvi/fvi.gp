@@ -1,4 +1,4 @@
-# figures/fvi/fvi.gp -- Chapter 9: x(0) != 0, Riemann-Liouville against held.
+# figures/fvi/fvi.gp -- H 9: x(0) != 0, Riemann-Liouville against held.
 # Input: figures/fvi/fvi.c. Output: figures/fvi/fvi.svg.
 width = 900; height = 440
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/fvi/fvi_kick.c -- Chapter 9: one run at finer and finer steps, as printed and
+/* figures/fvi/fvi_kick.c -- H 9: one run at finer and finer steps, as printed and
  * held at x_0 before.
  *
  * x'' + x + D^{9/5} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, alpha = 0.9, to

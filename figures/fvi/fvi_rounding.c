@@ -1,4 +1,4 @@
-/* figures/fvi/fvi_rounding.c -- Chapter 9: what rounding does to two forms of one
+/* figures/fvi/fvi_rounding.c -- H 9: what rounding does to two forms of one
  * equation.
  *
  * The Bagley-Torvik problem x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest,

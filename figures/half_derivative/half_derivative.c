@@ -1,4 +1,4 @@
-/* figures/half_derivative/half_derivative.c -- Chapter 7: the weights of half a derivative, those
+/* figures/half_derivative/half_derivative.c -- H 7: the weights of half a derivative, those
  * of two in a row, and what rounding leaves of an equality over 10000 steps.
  *
  * Block 0: n, |alpha_n|, |c_n|, the bound of (7.6) on |c_n|; c_n that are exactly

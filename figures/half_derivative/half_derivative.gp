@@ -1,4 +1,4 @@
-# figures/half_derivative/half_derivative.gp -- Chapter 7: weights that vanish, and the floor.
+# figures/half_derivative/half_derivative.gp -- H 7: weights that vanish, and the floor.
 # Input: figures/half_derivative/half_derivative.c. Output: figures/half_derivative/half_derivative.svg.
 width = 860; height = 480
 load 'figures/style.gp'

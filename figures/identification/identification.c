@@ -1,4 +1,4 @@
-/* figures/identification/identification.c -- Chapter 24: data, fit, residuals.
+/* figures/identification/identification.c -- H 24: data, fit, residuals.
  *
  * m = c = 1, rho = 0.4, alpha = 0.3, x0 = 1, p0 = 1/4, held: the exact motion at t = 0.1,
  * 0.2, ..., 20 with Gaussian noise of sigma = 0.02, and the fit of five parameters, begun

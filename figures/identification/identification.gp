@@ -1,4 +1,4 @@
-# figures/identification/identification.gp -- Chapter 24: data, fit, residuals.
+# figures/identification/identification.gp -- H 24: data, fit, residuals.
 # Input: figures/identification/identification.c. Output: figures/identification/identification.svg.
 width = 900; height = 470
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/identification/identification_landscape.c -- Chapter 24: where chi^2 is small.
+/* figures/identification/identification_landscape.c -- H 24: where chi^2 is small.
  *
  * m = c = 1, rho = 0.05, alpha = 0.3, x0 = 1, p0 = 1/4, held: the exact motion at 200
  * times up to 60 with Gaussian noise of sigma = 0.02. First block: alpha, c and the mean

@@ -1,4 +1,4 @@
-# figures/identification/identification_landscape.gp -- Chapter 24: false minima.
+# figures/identification/identification_landscape.gp -- H 24: false minima.
 # Input: figures/identification/identification_landscape.c.
 # Output: figures/identification/identification_landscape.svg.
 width = 920; height = 440

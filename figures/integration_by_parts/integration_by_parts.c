@@ -1,4 +1,4 @@
-/* figures/integration_by_parts/integration_by_parts.c -- Chapter 5: one operator looks back, the other
+/* figures/integration_by_parts/integration_by_parts.c -- H 5: one operator looks back, the other
  * ahead; and the boundary term that is left over when the ends do not vanish.
  *
  * Block 0: t, a bump, and both half derivatives of it. Block 1: h, and for each

@@ -1,4 +1,4 @@
-# figures/integration_by_parts/integration_by_parts.gp -- Chapter 5: looking back, looking ahead; the
+# figures/integration_by_parts/integration_by_parts.gp -- H 5: looking back, looking ahead; the
 # boundary term. Input: figures/integration_by_parts/integration_by_parts.c.
 # Output: figures/integration_by_parts/integration_by_parts.svg.
 width = 860; height = 470

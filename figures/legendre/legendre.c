@@ -1,4 +1,4 @@
-/* figures/legendre/legendre.c -- Chapter 8: three momenta, and what each does to the errors.
+/* figures/legendre/legendre.c -- H 8: three momenta, and what each does to the errors.
  *
  * Block 0: the paper's problem, m = c = 1, rho = 1/5, alpha = 1/2, kappa = 1/2,
  * x0 = 1, p0 = 1/2, to t = 15. Block 1: a Duffing oscillator without damping, whose

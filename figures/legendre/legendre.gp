@@ -1,4 +1,4 @@
-# figures/legendre/legendre.gp -- Chapter 8: the errors of three momenta and their energies.
+# figures/legendre/legendre.gp -- H 8: the errors of three momenta and their energies.
 # Input: figures/legendre/legendre.c. Output: figures/legendre/legendre.svg.
 width = 1000; height = 430
 load 'figures/style.gp'

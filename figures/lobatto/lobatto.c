@@ -1,4 +1,4 @@
-/* figures/lobatto/lobatto.c -- Chapter 17: orders on the Bagley-Torvik problem.
+/* figures/lobatto/lobatto.c -- H 17: orders on the Bagley-Torvik problem.
  *
  * x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest. For s = 2, 3, 4 a block
  * with the largest errors of x, p and the corrected p on 2 <= t <= 20. */

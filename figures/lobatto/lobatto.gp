@@ -1,4 +1,4 @@
-# figures/lobatto/lobatto.gp -- Chapter 17: error against step, Bagley-Torvik.
+# figures/lobatto/lobatto.gp -- H 17: error against step, Bagley-Torvik.
 # Input: figures/lobatto/lobatto.c. Output: figures/lobatto/lobatto.svg.
 width = 900; height = 440
 load 'figures/style.gp'

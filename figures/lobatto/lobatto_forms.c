@@ -1,4 +1,4 @@
-/* figures/lobatto/lobatto_forms.c -- Chapter 17: both forms of the inertia.
+/* figures/lobatto/lobatto_forms.c -- H 17: both forms of the inertia.
  *
  * Blocks 0 to 3, s = 3 to 6: h, then the largest error of x and of p on 2 <= t <= 20 of form
  * M and of form D, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest.

@@ -1,4 +1,4 @@
-# figures/lobatto/lobatto_forms.gp -- Chapter 17: both forms of the inertia.
+# figures/lobatto/lobatto_forms.gp -- H 17: both forms of the inertia.
 # Input: figures/lobatto/lobatto_forms.c. Output: figures/lobatto/lobatto_forms.svg.
 width = 920; height = 470
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/lobatto/lobatto_orders.c -- Chapter 17: the order for every alpha.
+/* figures/lobatto/lobatto_orders.c -- H 17: the order for every alpha.
  *
  * x'' + x + 0.3 D^{2 alpha} x = 0, x_0 = 1, p_0 = 1/2, Caputo: slopes of the
  * largest errors of x and p on 1 <= t <= 4, over the last three steps h, h/2, h/4

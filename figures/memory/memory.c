@@ -1,4 +1,4 @@
-/* figures/memory/memory.c -- Chapter 12: a power as a sum of exponentials.
+/* figures/memory/memory.c -- H 12: a power as a sum of exponentials.
  *
  * Prints, for nu = 1/2 and N = 10^6: the weights and their sum of exponentials;
  * the relative error of that sum for three delta; its modes. */

@@ -1,4 +1,4 @@
-# figures/memory/memory_bench.gp -- Chapter 12: what `make bench` measured.
+# figures/memory/memory_bench.gp -- H 12: what `make bench` measured.
 # Input: figures/memory/memory_bench.tsv. Output: figures/memory/memory_bench.svg.
 width = 1000; height = 400
 load 'figures/style.gp'

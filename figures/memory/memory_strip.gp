@@ -1,4 +1,4 @@
-# figures/memory/memory_strip.gp -- Chapter 12: the strip and its image.
+# figures/memory/memory_strip.gp -- H 12: the strip and its image.
 # (12.7) with N = 1, drawn from its formula. Output: figures/memory/memory_strip.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/past/past.c -- Chapter 19: pasts and their futures.
+/* figures/past/past.c -- H 19: pasts and their futures.
  *
  * m = c = 1, rho = 1, x0 = 1, p0 = 1/2; t and x from t = -4 to 12, the past as the
  * damping sees it and the exact motion that follows: for alpha = 1/4 at 0 and then

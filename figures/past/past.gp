@@ -1,4 +1,4 @@
-# figures/past/past.gp -- Chapter 19: pasts and their futures.
+# figures/past/past.gp -- H 19: pasts and their futures.
 # Input: figures/past/past.c. Output: figures/past/past.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/past/past_family.c -- Chapter 19: one body, held and let go, seven orders.
+/* figures/past/past_family.c -- H 19: one body, held and let go, seven orders.
  *
  * The start and the system are those of `fvi run`: m = c = 1, rho = 0.2, x0 = 1,
  * p0 = 1/2, held before t = 0. Prints a block for each alpha: t and x of a run of

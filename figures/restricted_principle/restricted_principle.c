@@ -1,4 +1,4 @@
-/* figures/restricted_principle/restricted_principle.c -- Chapter 3: two curves and one bump.
+/* figures/restricted_principle/restricted_principle.c -- H 3: two curves and one bump.
  *
  * Prints a solution x, its mirror y, both with the same bump added, and the
  * action along two lines of varied curves: one bump for both, and x alone. */

@@ -1,4 +1,4 @@
-# figures/restricted_principle/restricted_principle.gp -- Chapter 3: the varied curves, the action.
+# figures/restricted_principle/restricted_principle.gp -- H 3: the varied curves, the action.
 # Input: figures/restricted_principle/restricted_principle.c. Output: figures/restricted_principle/restricted_principle.svg.
 width = 920; height = 450
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-# figures/restricted_principle/restricted_principle_diagram.gp -- Chapter 3: two ways to linear damping.
+# figures/restricted_principle/restricted_principle_diagram.gp -- H 3: two ways to linear damping.
 # Output: figures/restricted_principle/restricted_principle_diagram.svg. It draws no data.
 width = 860; height = 380
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/springpot/first_run.h -- Chapter 0: the data of the first run.
+/* figures/springpot/first_run.h -- H 0: the data of the first run.
  *
  * m = c = 1, rho = 1/2, alpha = 1/4, so that the damping is of order 1/2. */
 #ifndef FIRST_RUN_H

@@ -1,4 +1,4 @@
-/* figures/springpot/ladder.h -- Chapter 0: a ladder of springs and dashpots.
+/* figures/springpot/ladder.h -- H 0: a ladder of springs and dashpots.
  *
  * Node j = 0, 1, ... stands at x_j, hangs from node j - 1 by a spring, and drags a dashpot
  * along a fixed rail. Node 0 is pulled by a force f and may carry a mass m and a spring c

@@ -1,4 +1,4 @@
-# figures/springpot/springpot.gp -- Chapter 0: spring, springpot, dashpot, mass and ladder.
+# figures/springpot/springpot.gp -- H 0: spring, springpot, dashpot, mass and ladder.
 # A drawing, made of lines alone; the Course draws it with other letters. Output: figures/springpot/springpot.svg.
 width = 900; height = 330
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/springpot/springpot_creep.c -- Chapter 0: ladders creep, and are let go.
+/* figures/springpot/springpot_creep.c -- H 0: ladders creep, and are let go.
  *
  * Blocks 0, 1, 2: beta = 1/4, 1/2, 3/4; t, the creep x of the ladder under a force 1, that
  * of its springpot (0.2). Blocks 3 to 6: a force 1 from t = 0 to 1 on a ladder of order 1/2

@@ -1,4 +1,4 @@
-/* figures/springpot/springpot_run.c -- Chapter 0: the first run, and the ladder's.
+/* figures/springpot/springpot_run.c -- H 0: the first run, and the ladder's.
  *
  * m = c = 1, rho = 1/2, alpha = 1/4, held at 1 and let go. Blocks: t, x of a run of the
  * library; t, x_0 of a ladder that carries the mass, and three of its rungs, x_30, x_100,

@@ -1,4 +1,4 @@
-/* figures/stability/stability.c -- Chapter 14: where a step becomes unstable, and how.
+/* figures/stability/stability.c -- H 14: where a step becomes unstable, and how.
  *
  * Block 0: alpha, then the measured and the predicted largest R for kappa = 1/2
  * and for kappa = 0 with W = 1. Measured: bisection between runs of 4000 steps

@@ -1,4 +1,4 @@
-/* figures/stability/stability_explicit.c -- Chapter 14: which steps of Euler's explicit method.
+/* figures/stability/stability_explicit.c -- H 14: which steps of Euler's explicit method.
  *
  * Block 0: h omega = sqrt(W), then R = rho h / m: the least and the largest with load <= 1,
  * by bisection of the load. Block 1: the same, by bisection of runs of 4000 steps whose

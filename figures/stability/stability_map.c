@@ -1,4 +1,4 @@
-/* figures/stability/stability_map.c -- Chapter 14: all methods on one map.
+/* figures/stability/stability_map.c -- H 14: all methods on one map.
  *
  * Block 0: alpha, then for each method of the list the least R = rho h^(2 - 2 alpha) / m
  * with a load above 1, W = 0.001, kappa = 1/2; NaN if there is none up to 2000.

@@ -1,4 +1,4 @@
-# figures/stability/stability_map.gp -- Chapter 14: all methods on one map.
+# figures/stability/stability_map.gp -- H 14: all methods on one map.
 # Input: figures/stability/stability_map.c. Output: figures/stability/stability_map.svg.
 width = 940; height = 500
 load 'figures/style.gp'

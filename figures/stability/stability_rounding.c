@@ -1,4 +1,4 @@
-/* figures/stability/stability_rounding.c -- Chapter 14: what rounding does to three forms
+/* figures/stability/stability_rounding.c -- H 14: what rounding does to three forms
  * of the same integrator.
  *
  * Bagley-Torvik on [0, 20] in N steps. Prints N, then max |x_k - truth_k| /

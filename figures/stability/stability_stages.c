@@ -1,4 +1,4 @@
-/* figures/stability/stability_stages.c -- Chapter 14: which steps of fvi-lobatto3 with friction.
+/* figures/stability/stability_stages.c -- H 14: which steps of fvi-lobatto3 with friction.
  *
  * m = h = 1, alpha = 1/2. Block 0: h omega = sqrt(W) from 8 to 12, and R on the ellipse
  * (W - 8)(W - 12) + 8 R^2 = 0. Block 1: the same R by bisection of runs of 20000 steps whose

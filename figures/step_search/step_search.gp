@@ -1,4 +1,4 @@
-# figures/step_search/step_search.gp -- Chapter 18: who is ahead, where, and by how much.
+# figures/step_search/step_search.gp -- H 18: who is ahead, where, and by how much.
 # Input: figures/step_search/step_search.tsv (make bench).
 # Output: figures/step_search/step_search.svg.
 width = 1000; height = 620

@@ -1,4 +1,4 @@
-/* figures/structures/cantilever.h -- A beam, clamped at one end.         [Chapter 27]
+/* figures/structures/cantilever.h -- A beam, clamped at one end.         [H 27]
  *
  * Length, bending stiffness and mass per length are 1. Each node of n equal elements has
  * two unknowns, the deflection w and the slope times the length of an element; the

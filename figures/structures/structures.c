@@ -1,4 +1,4 @@
-/* figures/structures/structures.c -- Chapter 27: a clamped beam, bent and let go.
+/* figures/structures/structures.c -- H 27: a clamped beam, bent and let go.
  *
  * 32 elements, C = tau K, fvi-stable with h = 1/400. Prints for each of three alpha t and the
  * tip, then for alpha = 1/4 the shape at six times: x, w. tau is such that the first mode loses

@@ -1,4 +1,4 @@
-# figures/structures/structures.gp -- Chapter 27: a clamped beam, bent and let go.
+# figures/structures/structures.gp -- H 27: a clamped beam, bent and let go.
 # Input: figures/structures/structures.c. Output: figures/structures/structures.svg.
 width = 900; height = 420
 load 'figures/style.gp'

@@ -1,4 +1,4 @@
-/* figures/structures/structures_building.c -- Chapter 27: twenty storeys on moving ground.
+/* figures/structures/structures_building.c -- H 27: twenty storeys on moving ground.
  *
  * Floors of mass 1, storeys of stiffness 800 (first period 2.9 s); six viscoelastic dampers of
  * order 2 alpha = 0.6, each between two floors that no other touches. The ground is white

@@ -1,4 +1,4 @@
-# figures/structures/structures_building.gp -- Chapter 27: twenty storeys on moving ground.
+# figures/structures/structures_building.gp -- H 27: twenty storeys on moving ground.
 # Input: figures/structures/structures_building.c. Output: figures/structures/structures_building.svg.
 width = 900; height = 480
 load 'figures/style.gp'

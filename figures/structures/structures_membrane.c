@@ -1,4 +1,4 @@
-/* figures/structures/structures_membrane.c -- Chapter 27: a struck membrane.
+/* figures/structures/structures_membrane.c -- H 27: a struck membrane.
  *
  * u_tt + tau (-Laplace) D^{2 alpha} u = Laplace u on a square, zero at its edges, by five-point
  * differences on 95 x 95 points; a bump that is let go, fvi-stable with h = dx. Prints x, y, u at

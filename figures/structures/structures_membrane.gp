@@ -1,4 +1,4 @@
-# figures/structures/structures_membrane.gp -- Chapter 27: a struck membrane.
+# figures/structures/structures_membrane.gp -- H 27: a struck membrane.
 # Input: figures/structures/structures_membrane.c. Output: figures/structures/structures_membrane.svg.
 width = 900; height = 330
 load 'figures/style.gp'

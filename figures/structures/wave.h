@@ -1,4 +1,4 @@
-/* figures/structures/wave.h -- A damped wave on a line, without matrices. [Chapter 27]
+/* figures/structures/wave.h -- A damped wave on a line, without matrices. [H 27]
  *
  *     u_tt + rho D^{2 alpha} u = u_xx,   u = 0 at both ends of [0, 1],
  *

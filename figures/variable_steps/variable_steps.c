@@ -1,4 +1,4 @@
-/* figures/variable_steps/variable_steps.c -- Chapter 22: steps and modes on one ladder.
+/* figures/variable_steps/variable_steps.c -- H 22: steps and modes on one ladder.
  *
  * Bagley and Torvik's problem, x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, by
  * fvi_variable_step. Blocks: t and x of 400 rows between the steps; for each step its number,

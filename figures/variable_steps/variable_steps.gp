@@ -1,4 +1,4 @@
-# figures/variable_steps/variable_steps.gp -- Chapter 22: steps and modes on one ladder.
+# figures/variable_steps/variable_steps.gp -- H 22: steps and modes on one ladder.
 # Input: figures/variable_steps/variable_steps.c. Output: variable_steps.svg.
 width = 900; height = 470
 load 'figures/style.gp'

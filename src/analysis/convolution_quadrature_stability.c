@@ -1,5 +1,5 @@
 /* src/analysis/convolution_quadrature_stability.c -- Which steps the weights allow.
- *                                                                [Chapter 13] */
+ *                                                                [H 13] */
 #include <fvi/convolution_quadrature_stability.h>
 
 #include <fvi/stability.h>

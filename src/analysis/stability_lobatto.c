@@ -1,4 +1,4 @@
-/* src/analysis/stability_lobatto.c -- Is this step stable, with stages?  [Chapter 17] */
+/* src/analysis/stability_lobatto.c -- Is this step stable, with stages?  [H 17] */
 #include <fvi/stability.h>
 #include "memory/kernel_terms.h"
 #include "stages/lobatto_weights.h"

@@ -1,4 +1,4 @@
-/* src/analysis/stability_matrices.c -- Is this step stable, with matrices?  [Chapter 27] */
+/* src/analysis/stability_matrices.c -- Is this step stable, with matrices?  [H 27] */
 #include "stability_share.h"
 
 #include "system/fail.h"

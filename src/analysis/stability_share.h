@@ -1,5 +1,5 @@
 /* src/analysis/stability_share.h -- Loads that src/methods/stability_number.c asks for.
- *                                                                [Chapter 14] */
+ *                                                                [H 14] */
 #ifndef FVI_STABILITY_SHARE_H
 #define FVI_STABILITY_SHARE_H
 

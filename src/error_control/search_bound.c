@@ -1,4 +1,4 @@
-/* src/error_control/search_bound.c -- Steps that pass over nothing of the force.  [Chapter 18] */
+/* src/error_control/search_bound.c -- Steps that pass over nothing of the force.  [H 18] */
 #include "search_bound.h"
 
 #include "system/fail.h"

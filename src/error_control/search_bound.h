@@ -1,4 +1,4 @@
-/* src/error_control/search_bound.h -- Steps that pass over nothing of the force.  [Chapter 18] */
+/* src/error_control/search_bound.h -- Steps that pass over nothing of the force.  [H 18] */
 #ifndef FVI_SEARCH_BOUND_H
 #define FVI_SEARCH_BOUND_H
 

@@ -1,4 +1,4 @@
-/* src/error_control/step_search.c -- The step that a wanted error needs.      [Chapter 18] */
+/* src/error_control/step_search.c -- The step that a wanted error needs.      [H 18] */
 #include <fvi/step_search.h>
 
 #include <fvi/fvi.h>

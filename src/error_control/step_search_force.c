@@ -1,4 +1,4 @@
-/* src/error_control/step_search_force.c -- Do the steps see the force?      [Chapter 18] */
+/* src/error_control/step_search_force.c -- Do the steps see the force?      [H 18] */
 #include "step_search_force.h"
 #include "system/larger.h"
 

@@ -1,5 +1,5 @@
 /* src/error_control/variable_step_search.c -- Two runs with variable steps, and how far they are
- * apart.                                                             [Chapter 22] */
+ * apart.                                                             [H 22] */
 #include <fvi/variable_steps.h>
 
 #include "variable_step/variable_step.h"

@@ -1,4 +1,4 @@
-/* src/estimation/identification.c -- Parameters from a measured motion.   [Chapter 24] */
+/* src/estimation/identification.c -- Parameters from a measured motion.   [H 24] */
 #include <fvi/identification.h>
 
 #include "identification_search.h"

@@ -1,5 +1,5 @@
 /* src/estimation/identification_box.c -- Where to begin: what the data alone say.
- *                                                                     [Chapter 24] */
+ *                                                                     [H 24] */
 #include "identification_model.h"
 
 #include "system/fail.h"

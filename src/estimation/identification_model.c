@@ -1,5 +1,5 @@
 /* src/estimation/identification_model.c -- The motion as a function of its parameters.
- *                                                                     [Chapter 24] */
+ *                                                                     [H 24] */
 #include "identification_model.h"
 #include "identification_tangent.h"
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* src/estimation/identification_moduli.c -- An order from storage and loss.  [Chapter 24] */
+/* src/estimation/identification_moduli.c -- An order from storage and loss.  [H 24] */
 #include "identification_model.h"
 
 #include "system/fail.h"

@@ -1,5 +1,5 @@
 /* src/estimation/identification_profile.c -- How far a parameter can go while the others
- * make up for it.                                                      [Chapter 24] */
+ * make up for it.                                                      [H 24] */
 #include "identification_search.h"
 
 #include "system/fail.h"

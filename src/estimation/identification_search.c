@@ -1,4 +1,4 @@
-/* src/estimation/identification_search.c -- One search downhill.          [Chapter 24] */
+/* src/estimation/identification_search.c -- One search downhill.          [H 24] */
 #include "identification_search.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/estimation/identification_search.h -- One search of many.          [Chapter 24]
+/* src/estimation/identification_search.h -- One search of many.          [H 24]
  *
  * Internal: identification.c begins it in many places, identification_profile.c at many
  * values of one parameter. Nothing is checked, and GSL's handler is off. */

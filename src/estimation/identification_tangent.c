@@ -1,5 +1,5 @@
 /* src/estimation/identification_tangent.c -- A run and its derivatives, side by side.
- *                                                                     [Chapter 24] */
+ *                                                                     [H 24] */
 #include "identification_tangent.h"
 
 #include <fvi/fvi.h>

@@ -1,5 +1,5 @@
 /* src/estimation/identification_tangent.h -- A run with its derivatives, on its way.
- *                                                                     [Chapter 24] */
+ *                                                                     [H 24] */
 #ifndef FVI_IDENTIFICATION_TANGENT_H
 #define FVI_IDENTIFICATION_TANGENT_H
 

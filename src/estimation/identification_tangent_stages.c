@@ -1,5 +1,5 @@
 /* src/estimation/identification_tangent_stages.c -- A run through stages and its derivatives,
- * side by side.                                                         [Chapter 24] */
+ * side by side.                                                         [H 24] */
 #include "identification_tangent.h"
 
 #include "methods/lobatto_stages.h"

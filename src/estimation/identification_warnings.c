@@ -1,4 +1,4 @@
-/* src/estimation/identification_warnings.c -- What to know before a fit is believed. [Chapter 24] */
+/* src/estimation/identification_warnings.c -- What to know before a fit is believed. [H 24] */
 #include <fvi/error.h>
 #include <fvi/identification.h>
 

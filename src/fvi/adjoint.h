@@ -1,4 +1,4 @@
-/* src/fvi/adjoint.h -- Every derivative of a run for one mirrored run.  [Chapter 23]
+/* src/fvi/adjoint.h -- Every derivative of a run for one mirrored run.  [H 23]
  *
  * J = J(x_0, ..., x_N, p_N) is one number made of a trajectory: a distance from what was
  * measured, the last position, an energy. A run that goes backwards through the same

@@ -1,4 +1,4 @@
-/* src/fvi/archive.h -- What the steps of a run change, piece by piece.     [Chapter 2] */
+/* src/fvi/archive.h -- What the steps of a run change, piece by piece.     [H 2] */
 #ifndef FVI_ARCHIVE_H
 #define FVI_ARCHIVE_H
 

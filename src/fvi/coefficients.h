@@ -1,4 +1,4 @@
-/* src/fvi/coefficients.h -- Grunwald-Letnikov weights.               [Chapter 4] */
+/* src/fvi/coefficients.h -- Grunwald-Letnikov weights.               [H 4] */
 #ifndef FVI_COEFFICIENTS_H
 #define FVI_COEFFICIENTS_H
 
@@ -22,7 +22,7 @@ extern "C" {
  *
  * The recurrence runs in double-double arithmetic on w[n] / alpha. Accuracy:
  * the nearest double or one of its two neighbours for every n < 10^8 (bound and
- * proof in Chapter 4); exact where the weights are short binary fractions, and
+ * proof in H 4); exact where the weights are short binary fractions, and
  * exact zeros +0 where they vanish (alpha = 0, 1, 2).
  * Cost O(count), two divisions a weight; no memory.
  * Returns FVI_SUCCESS; FVI_EFAULT if w is NULL; FVI_EINVAL if count == 0;

@@ -1,4 +1,4 @@
-/* src/fvi/control.h -- From here to there with the least force.      [Chapter 25] */
+/* src/fvi/control.h -- From here to there with the least force.      [H 25] */
 #ifndef FVI_CONTROL_H
 #define FVI_CONTROL_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/convergence.h -- How far from the motion a run can be.    [Chapter 20] */
+/* src/fvi/convergence.h -- How far from the motion a run can be.    [H 20] */
 #ifndef FVI_CONVERGENCE_H
 #define FVI_CONVERGENCE_H
 
@@ -7,7 +7,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-/* fvi_smoothness -- what the theorem of chapter 20 has to know of a motion x on [0, T].
+/* fvi_smoothness -- what the theorem of H 20 has to know of a motion x on [0, T].
  * With f = F/m, g = grad U/m, and B the points that are at most `room` away from the
  * convex hull of the path:
  *

@@ -1,5 +1,5 @@
 /* src/fvi/convolution_quadrature.h -- Other weights than Grunwald and Letnikov's.
- *                                                                [Chapter 13] */
+ *                                                                [H 13] */
 #ifndef FVI_CONVOLUTION_QUADRATURE_H
 #define FVI_CONVOLUTION_QUADRATURE_H
 
@@ -13,7 +13,7 @@ extern "C" {
 /* Which weights: the generating function delta(z) of a multistep method, or,
  * for L1, integration of a piecewise linear path.               [(13.2), (13.5)]
  *
- *   EULER      delta = 1 - z: the weights of Chapter 4
+ *   EULER      delta = 1 - z: the weights of H 4
  *   BDF2       delta = (1 - z) + (1 - z)^2 / 2
  *   TRAPEZOID  delta = 2 (1 - z) / (1 + z)
  *   L1         no power of any delta */

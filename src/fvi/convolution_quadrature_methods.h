@@ -1,5 +1,5 @@
 /* src/fvi/convolution_quadrature_methods.h -- The integrators of order 2 that they give.
- *                                                                [Chapter 13] */
+ *                                                                [H 13] */
 #ifndef FVI_CONVOLUTION_QUADRATURE_METHODS_H
 #define FVI_CONVOLUTION_QUADRATURE_METHODS_H
 

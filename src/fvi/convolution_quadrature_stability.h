@@ -1,5 +1,5 @@
 /* src/fvi/convolution_quadrature_stability.h -- Which steps the weights allow.
- *                                                                [Chapter 13] */
+ *                                                                [H 13] */
 #ifndef FVI_CONVOLUTION_QUADRATURE_STABILITY_H
 #define FVI_CONVOLUTION_QUADRATURE_STABILITY_H
 

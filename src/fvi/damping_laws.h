@@ -1,11 +1,11 @@
-/* src/fvi/damping_laws.h -- Damping by its symbol.                  [Chapter 26]
+/* src/fvi/damping_laws.h -- Damping by its symbol.                  [H 26]
  *
  *     m x'' + grad U(x) + rho C(D) x = F(t),     C(s) a sum of terms:
  *
  * a spring-pot, rho D^{2 alpha} x, is the symbol s^{2 alpha}; what polymers, rubber and
  * dampers are fitted by are sums of such, of fractions of such, or a whole range. Every
  * law here is causal, linear and passive, and a convolution quadrature of it is the
- * power series C(delta(z)/h): weights that stand where those of chapter 4 stood. */
+ * power series C(delta(z)/h): weights that stand where those of H 4 stood. */
 #ifndef FVI_DAMPING_LAWS_H
 #define FVI_DAMPING_LAWS_H
 

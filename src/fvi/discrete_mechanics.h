@@ -1,5 +1,5 @@
 /* src/fvi/discrete_mechanics.h -- Discrete Lagrangians and the integrators that
- * they give; Euler's methods beside them.                        [Chapter 2] */
+ * they give; Euler's methods beside them.                        [H 2] */
 #ifndef FVI_DISCRETE_MECHANICS_H
 #define FVI_DISCRETE_MECHANICS_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/exact_solution.h -- The linear problem, solved exactly.    [Chapter 11] */
+/* src/fvi/exact_solution.h -- The linear problem, solved exactly.    [H 11] */
 #ifndef FVI_EXACT_SOLUTION_H
 #define FVI_EXACT_SOLUTION_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/expression.h -- Potentials and forces as they are typed.     [Chapter 9]
+/* src/fvi/expression.h -- Potentials and forces as they are typed.     [H 9]
  *
  *     const char *const k[] = { "k" };
  *     const fvi_symbols names = { "x", 1, k, 1 };

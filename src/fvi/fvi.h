@@ -1,4 +1,4 @@
-/* src/fvi/fvi.h -- Fractional variational integrators.           [Chapter 9]
+/* src/fvi/fvi.h -- Fractional variational integrators.           [H 9]
  *
  * With it comes the rest of the library, but for what only the paper needs: that is in
  * fvi/paper. */
@@ -52,7 +52,7 @@ extern "C" {
  *     p_{k+1} = p_k - h grad U - h rho Delta_-^alpha Delta_-^alpha x_{k+1}
  *               + h F(t_{k+1}).
  *
- * p_k is the matched momentum of Chapter 8 for every k <= N. Order 1; in p near
+ * p_k is the matched momentum of H 8 for every k <= N. Order 1; in p near
  * t = 0 only 2 - 2 alpha for a held body with alpha > 1/2 (19.11);
  * for Riemann-Liouville runs with x0 != 0 only 1 - 2 alpha if alpha < 1/2, and
  * none if alpha > 1/2 (9.5); order 2 for rho = 0, kappa = 1/2, F(0) = 0 (9.8).

@@ -1,4 +1,4 @@
-/* src/fvi/identification.h -- Parameters from a measured motion.     [Chapter 24]
+/* src/fvi/identification.h -- Parameters from a measured motion.     [H 24]
  *
  * Somebody measured x_i at the times t_i, of one mass that moves as
  *
@@ -113,7 +113,7 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  *   fitted  output
  *
  * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
- * and of (24.12) for form M of chapter 17, without a law and with constants that
+ * and of (24.12) for form M of H 17, without a law and with constants that
  * fvi_parameter_gradient_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
  * points of Sobol's sequence in the box. If sigma is given and the best chi^2 so far is below

@@ -1,4 +1,4 @@
-/* src/fvi/lobatto.h -- Variational integrators on Lobatto nodes.     [Chapter 17] */
+/* src/fvi/lobatto.h -- Variational integrators on Lobatto nodes.     [H 17] */
 #ifndef FVI_LOBATTO_H
 #define FVI_LOBATTO_H
 

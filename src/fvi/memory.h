@@ -1,4 +1,4 @@
-/* src/fvi/memory.h -- The history of a fractional derivative.       [Chapter 12]
+/* src/fvi/memory.h -- The history of a fractional derivative.       [H 12]
  *
  *     H_k = sum_{n=0}^{k} w_n x_{k-n},     w_n = (-1)^n binom(beta, n)   (12.1)
  *
@@ -22,7 +22,7 @@ extern "C" {
  *   DIRECT        the sum as it stands: O(N^2) time, O(N d) memory
  *   FFT           convolutions in blocks that double: O(N log^2 N), O(N d)
  *   EXPONENTIALS  the last 32 terms and Q decaying modes: O(N Q), O(Q d); from d = 16 on
- *                 as products of matrices, with the same weights (chapter 28) */
+ *                 as products of matrices, with the same weights (H 28) */
 typedef enum {
     FVI_HISTORY_AUTO,
     FVI_HISTORY_DIRECT,

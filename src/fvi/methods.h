@@ -1,4 +1,4 @@
-/* src/fvi/methods.h -- The table of the methods.      [Chapters 2, 9, 13 and 17] */
+/* src/fvi/methods.h -- The table of the methods.      [H 2, 9, 13 and 17] */
 #ifndef FVI_METHODS_H
 #define FVI_METHODS_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/past.h -- What the body did before t = 0.                  [Chapter 19]
+/* src/fvi/past.h -- What the body did before t = 0.                  [H 19]
  *
  * A damping with memory has to know the past. All of them are Caputo's damping
  * and a pull that fades, known beforehand:

@@ -1,4 +1,4 @@
-/* src/fvi/sensitivity.h -- How a potential depends on its parameters. [Chapter 23] */
+/* src/fvi/sensitivity.h -- How a potential depends on its parameters. [H 23] */
 #ifndef FVI_SENSITIVITY_H
 #define FVI_SENSITIVITY_H
 

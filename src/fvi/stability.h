@@ -1,4 +1,4 @@
-/* src/fvi/stability.h -- Is this step stable?                       [Chapter 14] */
+/* src/fvi/stability.h -- Is this step stable?                       [H 14] */
 #ifndef FVI_STABILITY_H
 #define FVI_STABILITY_H
 
@@ -91,7 +91,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
 int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
                         const double *x, double *stiffest, double *load);
 
-/* fvi_stability_lobatto -- the same for form M of chapter 17. [(17.18)]
+/* fvi_stability_lobatto -- the same for form M of H 17. [(17.18)]
  *
  * load > 1: at least one mode grows, and load <= 1: none does, for a quadratic
  * convex U in one dimension. For s = 2 both are proved, and in R^d: there

@@ -1,4 +1,4 @@
-/* src/fvi/step_search.h -- The step that a wanted error needs.      [Chapter 18] */
+/* src/fvi/step_search.h -- The step that a wanted error needs.      [H 18] */
 #ifndef FVI_STEP_SEARCH_H
 #define FVI_STEP_SEARCH_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/structures.h -- Sparse matrices, and systems of them.          [Chapter 27]
+/* src/fvi/structures.h -- Sparse matrices, and systems of them.          [H 27]
  *
  *     M x'' + C D^{2 alpha} x + K x = F(t),     x in R^d                  (27.1)
  *

@@ -1,4 +1,4 @@
-/* src/fvi/system.h -- A mechanical system, as data.                  [Chapter 2]
+/* src/fvi/system.h -- A mechanical system, as data.                  [H 2]
  *
  *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t),     x in R^d.
  *
@@ -99,7 +99,7 @@ typedef struct {
                  double *most);
 } fvi_force;
 
-/* fvi_matrices -- M, C and K of a linear system                          [Chapter 27]
+/* fvi_matrices -- M, C and K of a linear system                          [H 27]
  *
  *     M x'' + C D^{2 alpha} x + K x = F(t),                               (27.1)
  *

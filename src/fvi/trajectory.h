@@ -1,4 +1,4 @@
-/* src/fvi/trajectory.h -- Runs: a start, a step size, a method.      [Chapter 2]
+/* src/fvi/trajectory.h -- Runs: a start, a step size, a method.      [H 2]
  *
  * A stepper holds x_k, p_k and what the method needs to go on, and nothing
  * else: no array over the time steps is made unless the caller makes it. The
@@ -119,7 +119,7 @@ typedef struct {
  *          of its steps, over all t
  *   stages  s, of the methods of Lobatto; 0 for all others
  *   damped_inertia  nonzero if the inertia is a damping of order 1 of the same kind,
- *          m DD^2 x, form D of chapter 17
+ *          m DD^2 x, form D of H 17
  *   alpha_least, alpha_most  the alpha that it knows, within [0, 1]: 1/2 and 1/2 is
  *          linear damping only; fvi_stepper_start refuses other runs (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory that it can sum with;

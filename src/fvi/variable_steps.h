@@ -1,4 +1,4 @@
-/* src/fvi/variable_steps.h -- Steps of any length.                  [Chapter 22]
+/* src/fvi/variable_steps.h -- Steps of any length.                  [H 22]
  *
  *     m x'' + grad U(x) + rho D^{2 alpha} x = F(t)
  *
@@ -45,7 +45,7 @@ extern "C" {
  * diagonal, h is there at most 2 sqrt(m / c), c its entry at x0; where it is not, x0 is
  * compared with what is possible in that time, c / m the largest sum_j |H_ij| / m_i. s = 8,
  * or 6 if step_error is above 1e-3 of that size. Where nothing is damped the step is form M
- * instead, that of the variational methods of chapter 17, which has no numerical damping;
+ * instead, that of the variational methods of H 17, which has no numerical damping;
  * fvi_stepper_statistics says which.
  *
  * The force may jump where force.jumps says so, at any times: steps end there, and the

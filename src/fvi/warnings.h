@@ -1,4 +1,4 @@
-/* src/fvi/warnings.h -- What to know before a run is believed.   [Chapters 14, 19]
+/* src/fvi/warnings.h -- What to know before a run is believed.   [H 14, 19]
  *
  * These are no errors: the run can be made, and its numbers are those of the method. But
  * the numbers are not those of a motion. Each function says so in a line of English,

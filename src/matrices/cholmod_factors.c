@@ -1,4 +1,4 @@
-/* src/matrices/cholmod_factors.c -- Factors by CHOLMOD.                [Chapter 27]
+/* src/matrices/cholmod_factors.c -- Factors by CHOLMOD.                [H 27]
  *
  * SuiteSparse's CHOLMOD is optional twice. Without its header, or with -DFVI_NO_CHOLMOD,
  * this file says that there is no CHOLMOD. With it, the library is loaded when the first

@@ -1,5 +1,5 @@
 /* src/matrices/factors.c -- Equations with a sparse positive definite matrix.
- *                                                               [Chapter 27] */
+ *                                                               [H 27] */
 #include "factors.h"
 
 #include "system/fail.h"

@@ -1,5 +1,5 @@
 /* src/matrices/factors.h -- Equations with a sparse positive definite matrix.
- *                                                               [Chapter 27] */
+ *                                                               [H 27] */
 #ifndef FVI_FACTORS_H
 #define FVI_FACTORS_H
 

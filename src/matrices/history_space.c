@@ -1,4 +1,4 @@
-/* src/matrices/history_space.c -- What a damping remembers.                [Chapter 27] */
+/* src/matrices/history_space.c -- What a damping remembers.                [H 27] */
 #include "history_space.h"
 
 #include "factors.h"

@@ -1,4 +1,4 @@
-/* src/matrices/history_space.h -- What a damping remembers.                [Chapter 27] */
+/* src/matrices/history_space.h -- What a damping remembers.                [H 27] */
 #ifndef FVI_HISTORY_SPACE_H
 #define FVI_HISTORY_SPACE_H
 

@@ -1,4 +1,4 @@
-/* src/matrices/matrix_market.c -- Symmetric matrices from files.       [Chapter 27] */
+/* src/matrices/matrix_market.c -- Symmetric matrices from files.       [H 27] */
 #include "sparse.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/matrices/sparse.c -- Symmetric matrices in compressed columns.   [Chapter 27] */
+/* src/matrices/sparse.c -- Symmetric matrices in compressed columns.   [H 27] */
 #include "sparse.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/matrices/sparse.h -- Symmetric matrices in compressed columns.   [Chapter 27]
+/* src/matrices/sparse.h -- Symmetric matrices in compressed columns.   [H 27]
  *
  * Internal: what the files of this room share. None of these functions calls the error
  * handler. */

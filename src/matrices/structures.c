@@ -1,4 +1,4 @@
-/* src/matrices/structures.c -- Systems of sparse matrices.             [Chapter 27] */
+/* src/matrices/structures.c -- Systems of sparse matrices.             [H 27] */
 #include "factors.h"
 #include "history_space.h"
 

@@ -1,4 +1,4 @@
-/* src/memory/coefficients.c -- Grunwald-Letnikov weights.               [Chapter 4] */
+/* src/memory/coefficients.c -- Grunwald-Letnikov weights.               [H 4] */
 #include <fvi/coefficients.h>
 
 #include "double_double.h"

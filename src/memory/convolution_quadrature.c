@@ -1,4 +1,4 @@
-/* src/memory/convolution_quadrature.c -- Weights of other rules. [Chapter 13] */
+/* src/memory/convolution_quadrature.c -- Weights of other rules. [H 13] */
 #include <fvi/convolution_quadrature.h>
 
 #include <fvi/coefficients.h>

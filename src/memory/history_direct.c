@@ -1,4 +1,4 @@
-/* src/memory/history_direct.c -- The sum as it stands.                  [Chapter 12] */
+/* src/memory/history_direct.c -- The sum as it stands.                  [H 12] */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include "history_kinds.h"

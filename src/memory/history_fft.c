@@ -1,4 +1,4 @@
-/* src/memory/history_fft.c -- Convolutions in blocks that double.       [Chapter 12] */
+/* src/memory/history_fft.c -- Convolutions in blocks that double.       [H 12] */
 #include <fvi/coefficients.h>
 #include "history_kinds.h"
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/memory/history_kinds.h -- The ways to sum behind memory.h.        [Chapter 12]
+/* src/memory/history_kinds.h -- The ways to sum behind memory.h.        [H 12]
  *
  * Internal: memory.c chooses one and checks the arguments; nothing is checked
  * here. The order nu is in (0, 1), the weights are w_n = (-1)^n binom(nu, n),

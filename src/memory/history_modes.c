@@ -1,4 +1,4 @@
-/* src/memory/history_modes.c -- A window and decaying modes.     [Chapter 12] */
+/* src/memory/history_modes.c -- A window and decaying modes.     [H 12] */
 #include <fvi/coefficients.h>
 #include "history_tiled.h"
 #include "history_kinds.h"
@@ -25,7 +25,7 @@ struct fvi_history_modes {
     double *rates; /* NULL, or dc/d nu: Q numbers; the rates of the window;
                                   and two sums of each with them, as far */
     fvi_history_tiled
-        *tiles; /* NULL, or what stands for z, past and far (chapter 28) */
+        *tiles; /* NULL, or what stands for z, past and far (H 28) */
 };
 
 /* The rates are read from modes that stand as after each step. */

@@ -1,4 +1,4 @@
-/* src/memory/history_parts.h -- A push in parts.                          [Chapter 28]
+/* src/memory/history_parts.h -- A push in parts.                          [H 28]
  *
  * Internal: for steps that take some coordinates through everything before the next ones. */
 #ifndef FVI_HISTORY_PARTS_H

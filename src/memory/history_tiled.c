@@ -1,4 +1,4 @@
-/* src/memory/history_tiled.c -- Thirty-two steps of many memories at once.      [Chapter 28] */
+/* src/memory/history_tiled.c -- Thirty-two steps of many memories at once.      [H 28] */
 #include "history_tiled.h"
 #include "history_kinds.h"
 

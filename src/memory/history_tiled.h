@@ -1,4 +1,4 @@
-/* src/memory/history_tiled.h -- Thirty-two steps of many memories at once.      [Chapter 28]
+/* src/memory/history_tiled.h -- Thirty-two steps of many memories at once.      [H 28]
  *
  * Internal: what history_modes.c makes of its modes where there are many
  * coordinates; nothing is checked. The weights are those of its own push. */

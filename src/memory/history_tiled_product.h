@@ -1,5 +1,5 @@
 /* src/memory/history_tiled_product.h -- Eight rows of a product, for vectors of one width.
- *                                                                       [Chapter 28]
+ *                                                                       [H 28]
  * history_tiled.c includes this once for each width, with
  *
  *   LANES    the doubles of a vector

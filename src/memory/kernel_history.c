@@ -1,4 +1,4 @@
-/* src/memory/kernel_history.c -- One set of modes for all terms of a law.  [Chapter 26] */
+/* src/memory/kernel_history.c -- One set of modes for all terms of a law.  [H 26] */
 #include <fvi/damping_laws.h>
 
 #include "kernel_terms.h"

@@ -1,4 +1,4 @@
-/* src/memory/memory.c -- The history of a fractional derivative.       [Chapter 12] */
+/* src/memory/memory.c -- The history of a fractional derivative.       [H 12] */
 #include <fvi/memory.h>
 
 #include "history_tiled.h"

@@ -1,4 +1,4 @@
-/* src/memory/memory_nodes.c -- A power as a sum of exponentials.        [Chapter 12] */
+/* src/memory/memory_nodes.c -- A power as a sum of exponentials.        [H 12] */
 #include "history_kinds.h"
 
 #include <gsl/gsl_math.h>

@@ -1,4 +1,4 @@
-/* src/memory/past.c -- What the body did before t = 0.                  [Chapter 19] */
+/* src/memory/past.c -- What the body did before t = 0.                  [H 19] */
 #include <fvi/past.h>
 
 #include <gsl/gsl_machine.h>

@@ -1,4 +1,4 @@
-/* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [Chapter 13] */
+/* src/methods/convolution_quadrature_methods.c -- Integrators of order 2.                  [H 13] */
 #include <fvi/convolution_quadrature.h>
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>

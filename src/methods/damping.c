@@ -1,5 +1,5 @@
 /* src/methods/damping.c -- The damped coordinates of a run and their memory.
- *                                                                 [Chapter 9] */
+ *                                                                 [H 9] */
 #include "damping.h"
 
 #include "memory/history_kinds.h"

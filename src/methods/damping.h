@@ -1,6 +1,6 @@
-/* src/methods/damping.h -- The damped coordinates of a run and their memory. [Chapter 9]
+/* src/methods/damping.h -- The damped coordinates of a run and their memory. [H 9]
  *
- * Internal: what the integrators of chapters 9 and 13 have in common. */
+ * Internal: what the integrators of H 9 and 13 have in common. */
 #ifndef FVI_DAMPING_H
 #define FVI_DAMPING_H
 

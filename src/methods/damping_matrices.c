@@ -1,4 +1,4 @@
-/* src/methods/damping_matrices.c -- What a run with matrices begins with.  [Chapter 27] */
+/* src/methods/damping_matrices.c -- What a run with matrices begins with.  [H 27] */
 #include "damping.h"
 #include "initial_history_force.h"
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [Chapter 2] */
+/* src/methods/discrete_mechanics.c -- Discrete Lagrangians.              [H 2] */
 #include <fvi/discrete_mechanics.h>
 
 #include "stability_number.h"

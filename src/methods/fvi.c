@@ -1,4 +1,4 @@
-/* src/methods/fvi.c -- Fractional variational integrators.               [Chapter 9] */
+/* src/methods/fvi.c -- Fractional variational integrators.               [H 9] */
 #include <fvi/fvi.h>
 
 #include "damping.h"

@@ -1,4 +1,4 @@
-/* src/methods/initial_history_force.c -- What the past adds to Caputo's damping in a run. [Chapter 19] */
+/* src/methods/initial_history_force.c -- What the past adds to Caputo's damping in a run. [H 19] */
 #include "initial_history_force.h"
 
 #include "system/fail.h"

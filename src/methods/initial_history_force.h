@@ -1,6 +1,6 @@
-/* src/methods/initial_history_force.h -- What the past adds to Caputo's damping in a run. [Chapter 19]
+/* src/methods/initial_history_force.h -- What the past adds to Caputo's damping in a run. [H 19]
  *
- * Internal: what the integrators of chapters 13 and 17 have in common. */
+ * Internal: what the integrators of H 13 and 17 have in common. */
 #ifndef FVI_INITIAL_HISTORY_FORCE_H
 #define FVI_INITIAL_HISTORY_FORCE_H
 

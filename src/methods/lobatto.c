@@ -1,5 +1,5 @@
 /* src/methods/lobatto.c -- Variational integrators on Lobatto nodes: a step of form M.
- *                                                                 [Chapter 17] */
+ *                                                                 [H 17] */
 #include <fvi/lobatto.h>
 
 #include <fvi/discrete_mechanics.h>

@@ -1,5 +1,5 @@
 /* src/methods/lobatto_damped.c -- Form D: the inertia is a damping of order 1, too.
- *                                                                 [Chapter 17] */
+ *                                                                 [H 17] */
 #include <fvi/lobatto.h>
 
 #include <fvi/discrete_mechanics.h>

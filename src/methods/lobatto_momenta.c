@@ -1,4 +1,4 @@
-/* src/methods/lobatto_momenta.c -- The momentum that the scheme leaves out. [Chapter 17] */
+/* src/methods/lobatto_momenta.c -- The momentum that the scheme leaves out. [H 17] */
 #include <fvi/lobatto.h>
 #include "system/fail.h"
 

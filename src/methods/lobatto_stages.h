@@ -1,4 +1,4 @@
-/* src/methods/lobatto_stages.h -- The stages of a step.           [Chapter 17]
+/* src/methods/lobatto_stages.h -- The stages of a step.           [H 17]
  *
  * Internal: what lobatto_start.c makes, and lobatto.c and lobatto_damped.c step with. */
 #ifndef FVI_LOBATTO_STAGES_H

@@ -1,5 +1,5 @@
 /* src/methods/lobatto_start.c -- Variational integrators on Lobatto nodes: the start.
- *                                                                 [Chapter 17] */
+ *                                                                 [H 17] */
 #include <fvi/lobatto.h>
 
 #include "stability_number.h"

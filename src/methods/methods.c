@@ -1,4 +1,4 @@
-/* src/methods/methods.c -- The table of the methods.  [Chapters 2, 9, 13 and 17] */
+/* src/methods/methods.c -- The table of the methods.  [H 2, 9, 13 and 17] */
 #include <fvi/methods.h>
 
 #include <fvi/convolution_quadrature_methods.h>

@@ -1,4 +1,4 @@
-/* src/methods/stability_number.c -- The loads of the methods.       [Chapters 13, 14 and 17] */
+/* src/methods/stability_number.c -- The loads of the methods.       [H 13, 14 and 17] */
 #include "stability_number.h"
 
 #include <fvi/stability.h>

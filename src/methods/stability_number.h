@@ -1,5 +1,5 @@
 /* src/methods/stability_number.h -- What stands in the tables of the methods: their loads and
- * their memories.                                        [Chapters 13, 14 and 17]
+ * their memories.                                        [H 13, 14 and 17]
  *
  * Each load is as fvi_stability_number has it, and returns what it returns. */
 #ifndef FVI_STABILITY_NUMBER_H

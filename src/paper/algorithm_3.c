@@ -1,4 +1,4 @@
-/* src/paper/algorithm_3.c -- Algorithm 3 as the paper prints it. [Chapter 9] */
+/* src/paper/algorithm_3.c -- Algorithm 3 as the paper prints it. [H 9] */
 #include <fvi/paper/algorithm_3.h>
 
 #include <fvi/fvi.h>

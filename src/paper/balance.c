@@ -1,4 +1,4 @@
-/* src/paper/balance.c -- What a scheme with memory conserves, and what it loses. [Chapter 21] */
+/* src/paper/balance.c -- What a scheme with memory conserves, and what it loses. [H 21] */
 #include <fvi/paper/balance.h>
 
 #include "system/fail.h"

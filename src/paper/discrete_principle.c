@@ -1,4 +1,4 @@
-/* src/paper/discrete_principle.c -- The non-local discrete action.     [Chapter 6] */
+/* src/paper/discrete_principle.c -- The non-local discrete action.     [H 6] */
 #include <fvi/paper/discrete_principle.h>
 
 #include <fvi/coefficients.h>

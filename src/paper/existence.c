@@ -1,4 +1,4 @@
-/* src/paper/existence.c -- Picard iteration for motion with memory.   [Chapter 15] */
+/* src/paper/existence.c -- Picard iteration for motion with memory.   [H 15] */
 #include <fvi/paper/existence.h>
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/paper/experiments.c -- Yardsticks for the numerical section.    [Chapter 10] */
+/* src/paper/experiments.c -- Yardsticks for the numerical section.    [H 10] */
 #include <fvi/paper/experiments.h>
 
 #include <fvi/coefficients.h>

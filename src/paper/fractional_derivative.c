@@ -1,4 +1,4 @@
-/* src/paper/fractional_derivative.c -- Derivatives of fractional order. [Chapter 1] */
+/* src/paper/fractional_derivative.c -- Derivatives of fractional order. [H 1] */
 #include <fvi/paper/fractional_derivative.h>
 
 #include "system/fail.h"

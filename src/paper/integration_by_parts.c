@@ -1,4 +1,4 @@
-/* src/paper/integration_by_parts.c -- Delta_-^alpha and Delta_+^alpha. [Chapter 5] */
+/* src/paper/integration_by_parts.c -- Delta_-^alpha and Delta_+^alpha. [H 5] */
 #include <fvi/paper/integration_by_parts.h>
 
 #include <fvi/coefficients.h>

@@ -1,4 +1,4 @@
-/* src/paper/legendre.c -- The discrete Legendre transformation.        [Chapter 8] */
+/* src/paper/legendre.c -- The discrete Legendre transformation.        [H 8] */
 #include <fvi/paper/legendre.h>
 
 #include <fvi/discrete_mechanics.h>

@@ -1,4 +1,4 @@
-/* src/paper/restricted_principle.c -- The action of two curves.        [Chapter 3] */
+/* src/paper/restricted_principle.c -- The action of two curves.        [H 3] */
 #include <fvi/paper/restricted_principle.h>
 
 #include <fvi/paper/fractional_derivative.h>

@@ -1,4 +1,4 @@
-/* src/petsc/fvi_petsc.c -- A structure on many machines, by PETSc and MPI.  [Chapter 28]
+/* src/petsc/fvi_petsc.c -- A structure on many machines, by PETSc and MPI.  [H 28]
  *
  *     mpirun -n RANKS fvi_petsc -system DIR | -grid N[,N[,N]] [-damping C]
  *            -alpha A -h H -steps N [-x0 X] [-p0 P] [-o FILE]

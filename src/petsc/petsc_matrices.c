@@ -1,4 +1,4 @@
-/* src/petsc/petsc_matrices.c -- What the library asks of matrices, by PETSc. [Chapter 28] */
+/* src/petsc/petsc_matrices.c -- What the library asks of matrices, by PETSc. [H 28] */
 #include "petsc_share.h"
 
 #include <fvi/error.h>

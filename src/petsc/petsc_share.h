@@ -1,4 +1,4 @@
-/* src/petsc/petsc_share.h -- What a rank has of a structure.             [Chapter 28]
+/* src/petsc/petsc_share.h -- What a rank has of a structure.             [H 28]
  *
  * Internal to src/petsc/. Functions that return a PetscErrorCode end all ranks, in words,
  * where something is wrong. */

@@ -1,4 +1,4 @@
-/* src/petsc/petsc_state.c -- What a run leaves in files.                 [Chapter 28] */
+/* src/petsc/petsc_state.c -- What a run leaves in files.                 [H 28] */
 #include "output/fvi_output.h"
 #include "petsc_share.h"
 

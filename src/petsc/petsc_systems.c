@@ -1,4 +1,4 @@
-/* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [Chapter 28] */
+/* src/petsc/petsc_systems.c -- A rank's rows, from files or of a grid.   [H 28] */
 #include "petsc_share.h"
 
 #include <petscdmda.h>

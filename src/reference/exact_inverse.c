@@ -1,4 +1,4 @@
-/* src/reference/exact_inverse.c -- Inverting the Laplace transform.        [Chapter 11] */
+/* src/reference/exact_inverse.c -- Inverting the Laplace transform.        [H 11] */
 #include "exact_inverse.h"
 
 #include "exact_law.h"

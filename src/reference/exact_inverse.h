@@ -1,4 +1,4 @@
-/* src/reference/exact_inverse.h -- Inverting the Laplace transform.        [Chapter 11]
+/* src/reference/exact_inverse.h -- Inverting the Laplace transform.        [H 11]
  *
  * What exact_solution.c is made of: the transform of a checked problem is
  * prepared once, and inverted at as many times as one likes. */

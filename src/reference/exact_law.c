@@ -1,4 +1,4 @@
-/* src/reference/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [Chapter 26] */
+/* src/reference/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [H 26] */
 #include "exact_law.h"
 
 #include "memory/kernel_terms.h"

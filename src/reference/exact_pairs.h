@@ -1,5 +1,5 @@
 /* src/reference/exact_pairs.h -- Complex numbers that a compiler can take several of.
- *                                                                      [Chapter 11]
+ *                                                                      [H 11]
  * C's own ask after every product whether it is not a number. */
 #ifndef FVI_EXACT_PAIRS_H
 #define FVI_EXACT_PAIRS_H

@@ -1,4 +1,4 @@
-/* src/reference/exact_rows.c -- The linear problem, solved at evenly spaced times. [Chapter 11] */
+/* src/reference/exact_rows.c -- The linear problem, solved at evenly spaced times. [H 11] */
 #include "exact_window.h"
 #include "memory/double_double.h"
 #include "system/fail.h"

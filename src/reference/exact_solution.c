@@ -1,4 +1,4 @@
-/* src/reference/exact_solution.c -- The linear problem, solved exactly.    [Chapter 11] */
+/* src/reference/exact_solution.c -- The linear problem, solved exactly.    [H 11] */
 #include "exact_inverse.h"
 #include "system/fail.h"
 

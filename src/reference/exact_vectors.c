@@ -1,4 +1,4 @@
-/* src/reference/exact_vectors.c -- Complex functions, many at once.        [Chapter 11] */
+/* src/reference/exact_vectors.c -- Complex functions, many at once.        [H 11] */
 #include "exact_vectors.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,4 +1,4 @@
-/* src/reference/exact_vectors.h -- Complex functions, many at once.        [Chapter 11]
+/* src/reference/exact_vectors.h -- Complex functions, many at once.        [H 11]
  *
  * z = re[i] + i im[i] for i < n is replaced by a function of it. Accuracy is in u |f(z)|,
  * u = 2^-53; the digits are the same on every processor. Arrays do not overlap. */

@@ -1,4 +1,4 @@
-/* src/reference/exact_weights.c -- What a problem has on the nodes of a contour. [Chapter 11] */
+/* src/reference/exact_weights.c -- What a problem has on the nodes of a contour. [H 11] */
 #include "exact_window.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 

@@ -1,4 +1,4 @@
-/* src/reference/exact_window.c -- One contour for many times.              [Chapter 11] */
+/* src/reference/exact_window.c -- One contour for many times.              [H 11] */
 #include "exact_window.h"
 
 #include "exact_vectors.h"

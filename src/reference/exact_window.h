@@ -1,4 +1,4 @@
-/* src/reference/exact_window.h -- One contour for many times.              [Chapter 11]
+/* src/reference/exact_window.h -- One contour for many times.              [H 11]
  *
  * What exact_rows.c needs: the integral of (11.10) at the rows of a window [first, last] of
  * times, all from the nodes of one hyperbola, whose unit of time is `last`. */

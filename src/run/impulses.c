@@ -1,4 +1,4 @@
-/* src/run/impulses.c -- What hits the body, as steps of one length take it. [Chapter 2] */
+/* src/run/impulses.c -- What hits the body, as steps of one length take it. [H 2] */
 #include "impulses.h"
 
 #include "system/fail.h"

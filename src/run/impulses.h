@@ -1,4 +1,4 @@
-/* src/run/impulses.h -- What hits the body, as steps of one length take it. [Chapter 2] */
+/* src/run/impulses.h -- What hits the body, as steps of one length take it. [H 2] */
 #ifndef FVI_IMPULSES_H
 #define FVI_IMPULSES_H
 

@@ -1,4 +1,4 @@
-/* src/run/solution.c -- Is there a motion that starts so?            [Chapters 19, 27] */
+/* src/run/solution.c -- Is there a motion that starts so?            [H 19, 27] */
 #include "solution.h"
 #include "system/fail.h"
 #include "system/larger.h"

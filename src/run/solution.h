@@ -1,4 +1,4 @@
-/* src/run/solution.h -- Is there a motion that starts so?            [Chapters 19, 27] */
+/* src/run/solution.h -- Is there a motion that starts so?            [H 19, 27] */
 #ifndef FVI_SOLUTION_H
 #define FVI_SOLUTION_H
 

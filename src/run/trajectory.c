@@ -1,4 +1,4 @@
-/* src/run/trajectory.c -- Runs: a start, a step size, a method.      [Chapter 2] */
+/* src/run/trajectory.c -- Runs: a start, a step size, a method.      [H 2] */
 #include <fvi/trajectory.h>
 
 #include "impulses.h"

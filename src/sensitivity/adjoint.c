@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint.c -- Every derivative of a run for one mirrored run. [Chapter 23] */
+/* src/sensitivity/adjoint.c -- Every derivative of a run for one mirrored run. [H 23] */
 #include <fvi/adjoint.h>
 
 #include "checkpointing.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_constant.c -- What a memory held at J_p leaves out.      [Chapter 23] */
+/* src/sensitivity/adjoint_constant.c -- What a memory held at J_p leaves out.      [H 23] */
 #include "adjoint_constant.h"
 
 #include "methods/damping.h"

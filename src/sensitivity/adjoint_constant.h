@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_constant.h -- What a memory held at J_p leaves out.      [Chapter 23]
+/* src/sensitivity/adjoint_constant.h -- What a memory held at J_p leaves out.      [H 23]
  *
  * Internal. The mirrored run begins at J_p; its memory should begin at zero, (23.3), and
  * takes in mu - J_p. What is left out is the memory of a constant, a sum of weights. */

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_factors.c -- Derivatives by factors of M, C and K. [Chapter 23] */
+/* src/sensitivity/adjoint_factors.c -- Derivatives by factors of M, C and K. [H 23] */
 #include "adjoint_factors.h"
 
 #include "methods/damping.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_factors.h -- Derivatives by factors of M, C and K. [Chapter 23]
+/* src/sensitivity/adjoint_factors.h -- Derivatives by factors of M, C and K. [H 23]
  *
  * Internal: what adjoint_matrices.c sums up on its way back for mass, damping, alpha,
  * parameters and the numbers of a law, (23.19): x0, p0 and forces it has without. */

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [Chapter 23] */
+/* src/sensitivity/adjoint_kernel.c -- What a term of a law gives, going backwards. [H 23] */
 #include "adjoint_kernel.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_kernel.h -- What a term of a law gives, going backwards. [Chapter 23]
+/* src/sensitivity/adjoint_kernel.h -- What a term of a law gives, going backwards. [H 23]
  *
  * Internal. With C the symbol of the term for rho = 1 and L = ln(delta(z)/h),
  *

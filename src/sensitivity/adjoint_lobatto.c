@@ -1,5 +1,5 @@
 /* src/sensitivity/adjoint_lobatto.c -- The run that goes backwards through stages.
- *                                                                     [Chapter 23] */
+ *                                                                     [H 23] */
 #include "adjoint_lobatto.h"
 
 #include "methods/lobatto_stages.h"

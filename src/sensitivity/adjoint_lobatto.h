@@ -1,6 +1,6 @@
-/* src/sensitivity/adjoint_lobatto.h -- The run that goes backwards through stages. [Chapter 23]
+/* src/sensitivity/adjoint_lobatto.h -- The run that goes backwards through stages. [H 23]
  *
- * Internal: what adjoint_multistep.h is for the methods of chapter 17, of form M and of form D. */
+ * Internal: what adjoint_multistep.h is for the methods of H 17, of form M and of form D. */
 #ifndef FVI_ADJOINT_LOBATTO_H
 #define FVI_ADJOINT_LOBATTO_H
 

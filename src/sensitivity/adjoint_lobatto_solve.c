@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_lobatto_solve.c -- A step backwards through stages. [Chapter 23] */
+/* src/sensitivity/adjoint_lobatto_solve.c -- A step backwards through stages. [H 23] */
 #include "adjoint_lobatto.h"
 
 #include "hessian_band.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_lobatto_terms.c -- The terms of a law, through stages. [Chapter 23]
+/* src/sensitivity/adjoint_lobatto_terms.c -- The terms of a law, through stages. [H 23]
  *
  * The derivative by the factor of a term is that by rho with the weights of this term
  * alone: each has a memory of what goes backwards. With W = (Delta/h)^-1 C(Delta/h) of it

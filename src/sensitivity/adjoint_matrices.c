@@ -1,5 +1,5 @@
 /* src/sensitivity/adjoint_matrices.c -- The run that goes backwards, with matrices.
- *                                                                     [Chapter 23]
+ *                                                                     [H 23]
  * K is constant, so that (23.2) can be taken at its word: the mirrored run is a run, by the
  * same stepper, of the same M, C and K, with 1 - kappa. It begins at J_p, its past is held,
  * and the slopes of J are its forces. What its memory should have of J_p and has not, as it

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_matrices.h -- The run that goes backwards, with matrices. [Chapter 23]
+/* src/sensitivity/adjoint_matrices.h -- The run that goes backwards, with matrices. [H 23]
  *
  * Internal: of runs with M, C and K. */
 #ifndef FVI_ADJOINT_MATRICES_H

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_multistep.c -- The run that goes backwards.                 [Chapter 23] */
+/* src/sensitivity/adjoint_multistep.c -- The run that goes backwards.                 [H 23] */
 #include "adjoint_multistep.h"
 
 #include "methods/damping.h"

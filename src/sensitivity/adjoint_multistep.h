@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_multistep.h -- The run that goes backwards.                 [Chapter 23]
+/* src/sensitivity/adjoint_multistep.h -- The run that goes backwards.                 [H 23]
  *
  * Internal: adjoint.c walks from node N to node 0; here is what happens there. */
 #ifndef FVI_ADJOINT_MULTISTEP_H

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_multistep_step.c -- A step of the run that goes backwards.   [Chapter 23] */
+/* src/sensitivity/adjoint_multistep_step.c -- A step of the run that goes backwards.   [H 23] */
 #include "adjoint_multistep.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_variable.c -- The run that goes backwards over its own mesh. [Chapter 23] */
+/* src/sensitivity/adjoint_variable.c -- The run that goes backwards over its own mesh. [H 23] */
 #include "adjoint_variable.h"
 
 #include "system/fail.h"

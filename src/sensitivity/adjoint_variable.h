@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_variable.h -- The run that goes backwards over its own mesh. [Chapter 23]
+/* src/sensitivity/adjoint_variable.h -- The run that goes backwards over its own mesh. [H 23]
  *
  * Internal: what adjoint.c has for fvi_variable_step. */
 #ifndef FVI_ADJOINT_VARIABLE_H

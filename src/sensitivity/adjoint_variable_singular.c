@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_variable_singular.c -- Where the past pulls, backwards over a mesh. [Chapter 23]
+/* src/sensitivity/adjoint_variable_singular.c -- Where the past pulls, backwards over a mesh. [H 23]
  */
 #include "adjoint_variable.h"
 

@@ -1,4 +1,4 @@
-/* src/sensitivity/adjoint_variable_solve.c -- A step backwards over a mesh.    [Chapter 23] */
+/* src/sensitivity/adjoint_variable_solve.c -- A step backwards over a mesh.    [H 23] */
 #include "adjoint_variable.h"
 
 #include "hessian_band.h"

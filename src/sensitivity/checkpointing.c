@@ -1,4 +1,4 @@
-/* src/sensitivity/checkpointing.c -- A trajectory, read from its end.           [Chapter 23] */
+/* src/sensitivity/checkpointing.c -- A trajectory, read from its end.           [H 23] */
 #include "checkpointing.h"
 
 #include "methods/lobatto_stages.h"

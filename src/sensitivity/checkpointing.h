@@ -1,4 +1,4 @@
-/* src/sensitivity/checkpointing.h -- A trajectory, read from its end.          [Chapter 23] */
+/* src/sensitivity/checkpointing.h -- A trajectory, read from its end.          [H 23] */
 #ifndef FVI_CHECKPOINTING_H
 #define FVI_CHECKPOINTING_H
 

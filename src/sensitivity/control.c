@@ -1,4 +1,4 @@
-/* src/sensitivity/control.c -- From here to there with the least force.  [Chapter 25] */
+/* src/sensitivity/control.c -- From here to there with the least force.  [H 25] */
 #include <fvi/control.h>
 
 #include <fvi/adjoint.h>

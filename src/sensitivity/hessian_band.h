@@ -1,4 +1,4 @@
-/* src/sensitivity/hessian_band.h -- A Hessian, entry by entry.             [Chapter 23]
+/* src/sensitivity/hessian_band.h -- A Hessian, entry by entry.             [H 23]
  *
  * Internal: for those who put Hessians of all stages into one matrix. */
 #ifndef FVI_HESSIAN_BAND_H

@@ -1,4 +1,4 @@
-/* src/sensitivity/recorded_steps.c -- A run of fvi_variable_step, step by step.      [Chapter 23] */
+/* src/sensitivity/recorded_steps.c -- A run of fvi_variable_step, step by step.      [H 23] */
 #include "recorded_steps.h"
 
 #include "system/fail.h"

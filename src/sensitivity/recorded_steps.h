@@ -1,4 +1,4 @@
-/* src/sensitivity/recorded_steps.h -- A run of fvi_variable_step, step by step.      [Chapter 23] */
+/* src/sensitivity/recorded_steps.h -- A run of fvi_variable_step, step by step.      [H 23] */
 #ifndef FVI_RECORDED_STEPS_H
 #define FVI_RECORDED_STEPS_H
 

@@ -1,4 +1,4 @@
-/* src/sensitivity/singular_start_adjoint.c -- A start that the past pulls, backwards.  [Chapter 23] */
+/* src/sensitivity/singular_start_adjoint.c -- A start that the past pulls, backwards.  [H 23] */
 #include "singular_start_adjoint.h"
 
 #include "system/fail.h"

@@ -1,4 +1,4 @@
-/* src/sensitivity/singular_start_adjoint.h -- A start that the past pulls, backwards.  [Chapter 23]
+/* src/sensitivity/singular_start_adjoint.h -- A start that the past pulls, backwards.  [H 23]
  *
  * Internal: what adjoint_variable.c has of the singular part G of a run,
  *

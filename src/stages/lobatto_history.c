@@ -1,5 +1,5 @@
 /* src/stages/lobatto_history.c -- The history of a derivative on Lobatto nodes.
- *                                                               [Chapter 17] */
+ *                                                               [H 17] */
 #include "lobatto_history.h"
 
 #include "lobatto_kernel.h"

@@ -1,5 +1,5 @@
 /* src/stages/lobatto_history.h -- The history of a derivative on Lobatto nodes.
- *                                                               [Chapter 17] */
+ *                                                               [H 17] */
 #ifndef FVI_LOBATTO_HISTORY_H
 #define FVI_LOBATTO_HISTORY_H
 

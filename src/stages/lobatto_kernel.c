@@ -1,4 +1,4 @@
-/* src/stages/lobatto_kernel.c -- Laws of damping on Lobatto nodes.          [Chapter 26] */
+/* src/stages/lobatto_kernel.c -- Laws of damping on Lobatto nodes.          [H 26] */
 #include "lobatto_kernel.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

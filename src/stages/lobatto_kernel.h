@@ -1,4 +1,4 @@
-/* src/stages/lobatto_kernel.h -- Laws of damping on Lobatto nodes.          [Chapter 26]
+/* src/stages/lobatto_kernel.h -- Laws of damping on Lobatto nodes.          [H 26]
  *
  *     C(Delta(z)/h) (Delta(z)/h)^(-1) = sum_n W_n z^n:                    (26.12)
  *

@@ -1,5 +1,5 @@
 /* src/stages/lobatto_modes.c -- The modes of a memory on Lobatto nodes, a step on.
- *                                                               [Chapter 17] */
+ *                                                               [H 17] */
 #include "lobatto_weights.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,4 +1,4 @@
-/* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [Chapter 17] */
+/* src/stages/lobatto_nodes.c -- Weights on Lobatto nodes as sums of powers. [H 17] */
 #include "lobatto_weights.h"
 
 #include "system/lu.h"

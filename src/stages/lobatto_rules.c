@@ -1,4 +1,4 @@
-/* src/stages/lobatto_rules.c -- The rules of Lobatto, of 2 to 8 nodes.   [Chapter 17] */
+/* src/stages/lobatto_rules.c -- The rules of Lobatto, of 2 to 8 nodes.   [H 17] */
 #include "lobatto_weights.h"
 
 #define R 2.23606797749978969641 /* sqrt(5) */

@@ -1,4 +1,4 @@
-/* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [Chapter 17] */
+/* src/stages/lobatto_weights.c -- Convolution quadrature on Lobatto nodes. [H 17] */
 #include "lobatto_weights.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

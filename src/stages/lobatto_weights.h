@@ -1,4 +1,4 @@
-/* src/stages/lobatto_weights.h -- Convolution quadrature on Lobatto nodes. [Chapter 17]
+/* src/stages/lobatto_weights.h -- Convolution quadrature on Lobatto nodes. [H 17]
  *
  *     Delta(z)^beta = sum_n W_n z^n,
  *     Delta(z) = (A + z/(1-z) 1 b^T)^(-1) = A^(-1) - (z/b_1) e_1 e_s^T   (17.5)

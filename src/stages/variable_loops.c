@@ -1,4 +1,4 @@
-/* src/stages/variable_loops.c -- The two loops over the modes.        [Chapter 22] */
+/* src/stages/variable_loops.c -- The two loops over the modes.        [H 22] */
 #include "variable_loops.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,5 +1,5 @@
 /* src/stages/variable_loops.h -- The two loops over the modes of variable steps; s is 6 or 8.
- *                                                                     [Chapter 22] */
+ *                                                                     [H 22] */
 #ifndef FVI_VARIABLE_LOOPS_H
 #define FVI_VARIABLE_LOOPS_H
 

@@ -1,4 +1,4 @@
-/* src/stages/variable_modes.c -- The past of variable steps, as modes. [Chapter 22] */
+/* src/stages/variable_modes.c -- The past of variable steps, as modes. [H 22] */
 #include "variable_modes.h"
 
 #include "system/fail.h"

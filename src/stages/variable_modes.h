@@ -1,4 +1,4 @@
-/* src/stages/variable_modes.h -- The past of variable steps, as modes. [Chapter 22]
+/* src/stages/variable_modes.h -- The past of variable steps, as modes. [H 22]
  *
  * What a derivative of order beta, -1 < beta < 1, remembers of velocities v is a sum
  * over modes w' = -sigma w + v, one for each sigma = exp(L j), j whole, L the spacing.

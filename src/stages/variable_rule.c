@@ -1,4 +1,4 @@
-/* src/stages/variable_rule.c -- The constants of steps of any length.  [Chapter 22] */
+/* src/stages/variable_rule.c -- The constants of steps of any length.  [H 22] */
 #include "variable_rule.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,4 +1,4 @@
-/* src/stages/variable_rule.h -- The constants of steps of any length.  [Chapter 22]
+/* src/stages/variable_rule.h -- The constants of steps of any length.  [H 22]
  *
  * With the s Lobatto nodes c, their weights B = diag(b) and the matrix D that
  * differentiates the polynomial through s values at them,

@@ -1,4 +1,4 @@
-/* src/stages/variable_table.c -- a(mu) of many modes.                 [Chapter 22] */
+/* src/stages/variable_table.c -- a(mu) of many modes.                 [H 22] */
 #include "variable_table.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

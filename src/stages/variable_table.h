@@ -1,4 +1,4 @@
-/* src/stages/variable_table.h -- a(mu) of many modes.                 [Chapter 22] */
+/* src/stages/variable_table.h -- a(mu) of many modes.                 [H 22] */
 #ifndef FVI_VARIABLE_TABLE_H
 #define FVI_VARIABLE_TABLE_H
 

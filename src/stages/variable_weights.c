@@ -1,4 +1,4 @@
-/* src/stages/variable_weights.c -- What the modes are read with.       [Chapter 22] */
+/* src/stages/variable_weights.c -- What the modes are read with.       [H 22] */
 #include "variable_weights.h"
 
 #include "variable_table.h"

@@ -1,4 +1,4 @@
-/* src/stages/variable_weights.h -- What the modes are read with.       [Chapter 22] */
+/* src/stages/variable_weights.h -- What the modes are read with.       [H 22] */
 #ifndef FVI_VARIABLE_WEIGHTS_H
 #define FVI_VARIABLE_WEIGHTS_H
 

@@ -1,4 +1,4 @@
-/* src/system/expression.c -- A parsed sum, term by term.               [Chapter 9] */
+/* src/system/expression.c -- A parsed sum, term by term.               [H 9] */
 #include <fvi/expression.h>
 
 #include "enclosure.h"

@@ -1,4 +1,4 @@
-/* src/system/lu.c -- Factors of a small full matrix.                    [Chapter 17] */
+/* src/system/lu.c -- Factors of a small full matrix.                    [H 17] */
 #include "lu.h"
 
 #include <gsl/gsl_machine.h>

@@ -1,4 +1,4 @@
-/* src/system/lu.h -- Factors of a small full matrix.                    [Chapter 17] */
+/* src/system/lu.h -- Factors of a small full matrix.                    [H 17] */
 #ifndef FVI_LU_H
 #define FVI_LU_H
 

@@ -1,4 +1,4 @@
-/* src/system/newton.c -- The one equation that a step has to solve.     [Chapter 2] */
+/* src/system/newton.c -- The one equation that a step has to solve.     [H 2] */
 #include "newton_stages.h"
 
 #include "system/fail.h"

@@ -1,11 +1,11 @@
-/* src/system/newton.h -- The one equation that a step has to solve.     [Chapter 2]
+/* src/system/newton.h -- The one equation that a step has to solve.     [H 2]
  *
  *     A d + s grad U(x + theta d) = r      for d in R^d,            (2.10)
  *
  * with A diagonal. Every integrator of this library meets the new position in
  * this form and no other: the start and the step of Algorithms 1, 2 and 3
  * (A = m/h, s = kappa h, theta = 1 - kappa) and the implicit Euler method; and the
- * integrators of chapter 17, several d at a time. */
+ * integrators of H 17, several d at a time. */
 #ifndef FVI_NEWTON_H
 #define FVI_NEWTON_H
 

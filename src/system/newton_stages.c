@@ -1,4 +1,4 @@
-/* src/system/newton_stages.c -- The equations of the stages, their Jacobian. [Chapter 2] */
+/* src/system/newton_stages.c -- The equations of the stages, their Jacobian. [H 2] */
 #include "newton_stages.h"
 
 #include "system/fail.h"

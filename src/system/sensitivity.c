@@ -1,4 +1,4 @@
-/* src/system/sensitivity.c -- How a potential depends on its parameters. [Chapter 23] */
+/* src/system/sensitivity.c -- How a potential depends on its parameters. [H 23] */
 #include <fvi/sensitivity.h>
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* src/system/stiffness.c -- A bound of the eigenvalues of a Hessian.  [Chapter 18] */
+/* src/system/stiffness.c -- A bound of the eigenvalues of a Hessian.  [H 18] */
 #include "stiffness.h"
 #include "system/larger.h"
 

@@ -1,4 +1,4 @@
-/* src/system/stiffness.h -- A bound of the eigenvalues of a Hessian.  [Chapter 18] */
+/* src/system/stiffness.h -- A bound of the eigenvalues of a Hessian.  [H 18] */
 #ifndef FVI_STIFFNESS_H
 #define FVI_STIFFNESS_H
 

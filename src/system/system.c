@@ -1,4 +1,4 @@
-/* src/system/system.c -- A mechanical system, as data.                  [Chapter 2] */
+/* src/system/system.c -- A mechanical system, as data.                  [H 2] */
 #include <fvi/system.h>
 
 #include "system/fail.h"

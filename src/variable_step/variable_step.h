@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step.h -- What a run with variable steps keeps.     [Chapter 22]
+/* src/variable_step/variable_step.h -- What a run with variable steps keeps.     [H 22]
  *
  * Internal: variable_step_start.c makes it, variable_step_state.c holds it, variable_steps.c steps
  * with it, variable_step_solve.c solves the equation of a step, variable_step_dense.c has what is

@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_band.c -- Newton's correction of all coordinates, where their
- * Hessian has few diagonals.                                          [Chapter 22] */
+ * Hessian has few diagonals.                                          [H 22] */
 #include "variable_step_band.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

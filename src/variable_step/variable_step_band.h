@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_band.h -- Newton's correction of all coordinates, where their
- * Hessian has few diagonals.                                          [Chapter 22]
+ * Hessian has few diagonals.                                          [H 22]
  *
  * With one Hessian H for all stages of a step the corrections eps_j of its velocities
  * solve, L_j = m_j A^{-1} + rho_j h^{1-beta} W0,

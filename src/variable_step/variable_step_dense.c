@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [Chapter 22] */
+/* src/variable_step/variable_step_dense.c -- Between the ends of a step, and behind it. [H 22] */
 #include "variable_step.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_guess.c -- Where the iteration of a step begins. [Chapter 22] */
+/* src/variable_step/variable_step_guess.c -- Where the iteration of a step begins. [H 22] */
 #include "variable_step.h"
 
 #include <fvi/error.h>

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_length.c -- How long the next step may be.      [Chapter 22] */
+/* src/variable_step/variable_step_length.c -- How long the next step may be.      [H 22] */
 #include "variable_step.h"
 
 #include <fvi/error.h>

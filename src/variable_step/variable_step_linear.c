@@ -1,5 +1,5 @@
 /* src/variable_step/variable_step_linear.c -- The equation of a step where grad U = g + c (x - x_k),
- * coordinate by coordinate, g at the step's start.                    [Chapter 22]
+ * coordinate by coordinate, g at the step's start.                    [H 22]
  *
  *     [L + c h^2 to_x] delta = R - h (g + c (base - x_k))                  (22.14)
  *

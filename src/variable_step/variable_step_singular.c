@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_singular.c -- The start that is not smooth.    [Chapter 22]
+/* src/variable_step/variable_step_singular.c -- The start that is not smooth.    [H 22]
  *
  * A body that was held, or put at x0, and has to forget it (19.3):
  *

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_solve.c -- The equation of a step.             [Chapter 22]
+/* src/variable_step/variable_step_solve.c -- The equation of a step.             [H 22]
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *

@@ -1,4 +1,4 @@
-/* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [Chapter 22] */
+/* src/variable_step/variable_step_start.c -- A run with variable steps begins.   [H 22] */
 #include "variable_step.h"
 
 #include "system/fail.h"

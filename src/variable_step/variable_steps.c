@@ -1,4 +1,4 @@
-/* src/variable_step/variable_steps.c -- Steps of any length.               [Chapter 22]
+/* src/variable_step/variable_steps.c -- Steps of any length.               [H 22]
  *
  * A step from t_k to t_k + h, for each coordinate, with v_k = p_k / m and the unknown
  * delta = V - v_k 1, V the velocities at the s stages:

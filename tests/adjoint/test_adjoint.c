@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint.c -- Chapter 23.          Run alone: make test-adjoint */
+/* tests/adjoint/test_adjoint.c -- H 23.          Run alone: make test-adjoint */
 #include "adjoint_runs.h"
 
 #include "adjoint_ref.h"

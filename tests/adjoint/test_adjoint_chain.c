@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_chain.c -- Chapter 23: many coordinates.
+/* tests/adjoint/test_adjoint_chain.c -- H 23: many coordinates.
  *                                        Run alone: make test-adjoint_chain */
 #include "complex_run.h"
 #include "harness/full_chain.h"

@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_factors.c -- Chapter 23: derivatives by factors of matrices.
+/* tests/adjoint/test_adjoint_factors.c -- H 23: derivatives by factors of matrices.
  *                                        Run alone: make test-adjoint_factors */
 #include "structures/structures_runs.h"
 

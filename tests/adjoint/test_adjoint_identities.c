@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_identities.c -- Chapter 23: reciprocity, Taylor, errors.
+/* tests/adjoint/test_adjoint_identities.c -- H 23: reciprocity, Taylor, errors.
  *                                      Run alone: make test-adjoint_identities */
 #include "adjoint_runs.h"
 

@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_laws.c -- Chapter 23: laws of damping.
+/* tests/adjoint/test_adjoint_laws.c -- H 23: laws of damping.
  *                                        Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
 #include "stages/lobatto_weights.h"

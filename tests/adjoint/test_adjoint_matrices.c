@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_matrices.c -- Chapter 23: systems with matrices.
+/* tests/adjoint/test_adjoint_matrices.c -- H 23: systems with matrices.
  *                                        Run alone: make test-adjoint_matrices */
 #include "structures/structures_runs.h"
 #include "system/larger.h"

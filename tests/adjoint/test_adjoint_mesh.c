@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_mesh.c -- Chapter 23: steps of any length.
+/* tests/adjoint/test_adjoint_mesh.c -- H 23: steps of any length.
  *                                        Run alone: make test-adjoint_mesh */
 #include "adjoint_meshes.h"
 #include "stages/variable_modes.h"

@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_mesh_pull.c -- Chapter 23: steps of any length, where the past
+/* tests/adjoint/test_adjoint_mesh_pull.c -- H 23: steps of any length, where the past
  * pulls the start.                     Run alone: make test-adjoint_mesh_pull */
 #include "adjoint_meshes.h"
 #include "variable_step/variable_step.h"

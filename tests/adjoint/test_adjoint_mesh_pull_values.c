@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_mesh_pull_values.c -- Chapter 23: steps of any length, where the
+/* tests/adjoint/test_adjoint_mesh_pull_values.c -- H 23: steps of any length, where the
  * past pulls the start, against derivatives of 25 digits.
  *                               Run alone: make test-adjoint_mesh_pull_values */
 #include "adjoint_runs.h"

@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_mesh_values.c -- Chapter 23: steps of any length, against
+/* tests/adjoint/test_adjoint_mesh_values.c -- H 23: steps of any length, against
  * derivatives of 40 digits.        Run alone: make test-adjoint_mesh_values */
 #include "adjoint_runs.h"
 

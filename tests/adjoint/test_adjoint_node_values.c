@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_node_values.c -- Chapter 23: methods without stages, against
+/* tests/adjoint/test_adjoint_node_values.c -- H 23: methods without stages, against
  * derivatives of 40 digits.        Run alone: make test-adjoint_node_values */
 #include "adjoint_runs.h"
 

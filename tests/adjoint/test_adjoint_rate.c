@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_rate.c -- Chapter 23: the derivative of the memory by its
+/* tests/adjoint/test_adjoint_rate.c -- H 23: the derivative of the memory by its
  * order.                                          Run alone: make test-adjoint_rate */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
@@ -109,7 +109,7 @@ END_TEST
 
 /* (23.11): the nodes of (12.7) read with the other coefficients, |error| within
  * delta (|w_n| (1/nu + 1/(1-nu) + ln n)); at nu = 0 and 1 the first two brackets times
- * |w_n| are their limits, 1/n and 1/(n (n - 1)). Rounding as in chapter 12: 120 u.
+ * |w_n| are their limits, 1/n and 1/(n (n - 1)). Rounding as in H 12: 120 u.
  * No proof. Seen: 0.075 of it. */
 START_TEST(eq_23_11_the_modes_read_a_second_time_give_the_rates)
 {

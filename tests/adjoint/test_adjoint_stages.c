@@ -1,4 +1,4 @@
-/* tests/adjoint/test_adjoint_stages.c -- Chapter 23: methods with stages, and identities
+/* tests/adjoint/test_adjoint_stages.c -- H 23: methods with stages, and identities
  * that every method has to keep.       Run alone: make test-adjoint_stages */
 #include "adjoint_runs.h"
 #include "stages/lobatto_weights.h"

@@ -1,4 +1,4 @@
-/* tests/balance/balance_runs.h -- Schemes and systems of the tests of Chapter 21. */
+/* tests/balance/balance_runs.h -- Schemes and systems of the tests of H 21. */
 #ifndef BALANCE_RUNS_H
 #define BALANCE_RUNS_H
 

@@ -5,7 +5,7 @@
  *
  * where G_k is grad U at x_k (NODE); its mean with weights 1/4, 1/2, 1/4 over x_{k-1}, x_k,
  * x_{k+1} (MEAN, Newmark's average acceleration); or the whole equation at k + 1, G and D
- * too (BACK, the matrix method (10.9)). D_k is that of chapter 9 for a body that was held.
+ * too (BACK, the matrix method (10.9)). D_k is that of H 9 for a body that was held.
  * U = |x|^2 / 2 + g |x|^4 / 4 in one dimension or in the plane, so that a new x lies on
  * the ray of what is known. VARIED names the FVI with kappa = 1/2, for the tangents. */
 #ifndef DIFFERENCES_H

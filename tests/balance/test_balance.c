@@ -1,4 +1,4 @@
-/* tests/balance/test_balance.c -- Chapter 21: Green's identity and reciprocity.
+/* tests/balance/test_balance.c -- H 21: Green's identity and reciprocity.
  *                                         Run alone: make test-balance */
 #include "balance/balance_runs.h"
 #include "balance/balance_ref.h"

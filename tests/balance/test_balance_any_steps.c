@@ -1,4 +1,4 @@
-/* tests/balance/test_balance_any_steps.c -- Chapter 21: the energy of form D, whatever
+/* tests/balance/test_balance_any_steps.c -- H 21: the energy of form D, whatever
  * the steps. Run alone: make test-balance_any_steps */
 #include <fvi/error.h>
 #include <fvi/variable_steps.h>

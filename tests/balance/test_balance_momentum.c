@@ -1,4 +1,4 @@
-/* tests/balance/test_balance_momentum.c -- Chapter 21: momenta and energy.
+/* tests/balance/test_balance_momentum.c -- H 21: momenta and energy.
  *                                Run alone: make test-balance_momentum */
 #include "balance/balance_runs.h"
 #include "balance/balance_ref.h"

@@ -1,4 +1,4 @@
-/* tests/bench/bench.h -- A clock, and on which machine it ran.     [Chapters 12, 18]
+/* tests/bench/bench.h -- A clock, and on which machine it ran.     [H 12, 18]
  * The file that includes this asks for _POSIX_C_SOURCE 200809L first. */
 #ifndef BENCH_H
 #define BENCH_H

@@ -1,4 +1,4 @@
-/* tests/bench/bench_adjoint.c -- Chapter 23: what a mirrored run costs.
+/* tests/bench/bench_adjoint.c -- H 23: what a mirrored run costs.
  *
  * Prints a table; some seconds. A Duffing oscillator, F = cos(t)/4, h = 1/128, alpha =
  * 5/16. A time is that of the processor, for a step, the least of several: of the run; of

@@ -1,4 +1,4 @@
-/* tests/bench/bench_blocks.c -- Chapter 28: one push of many coordinates, by blocks and
+/* tests/bench/bench_blocks.c -- H 28: one push of many coordinates, by blocks and
  * without; what the machine could do at best; a wave of a million unknowns.
  *
  * Prints a table in blocks (gnuplot: index 0, 1, ...). Two minutes, 1.3 gigabytes. The

@@ -1,4 +1,4 @@
-/* tests/bench/bench_chain.c -- Chapter 12: what a long chain costs.
+/* tests/bench/bench_chain.c -- H 12: what a long chain costs.
  *
  * Prints three tables; some twenty seconds. A chain of d masses between two walls,
  * springs r + r^3 / 2, mass 1, h = 0.1, kappa = 1/2. A time is that of the processor,

@@ -1,9 +1,9 @@
-/* tests/bench/bench_memory.c -- Chapter 12: what the three memories take.
+/* tests/bench/bench_memory.c -- H 12: what the three memories take.
  *
  * Prints a table in blocks (gnuplot: index 0, 1, ...); the progress is on
  * standard error. Some twenty seconds. Every run is the Bagley-Torvik equation
  *     x'' + D^{3/2} x + x = F(t),  F = 8 for t <= 1, then 0,  x(0) = x'(0) = 0,
- * to T = 20, by the integrator of chapter 9. A time is the least of several. */
+ * to T = 20, by the integrator of H 9. A time is the least of several. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "bench.h"

@@ -1,4 +1,4 @@
-/* tests/bench/bench_precision.c -- Chapter 18: run time against error. Prints tab separated
+/* tests/bench/bench_precision.c -- H 18: run time against error. Prints tab separated
  * tables to be kept in figures/step_search/step_search.tsv, and the sentences of the
  * chapter that say who is ahead: `make bench`, some minutes.
  *
@@ -28,7 +28,7 @@ static void find_truth(int P, double *truth)
                   : reference(p, 16, p->panel, truth))
         exit(EXIT_FAILURE);
     printf("# P%d, %s: compared with %s\n", P + 1, p->what,
-           p->linear ? "the exact solution of chapter 11"
+           p->linear ? "the exact solution of H 11"
                      : "collocation in long double, tests/bench/reference.c");
 }
 

@@ -1,4 +1,4 @@
-/* tests/bench/bench_prototype.c -- Chapter 22: beside the prototype.
+/* tests/bench/bench_prototype.c -- H 22: beside the prototype.
  * Tables to be kept in figures/variable_steps/prototype.tsv; `make bench`.
  *
  * Steps of any length were first tried in a throwaway program for one coordinate, whose

@@ -1,4 +1,4 @@
-/* tests/bench/bench_structures.c -- Chapter 27: what a long wave costs.
+/* tests/bench/bench_structures.c -- H 27: what a long wave costs.
  *
  * u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, Algorithm 3
  * with kappa = 1: 1000 steps with the whole past, against the same mode as one oscillator;

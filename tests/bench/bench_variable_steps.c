@@ -1,4 +1,4 @@
-/* tests/bench/bench_variable_steps.c -- Chapter 22: what steps of any length take.
+/* tests/bench/bench_variable_steps.c -- H 22: what steps of any length take.
  * Tables to be kept in figures/variable_steps/variable_steps.tsv; `make bench`.
  *
  *     plate     x'' + D^{3/2} x + x = 8 for t <= 1, then 0, at rest, T = 20

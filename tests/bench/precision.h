@@ -1,5 +1,5 @@
 /* tests/bench/precision.h -- The runs of the benchmark, and what is printed of them.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #ifndef PRECISION_H
 #define PRECISION_H
 

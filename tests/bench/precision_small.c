@@ -1,5 +1,5 @@
 /* tests/bench/precision_small.c -- What small and long runs cost: precision.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, posix_spawn, uname */
 #include "precision.h"
 #include "bench.h"

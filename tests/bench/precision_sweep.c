@@ -1,4 +1,4 @@
-/* tests/bench/precision_sweep.c -- The runs of the benchmark: precision.h. [Chapter 18] */
+/* tests/bench/precision_sweep.c -- The runs of the benchmark: precision.h. [H 18] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "precision.h"
 #include "bench.h"

@@ -1,5 +1,5 @@
 /* tests/bench/precision_tables.c -- The tables of the benchmark: precision.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "precision.h"
 #include "system/larger.h"
 

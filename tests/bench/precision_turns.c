@@ -1,5 +1,5 @@
 /* tests/bench/precision_turns.c -- The runs near the front, timed in turn: precision.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "precision.h"
 
 #include <gsl/gsl_sort.h>

@@ -1,5 +1,5 @@
 /* tests/bench/precision_words.c -- The sentences that say who is ahead: precision.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "precision.h"
 
 #include <gsl/gsl_math.h>

@@ -1,4 +1,4 @@
-/* tests/bench/problems.c -- The eleven problems of the benchmark.       [Chapter 18] */
+/* tests/bench/problems.c -- The eleven problems of the benchmark.       [H 18] */
 #include "problems.h"
 
 #include <gsl/gsl_math.h>

@@ -1,4 +1,4 @@
-/* tests/bench/problems.h -- The eleven problems of the benchmark.       [Chapter 18] */
+/* tests/bench/problems.h -- The eleven problems of the benchmark.       [H 18] */
 #ifndef PROBLEMS_H
 #define PROBLEMS_H
 
@@ -11,7 +11,7 @@ enum { ROWS = 80, PROBLEMS = 11 };
  *   what     in words
  *   T        rows at k T / ROWS, k = 0, ..., ROWS
  *   jump     the time at which the force jumps, 0 if it does not
- *   linear   for the exact solution (chapter 11), if d = 1 and U is quadratic; else NULL
+ *   linear   for the exact solution (H 11), if d = 1 and U is quadratic; else NULL
  *   panel    the longest panel that reference() needs
  *   seconds  a run longer than this is not tried again with more steps */
 typedef struct {

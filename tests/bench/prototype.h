@@ -1,5 +1,5 @@
 /* tests/bench/prototype.h -- What the prototype of steps of any length did, as it was
- * measured: its errors, its steps, its microseconds on its machine.       [Chapter 22] */
+ * measured: its errors, its steps, its microseconds on its machine.       [H 22] */
 #ifndef BENCH_PROTOTYPE_H
 #define BENCH_PROTOTYPE_H
 

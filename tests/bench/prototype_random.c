@@ -1,4 +1,4 @@
-/* tests/bench/prototype_random.c -- Chapter 22: beside the prototype, on random problems. */
+/* tests/bench/prototype_random.c -- H 22: beside the prototype, on random problems. */
 #include "variable.h"
 #include "prototype.h"
 #include "variable_step/variable_step.h"

@@ -1,5 +1,5 @@
 /* tests/bench/reference.c -- What the methods are compared with: problems.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "problems.h"
 #include "system/larger.h"
 

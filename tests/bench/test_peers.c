@@ -1,4 +1,4 @@
-/* tests/bench/test_peers.c -- Chapter 18.  Run alone: make test-peers
+/* tests/bench/test_peers.c -- H 18.  Run alone: make test-peers
  *
  * What ours are measured against must be right, or a lead means nothing: each peer
  * converges to the truth at the order that its publication states, and the truth agrees

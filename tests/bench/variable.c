@@ -1,4 +1,4 @@
-/* tests/bench/variable.c -- Runs with steps of any length, for two benchmarks. [Chapter 22] */
+/* tests/bench/variable.c -- Runs with steps of any length, for two benchmarks. [H 22] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
 #include "bench.h"

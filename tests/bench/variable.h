@@ -1,4 +1,4 @@
-/* tests/bench/variable.h -- Runs with steps of any length, for two benchmarks. [Chapter 22] */
+/* tests/bench/variable.h -- Runs with steps of any length, for two benchmarks. [H 22] */
 #ifndef BENCH_VARIABLE_H
 #define BENCH_VARIABLE_H
 

@@ -1,4 +1,4 @@
-/* tests/blocks/test_blocks.c -- Chapter 28.       Run alone: make test-blocks */
+/* tests/blocks/test_blocks.c -- H 28.       Run alone: make test-blocks */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 #include "memory/history_tiled.h"

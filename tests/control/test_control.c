@@ -1,4 +1,4 @@
-/* tests/control/test_control.c -- Chapter 25.           Run alone: make test-control */
+/* tests/control/test_control.c -- H 25.           Run alone: make test-control */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 

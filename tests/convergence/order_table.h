@@ -1,4 +1,4 @@
-/* tests/convergence/order_table.h -- Chapter 20: the table of orders, every method and every
+/* tests/convergence/order_table.h -- H 20: the table of orders, every method and every
  * past. alpha is neither 0 nor 1, kappa = 1/2, v_0 is not 0. */
 #ifndef ORDER_TABLE_H
 #define ORDER_TABLE_H

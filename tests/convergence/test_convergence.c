@@ -1,4 +1,4 @@
-/* tests/convergence/test_convergence.c -- Chapter 20: the velocity form, lemmas, constants.
+/* tests/convergence/test_convergence.c -- H 20: the velocity form, lemmas, constants.
  * Run alone: make test-convergence */
 #include "motions.h"
 #include "order_table.h"
@@ -211,7 +211,7 @@ START_TEST(eq_20_8_what_is_no_motion_is_refused)
 }
 END_TEST
 
-/* The series is the motion: of a spring that of Chapter 11, to 1e-13. */
+/* The series is the motion: of a spring that of H 11, to 1e-13. */
 START_TEST(the_series_is_the_motion_of_a_spring)
 {
     static series alone;

@@ -1,4 +1,4 @@
-/* tests/convergence/test_convergence_bound.c -- Chapter 20: runs, and what bounds their errors.
+/* tests/convergence/test_convergence_bound.c -- H 20: runs, and what bounds their errors.
  * Run alone: make test-convergence_bound */
 #include "motions.h"
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* tests/convergence/test_convergence_orders.c -- Chapter 20: the table of orders, every
+/* tests/convergence/test_convergence_orders.c -- H 20: the table of orders, every
  * method and every past, on a spring and on Duffing's oscillator, from a generic start.
  * Run alone: make test-convergence_orders */
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/convolution_quadrature_runs.h -- The methods that the runs of Chapter 13
+/* tests/convolution_quadrature/convolution_quadrature_runs.h -- The methods that the runs of H 13
  * go through. */
 #ifndef CONVOLUTION_QUADRATURE_RUNS_H
 #define CONVOLUTION_QUADRATURE_RUNS_H

@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/test_convolution_quadrature.c -- Chapter 13: the weights.
+/* tests/convolution_quadrature/test_convolution_quadrature.c -- H 13: the weights.
  * Run alone: make test-convolution_quadrature */
 #include <fvi/convolution_quadrature.h>
 #include <fvi/convolution_quadrature_stability.h>
@@ -159,7 +159,7 @@ END_TEST
 
 /* H_{k+1} = ahead + dx, whatever the kind: a sum done in another order, where a
  * term is rounded once more. (k + 50) u sum |w_n| max|x| on either side; the FFT
- * as in Chapter 12. Seen: 6.7e-16. */
+ * as in H 12. Seen: 6.7e-16. */
 START_TEST(eq_13_10_the_next_sum_is_known_but_for_the_next_increment)
 {
     enum { N = 300, D = 3 };

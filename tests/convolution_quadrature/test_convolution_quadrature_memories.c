@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_memories.c -- Chapter 13: the same run by every
+/* tests/convolution_quadrature/test_convolution_quadrature_memories.c -- H 13: the same run by every
  * memory, and the runs that are refused.
  * Run alone: make test-convolution_quadrature_memories */
 #include "harness/fvi_runs.h"
@@ -42,7 +42,7 @@ static void motion(const fvi_method *method, int which, double alpha, size_t N,
 }
 
 /* The promise of memory.h is 1e-13 max |x|; a factor of 10 for motions that part,
- * and for the factor of BDF2, sum |g_n| <= 4. FFT: rounding only, as in Chapter 12.
+ * and for the factor of BDF2, sum |g_n| <= 4. FFT: rounding only, as in H 12.
  * Bagley and Torvik, a quartic chain, a driven pendulum. Seen: 1.2e-14. */
 //> memories
 START_TEST(eq_13_11_all_memories_give_the_same_trajectory)

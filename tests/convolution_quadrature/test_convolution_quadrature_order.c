@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_order.c -- Chapter 13: the orders.
+/* tests/convolution_quadrature/test_convolution_quadrature_order.c -- H 13: the orders.
  * Run alone: make test-convolution_quadrature_order */
 #include <fvi/exact_solution.h>
 #include "harness/fvi_runs.h"

@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_runs.c -- Chapter 13: both integrators of order
+/* tests/convolution_quadrature/test_convolution_quadrature_runs.c -- H 13: both integrators of order
  * 2 against exact values and against what is known of them.
  * Run alone: make test-convolution_quadrature_runs */
 #include "harness/fvi_runs.h"
@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-/* As in Chapter 9: what two runs may differ by that are equal but for rounding.
+/* As in H 9: what two runs may differ by that are equal but for rounding.
  * A rounding in a step acts like an impulse, a run answers a unit impulse with G;
  * in each step some 20 roundings of the size of p, h grad U (8 h X), h F and
  * m x / h, and (n + 50) u times sum |w_n| |x| <= 16^alpha X in the memory, twice. */
@@ -165,7 +165,7 @@ START_TEST(eq_13_10_only_damped_coordinates_remember)
 }
 END_TEST
 
-/* As in Chapter 9: each mode of a chain moves as one mass does. Seen: 1.3e-15, 0.00015
+/* As in H 9: each mode of a chain moves as one mass does. Seen: 1.3e-15, 0.00015
  * of the bound. */
 START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
 {

@@ -1,4 +1,4 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_stability.c -- Chapter 13: the edge of
+/* tests/convolution_quadrature/test_convolution_quadrature_stability.c -- H 13: the edge of
  * stability. Run alone: make test-convolution_quadrature_stability */
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/convolution_quadrature_stability.h>

@@ -1,5 +1,5 @@
 /* tests/damping_laws/law_runs.h -- The laws of the references, and derivatives of runs with a
- * law, for the tests of Chapter 26. */
+ * law, for the tests of H 26. */
 #ifndef LAW_RUNS_H
 #define LAW_RUNS_H
 

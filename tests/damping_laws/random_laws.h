@@ -1,4 +1,4 @@
-/* tests/damping_laws/random_laws.h -- Laws by chance, for the tests of Chapter 26. */
+/* tests/damping_laws/random_laws.h -- Laws by chance, for the tests of H 26. */
 #ifndef RANDOM_LAWS_H
 #define RANDOM_LAWS_H
 

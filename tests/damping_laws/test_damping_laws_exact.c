@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_exact.c -- Chapter 26: the exact solution of the linear
+/* tests/damping_laws/test_damping_laws_exact.c -- H 26: the exact solution of the linear
  * problem, for laws. Run alone: make test-damping_laws_exact */
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"

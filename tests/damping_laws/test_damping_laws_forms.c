@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_forms.c -- Chapter 26: laws on stages, form M and its
+/* tests/damping_laws/test_damping_laws_forms.c -- H 26: laws on stages, form M and its
  * load, and the derivatives of both forms. Run alone: make test-damping_laws_forms */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_memory.c -- Chapter 26: the memory of a law, by its
+/* tests/damping_laws/test_damping_laws_memory.c -- H 26: the memory of a law, by its
  * weights and by its modes.
  * Run alone: make test-damping_laws_memory */
 #include <fvi/fvi.h>

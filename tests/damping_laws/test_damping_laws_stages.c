@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_stages.c -- Chapter 26: the weights of laws on
+/* tests/damping_laws/test_damping_laws_stages.c -- H 26: the weights of laws on
  * Lobatto nodes.
  * Run alone: make test-damping_laws_stages */
 #include <fvi/fvi.h>
@@ -66,7 +66,7 @@ START_TEST(eq_26_12_weights_match_cauchys_integral)
 }
 END_TEST
 
-/* One power in two halves has chapter 17's weights, which are of order 2 alpha - 1 and
+/* One power in two halves has H 17's weights, which are of order 2 alpha - 1 and
  * without h: to those header's 1000 u of the largest in the first four, and 100 u, twice.
  * Seen: 0.15 of it. */
 START_TEST(eq_26_12_a_power_has_the_weights_of_chapter_17)
@@ -149,7 +149,7 @@ START_TEST(eq_26_12_a_fraction_times_its_denominator)
 }
 END_TEST
 
-/* The memory by modes against that by all weights: what chapter 17 promises, for random
+/* The memory by modes against that by all weights: what H 17 promises, for random
  * laws of three terms and a random v. Seen: 0.17 of it. */
 START_TEST(eq_26_12_modes_are_the_weights)
 {

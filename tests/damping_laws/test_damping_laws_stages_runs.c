@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_stages_runs.c -- Chapter 26: runs on Lobatto nodes
+/* tests/damping_laws/test_damping_laws_stages_runs.c -- H 26: runs on Lobatto nodes
  * with a law.
  * Run alone: make test-damping_laws_stages_runs */
 #include <fvi/fvi.h>

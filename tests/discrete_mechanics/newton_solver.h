@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/newton_solver.h -- A solver of (2.10), for the tests of Chapter 2. */
+/* tests/discrete_mechanics/newton_solver.h -- A solver of (2.10), for the tests of H 2. */
 #ifndef NEWTON_SOLVER_H
 #define NEWTON_SOLVER_H
 

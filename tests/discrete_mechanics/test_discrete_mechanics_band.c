@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_band.c -- Chapter 2: the matrix of a step.
+/* tests/discrete_mechanics/test_discrete_mechanics_band.c -- H 2: the matrix of a step.
  * Run alone: make test-discrete_mechanics_band */
 #include <fvi/lobatto.h>
 #include "newton_solver.h"

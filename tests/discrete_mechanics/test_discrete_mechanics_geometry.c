@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_geometry.c -- Chapter 2: areas and energy.
+/* tests/discrete_mechanics/test_discrete_mechanics_geometry.c -- H 2: areas and energy.
  * Run alone: make test-discrete_mechanics_geometry */
 #include <fvi/discrete_mechanics.h>
 #include <fvi/error.h>

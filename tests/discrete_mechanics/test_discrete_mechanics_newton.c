@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_newton.c -- Chapter 2: the equation of a step.
+/* tests/discrete_mechanics/test_discrete_mechanics_newton.c -- H 2: the equation of a step.
  * Run alone: make test-discrete_mechanics_newton */
 #include <fvi/lobatto.h>
 #include "newton_solver.h"

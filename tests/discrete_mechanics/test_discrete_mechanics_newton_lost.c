@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_newton_lost.c -- Chapter 2: where Newton's method alone is lost.
+/* tests/discrete_mechanics/test_discrete_mechanics_newton_lost.c -- H 2: where Newton's method alone is lost.
  * Run alone: make test-discrete_mechanics_newton_lost */
 #include <fvi/convolution_quadrature_methods.h>
 #include "newton_solver.h"

@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_own.c -- Chapter 2: a potential that solves
+/* tests/discrete_mechanics/test_discrete_mechanics_own.c -- H 2: a potential that solves
  * the equation of a step for itself. A membrane, SIDE x SIDE masses in a frame, each
  * tied to its four neighbours; its Hessian is never written down.
  * Run alone: make test-discrete_mechanics_own */

@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_sweep.c -- Chapter 2: a thousand nonlinear runs.
+/* tests/discrete_mechanics/test_discrete_mechanics_sweep.c -- H 2: a thousand nonlinear runs.
  * Run alone: make test-discrete_mechanics_sweep */
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/error.h>

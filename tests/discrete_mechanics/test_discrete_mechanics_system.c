@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_system.c -- Chapter 2: systems as data.
+/* tests/discrete_mechanics/test_discrete_mechanics_system.c -- H 2: systems as data.
  * Run alone: make test-discrete_mechanics_system */
 #include <fvi/error.h>
 #include <fvi/system.h>

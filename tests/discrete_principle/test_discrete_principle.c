@@ -1,4 +1,4 @@
-/* tests/discrete_principle/test_discrete_principle.c -- Chapter 6.
+/* tests/discrete_principle/test_discrete_principle.c -- H 6.
  * Run alone: make test-discrete_principle */
 #include <fvi/fvi.h>
 #include <fvi/paper/discrete_principle.h>
@@ -95,7 +95,7 @@ static double gx[MOST], gy[MOST];
 /* ---- values ---- */
 
 /* One row of a table: the action and all its derivatives. (2 N + 16) u times
- * the sizes of the terms: a weight (1 ulp) times a Delta (k + 4, Chapter 5)
+ * the sizes of the terms: a weight (1 ulp) times a Delta (k + 4, H 5)
  * in a sum of at most N + 1 terms, h^-alpha twice, and less for L_d. Rows
  * marked exact have data so short that nothing is rounded: 0.
  * Seen: exact 0, else 0.09 of the bound. */

@@ -1,4 +1,4 @@
-/* tests/discrete_principle/test_discrete_principle_past.c -- Chapter 6: an action that knows the
+/* tests/discrete_principle/test_discrete_principle_past.c -- H 6: an action that knows the
  * past. Run alone: make test-discrete_principle_past */
 #include <fvi/fvi.h>
 #include <fvi/paper/discrete_principle.h>

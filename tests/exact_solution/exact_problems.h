@@ -1,4 +1,4 @@
-/* tests/exact_solution/exact_problems.h -- What the tests of Chapter 11 share. */
+/* tests/exact_solution/exact_problems.h -- What the tests of H 11 share. */
 #ifndef EXACT_PROBLEMS_H
 #define EXACT_PROBLEMS_H
 

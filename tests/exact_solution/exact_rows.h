@@ -1,4 +1,4 @@
-/* tests/exact_solution/exact_rows.h -- What the tests of all rows at once share. [Chapter 11] */
+/* tests/exact_solution/exact_rows.h -- What the tests of all rows at once share. [H 11] */
 #ifndef EXACT_ROWS_H
 #define EXACT_ROWS_H
 

@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution.c -- Chapter 11: values, order, errors.
+/* tests/exact_solution/test_exact_solution.c -- H 11: values, order, errors.
  * Run alone: make test-exact_solution */
 #include <fvi/fvi.h>
 #include "reference/exact_inverse.h"

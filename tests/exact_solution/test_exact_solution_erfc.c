@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution_erfc.c -- Chapter 11, by another road: for alpha = 1/4
+/* tests/exact_solution/test_exact_solution_erfc.c -- H 11, by another road: for alpha = 1/4
  * and 3/4 the transform is rational in w = sqrt(s), and its inverse is a sum of
  * complex error functions, here libcerf's.
  * Run alone: make test-exact_solution_erfc */

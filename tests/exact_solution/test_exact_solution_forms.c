@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution_forms.c -- Chapter 11: closed forms and series.
+/* tests/exact_solution/test_exact_solution_forms.c -- H 11: closed forms and series.
  * Run alone: make test-exact_solution_forms */
 #include "exact_problems.h"
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution_identities.c -- Chapter 11: identities.
+/* tests/exact_solution/test_exact_solution_identities.c -- H 11: identities.
  * Run alone: make test-exact_solution_identities */
 #include "exact_problems.h"
 

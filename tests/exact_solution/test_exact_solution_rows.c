@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution_rows.c -- Chapter 11: all rows at once.
+/* tests/exact_solution/test_exact_solution_rows.c -- H 11: all rows at once.
  * Run alone: make test-exact_solution_rows */
 #include "reference/exact_window.h"
 #include "exact_rows.h"

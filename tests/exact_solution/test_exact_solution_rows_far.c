@@ -1,4 +1,4 @@
-/* tests/exact_solution/test_exact_solution_rows_far.c -- Chapter 11: rows far out, rows that are
+/* tests/exact_solution/test_exact_solution_rows_far.c -- H 11: rows far out, rows that are
  * lost, and what is no problem.
  * Run alone: make test-exact_solution_rows_far */
 #include "exact_rows.h"

@@ -1,4 +1,4 @@
-/* tests/existence/existence_runs.h -- Forces and iterations, for the tests of Chapter 15. */
+/* tests/existence/existence_runs.h -- Forces and iterations, for the tests of H 15. */
 #ifndef EXISTENCE_RUNS_H
 #define EXISTENCE_RUNS_H
 

@@ -1,4 +1,4 @@
-/* tests/existence/test_existence.c -- Chapter 15.   Run alone: make test-existence */
+/* tests/existence/test_existence.c -- H 15.   Run alone: make test-existence */
 #include <fvi/paper/fractional_derivative.h>
 #include "existence_runs.h"
 

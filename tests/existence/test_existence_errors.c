@@ -1,4 +1,4 @@
-/* tests/existence/test_existence_errors.c -- Chapter 15: the error of the grid, and what is
+/* tests/existence/test_existence_errors.c -- H 15: the error of the grid, and what is
  * refused. Run alone: make test-existence_errors */
 #include "existence_runs.h"
 

@@ -1,4 +1,4 @@
-/* tests/experiments/test_experiments.c -- Chapter 10, the yardsticks; what is measured with
+/* tests/experiments/test_experiments.c -- H 10, the yardsticks; what is measured with
  * them is in test_experiments_panels.c and test_experiments_bagley_torvik.c.
  * Run alone: make test-experiments */
 #include <fvi/fvi.h>

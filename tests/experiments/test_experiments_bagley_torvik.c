@@ -1,4 +1,4 @@
-/* tests/experiments/test_experiments_bagley_torvik.c -- Chapter 10, x'' + x + D^(3/2) x = F,
+/* tests/experiments/test_experiments_bagley_torvik.c -- H 10, x'' + x + D^(3/2) x = F,
  * F = 8 up to t = 1, then 0, at rest: by the FVI and by the matrix method.
  * Run alone: make test-experiments_bagley_torvik */
 #include <fvi/fvi.h>

@@ -1,4 +1,4 @@
-/* tests/experiments/test_experiments_panels.c -- Chapter 10, the numbers in the panels of the
+/* tests/experiments/test_experiments_panels.c -- H 10, the numbers in the panels of the
  * oscillator.                        Run alone: make test-experiments_panels */
 #include <fvi/fvi.h>
 #include <fvi/paper/algorithm_3.h>

@@ -1,5 +1,5 @@
 /* tests/fractional_derivative/fractional_derivative_curves.h -- Curves with their derivatives, for the
- * tests of Chapter 1. */
+ * tests of H 1. */
 #ifndef FRACTIONAL_DERIVATIVE_CURVES_H
 #define FRACTIONAL_DERIVATIVE_CURVES_H
 

@@ -1,4 +1,4 @@
-/* tests/fvi/test_fvi.c -- Chapter 9: Algorithm 3 against exact values, against itself
+/* tests/fvi/test_fvi.c -- H 9: Algorithm 3 against exact values, against itself
  * as printed, against what is known of it. Run alone: make test-fvi */
 #include "harness/fvi_runs.h"
 

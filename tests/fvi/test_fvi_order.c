@@ -1,4 +1,4 @@
-/* tests/fvi/test_fvi_order.c -- Chapter 9: rounding and order of Algorithm 3.
+/* tests/fvi/test_fvi_order.c -- H 9: rounding and order of Algorithm 3.
  * Run alone: make test-fvi_order */
 #include "harness/fvi_runs.h"
 

@@ -1,4 +1,4 @@
-/* tests/half_derivative/test_half_derivative.c -- Chapter 7.
+/* tests/half_derivative/test_half_derivative.c -- H 7.
  * Run alone: make test-half_derivative */
 #include <fvi/fvi.h>
 #include <fvi/paper/algorithm_3.h>
@@ -35,7 +35,7 @@ START_TEST(eq_7_2_products_match_the_definition)
 }
 END_TEST
 
-/* (7.1): (k + 6) u for each of the two sums (chapter 5, with at most k + 1 terms)
+/* (7.1): (k + 6) u for each of the two sums (H 5, with at most k + 1 terms)
  * times h^(-2 alpha) sum sum |alpha_n alpha_p z|. Seen: 0.18 of that. */
 START_TEST(eq_7_1_two_derivatives_match_the_double_sum)
 {

@@ -1,4 +1,4 @@
-/* tests/harness/fvi_runs.h -- Runs of one line each, for the tests of Chapter 9. */
+/* tests/harness/fvi_runs.h -- Runs of one line each, for the tests of H 9. */
 #ifndef FVI_RUNS_H
 #define FVI_RUNS_H
 

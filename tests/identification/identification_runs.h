@@ -1,5 +1,5 @@
 /* tests/identification/identification_runs.h -- Fits to data of known parameters, for the
- * tests of Chapter 24. */
+ * tests of H 24. */
 #ifndef IDENTIFICATION_RUNS_H
 #define IDENTIFICATION_RUNS_H
 

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification.c -- Chapter 24: are the parameters found, and
+/* tests/identification/test_identification.c -- H 24: are the parameters found, and
  * is what is said of their errors true?
  * Run alone: make test-identification */
 #include "identification_runs.h"

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_answers.c -- Chapter 24: when is an estimate
+/* tests/identification/test_identification_answers.c -- H 24: when is an estimate
  * not to be believed?
  * Run alone: make test-identification_answers */
 #include "identification_runs.h"

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_moduli.c -- Chapter 24: an order from storage and
+/* tests/identification/test_identification_moduli.c -- H 24: an order from storage and
  * loss.
  * Run alone: make test-identification_moduli */
 #include "identification_runs.h"

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_profile.c -- Chapter 24: profiles.
+/* tests/identification/test_identification_profile.c -- H 24: profiles.
  *                                        Run alone: make test-identification_profile */
 #include "identification_runs.h"
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_questions.c -- Chapter 24: what cannot be asked,
+/* tests/identification/test_identification_questions.c -- H 24: what cannot be asked,
  * and where the answer is looked for.
  * Run alone: make test-identification_questions */
 #include "identification_runs.h"

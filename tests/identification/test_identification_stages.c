@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_stages.c -- Chapter 24: slopes through stages.
+/* tests/identification/test_identification_stages.c -- H 24: slopes through stages.
  *                                        Run alone: make test-identification_stages */
 #include "identification_runs.h"
 
@@ -31,7 +31,7 @@ static int last_p(size_t k, size_t d, const double *x, const double *p,
 }
 
 /* The slopes of x_N and p_N from the run that goes backwards, which has no line of code in
- * common and stands against numbers of 72 digits (chapter 23). The memory of the slopes is
+ * common and stands against numbers of 72 digits (H 23). The memory of the slopes is
  * compressed to 1e-10, some 1e-9 of the largest; Seen: 2e-11. */
 START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
 {

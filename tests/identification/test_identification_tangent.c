@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_tangent.c -- Chapter 24: the derivatives that ride
+/* tests/identification/test_identification_tangent.c -- H 24: the derivatives that ride
  * along with a run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"

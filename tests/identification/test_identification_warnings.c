@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_warnings.c -- Chapter 24: what a fit that is not to
+/* tests/identification/test_identification_warnings.c -- H 24: what a fit that is not to
  * be believed says.
  * Run alone: make test-identification_warnings */
 #include "identification_runs.h"

@@ -1,4 +1,4 @@
-/* tests/integration_by_parts/test_integration_by_parts.c -- Chapter 5: identities, and
+/* tests/integration_by_parts/test_integration_by_parts.c -- H 5: identities, and
  * the orders of both operators.
  * Run alone: make test-integration_by_parts */
 #include "both.h"

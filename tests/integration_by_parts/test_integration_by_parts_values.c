@@ -1,4 +1,4 @@
-/* tests/integration_by_parts/test_integration_by_parts_values.c -- Chapter 5: the values of
+/* tests/integration_by_parts/test_integration_by_parts_values.c -- H 5: the values of
  * both operators, and what they refuse.
  * Run alone: make test-integration_by_parts_values */
 #include "both.h"

@@ -1,4 +1,4 @@
-/* tests/legendre/test_legendre.c -- Chapter 8.   Run alone: make test-legendre */
+/* tests/legendre/test_legendre.c -- H 8.   Run alone: make test-legendre */
 #include <fvi/error.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/integration_by_parts.h>
@@ -83,8 +83,8 @@ static int ramp(double t, size_t d, void *params, double *F)
 /* A run of Algorithm 3, three masses in a quartic chain, two of them damped, and a
  * force: at every node the momentum is F^- of the step ahead and F^+ of the step
  * behind. Each stored x is rounded, and the slopes multiply that by m/h; with the
- * 10 roundings of p and of each slope less than 64 u m max|x| / h (Chapter 2).
- * The two sums of chapter 5 add at most 2 (N + 5) u h rho h^(-2 alpha)
+ * 10 roundings of p and of each slope less than 64 u m max|x| / h (H 2).
+ * The two sums of H 5 add at most 2 (N + 5) u h rho h^(-2 alpha)
  * (sum |alpha_n|)^2 max|x|, where sum |alpha_n| <= 2. Seen: 0.005 of the bound. */
 START_TEST(eq_8_3_momenta_match_at_every_node)
 {

@@ -1,4 +1,4 @@
-/* tests/legendre/test_legendre_order.c -- Chapter 8: starts and momenta, and what they do to
+/* tests/legendre/test_legendre_order.c -- H 8: starts and momenta, and what they do to
  * the order. Run alone: make test-legendre_order */
 #include <fvi/error.h>
 #include <fvi/paper/half_derivative.h>
@@ -126,7 +126,7 @@ START_TEST(eq_8_8_three_momenta_all_of_order_1)
 END_TEST
 
 /* Without damping and with kappa = 1/2 the matched momentum has order 2, the
- * quotient order 1. Duffing, c = g = 1, x = A cn (Chapter 2). h = 1/160 to 1/320:
+ * quotient order 1. Duffing, c = g = 1, x = A cn (H 2). h = 1/160 to 1/320:
  * |slope - order| below 0.04 allows a second coefficient 9 times the first.
  * Seen: within 0.014. */
 START_TEST(eq_8_8_the_quotient_loses_an_order_without_damping)

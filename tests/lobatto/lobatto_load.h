@@ -1,4 +1,4 @@
-/* tests/lobatto/lobatto_load.h -- The load of one mass, for the tests of Chapter 17. */
+/* tests/lobatto/lobatto_load.h -- The load of one mass, for the tests of H 17. */
 #ifndef LOBATTO_LOAD_H
 #define LOBATTO_LOAD_H
 

@@ -1,4 +1,4 @@
-/* tests/lobatto/lobatto_pairs.h -- Two runs that must be equal, for the tests of Chapter 17. */
+/* tests/lobatto/lobatto_pairs.h -- Two runs that must be equal, for the tests of H 17. */
 #ifndef LOBATTO_PAIRS_H
 #define LOBATTO_PAIRS_H
 

@@ -1,4 +1,4 @@
-/* tests/lobatto/lobatto_runs.h -- Runs in one dimension, for the tests of Chapter 17. */
+/* tests/lobatto/lobatto_runs.h -- Runs in one dimension, for the tests of H 17. */
 #ifndef LOBATTO_RUNS_H
 #define LOBATTO_RUNS_H
 

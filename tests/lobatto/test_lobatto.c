@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto.c -- Chapter 17: the matrices W_n and the sums over them.
+/* tests/lobatto/test_lobatto.c -- H 17: the matrices W_n and the sums over them.
  * Run alone: make test-lobatto */
 #include <fvi/error.h>
 #include "harness/ulp.h"

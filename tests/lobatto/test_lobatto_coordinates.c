@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_coordinates.c -- Chapter 17: several coordinates, by what must be
+/* tests/lobatto/test_lobatto_coordinates.c -- H 17: several coordinates, by what must be
  * equal to what. Run alone: make test-lobatto_coordinates */
 #include "lobatto_pairs.h"
 

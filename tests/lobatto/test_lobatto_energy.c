@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_energy.c -- Chapter 17: stability and energy of form D.
+/* tests/lobatto/test_lobatto_energy.c -- H 17: stability and energy of form D.
  * Run alone: make test-lobatto_energy */
 #include <fvi/stability.h>
 #include "lobatto_runs.h"

@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_errors.c -- Chapter 17: corrected momenta, what is not taken
+/* tests/lobatto/test_lobatto_errors.c -- H 17: corrected momenta, what is not taken
  * and what is refused. Run alone: make test-lobatto_errors */
 #include "lobatto_runs.h"
 #include "stages/lobatto_history.h"

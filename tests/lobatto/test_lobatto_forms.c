@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_forms.c -- Chapter 17: form M and form D beside each other:
+/* tests/lobatto/test_lobatto_forms.c -- H 17: form M and form D beside each other:
  * orders. Run alone: make test-lobatto_forms */
 #include <fvi/exact_solution.h>
 #include "lobatto_runs.h"

@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_load.c -- Chapter 17: the load, against what is known of the
+/* tests/lobatto/test_lobatto_load.c -- H 17: the load, against what is known of the
  * symbol without a run. Run alone: make test-lobatto_load */
 #include <fvi/lobatto.h>
 

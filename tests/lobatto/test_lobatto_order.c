@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_order.c -- Chapter 17: the orders, measured.
+/* tests/lobatto/test_lobatto_order.c -- H 17: the orders, measured.
  * Run alone: make test-lobatto_order */
 #include <fvi/exact_solution.h>
 #include "lobatto_runs.h"

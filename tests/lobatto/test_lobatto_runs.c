@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_runs.c -- Chapter 17: the integrators in one dimension, by
+/* tests/lobatto/test_lobatto_runs.c -- H 17: the integrators in one dimension, by
  * what must be equal to what. Run alone: make test-lobatto_runs */
 #include "harness/energy.h"
 

@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_stability.c -- Chapter 17: how long a step may be, by runs.
+/* tests/lobatto/test_lobatto_stability.c -- H 17: how long a step may be, by runs.
  * Run alone: make test-lobatto_stability */
 #include "lobatto_load.h"
 #include "lobatto_runs.h"

@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_stages.c -- Chapter 17: from 2 to 8 stages.
+/* tests/lobatto/test_lobatto_stages.c -- H 17: from 2 to 8 stages.
  * Run alone: make test-lobatto_stages */
 #include "lobatto_runs.h"
 #include "lobatto_stages_ref.h"

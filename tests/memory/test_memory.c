@@ -1,4 +1,4 @@
-/* tests/memory/test_memory.c -- Chapter 12.       Run alone: make test-memory */
+/* tests/memory/test_memory.c -- H 12.       Run alone: make test-memory */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/memory.h>
@@ -157,7 +157,7 @@ END_TEST
 
 /* d coordinates share the nodes and nothing else: bit for bit what d memories
  * of dimension one give, whatever the kind. (Many coordinates of exponentials go
- * another way: the tests of chapter 28.) */
+ * another way: the tests of H 28.) */
 static void ck_assert_many_memories(size_t D, size_t N)
 {
     const double betas[] = { 0.3, 1, 1.7 };

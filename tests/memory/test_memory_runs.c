@@ -1,4 +1,4 @@
-/* tests/memory/test_memory_runs.c -- Chapter 12: whole runs, and what they take.
+/* tests/memory/test_memory_runs.c -- H 12: whole runs, and what they take.
  *                                      Run alone: make test-memory_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/past/past_runs.h -- Runs in one dimension, for the tests of Chapter 19. */
+/* tests/past/past_runs.h -- Runs in one dimension, for the tests of H 19. */
 #ifndef PAST_RUNS_H
 #define PAST_RUNS_H
 

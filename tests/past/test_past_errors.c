@@ -1,4 +1,4 @@
-/* tests/past/test_past_errors.c -- Chapter 19: refusals, coordinates, defaults.
+/* tests/past/test_past_errors.c -- H 19: refusals, coordinates, defaults.
  * Run alone: make test-past_errors */
 #include <fvi/discrete_mechanics.h>
 #include "past_runs.h"

@@ -1,4 +1,4 @@
-/* tests/past/test_past_order.c -- Chapter 19: the orders for every past.
+/* tests/past/test_past_order.c -- H 19: the orders for every past.
  * Run alone: make test-past_order */
 #include "past_runs.h"
 #include "system/larger.h"
@@ -8,7 +8,7 @@ static double x[MOST + 1], p[MOST + 1], times[MOST + 1];
 static double want_x[MOST + 1], want_p[MOST + 1];
 static size_t known; /* they are exact, at the nodes of so many steps; or 0 */
 
-/* ---- the table of Chapter 19 ---- */
+/* ---- the table of H 19 ---- */
 
 enum { OF_X, OF_P };
 
@@ -128,7 +128,7 @@ static const double alphas[] = {
 };
 
 /* Strong damping, so that what is singular shows; weaker where fvi and fvi-bdf2
- * would not be stable (Chapter 14). */
+ * would not be stable (H 14). */
 static problem linear(size_t i, double p0)
 {
     const double alpha = alphas[i / METHODS / LEN(pasts)];

@@ -17,7 +17,7 @@ static double last_x(const char *words)
     return strtod(row, NULL);
 }
 
-/* The lines of (26.9) and of chapter 11, to 1e-12: two ways to sum 400 terms. */
+/* The lines of (26.9) and of H 11, to 1e-12: two ways to sum 400 terms. */
 START_TEST(a_power_is_alpha_and_rho)
 {
     const double law = last_x("--damping power:0.3,0.35 --steps 400"),

@@ -64,7 +64,7 @@ START_TEST(what_error_was_reached_is_said_if_not_the_one_asked_for)
 }
 END_TEST
 
-/* The bound of chapter 14: R = rho h / m = 2 at alpha = kappa = 1/2. */
+/* The bound of H 14: R = rho h / m = 2 at alpha = kappa = 1/2. */
 START_TEST(an_unstable_step_is_warned_of)
 {
     ck_assert_int_eq(fvi("run --rho 1.99 --h 1 --steps 3"), 0);

@@ -363,7 +363,7 @@ def test_what_is_handed_over_may_be_thrown_away():
 
 
 def test_the_notebook_is_executed(tmp_path):
-    """Chapter 10's first panel and a fit, from the script to what stands below the cells."""
+    """H 10's first panel and a fit, from the script to what stands below the cells."""
     out = tmp_path / "n.ipynb"
     build = [sys.executable, "src/python/notebook/build.py"]
     subprocess.run([*build, "src/python/notebook/experiments.py", str(out)], check=True)

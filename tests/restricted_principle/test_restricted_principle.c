@@ -1,4 +1,4 @@
-/* tests/restricted_principle/test_restricted_principle.c -- Chapter 3.
+/* tests/restricted_principle/test_restricted_principle.c -- H 3.
  * Run alone: make test-restricted_principle */
 #include <fvi/error.h>
 #include <fvi/paper/restricted_principle.h>

@@ -1,4 +1,4 @@
-/* tests/restricted_principle/test_restricted_principle_past.c -- Chapter 3: an action that knows the
+/* tests/restricted_principle/test_restricted_principle_past.c -- H 3: an action that knows the
  * past. Run alone: make test-restricted_principle_past */
 #include <fvi/error.h>
 #include <fvi/paper/restricted_principle.h>

@@ -132,7 +132,7 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                     if (fvi_stepper_start(fvi_methods[m], &run, &whole))
                         continue; /* not for this method */
                     if (fvi_methods[m]
-                            ->dense) { /* steps of its own: chapter 22 */
+                            ->dense) { /* steps of its own: H 22 */
                         fvi_stepper_free(whole);
                         continue;
                     }

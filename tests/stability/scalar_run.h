@@ -1,4 +1,4 @@
-/* tests/stability/scalar_run.h -- The scalar problem, for the tests of Chapter 14. */
+/* tests/stability/scalar_run.h -- The scalar problem, for the tests of H 14. */
 #ifndef SCALAR_RUN_H
 #define SCALAR_RUN_H
 

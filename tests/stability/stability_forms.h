@@ -1,4 +1,4 @@
-/* tests/stability/stability_forms.h -- Chapter 14: forms of one integrator that differ by
+/* tests/stability/stability_forms.h -- H 14: forms of one integrator that differ by
  * rounding only, for the tests and the figure.
  *
  * Bagley-Torvik: x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest, kappa = 1/2,

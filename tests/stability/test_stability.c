@@ -1,4 +1,4 @@
-/* tests/stability/test_stability.c -- Chapter 14: the load, and the largest step.
+/* tests/stability/test_stability.c -- H 14: the load, and the largest step.
  * Run alone: make test-stability */
 #include "scalar_run.h"
 

@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_along.c -- Chapter 14: where a run has come to.
+/* tests/stability/test_stability_along.c -- H 14: where a run has come to.
  * Run alone: make test-stability_along */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

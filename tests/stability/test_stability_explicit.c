@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_explicit.c -- Chapter 14: Euler's explicit method.
+/* tests/stability/test_stability_explicit.c -- H 14: Euler's explicit method.
  * Run alone: make test-stability_explicit */
 #include "scalar_run.h"
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_rounding.c -- Chapter 14: what rounding does to three forms
+/* tests/stability/test_stability_rounding.c -- H 14: what rounding does to three forms
  * of one integrator. Run alone: make test-stability_rounding */
 #include <fvi/error.h>
 #include "harness/ulp.h"

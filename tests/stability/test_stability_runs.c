@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_runs.c -- Chapter 14: what grows, in the symbol and in runs.
+/* tests/stability/test_stability_runs.c -- H 14: what grows, in the symbol and in runs.
  * Run alone: make test-stability_runs */
 #include "scalar_run.h"
 #include "harness/full_chain.h"

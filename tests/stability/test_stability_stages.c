@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_stages.c -- Chapter 14: how many modes of Lobatto's form M
+/* tests/stability/test_stability_stages.c -- H 14: how many modes of Lobatto's form M
  * grow, counted around the circle. Run alone: make test-stability_stages */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

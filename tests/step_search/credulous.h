@@ -1,5 +1,5 @@
 /* tests/step_search/credulous.h -- A search that believes its estimate, for the tests of
- * Chapter 18: what it accepts and is wrong, fvi_step_search has to refuse. */
+ * H 18: what it accepts and is wrong, fvi_step_search has to refuse. */
 #ifndef CREDULOUS_H
 #define CREDULOUS_H
 

@@ -1,5 +1,5 @@
 /* tests/step_search/step_search_runs.h -- Random linear problems, and searches of their step
- * that are compared with the exact solution, for the tests of Chapter 18. */
+ * that are compared with the exact solution, for the tests of H 18. */
 #ifndef STEP_SEARCH_RUNS_H
 #define STEP_SEARCH_RUNS_H
 

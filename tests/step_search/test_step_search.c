@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search.c -- Chapter 18: does the error that was asked for come?
+/* tests/step_search/test_step_search.c -- H 18: does the error that was asked for come?
  * Run alone: make test-step_search */
 #include "step_search_runs.h"
 #include "system/larger.h"

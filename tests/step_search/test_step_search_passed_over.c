@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_passed_over.c -- Chapter 18: steps that are no steps.
+/* tests/step_search/test_step_search_passed_over.c -- H 18: steps that are no steps.
  * Run alone: make test-step_search_passed_over
  *
  * All of it under error handlers that end the process, GSL's and one of ours: a step

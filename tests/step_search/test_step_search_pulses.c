@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_pulses.c -- Chapter 18: no pulse of the force hides
+/* tests/step_search/test_step_search_pulses.c -- H 18: no pulse of the force hides
  * between the nodes. Run alone: make test-step_search_pulses */
 #include "harness/ulp.h"
 #include "variable_steps/pulse_problems.h"
@@ -83,7 +83,7 @@ END_TEST
 int main(void)
 {
     gsl_set_error_handler_off();
-    Suite *suite = suite_create("chapter 18: pulses of the force");
+    Suite *suite = suite_create("H 18: pulses of the force");
     ADD_CASE(suite, "pulses", eq_18_8_no_pulse_of_an_expression_is_missed,
              a_longest_step_sees_what_no_bound_says);
     return run_suite(suite);

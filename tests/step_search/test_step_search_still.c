@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_still.c -- Chapter 18: a spring that no step
+/* tests/step_search/test_step_search_still.c -- H 18: a spring that no step
  * resolves. Run alone: make test-step_search_still */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/structures/structures_runs.h -- Systems of matrices, for the tests of Chapter 27. */
+/* tests/structures/structures_runs.h -- Systems of matrices, for the tests of H 27. */
 #ifndef STRUCTURES_RUNS_H
 #define STRUCTURES_RUNS_H
 

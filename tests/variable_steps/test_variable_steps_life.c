@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_life.c -- Chapter 22: the life of a stepper, its
+/* tests/variable_steps/test_variable_steps_life.c -- H 22: the life of a stepper, its
  * copies, what is saved of it, what ends it.   Run alone: make test-variable_steps_life */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_limits.c -- Chapter 22: what steps of any
+/* tests/variable_steps/test_variable_steps_limits.c -- H 22: what steps of any
  * length do not do. Run alone: make test-variable_steps_limits */
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>
@@ -223,7 +223,7 @@ START_TEST(a_fast_spring_is_followed_through_every_period)
 }
 END_TEST
 
-/* Without damping variable steps lose the balance of chapter 2: the energy of x'' + x^3 = 0
+/* Without damping variable steps lose the balance of H 2: the energy of x'' + x^3 = 0
  * drifts as the time, also in form M. Twice the time, between 1.2 and 3 times as far.
  * (Not at every tolerance: some steps happen to balance.) */
 START_TEST(without_damping_the_energy_drifts)

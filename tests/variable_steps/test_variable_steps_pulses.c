@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_pulses.c -- Chapter 22: no pulse of the force
+/* tests/variable_steps/test_variable_steps_pulses.c -- H 22: no pulse of the force
  * hides between the stages of a step. Run alone: make test-variable_steps_pulses */
 #include "harness/ulp.h"
 #include "pulse_problems.h"
@@ -118,7 +118,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("chapter 22: pulses of the force");
+    Suite *suite = suite_create("H 22: pulses of the force");
     ADD_CASE(suite, "pulses", eq_22_25_no_pulse_of_an_expression_is_missed,
              eq_22_25_a_smooth_force_takes_the_same_steps,
              eq_22_25_what_has_no_bound_is_passed,

@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_runs.c -- Chapter 22: runs.
+/* tests/variable_steps/test_variable_steps_runs.c -- H 22: runs.
  * Run alone: make test-variable_steps_runs */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_starts.c -- Chapter 22: starts that are not
+/* tests/variable_steps/test_variable_steps_starts.c -- H 22: starts that are not
  * smooth, and such at rest. Run alone: make test-variable_steps_starts */
 #include <fvi/exact_solution.h>
 #include <fvi/fvi.h>

@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_step.c -- Chapter 22: the equation of a step,
+/* tests/variable_steps/test_variable_steps_step.c -- H 22: the equation of a step,
  * between its points, and what a start does to the modes.
  * Run alone: make test-variable_steps_step */
 #include "harness/ulp.h"

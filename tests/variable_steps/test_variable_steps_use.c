@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps_use.c -- Chapter 22: many masses, jumps that
+/* tests/variable_steps/test_variable_steps_use.c -- H 22: many masses, jumps that
  * nobody declared, a wanted error.
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>

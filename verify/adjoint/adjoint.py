@@ -1,4 +1,4 @@
-"""Chapter 23. The discrete adjoint of a fractional variational integrator.
+"""H 23. The discrete adjoint of a fractional variational integrator.
 
 Proved here:
   (23.2)  P B^T P = B#: generic weights, kappa, Hessians, shift (N = 5); in integers for
@@ -20,7 +20,7 @@ from sympy import (Matrix, Rational, cos, diff, exp, expand, log, pi,
                    series, sin, symbols)
 
 from shared.adjoint_runs import BITS, fixed, in_step, real
-from shared.refgen import claim, header, hexd, hexd_real, nearest, prove, short, table
+from shared.refgen import METHODS, initial_history, claim, header, hexd, hexd_real, nearest, prove, short, table
 
 # ---- the transpose ----
 
@@ -303,8 +303,8 @@ def row(method, past, alpha, kappa, N, h, x0, force):
     (_, x, p), slopes = derivatives(q, names, force)
     if "x0" not in names:
         slopes.insert(0, None)
-    return ([f"&fvi_{dict(fvi='fractional').get(method, method)}",
-             f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha),
+    return ([f"&fvi_{METHODS[method]}",
+             initial_history(past), repr(alpha),
              repr(kappa), N, repr(h), repr(x0), force]
             + [nearest(v) for v in (x, p)]
             + ["NAN" if v is None else nearest(v) for v in slopes])

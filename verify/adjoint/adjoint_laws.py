@@ -1,4 +1,4 @@
-"""Chapter 23. Derivatives by the exponents and times of a law of damping.
+"""H 23. Derivatives by the exponents and times of a law of damping.
 
 Proved here:
   (23.21) the derivatives of each symbol by its numbers, in the symbol and ln s; and that a
@@ -16,7 +16,7 @@ from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify,
 
 from shared.adjoint_chain import D5, N as N6, LawChain, numbers
 from shared.arithmetic import HALF, TINY, UNITS, ZERO, Dual, apart, dot, dual
-from shared.refgen import claim, header, hexd, nearest, prove, table
+from shared.refgen import METHODS, claim, header, hexd, nearest, prove, table
 
 # ---- the symbols ----
 
@@ -152,7 +152,7 @@ def doubles(values):
 
 
 def law(terms):
-    return literal(f"{{ FVI_LAW_{kind}, {', '.join(hexd(Rational(v)) for v in numbers)} }}"
+    return literal(f"{{ FVI_KERNEL_{kind}, {', '.join(hexd(Rational(v)) for v in numbers)} }}"
                    for kind, *numbers in terms)
 
 
@@ -177,14 +177,14 @@ def derivatives(method, kappa, terms, data):
 random, rows = Random(2321), []
 uniform = lambda a, b: round(random.uniform(a, b) * 2**20) / 2**20
 for which in range(12):
-    for method, name in (("fvi", "fractional"), ("bdf2", "bdf2"), ("stable", "stable")):
+    for method in ("fvi", "bdf2", "stable"):
         terms = drawn(random, which, 0.97)
         data = dict(x0=[uniform(-1, 1) for _ in range(D)], p0=[uniform(-1, 1) for _ in range(D)],
                     mass=[uniform(0.5, 2) for _ in range(D)], rho=[uniform(0.2, 1.5), 0.5],
                     cg=[uniform(0.5, 2), uniform(0.2, 1)])
         kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
         want = derivatives(method, mpf(kappa), terms, data)
-        rows.append([f"&fvi_{name}", hexd(Rational(kappa)), law(terms)]
+        rows.append([f"&fvi_{METHODS[method]}", hexd(Rational(kappa)), law(terms)]
                     + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
                     + [literal(map(nearest, want))])
 
@@ -226,7 +226,7 @@ for which in range(10):
     own, want = want[3:], want[:3] + [mpf(0)] * 9
     for (place, _, factor), slope in zip(slopes, own):
         want[3 + place] = factor * slope
-    staged.append([f"&fvi_lobatto{s}d", law(terms)]
+    staged.append([f"&fvi_lobatto_d{s}", law(terms)]
                   + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
                   + [literal(map(nearest, want))])
 

@@ -1,4 +1,4 @@
-"""Chapter 23. Systems of matrices: derivatives by factors of M, C and K, and by the order.
+"""H 23. Systems of matrices: derivatives by factors of M, C and K, and by the order.
 
 Proved here:
   (23.19) what the factors give, with a shift, a drift and the pull of a past, for d = 2 and
@@ -15,7 +15,7 @@ from mpmath import mp, mpc, mpf
 from sympy import Matrix, Rational, diff, expand, symbols
 
 from shared.arithmetic import HALF, ONE, TINY, UNITS, ZERO, Dual, apart, dot, dual, fixed
-from shared.refgen import header, hexd, nearest, prove, table
+from shared.refgen import METHODS, initial_history, header, hexd, nearest, prove, table
 
 # ---- what the factors give ----
 
@@ -93,7 +93,6 @@ for shift, share in ((theta, half), (0, 1)):  # (13.7); Algorithm 3
 
 mp.dps = 100
 D, N, STEP = 3, 12, mpf(1) / 16
-METHODS = {"fvi": "fractional", "shifted": "shifted", "bdf2": "bdf2", "stable": "stable"}
 BY_M, BY_C, BY_ALPHA, BY_K = UNITS[:4]
 
 
@@ -205,7 +204,7 @@ def problem(random, method, past, alpha):
     want = apart(run(method, past, mpf(alpha), dual(mpf(kappa)), *q, *start).d, 4)
     flat = lambda A: "{ " + ", ".join(hexd(Rational(v)) for row in A for v in row) + " }"
     line = lambda v: "{ " + ", ".join(v) + " }"
-    return [f"&fvi_{METHODS[method]}", f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}",
+    return [f"&fvi_{METHODS[method]}", initial_history(past),
             repr(alpha), hexd(Rational(kappa)), flat(M), flat(C), flat(K),
             line(hexd(Rational(v)) for v in x0), line(hexd(Rational(v)) for v in p0),
             line(nearest(v) for v in want)]

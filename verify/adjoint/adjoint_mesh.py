@@ -1,4 +1,4 @@
-"""Chapter 23. Steps of any length: derivatives of chains of five masses on a given mesh.
+"""H 23. Steps of any length: derivatives of chains of five masses on a given mesh.
 
 The runs and their slopes are those of adjoint_steps.py, in dual numbers of 45 digits."""
 from random import Random
@@ -10,7 +10,7 @@ from sympy import Rational
 from shared.adjoint_chain import D5, numbers
 from shared.adjoint_steps import Mesh, literal, powers
 from shared.arithmetic import BITS, ZERO, dual, real_function
-from shared.refgen import claim, header, hexd, table
+from shared.refgen import initial_history, claim, header, hexd, table
 
 mp.dps = 72
 UNIT = 2**-20
@@ -38,7 +38,7 @@ def chain(random, past, alpha):
     want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
                       + [("cg", 0), ("cg", 1), ("alpha", 0)]
                       + [("F", i) for i in (0, 12, len(q["F"]) - 1)])
-    return ([f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha)]
+    return ([initial_history(past), repr(alpha)]
             + [literal(map(mpf, data[k])) for k in ("x0", "p0", "mass", "rho", "cg")] + [literal(want)])
 
 

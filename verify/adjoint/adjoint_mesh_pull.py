@@ -1,4 +1,4 @@
-"""Chapter 23. Steps of any length, where the past pulls the start.
+"""H 23. Steps of any length, where the past pulls the start.
 
 Proved: (23.24) term by term, with what (22.20) sums; (23.25) for three steps, two and three stages, two
 modes, all else symbols; (23.26) for the modes of (22.7). Printed: derivatives of chains of five
@@ -15,7 +15,7 @@ from shared.adjoint_chain import D5
 from shared.adjoint_kernels import tilted
 from shared.adjoint_steps import Mesh, literal
 from shared.arithmetic import BITS, TINY, ZERO, Dual, dot, dual, fixed
-from shared.refgen import claim, header, hexd, prove, table
+from shared.refgen import initial_history, claim, header, hexd, prove, table
 from variable_steps import variable_steps as one
 
 mp.dps = 72
@@ -263,7 +263,7 @@ IMPULSES = {k: [(-1) ** (j + k) * (j + 1) * 2.0**-17 for j in range(D5)] for k i
 
 
 def expansion(past, alpha, s, kind, ratios, T):
-    """The number of terms, and t1, as chapter 22 has them."""
+    """The number of terms, and t1, as H 22 has them."""
     gap, e = 2 - 2 * alpha, int(alpha > 0.5)
     fastest, slowest = max(ratios), min(r for r in ratios if r > 0)
     if kind == "rising":
@@ -303,7 +303,7 @@ def chain(random, past, alpha, s, kind, K):
     want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
                       + [("cg", 0), ("cg", 1), ("alpha", 0)] + [("F", i) for i in (0, 12, len(q["F"]) - 1)])
     want = [mpf(0)] * D5 + want[D5:] if none else want
-    return ([f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha), s, int(J), hexd(Rational(t1)),
+    return ([initial_history(past), repr(alpha), s, int(J), hexd(Rational(t1)),
              "{ " + ", ".join(hexd(Rational(v)) for v in ends) + " }"]
             + [literal(map(mpf, data[k])) for k in ("x0", "p0", "mass", "rho", "cg")] + [literal(want)])
 

@@ -1,4 +1,4 @@
-"""Chapter 23. Methods without stages: derivatives of chains of five masses.
+"""H 23. Methods without stages: derivatives of chains of five masses.
 
 Algorithm 3 and (13.7) as they stand, in dual numbers of 45 digits: each number has a slope
 of 1 by itself, and what comes out has slopes, the derivatives. All four methods, three pasts, five orders."""
@@ -10,11 +10,10 @@ from sympy import Rational
 
 from shared.adjoint_chain import D5, away, pulls_of_springs
 from shared.arithmetic import BITS, HALF, ONE, TINY, ZERO, Dual, dual, factorised, slopes, solved
-from shared.refgen import header, hexd, nearest, table
+from shared.refgen import METHODS, initial_history, header, hexd, nearest, table
 
 mp.dps = 72
 N, STEP = 12, mpf(1) / 16
-METHODS = {"fvi": "fractional", "shifted": "shifted", "bdf2": "bdf2", "stable": "stable"}
 
 
 def by(v, n):
@@ -151,7 +150,7 @@ def chain(random, method, past, alpha):
     want = slopes(run.run, q, [(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
                   + [("cg", 0), ("cg", 1), ("alpha", 0)] + [("F", i) for i in FORCES])
     text = ["NAN" if no and i < D5 and data["rho"][i] > 0 else nearest(v) for i, v in enumerate(want)]
-    return ([f"&fvi_{METHODS[method]}", f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}",
+    return ([f"&fvi_{METHODS[method]}", initial_history(past),
              repr(alpha), hexd(Rational(kappa))]
             + ["{ " + ", ".join(hexd(Rational(v)) for v in data[k]) + " }"
                for k in ("x0", "p0", "mass", "rho", "cg")]

@@ -1,4 +1,4 @@
-"""Chapter 23. The adjoint of methods with stages.
+"""H 23. The adjoint of methods with stages.
 
 Proved here, s = 2, 3 in exact numbers, the memory a polynomial in Delta(z), three steps:
   (23.13) the derivative of sum Lambda . R by the stages, form M;
@@ -15,7 +15,7 @@ from sympy import Matrix, Rational, diag, expand, eye, ones, symbols, zeros
 
 from shared.adjoint_chain import D5, N, Chain, LawChain, numbers, points
 from shared.arithmetic import coefficients, dual
-from shared.refgen import header, hexd, nearest, prove, table
+from shared.refgen import initial_history, header, hexd, nearest, prove, table
 
 # ---- the transpose, with stages ----
 
@@ -174,8 +174,8 @@ for s, damped, past, alpha, data in cases():
     text = [("NAN" if no and i < D5 and data["rho"][i] > 0 else nearest(v)) for i, v in enumerate(want)]
     if alpha == 1 and not damped:
         text[22] = "NAN"
-    runs.append([f"&fvi_lobatto{s}{'d' if damped else ''}",
-                 f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}", repr(alpha)]
+    runs.append([f"&fvi_lobatto_{'d' if damped else 'm'}{s}",
+                 initial_history(past), repr(alpha)]
                 + ["{ " + ", ".join(hexd(Rational(v)) for v in data[k]) + " }"
                    for k in ("x0", "p0", "mass", "rho", "cg")]
                 + ["{ " + ", ".join(map(str, at)) + " }", "{ " + ", ".join(text) + " }"])
@@ -215,9 +215,9 @@ for s, terms, data in law_cases():
     at = [f % len(q["F"]) for f in forces]
     want = run.slopes([(name, i) for name in ("x0", "p0", "mass", "rho") for i in range(D5)]
                       + [("cg", 0), ("cg", 1)] + [("terms", i) for i in range(3)] + [("F", i) for i in at])
-    text = [f"{{ FVI_LAW_{kind}, {', '.join(hexd(Rational(v)) for v in (rho, a, T, b))} }}"
+    text = [f"{{ FVI_KERNEL_{kind}, {', '.join(hexd(Rational(v)) for v in (rho, a, T, b))} }}"
             for (kind, a, T, b), rho in zip(terms, data["terms"])]
-    laws.append([f"&fvi_lobatto{s}d", "{ " + ", ".join(text) + " }"]
+    laws.append([f"&fvi_lobatto_d{s}", "{ " + ", ".join(text) + " }"]
                 + ["{ " + ", ".join(hexd(Rational(v)) for v in data[k]) + " }"
                    for k in ("x0", "p0", "mass", "rho", "cg")]
                 + ["{ " + ", ".join(map(str, at)) + " }", literal(want)])

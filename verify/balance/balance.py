@@ -1,4 +1,4 @@
-"""Chapter 21. What survives?
+"""H 21. What survives?
 
 Proved here:
   (21.3) the doubled action is Bateman's and a term in x - y: symbols, N = 3;
@@ -11,7 +11,7 @@ Proved here:
   (21.9) the sum of the dampings is Delta^{2 alpha - 1}: alpha symbolic, k <= 8;
          a solution's generator solves the linearised equation, Xi and rho commuting;
   (21.12) the imaginary parts on the circle, for three schemes.
-What chapter 12 proves of (12.13), (12.15), (12.16) stands in memory.py.
+What H 12 proves of (12.13), (12.15), (12.16) stands in memory.py.
 Printed: forms and energies where no rounding is, from the definitions in rationals; the
 response of five masses to each other, from dense matrices at 60 and 90 digits."""
 import mpmath

@@ -1,4 +1,4 @@
-"""Chapter 28. Thirty-two steps at once.
+"""H 28. Thirty-two steps at once.
 
 Proved here:
   (28.1)  every term meets every later sum once, at its own lag: the places where (28.1)

@@ -1,4 +1,4 @@
-"""Chapter 25. The least force that ends a run where it is to end.
+"""H 25. The least force that ends a run where it is to end.
 
 Proved here:
   (25.2)  the conditions of Lagrange are the run, its adjoint with J = nu . (x_N, p_N), and
@@ -10,7 +10,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import diff, expand, symbols
 
-from shared.refgen import claim, header, nearest, prove, table
+from shared.refgen import initial_history, claim, header, nearest, prove, table
 
 #> lagrange
 N, kappa, h, m, c, k0, g, p0, nux, nup = 4, *symbols("kappa h m c k0 g p0 nu_x nu_p")
@@ -144,7 +144,7 @@ rows, values = [], []
 for case in cases:
     us, cost = solve(case)
     claim("a cost is positive", cost > 0)
-    past = f"FVI_PAST_{dict(rl='RIEMANN_LIOUVILLE').get(case[5], case[5].upper())}"
+    past = initial_history(case[5])
     rows.append([repr(v) for v in case[:5]] + [past] + [repr(v) for v in case[6:]]
                 + [len(values), nearest(cost)])
     values += us

@@ -1,4 +1,4 @@
-"""Chapter 20: does it converge? Prints tests/convergence/convergence_ref.h.
+"""H 20: does it converge? Prints tests/convergence/convergence_ref.h.
 
   (20.1)  sums of (9.4) over five steps of a symbolic path: no negative power of h;
   (20.3)  Gamma-quotients on random n and gamma, at 40 digits;
@@ -141,7 +141,7 @@ MOTIONS = [(alpha, kappa_, T, r, l, G_, var, start, V, A, room)
                (1.0, 0.1, 6.0, 3.0, 0.0, 2.0, 2.0, 8.0, 0.125))]
 MOTIONS.append((0.3, 0.5, 2.0, 0.0, 0.0, 0.0, 1.0, 1.0, 3.0, 1.0, 0.5))
 
-# -- order two of the methods of chapter 13 ------------------------------------------
+# -- order two of the methods of H 13 ------------------------------------------
 def strip():
     """(20.9) in doubles, which is enough for constants: the largest |G - 1| / |u|^2 and |G|."""
     near, size = 0.0, 0.0

@@ -1,4 +1,4 @@
-"""Chapter 13. Convolution quadratures, and the integrators of order 2.
+"""H 13. Convolution quadratures, and the integrators of order 2.
 
 Proved here with symbols: weights, sequences, alpha, theta, kappa, potential open
 unless something else is said:
@@ -252,7 +252,7 @@ for kind in ("EULER", "BDF2", "TRAPEZOID", "L1"):
     for order in ORDERS:
         if kind != "L1" or order < 1:
             values = both(lambda: weights(kind, order, COUNT), COUNT)
-            rows += [[f"FVI_QUADRATURE_{kind}", hexd(order), k, values[k]] for k in (0, 1, 2, 3, 7, 23)]
+            rows += [[f"FVI_DELTA_{kind}", hexd(order), k, values[k]] for k in (0, 1, 2, 3, 7, 23)]
 print(f"\nenum {{ REF_COUNT = {COUNT} }};")
 table("ref_weights", "fvi_delta kind; double beta; size_t n; double want;", rows)
 
@@ -361,5 +361,5 @@ GROWTHS = [("EULER", 0, 0.5, 0.5, 1, 2.2), ("EULER", 0.25, 0.25, 0.5, 1, 6), ("E
            ("TRAPEZOID", 0, 0.75, 0.5, 1, 0.01), ("TRAPEZOID", 0, 0.25, 0.5, 1, 0.1),
            ("TRAPEZOID", 0, 0.5, 0, 2, 0.5)]
 table("ref_growth", "fvi_delta kind; double theta, alpha, kappa, W, R, want;",
-      [[f"FVI_QUADRATURE_{row[0]}", *map(hexd, row[1:]), hexd_real(lambda d, r=row: growth(*r, d), 50)]
+      [[f"FVI_DELTA_{row[0]}", *map(hexd, row[1:]), hexd_real(lambda d, r=row: growth(*r, d), 50)]
        for row in GROWTHS])

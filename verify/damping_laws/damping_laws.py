@@ -1,4 +1,4 @@
-"""Chapter 26: damping by its symbol. Prints tests/damping_laws/damping_laws_ref.h.
+"""H 26: damping by its symbol. Prints tests/damping_laws/damping_laws_ref.h.
 
   (26.2)  every law is passive: Im C(i w) >= 0, from the symbols;
   (26.3)  the weights, from the power series of C(delta(z)/h) in 40 digits;

@@ -1,4 +1,4 @@
-"""Chapter 2. Proved with symbols, the potential U left open wherever it can be:
+"""H 2. Proved with symbols, the potential U left open wherever it can be:
   (2.1), (2.2)  Hamilton's principle and the energy balance;
   (2.6), (2.7)  the slopes of L_d, and the discrete Euler-Lagrange equations as
                 the gradient that sympy takes of the action, N = 4, d = 1 and 2;

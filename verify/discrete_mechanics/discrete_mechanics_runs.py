@@ -1,4 +1,4 @@
-"""Chapter 2. Exact trajectories: positions from the three-term equations (2.7),
+"""H 2. Exact trajectories: positions from the three-term equations (2.7),
 (2.8), in rationals, or with 60 and with 90 digits where a step is not rational;
 momenta from the slopes (2.6); Euler's methods from (2.13).
 

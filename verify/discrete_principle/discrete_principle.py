@@ -1,4 +1,4 @@
-"""Chapter 6. The non-local discrete action and its restricted variation.
+"""H 6. The non-local discrete action and its restricted variation.
 
 Proved here, sympy differentiating the action itself. These are instances: N = 4 and
 d = 1, if nothing else is said; the chapter has the proofs for all N and d. U is any

@@ -1,4 +1,4 @@
-"""Chapter 11. m x'' + c x + rho D^(2 alpha) x = F, solved exactly.
+"""H 11. m x'' + c x + rho D^(2 alpha) x = F, solved exactly.
 
 Proved here, all letters symbolic unless it says otherwise:
   (11.2)  the rule for the transform of a fractional derivative, on all powers;
@@ -41,7 +41,7 @@ def of_power(g):
 
 
 def of_derivative(g, order):
-    """The transform of D^order t^g by the power rule of chapter 1."""
+    """The transform of D^order t^g by the power rule of H 1."""
     return gamma(g + 1) / gamma(g + 1 - order) * of_power(g - order)
 
 

@@ -1,4 +1,4 @@
-"""Chapter 15. Existence, uniqueness, and the rate of Picard's iteration.
+"""H 15. Existence, uniqueness, and the rate of Picard's iteration.
 
 Proved here, alpha (gamma = 2 - 2 alpha), K, R, exponents symbolic:
   (15.2)  two histories, one (x, v), and how much their derivatives differ;

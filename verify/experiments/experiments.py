@@ -1,4 +1,4 @@
-"""Chapter 10, the linearly damped oscillator. (The problem of order 3/2 is in
+"""H 10, the linearly damped oscillator. (The problem of order 3/2 is in
 experiments_bagley_torvik.py.)
 
 Proved with symbols: the closed form (10.1) solves the oscillator in all three

@@ -1,4 +1,4 @@
-"""Chapter 10, the problem x'' + x + D^(3/2) x = F of Bagley and Torvik, F = 8 up to
+"""H 10, the problem x'' + x + D^(3/2) x = F of Bagley and Torvik, F = 8 up to
 t = 1, then 0, with zero data.
 
 Proved: the transform behind the series (10.8) and its expansion. Claimed: that the

@@ -1,4 +1,4 @@
-"""Chapter 1. Riemann-Liouville and Caputo derivatives.
+"""H 1. Riemann-Liouville and Caputo derivatives.
 
 Proved here, alpha (and beta, and exponents) symbolic:
   (1.4)   Riemann-Liouville = Caputo + f(a) u^-alpha / Gamma(1 - alpha), for any f
@@ -176,7 +176,7 @@ for order in (0.1, 0.5, 0.9):
 #> expansion
 # p_j = j! h^j binom(N + j, j) = t^j + h j (j+1)/2 t^(j-1) + ..., t = N h. Its
 # sum is exact, as 1/(1-z)^(j+1) becomes (1-z)^(alpha-j-1): j! h^(j-alpha) w_N, and
-# Gamma(N + c) / N! = N^(c-1) (1 + c (c-1) / (2N) + ...), chapter 4, (4.5).
+# Gamma(N + c) / N! = N^(c-1) (1 + c (c-1) / (2N) + ...), H 4, (4.5).
 j = symbols("j", positive=True)
 c = j + 1 - alpha
 sum_of_p = factor(alpha, j) * t ** (j - alpha) * (1 + c * (c - 1) * h / (2 * t))

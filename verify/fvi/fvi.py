@@ -1,4 +1,4 @@
-"""Chapter 9. Proved with symbols (alpha, kappa, m, rho, h, the sequences and the
+"""H 9. Proved with symbols (alpha, kappa, m, rho, h, the sequences and the
 potential all left open): the three-term equation (9.2) is what a restricted
 variation of the discrete action leaves for x, and it is (9.3) when written out;
 the momentum form (9.4) is the same equation; kappa and 1 - kappa differ only

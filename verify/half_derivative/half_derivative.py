@@ -1,4 +1,4 @@
-"""Chapter 7. Half a derivative, twice.
+"""H 7. Half a derivative, twice.
 
 Proved here:
   (7.4)  c_k = sum alpha_n beta_{k-n} satisfies k c_k = (k-1-alpha-beta) c_{k-1},

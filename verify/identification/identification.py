@@ -1,4 +1,4 @@
-"""Chapter 24: data and errors of a fit. Prints tests/identification/identification_ref.h.
+"""H 24: data and errors of a fit. Prints tests/identification/identification_ref.h.
 
   (24.2)  the exact motion of a linear spring and its derivatives by all parameters, from
           their Laplace transforms, at two precisions: data of an independent program;
@@ -240,7 +240,7 @@ def main():
         rows.append((al, kap, past, [both(pair) for pair in pairs]))
     print("static const struct { double alpha, kappa; fvi_initial_history past; double x, slope[7]; } ref_slopes[] = {")
     for al, kap, past, (first, *others) in rows:
-        print(f"    {{ {hexd(al)}, {hexd(kap)}, FVI_PAST_{past}, {first}, {{ {', '.join(others)} }} }},")
+        print(f"    {{ {hexd(al)}, {hexd(kap)}, FVI_INITIAL_HISTORY_{past}, {first}, {{ {', '.join(others)} }} }},")
     print("};")
 
 

@@ -1,4 +1,4 @@
-"""Chapter 5. Discrete fractional integration by parts.
+"""H 5. Discrete fractional integration by parts.
 
 Proved here, with alpha symbolic and the terms G_k, F_k of both sequences as
 independent symbols, for N = 6, 7, 8:

@@ -1,4 +1,4 @@
-"""Chapter 8. Proved with symbols (alpha, kappa, kappa~, m, rho, h, the sequences
+"""H 8. Proved with symbols (alpha, kappa, kappa~, m, rho, h, the sequences
 and the potential all left open; N = 4):
   (8.3)   the Legendre transformation of the definition, read as a vector, gives
           (8.1), (8.2), and momentum matching is the recurrence, for x and for y;
@@ -133,7 +133,7 @@ for k in range(N - 1):
     prove("(8.5) p_{k+1}", expand(p - h * g(x[k + 1]) + minus_op(p_alpha)[k + 1] - q))
 
 #> half
-# (8.6): alpha = 1/2. h Delta Delta x = x_{k+1} - x_k (Chapter 7), which is h p / m.
+# (8.6): alpha = 1/2. h Delta Delta x = x_{k+1} - x_k (H 7), which is h p / m.
 for k in range(1, N + 1):
     prove("alpha = 1/2", expand(h * xx[k].subs(alpha, half) - (x[k] - x[k - 1])))
 X, P = symbols("X P")

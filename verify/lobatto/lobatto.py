@@ -1,4 +1,4 @@
-"""Chapter 17. Variational integrators on Lobatto nodes, s = 2, 3, 4.
+"""H 17. Variational integrators on Lobatto nodes, s = 2, 3, 4.
 
 Proved here with exact numbers (sqrt(5) included), z, mu and what else is named
 left symbolic:

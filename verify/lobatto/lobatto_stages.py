@@ -1,4 +1,4 @@
-"""Chapter 17. From 2 to 8 stages, and the two forms of the inertia.
+"""H 17. From 2 to 8 stages, and the two forms of the inertia.
 
 Proved with exact numbers, U, the path and the weights left open:
   (17.24) is the restricted variation of an action in which the inertia is one more

@@ -1,10 +1,10 @@
-"""Chapter 12. Memory: the direct sum, blocks of convolutions, decaying exponentials.
+"""H 12. Memory: the direct sum, blocks of convolutions, decaying exponentials.
 
 Proved here, nu symbolic unless a range is named:
   (12.2)  order beta on positions is order beta - 1 on increments (generic x_j);
   (12.4)  the blocks meet every pair of a term and a later sum once (all k < 640);
   (12.5)  the weights are moments of a density of one sign: n symbolic, by the
-          recurrence of chapter 4 and the first moment;
+          recurrence of H 4 and the first moment;
   (12.7)  the substitution and its modulus and angle on the lines Im t = +-a;
   (12.8)  the four estimates that bound the integral there, and K < 12;
   (12.12) the modes add up to the sum of exponentials (generic terms);

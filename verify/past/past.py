@@ -1,4 +1,4 @@
-"""Chapter 19: what the body did before t = 0. Prints tests/past/past_ref.h.
+"""H 19: what the body did before t = 0. Prints tests/past/past_ref.h.
 
   (19.3)  on the powers of t, the three derivatives differ by A t^e / Gamma(1 + e);
   (19.4)  v D^b v - 1/2 D^b v^2 is a sum of squares, on all quadratic v;

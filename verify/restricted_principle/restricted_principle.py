@@ -1,4 +1,4 @@
-"""Chapter 3. The restricted Hamilton's principle in continuous time.
+"""H 3. The restricted Hamilton's principle in continuous time.
 
 Proved here, d = 1 where nothing else is said (the proofs for all curves stand in
 the chapter; these are instances, each with alpha symbolic):

@@ -115,7 +115,7 @@ def real_function(M, f):
 
 
 # -- dual numbers -----------------------------------------------------------------------
-# 45 digits, of which 30 are printed: with 240 bits in the place of 150 no derivative of chapter 23
+# 45 digits, of which 30 are printed: with 240 bits in the place of 150 no derivative of H 23
 # changed by more than 4 10^-38 of itself.
 BITS, TINY = 150, mpmath.mpf(10) ** -45
 # Slopes by up to 28 numbers stand side by side in one whole number, with ROOM bits for each:

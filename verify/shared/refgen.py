@@ -11,6 +11,15 @@ import mpmath
 from sympy import Rational, expand, numer, simplify, sympify, together
 
 
+# What the library calls the methods of a proof, behind fvi_.
+METHODS = {"fvi": "fractional", "shifted": "cq2_shifted", "bdf2": "cq_bdf2", "stable": "cq2_midpoint"}
+
+
+def initial_history(past):
+    """What the library calls a past: held, caputo or rl."""
+    return f"FVI_INITIAL_HISTORY_{dict(rl='RIEMANN_LIOUVILLE').get(past, past.upper())}"
+
+
 def vanishes(e):
     """Whether an expression is 0. What costs least comes first; to simplify is the last resort."""
     return e == 0 or expand(e) == 0 or expand(numer(together(e))) == 0 or simplify(e) == 0

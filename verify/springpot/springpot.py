@@ -1,4 +1,4 @@
-"""Chapter 0: springs, dashpots and what is between. Prints tests/springpot/springpot_ref.h.
+"""H 0: springs, dashpots and what is between. Prints tests/springpot/springpot_ref.h.
 
   (0.2)  the creep of a springpot, and what is left when the force goes;
   (0.4)  force over displacement of the ladder: its root, its square, its slow end, and the

@@ -1,4 +1,4 @@
-"""Chapter 14. Which steps are stable.
+"""H 14. Which steps are stable.
 
 Proved here, all parameters symbolic:
   (14.1)  for quadratic U the three-term equation is (1 + q W) second difference

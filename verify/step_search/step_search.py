@@ -1,4 +1,4 @@
-"""Chapter 18. When differences may be believed.
+"""H 18. When differences may be believed.
 
 Proved here, all parameters symbolic:
   (18.2)  errors C (h/2^j)^q have D_j = (2^q - 1) times the error of x^(j), and q_j = q;

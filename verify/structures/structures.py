@@ -1,4 +1,4 @@
-"""Chapter 27: element matrices from their polynomials, the eigenvalues of a clamped beam,
+"""H 27: element matrices from their polynomials, the eigenvalues of a clamped beam,
 what elements add to them, and a structure's mode as one oscillator."""
 from mpmath import cos, cosh, findroot, mp, pi
 from sympy import Matrix, Rational, cos as c_, diff, eye, integrate, series, sin as s_, symbols

@@ -1,4 +1,4 @@
-"""The constants of src/stages/variable_rule.c, from their definitions.   [Chapter 22]
+"""The constants of src/stages/variable_rule.c, from their definitions.   [H 22]
 
 Unlike the other proofs this one prints a header of the library's: every constant of the
 method with variable steps is made here and is right to the last bit."""

@@ -1,4 +1,4 @@
-"""Chapter 22. The memory of variable steps: one matrix on every mesh.
+"""H 22. The memory of variable steps: one matrix on every mesh.
 
 DD is block lower bidiagonal on all stages of all steps (k,k): A^(-1)/h_k,
 (k,k-1): -e_1 e_s^T/(h_k b_1); BB is diagonal, h_k b_i. Proved here, exactly:

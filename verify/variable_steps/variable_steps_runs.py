@@ -1,4 +1,4 @@
-"""Chapter 22. Runs with variable steps, by the matrix DD^beta itself.
+"""H 22. Runs with variable steps, by the matrix DD^beta itself.
 
 The power of DD is that of variable_steps_power.py, at 100 and 140 digits; nothing here
 knows modes, lattices or quadratures but the one place that compares them. Checked, for

@@ -1,4 +1,4 @@
-/* src/fvi/paper/algorithm_3.h -- Algorithm 3 as the paper prints it. [Chapter 9] */
+/* src/fvi/paper/algorithm_3.h -- Algorithm 3 as the paper prints it. [H 9] */
 #ifndef FVI_ALGORITHM_3_H
 #define FVI_ALGORITHM_3_H
 

@@ -1,5 +1,5 @@
 /* src/fvi/paper/balance.h -- What a scheme with memory conserves, and what it loses.
- *                                                                [Chapter 21]
+ *                                                                [H 21]
  * Sequences x_0, ..., x_N in R^d are laid out as in integration_by_parts.h: component
  * i of x_k is x[k * d + i]. */
 #ifndef FVI_BALANCE_H

@@ -1,5 +1,5 @@
 /* src/fvi/paper/discrete_principle.h -- The non-local discrete action and its gradient.
- *                                                                 [Chapter 6]
+ *                                                                 [H 6]
  * Two discrete curves x_0, ..., x_N and y_0, ..., y_N in R^d, laid out as in
  * integration_by_parts.h: component i of x_k is x[k * d + i]. */
 #ifndef FVI_DISCRETE_PRINCIPLE_H

@@ -1,4 +1,4 @@
-/* src/fvi/paper/existence.h -- Picard iteration for motion with memory.    [Chapter 15]
+/* src/fvi/paper/existence.h -- Picard iteration for motion with memory.    [H 15]
  *
  *     x' = v,   v' = f(x, v) - R D_-^{2 alpha} (x - x0),   R = rho / m,
  *

@@ -1,4 +1,4 @@
-/* src/fvi/paper/experiments.h -- Yardsticks for the numerical section.    [Chapter 10] */
+/* src/fvi/paper/experiments.h -- Yardsticks for the numerical section.    [H 10] */
 #ifndef FVI_EXPERIMENTS_H
 #define FVI_EXPERIMENTS_H
 
@@ -63,7 +63,7 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
  *     (m / h^2 B_2 + rho / h^{2 alpha} B_{2 alpha} + c I) x = F,   x_0 = x_1 = 0,
  *
  * with B_beta the lower triangular Toeplitz matrix of the weights of order beta
- * (chapter 4); the first two equations give way to the start.
+ * (H 4); the first two equations give way to the start.
  *
  *   m, rho, c  finite, m > 0, rho >= 0, c >= 0
  *   alpha      0 <= alpha <= 1

@@ -1,5 +1,5 @@
 /* src/fvi/paper/fractional_derivative.h -- Riemann-Liouville and Caputo derivatives, from
- * the left and from the right, of a function and of a power.     [Chapter 1] */
+ * the left and from the right, of a function and of a power.     [H 1] */
 #ifndef FVI_FRACTIONAL_DERIVATIVE_H
 #define FVI_FRACTIONAL_DERIVATIVE_H
 

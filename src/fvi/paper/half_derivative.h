@@ -1,4 +1,4 @@
-/* src/fvi/paper/half_derivative.h -- Half a derivative, twice.             [Chapter 7] */
+/* src/fvi/paper/half_derivative.h -- Half a derivative, twice.             [H 7] */
 #ifndef FVI_HALF_DERIVATIVE_H
 #define FVI_HALF_DERIVATIVE_H
 

@@ -1,5 +1,5 @@
 /* src/fvi/paper/integration_by_parts.h -- The retarded and the advanced discrete
- * fractional derivative, and their scalar product.               [Chapter 5] */
+ * fractional derivative, and their scalar product.               [H 5] */
 #ifndef FVI_INTEGRATION_BY_PARTS_H
 #define FVI_INTEGRATION_BY_PARTS_H
 

@@ -1,4 +1,4 @@
-/* src/fvi/paper/legendre.h -- The discrete Legendre transformation.        [Chapter 8] */
+/* src/fvi/paper/legendre.h -- The discrete Legendre transformation.        [H 8] */
 #ifndef FVI_LEGENDRE_H
 #define FVI_LEGENDRE_H
 

@@ -1,5 +1,5 @@
 /* src/fvi/paper/restricted_principle.h -- The action of two curves and its first
- * variation, in continuous time.                                 [Chapter 3] */
+ * variation, in continuous time.                                 [H 3] */
 #ifndef FVI_RESTRICTED_PRINCIPLE_H
 #define FVI_RESTRICTED_PRINCIPLE_H
 

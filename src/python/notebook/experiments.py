@@ -44,7 +44,7 @@ class picture:
 # %% [markdown]
 # ## Seven orders of damping
 #
-# The first panel of chapter 10, with the paper's long steps, $h = 1/2$. At $\alpha = 0$ the damping is a second
+# The first panel of H 10, with the paper's long steps, $h = 1/2$. At $\alpha = 0$ the damping is a second
 # spring, at $\alpha = 1/2$ ordinary friction, at $\alpha = 1$ a second mass.
 
 # %%

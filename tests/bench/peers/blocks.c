@@ -1,5 +1,5 @@
 /* tests/bench/peers/blocks.c -- Discrete convolutions, as they come: blocks.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "blocks.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 

@@ -1,4 +1,4 @@
-/* tests/bench/peers/blocks.h -- Discrete convolutions, as they come.    [Chapter 18] */
+/* tests/bench/peers/blocks.h -- Discrete convolutions, as they come.    [H 18] */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 

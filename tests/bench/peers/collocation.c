@@ -10,7 +10,7 @@
  * Zayernouri, G. E. Karniadakis, SIAM J. Sci. Comput. 36 (2014), collocate by powers of
  * t^{1/2}; N. Hale, S. Olver, SIAM J. Sci. Comput. 40 (2018).) The integrals of the
  * polynomials over
- * [0, 1] are numbers of the method and kept.                            [Chapter 18] */
+ * [0, 1] are numbers of the method and kept.                            [H 18] */
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
 

@@ -1,4 +1,4 @@
-/* tests/bench/peers/ends.h -- Sums that go on for ever.                 [Chapter 18] */
+/* tests/bench/peers/ends.h -- Sums that go on for ever.                 [H 18] */
 #ifndef ENDS_H
 #define ENDS_H
 

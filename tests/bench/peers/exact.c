@@ -1,7 +1,7 @@
 /* tests/bench/peers/exact.c -- Where the problem is linear and has one mass, its solution
- * need not be stepped to: that of chapter 11, by residues and a contour integral, time by
+ * need not be stepped to: that of H 11, by residues and a contour integral, time by
  * time, which is a peer, and at all rows together, which is ours; and Podlubny's matrix
- * method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).      [Chapter 18] */
+ * method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).      [H 18] */
 #include "peers.h"
 
 #include <fvi/paper/experiments.h>
@@ -50,7 +50,7 @@ static int run_matrix(const task *of, double *rows)
 }
 
 const peer peer_exact = { "exact solution",
-                          "chapter 11",
+                          "H 11",
                           "a linear motion need not be stepped to",
                           0,
                           0,
@@ -58,7 +58,7 @@ const peer peer_exact = { "exact solution",
                           linear,
                           run_exact },
            exact_by_rows = { "exact solution by rows",
-                             "chapter 11",
+                             "H 11",
                              "a linear motion need not be stepped to",
                              1,
                              0,

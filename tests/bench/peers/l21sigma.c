@@ -5,7 +5,7 @@
  * Phys. 280 (2015)); what was before t_n is a sum of exponentials (Y. Yan, Z.-Z. Sun,
  * J. Zhang, Commun. Comput. Phys. 22 (2017)). Here u = x and b = 2 alpha, or u = v and b =
  * 2 alpha - 1. x' = v and m v' are taken at t_{n + sigma} by the slope of the parabola
- * through three nodes.                                                  [Chapter 18] */
+ * through three nodes.                                                  [H 18] */
 #include "ends.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"

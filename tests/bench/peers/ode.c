@@ -2,7 +2,7 @@
  * ordinary differential equation. GSL's rk8pd (P. J. Prince, J. R. Dormand, J. Comput.
  * Appl. Math. 7 (1981)) with its step control, and with steps of one length; RK4. The
  * Radau IIA methods are in radau.c, Euler's methods in the table of the library.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "peers.h"
 
 #include <gsl/gsl_errno.h>

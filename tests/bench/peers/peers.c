@@ -1,4 +1,4 @@
-/* tests/bench/peers/peers.c -- The table of the peers.                  [Chapter 18] */
+/* tests/bench/peers/peers.c -- The table of the peers.                  [H 18] */
 #include "peers.h"
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* tests/bench/peers/peers.h -- What others would take.                  [Chapter 18]
+/* tests/bench/peers/peers.h -- What others would take.                  [H 18]
  *
  * A peer is one file of less than 250 lines after a publication. How to add one:
  * README.md in this folder. */

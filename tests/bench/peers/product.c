@@ -16,7 +16,7 @@
  *
  * Where F jumps it is the mean of both limits. One mass is solved by Newton's method,
  * more by the fixed-point iteration, where it contracts, both from a guess by quadratic
- * extrapolation.                                                        [Chapter 18] */
+ * extrapolation.                                                        [H 18] */
 #include "blocks.h"
 #include "peers.h"
 #include "product_weights.h"

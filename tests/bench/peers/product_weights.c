@@ -1,5 +1,5 @@
 /* tests/bench/peers/product_weights.c -- Weights of J^gamma: product_weights.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "product_weights.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* tests/bench/peers/product_weights.h -- Weights of fractional integrals. [Chapter 18] */
+/* tests/bench/peers/product_weights.h -- Weights of fractional integrals. [H 18] */
 #ifndef PRODUCT_WEIGHTS_H
 #define PRODUCT_WEIGHTS_H
 

@@ -6,7 +6,7 @@
  * steps that grow from t = 0 and from a declared jump of F on. With alpha = 1/2 they
  * are the methods for ordinary differential equations. One mass is solved by Newton's
  * method, more by the fixed-point iteration, where it contracts. Publications: head of
- * radau_memory.h.                                                       [Chapter 18] */
+ * radau_memory.h.                                                       [H 18] */
 #include "radau_step.h"
 #include "system/larger.h"
 

@@ -1,5 +1,5 @@
 /* tests/bench/peers/radau_algebra.c -- Small matrices in long double: radau_algebra.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "radau_algebra.h"
 
 #include <string.h>

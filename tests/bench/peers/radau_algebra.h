@@ -1,4 +1,4 @@
-/* tests/bench/peers/radau_algebra.h -- Small matrices in long double.   [Chapter 18] */
+/* tests/bench/peers/radau_algebra.h -- Small matrices in long double.   [H 18] */
 #ifndef RADAU_ALGEBRA_H
 #define RADAU_ALGEBRA_H
 

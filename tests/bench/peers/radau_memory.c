@@ -1,5 +1,5 @@
 /* tests/bench/peers/radau_memory.c -- Modes of a Radau IIA convolution quadrature: see
- * the header.                                                           [Chapter 18] */
+ * the header.                                                           [H 18] */
 #include "radau_memory.h"
 #include "ends.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */

@@ -1,5 +1,5 @@
 /* tests/bench/peers/radau_memory.h -- The past of a fractional derivative, by real
- * exponentials that the Radau IIA methods integrate.                    [Chapter 18] */
+ * exponentials that the Radau IIA methods integrate.                    [H 18] */
 #ifndef RADAU_MEMORY_H
 #define RADAU_MEMORY_H
 

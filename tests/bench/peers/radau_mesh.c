@@ -1,5 +1,5 @@
 /* tests/bench/peers/radau_mesh.c -- Steps of one length, and steps that grow.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "radau_step.h"
 #include "system/larger.h"
 

@@ -1,5 +1,5 @@
 /* tests/bench/peers/radau_step.c -- The equations of the stages: radau_step.h.
- *                                                                       [Chapter 18] */
+ *                                                                       [H 18] */
 #include "radau_step.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/larger.h"

@@ -1,4 +1,4 @@
-/* tests/bench/peers/radau_step.h -- One step of a Radau IIA method.     [Chapter 18] */
+/* tests/bench/peers/radau_step.h -- One step of a Radau IIA method.     [H 18] */
 #ifndef RADAU_STEP_H
 #define RADAU_STEP_H
 

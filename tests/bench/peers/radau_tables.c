@@ -1,6 +1,6 @@
 /* tests/bench/peers/radau_tables.c -- Numbers of the Radau IIA methods: the nodes are
  * the zeros of P_s - P_{s-1} on [0, 1] (E. Hairer, G. Wanner, Solving Ordinary
- * Differential Equations II, IV.5).                                     [Chapter 18] */
+ * Differential Equations II, IV.5).                                     [H 18] */
 #include "radau_tables.h"
 
 #include "radau_algebra.h"

@@ -1,4 +1,4 @@
-/* tests/bench/peers/radau_tables.h -- Numbers of the Radau IIA methods. [Chapter 18] */
+/* tests/bench/peers/radau_tables.h -- Numbers of the Radau IIA methods. [H 18] */
 #ifndef RADAU_TABLES_H
 #define RADAU_TABLES_H
 
