@@ -222,7 +222,7 @@ $(foreach s,$(sort $(foreach p,$(PAGES) $(CHAPTERS),$(call after,$p))),$(eval $(
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course)))
 $(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
-.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop workshop-figure $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
+.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop hint $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(UNDER:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -411,13 +411,14 @@ $B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 WORKSHOP  = FLAGS='$(DIALECT) $(STUDENT) $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GOLD) $(GSL_LIBS) $(CHECK_LIBS)' $(PYTHON) src/make/workshop.py
 HELD     := $(sort $(shell sed -nE 's/^shows +([0-9]+)\..*/0\1/; s/^(chapter +)?0*([0-9]{2})$$/\2/p' tests/workshop/holes.txt))
-workshop $(HELD:%=workshop-%) test-workshop-accidents: STUDENT := $(SANITIZE)
+workshop hint $(HELD:%=workshop-%) test-workshop-accidents: STUDENT := $(SANITIZE)
 
-workshop: $B/figures/experiments/experiments_alphas.dat | needs ## your own integrator, from an empty file (chapters/workshop)
+# From stage 6 on, workshop/body.c is compared with the library, too.
+workshop: $(if $(wildcard workshop/body_05.c),$B/libfvi.a) | needs ## your own integrator, from an empty file, stage by stage (chapters/workshop)
 	$(WORKSHOP) $B start
 
-workshop-figure: $B/figures/experiments/experiments_alphas.dat | needs
-	$(WORKSHOP) $B figure
+hint: | needs ## a hint for the stage of the workshop at hand; after three of them the answer (HINT=2 for one)
+	$(WORKSHOP) $B hint $(HINT)
 
 $(HELD:%=workshop-%): workshop-%: | needs
 	test -e $B/san/libfvi.a || echo 'building the library with sanitizers, once: a minute or two'
@@ -436,7 +437,7 @@ exercises: | needs
 # The tests that name the holes: objects of this very run of make, which may be at work on others.
 NAMED := $(shell grep -lE "START_TEST\(($$(sed -nE 's/^named +//p' tests/workshop/holes.txt | paste -sd '|'))\)" tests/*/test_*.c)
 
-test-workshop: $(MEASURED) $B/figures/experiments/experiments_alphas.dat $(patsubst %.c,$B/tests/%.o,$(notdir $(NAMED))) | needs
+test-workshop: $(MEASURED) $(patsubst %.c,$B/tests/%.o,$(notdir $(NAMED))) | needs
 	$(WORKSHOP) $B check
 
 test-workshop-accidents: | needs
@@ -488,10 +489,10 @@ figures/structures/structures_bench.svg: $(TABLE_structures)
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
 NEEDS := $(sort cc gsl \
-  $(call goal,check test test-% $(NUMBERS) workshop workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
-  $(call goal,figures figures-% figures/% $(NUMBERS) workshop-figure,gnuplot) \
+  $(call goal,check test test-% $(NUMBERS) workshop hint workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
+  $(call goal,figures figures-% figures/% $(NUMBERS),gnuplot) \
   $(call goal,check verify verify-% refs refs-% $(NUMBERS),python sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
+  $(call goal,text errata erratum-% excerpts check workshop hint workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
   $(call goal,book pdf test-book,wasm) \

@@ -1,8 +1,8 @@
 """The workshop: a student's own integrator, in workshop/, checked equation by equation.
 
-    workshop.py BUILD start          lay out workshop/, check my.c       (make workshop)
-    workshop.py BUILD chapter 04     the skeletons of a chapter      (make workshop-04)
-    workshop.py BUILD figure         the first figure, out of my.c (make workshop-figure)
+    workshop.py BUILD start          lay out workshop/body.c, check it   (make workshop)
+    workshop.py BUILD hint [2]       a hint for the stage at hand   (make hint HINT=2)
+    workshop.py BUILD chapter 04     the skeletons of a page         (make workshop-04)
     workshop.py BUILD check          skeletons, holes, stages     (part of make check)
     workshop.py BUILD text           that each hole can be cut       (part of make text)
     workshop.py BUILD accidents      the sentences of tests/workshop/accidents.txt (the same)
@@ -19,59 +19,106 @@ import subprocess
 import sys
 
 import workshop_check as checks
+import workshop_course as course
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, FIGURE, HERE, archive, compile_plain, figure_fails, harness, meeting, thread
+from workshop_build import BUILD, HERE, archive, compile_plain, meeting
 
-MINE = pathlib.Path("workshop/my.c")
-STAGES = {1: "02", 2: "04", 3: "05", 4: "07", 5: "08", 6: "09", 7: "10", 8: "12", 9: "13"}
-LIMIT = 10  # seconds of the processor for a test of my.c,
+BODY = pathlib.Path("workshop/body.c")
+EMPTY = """/* workshop/body.c -- My body that remembers.
+ *
+ * Type the 18 lines of chapter 1 below this comment: chapters/01-springpot.md, "The program".
+ * Then run `make workshop` again. A hint: `make hint`. */
+"""
+LIMIT = 10  # seconds of the processor for a test of body.c,
 LONG = 20   # and for one of the course's own
 
 
+def kept(stage):
+    """Where body.c is kept, as it was when a stage first held."""
+    return BODY.with_name(f"body_{stage:02d}.c")
+
+
+def last_passed():
+    return max([stage for stage in course.STAGES if kept(stage).exists()], default=0)
+
+
+def page(stage):
+    return next(pathlib.Path("chapters").glob(f"{stage:02d}-*.md"))
+
+
+def stage_at_hand():
+    """The stage after the last that held; or a later one, if body.c has all its functions."""
+    least = min(last_passed() + 1, course.STAGES[-1])
+    return course.latest_complete(BODY, HERE / "body", least) if BODY.exists() else least
+
+
 def start():
-    MINE.parent.mkdir(exist_ok=True)
-    if not MINE.exists():
-        MINE.write_text("/* workshop/my.c -- My fractional variational integrator. "
-                        "The way: chapters/workshop/README.md */\n")
-        print(f"made {MINE}")
-    for chapter in STAGES.values():
-        holes.lay_out(chapter)
+    BODY.parent.mkdir(exist_ok=True)
+    if not BODY.exists():
+        BODY.write_text(EMPTY)
+        print(f"made {BODY}: type the 18 lines of {page(1)} into it")
+        return
+    course.prepare()
     try:
-        binary = thread(MINE, HERE, harness(), 1)
-        for number, chapter in STAGES.items():
-            page = f"chapters/workshop/README.md#stage-{number}"
-            print(f"stage {number}, chapter {chapter}")
-            if number == 7:
-                fails = figure_fails(MINE, HERE)
-                print(f"  the first figure: {'not yet: ' + fails if fails else 'yes'}")
-                green = not fails
-            else:
-                green = runner.show(runner.run(binary, ["my.c"], LIMIT, str(number)))
-            if not green:
-                print(f"next: stage {number}, {page}, with {holes.page(chapter)}")
-                return
+        stage = stage_at_hand()
+        results = course.Student(BODY, stage, HERE / "body", 1).results(LIMIT, course.library())
     except runner.NotBuilt as error:
-        print(f"{error}")
+        print(f"{error}\nmake hint gives a hint")
         return
-    print("all nine stages hold. make workshop-figure draws your picture")
+    holds = show(stage, results)
+    if stage == 1:
+        draw_run()
+    if not holds:
+        print(f"read {page(stage)}, \"The program\"; make hint gives a hint")
+        return
+    if not kept(stage).exists():
+        shutil.copy(BODY, kept(stage))
+        print(f"stage {stage} holds; {kept(stage)} keeps your program as it is now")
+    if stage == course.STAGES[-1]:
+        print("all twelve stages hold")
+        return
+    new = list(course.added(stage + 1))
+    print(f"next: stage {stage + 1}, {page(stage + 1)}, which writes {', '.join(new)}")
 
 
-def figure():
-    fails = figure_fails(MINE, HERE) if MINE.exists() else "there is no workshop/my.c: make workshop"
-    if fails:
-        print(f"the first figure: not yet: {fails}")
+def show(stage, results):
+    """A line for each equation of this stage; of earlier ones only what does not hold any more."""
+    before = [(f"stage {number}: {runner.title(name)[1]}", text) for number, name, passed, text in results
+              if number < stage and not passed]
+    print(f"stage {stage}, chapter {stage}")
+    for what, text in before:
+        print(f"  does not hold any more: {what}: {text}")
+    return runner.show([result for number, *result in results if number == stage]) and not before
+
+
+def draw_run():
+    if not (data := course.rows(BODY, HERE / "body", LIMIT)):
+        print("the picture: not yet, the program prints no two rows of t and x")
         return
-    drawn = []
-    for data in (FIGURE, HERE / "figure.dat"):
-        drawn.append(pathlib.Path(HERE, "ours.svg" if "experiments" in data.name else "figure.svg"))
-        subprocess.run([os.environ["GNUPLOT"], "-e", f"dat='{data}'; out='{drawn[-1]}'; stem='experiments_alphas'",
-                        "figures/experiments/experiments_alphas.gp"],
-                       check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
-    same = drawn[0].read_bytes() == drawn[1].read_bytes()
-    print(f"drew {drawn[1]}: " + ("byte for byte the course's figure. Well done." if same
-                                  else "to 1e-12 the numbers of the course's figure."))
+    plot(pathlib.Path("tests/workshop/exact.txt"), data, BODY.with_name("run.svg"), "place against time", "the exact motion")
+
+
+def hint(which=None):
+    """The next of three hints, and then the answer; HINT=1 to 3 asks for one, HINT=4 for the answer."""
+    course.prepare()
+    try:
+        stage = stage_at_hand()
+    except runner.NotBuilt as error:
+        print(error)
+        stage = min(last_passed() + 1, course.STAGES[-1])
+    hints = course.hints(stage)
+    given = HERE / f"hints_given_{stage}"
+    if which and which not in ("1", "2", "3", "4"):
+        sys.exit("HINT is 1, 2, 3, or 4 for the answer")
+    number = int(which or (int(given.read_text()) if given.exists() else 0) + 1)
+    given.write_text(str(min(number, 3)))
+    if number <= 3:
+        print(f"stage {stage}, hint {number} of 3: {hints[number - 1]}")
+        return
+    print(f"stage {stage}, the answer, from {course.answer(stage)}:\n")
+    print("\n\n".join(course.added(stage).values()))
 
 
 def chapter_tests(cuts):
@@ -137,21 +184,24 @@ def draw(number, folder, binary):
         return
     (folder / "mine.dat").write_text(got)
     (folder / "ours.dat").write_text(wanted)
+    plot(folder / "ours.dat", folder / "mine.dat", HERE / f"{number}.svg", holes.page(number).stem, "the course")
+
+
+def plot(ours, mine, svg, what, name):
+    """The curve of a student over another one."""
     if not shutil.which(os.environ["GNUPLOT"]):
         print("the picture: gnuplot is not there to draw it")
         return
-    svg = HERE / f"{number}.svg"
-    subprocess.run([os.environ["GNUPLOT"], "-e", f"ours='{folder}/ours.dat'; mine='{folder}/mine.dat'; out='{svg}'; "
-                    f"what='{holes.page(number).stem}'", "src/make/workshop.gp"],
-                   check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
-    print(f"the picture: {svg}, your curve over ours")
+    subprocess.run([os.environ["GNUPLOT"], "-e", f"ours='{ours}'; mine='{mine}'; out='{svg}'; what='{what}'; name='{name}'",
+                    "src/make/workshop.gp"], check=True, env={**os.environ, "LC_ALL": "C.UTF-8"})
+    print(f"the picture: {svg}, your curve over {name}")
 
 
 def tests(number=None):
     print(*chapter_tests(holes.holes(number)))
 
 
-COMMANDS = {"start": start, "chapter": chapter, "figure": figure, "tests": tests, "exercise": exercises.main,
+COMMANDS = {"start": start, "hint": hint, "chapter": chapter, "tests": tests, "exercise": exercises.main,
             "exercises": exercises.write_table, "check": checks.check, "text": checks.text, "accidents": checks.accidents}
 HERE.mkdir(parents=True, exist_ok=True)
 COMMANDS[sys.argv[2]](*sys.argv[3:])

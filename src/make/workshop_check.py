@@ -8,15 +8,15 @@ import os
 import pathlib
 import sys
 
+import workshop_course as course
 import workshop_exercises as exercises
 import workshop_holes as holes
 import workshop_run as runner
-from workshop_build import BUILD, HERE, figure_fails, harness, meeting, module, thread
+from workshop_build import BUILD, HERE, meeting, module
 
 ACCIDENTS = "tests/workshop/accidents.txt"
+EXACT = "tests/workshop/exact.txt"
 LIMIT = 10  # seconds of the processor for a test
-STAGES = range(1, 10)
-CASES = [n for n in STAGES if n != 7]  # the seventh is the figure
 
 
 def text_fails(hole):
@@ -65,25 +65,31 @@ def skeletons_fail(where, cuts):
     return None
 
 
-def stage_fails(number, objects):
-    """None if a stage passes the checks up to itself and no later one."""
-    source, folder = f"tests/workshop/stage_{number}.c", HERE / f"stage_{number}"
+def stage_fails(number):
+    """None if the Course's program of a stage is known as one of this stage, and passes all checks up to its own."""
+    source, folder = course.answer(number), HERE / f"stage_{number}"
     try:
-        binary = thread(source, folder, objects)
-        stage = {name: int(case) for name, (_, case) in holes.tests("workshop/checks.c").items()}
-        results = dict.fromkeys(CASES, True)
-        for name, passed, said in runner.run(binary, ["my.c"], LIMIT):
-            results[stage[name]] &= passed
-            # From stage 4 on there is no delta, which must not be called right.
-            if stage[name] == 3 and passed and (said == runner.GONE) != (number > 3):
-                return f"{source}: {name} says '{said}'"
+        if (found := course.latest_complete(source, folder, 1)) != number:
+            return f"{source}: is taken for stage {found}"
+        if number == 1 and not course.rows(source, folder, LIMIT):
+            return f"{source}: there are no rows to draw"
+        student = course.Student(source, number, folder)
+        failed = [f"{source}: stage {stage}, {name}: {said}" for stage, name, passed, said
+                  in student.results(LIMIT, course.library()) if not passed]
     except runner.NotBuilt as error:
-        return f"{source}: {error}"
-    if number >= 7 and (fails := figure_fails(source, folder)):
-        return f"{source}: the first figure: {fails}"
-    # Nothing is added for stage 5: chapter 8 looks at the mass that stage 4 moves.
-    want = {n: n <= number or (number, n) == (4, 5) for n in CASES}
-    return None if results == want else f"{source}: passes {[n for n in CASES if results[n]]}"
+        failed = [f"{source}: {error}"]
+    if len(course.hints(number)) != 3:
+        failed.append(f"{course.HINTS}: three hints are wanted for stage {number}")
+    return "\n".join(failed) or None
+
+
+def exact_fails():
+    """None if the motion that the first picture shows is the one that the library computes."""
+    said = runner.say([BUILD / "fvi", "exact", *"--alpha 0.25 --rho 0.5 --p0 0 --h 0.1 --steps 140 --columns t,x".split()]).stdout
+    want = [list(map(float, line.split())) for line in said.splitlines() if not line.startswith("#")]
+    got = [list(map(float, line.split())) for line in pathlib.Path(EXACT).read_text().splitlines() if not line.startswith("#")]
+    same = len(want) == len(got) and all(abs(a - b) < 1e-6 for x, y in zip(got, want) for a, b in zip(x, y))
+    return None if same else f"{EXACT} is not the exact motion of the body of Chapter 1"
 
 
 def text():
@@ -93,12 +99,14 @@ def text():
 
 
 def check():
-    objects, cuts = harness(), holes.holes()
+    course.prepare()
+    cuts = holes.holes()
     files = {(hole.chapter, hole.source): [h for h in cuts if (h.chapter, h.source) == (hole.chapter, hole.source)]
              for hole in cuts}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         faults = pool.submit(lambda: list(exercises.faults()))  # the longest come first
-        jobs = [pool.submit(stage_fails, number, objects) for number in reversed(STAGES)]
+        jobs = [pool.submit(stage_fails, number) for number in reversed(course.STAGES)]
+        jobs.append(pool.submit(exact_fails))
         jobs += [pool.submit(skeletons_fail, *item) for item in files.items() if len(item[1]) > 1]
         jobs += [pool.submit(hole_fails, hole) for hole in cuts]
         jobs += [pool.submit(module_accident_fails, entry, i) for i, entry in enumerate(holes.paragraphs(ACCIDENTS))
@@ -107,7 +115,7 @@ def check():
     if failed:
         sys.exit("\n".join(failed))
     print(f"workshop: {len(exercises.exercises())} exercises, {len(files)} skeletons compile, {len(cuts)} holes are noticed and filled, "
-          f"{len(STAGES)} stages pass their checks")
+          f"{len(course.STAGES)} stages pass their checks")
 
 
 def wrong_version(entry, source, file):
@@ -133,28 +141,24 @@ def module_accident_fails(entry, place):
     return None if said.startswith(entry["says"]) else f"{source}: '{entry['wrong']}': says '{said}'"
 
 
-def accident_fails(entry, place, objects):
+def accident_fails(entry, place):
     """None if a wrong version of a stage gets the sentence that it deserves."""
-    folder, limit = HERE / f"accident_{place}", 1 if entry["says"].startswith("takes longer") else LIMIT
-    file = wrong_version(entry, f"tests/workshop/{entry['stage']}", folder / "my.c")
+    stage, limit = int(entry["stage"]), 1 if entry["says"].startswith("takes longer") else LIMIT
+    folder = HERE / f"accident_{place}"
+    file = wrong_version(entry, course.answer(stage), folder / "body.c")
     try:
-        binary = thread(file, folder, objects)
-        said = ["all is well"]
-        for case in CASES[:CASES.index(int(entry["stage"][6])) + 1]:
-            results = runner.run(binary, ["my.c"], limit, str(case))
-            said = [sentence for _, passed, sentence in results if not passed] or said
-            if said != ["all is well"]:
-                break
+        said = [text for _, _, passed, text in course.Student(file, stage, folder).results(limit) if not passed] or ["all is well"]
     except runner.NotBuilt as error:
-        said = [str(error).replace(str(file), "my.c")]
-    return None if any(s.startswith(entry["says"]) for s in said) else f"{entry['stage']}: '{entry['wrong']}': says '{said[0]}'"
+        said = [str(error)]
+    said = [text.replace(str(file), "body.c") for text in said]
+    return None if any(s.startswith(entry["says"]) for s in said) else f"stage {stage}: '{entry['wrong']}': says '{said[0]}'"
 
 
 def accidents():
-    objects = harness()
+    course.prepare()
     entries = [entry for entry in holes.paragraphs(ACCIDENTS) if "stage" in entry]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        failed = list(filter(None, pool.map(lambda i: accident_fails(entries[i], i, objects), range(len(entries)))))
+        failed = list(filter(None, pool.map(lambda i: accident_fails(entries[i], i), range(len(entries)))))
     if failed:
         sys.exit("\n".join(failed))
     print(f"workshop: {len(entries)} accidents are told in their sentences")
