@@ -74,6 +74,8 @@ static int try_all(search *o, const double *low, const double *high,
     }
     if (o->model.ended)
         return o->model.ended;
+    if (!(o->found[*best].sum < GSL_POSINF) && o->model.own)
+        return o->model.own;
     if (!(o->found[*best].sum < GSL_POSINF))
         FVI_FAIL("the model has no motion, from any start", FVI_EBADFUNC);
     return FVI_SUCCESS;

@@ -2,6 +2,7 @@
  *                                                                     [H 24] */
 #include "identification_model.h"
 #include "identification_tangent.h"
+#include "system/fail.h"
 #include "system/larger.h"
 
 #include <fvi/error.h>
@@ -164,6 +165,8 @@ static int ended_by(fvi_estimation_model *m, int status)
 {
     if (status == FVI_ENOMEM)
         m->ended = status;
+    if (fvi_is_own_code(status))
+        m->own = status;
     if (status == FVI_ERUNAWAY && ++m->ran_away == FVI_FIT_RUNAWAYS)
         m->ended = status;
     return status;

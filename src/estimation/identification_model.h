@@ -24,6 +24,7 @@ typedef struct {
     int ended; /* FVI_ENOMEM once a motion had no memory, FVI_ERUNAWAY once FVI_FIT_RUNAWAYS took
                 * all the steps that they may: what was found counts no more */
     int ran_away;   /* so many did */
+    int own;        /* the last code of the caller's own functions, or 0 */
     double reached; /* the time that the last of them came to */
 } fvi_estimation_model;
 

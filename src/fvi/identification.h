@@ -143,7 +143,8 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  * which has one twice; FVI_EDOM if sigma < 0 or a number is not finite or low is not
  * below high; FVI_EUNSUP if alpha is to be fitted and the method knows but one, or the run
  * has a law, which does not read it (rho, then, is what multiplies the law); what
- * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start;
+ * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start, or
+ * what the potential or the force returned there, where that is a code of its own;
  * FVI_ENOMEM. */
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 

@@ -2,6 +2,7 @@
 #include "fvi_complain.h"
 #include "fvi_output.h"
 #include <fvi/error.h>
+#include "system/fail.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -40,7 +41,7 @@ const char *fvi_code_in_words(int status)
 {
     static char own[80];
     const char *words = fvi_error_name(status);
-    if (strcmp(words, fvi_error_name(-1)) != 0) /* which is never the library's */
+    if (!fvi_is_own_code(status))
         return words;
     snprintf(own, sizeof own, "%s, code %d", words, status);
     return own;

@@ -5,6 +5,7 @@
 #include <gsl/gsl_errno.h>
 #include <stdatomic.h>
 #include <stddef.h>
+#include <string.h>
 
 static _Atomic(fvi_error_handler *) handler;
 
@@ -98,6 +99,11 @@ const char *fvi_error_name(int code)
     default:
         return "an error of the caller's own functions";
     }
+}
+
+int fvi_is_own_code(int code)
+{
+    return strcmp(fvi_error_name(code), fvi_error_name(-1)) == 0;
 }
 
 const char *fvi_version(void)

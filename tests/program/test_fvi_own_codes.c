@@ -19,10 +19,12 @@ START_TEST(the_code_of_a_potential_of_ones_own_is_said)
                "const fvi_potential fvi_user_potential = { .value = value, "
                ".gradient = gradient, .hessian = hessian };\n");
     ck_assert_int_eq(shell("cc -shared -fPIC -I\"$SOURCES\" my.c -o my.so"), 0);
+    ck_assert_int_eq(fvi("run --columns t,x -o data"), 0);
     static const char *const commands[] = {
         "run --potential my.so", "run --potential my.so --error 1e-3",
         "gradient --potential my.so --of x",
-        "sweep --potential my.so --vary p0=0:0.1:2"
+        "sweep --potential my.so --vary p0=0:0.1:2",
+        "fit --potential my.so data"
     };
     for (size_t i = 0; i < LEN(commands); i++) {
         ck_assert_int_eq(fvi(commands[i]), 1);

@@ -49,6 +49,7 @@ static const struct {
     { "0 1\n10 2 7\n30 1\n", ":2:6: more numbers than columns" },
     { "0 1 7\n10 2\n30 1 7\n", ":2:5: a number is missing" },
     { "0\n30\n", ":1:2: a number is missing" },
+    { "-5x 2\n0 1\n30 1\n", ":1:1: not a finite decimal number" },
     { "0 1\n0x10 2\n30 1\n", ":2:1: not a finite decimal number" },
     { "0 1\n10 0x1p3\n30 1\n", ":2:4: not a finite decimal number" },
     { "0 1\n10 infinity\n30 1\n", ":2:4: not a finite decimal number" },
