@@ -33,6 +33,9 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -pedantic
 # What Debian's packages say stands in for a package that is yet to be installed.
 GSL_CFLAGS   := $(shell pkg-config --cflags gsl 2>/dev/null)
 GSL_LIBS     := $(shell pkg-config --libs gsl 2>/dev/null || echo -lgsl -lgslcblas -lm)
+# Only programs that solve with sparse matrices open CHOLMOD, and what it needs itself.
+CHOLMOD_LIBS := -Wl,--as-needed -lcholmod -Wl,--no-as-needed
+LINKED        = $(CHOLMOD_LIBS) $(GSL_LIBS)
 CHECK_CFLAGS := $(shell pkg-config --cflags check 2>/dev/null || echo -pthread)
 CHECK_LIBS   := $(shell pkg-config --libs check 2>/dev/null || echo -lcheck_pic -pthread -lrt -lm -lsubunit)
 CERF_LIBS    := $(shell pkg-config --libs libcerf 2>/dev/null || echo -lcerf)
@@ -72,7 +75,6 @@ endif
 
 all: $B/fvi $B/libfvi.a ## build the program build/fvi and the library (bare `make` does this)
 	echo 'built $B/fvi; "make help" lists the targets'
-	test -e /usr/include/suitesparse/cholmod.h || echo 'without CHOLMOD (libsuitesparse-dev): wide sparse matrices are solved more slowly'
 
 ## -- targets for people ----------------------------------------------------
 
@@ -177,10 +179,9 @@ $(UNDER:%=valgrind-%): valgrind-%: $B/tests/test_% $B/fvi | needs
 	FVI=$B/fvi CK_FORK=no CK_TIMEOUT_MULTIPLIER=50 valgrind -q --suppressions=tests/harness/valgrind.supp \
 	  --leak-check=full --error-exitcode=1 $<
 
-# cppcheck 2.10 does not know __has_include; without it, it looks at the code with CHOLMOD and at that without.
 cppcheck: | needs ## a static analyser of C has nothing to say of library, program and figures (cppcheck, half a minute)
 	mkdir -p $B/cppcheck
-	cppcheck -q -j $(shell nproc 2>/dev/null || echo 2) --std=c11 --cppcheck-build-dir=$B/cppcheck --error-exitcode=1 -Isrc -U__has_include \
+	cppcheck -q -j $(shell nproc 2>/dev/null || echo 2) --std=c11 --cppcheck-build-dir=$B/cppcheck --error-exitcode=1 -Isrc \
 	  --enable=warning,performance,portability --suppressions-list=src/make/cppcheck.txt src figures
 	echo 'cppcheck: nothing to say of src/ and figures/'
 
@@ -195,10 +196,10 @@ bench: $(BENCHES:%=$B/tests/bench_%) ## time the memories and all methods, into 
 	+$(foreach b,$(BENCHES),$B/tests/bench_$b > $B/$b.tsv && mv $B/$b.tsv $(TABLE_$b) &&) true
 
 petsc: $B/fvi $B/libfvi.a | needs ## build/fvi_petsc, structures on many machines; 1, 2 and 4 ranks against build/fvi (PETSc, MPI)
-	GSL_LIBS='$(GSL_LIBS)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' sh src/make/petsc.sh $B
+	LIBS='$(LINKED)' FLAGS='$(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS)' sh src/make/petsc.sh $B
 
 mutants: $B/libfvi.a $B/peers.a $(if $(STEM),,test-workshop-accidents) | needs ## test the tests: each wrong line of tests/*/mutants.txt must be named (minutes)
-	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GSL_LIBS) $(CHECK_LIBS)' \
+	CFLAGS='$(DIALECT) -O1 $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(LINKED) $(CHECK_LIBS)' \
 	  $(PYTHON) tests/harness/mutants.py $B $(STEM)
 
 clean: ## remove everything that was made
@@ -246,7 +247,7 @@ archive  = $(if $(findstring /,$2),$2,$1)
 GSL_WITHIN = $(if $(filter -L%,$(GSL_LIBS)),$(GSL_LIBS),$(foreach l,$(GSL_LIBS),$(if $(filter -lgsl%,$l),$(call archive,$l,$(shell $(CC) -print-file-name=$(l:-l%=lib%.a))),$l)))
 
 $B/fvi: $(PROGRAM:src/%.c=$B/%.o) $B/libfvi.a
-	$(CC) $(CFLAGS) $^ $(GSL_WITHIN) -o $@
+	$(CC) $(CFLAGS) $^ $(CHOLMOD_LIBS) $(GSL_WITHIN) -o $@
 
 # The installed library: static, shared, headers, pkg-config, program, manual.
 VERSION := $(shell sed -n 's/^\#define FVI_VERSION "\(.*\)"/\1/p' src/fvi/version.h)
@@ -255,7 +256,7 @@ PREFIX  ?= /usr/local
 $(if $(word 2,[$(PREFIX)] [$(DESTDIR)]),$(if $(word 3,[$(PREFIX)] [$(DESTDIR)]),$(error no spaces, please, in PREFIX and DESTDIR)))
 
 $B/libfvi.so.$(VERSION): $(LIBRARY:src/%.c=$B/%.o)
-	$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL_LIBS) -o $@
+	$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(LINKED) -o $@
 
 install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program, manual, completions (PREFIX=/usr/local DESTDIR=)
 	mkdir -p $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/fvi/paper share/man/man1 \
@@ -265,7 +266,7 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	ln -sf libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/$(SONAME)
 	ln -sf $(SONAME) $(DESTDIR)$(PREFIX)/lib/libfvi.so
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: fvi' 'Version: $(VERSION)' 'Requires: gsl' \
-	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' \
+	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' 'Libs.private: -lcholmod' \
 	  'Cflags: -I$${prefix}/include' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
 	cp src/fvi/*.h $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi/paper/*.h $(DESTDIR)$(PREFIX)/include/fvi/paper/
@@ -323,7 +324,7 @@ LEVEL_lobatto_load := -O1
 # Gold takes half the time for these 130 links.
 GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 $B/tests/test_%: $B/tests/test_%.o $B/libfvi.a
-	$(CC) $(CFLAGS) $(GOLD) $< $(EXTRA_$*) $B/libfvi.a $(GSL_LIBS) $(CHECK_LIBS) -o $@
+	$(CC) $(CFLAGS) $(GOLD) $< $(EXTRA_$*) $B/libfvi.a $(LINKED) $(CHECK_LIBS) -o $@
 
 # One test takes another road, by libcerf's complex error functions.
 EXTRA_exact_solution_erfc = $(CERF_LIBS)
@@ -348,7 +349,7 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 # against an installed copy, by pkg-config; and what the headers promise against what
 # the library exports. test-python compares its numbers with the other two examples'.
 test-example: tests/example/duffing.c $B/libfvi.a
-	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(GSL_LIBS) -o $B/example
+	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(LINKED) -o $B/example
 	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 201 && echo 'README example: 201 rows'
 
 test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
@@ -367,7 +368,7 @@ test-python: test-example $B/fvi $B/python/site | needs ## the Python package (c
 
 $B/tests/bench_%: tests/bench/bench_%.c $(wildcard tests/bench/*.h) $B/libfvi.a | needs
 	mkdir -p $(@D)
-	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(GSL_LIBS) -o $@
+	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(LINKED) -o $@
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
 $B/tests/bench_variable_steps $B/tests/bench_prototype: tests/bench/variable.c
 $B/tests/bench_prototype: tests/bench/prototype_random.c
@@ -393,15 +394,15 @@ TABLE_blocks    := figures/blocks/blocks_bench.tsv
 TABLE_structures := figures/structures/structures_bench.tsv
 
 $B/trajectories: tests/run/trajectories.c tests/run/many_runs.h $B/libfvi.a
-	$(COMPILE) -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
+	$(COMPILE) -Itests $(filter %.c %.a,$^) $(LINKED) -o $@
 
 # The program in one process: its main under another name.
 $B/fuzz: $(wildcard tests/random/fuzz/*.[ch]) $(filter-out $B/program/fvi_cli.o,$(PROGRAM:src/%.c=$B/%.o)) $B/libfvi.a
 	$(COMPILE) -Dmain=fvi_main -c src/program/fvi_cli.c -o $B/fuzz_cli.o
-	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(GSL_LIBS) -o $@
+	$(COMPILE) $(filter %.c,$^) $B/fuzz_cli.o $(filter %.o %.a,$^) $(LINKED) -o $@
 
 $B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_problems.h tests/variable_steps/pulse_problems.h $B/libfvi.a
-	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(GSL_LIBS) -o $@
+	$(CC) $(DIALECT) $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc -Itests $(filter %.c %.a,$^) $(LINKED) -o $@
 
 ## -- the workshop ----------------------------------------------------------
 
@@ -409,7 +410,7 @@ $B/stress: $(wildcard tests/random/stress/*.[ch]) tests/variable_steps/adaptive_
 # else it would overrun their arrays unseen. workshop/ is theirs: no rule writes there
 # what exists, and none removes it.
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
-WORKSHOP  = FLAGS='$(DIALECT) $(STUDENT) $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GOLD) $(GSL_LIBS) $(CHECK_LIBS)' $(PYTHON) src/make/workshop.py
+WORKSHOP  = FLAGS='$(DIALECT) $(STUDENT) $(GSL_CFLAGS) $(CHECK_CFLAGS)' LIBS='$(GOLD) $(LINKED) $(CHECK_LIBS)' $(PYTHON) src/make/workshop.py
 HELD     := $(sort $(shell sed -nE 's/^shows +([0-9]+)\..*/0\1/; s/^(chapter +)?0*([0-9]{2})$$/\2/p' tests/workshop/holes.txt))
 workshop hint $(HELD:%=workshop-%) test-workshop-accidents: STUDENT := $(SANITIZE)
 
@@ -455,7 +456,7 @@ $(PROOFS:%=refs-%): refs-%: | needs
 
 $B/figures/%: figures/%.c $B/libfvi.a | needs
 	mkdir -p $(@D)
-	$(COMPILE) $< $B/libfvi.a $(GSL_LIBS) -o $@
+	$(COMPILE) $< $B/libfvi.a $(LINKED) -o $@
 
 # A scene is run again when its program changed, drawn again when its data did.
 $B/figures/%.ran: $B/figures/%
@@ -488,7 +489,7 @@ figures/structures/structures_bench.svg: $(TABLE_structures)
 # only says what is missing; the others bring it if they may (src/make/need.sh).
 GOALS := $(or $(MAKECMDGOALS),all)
 goal = $(if $(filter $1,$(GOALS)),$2)
-NEEDS := $(sort cc gsl \
+NEEDS := $(sort cc gsl cholmod \
   $(call goal,check test test-% $(NUMBERS) workshop hint workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% $(NUMBERS),gnuplot) \
   $(call goal,check verify verify-% refs refs-% $(NUMBERS),python sympy) \

@@ -91,7 +91,7 @@ typedef struct fvi_structure fvi_structure;
  *
  *   M      positive definite
  *   K      symmetric. A run that is implicit in it does not start (FVI_ESING) where m M + c C
- *          + k K is not positive definite; conjugate gradients may see it in a step only
+ *          + k K is not positive definite
  *   C      not negative; NULL: no damping
  *   structure  output; free it with fvi_structure_free. It points to the matrices, which
  *          must outlive it
@@ -101,8 +101,7 @@ typedef struct fvi_structure fvi_structure;
  * half their number in rank, or less, C = B B^T and B^T x is remembered; else the
  * unknowns that C touches. (27.4)
  * Cost: that of one factorisation of M, and of one of C if it touches more than 512
- * unknowns; where no factors can be had (see fvi_structure_solver_name) this definiteness is not
- * looked at beyond the diagonal.
+ * unknowns.
  * Returns FVI_SUCCESS; FVI_EFAULT if M, K or structure is NULL; FVI_EINVAL if sizes differ;
  * FVI_EDOM if a matrix is not symmetric to the last bit or has an entry that is not finite,
  * a diagonal entry of M that is not positive, or C is negative; FVI_ESING if M is not
@@ -115,12 +114,9 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
  * several threads may share it, but for its energies, which are those of one at a time. */
 fvi_system fvi_structure_system(const fvi_structure *structure);
 
-/* fvi_structure_solver_name -- how m M + c C + k K is solved with: "diagonal", "band",
- * "CHOLMOD" or "conjugate gradients". Half bandwidths up to 8 are eliminated as they stand;
- * wider matrices by CHOLMOD, with an ordering that keeps them sparse, where the library was
- * built beside its header and finds it when it runs; else as a band, if that takes up to
- * 2^32 products and half a gigabyte; else by conjugate gradients with the diagonal as
- * preconditioner, to rounding.
+/* fvi_structure_solver_name -- how m M + c C + k K is solved with: "diagonal", "band" or
+ * "CHOLMOD". A matrix with a half bandwidth up to 8 is eliminated as it stands. CHOLMOD
+ * factorises a wider matrix, in an order that keeps the factors sparse.
  *
  *   m, c, k  zero or not is all that counts
  *

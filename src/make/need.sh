@@ -12,6 +12,7 @@ have() {
     cc) command -v "${CC%% *}" ;;
     gsl | check) pkg-config --exists "$1" ;;
     cerf) pkg-config --exists libcerf ;;
+    cholmod) test -e /usr/include/suitesparse/cholmod.h || echo '#include <suitesparse/cholmod.h>' | ${CC%% *} -E - ;;
     gnuplot) command -v "$GNUPLOT" ;;
     python) command -v "$PYTHON" ;;
     sympy | numpy | cffi | setuptools | wheel | pytest) "$PYTHON" -c "from importlib.util import find_spec; raise SystemExit(not find_spec('$1'))" ;;
@@ -28,6 +29,7 @@ packages() {
     gsl) echo pkg-config libgsl-dev ;;
     check) echo pkg-config check ;;
     cerf) echo libcerf-dev ;;
+    cholmod) echo libsuitesparse-dev ;;
     gnuplot) echo gnuplot-nox ;;
     python) echo python3 ;;
     Python.h) echo python3-dev ;;

@@ -16,7 +16,7 @@ fi
 # that the library calls would read another argument than it was given.
 FLAGS="$(echo "$FLAGS" | sed 's/-pedantic//; s/-Wconversion//') -Werror=incompatible-pointer-types"
 mpicc $FLAGS -Isrc $(pkg-config --cflags petsc) src/petsc/*.c "$build"/input/*.o "$build/output/fvi_output.o" "$build/libfvi.a" \
-    $GSL_LIBS $(pkg-config --libs petsc) -lm -o "$build/fvi_petsc"
+    $LIBS $(pkg-config --libs petsc) -lm -o "$build/fvi_petsc"
 # Root is let in, more ranks than cores too; else ranks and the threads of BLAS fight.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OPENBLAS_NUM_THREADS=1
 $PYTHON tests/program/test_petsc.py "$build"

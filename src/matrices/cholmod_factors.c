@@ -1,82 +1,21 @@
-/* src/matrices/cholmod_factors.c -- Factors by CHOLMOD.                [H 27]
- *
- * SuiteSparse's CHOLMOD is optional twice. Without its header, or with -DFVI_NO_CHOLMOD,
- * this file says that there is no CHOLMOD. With it, the library is loaded when the first
- * matrix asks for it, so that no program has to be linked with it; where it has gone, there
- * is none either. */
-#define _GNU_SOURCE
+/* src/matrices/cholmod_factors.c -- Factors by CHOLMOD, of SuiteSparse.   [H 27] */
+#define _XOPEN_SOURCE 700 /* initstate */
 #include "factors.h"
 
 #include "system/fail.h"
 
-#if defined(__has_include)
-#if __has_include(<suitesparse/cholmod.h>) && !defined(FVI_NO_CHOLMOD)
-#define FVI_HAS_CHOLMOD
-#endif
-#endif
-
-#ifdef FVI_HAS_CHOLMOD
-
-#include <dlfcn.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <suitesparse/cholmod.h>
 
-#define TEXT_OF(x) #x
-#define TEXT(x) TEXT_OF(x)
-
-/* The functions that are used, as they came out of the library. */
-static struct {
-    int (*start)(cholmod_common *);
-    cholmod_factor *(*analyze)(cholmod_sparse *, cholmod_common *);
-    int (*factorize)(cholmod_sparse *, cholmod_factor *, cholmod_common *);
-    int (*solve2)(int, cholmod_factor *, cholmod_dense *, cholmod_sparse *,
-                  cholmod_dense **, cholmod_sparse **, cholmod_dense **,
-                  cholmod_dense **, cholmod_common *);
-    int (*free_factor)(cholmod_factor **, cholmod_common *);
-    int (*free_dense)(cholmod_dense **, cholmod_common *);
-    int (*finish)(cholmod_common *);
-} cholmod;
-
-static int is_there;
-
-/* Called once in a process, whatever threads ask. */
-static void load(void)
-{
-    void *library = dlopen("libcholmod.so." TEXT(CHOLMOD_MAIN_VERSION),
-                           RTLD_NOW | RTLD_LOCAL);
-    const struct {
-        const char *name;
-        void *place;
-    } wanted[] = { { "cholmod_start", &cholmod.start },
-                   { "cholmod_analyze", &cholmod.analyze },
-                   { "cholmod_factorize", &cholmod.factorize },
-                   { "cholmod_solve2", &cholmod.solve2 },
-                   { "cholmod_free_factor", &cholmod.free_factor },
-                   { "cholmod_free_dense", &cholmod.free_dense },
-                   { "cholmod_finish", &cholmod.finish } };
-    for (size_t i = 0; library && i < sizeof wanted / sizeof *wanted; i++) {
-        void *found = dlsym(library, wanted[i].name);
-        if (!found)
-            return;
-        memcpy(wanted[i].place, &found, sizeof found);
-    }
-    is_there = library != NULL;
-}
-
-int fvi_cholmod_is_there(void)
-{
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, load);
-    return is_there;
-}
+enum { FULL = 250 }; /* entries of L in a column, from which on blocks are faster */
 
 struct fvi_cholmod {
     cholmod_common common;
     cholmod_factor *L;
     cholmod_dense *x, *Y,
-        *E; /* of solve2, kept from one solution to the next */
+        *E; /* of cholmod_solve2, kept from one solution to the next */
 };
 
 /* A as CHOLMOD sees it: the upper triangle of columns in order. */
@@ -96,26 +35,56 @@ static cholmod_sparse view(const fvi_sparse *A)
                              .packed = 1 };
 }
 
+/* METIS seeds rand() and draws from it. So rand() gets another state meanwhile, and one
+ * thread orders at a time: every thread finds the same order, and the caller's own random
+ * numbers go on as if nothing had been drawn. */
+static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
+{
+    static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
+    static char state[128];
+    pthread_mutex_lock(&one_at_a_time);
+    char *const of_caller = initstate(1, state, sizeof state);
+    c->common.nmethods = 3;
+    c->common.method[2].ordering = CHOLMOD_METIS;
+    c->L = cholmod_analyze(A, &c->common);
+    setstate(of_caller);
+    pthread_mutex_unlock(&one_at_a_time);
+}
+
 //> cholmod
+/* L gets fewest entries in the natural order of a full band, and in AMD's of a membrane. If
+ * it has many in either, as for a frame in space, METIS may find a better order; and L is then
+ * factorised by dense blocks. */
+static void analyse(fvi_cholmod *c, cholmod_sparse *A)
+{
+    cholmod_common *common = &c->common;
+    common->nmethods = 2;
+    common->method[0].ordering = CHOLMOD_NATURAL;
+    common->method[1].ordering = CHOLMOD_AMD;
+    common->supernodal = CHOLMOD_SIMPLICIAL;
+    common->final_ll = 1; /* L L^T: a pivot that is not positive is an error */
+    c->L = cholmod_analyze(A, common);
+    if (!c->L || common->lnz <= FULL * (double)A->nrow)
+        return;
+    cholmod_free_factor(&c->L, common);
+    common->supernodal = CHOLMOD_SUPERNODAL;
+    analyse_by_metis_too(c, A);
+}
+
 int fvi_cholmod_alloc(const fvi_sparse *A, fvi_cholmod **result)
 {
     fvi_cholmod *c = calloc(1, sizeof *c);
     if (!c)
         return FVI_ENOMEM;
-    cholmod_common *common = &c->common;
-    cholmod.start(common);
-    common->print = 0;
-    common->nmethods = 1;
-    common->method[0].ordering = CHOLMOD_AMD;
-    common->supernodal = CHOLMOD_SIMPLICIAL;
-    common->final_ll = 1; /* L L^T: a pivot that is not positive is an error */
+    cholmod_start(&c->common);
+    c->common.print = 0;
     cholmod_sparse columns = view(A);
-    c->L = cholmod.analyze(&columns, common);
+    analyse(c, &columns);
     if (c->L)
-        cholmod.factorize(&columns, c->L, common);
-    int status = common->status == CHOLMOD_NOT_POSDEF ? FVI_ESING
-                 : !c->L || common->status < 0        ? FVI_ENOMEM
-                                                      : FVI_SUCCESS;
+        cholmod_factorize(&columns, c->L, &c->common);
+    int status = c->common.status == CHOLMOD_NOT_POSDEF ? FVI_ESING
+                 : !c->L || c->common.status < 0        ? FVI_ENOMEM
+                                                        : FVI_SUCCESS;
     if (status)
         fvi_cholmod_free(c);
     else
@@ -134,7 +103,7 @@ int fvi_cholmod_solve(fvi_cholmod *c, double *r)
                             .x = r,
                             .xtype = CHOLMOD_REAL,
                             .dtype = CHOLMOD_DOUBLE };
-    if (!cholmod.solve2(CHOLMOD_A, c->L, &given, NULL, &c->x, NULL, &c->Y,
+    if (!cholmod_solve2(CHOLMOD_A, c->L, &given, NULL, &c->x, NULL, &c->Y,
                         &c->E, &c->common))
         return FVI_ENOMEM;
     memcpy(r, c->x->x, n * sizeof *r);
@@ -145,36 +114,10 @@ void fvi_cholmod_free(fvi_cholmod *c)
 {
     if (!c)
         return;
-    cholmod.free_factor(&c->L, &c->common);
-    cholmod.free_dense(&c->x, &c->common);
-    cholmod.free_dense(&c->Y, &c->common);
-    cholmod.free_dense(&c->E, &c->common);
-    cholmod.finish(&c->common);
+    cholmod_free_factor(&c->L, &c->common);
+    cholmod_free_dense(&c->x, &c->common);
+    cholmod_free_dense(&c->Y, &c->common);
+    cholmod_free_dense(&c->E, &c->common);
+    cholmod_finish(&c->common);
     free(c);
 }
-
-#else
-
-int fvi_cholmod_is_there(void)
-{
-    return 0;
-}
-
-int fvi_cholmod_alloc(const fvi_sparse *A, fvi_cholmod **result)
-{
-    (void)A, (void)result;
-    return FVI_EUNSUP;
-}
-
-int fvi_cholmod_solve(fvi_cholmod *c, double *r)
-{
-    (void)c, (void)r;
-    return FVI_EUNSUP;
-}
-
-void fvi_cholmod_free(fvi_cholmod *c)
-{
-    (void)c;
-}
-
-#endif

@@ -9,8 +9,7 @@
 typedef enum {
     FVI_BY_DIAGONAL,
     FVI_BY_BAND,
-    FVI_BY_CHOLMOD,
-    FVI_BY_GRADIENTS
+    FVI_BY_CHOLMOD
 } fvi_way;
 
 /* fvi_way_of -- which one a matrix is solved by. */
@@ -18,15 +17,11 @@ fvi_way fvi_way_of(const fvi_sparse *A);
 
 typedef struct fvi_factors fvi_factors;
 
-/* fvi_factors_alloc -- factorise A in this way. A is taken over, and freed if that fails.
- * Returns FVI_SUCCESS; FVI_ESING if A is not positive definite (by gradients: if its
- * diagonal is not positive); FVI_ENOMEM. */
+/* fvi_factors_alloc -- factorise A in this way. A is taken over, and freed here.
+ * Returns FVI_SUCCESS; FVI_ESING if A is not positive definite; FVI_ENOMEM. */
 int fvi_factors_alloc(fvi_way way, fvi_sparse *A, fvi_factors **factors);
 
-/* fvi_factors_solve -- r becomes A^-1 r, n numbers.
- * Returns FVI_SUCCESS; FVI_ENOMEM of CHOLMOD; by gradients FVI_ESING if A turns out not
- * to be positive definite, FVI_EOVRFLW if r is not finite, FVI_EMAXITER if they do not come
- * to an end. */
+/* fvi_factors_solve -- r becomes A^-1 r, n numbers.  Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_factors_solve(fvi_factors *f, double *r);
 
 /* fvi_factors_free -- give everything back. NULL is allowed. */
@@ -35,9 +30,6 @@ void fvi_factors_free(fvi_factors *f);
 /* ---- cholmod_factors.c ---- */
 
 typedef struct fvi_cholmod fvi_cholmod;
-
-/* fvi_cholmod_is_there -- was its header there when this was built, and is it there now? */
-int fvi_cholmod_is_there(void);
 
 /* fvi_cholmod_alloc -- the factors of A, which is read only here.
  * Returns FVI_SUCCESS; FVI_ESING if A is not positive definite; FVI_ENOMEM. */

@@ -189,7 +189,7 @@ static int look_for_few(fvi_history_space *B)
 }
 
 /* A large C is not negative if C and a thousand-millionth of M, in its units, are positive
- * definite together. Conjugate gradients could not tell. */
+ * definite together. */
 static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
 {
     double largest = 0;
@@ -206,12 +206,7 @@ static int look_at_all(const fvi_sparse *M, const fvi_sparse *C)
     int status = fvi_sparse_add(terms, a, &A);
     if (status)
         return status;
-    const fvi_way way = fvi_way_of(&A);
-    if (way == FVI_BY_GRADIENTS) {
-        fvi_sparse_free(&A);
-        return FVI_SUCCESS;
-    }
-    status = fvi_factors_alloc(way, &A, &f);
+    status = fvi_factors_alloc(fvi_way_of(&A), &A, &f);
     if (!status)
         fvi_factors_free(f);
     return status == FVI_ESING ? FVI_EDOM : status;

@@ -200,8 +200,7 @@ fvi_system fvi_structure_system(const fvi_structure *s)
 const char *fvi_structure_solver_name(const fvi_structure *s, double m, double c,
                                  double k)
 {
-    static const char *const names[] = { "diagonal", "band", "CHOLMOD",
-                                         "conjugate gradients" };
+    static const char *const names[] = { "diagonal", "band", "CHOLMOD" };
     const fvi_sparse *const terms[3] = { s->M, s->C, s->K };
     /* of no simple ratio: where M is 1 and K is -1 no entry is lost */
     const double a[3] = { m, c * sqrt(2), k * sqrt(3) };

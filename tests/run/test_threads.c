@@ -53,12 +53,12 @@ START_TEST(two_threads_give_the_digits_of_one)
 }
 END_TEST
 
-/* ---- a library that is loaded when the first matrix asks for it ---- */
+/* ---- CHOLMOD in several threads ---- */
 
 enum { WIDE = 40 };
 
-/* A spring from each mass to that `WIDE / 2` places on: no narrow band, so that CHOLMOD is
- * asked for, where there is one. A few steps; x of the first mass, or NaN. */
+/* A spring from each mass to the mass `WIDE / 2` places on: a band so wide that CHOLMOD
+ * factorises it. A few steps; x of the first mass, or NaN. */
 static void *run_of_wide_matrices(void *place)
 {
     fvi_triplet triplets[3 * WIDE];
@@ -98,8 +98,7 @@ static void *run_of_wide_matrices(void *place)
     return NULL;
 }
 
-/* In a process that has not asked before. */
-START_TEST(two_threads_may_be_the_first_to_factorise)
+START_TEST(two_threads_may_factorise_at_once)
 {
     pthread_t thread[THREADS];
     double x[THREADS] = { 0 };
@@ -119,6 +118,6 @@ int main(void)
 {
     Suite *suite = suite_create("runs in threads");
     ADD_CASE(suite, "threads", two_threads_give_the_digits_of_one,
-             two_threads_may_be_the_first_to_factorise);
+             two_threads_may_factorise_at_once);
     return run_suite(suite);
 }

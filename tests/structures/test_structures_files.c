@@ -3,6 +3,7 @@
 #define _GNU_SOURCE /* mkstemp */
 #include "structures_runs.h"
 
+#include <suitesparse/cholmod.h>
 #include <unistd.h>
 
 /* ---- sums of triplets ---- */
@@ -154,69 +155,41 @@ END_TEST
 
 /* ---- another reader ---- */
 
-#if defined(__has_include)
-#if __has_include(<suitesparse/cholmod.h>)
-#define HAS_CHOLMOD
-#endif
-#endif
-
-#ifdef HAS_CHOLMOD
-#include <dlfcn.h>
-#include <suitesparse/cholmod.h>
-
-typedef int initialise(cholmod_common *);
-typedef cholmod_sparse *reading(FILE *, cholmod_common *);
-typedef int releasing(cholmod_sparse **, cholmod_common *);
-
 /* The entry (i, j), i <= j, that CHOLMOD reads; NaN if it refuses the file. */
-static double read_by_cholmod(void *library, const char *text, int i, int j)
+static double read_by_cholmod(const char *text, int i, int j)
 {
     cholmod_common common;
-    initialise *start, *finish;
-    reading *read;
-    releasing *release;
-    *(void **)&start = dlsym(library, "cholmod_start");
-    *(void **)&finish = dlsym(library, "cholmod_finish");
-    *(void **)&read = dlsym(library, "cholmod_read_sparse");
-    *(void **)&release = dlsym(library, "cholmod_free_sparse");
     const char *name = write_file(text);
     FILE *file = fopen(name, "r");
-    start(&common);
+    cholmod_start(&common);
     common.print = 0;
-    cholmod_sparse *A = read(file, &common);
+    cholmod_sparse *A = cholmod_read_sparse(file, &common);
     double entry = A ? 0 : NAN;
     for (int e = A ? ((int *)A->p)[j] : 0; A && e < ((int *)A->p)[j + 1]; e++)
         if (((int *)A->i)[e] == i)
             entry = ((double *)A->x)[e];
-    release(&A, &common);
-    finish(&common);
+    cholmod_free_sparse(&A, &common);
+    cholmod_finish(&common);
     fclose(file);
     remove(name);
     return entry;
 }
-#endif
 
 /* CHOLMOD reads a good file as we do; a file with both triangles it doubles, without a word. */
 START_TEST(another_reader_agrees_where_the_file_is_good)
 {
-#ifdef HAS_CHOLMOD
-    void *library = dlopen("libcholmod.so.3", RTLD_NOW);
-    if (!library)
-        return;
     const char *good = HEAD "2 2 3\n1 1 2\n2 1 -1.25\n2 2 0.1\n";
     fvi_sparse A;
     const char *name = write_file(good);
     OK(fvi_sparse_read(name, &A, NULL));
     remove(name);
-    ck_assert(A.entry[1] == read_by_cholmod(library, good, 0, 1));
-    ck_assert(A.entry[3] == read_by_cholmod(library, good, 1, 1));
+    ck_assert(A.entry[1] == read_by_cholmod(good, 0, 1));
+    ck_assert(A.entry[3] == read_by_cholmod(good, 1, 1));
     fvi_sparse_free(&A);
-    ck_assert(read_by_cholmod(library,
-                              HEAD "2 2 4\n1 1 2\n2 1 -1.25\n1 2 -1.25\n"
+    ck_assert(read_by_cholmod(HEAD "2 2 4\n1 1 2\n2 1 -1.25\n1 2 -1.25\n"
                                    "2 2 0.1\n",
                               0, 1)
               == -2.5);
-#endif
 }
 END_TEST
 
