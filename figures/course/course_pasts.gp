@@ -2,14 +2,14 @@
 # Input: figures/course/course_pasts.c. Output: figures/course/course_pasts.svg.
 width = 900; height = 420
 load 'figures/style.gp'
-set multiplot layout 1,2 margins 0.06,0.9,0.13,0.9 spacing 0.11
+set multiplot layout 1,2 margins 0.06,0.87,0.13,0.9 spacing 0.11
 unset key
 set title "three pasts and what follows (α = 3/4)"
 set xlabel "t"
 set ylabel "x" offset 1,0
 set xrange [-2:6]
-set yrange [-1.2:2.4]
-set arrow 1 from 0,-1.2 to 0,2.4 nohead lc rgb GREY dt (4,4)
+set yrange [-1.6:2.4]
+set arrow 1 from 0,-1.6 to 0,2.4 nohead lc rgb GREY dt (4,4)
 set label 1 "held at x_0" at -1.9,1.15 left tc rgb BLUE
 set label 2 "a straight\nline" at -1.95,0.83 left tc rgb GREEN
 set label 3 "at zero, then at once at x_0" at -1.9,-0.2 left tc rgb RED
