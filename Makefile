@@ -369,12 +369,13 @@ test-python: test-example $B/fvi $B/python/site | needs ## the Python package (c
 $B/tests/bench_%: tests/bench/bench_%.c $(wildcard tests/bench/*.h) $B/libfvi.a | needs
 	mkdir -p $(@D)
 	$(COMPILE) '-DOPTIONS="$(CFLAGS)"' -Itests $(filter %.c,$^) $(filter-out $B/libfvi.a,$(filter %.a,$^)) $B/libfvi.a $(LINKED) -o $@
+$B/tests/bench_memory: $B/peers.a
 $B/tests/bench_precision: $(wildcard tests/bench/precision_*.c) $B/peers.a | $B/fvi
 $B/tests/bench_variable_steps $B/tests/bench_prototype: tests/bench/variable.c
 $B/tests/bench_prototype: tests/bench/prototype_random.c
 
 # The peers, the problems and their solutions; they are compiled as the library is.
-PEERS := $(wildcard tests/bench/peers/*.c) tests/bench/problems.c tests/bench/reference.c
+PEERS := $(wildcard tests/bench/peers/*.c) tests/bench/problems.c tests/bench/reference.c tests/bench/fft_blocks.c
 $B/peers/%.o: tests/bench/peers/%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) -c $< -o $@

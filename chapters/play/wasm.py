@@ -18,7 +18,6 @@ MODULES = """band error expression expression_parse lu newton newton_stages syst
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
-    fvi_history_fft_ahead fvi_history_fft_alloc fvi_history_fft_bytes fvi_history_fft_copy fvi_history_fft_push fvi_history_fft_archive
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params gsl_matrix_alloc gsl_matrix_free gsl_matrix_set gsl_matrix_set_zero
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()

@@ -36,7 +36,7 @@ extern "C" {
  * limit on its own side: F may jump at nodes (13.12). In the first few steps after
  * the start, or after a jump of F, the error of p is larger and falls more slowly
  * with h; that does not spread. Cost of a step: as Algorithm 3, and two values of
- * F; DIRECT and FFT memories of fvi_cq2_shifted sum twice; BDF2 takes 36 products a
+ * F; the DIRECT memory of fvi_cq2_shifted sums twice; BDF2 takes 36 products a
  * damped coordinate more, fvi_cq2_midpoint 2. Errors as fvi_stepper_start and fvi_stepper_step; fvi_stepper_start also
  * returns FVI_EDOM if m/h + theta rho h^(1 - 2 alpha) overflows. */
 extern const fvi_method fvi_cq2_shifted;

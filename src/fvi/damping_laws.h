@@ -110,8 +110,7 @@ int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
  * As there, increments are summed where the law grows faster than s: *first is then
  * the factor of x_k - x_{k-1}.
  * Returns FVI_SUCCESS; what fvi_kernel_weights and fvi_history_alloc return; FVI_EUNSUP for
- * FFT, and for EXPONENTIALS where there are no modes. On error *first and *memory are
- * untouched. */
+ * EXPONENTIALS where there are no modes. On error *first and *memory are untouched. */
 int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d,
                    size_t steps, fvi_history_kind how, double tolerance,
                    double *first, fvi_history **memory);

@@ -45,7 +45,7 @@ extern "C" {
  * (17.15); no friction is added: then the step is symplectic.
  * With damping: fvi_stability_lobatto (stability.h) says which steps are stable.
  *
- * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps); FFT is refused.
+ * Memory: DIRECT, EXPONENTIALS, or AUTO (DIRECT up to 64 steps).
  * run->tolerance t: the impulse of what compression leaves out, over the whole run,
  * is at most t m max|v| (v - v0 where beta > 0); the memory is asked for
  * t / max(1, T rho h^(-beta) / m), or with T^(-beta) where beta < 0, T = h steps, but
@@ -54,8 +54,7 @@ extern "C" {
  * Cost of a step: s - 1 gradients; s > 2 and nonlinear U: three or four times
  * s - 2 more, with Hessians, and the factors of an (s - 2) d matrix with s - 2 times
  * the diagonals of a Hessian (once a run for quadratic U); the history O(Q s) for each
- * damped coordinate, Q about 90. Errors as fvi_stepper_start and fvi_stepper_step, and FVI_EUNSUP for
- * FFT. */
+ * damped coordinate, Q about 90. Errors as fvi_stepper_start and fvi_stepper_step. */
 extern const fvi_method fvi_lobatto_m2, fvi_lobatto_m3, fvi_lobatto_m4;
 extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_lobatto_m8;
 

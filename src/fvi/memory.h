@@ -20,13 +20,11 @@ extern "C" {
  *
  *   AUTO          what fvi_history_choose says
  *   DIRECT        the sum as it stands: O(N^2) time, O(N d) memory
- *   FFT           convolutions in blocks that double: O(N log^2 N), O(N d)
  *   EXPONENTIALS  the last 32 terms and Q decaying modes: O(N Q), O(Q d); from d = 16 on
  *                 as products of matrices, with the same weights (H 28) */
 typedef enum {
     FVI_HISTORY_AUTO,
     FVI_HISTORY_DIRECT,
-    FVI_HISTORY_FFT,
     FVI_HISTORY_MODES,
 } fvi_history_kind;
 
@@ -41,13 +39,12 @@ typedef struct fvi_history fvi_history;
  *   tolerance  EXPONENTIALS: 0 for the default 1e-13, or from 1e-14 to below 1.
  *          Every weight that is replaced is kept to a relative error of
  *          tolerance / 10, and trajectories to tolerance max |x| as far as
- *          (12.14) says. The other kinds have only rounding errors.
+ *          (12.14) says. The direct sum has only rounding errors.
  *   memory output; free it with fvi_history_free
  *
  * beta = 0, 1, 2 have 1, 2, 3 weights that are not zero: nothing is stored then
  * but the last term, whatever the kind. Cost, on the machine of memory_bench.tsv:
- * EXPONENTIALS 10 microseconds, DIRECT some 20 ns a step, FFT also that of as many
- * transforms as N/64 has bits.
+ * EXPONENTIALS 10 microseconds, DIRECT some 20 ns a step.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if d == 0, if
  * kind is unknown, if steps and d are too large to be addressed, or beyond 10^9
@@ -59,7 +56,7 @@ int fvi_history_alloc(double beta, size_t d, size_t steps, fvi_history_kind kind
 
 /* fvi_history_choose -- what AUTO stands for: DIRECT up to 256 steps, where its weights are
  * exact and it is the faster one or loses microseconds (figures/memory/memory_bench.tsv),
- * and where no memory is needed; else EXPONENTIALS. The FFT is nowhere the fastest there. */
+ * and where no memory is needed; else EXPONENTIALS. */
 fvi_history_kind fvi_history_choose(double beta, size_t steps);
 
 /* fvi_history_bytes -- what fvi_history_alloc will take from the heap. Arguments
@@ -71,7 +68,7 @@ size_t fvi_history_bytes(double beta, size_t d, size_t steps,
  *
  * Arguments, errors and what is promised of H: as fvi_history_alloc. The rate needs the
  * whole past even where beta is 0, 1 or 2 and H does not, so nothing is saved there.
- * Cost: DIRECT and FFT twice the time and the weights of fvi_history_alloc;
+ * Cost: DIRECT twice the time and the weights of fvi_history_alloc;
  * EXPONENTIALS reads the same modes a second time. */
 int fvi_history_alloc_by_order(double beta, size_t d, size_t steps,
                           fvi_history_kind kind, double tolerance,
@@ -103,7 +100,7 @@ int fvi_history_push_by_order(fvi_history *memory, const double *x, const double
  * Both are asked for because the sum is done on the one that rounds less: the
  * increments with weights of order beta - 1 where beta >= 1 (an identity, as
  * (1-z)^beta = (1-z)^(beta-1) (1-z)), the positions where beta < 1.
- * Cost: DIRECT O(k d), FFT O(d log^2 N) on the average, EXPONENTIALS O(Q d).
+ * Cost: DIRECT O(k d), EXPONENTIALS O(Q d).
  * From d = 16 on every 32nd push of EXPONENTIALS does nine tenths of the work of 32.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
@@ -120,8 +117,7 @@ int fvi_history_push(fvi_history *memory, const double *x, const double *dx,
  *   x      x_k, the last that was pushed, d numbers (zeros before the first)
  *   ahead  output, d numbers, may be x
  *
- * Cost: none for EXPONENTIALS up to d = 15, then at most 7 d products; DIRECT O(k d), FFT
- * at most 64 d products.
+ * Cost: none for EXPONENTIALS up to d = 15, then at most 7 d products; DIRECT O(k d).
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL after
  * steps + 1 terms. On error ahead is untouched. */
 int fvi_history_ahead(const fvi_history *memory, const double *x, double *ahead);
@@ -132,9 +128,9 @@ int fvi_history_ahead(const fvi_history *memory, const double *x, double *ahead)
  *   from  a memory
  *   to    output; free it with fvi_history_free
  *
- * Cost: as many bytes as fvi_history_bytes says are copied; FFT also makes its tables
- * of cosines anew. Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM.
- * On error *to is untouched. */
+ * Cost: as many bytes as fvi_history_bytes says are copied.
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_ENOMEM. On error *to is
+ * untouched. */
 int fvi_history_copy(const fvi_history *from, fvi_history **to);
 
 /* fvi_history_archive -- show the terms that came in, or what is left of them, to a visitor; as

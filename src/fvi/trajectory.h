@@ -234,9 +234,8 @@ int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p);
  *   from  a stepper in which no step failed
  *   to    output; stop it with fvi_stepper_free
  *
- * Cost: the bytes of the stepper and of its memory are copied; with FVI_HISTORY_FFT the
- * tables of cosines are made anew. No callback is called, but for factorise of matrices,
- * whose code is then returned.
+ * Cost: the bytes of the stepper and of its memory are copied. No callback is called, but
+ * for factorise of matrices, whose code is then returned.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP if the method has
  * data of its own and no copy; FVI_ENOMEM. On error *to is untouched. */
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
@@ -253,8 +252,8 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * but for d, masses and dampings, which are constant; potential, matrices and force must be
  * the same.
  * `steps` may be another one where the memory is none or FVI_HISTORY_DIRECT, and at least
- * k; in the other memories what depends on it is constant. All pieces are as this machine
- * has them. O(Q d) bytes with FVI_HISTORY_MODES, O(k d) with DIRECT, O(N d) with FFT.
+ * k; in FVI_HISTORY_MODES what depends on it is constant. All pieces are as this machine
+ * has them. O(Q d) bytes with FVI_HISTORY_MODES, O(k d) with DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if
  * the method has data of its own and no visit; FVI_EINVAL if what was loaded is no state of

@@ -65,20 +65,6 @@ void fvi_history_direct_ahead(const fvi_history_direct *m, double *sum);
 int fvi_history_direct_archive(fvi_history_direct *m, size_t k, fvi_archive *v);
 void fvi_history_direct_free(fvi_history_direct *m);
 
-/* ---- blocks of convolutions (history_fft.c) ---- */
-
-typedef struct fvi_history_fft fvi_history_fft;
-
-size_t fvi_history_fft_bytes(size_t d, size_t steps);
-/* With the weights w_n, or, if rate is not zero, with d w_n / d nu. */
-fvi_history_fft *fvi_history_fft_alloc(double nu, int rate, size_t d, size_t steps);
-fvi_history_fft *fvi_history_fft_copy(const fvi_history_fft *from);
-void fvi_history_fft_push(fvi_history_fft *b, const double *term, double *H);
-void fvi_history_fft_ahead(const fvi_history_fft *b, double *sum);
-/* k: how many terms there are, which what v has written must say, too, or FVI_EINVAL. */
-int fvi_history_fft_archive(fvi_history_fft *b, size_t k, fvi_archive *v);
-void fvi_history_fft_free(fvi_history_fft *b);
-
 /* ---- a window and decaying exponentials (history_modes.c, memory_nodes.c) ---- */
 
 enum {

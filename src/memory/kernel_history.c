@@ -225,8 +225,6 @@ static fvi_history_modes *compressed(const ready *r, size_t d, size_t steps,
 static int choose(const ready *r, size_t steps, double tolerance,
                   fvi_history_kind *how)
 {
-    if (*how == FVI_HISTORY_FFT)
-        FVI_FAIL("a law has no memory in blocks", FVI_EUNSUP);
     if (*how == FVI_HISTORY_MODES && !has_modes(r))
         FVI_FAIL("the tail of this law is no sum of decaying modes",
                  FVI_EUNSUP);

@@ -23,8 +23,7 @@ struct fvi_history {
     size_t d, steps, k;   /* k terms have come in */
     double *last;         /* d numbers: the last term, if order is 0 or 1 */
     int by_order;            /* dH/d beta is wanted, too */
-    fvi_history_direct *direct;   /* of these one, or last */
-    fvi_history_fft *blocks, *rate_blocks;
+    fvi_history_direct *direct;   /* one of last, direct and exponentials is not NULL */
     fvi_history_modes *exponentials;
 };
 
@@ -58,7 +57,7 @@ static int plan(double beta, int by_order, size_t d, size_t steps,
                 size_t *bytes)
 {
     if (kind != FVI_HISTORY_AUTO && kind != FVI_HISTORY_DIRECT
-        && kind != FVI_HISTORY_FFT && kind != FVI_HISTORY_MODES)
+        && kind != FVI_HISTORY_MODES)
         FVI_FAIL("unknown kind of memory", FVI_EINVAL);
     if (d == 0 || d > SIZE_MAX / 8 / sizeof(double))
         FVI_FAIL("d must be at least 1 and addressable", FVI_EINVAL);
@@ -78,8 +77,6 @@ static int plan(double beta, int by_order, size_t d, size_t steps,
         *bytes = d * sizeof(double);
     } else if (m->kind == FVI_HISTORY_DIRECT) {
         *bytes = fvi_history_direct_bytes(d, steps);
-    } else if (m->kind == FVI_HISTORY_FFT) {
-        *bytes = fvi_history_fft_bytes(d, steps);
     } else {
         if (steps > FVI_LONGEST)
             FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
@@ -105,14 +102,6 @@ size_t fvi_history_bytes(double beta, size_t d, size_t steps,
     return plan(beta, 0, d, steps, kind, tolerance, &m, &bytes) ? 0 : bytes;
 }
 
-static int alloc_blocks(fvi_history *m)
-{
-    m->blocks = fvi_history_fft_alloc(m->order, 0, m->d, m->steps);
-    if (m->by_order)
-        m->rate_blocks = fvi_history_fft_alloc(m->order, 1, m->d, m->steps);
-    return m->blocks && !m->rate_blocks == !m->by_order;
-}
-
 static int alloc_kind(fvi_history *m)
 {
     if (needs_no_past(m)) {
@@ -123,8 +112,6 @@ static int alloc_kind(fvi_history *m)
         return (m->direct =
                     fvi_history_direct_alloc(m->order, m->by_order, m->d, m->steps))
                != NULL;
-    if (m->kind == FVI_HISTORY_FFT)
-        return alloc_blocks(m);
     m->exponentials =
         fvi_history_modes_alloc(&m->nodes, m->order, m->by_order, m->d, m->steps);
     return m->exponentials != NULL;
@@ -197,14 +184,9 @@ int fvi_history_copy(const fvi_history *from, fvi_history **to)
     if (m->last)
         memcpy(m->last, from->last, m->d * sizeof *m->last);
     m->direct = from->direct ? fvi_history_direct_copy(from->direct) : NULL;
-    m->blocks = from->blocks ? fvi_history_fft_copy(from->blocks) : NULL;
-    m->rate_blocks =
-        from->rate_blocks ? fvi_history_fft_copy(from->rate_blocks) : NULL;
     m->exponentials =
         from->exponentials ? fvi_history_modes_copy(from->exponentials) : NULL;
     const int all = !from->last == !m->last && !from->direct == !m->direct
-                    && !from->blocks == !m->blocks
-                    && !from->rate_blocks == !m->rate_blocks
                     && !from->exponentials == !m->exponentials;
     if (!all) {
         fvi_history_free(m);
@@ -231,10 +213,6 @@ int fvi_history_archive(fvi_history *m, fvi_archive *v)
         status = v->serialize(v, m->last, m->d * sizeof *m->last, 0);
     if (!status && m->direct)
         status = fvi_history_direct_archive(m->direct, m->k, v);
-    if (!status && m->blocks)
-        status = fvi_history_fft_archive(m->blocks, m->k, v);
-    if (!status && m->rate_blocks)
-        status = fvi_history_fft_archive(m->rate_blocks, m->k, v);
     return status || !m->exponentials
                ? status
                : fvi_history_modes_archive(m->exponentials, m->k, v);
@@ -246,8 +224,6 @@ void fvi_history_free(fvi_history *m)
         return;
     free(m->last);
     fvi_history_direct_free(m->direct);
-    fvi_history_fft_free(m->blocks);
-    fvi_history_fft_free(m->rate_blocks);
     fvi_history_modes_free(m->exponentials);
     free(m);
 }
@@ -273,8 +249,6 @@ int fvi_history_push(fvi_history *m, const double *x, const double *dx, double *
         fvi_history_modes_push(m->exponentials, term, H);
     else if (m->last)
         push_local(m, term, H);
-    else if (m->blocks)
-        fvi_history_fft_push(m->blocks, term, H);
     else
         fvi_history_direct_push(m->direct, term, H);
     m->k++;
@@ -319,12 +293,8 @@ int fvi_history_push_by_order(fvi_history *m, const double *x, const double *dx,
     const double *term = m->on_increments ? dx : x; /* d beta = d(beta - 1) */
     if (m->exponentials)
         fvi_history_modes_push_by_order(m->exponentials, term, H, rate);
-    else if (m->direct)
+    else
         fvi_history_direct_push_by_order(m->direct, term, H, rate);
-    else {
-        fvi_history_fft_push(m->rate_blocks, term, rate);
-        fvi_history_fft_push(m->blocks, term, H);
-    }
     m->k++;
     return FVI_SUCCESS;
 }
@@ -343,8 +313,6 @@ int fvi_history_ahead(const fvi_history *m, const double *x, double *ahead)
     }
     if (m->direct)
         fvi_history_direct_ahead(m->direct, ahead);
-    if (m->blocks)
-        fvi_history_fft_ahead(m->blocks, ahead);
     if (m->exponentials)
         fvi_history_modes_ahead(m->exponentials, ahead);
     return FVI_SUCCESS;

@@ -216,7 +216,7 @@ static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
         .scheme = FVI_SCHEME_LOBATTO,                                           \
         .alpha_most = 1,                                                       \
         .takes_laws = 1,                                                       \
-        .memories = FVI_ALL_MEMORIES & ~(1u << FVI_HISTORY_FFT),                \
+        .memories = FVI_ALL_MEMORIES,                                          \
         .implicit = is_implicit,                                               \
         .stability_number = its_load,                                                      \
         .stability_number_grows = s == 2 || damped,                                        \

@@ -8,7 +8,7 @@
 #include <fvi/trajectory.h>
 
 #define FVI_ALL_MEMORIES                                                       \
-    (1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_DIRECT | 1u << FVI_HISTORY_FFT    \
+    (1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_DIRECT                         \
      | 1u << FVI_HISTORY_MODES)
 
 /* (14.3): the damping at the beginning of a step, as in Algorithms 1, 2 and 3. */

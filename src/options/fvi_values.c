@@ -94,8 +94,6 @@ static int check_method(const fvi_options *o, fvi_complaint c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "--damping: '%s' is not known to %s",
                           o->text[DAMPING], m->name);
-    if (o->text[DAMPING] && o->memory == FVI_HISTORY_FFT)
-        return fvi_refuse(c, "--memory: 'fft' is not for --damping");
     if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES
         && !fvi_kernel_has_modes(&o->laws.law, fvi_damping_quadrature(m), o->h))
         return fvi_refuse(c,
@@ -134,8 +132,8 @@ static int interpret_method(fvi_options *o, fvi_complaint c)
 
 static int interpret_run(fvi_options *o, fvi_complaint c)
 {
-    static const char *const memories[] = { "auto", "direct", "fft",
-                                            "exponentials", NULL };
+    static const char *const memories[] = { "auto", "direct", "exponentials",
+                                            NULL };
     size_t which;
     int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
     if (!status)

@@ -60,7 +60,7 @@ char *fvi_checkpoint_head(const fvi_options *o)
     FILE *f = open_memstream(&text, &size);
     if (!f)
         return NULL;
-    fprintf(f, "fvi " FVI_VERSION " checkpoint 2\n");
+    fprintf(f, "fvi " FVI_VERSION " checkpoint 3\n");
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);
@@ -128,6 +128,25 @@ static void tell_apart(const char *line, const char *want, const char *head,
         snprintf(why, size, "a run without %.*s", (int)length, want);
 }
 
+/* Why a file with this first line is refused. Older versions could also sum the history by
+ * FFT: whoever saved such a run needs to know which words are left. */
+static void tell_versions_apart(const char *line, FILE *file, char *why,
+                                size_t size)
+{
+    char *next = NULL;
+    size_t room = 0;
+    int names_fft = 0;
+    const int is_checkpoint = strncmp(line, "fvi ", 4) == 0;
+    while (is_checkpoint && !names_fft && getline(&next, &room, file) > 1)
+        names_fft = strcmp(next, "memory = fft\n") == 0;
+    free(next);
+    snprintf(why, size, "%s",
+             names_fft ? "a run with memory = fft, which this version does not "
+                         "have; it has direct and exponentials"
+             : is_checkpoint ? "a checkpoint of another version"
+                             : "not a checkpoint");
+}
+
 int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
 {
     char *line = NULL;
@@ -144,10 +163,7 @@ int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
         if (got > 0 && line[got - 1] == '\n')
             line[got - 1] = '\0';
         if (want == head)
-            snprintf(why, sizeof why, "%s",
-                     got > 4 && strncmp(line, "fvi ", 4) == 0
-                         ? "a checkpoint of another version"
-                         : "not a checkpoint");
+            tell_versions_apart(got > 0 ? line : "", file, why, sizeof why);
         else
             tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
         status = fvi_checkpoint_refuse(o, why);

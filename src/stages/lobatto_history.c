@@ -47,8 +47,6 @@ static int check(size_t s, double beta, size_t d, size_t steps,
 {
     if (!fvi_lobatto(s))
         FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
-    if (kind == FVI_HISTORY_FFT)
-        FVI_FAIL("there is no FFT for the stages", FVI_EUNSUP);
     if (d == 0 || kind < FVI_HISTORY_AUTO || kind > FVI_HISTORY_MODES)
         FVI_FAIL("d must be at least 1 and the kind known", FVI_EINVAL);
     if (!(beta >= -1 && beta <= 1))

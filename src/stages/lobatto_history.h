@@ -19,7 +19,7 @@ typedef struct fvi_lobatto_history fvi_lobatto_history;
  *   steps      how many v_k will be pushed at most
  *   kind       DIRECT: with all W_n, O(N^2) time and O(N d) memory;
  *              EXPONENTIALS: three of them and Q modes, O(N Q) and O(Q d);
- *              AUTO: DIRECT up to 64 steps, else EXPONENTIALS. There is no FFT
+ *              AUTO: DIRECT up to 64 steps, else EXPONENTIALS
  *   tolerance  where modes are used: 0 for the default 1e-13, or from 1e-14 to below 1:
  *              the errors of H_k, relative to max|v| max(1, k^(-beta))
  *   memory     output; free it with fvi_lobatto_history_free
@@ -28,7 +28,7 @@ typedef struct fvi_lobatto_history fvi_lobatto_history;
  * with no mode and with one, whatever the kind.
  * Returns FVI_SUCCESS; FVI_EFAULT if memory is NULL; FVI_EINVAL if s is not
  * in 2, ..., 8, if d == 0, if kind is unknown, or if steps and d are too large to be
- * addressed; FVI_EUNSUP for FFT; FVI_EDOM if beta is not in [-1, 1] or tolerance
+ * addressed; FVI_EDOM if beta is not in [-1, 1] or tolerance
  * not in [0, 1); FVI_ETOL if EXPONENTIALS, asked for or taken by AUTO, would have to
  * keep less than 1e-14; FVI_ENOMEM. On error *memory is untouched. */
 int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,

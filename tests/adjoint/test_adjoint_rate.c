@@ -9,7 +9,7 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
                                          FVI_HISTORY_MODES };
 static const double orders[] = { 0, 1e-3, 0.3, 0.5, 0.9, 1, 1.25, 1.7, 2 };
 

@@ -38,7 +38,7 @@ static size_t modes(void)
 /* Rated memories push the plain way, whatever d. */
 static fvi_history_modes *plain_of(size_t d)
 {
-    const fvi_grid g =
+    const fvi_node_range g =
         fvi_history_modes_plan(0.5, STEPS, fvi_history_modes_delta(STEPS, 0));
     fvi_history_modes *e = fvi_history_modes_alloc(&g, 0.5, 1, d, STEPS);
     if (!e)

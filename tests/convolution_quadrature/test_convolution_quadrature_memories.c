@@ -1,11 +1,11 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_memories.c -- H 13: the same run by every
+/* tests/convolution_quadrature/test_convolution_quadrature_memories.c -- Chapter 13: the same run by every
  * memory, and the runs that are refused.
  * Run alone: make test-convolution_quadrature_memories */
 #include "harness/fvi_runs.h"
 
 #include "convolution_quadrature_runs.h"
 
-static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
                                          FVI_HISTORY_MODES,
                                          FVI_HISTORY_AUTO };
 
@@ -42,7 +42,7 @@ static void motion(const fvi_method *method, int which, double alpha, size_t N,
 }
 
 /* The promise of memory.h is 1e-13 max |x|; a factor of 10 for motions that part,
- * and for the factor of BDF2, sum |g_n| <= 4. FFT: rounding only, as in H 12.
+ * and for the factor of BDF2, sum |g_n| <= 4.
  * Bagley and Torvik, a quartic chain, a driven pendulum. Seen: 1.2e-14. */
 //> memories
 START_TEST(eq_13_11_all_memories_give_the_same_trajectory)
@@ -94,8 +94,8 @@ START_TEST(runs_that_cannot_be_done_are_refused)
         { &good, 0.3, 0.5, 0.1, 0, FVI_HISTORY_AUTO, 0, FVI_EINVAL },
         { &good, 0.3, 0.5, 0.1, 9, (fvi_history_kind)9, 0, FVI_EINVAL },
         { &good, 0.3, 0.5, 0.1, 9, FVI_HISTORY_AUTO, 1, FVI_EDOM },
-        { &good, 0.3, 0.5, 0.1, SIZE_MAX, FVI_HISTORY_FFT, 0, FVI_EINVAL },
-        { &good, 0.3, 0.5, 0.1, (size_t)1 << 50, FVI_HISTORY_FFT, 0,
+        { &good, 0.3, 0.5, 0.1, SIZE_MAX, FVI_HISTORY_DIRECT, 0, FVI_EINVAL },
+        { &good, 0.3, 0.5, 0.1, (size_t)1 << 50, FVI_HISTORY_DIRECT, 0,
           FVI_ENOMEM },
         { &good, 0.3, 0.5, 0.1, 1000, FVI_HISTORY_AUTO, 1e-15, FVI_ETOL },
     };

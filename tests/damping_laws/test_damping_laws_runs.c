@@ -274,10 +274,6 @@ START_TEST(who_does_not_know_laws_says_so)
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),
                      FVI_EUNSUP);
     run.past = FVI_INITIAL_HISTORY_HELD;
-    run.memory = FVI_HISTORY_FFT;
-    ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),
-                     FVI_EUNSUP);
-    run.memory = FVI_HISTORY_AUTO;
     run.law = &(fvi_kernel){ 1, &bad };
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL), FVI_EDOM);
     const double undamped = 0; /* the law is bad even where nobody uses it */

@@ -172,10 +172,6 @@ START_TEST(what_stages_do_not_take_is_refused)
             s = NULL;
         }
     }
-    run.law = &ref_laws[1];
-    run.memory = FVI_HISTORY_FFT;
-    fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_d4, &run, &s), FVI_EUNSUP);
 }
 END_TEST
 

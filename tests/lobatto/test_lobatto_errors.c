@@ -110,12 +110,6 @@ START_TEST(lobatto_start_refuses)
         ck_assert_ptr_eq(same, &bad);                                          \
     }
     for (size_t s = 2; s <= 4; s++) {
-        WITH(methods[s], memory, FVI_HISTORY_FFT, FVI_EUNSUP)
-        fvi_run local = run;
-        local.memory = FVI_HISTORY_FFT;
-        local.alpha = 0.5;
-        fvi_stepper *none = NULL;
-        ck_assert_int_eq(fvi_stepper_start(methods[s], &local, &none), FVI_EUNSUP);
         WITH(methods[s], memory, (fvi_history_kind)99, FVI_EINVAL)
         WITH(methods[s], alpha, 1.1, FVI_EDOM)
         WITH(methods[s], h, 0, FVI_EDOM)

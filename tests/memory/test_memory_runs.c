@@ -7,7 +7,7 @@
 #include <malloc.h>
 #include <stdlib.h>
 
-static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_FFT,
+static const fvi_history_kind kinds[] = { FVI_HISTORY_DIRECT,
                                          FVI_HISTORY_MODES };
 
 /* Three kinds of motion, to T = 20. */
@@ -85,9 +85,6 @@ START_TEST(eq_12_14_and_so_do_long_ones)
     ck_assert_near(distance(DUFFING, 0.98, 50000, FVI_HISTORY_DIRECT,
                             FVI_HISTORY_MODES, 0),
                    0, 1e-13, "N = 5 10^4");
-    ck_assert_near(distance(BAGLEY_TORVIK, 1.5, 300000, FVI_HISTORY_FFT,
-                            FVI_HISTORY_MODES, 0),
-                   0, 1e-12, "N = 3 10^5, against the FFT");
 }
 END_TEST
 
@@ -123,8 +120,6 @@ START_TEST(auto_is_direct_for_few_steps_and_compressed_for_many)
             fvi_history_bytes(0.5, 1, N, fvi_history_choose(0.5, N), 0));
     seen((double)fvi_history_bytes(1.5, 1, 10000000, FVI_HISTORY_MODES, 0),
          "exponentials, 10^7 steps, bytes");
-    seen(1e-9 * (double)fvi_history_bytes(1.5, 1, 10000000, FVI_HISTORY_FFT, 0),
-         "FFT, 10^7 steps, gigabytes");
     /* 10^8 steps: the promise of "state O(Q d)" in bytes */
     ck_assert_uint_lt(
         fvi_history_bytes(0.5, 1, 1000000, FVI_HISTORY_MODES, 0), 2800);

@@ -56,7 +56,7 @@ START_TEST(a_run_that_is_over_can_be_made_longer)
         "run --alpha 1 --rho 0.3 --method fvi-shifted",
         "run --alpha 0.3",
         "run --alpha 0.7 --method fvi-lobatto3",
-        "run --alpha 0.3 --method fvi-bdf2 --memory fft"
+        "run --alpha 0.3 --method fvi-bdf2 --memory exponentials"
     };
     for (size_t n = 0; n < LEN(runs); n++) {
         char line[600];
@@ -133,6 +133,11 @@ START_TEST(another_problem_version_or_file_is_refused)
     const char *run = "run --alpha 0.3 --steps 1000 --checkpoint d --continue";
     ck_assert_int_eq(shell("sed '1s/[0-9]/9/' c > d"), 0);
     refused(run, "fvi: --continue: d: a checkpoint of another version\n");
+    ck_assert_int_eq(shell("sed '1s/[0-9]*$/2/; s/^memory = .*/memory = fft/' "
+                           "c > d; grep -aq 'checkpoint 2' d"),
+                     0);
+    refused(run, "fvi: --continue: d: a run with memory = fft, which this "
+                 "version does not have; it has direct and exponentials\n");
     ck_assert_int_eq(shell("echo hello > d"), 0);
     refused(run, "fvi: --continue: d: not a checkpoint\n");
     ck_assert_int_eq(shell(": > d"), 0);

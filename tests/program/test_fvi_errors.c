@@ -53,7 +53,8 @@ START_TEST(bad_use_is_refused)
         "step:1,1.05;"
         "run --error 1e-3 --method fvi --force step:1,1 --steps 7;"
         "run --error 1e-3 --kappa 1;run --error 1e-3 --memory direct;"
-        "run --method fvi-lobatto3 --memory fft;run --method fvi-lobatto";
+        "run --memory fft;run --method fvi-lobatto3 --memory fft;"
+        "run --method fvi-lobatto";
     for (char *line = lines, *end; line; line = end ? end + 1 : NULL) {
         if ((end = strchr(line, ';')))
             *end = '\0';

@@ -21,7 +21,7 @@
 
 static const char *const commands[] = {
     "run --alpha 0.3 --steps 20 -o table",
-    "run --alpha 0.3 --steps 300 --memory fft --format json",
+    "run --alpha 0.3 --steps 300 --memory direct --format json",
     "run --alpha 0.3 --steps 300 --memory exponentials --dimension 20",
     "run --alpha 0.3 --steps 100 --method fvi-lobatto4",
     "run --alpha 0.6 --steps 80 --method fvi-lobatto4d --potential duffing:1,1",

@@ -73,7 +73,7 @@ START_TEST(random_words_are_understood_or_refused)
                                 "fvi",
                                 "lda",
                                 "fvi-lobatto3",
-                                "fft",
+                                "exponentials",
                                 "direct",
                                 "t,x,y",
                                 "energy",

@@ -36,6 +36,9 @@ START_TEST(a_misprint_is_shown)
         "fvi: --potential: 'harmonc' is none of harmonic:C, duffing:C,G, "
         "pendulum:G, free, chain:D,C,G, nor an expression; did you mean "
         "harmonic?");
+    ck_assert_refused(
+        "run --memory fft",
+        "fvi: --memory: 'fft' is none of auto, direct, exponentials");
     ck_assert_refused("run --potential duffing",
                       "fvi: --potential: 'duffing' is not duffing:C,G");
     ck_assert_refused(

@@ -142,7 +142,7 @@ START_TEST(bad_sweeps_are_refused)
         "sweep --vary alpha=0:1:3:lin;sweep --vary alpha=0:1:3:log;"
         "sweep --vary alpha=0:1:3:log:;sweep --vary rho=-1:1:3:log;"
         "sweep --vary alpha=0:1.5:4;sweep --vary =0:1:3;"
-        "sweep --vary method=0:1:3;sweep --vary memory=0:1:3 --memory fft;"
+        "sweep --vary method=0:1:3;sweep --vary memory=0:1:3 --memory direct;"
         "sweep --vary x=0:1:3;sweep --vary alpha=0:1:3 --vary alpha=0:1:3;"
         "sweep --vary alpha=0:1:3 --alpha 0.5;sweep --vary steps=1:2:3;"
         "sweep --vary a=1:2:2 --vary b=1:2:2 --vary c=1:2:2 --vary d=1:2:2;"

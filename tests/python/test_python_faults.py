@@ -210,6 +210,7 @@ def test_the_code_of_a_compiled_function_is_said():
     (lambda: fvi.run(rho=1j), TypeError, "^rho: "), (lambda: fvi.run(error="small"), TypeError, "^error: "),
     (lambda: fvi.run(tolerance=None), TypeError, "^tolerance: "), (lambda: fvi.run(method=3), TypeError, "^method: 3"),
     (lambda: fvi.run(derivative=None), TypeError, "^derivative: "), (lambda: fvi.run(memory=[]), TypeError, "^memory"),
+    (lambda: fvi.run(memory="fft"), ValueError, "^memory: .*direct.*exponentials"),
     (lambda: fvi.run(columns=["t"]), TypeError, "^columns: "), (lambda: fvi.run("k*x", let=3), TypeError, "^let: 3"),
     (lambda: fvi.run("k*x", let={"k": "2"}), TypeError, "^let: k: '2'"),
     (lambda: fvi.run("k*x", let={1: 2}), TypeError, "^let: "), (lambda: fvi.run("duffing:1,g"), ValueError, "^poten"),

@@ -76,8 +76,7 @@ static void many_run_of(size_t number, many_run *r)
                                  fvi_force_step(at),
                                  fvi_force_cosine(at) };
     const fvi_history_kind memories[] = { FVI_HISTORY_DIRECT, FVI_HISTORY_DIRECT,
-                                         FVI_HISTORY_MODES,
-                                         FVI_HISTORY_FFT };
+                                         FVI_HISTORY_MODES };
     const fvi_method *method = many_methods[number / (PASTS * ORDERS)];
     const size_t turn = number % (PASTS * ORDERS) + number / (PASTS * ORDERS);
     const int potential = (int)(turn % 4), force = (int)(turn / 2 % 3);
@@ -88,7 +87,7 @@ static void many_run_of(size_t number, many_run *r)
                     ? method->alpha_least
                     : many_orders[number % ORDERS];
     run.past = (fvi_initial_history)(number / ORDERS % PASTS);
-    run.memory = memories[method->stages ? turn % 3 : turn / 3 % 4];
+    run.memory = memories[method->stages ? turn % 3 : turn / 3 % 3];
     run.kappa = turn % 2 ? 0.5 : 0.25;
 
     memset(r, 0, sizeof *r);

@@ -239,7 +239,6 @@ START_TEST(a_count_that_no_run_has_is_refused)
         fvi_history_kind memory;
         size_t any;
     } runs[] = { { &fvi_fractional, &small, FVI_HISTORY_DIRECT, 0 },
-                 { &fvi_fractional, &small, FVI_HISTORY_FFT, 0 },
                  { &fvi_fractional, &small, FVI_HISTORY_MODES, 0 },
                  { &fvi_fractional, &wide, FVI_HISTORY_MODES, 0 },
                  { &fvi_cq_bdf2, &small, FVI_HISTORY_MODES, 0 },

@@ -10,7 +10,7 @@ _fvi()
     else
         case $before in
         --method) known=$(fvi methods 2>/dev/null | cut -f1) ;;
-        --memory) known='auto direct fft exponentials' ;;
+        --memory) known='auto direct exponentials' ;;
         --derivative) known='held caputo rl' ;;
         --format) known='tsv csv json' ;;
         --potential) known='harmonic: duffing: pendulum: free chain:' ;;

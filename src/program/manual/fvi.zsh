@@ -8,7 +8,7 @@ elif [[ $words[2] == methods || $words[2] == help || $words[2] == -* ]]; then
 else
     case $words[CURRENT-1] in
     --method) known=(${(f)"$(fvi methods 2>/dev/null | cut -f1)"}) ;;
-    --memory) known=(auto direct fft exponentials) ;;
+    --memory) known=(auto direct exponentials) ;;
     --derivative) known=(held caputo rl) ;;
     --format) known=(tsv csv json) ;;
     --potential) known=(harmonic: duffing: pendulum: free chain:) ;;

@@ -15,7 +15,7 @@ from ._problem import Potential, Problem, law
 PASTS = {"held": lib.FVI_INITIAL_HISTORY_HELD, "caputo": lib.FVI_INITIAL_HISTORY_CAPUTO,
          "rl": lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE}
 MEMORIES = {"auto": lib.FVI_HISTORY_AUTO, "direct": lib.FVI_HISTORY_DIRECT,
-            "fft": lib.FVI_HISTORY_FFT, "exponentials": lib.FVI_HISTORY_MODES}
+            "exponentials": lib.FVI_HISTORY_MODES}
 
 
 def version() -> str:
@@ -290,7 +290,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
                 with error) says between which rows it ended
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, a pure number: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}; 0.5
-    memory      how the past is summed: "auto", "direct", "fft" or "exponentials"; "auto"
+    memory      how the past is summed: "auto", "direct" or "exponentials"; "auto"
     tolerance   of the compressed memory, relative to the direct sum, 0 ... 1 (not 1); 0 is 1e-13
     columns     any of t,x,p,energy: only these are computed
 

@@ -169,7 +169,7 @@ static void small(const char *option, char *word)
 {
     static const struct {
         const char *option, *words[5];
-    } known[] = { { "memory", { "auto", "direct", "fft", "exponentials" } },
+    } known[] = { { "memory", { "auto", "direct", "exponentials" } },
                   { "derivative", { "held", "caputo", "rl" } },
                   { "format", { "tsv", "csv", "json", "JSON" } },
                   { "checkpoint", { "saved" } },

@@ -75,7 +75,7 @@ static const struct {
     { "balance", "energy lost = work done, up to O(h)", stress_balance, 200 },
     { "scaling", "x 2^s moves no digit", stress_scaling, 300 },
     { "overflow", "never an infinity in silence", stress_overflow, 500 },
-    { "memories", "FFT and exponentials against the direct sum",
+    { "memories", "exponentials against the direct sum",
       stress_memories, 200 },
     { "scatter", "500 fits scatter as they say", stress_scatter, 1 },
     { "found", "100 noisy motions of another program are found", stress_found,
