@@ -79,8 +79,9 @@ def start():
     if stage == course.STAGES[-1]:
         print("all twelve stages hold")
         return
-    new = list(course.added(stage + 1))
-    print(f"next: stage {stage + 1}, {page(stage + 1)}, which writes {', '.join(new)}")
+    gone = course.no_longer_needed(stage + 1)
+    print(f"next: stage {stage + 1}, {page(stage + 1)}: write {', '.join(course.added(stage + 1))}"
+          + (f"; you may remove {', '.join(gone)}" if gone else ""))
 
 
 def show(stage, results):

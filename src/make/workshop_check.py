@@ -6,6 +6,9 @@ has its head, and its answers are judged rightly; and every accident gets its se
 import concurrent.futures
 import os
 import pathlib
+import re
+import shutil
+import subprocess
 import sys
 
 import workshop_course as course
@@ -16,6 +19,7 @@ from workshop_build import BUILD, HERE, meeting, module
 
 ACCIDENTS = "tests/workshop/accidents.txt"
 EXACT = "tests/workshop/exact.txt"
+PAGE = pathlib.Path("chapters/workshop/README.md")
 LIMIT = 10  # seconds of the processor for a test
 
 
@@ -92,6 +96,32 @@ def exact_fails():
     return None if same else f"{EXACT} is not the exact motion of the body of Chapter 1"
 
 
+def session_fails():
+    """None if `make workshop` and `make hint`, in a folder of their own, say what the workshop's page prints."""
+    place = HERE / "session"
+    shutil.rmtree(place, ignore_errors=True)
+    (place / "workshop").mkdir(parents=True)
+    for name in ("src", "tests", "chapters", "figures"):
+        (place / name).symlink_to(pathlib.Path(name).resolve())
+
+    def says(body, command="start"):
+        (place / "workshop/body.c").write_text(body)
+        done = subprocess.run([sys.executable, "src/make/workshop.py", "build", command], cwd=place, capture_output=True, text=True)
+        return re.sub(r"^the picture: .*\n", "", done.stdout + done.stderr, flags=re.M)  # gnuplot may be missing
+
+    right, sixth = (course.answer(number).read_text() for number in (1, 6))
+    slip = right.replace("(x[k + 1 - n] - x[0])", "x[k + 1 - n]")
+    got = says(slip) + says(slip, "hint") + says(right)
+    want = re.sub(r"^(the picture: |\$ ).*\n", "", "".join(re.findall(r"```text\n(.*?)```", PAGE.read_text(), re.S)), flags=re.M)
+    if got != want:
+        return f"{PAGE}: the session says:\n{got}"
+    if "next: stage 7," not in (got := says(sixth)):
+        return f"{course.answer(6)} is not taken for stage 6:\n{got}"
+    if "does not hold any more: stage 2: (2b)" not in (got := says(sixth.replace("(n - 1 - b) / n", "(n - b) / n"))):
+        return f"stage 2 is broken after stage 6, and nothing says so:\n{got}"
+    return None
+
+
 def text():
     """What needs no compiler: the part of `make text`."""
     if failed := list(filter(None, map(text_fails, holes.holes()))):
@@ -106,7 +136,7 @@ def check():
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         faults = pool.submit(lambda: list(exercises.faults()))  # the longest come first
         jobs = [pool.submit(stage_fails, number) for number in reversed(course.STAGES)]
-        jobs.append(pool.submit(exact_fails))
+        jobs += [pool.submit(exact_fails), pool.submit(session_fails)]
         jobs += [pool.submit(skeletons_fail, *item) for item in files.items() if len(item[1]) > 1]
         jobs += [pool.submit(hole_fails, hole) for hole in cuts]
         jobs += [pool.submit(module_accident_fails, entry, i) for i, entry in enumerate(holes.paragraphs(ACCIDENTS))

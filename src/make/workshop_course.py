@@ -118,8 +118,15 @@ class Student:
         heads = prototypes(answer(stage).read_text())
         self.prelude = folder / "prototypes.h"
         self.prelude.write_text("".join(f"{heads[name]};\n" for name in sorted(set(heads) & needed(stage))))
-        obj = runner.compile_student(self.file, folder / "alone.o", *runner.FLAGS, *PROJECT, "-O0", "-include", self.prelude,
-                                     show_warning=show_warning)
+        try:
+            obj = runner.compile_student(self.file, folder / "alone.o", *runner.FLAGS, *PROJECT, "-O0", "-include", self.prelude,
+                                         show_warning=show_warning)
+        except runner.NotBuilt as error:
+            other = re.search(r"(?:conflicting types for|static declaration of) '(\w+)'", str(error))
+            if not other or other[1] not in heads:
+                raise
+            said = re.sub(r"; have '.*'", "", str(error))
+            raise runner.NotBuilt(f"{said}: the chapter has {heads[other[1]]}") from None
         self.has = runner.names_of(obj) | constants(self.file.read_text())
 
     def results(self, seconds, library=None):
@@ -178,6 +185,12 @@ def added(stage):
         return {"main": text}
     before = functions(answer(stage - 1).read_text())
     return {name: lines for name, lines in functions(text).items() if name != "main" and bare(before.get(name, "")) != bare(lines)}
+
+
+def no_longer_needed(stage):
+    """The functions of the stage before that this one has not."""
+    here = prototypes(answer(stage).read_text())
+    return [name for name in prototypes(answer(stage - 1).read_text()) if name not in here]
 
 
 def rows(file, folder, seconds):
