@@ -2,10 +2,9 @@
 #define _GNU_SOURCE /* PATH_MAX */
 #include "fvi_directory.h"
 #include "fvi_files.h"
+#include "fvi_polygon.h"
 #include "fvi_rows.h"
-
 #include "matrices/sparse.h"
-
 #include <fvi/error.h>
 
 #include <dirent.h>
@@ -333,23 +332,29 @@ static int value(double t, size_t d, void *params, double *F)
 {
     const loads *l = &((const fvi_directory *)params)->loads;
     const size_t width = l->width + 1;
-    size_t low = 0,
-           high = l->rows - 1; /* the first row of a later t, or the last */
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (l->t[middle * width] <= t)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    const double *after = l->t + high * width,
-                 *before = high > 0 ? after - width : after;
+    const fvi_polygon rows = { l->rows, width, l->t, NULL };
+    const size_t low = fvi_polygon_row(&rows, t);
+    const double *before = l->t + low * width,
+                 *after = low + 1 < l->rows ? before + width : before;
     const double part = after > before ? (t - *before) / (*after - *before) : 0;
     memset(F, 0, d * sizeof *F);
     for (size_t i = 0; i < l->width; i++)
         F[l->unknown[i]] =
             before[1 + i]
             + fmin(fmax(part, 0), 1) * (after[1 + i] - before[1 + i]);
+    return 0;
+}
+
+/* Masses without a column are free. */
+static int bound(double from, double to, size_t order, size_t d, void *params,
+                 double *most)
+{
+    const loads *l = &((const fvi_directory *)params)->loads;
+    memset(most, 0, (order + 1) * d * sizeof *most);
+    for (size_t i = 0; i < l->width; i++) {
+        const fvi_polygon rows = { l->rows, l->width + 1, l->t, l->t + 1 + i };
+        fvi_polygon_bound(&rows, from, to, order, d, most + l->unknown[i]);
+    }
     return 0;
 }
 
@@ -364,7 +369,7 @@ fvi_system fvi_directory_system(const fvi_directory *d)
 {
     fvi_system s = fvi_structure_system(d->structure);
     if (d->loads.rows > 0)
-        s.force = (fvi_force){ .value = value, .params = (void *)d };
+        s.force = (fvi_force){ value, (void *)d, .bound = bound };
     return s;
 }
 

@@ -3,6 +3,7 @@
 #include "fvi_forces.h"
 
 #include "input/fvi_data.h"
+#include "input/fvi_polygon.h"
 #include <fvi/error.h>
 #include "system/larger.h"
 
@@ -34,58 +35,9 @@ struct fvi_forces {
 
 /* ---- values ---- */
 
-/* t_low <= t < t_{low + 1}, or the first or the last two rows; 0 of a table of one. */
-static size_t row_before(const part *p, double t)
+static fvi_polygon rows_of(const part *p)
 {
-    size_t low = 0, high = p->n - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (p->t[middle] <= t)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* Linear between two rows; the table reaches from 0 to the end of the run, but for
- * roundings, and holds its ends there. */
-static double between_rows(const part *p, double t)
-{
-    if (t <= p->t[0])
-        return p->F[0];
-    if (t >= p->t[p->n - 1])
-        return p->F[p->n - 1];
-    const size_t low = row_before(p, t), high = low + 1;
-    const double part_of = (t - p->t[low]) / (p->t[high] - p->t[low]);
-    return p->F[low] + part_of * (p->F[high] - p->F[low]);
-}
-
-/* Of the lines that a table has between two times. A kink among them leaves no second
- * derivative. */
-static void bound_rows(const part *p, double from, double to, size_t order,
-                       double *most)
-{
-    double low = between_rows(p, from), high = low, slope = 0, t = from, F = low;
-    size_t kinks = 0;
-    for (size_t i = row_before(p, from); t < to; i++) {
-        if (i < p->n && p->t[i] <= from)
-            continue;
-        const int is_row = i < p->n && p->t[i] < to;
-        const double next_t = is_row ? p->t[i] : to,
-                     next = is_row ? p->F[i] : between_rows(p, to);
-        kinks += is_row ? 1 : 0;
-        slope = larger(slope, fabs((next - F) / (next_t - t)));
-        low = smaller(low, next);
-        high = larger(high, next);
-        t = next_t;
-        F = next;
-    }
-    for (size_t k = 0; k <= order; k++)
-        most[k] = k == 0   ? (high - low) / 2 * (1 + 1e-15)
-                  : k == 1 ? slope * (1 + 1e-12)
-                  : kinks  ? INFINITY
-                           : 0;
+    return (fvi_polygon){ p->n, 1, p->t, p->F };
 }
 
 static fvi_force ready_made(const part *p)
@@ -101,7 +53,8 @@ static int value_of(const part *p, double t, double *F)
         return 0;
     }
     if (p->t) {
-        *F = between_rows(p, t);
+        const fvi_polygon rows = rows_of(p);
+        *F = fvi_polygon_value(&rows, t);
         return 0;
     }
     *F = 0;
@@ -116,7 +69,8 @@ static int bound_of(const part *p, double from, double to, size_t order,
 {
     memset(most, 0, (order + 1) * sizeof *most);
     if (p->t) {
-        bound_rows(p, from, to, order, most);
+        const fvi_polygon rows = rows_of(p);
+        fvi_polygon_bound(&rows, from, to, order, 1, most);
         return 0;
     }
     if (p->hits)

@@ -66,10 +66,37 @@ START_TEST(a_file_of_a_folder_that_is_not_read_is_refused)
 }
 END_TEST
 
+/* A pulse of f.tsv between two rows of the answer is as little missed by --error as that of
+ * a table of --force. */
+START_TEST(a_pulse_of_a_folder_is_seen_between_the_rows)
+{
+    const char *const pulse = "0 0\n7.311 0\n7.3115 1000\n7.312 0\n30 0\n";
+    char same[200];
+    ck_assert_int_eq(shell("mkdir -p one"), 0);
+    write_file("one/M.mtx", HEAD "1 1 1\n1 1 1\n");
+    write_file("one/K.mtx", HEAD "1 1 1\n1 1 1\n");
+    write_file("one/C.mtx", HEAD "1 1 1\n1 1 0.2\n");
+    write_file("pulse", pulse);
+    snprintf(same, sizeof same, "t f1\n%s", pulse);
+    write_file("one/f.tsv", same);
+    ck_assert_int_eq(fvi("run --method fvi --alpha 0.3 --x0 1 --p0 0 --time 20 "
+                         "--steps 20 --error 1e-3 --force file:pulse"),
+                     0);
+    const double x = cell(20, 1);
+    ck_assert_int_eq(
+        fvi("run --method fvi --alpha 0.3 --x0 1 --time 20 --steps "
+            "20 --error 1e-3 --system one"),
+        0);
+    ck_assert_near(cell(20, 1), x, 1e-12, "0.13 off without a bound");
+    ck_assert_int_eq(shell("rm -r one pulse"), 0);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: the folder of a system");
     ADD_CASE(suite, "folders", a_system_is_at_rest_and_its_head_says_what_acts,
-             a_file_of_a_folder_that_is_not_read_is_refused);
+             a_file_of_a_folder_that_is_not_read_is_refused,
+             a_pulse_of_a_folder_is_seen_between_the_rows);
     return run_suite_of_program(suite);
 }
