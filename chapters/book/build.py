@@ -23,7 +23,7 @@ import sources  # noqa: E402
 OUT = pathlib.Path(sys.argv[1])
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 FRAME = (HERE / "frame.html").read_text()
-NAMES = {"index": "Start", "course": "The map of the course", "workshop": "The workshop", "glossary": "Glossary and index"}  # in the contents
+NAMES = {"index": "Start", "course": "The course on one page", "workshop": "The workshop", "glossary": "Glossary and index"}  # in the contents
 
 
 def captions():
@@ -44,8 +44,11 @@ def named(page):
 
 def contents(all_pages, here, root):
     """Every page, and the sections of this one."""
-    rows = []
+    rows, part = [], ""
     for page in all_pages:
+        if pages.part(page) != part:
+            part = pages.part(page)
+            rows.append(f'<li class="part">{part}</li>')
         mark = ' aria-current="page"' if page is here else ""
         inner = ""
         if page is here:

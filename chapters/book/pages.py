@@ -30,7 +30,14 @@ CUT = "page-ends-here"
 
 def file_name(path):
     """In the site, without .html: 05-... is of the Course, h05-... of Further or the Handbook."""
-    return ("h" if path.parent.name in FOLDERS else "") + path.stem
+    return ("h" if path.parent.name in FOLDERS[1:] else "") + path.stem
+
+
+def part(page):
+    """Where the contents put a page."""
+    if page.number:
+        return {"further": "Further", "handbook": "Handbook"}.get(page.path.parent.name, "Course")
+    return "" if page.name in ("index", "course") else "More"
 
 
 class Page:
@@ -41,7 +48,7 @@ class Page:
         self.path = path
         self.name = OTHERS.get(str(path), file_name(path))
         number = path.name[:2] if re.match(r"\d\d-", path.name) else ""
-        self.number = f"H {number}" if path.parent.name in FOLDERS else number.lstrip("0")
+        self.number = f"H {number}" if number and path.parent.name in FOLDERS[1:] else number.lstrip("0")
         self.headings = []
 
     @property
