@@ -37,7 +37,8 @@ static cholmod_sparse view(const fvi_sparse *A)
 
 /* METIS seeds rand() and draws from it. So rand() gets another state meanwhile, and one
  * thread orders at a time: every thread finds the same order, and the caller's own random
- * numbers go on as if nothing had been drawn. */
+ * numbers go on as if nothing had been drawn. METIS may end the process when memory runs out.
+ * So CHOLMOD first looks whether there is twice as much as METIS needs, and does without. */
 static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
 {
     static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
@@ -45,6 +46,7 @@ static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
     pthread_mutex_lock(&one_at_a_time);
     char *const of_caller = initstate(1, state, sizeof state);
     c->common.nmethods = 3;
+    c->common.metis_memory = 2;
     c->common.method[2].ordering = CHOLMOD_METIS;
     c->L = cholmod_analyze(A, &c->common);
     setstate(of_caller);
