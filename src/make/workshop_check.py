@@ -117,7 +117,7 @@ def session_fails():
         return f"{PAGE}: the session says:\n{got}"
     if "next: stage 7," not in (got := says(sixth)):
         return f"{course.answer(6)} is not taken for stage 6:\n{got}"
-    if "does not hold any more: stage 2: (2b)" not in (got := says(sixth.replace("(n - 1 - b) / n", "(n - b) / n"))):
+    if "stage 2 does not hold: (2b)" not in (got := says(sixth.replace("(n - 1 - b) / n", "(n - b) / n"))):
         return f"stage 2 is broken after stage 6, and nothing says so:\n{got}"
     return None
 
