@@ -56,7 +56,7 @@ static inline void draw(gsl_rng *r, int linear, adaptive_problem *q)
     q->pushed = (int)gsl_rng_uniform_int(r, 3);
     for (size_t j = 0; j < q->d; j++) {
         q->mass[j] = decades(r, 0.1, 10);
-        q->rho[j] = none ? 0
+        q->rho[j] = none != 0 ? 0
                          : strong * decades(r, 1e-3, 3) * q->mass[j]
                                * pow(w, 2 - 2 * q->alpha);
         q->x0[j] = between(r, -1, 1);
