@@ -174,8 +174,9 @@ def latest_complete(file, folder, least):
 
 
 def hints(stage):
-    found = next(entry for entry in holes.paragraphs(HINTS) if entry["stage"] == str(stage))
-    return [found["first"], found["second"], found["third"]]
+    """The three hints for a stage, the gentlest first."""
+    found = next((entry for entry in holes.paragraphs(HINTS) if entry["stage"] == str(stage)), {})
+    return [found[place] for place in ("first", "second", "third") if place in found]
 
 
 def added(stage):
