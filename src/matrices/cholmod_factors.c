@@ -45,24 +45,22 @@ static void analyse_by_metis_too(fvi_cholmod *c, cholmod_sparse *A)
     static char state[128];
     pthread_mutex_lock(&one_at_a_time);
     char *const of_caller = initstate(1, state, sizeof state);
-    c->common.nmethods = 3;
+    c->common.nmethods = 2;
     c->common.metis_memory = 2;
-    c->common.method[2].ordering = CHOLMOD_METIS;
+    c->common.method[1].ordering = CHOLMOD_METIS;
     c->L = cholmod_analyze(A, &c->common);
     setstate(of_caller);
     pthread_mutex_unlock(&one_at_a_time);
 }
 
 //> cholmod
-/* L gets fewest entries in the natural order of a full band, and in AMD's of a membrane. If
- * it has many in either, as for a frame in space, METIS may find a better order; and L is then
- * factorised by dense blocks. */
+/* AMD finds an order for bands and membranes in which L has few entries. If L has many, as
+ * for a frame in space, METIS may find a better order, and L is factorised by dense blocks. */
 static void analyse(fvi_cholmod *c, cholmod_sparse *A)
 {
     cholmod_common *common = &c->common;
-    common->nmethods = 2;
-    common->method[0].ordering = CHOLMOD_NATURAL;
-    common->method[1].ordering = CHOLMOD_AMD;
+    common->nmethods = 1;
+    common->method[0].ordering = CHOLMOD_AMD;
     common->supernodal = CHOLMOD_SIMPLICIAL;
     common->final_ll = 1; /* L L^T: a pivot that is not positive is an error */
     c->L = cholmod_analyze(A, common);
