@@ -2,7 +2,7 @@
 # A drawing, made of lines alone; the Course draws it with other letters. Output: figures/springpot/springpot.svg.
 width = 900; height = 330
 load 'figures/style.gp'
-if (!exists("force")) { force = "f"; stiffness = "k"; equation = "m x'' + U'(x) + ρ D^{2α} x = F"; joints = "x_0 x_1 x_2" }
+if (!exists("force")) { force = "f"; stiffness = "k"; equation = "m x'' + U'(x) + ρ D^{2α} x = F"; joints = "x_0 x_1 x_2"; ladder = "a ladder, which is a springpot" }
 unset border; unset tics; unset grid; unset key
 set margins 0.5, 0.5, 0.5, 0.5
 set xrange [0:30]
@@ -66,7 +66,7 @@ set label 12 "β = 2α" at 12.6,1.9 center tc rgb ink
 set arrow 2 from 15,3.3 to 16.4,3.3 head filled size .3,20 lc rgb ink lw 1.2
 set label 13 "x" at 16.6,3.3 left tc rgb ink
 # The ladder.
-set label 20 "a ladder, which is a springpot" at 24.2,9.9 center tc rgb ink
+set label 20 ladder at 24.2,9.9 center tc rgb ink
 set arrow 3 from 18.2,8.2 to 29.6,8.2 nohead lc rgb ink lw 3
 set label 21 word(joints, 1) at 19.4,2.9 center tc rgb ink
 set label 22 word(joints, 2) at 22.8,2.9 center tc rgb ink
