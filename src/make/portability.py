@@ -8,7 +8,8 @@ with those of gcc -O2: to the bit where the C library is the same, and where onl
 + - * / sqrt and fma occur, which IEEE 754 determines. Where pow, exp, sin or gamma is
 that of another library, or -O3 -march=native may take what follows from them in
 another order (seen: 9 runs of 252, 2.1 u), a run of 96 steps may differ by LIMIT u of the
-largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. The part `bare` types the two commands of README.md on a
+largest |x| or |p|, u = 2^-53: a sanity limit, not a bound that is derived. The part
+`processor` needs no such limit, for it compares each call of a function. The part `bare` types the two commands of README.md on a
 Debian that has nothing else (bare.sh: root, debootstrap, a network). What this machine has not, or was not asked for, is
 left out, and said. Only the standard library
 is used."""
@@ -21,7 +22,7 @@ import subprocess
 import sys
 
 HOME = pathlib.Path(sys.argv[1]) / "portability"
-PARTS = "locale O0 native clang san threads valgrind m32 musl proofs bare".split()
+PARTS = "processor locale O0 native clang san threads valgrind m32 musl proofs bare".split()
 ASKED = sys.argv[2:] or PARTS
 LIMIT = 256     # seen: 18 with musl, 96 with GSL's LU factors on x87 (i386)
 ENV = {k: v for k, v in os.environ.items() if not k.startswith(("MAKE", "MFLAGS", "LC_", "LANG"))}
@@ -170,6 +171,36 @@ def german(reference):
     build_and_compare("gcc", label, reference, ["CC=gcc"], ["test"], **env)
 
 
+def processor(reference):
+    """A processor without AVX2 and fma: other clones of our sums, other functions of libm.
+
+    libgcc asks the processor itself, so a program of its own gets the other clones. The
+    loader chooses the functions of libm, and a tunable chooses for it. Two functions of pow
+    may round to different neighbours (they do for 28.5^-0.25). So each call must agree with
+    that of the reference within a bound that follows from their accuracy
+    (tests/run/recorded_functions.c), and with the reference's value the runs must be equal to
+    the bit. That includes fma, which libm then makes of whole numbers."""
+    well, text = make("plain", [HOME / "plain/trajectories"],
+                      ["CC=gcc", "CHOLMOD_LIBS=tests/run/processor_without_vectors.c "
+                       "-Wl,--as-needed -lcholmod -Wl,--no-as-needed"])
+    words = ""
+    if well:
+        well, text, words = compare("", reference, HOME / "plain/trajectories")
+    say("gcc -O2, the clones without AVX2", well, text, words)
+    label, library, calls = "gcc -O2, the functions without AVX2 and fma", HOME / "functions.so", HOME / "functions"
+    well, text = run(["gcc", "-std=c11", "-O1", "-fno-builtin", "-fPIC", "-shared", "tests/run/recorded_functions.c",
+                      "-o", library, "-lm", "-ldl"])
+    preload = {"LD_PRELOAD": library.resolve()}
+    if well:
+        well, text, words = compare("", reference, HOME / "gcc/trajectories", FVI_RECORD=calls, **preload)
+    if well:
+        tunables = "glibc.cpu.hwcaps=" + ",".join(f"-{v}{end}" for v in ("AVX2", "AVX512F", "FMA", "FMA4")
+                                                  for end in ("", "_Usable"))
+        well, text, words = compare("", reference, HOME / "gcc/trajectories", FVI_REPLAY=calls,
+                                    GLIBC_TUNABLES=tunables, **preload)
+    say(label, well, text, words)
+
+
 def threads():
     """No races: runs in two threads under ThreadSanitizer."""
     label, flags = "gcc ThreadSanitizer", ["CFLAGS=-O1 -g -fsanitize=thread"]
@@ -256,10 +287,6 @@ def main():
     if not reference:
         sys.exit(text)
     say("gcc -O2", True, "", f"{len(reference)} runs, the measure of the others")
-    # Without AVX2 and fma the loader takes other clones of the sums, and other functions of libm.
-    well, text, words = compare("", reference, HOME / "gcc/trajectories", GLIBC_TUNABLES="glibc.cpu.hwcaps=" + ",".join(
-        f"-{v}{end}" for v in ("AVX2", "AVX512F", "FMA", "FMA4") for end in ("", "_Usable")))
-    say("gcc -O2 as on a processor without AVX2 and fma", well, text, words)
     builds = {
         "O0": ("gcc -O0", ["CC=gcc", "CFLAGS=-O0 -g"], {}),
         "native": ("gcc -O3 -march=native", ["CC=gcc", "CFLAGS=-O3 -march=native -g"], {"free": ("functions",)}),
@@ -267,7 +294,8 @@ def main():
         "san": ("gcc AddressSanitizer, UBSan",
                 ["CC=gcc", "CFLAGS=-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"],
                 {"ASAN_OPTIONS": "allocator_may_return_null=1"})}
-    others = {"locale": lambda: german(reference), "threads": threads, "valgrind": memory_errors, "proofs": proofs, "bare": bare,
+    others = {"processor": lambda: processor(reference), "locale": lambda: german(reference), "threads": threads,
+              "valgrind": memory_errors, "proofs": proofs, "bare": bare,
               "m32": lambda: thirty_two(reference), "musl": lambda: musl(reference)}
     for part in ASKED:
         if part in builds:
