@@ -139,6 +139,17 @@ await test("14: the edge is where a run begins to grow", () => {
   }
 });
 
+await test("1: the running body's run is the program's, from where it was dragged, and the dots are its weights", () => {
+  const scene = scenes.get("course_seven"), values = { ...start(scene), alpha: 0.35, rho: 0.8 };
+  settled(scene, values, library);
+  scene.drag(values, 0, 0.75, 0.5, "pointerdown");
+  near(values.x0, 0.65, 1e-15, "where it was dragged to");
+  const { x, weights, seven } = moved("course_seven", values), words = "--method fvi-lobatto4 --rho 0.8 --p0 0 --h 0.05 --steps 280 --columns x";
+  nearAll(x, asked(`run ${words} --alpha 0.35 --x0 0.65`)(0), 1e-12, "x");
+  nearAll(seven[2], asked(`run ${words} --alpha 0.4`)(0), 1e-12, "alpha = 0.4");
+  assert.deepEqual([...weights], asked("coefficients --alpha 0.7 --count 17")(1));
+});
+
 await test("00, 09: runs are the program's", () => {
   const { x } = moved("springpot_run", { alpha: 0.3, rho: 0.7 });
   nearAll(x, asked("run --method fvi-lobatto4 --alpha 0.3 --rho 0.7 --p0 0 --h 0.1 --steps 300 --columns x")(0), 1e-12, "springpot");
