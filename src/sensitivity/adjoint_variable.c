@@ -59,8 +59,7 @@ static int start(fvi_adjoint_variable_run *m)
     if (!m->has_history || (path->beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
     status =
-        fvi_modes_alloc(m->rule, m->s == 6 ? FVI_MODES_COARSE : FVI_MODES_FINE,
-                        path->beta, m->d, path->T, path->least, &m->modes);
+        fvi_modes_alloc(m->rule, path->modes_kind, path->beta, m->d, path->T, path->least, &m->modes);
     if (status || !m->want->alpha)
         return status;
     fvi_variable_present_by_order(m->rule, path->beta, &m->W0_rate);

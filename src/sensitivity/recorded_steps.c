@@ -52,6 +52,7 @@ static int run_all(const fvi_run *run, fvi_stepper *s, fvi_recorded_steps *m)
     m->beta = o->beta;
     m->T = o->T;
     m->least = o->least;
+    m->modes_kind = o->modes_kind;
     m->singular = o->singular;
     m->singular.c = m->singular.ratio = m->singular.pull = NULL;
     memcpy(m->rows, s->x, d * sizeof *m->rows);

@@ -19,6 +19,7 @@ typedef struct {
     const fvi_square *to_x; /* X = x + h c v + h to_x (V - v) */
     fvi_square W0;
     double beta, T, least;
+    fvi_modes_kind modes_kind;
     fvi_singular singular; /* as it begins, without its arrays */
     size_t d, steps, room;
     fvi_recorded_step *step;

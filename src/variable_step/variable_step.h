@@ -95,6 +95,7 @@ typedef struct {
     fvi_length length; /* of the steps for which their matrices are */
     double coupled; /* and s->newton, if there is one, or the factors of a quadratic U */
     /* the past */
+    fvi_modes_kind modes_kind; /* how many digits the modes of such a tolerance have */
     fvi_modes *modes;      /* NULL: none is needed */
     size_t damped, *index; /* the coordinates that have modes */
     double *centre; /* alpha = 0: where the springs of the damping rest */

@@ -126,6 +126,15 @@ static int first_scale(fvi_stepper *s, const double *springs, double *scale)
     return status;
 }
 
+/* The fewer digits a step has, the fewer the modes need. */
+static fvi_modes_kind kind_of_modes(const fvi_run *run, double tolerance)
+{
+    return run->tolerance == FVI_FINE_MODES             ? FVI_MODES_FINE
+           : tolerance > 10 * FVI_TOLERANCE_LOOSE ? FVI_MODES_COARSE
+           : tolerance > FVI_TOLERANCE_LOOSE / 10 ? FVI_MODES_MEDIUM
+                                                  : FVI_MODES_FINE;
+}
+
 /* What does not depend on the system: form, stages, the lengths of steps. */
 static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
 {
@@ -139,6 +148,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
         damped |= run->system->damping[j] > 0;
     o->rule = fvi_variable(tolerance > 1e-3 ? 6 : 8);
     o->tolerance = tolerance;
+    o->modes_kind = kind_of_modes(run, tolerance);
     o->beta = 2 * run->alpha - 1;
     o->to_x = damped ? &o->rule->A : &o->rule->form_m;
     o->counts.stages = (int)o->rule->s;
@@ -188,14 +198,10 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
         FVI_FAIL("no step is short enough for what such a damping makes of a "
                  "velocity that jumps",
                  FVI_EUNSUP);
-    const double tolerance = s->run.tolerance == FVI_FINE_MODES ? 0 : o->tolerance;
-    const fvi_modes_kind kind = tolerance > 10 * FVI_TOLERANCE_LOOSE   ? FVI_MODES_COARSE
-                                : tolerance > FVI_TOLERANCE_LOOSE / 10 ? FVI_MODES_MEDIUM
-                                                         : FVI_MODES_FINE;
-    o->counts.memory = kind == FVI_MODES_COARSE   ? 1e-7
-                       : kind == FVI_MODES_MEDIUM ? 3e-10
-                                                  : 0;
-    return fvi_modes_alloc(o->rule, kind, o->beta, o->damped, o->T, o->least,
+    o->counts.memory = o->modes_kind == FVI_MODES_COARSE   ? 1e-7
+                       : o->modes_kind == FVI_MODES_MEDIUM ? 3e-10
+                                                           : 0;
+    return fvi_modes_alloc(o->rule, o->modes_kind, o->beta, o->damped, o->T, o->least,
                            &o->modes);
 }
 

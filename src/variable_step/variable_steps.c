@@ -248,7 +248,7 @@ static void update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
 FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_t j,
                                          double *v)
 {
-    const double more = o->beta < 0 ? o->v[j] : o->impulse_dv[j];
+    const double more = o->beta <= 0 ? o->v[j] : o->impulse_dv[j];
     const fvi_four *delta = LANES(o->delta + j * FVI_LANES);
     LANES(v)[0] = delta[0] + more;
     LANES(v)[1] = delta[1] + more;
