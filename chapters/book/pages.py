@@ -22,7 +22,7 @@ from links import heading_id  # noqa: E402
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
           "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
           "chapters/workshop/lectures.md": "lectures", "chapters/book/glossary.md": "glossary",
-          **{f"chapters/handbook/{name}.md": name for name in ("manual", "tour", "statements", "equations")},
+          **{f"chapters/handbook/{name}.md": name for name in ("manual", "tour", "statements", "equations", "bibliography")},
           "chapters/handbook/what_the_principle_buys.md": "what_the_principle_buys"}
 FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"

@@ -1,12 +1,14 @@
 """Follow every relative link of README.md and the chapters; see that the page of
-statements names all 87 of the paper, each with a link. Exit 1 with the list of
-what is wrong."""
+statements names all 87 of the paper, each with a link; see that an entry of the bibliography
+names the pages that cite it, and that no other page prints a volume and a year. Exit 1 with
+the list of what is wrong."""
 import pathlib
 import re
 import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 STATEMENTS = 87
+BIBLIOGRAPHY = pathlib.Path("chapters/handbook/bibliography.md")
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
 
 
@@ -44,11 +46,33 @@ def faults_of_statements(page):
         yield f"{page}: the statements are not 1 to {STATEMENTS}; missing: {missing}"
 
 
+def faults_of_bibliography(pages):
+    """The entries are `- <a id="name"></a>**Label.** ...` and end with links to the pages that cite them. The paper's
+    entry names none of them, since nearly all pages cite the paper."""
+    cited = {}
+    for page in pages:
+        text = page.read_text()
+        for name in re.findall(rf"{BIBLIOGRAPHY.name}#([\w-]+)", text):
+            cited.setdefault(name, set()).add(page.resolve())
+        if page != BIBLIOGRAPHY and re.search(r"\* \d+ \((18|19|20)\d\d\)", text):
+            yield f"{page}: a reference with volume and year; its place is {BIBLIOGRAPHY}"
+    entries = re.findall(r'^- <a id="([\w-]+)"></a>(.*)$', BIBLIOGRAPHY.read_text(), re.M)
+    for name, entry in entries:
+        named = {(BIBLIOGRAPHY.parent / path).resolve() for path in re.findall(r"\]\(([^)#]*\d\d-[^)#]+)\)", entry)}
+        if name.startswith("jimenez-ober-blobaum-2021"):
+            continue
+        for page in sorted(named ^ cited.get(name, set())):
+            yield f"{BIBLIOGRAPHY}: {name}: only one of the entry and {page.name} names the other"
+        if not named:
+            yield f"{BIBLIOGRAPHY}: {name}: no page cites it"
+
+
 def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
     faults = [fault for page in pages for fault in faults_of_links(page)]
     faults += faults_of_statements(root / "chapters/handbook/statements.md")
+    faults += faults_of_bibliography(pages)
     sys.exit("\n".join(faults) or 0)
 
 
