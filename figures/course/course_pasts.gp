@@ -2,7 +2,7 @@
 # Input: figures/course/course_pasts.c. Output: figures/course/course_pasts.svg.
 width = 900; height = 420
 load 'figures/style.gp'
-set multiplot layout 1,2 margins 0.06,0.87,0.13,0.9 spacing 0.11
+set multiplot layout 1,2 margins 0.075,0.87,0.13,0.9 spacing 0.11
 unset key
 set title "three pasts and what follows (α = 3/4)"
 set xlabel "t"
