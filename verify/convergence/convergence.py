@@ -143,14 +143,14 @@ MOTIONS.append((0.3, 0.5, 2.0, 0.0, 0.0, 0.0, 1.0, 1.0, 3.0, 1.0, 0.5))
 
 # -- order two of the methods of H 13 ------------------------------------------
 def strip():
-    """(20.9) in doubles, which is enough for constants: the largest |G - 1| / |u|^2 and |G|."""
+    """(20.9) in doubles, which is enough for constants: the largest |Psi - 1| / |y|^2 and |Psi|."""
     near, size = 0.0, 0.0
     for a in (n / 20 for n in range(21)):
-        for u in (complex(r / 8, cmath.pi * j / 113) for r in range(9) for j in range(-113, 114) if r or j):
-            z, root = cmath.exp(-u), ((1 - cmath.exp(-u)) / u) ** (2 * a)
-            for G in (root * (1 - a + a / z), root * ((3 - z) / 2) ** (2 * a),
-                      root * (0.5 + a + (0.5 - a) * z) * (1 + 1 / z) / 2):
-                near, size = max(near, abs(G - 1) / abs(u) ** 2), max(size, abs(G))
+        for y in (complex(r / 8, cmath.pi * j / 113) for r in range(9) for j in range(-113, 114) if r or j):
+            z, root = cmath.exp(-y), ((1 - cmath.exp(-y)) / y) ** (2 * a)
+            for Psi in (root * (1 - a + a / z), root * ((3 - z) / 2) ** (2 * a),
+                        root * (0.5 + a + (0.5 - a) * z) * (1 + 1 / z) / 2):
+                near, size = max(near, abs(Psi - 1) / abs(y) ** 2), max(size, abs(Psi))
     return near, size
 
 
