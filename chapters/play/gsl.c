@@ -48,29 +48,9 @@ gsl_vector_view gsl_vector_view_array(double *base, size_t n)
 
 /* ---- matrices of one number: only stability.c, for its eigenvalue ---- */
 
-static gsl_vector only; /* the one vector that there is at a time */
-static double number;
-static gsl_eigen_symm_workspace nothing;
-
-gsl_vector *gsl_vector_alloc(size_t n)
-{
-    only = (gsl_vector){ n, 1, &number, NULL, 0 };
-    return n == 1 ? &only : NULL;
-}
-
-void gsl_vector_free(gsl_vector *v)
-{
-    (void)v;
-}
-
 double gsl_vector_max(const gsl_vector *v)
 {
     return v->data[0];
-}
-
-gsl_eigen_symm_workspace *gsl_eigen_symm_alloc(size_t n)
-{
-    return n == 1 ? &nothing : NULL;
 }
 
 int gsl_eigen_symm(gsl_matrix *A, gsl_vector *values,
@@ -79,11 +59,6 @@ int gsl_eigen_symm(gsl_matrix *A, gsl_vector *values,
     (void)work;
     values->data[0] = A->data[0];
     return FVI_SUCCESS;
-}
-
-void gsl_eigen_symm_free(gsl_eigen_symm_workspace *work)
-{
-    (void)work;
 }
 
 /* ---- what lu.c asks for, and what is done with its factors ----

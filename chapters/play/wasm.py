@@ -19,7 +19,7 @@ ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history 
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
-    gsl_eigen_nonsymm_params gsl_matrix_alloc gsl_matrix_free gsl_matrix_set gsl_matrix_set_zero
+    gsl_eigen_nonsymm_params
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()
 # A run of the live page keeps its whole past.
 NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "ahead alloc bytes copy delta plan push tiles archive".split()]

@@ -34,17 +34,19 @@ static int check(const fvi_run *run, const void *output)
 static int largest_eigenvalue(size_t d, double *A, double *largest)
 {
     gsl_matrix_view matrix = gsl_matrix_view_array(A, d, d);
+    double *room = malloc(3 * d * sizeof *room);
+    if (!room)
+        FVI_FAIL("no memory for the eigenvalues of the load", FVI_ENOMEM);
+    gsl_vector_view values = gsl_vector_view_array(room, d);
+    gsl_eigen_symm_workspace work = { .size = d, /* fail.h says why not GSL's */
+                                      .d = room + d,
+                                      .sd = room + 2 * d };
     fvi_quiet();
-    gsl_vector *values = gsl_vector_alloc(d);
-    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(d);
-    int status = FVI_ENOMEM;
-    if (values && work)
-        status = gsl_eigen_symm(&matrix.matrix, values, work);
-    if (!status)
-        *largest = gsl_vector_max(values);
-    gsl_vector_free(values);
-    gsl_eigen_symm_free(work);
+    const int status = gsl_eigen_symm(&matrix.matrix, &values.vector, &work);
     fvi_loud();
+    if (!status)
+        *largest = gsl_vector_max(&values.vector);
+    free(room);
     if (status)
         FVI_FAIL("no eigenvalues of the load", status);
     return FVI_SUCCESS;

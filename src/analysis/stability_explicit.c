@@ -10,6 +10,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { FEW = 64 /* coupled masses whose exponents are found in a moment */ };
 
@@ -54,17 +55,19 @@ static double of_exponent(double h, gsl_complex s, double largest)
 }
 
 /* The matrix of (x, v)' = A (x, v) in units in which the masses are 1. */
-static void first_order(const fvi_system *system, const double *K,
-                        gsl_matrix *A)
+static void first_order(const fvi_system *system, const double *K, double *A)
 {
     const size_t d = system->d;
     const double *m = system->mass;
-    gsl_matrix_set_zero(A);
     for (size_t i = 0; i < d; i++) {
-        gsl_matrix_set(A, i, d + i, 1);
-        for (size_t j = 0; j < d; j++)
-            gsl_matrix_set(A, d + i, j, -K[i * d + j] / sqrt(m[i] * m[j]));
-        gsl_matrix_set(A, d + i, d + i, -system->damping[i] / m[i]);
+        double *velocity = A + i * 2 * d, *force = A + (d + i) * 2 * d;
+        memset(velocity, 0, 2 * d * sizeof *A);
+        velocity[d + i] = 1;
+        for (size_t j = 0; j < d; j++) {
+            force[j] = -K[i * d + j] / sqrt(m[i] * m[j]);
+            force[d + j] = 0;
+        }
+        force[d + i] = -system->damping[i] / m[i];
     }
 }
 
@@ -73,15 +76,17 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
 {
     const size_t n = 2 * run->system->d;
     int status = FVI_ENOMEM;
+    double *A = malloc(n * n * sizeof *A);
     fvi_quiet();
-    gsl_matrix *A = gsl_matrix_alloc(n, n);
     gsl_vector_complex *s = gsl_vector_complex_alloc(n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(n);
     if (A && s && work) {
         first_order(run->system, K, A);
         gsl_eigen_nonsymm_params(0, 1, work); /* balanced */
-        status = fvi_all_finite(n * n, A->data) ? gsl_eigen_nonsymm(A, s, work)
-                                                : FVI_EOVRFLW;
+        gsl_matrix_view matrix = gsl_matrix_view_array(A, n, n);
+        status = fvi_all_finite(n * n, A)
+                     ? gsl_eigen_nonsymm(&matrix.matrix, s, work)
+                     : FVI_EOVRFLW;
     }
     double largest = 0;
     for (size_t i = 0; !status && i < n; i++)
@@ -91,7 +96,7 @@ static int of_coupled(const fvi_run *run, const double *K, double *load)
     for (size_t i = 0; !status && i < n; i++)
         *load = larger(
             *load, of_exponent(run->h, gsl_vector_complex_get(s, i), largest));
-    gsl_matrix_free(A);
+    free(A);
     gsl_vector_complex_free(s);
     gsl_eigen_nonsymm_free(work);
     fvi_loud();

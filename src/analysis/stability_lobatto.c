@@ -226,34 +226,37 @@ static int load_of_mode(const turn ends[2], double W, double R, double *load)
 static int load_of_modes(const turn ends[2], double share, size_t d,
                          const double *W, const double *R, double *load)
 {
+    double *V = malloc((2 * d + 5) * d * sizeof *V), *G = V + d * d,
+           *room = G + d * d;
+    if (!V)
+        FVI_FAIL("no memory for the modes of the system", FVI_ENOMEM);
+    gsl_matrix_view matrix = gsl_matrix_view_array(G, d, d),
+                    modes = gsl_matrix_view_array(V, d, d);
+    gsl_vector_view values = gsl_vector_view_array(room, d);
+    gsl_eigen_symmv_workspace work = { .size = d, /* fail.h says why not GSL's */
+                                       .d = room + d,
+                                       .sd = room + 2 * d,
+                                       .gc = room + 3 * d,
+                                       .gs = room + 4 * d };
+    memcpy(G, W, d * d * sizeof *W);
+    for (size_t i = 0; i < d; i++)
+        G[i * d + i] += share * R[i];
     fvi_quiet();
-    gsl_matrix *G = gsl_matrix_alloc(d, d), *V = gsl_matrix_alloc(d, d);
-    gsl_vector *values = gsl_vector_alloc(d);
-    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(d);
-    int status = FVI_ENOMEM;
-    if (G && V && values && work) {
-        memcpy(G->data, W, d * d * sizeof *W);
-        for (size_t i = 0; i < d; i++)
-            G->data[i * d + i] += share * R[i];
-        status = gsl_eigen_symmv(G, values, V, work);
-    }
+    int status = gsl_eigen_symmv(&matrix.matrix, &values.vector, &modes.matrix, &work);
+    fvi_loud();
     if (status)
         fvi_fail("no modes of the system", __FILE__, __LINE__, status);
     for (size_t j = 0; !status && j < d; j++) {
         double spring = 0, damper = 0;
         for (size_t i = 0; i < d; i++) {
-            const double v = gsl_matrix_get(V, i, j);
+            const double v = V[i * d + j];
             for (size_t l = 0; l < d; l++)
-                spring += v * W[i * d + l] * gsl_matrix_get(V, l, j);
+                spring += v * W[i * d + l] * V[l * d + j];
             damper += v * R[i] * v;
         }
         status = load_of_mode(ends, spring, damper, load);
     }
-    gsl_matrix_free(G);
-    gsl_matrix_free(V);
-    gsl_vector_free(values);
-    gsl_eigen_symmv_free(work);
-    fvi_loud();
+    free(V);
     return status;
 }
 //< modes

@@ -1,6 +1,7 @@
 /* src/analysis/warnings.c -- What to know before a run is believed. [H 14, 19] */
 #include <fvi/warnings.h>
 
+#include <fvi/error.h>
 #include <fvi/stability.h>
 #include "run/solution.h"
 #include "system/larger.h"
@@ -17,13 +18,21 @@ enum {
 #define NO_SOLUTION(START)                                                     \
     "rl with " START " != 0 and alpha > 1/2 has no solution; these rows "      \
     "depend on h and come near to no motion"
+#define NO_MEMORY(WHAT) "there is no memory to find out whether " WHAT
 
-const char *fvi_warning_of_initial_history(const fvi_run *run)
+int fvi_warning_of_initial_history(const fvi_run *run, const char **text)
 {
     int has;
-    if (fvi_run_has_solution(run, &has) || has)
-        return NULL;
-    return run->system->matrices ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
+    const int status = fvi_run_has_solution(run, &has);
+    *text = NULL;
+    if (status == FVI_ENOMEM) {
+        *text = NO_MEMORY("a motion starts so");
+        return -1;
+    }
+    if (status || has)
+        return 0;
+    *text = run->system->matrices ? NO_SOLUTION("C x0") : NO_SOLUTION("x0");
+    return 1;
 }
 
 /* The load of a run, above 1 if a mode grows, and the h where that begins: 0 if no
@@ -56,7 +65,12 @@ int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
     double load = 0, h = 0;
     char more[80] = "";
     *text = '\0';
-    if (load_of(method, run, &load, &h) != 0 || load <= 1)
+    const int status = load_of(method, run, &load, &h);
+    if (status == FVI_ENOMEM) {
+        snprintf(text, size, NO_MEMORY("this step is stable"));
+        return -1;
+    }
+    if (status || load <= 1)
         return 0;
     if (h > 0)
         snprintf(more, sizeof more,
@@ -94,8 +108,13 @@ int fvi_warning_along(fvi_watch *watch, const fvi_method *method,
     if (k < watch->next)
         return 0;
     watch->next = k + (k < BETWEEN ? 1 : BETWEEN);
-    if (fvi_stability_along_run(method, run, x, &watch->stiffest, &load)
-        || load <= 1)
+    const int status =
+        fvi_stability_along_run(method, run, x, &watch->stiffest, &load);
+    if (status == FVI_ENOMEM) {
+        snprintf(text, size, NO_MEMORY("this step is stable"));
+        return -1;
+    }
+    if (status || load <= 1)
         return 0;
     watch->next = SIZE_MAX;
     snprintf(text, size,

@@ -140,21 +140,23 @@ static int best_order(moduli *o, double *alpha)
 static int errors_of(const moduli *o, double alpha, fvi_estimate *fitted)
 {
     double a, b, size;
-    gsl_matrix *J = gsl_matrix_alloc(2 * o->n, 3);
-    if (!J)
+    double(*slopes)[3] = malloc(2 * o->n * sizeof *slopes);
+    if (!slopes)
         FVI_FAIL("no memory for the errors", FVI_ENOMEM);
     for (size_t i = 0; i < o->n; i++) {
         row(o, i, alpha, &a, &b, &size);
         const double log_w = 2 * log(o->w[i]); /* d/dalpha (iw)^(2 alpha) */
-        gsl_matrix_set(J, 2 * i, 0, o->rho * (log_w * a - M_PI * b));
-        gsl_matrix_set(J, 2 * i + 1, 0, o->rho * (log_w * b + M_PI * a));
-        gsl_matrix_set(J, 2 * i, 1, a);
-        gsl_matrix_set(J, 2 * i + 1, 1, b);
-        gsl_matrix_set(J, 2 * i, 2, 1 / size);
-        gsl_matrix_set(J, 2 * i + 1, 2, 0);
+        slopes[2 * i][0] = o->rho * (log_w * a - M_PI * b);
+        slopes[2 * i + 1][0] = o->rho * (log_w * b + M_PI * a);
+        slopes[2 * i][1] = a;
+        slopes[2 * i + 1][1] = b;
+        slopes[2 * i][2] = 1 / size;
+        slopes[2 * i + 1][2] = 0;
     }
-    const int status = fvi_estimation_errors(J, fitted->sd, fitted->correlation);
-    gsl_matrix_free(J);
+    gsl_matrix_view J = gsl_matrix_view_array(*slopes, 2 * o->n, 3);
+    const int status =
+        fvi_estimation_errors(&J.matrix, fitted->sd, fitted->correlation);
+    free(slopes);
     for (size_t j = 0; j < 3 && !status; j++)
         fitted->sd[j] *= fitted->sigma;
     return status || fvi_estimate_is_finite(3, fitted) ? status : FVI_EOVRFLW;

@@ -65,7 +65,9 @@ const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
     system.damping = &damping;
     run.system = &system;
     run.x0 = &x0;
-    return fvi_warning_of_initial_history(&run);
+    const char *text; /* one mass takes no memory to find out */
+    fvi_warning_of_initial_history(&run, &text);
+    return text;
 }
 
 /* Without a force m x'' and all else may be multiplied by one number. */

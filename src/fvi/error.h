@@ -2,7 +2,10 @@
  *
  * A function returns 0, or one of these codes; its header says which and why. What a
  * callback of the caller's returned comes back as it is (system.h): best a negative
- * number, which no code is. The library prints nothing and ends no process. It could
+ * number, which no code is. It is a number alone, for a text would have to be kept for
+ * each thread and freed by somebody: whoever wrote the callback can keep one in its
+ * params. The program asks the user's own fvi_user_error for the words of a code;
+ * Python raises again what the callback raised. The library prints nothing and ends no process. It could
  * be called from Python, or from one of many threads: whether an error is a reason to
  * abort is for the program to decide, so there is no handler until the program sets
  * one, and that of GSL, whose default aborts, is never called: around what may fail in

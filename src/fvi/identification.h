@@ -145,7 +145,9 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  * has a law, which does not read it (rho, then, is what multiplies the law); what
  * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start, or
  * what the potential or the force returned there, where that is a code of its own;
- * FVI_ENOMEM. */
+ * FVI_ENOMEM. Where memory ends while GSL 2.7 makes its solver, what GSL has allocated
+ * until then is lost, some 5 kB and n parameters numbers: it frees no half of a solver, and
+ * nobody else can. */
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 /* fvi_fit_warning_of_... -- what to know before an answer is believed, as the functions of

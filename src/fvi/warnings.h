@@ -3,6 +3,8 @@
  * These are no errors: the run can be made, and its numbers are those of the method. But
  * the numbers are not those of a motion. Each function says so in a line of English,
  * without a full stop; the program prints the line, Python hands it to warnings.warn.
+ * A function returns 1 with a text, 0 where it has nothing to say, and -1, with a text that
+ * says so, where there is no memory to find out: the program and Python then refuse the run.
  * What a fit has to say stands in identification.h. */
 #ifndef FVI_WARNINGS_H
 #define FVI_WARNINGS_H
@@ -16,17 +18,17 @@ extern "C" {
 
 enum { FVI_WARNING_ROOM = 240 }; /* characters for a text, with its end */
 
-/* fvi_warning_of_initial_history -- a constant text if no motion starts like this run:
- * Riemann-Liouville with a damped x0 != 0 and alpha > 1/2; else NULL.       [(19.2)]
+/* fvi_warning_of_initial_history -- 1 if no motion starts like this run: Riemann-Liouville
+ * with a damped x0 != 0 and alpha > 1/2; else 0; -1 without memory.          [(19.2)]
  *
- *   run  of a system that fvi_stepper_start takes
+ *   run   of a system that fvi_stepper_start takes
+ *   text  output, a constant text, or NULL for 0
  *
- * The method fvi runs it all the same; the others refuse it. NULL, too, if there is no
- * memory to find out. Cost O(d), one product by C. */
-const char *fvi_warning_of_initial_history(const fvi_run *run);
+ * The method fvi runs it all the same; the others refuse it. Cost O(d), one product by C. */
+int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 
 /* fvi_warning_of_step -- 1 if a mode of the run grows from step to step, and the text then;
- * else 0, and the text is empty.                                     [(14.3), (14.4)]
+ * else 0, and the text is empty; -1 without memory.                  [(14.3), (14.4)]
  *
  *   method, run  as for fvi_stepper_start; the load is that of small motions about x0
  *   size, text   output, room for FVI_WARNING_ROOM characters
@@ -52,7 +54,7 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run,
                           int is_unstable);
 
 /* fvi_warning_along -- 1 and a text, once in a run, where small motions about the place of
- * the run grow with such a step; else 0, and the text is untouched.           [(14.6)]
+ * the run grow with such a step; else 0, and the text is untouched; -1 without memory. [(14.6)]
  *
  *   watch        of this run
  *   method, run  as above; x0 is not read

@@ -24,6 +24,13 @@ int fvi_shared_name(const char *text)
 static char *compiled;
 static void *kept;
 
+static const char *(*words_of_user)(int code);
+
+const char *fvi_shared_error(int code)
+{
+    return words_of_user ? words_of_user(code) : NULL;
+}
+
 static int compile(const char *text, const char *path, void **library,
                    fvi_complaint c)
 {
@@ -60,6 +67,7 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
     }
     const fvi_potential *found = dlsym(*library, "fvi_user_potential");
     if (found && found->value && found->gradient && found->hessian) {
+        *(void **)&words_of_user = dlsym(*library, "fvi_user_error");
         *U = *found;
         return 0;
     }
@@ -74,6 +82,8 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
 
 void fvi_shared_close(void *library)
 {
-    if (library && library != kept)
-        dlclose(library);
+    if (!library || library == kept)
+        return;
+    words_of_user = NULL; /* it stands in the library */
+    dlclose(library);
 }

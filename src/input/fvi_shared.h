@@ -11,12 +11,20 @@ int fvi_shared_name(const char *text);
  *
  *     const fvi_potential fvi_user_potential = { .value = ..., ... };
  *
+ * and, if it likes, says in words what the codes mean that its functions return:
+ *
+ *     const char *fvi_user_error(int code);
+ *
  *   library  output; close it with fvi_shared_close when U is no longer used
  *   U        output
  *
  * Returns 0; 2 if it cannot be loaded or compiled, or has no such potential. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
                     fvi_complaint c);
+
+/* fvi_shared_error -- what fvi_user_error of the potential that is open says; NULL if it says
+ * nothing of this code. */
+const char *fvi_shared_error(int code);
 
 /* fvi_shared_close -- NULL is allowed. */
 void fvi_shared_close(void *library);

@@ -193,7 +193,10 @@ static int check_solution(fvi_options *o, fvi_complaint c)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
-    o->no_solution = fvi_warning_of_initial_history(&run);
+    if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0) {
+        fvi_refuse(c, "not enough memory");
+        return 1;
+    }
     if (o->no_solution
         && !(o->method && o->method->paper_convention && o->error == 0))
         return fvi_refuse(c,

@@ -2,8 +2,10 @@
 #include "fvi_complain.h"
 #include "fvi_output.h"
 #include <fvi/error.h>
+#include "input/fvi_shared.h"
 #include "system/fail.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -39,11 +41,15 @@ int fvi_cannot_write(const char *name)
 
 const char *fvi_code_in_words(int status)
 {
-    static char own[80];
+    static char own[300];
     const char *words = fvi_error_name(status);
     if (!fvi_is_own_code(status))
         return words;
-    snprintf(own, sizeof own, "%s, code %d", words, status);
+    const char *more = fvi_shared_error(status);
+    snprintf(own, sizeof own, "%s, code %d%s%s", words, status,
+             more ? ": " : "", more ? more : "");
+    for (char *c = own; *c; c++) /* one line, whatever the user wrote */
+        *c = iscntrl((unsigned char)*c) ? '?' : *c;
     return own;
 }
 

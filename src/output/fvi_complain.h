@@ -19,7 +19,7 @@ void fvi_warn(const char *what);
 void fvi_refused(const char *complaint, const char *command);
 
 /* fvi_code_in_words -- what fvi_error_name says, and the number of a code that a function of
- * the user's own returned; good until the next call. */
+ * the user's own returned, with his words for it; good until the next call. */
 const char *fvi_code_in_words(int status);
 
 /* fvi_reason -- such a code, in the words of a user. */

@@ -280,7 +280,7 @@ static int answer(request *r)
 {
     int failed = make_room(r);
     if (!failed)
-        fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
+        failed = fvi_run_warn(&r->o, &r->run, sizeof r->unstable, r->unstable);
     if (!failed)
         failed = differentiate(r);
     if (!failed)

@@ -84,12 +84,15 @@ int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)
     return status;
 }
 
-/* After a step, of a run that has become too stiff for its step. */
-static void warn_along(fvi_watch *w, const fvi_stepper *s)
+/* After a step, of a run that has become too stiff for its step. Returns a status. */
+static int warn_along(fvi_watch *w, const fvi_stepper *s)
 {
     char text[FVI_WARNING_ROOM];
-    if (fvi_warning_along(w, s->method, &s->run, s->k, s->x, sizeof text, text))
+    const int warned =
+        fvi_warning_along(w, s->method, &s->run, s->k, s->x, sizeof text, text);
+    if (warned > 0)
         fvi_warn(text);
+    return warned < 0 ? FVI_ENOMEM : FVI_SUCCESS;
 }
 
 /* Between which rows a step failed; of a run that took too many, how far it came. */
@@ -127,7 +130,9 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
         status = fvi_stepper_step(s);
         if (status)
             return stopped(t->o, s, status);
-        warn_along(w, s);
+        status = warn_along(w, s);
+        if (status)
+            return fvi_stopped_at(s->k, status);
         const int looks = s->k >= look;
         if (looks) {
             fvi_progress(s->k, steps);
@@ -152,13 +157,17 @@ static int steps_and_rows(fvi_table *t, fvi_stepper *s, fvi_watch *w,
     return 0;
 }
 
-void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
-                  char *text)
+int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
+                 char *text)
 {
+    const int warned = fvi_warning_of_step(o->method, r, size, text);
+    if (warned < 0)
+        return fvi_complain("not enough memory");
     if (o->no_solution)
         fvi_warn(o->no_solution);
-    if (fvi_warning_of_step(o->method, r, size, text))
+    if (warned)
         fvi_warn(text);
+    return 0;
 }
 
 void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
@@ -219,12 +228,14 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
         return fvi_complain("not enough memory");
     if (fvi_table_open(t))
         return 1;
-    if (fvi_checkpoint_judge_rows(c, t)) {
-        fvi_table_close(t, 1);
-        return 2;
-    }
     char unstable[FVI_WARNING_ROOM];
-    fvi_run_warn(o, r, sizeof unstable, unstable);
+    int failed = fvi_checkpoint_judge_rows(c, t) ? 2 : 0;
+    if (!failed)
+        failed = fvi_run_warn(o, r, sizeof unstable, unstable);
+    if (failed) {
+        fvi_table_close(t, 1);
+        return failed;
+    }
     fvi_table_head(t->out, o);
     fvi_run_head(t->out, o, unstable);
     if (solved)
@@ -236,7 +247,7 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
         fvi_variable_step_head(t->out, o, &counts);
     }
     fvi_table_names(t);
-    int failed = rows_and_checkpoints(t, s, &watch, c);
+    failed = rows_and_checkpoints(t, s, &watch, c);
     const int whole = !failed && !fvi_checkpoint_stopped();
     failed = fvi_table_close(t, !whole);
     if (whole && !failed)

@@ -18,8 +18,8 @@ int fvi_complain_of_start(const fvi_options *o, int status);
 
 /* fvi_run_warn -- on standard error, before a run that has no limit, or must blow up; it goes on
  * all the same. What is said of the step is left in text, for the head: room for
- * FVI_WARNING_ROOM. */
-void fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
+ * FVI_WARNING_ROOM. Returns 0, or 1 after a complaint, where there is no memory to find out. */
+int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                   char *text);
 
 /* fvi_run_head -- that text in the head of a table, if it is one, under a name that no other

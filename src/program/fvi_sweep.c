@@ -54,7 +54,7 @@ static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
     if (v.status)
         return v;
     v.unstable = fvi_warning_of_step(o->method, r, sizeof unstable, unstable);
-    v.status = fvi_table_take(t, 0, s->x, s->p);
+    v.status = v.unstable < 0 ? FVI_ENOMEM : fvi_table_take(t, 0, s->x, s->p);
     while (!v.status && s->k < o->steps) {
         v.step = s->k + 1;
         v.status = fvi_stepper_step(s);

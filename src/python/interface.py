@@ -100,7 +100,7 @@ typedef struct { double estimate; ...; } fvi_variable_step_found;
 int fvi_variable_step_search(const fvi_run *run, double error, size_t most, double *x, double *p,
                         fvi_variable_step_found *found);
 enum { FVI_WARNING_ROOM = 240 };
-const char *fvi_warning_of_initial_history(const fvi_run *run);
+int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 typedef struct { double stiffest; size_t next; } fvi_watch;
 fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_unstable);
@@ -254,10 +254,10 @@ ffi.set_source(
                           const double *x, size_t size, char *text)
     {
         const size_t d = run->system->d;
-        for (size_t k = 1; k <= run->steps && fvi_all_finite(d, x + k * d); k++)
-            if (fvi_warning_along(watch, method, run, k, x + k * d, size, text))
-                return 1;
-        return 0;
+        int warned = 0;
+        for (size_t k = 1; !warned && k <= run->steps && fvi_all_finite(d, x + k * d); k++)
+            warned = fvi_warning_along(watch, method, run, k, x + k * d, size, text);
+        return warned;
     }
     /* The reason of this code, or NULL; no reason is given twice, or for another code. */
     static const char *why(int code)

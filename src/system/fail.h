@@ -9,7 +9,12 @@
  * overlap in several threads. Allocations, eigenvalues, roots, integrals and
  * Cholesky's factors may fail. Views, sums, transforms and what is solved with the LU
  * factors of a few stages (lu.h), whose arguments are checked, stand bare. None of
- * them may ask for memory within: where there is none, GSL goes on without. */
+ * them may ask for memory within: where there is none, GSL goes on without.
+ *
+ * Of GSL 2.7 gsl_matrix_alloc, gsl_eigen_symm_alloc and gsl_eigen_symmv_alloc do not free
+ * the first half where there is no memory for the second. So matrices are views of arrays
+ * of ours, and the workspaces, whose fields GSL's header declares, stand in one array.
+ * That of gsl_multifit_nlinear is GSL's secret: see identification.h. */
 void fvi_quiet(void);
 void fvi_loud(void);
 

@@ -21,6 +21,9 @@
 
 static const char *const commands[] = {
     "run --alpha 0.3 --steps 20 -o table",
+    "run --alpha 0.3 --steps 9 --h 3 --kappa 1", /* unstable, and says so */
+    "run --alpha 0.3 --steps 9 --h 3 --method fvi-lobatto3",
+    "run --alpha 0.3 --steps 9 --potential duffing:0.1,1 --kappa 1 --h 0.6 --x0 0.5 --p0 3",
     "run --alpha 0.3 --steps 300 --memory direct --format json",
     "run --alpha 0.3 --steps 300 --memory exponentials --dimension 20",
     "run --alpha 0.3 --steps 100 --method fvi-lobatto4",

@@ -1,5 +1,5 @@
 /* tests/program/test_fvi_own_codes.c -- The program build/fvi: what a potential of the user's
- * own returned is said, in each command that asks it.
+ * own returned is said, in each command that asks it, and in the words that it has for it.
  * Run alone: make test-fvi_own_codes */
 #define _GNU_SOURCE
 #include "program.h"
@@ -17,8 +17,16 @@ START_TEST(the_code_of_a_potential_of_ones_own_is_said)
                "static int hessian(size_t d, const double *x, void *p, double "
                "*H) { (void)d, (void)p, (void)x; *H = 1; return 0; }\n"
                "const fvi_potential fvi_user_potential = { .value = value, "
-               ".gradient = gradient, .hessian = hessian };\n");
-    ck_assert_int_eq(shell("cc -shared -fPIC -I\"$SOURCES\" my.c -o my.so"), 0);
+               ".gradient = gradient, .hessian = hessian };\n"
+               "#ifdef WORDS\n"
+               "const char *fvi_user_error(int code);\n"
+               "const char *fvi_user_error(int code)"
+               "{ return code == -7 ? \"the beam\\nhas buckled\" : 0; }\n"
+               "#endif\n");
+    ck_assert_int_eq(shell(_i == 0 ? "cc -shared -fPIC -I\"$SOURCES\" my.c -o my.so"
+                                   : "cc -DWORDS -shared -fPIC -I\"$SOURCES\" "
+                                     "my.c -o my.so"),
+                     0);
     ck_assert_int_eq(fvi("run --columns t,x -o data"), 0);
     static const char *const commands[] = {
         "run --potential my.so", "run --potential my.so --error 1e-3",
@@ -29,7 +37,8 @@ START_TEST(the_code_of_a_potential_of_ones_own_is_said)
     for (size_t i = 0; i < LEN(commands); i++) {
         ck_assert_int_eq(fvi(commands[i]), 1);
         ck_assert_msg(
-            strstr(err, "an error of the caller's own functions, code -7"),
+            strstr(err, _i == 0 ? "an error of the caller's own functions, code -7\n"
+                                : "code -7: the beam?has buckled\n"),
             "%s: %s", commands[i], err);
     }
 }
@@ -41,6 +50,8 @@ int main(void)
     setenv("SOURCES", sources ? sources : "src", 1);
     free(sources);
     Suite *suite = suite_create("the program fvi: codes of one's own");
-    ADD_CASE(suite, "values", the_code_of_a_potential_of_ones_own_is_said);
+    TCase *values = tcase_create("values"); /* without words, and with */
+    tcase_add_loop_test(values, the_code_of_a_potential_of_ones_own_is_said, 0, 2);
+    suite_add_tcase(suite, values);
     return run_suite_of_program(suite);
 }

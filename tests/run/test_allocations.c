@@ -1,5 +1,6 @@
 /* tests/run/test_allocations.c -- Of all allocations within a call of the library one fails: the
- * call says FVI_ENOMEM, and nothing ends the process.  Run alone: make test-allocations
+ * call says FVI_ENOMEM, nothing ends the process, and no block is left.
+ * Run alone: make test-allocations
  *
  * malloc and its kin are those of this file, on top of glibc's. Where a sanitizer brings its
  * own allocator nothing is tested. */
@@ -21,12 +22,14 @@
 static size_t made,
     failing; /* allocations since the last call; which one fails */
 static int has_failed;
+static long alive; /* blocks that were allocated and not yet freed */
 
 #ifndef OTHER_ALLOCATOR
 void *__libc_malloc(size_t bytes);
 void *__libc_calloc(size_t count, size_t bytes);
 void *__libc_realloc(void *old, size_t bytes);
 void *__libc_memalign(size_t alignment, size_t bytes);
+void __libc_free(void *block);
 
 static int fails(void)
 {
@@ -36,25 +39,43 @@ static int fails(void)
     return 1;
 }
 
+static void *counted(void *block)
+{
+    alive += block != NULL;
+    return block;
+}
+
+/* Seen from without, so that GSL and CHOLMOD allocate by them, too. */
+#pragma GCC visibility push(default)
 void *malloc(size_t bytes)
 {
-    return fails() ? NULL : __libc_malloc(bytes);
+    return fails() ? NULL : counted(__libc_malloc(bytes));
 }
 
 void *calloc(size_t count, size_t bytes)
 {
-    return fails() ? NULL : __libc_calloc(count, bytes);
+    return fails() ? NULL : counted(__libc_calloc(count, bytes));
 }
 
 void *realloc(void *old, size_t bytes)
 {
-    return fails() ? NULL : __libc_realloc(old, bytes);
+    if (fails())
+        return NULL;
+    alive -= old != NULL;
+    return counted(__libc_realloc(old, bytes));
 }
 
 void *aligned_alloc(size_t alignment, size_t bytes)
 {
-    return fails() ? NULL : __libc_memalign(alignment, bytes);
+    return fails() ? NULL : counted(__libc_memalign(alignment, bytes));
 }
+
+void free(void *block)
+{
+    alive -= block != NULL;
+    __libc_free(block);
+}
+#pragma GCC visibility pop
 #endif
 
 /* ---- calls ---- */
@@ -120,6 +141,67 @@ static int load(const fvi_method *method)
     return fvi_stability_number(method, &run, &growth);
 }
 
+/* U = (x_1 + ... + x_d)^2 / 2: each mass pulls at each, so the Hessian is full. */
+static int sum_gradient(size_t d, const double *x, void *params, double *g)
+{
+    double sum = 0;
+    (void)params;
+    for (size_t i = 0; i < d; i++)
+        sum += x[i];
+    for (size_t i = 0; i < d; i++)
+        g[i] = sum;
+    return 0;
+}
+
+static int sum_value(size_t d, const double *x, void *params, double *value)
+{
+    double sum = 0;
+    (void)params;
+    for (size_t i = 0; i < d; i++)
+        sum += x[i];
+    *value = sum * sum / 2;
+    return 0;
+}
+
+static int sum_hessian(size_t d, const double *x, void *params, double *H)
+{
+    (void)x, (void)params;
+    for (size_t i = 0; i < d * d; i++)
+        H[i] = 1;
+    return 0;
+}
+
+static int load_of_full(const fvi_method *method)
+{
+    fvi_system system;
+    fvi_run run = run_of(&system, NULL);
+    double growth;
+    system.potential = (fvi_potential){ .value = sum_value,
+                                        .gradient = sum_gradient,
+                                        .hessian = sum_hessian };
+    run.kappa = 1;
+    return fvi_stability_number(method, &run, &growth);
+}
+
+/* Of an unstable step, and of a place where it is one. */
+static int warnings(const fvi_method *method)
+{
+    static const double far[] = { 9, -9, 9 };
+    char text[FVI_WARNING_ROOM];
+    fvi_system system;
+    fvi_run run = run_of(&system, NULL);
+    run.kappa = 1;
+    run.h = 9;
+    fvi_watch watch = { 0, 1 };
+    const int at_start =
+                  fvi_warning_of_step(method, &run, sizeof text, text),
+              along = fvi_warning_along(&watch, method, &run, 1, far,
+                                        sizeof text, text);
+    return at_start < 0 || along < 0      ? FVI_ENOMEM
+           : at_start == 1 && along == 1 ? 0
+                                         : -1;
+}
+
 static int control(const fvi_method *method)
 {
     enum { N = 20 };
@@ -148,7 +230,7 @@ typedef int call(const fvi_method *method);
 
 START_TEST(a_call_without_memory_says_so)
 {
-    call *const calls[] = { life, life_with_a_law, load, control, moduli };
+    call *const calls[] = { life, life_with_a_law, load, load_of_full, warnings, control, moduli };
     size_t said = 0;
 #ifdef OTHER_ALLOCATOR
     return;
@@ -158,16 +240,20 @@ START_TEST(a_call_without_memory_says_so)
             failing = 0;
             if (calls[c](fvi_methods[m]))
                 continue; /* not for this method */
-            for (size_t n = 1;; n += 1 + n / 8) {
+            for (size_t n = 1;; n++) {
                 made = 0;
                 has_failed = 0;
                 failing = n;
+                const long before = alive;
                 const int status = calls[c](fvi_methods[m]);
+                const long left = alive - before;
                 failing = 0;
                 if (!has_failed)
                     break;
                 ck_assert_msg(status == FVI_ENOMEM, "call %zu of %s: %zu: %d",
                               c, fvi_methods[m]->name, n, status);
+                ck_assert_msg(left == 0, "call %zu of %s: %zu: %ld blocks left",
+                              c, fvi_methods[m]->name, n, left);
                 said++;
             }
         }

@@ -7,20 +7,26 @@
 
 START_TEST(a_run_without_a_solution_is_warned_of)
 {
+    const char *text = "left";
     fvi_run run = scalar_run(0.8, 0.5, 1, 0.2, 10);
     run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     x0 = 0;
-    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
+    ck_assert_int_eq(fvi_warning_of_initial_history(&run, &text), 0);
+    ck_assert_ptr_null(text);
     x0 = 1;
-    ck_assert_ptr_nonnull(strstr(fvi_warning_of_initial_history(&run), "no solution"));
+    ck_assert_int_eq(fvi_warning_of_initial_history(&run, &text), 1);
+    ck_assert_ptr_nonnull(strstr(text, "no solution"));
     run.alpha = 0.5;
-    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
+    ck_assert_int_eq(fvi_warning_of_initial_history(&run, &text), 0);
+    ck_assert_ptr_null(text);
     run.alpha = 0.8;
     rho = 0;
-    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
+    ck_assert_int_eq(fvi_warning_of_initial_history(&run, &text), 0);
+    ck_assert_ptr_null(text);
     run.past = FVI_INITIAL_HISTORY_HELD;
     rho = 0.2;
-    ck_assert_ptr_null(fvi_warning_of_initial_history(&run));
+    ck_assert_int_eq(fvi_warning_of_initial_history(&run, &text), 0);
+    ck_assert_ptr_null(text);
     x0 = 0;
 }
 END_TEST

@@ -106,6 +106,8 @@ def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
         found = ask(function, *arguments, lib.FVI_WARNING_ROOM, text)
     except Exception:
         return False
+    if found < 0:
+        raise MemoryError(text_of(text))
     if found:
         warn(text_of(text))
     return bool(found)

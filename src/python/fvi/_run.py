@@ -53,8 +53,12 @@ CHUNK = 4096  # steps after which another thread may have a Stepper
 
 def warn_of_start(method: Any, run: Any) -> Any:
     """What the program says before the first step. Returns how to watch what comes after it."""
-    if method.paper_convention and lib.fvi_warning_of_initial_history(run) != ffi.NULL:
-        warn(text_of(lib.fvi_warning_of_initial_history(run)))
+    text = ffi.new("const char **")
+    found = lib.fvi_warning_of_initial_history(run, text) if method.paper_convention else 0
+    if found < 0:
+        raise MemoryError(text_of(text[0]))
+    if found:
+        warn(text_of(text[0]))
     is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)
     return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
 
