@@ -36,7 +36,8 @@ typedef struct {
  *   mass, damping  by each mass and each damping, d numbers each
  *   alpha          by alpha, one number, all dampings together; there is none of a law
  *   terms, orders, times, ends  by rho, alpha, time and end of each term of run->law,
- *                  law->count numbers each; 0 where its kind has no such number
+ *                  law->count numbers each; 0 where its kind has no such number. Only
+ *                  terms is known of a law with a MAXWELL2
  *   force          by the force: component i at t_k at [k * d + i], (N + 1) d numbers;
  *                  of a method with s stages at all their times t_k + c_i h in one row,
  *                  ((s - 1) N + 1) d numbers. Where a step ends and the next begins,

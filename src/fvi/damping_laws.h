@@ -24,12 +24,15 @@ extern "C" {
  *   POWER        s^{2 alpha}
  *   ZENER        s^{2 alpha} / (1 + time s^{2 alpha})
  *   MAXWELL      s / (1 + time s)
- *   DISTRIBUTED  int_alpha^end s^{2 a} da */
+ *   DISTRIBUTED  int_alpha^end s^{2 a} da
+ *   MAXWELL2     s^{2 alpha} / (1 + time s^{2 (alpha - end)}): two springpots in series,
+ *                rho s^{2 alpha} and (rho / time) s^{2 end}. A ZENER has end = 0 */
 typedef enum {
     FVI_KERNEL_POWER,
     FVI_KERNEL_ZENER,
     FVI_KERNEL_MAXWELL,
-    FVI_KERNEL_DISTRIBUTED
+    FVI_KERNEL_DISTRIBUTED,
+    FVI_KERNEL_MAXWELL2
 } fvi_kernel_kind;
 
 /* fvi_kernel_term -- one term; what its kind does not name is not read.
@@ -37,8 +40,8 @@ typedef enum {
  *   rho         finite, >= 0
  *   alpha       0 <= alpha <= 1
  *   time        finite, >= 0; with 0 a ZENER is a POWER, a MAXWELL a dashpot. Of a ZENER
- *               it is a time to the power 2 alpha
- *   end         alpha < end <= 1 */
+ *               it is a time to the power 2 alpha, of a MAXWELL2 to 2 (alpha - end)
+ *   end         alpha < end <= 1; of a MAXWELL2 0 <= end <= alpha */
 typedef struct {
     fvi_kernel_kind kind;
     double rho, alpha, time, end;
@@ -73,7 +76,7 @@ double fvi_kernel_symbol(const fvi_kernel *law, double s);
 
 /* fvi_kernel_growth -- the largest nu with which |C(s)| grows like |s|^nu at infinity, but
  * for a logarithm: 2 alpha of a POWER, 0 of a MAXWELL or a ZENER with a time, 2 end of
- * a DISTRIBUTED. The law has passed fvi_kernel_check. */
+ * a DISTRIBUTED and of a MAXWELL2 with a time. The law has passed fvi_kernel_check. */
 double fvi_kernel_growth(const fvi_kernel *law);
 
 /* fvi_kernel_weights -- w_n of sum_n w_n z^n = C(delta(z)/h).             [(26.3)]
@@ -85,9 +88,9 @@ double fvi_kernel_growth(const fvi_kernel *law);
  *   w      output, length count, owned by the caller
  *
  * Accuracy: relative to the largest weight, 60 u for each term (no proof; seen 3). Not so
- * for a ZENER with 2 alpha > 1: it rings, and keeps roundings for as long as it does (seen
+ * for a ZENER with 2 alpha > 1, or a MAXWELL2 with 2 (alpha - end) > 1: it rings, and keeps roundings for as long as it does (seen
  * 1800 u in 1500 weights, alpha = 0.985).
- * Cost: O(count), and O(count^2) for a ZENER with alpha other than 1/2.
+ * Cost: O(count), and O(count^2) for a ZENER with alpha other than 1/2 and a MAXWELL2.
  * Returns FVI_SUCCESS; what fvi_kernel_check returns; FVI_EFAULT if w is NULL; FVI_EINVAL
  * if count == 0 or kind is another; FVI_EDOM for h; FVI_ENOMEM. On error w is
  * untouched. */

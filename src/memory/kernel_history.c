@@ -20,52 +20,47 @@ typedef struct {
     int increments;
 } ready;
 
+static int is_whole(double x)
+{
+    return x == floor(x);
+}
+
 static int has_cut(const fvi_kernel_simple *t)
 {
-    return t->rho > 0 && 2 * t->alpha != floor(2 * t->alpha);
+    return t->rho > 0
+           && !(is_whole(2 * t->alpha)
+                && (t->time == 0 || is_whole(2 * t->below)));
 }
 
-static int is_relaxation(const fvi_kernel_simple *t)
-{
-    return t->rho > 0 && t->alpha == 0.5 && t->time > 0;
-}
-
-/* A fraction's symbol has poles where 1 + time s^{2 alpha} = 0, on the sheet of the cut
+/* A fraction's symbol has poles where 1 + time s^{2 below} = 0, on the sheet of the cut
  * this many radians beyond it; of a power's there are none. */
 static double strip(const fvi_kernel_simple *t)
 {
     return t->time == 0 ? M_PI_2
-                        : 0.9 * fmin(M_PI_2, M_PI * (0.5 / t->alpha - 1));
+                        : 0.9 * fmin(M_PI_2, M_PI * (0.5 / t->below - 1));
 }
 
 /* ---- the cut ---- */
 
-/* Im C(-r + i0) by ln r: orders near 0 reach nodes where r is below all doubles. */
-//> cut
+/* The same of all terms. */
 static double on_the_cut(const ready *r, double ln_radius)
 {
     double sum = 0;
-    for (size_t i = 0; i < r->terms; i++) {
-        const fvi_kernel_simple *t = &r->term[i];
-        if (!has_cut(t))
-            continue;
-        const double beta = 2 * t->alpha, q = exp(beta * ln_radius);
-        const double re = 1 + t->time * q * cos(M_PI * beta);
-        const double im = t->time * q * sin(M_PI * beta);
-        sum += t->rho * q * sin(M_PI * beta) / (re * re + im * im);
-    }
+    for (size_t i = 0; i < r->terms; i++)
+        if (has_cut(&r->term[i]))
+            sum += fvi_kernel_on_the_cut(&r->term[i], r->term[i].rho,
+                                         ln_radius);
     return sum;
 }
-//< cut
 
 /* Below 1/N the nodes fall off doubly fast, and the strip in which a fraction is analytic
- * is crushed there: its poles, at |s| = h time^(-1/2 alpha), shall be well above. */
+ * is crushed there: its poles, at |s| = h time^(-1/2 below), shall be well above. */
 static double longest(const ready *r, double N)
 {
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
         if (has_cut(t) && t->time > 0)
-            N = larger(N, 20 * pow(t->time, 0.5 / t->alpha) / r->h);
+            N = larger(N, 20 * pow(t->time, 0.5 / t->below) / r->h);
     }
     return N;
 }
@@ -87,13 +82,13 @@ static int has_modes(const ready *r)
         const fvi_kernel_simple *t = &r->term[i];
         if (t->rho == 0 || t->time == 0)
             continue;
-        if ((t->alpha > 0.45 && t->alpha != 0.5)
+        if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
             || (has_cut(t) && longest(r, 1) > MOST))
             return 0; /* poles too near, or off the cut, or too low */
-        if (has_cut(t) && t->alpha > 0.4
-            && is_short(r, pow(t->time, 0.5 / t->alpha)))
+        if (has_cut(t) && t->below > 0.4
+            && is_short(r, pow(t->time, 0.5 / t->below)))
             return 0;
-        if (is_relaxation(t) && is_short(r, t->time))
+        if (fvi_kernel_is_relaxation(t) && is_short(r, t->time))
             return 0;
     }
     return 1;
@@ -168,7 +163,7 @@ static size_t all_modes(const ready *r, double N, double delta, double *s,
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
         double *to = s ? s + Q : NULL, *worth = s ? c + Q : NULL;
-        if (is_relaxation(t))
+        if (fvi_kernel_is_relaxation(t))
             Q += modes_of_relaxation(r, t, to, worth);
         if (t->alpha == 0 && r->increments && t->rho > 0) {
             if (s) { /* their sum, for ever */

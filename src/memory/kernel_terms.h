@@ -7,11 +7,34 @@
 #include <fvi/damping_laws.h>
 
 #include <complex.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
 
-/* rho s^{2 alpha} / (1 + time s^{2 alpha}): every term is one of these, or many. */
+/* rho s^{2 alpha} / (1 + time s^{2 below}): every term is one of these, or many. */
 typedef struct {
-    double rho, alpha, time;
+    double rho, alpha, time, below;
 } fvi_kernel_simple;
+
+/* fvi_kernel_is_relaxation -- a Maxwell element: its one pole is on the cut, and all of it. */
+static inline int fvi_kernel_is_relaxation(const fvi_kernel_simple *t)
+{
+    return t->rho > 0 && t->alpha == 0.5 && t->below == 0.5 && t->time > 0;
+}
+
+/* fvi_kernel_on_the_cut -- Im C(-r + i0) by ln r, with `factor` instead of rho: orders near 0
+ * reach nodes where r is below all doubles. */
+//> cut
+static inline double fvi_kernel_on_the_cut(const fvi_kernel_simple *t,
+                                           double factor, double ln_radius)
+{
+    const double above = 2 * t->alpha, below = 2 * t->below,
+                 q = exp(above * ln_radius),
+                 Tq = t->time * exp(below * ln_radius),
+                 re = 1 + Tq * cos(M_PI * below), im = Tq * sin(M_PI * below),
+                 turn = sin(M_PI * above) + Tq * sin(M_PI * (above - below));
+    return factor * q * turn / (re * re + im * im);
+}
+//< cut
 
 /* fvi_kernel_at -- C(s) by the principal logarithm, s != 0, and in *slope s C'(s): of a range
  * of orders to a relative u / |ln s|. */

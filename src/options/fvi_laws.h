@@ -14,8 +14,9 @@ typedef struct {
     char text[4096]; /* "power:1,0.3 + maxwell:2,5" */
 } fvi_laws;
 
-/* fvi_laws_add -- one more term: power:R,A  zener:R,A,T  maxwell:R,T  distributed:R,A,B.
- * Returns 0, or 2 if it is none, a number is out of range, or there is no room. */
+/* fvi_laws_add -- more terms, with " + " between them: viscous:R  spring:K  power:R,A
+ * zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B  distributed:R,A,B.
+ * Returns 0, or 2 if one is none, a number is out of range, or there is no room. */
 int fvi_laws_add(fvi_laws *laws, const char *text, fvi_complaint c);
 
 #endif

@@ -268,6 +268,9 @@ static int make_room(request *r)
     if (!r->run.law)
         return 0;
     r->to.terms = r->lets + r->o.lets.count;
+    for (size_t i = 0; i < terms; i++)
+        if (r->run.law->term[i].kind >= FVI_KERNEL_MAXWELL2)
+            return 0;
     r->to.orders = r->to.terms + terms;
     r->to.times = r->to.orders + terms;
     r->to.ends = r->to.times + terms;

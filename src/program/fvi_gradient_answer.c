@@ -62,7 +62,13 @@ static void print_term(FILE *f, const request *r, size_t i)
     if (r->run.law->count > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
     snprintf(name, sizeof name, "damping%s", number);
+    if (kind >= FVI_KERNEL_MAXWELL2) {
+        fprintf(f, "# warning = no derivatives by the numbers of %s\n", name);
+        return;
+    }
     print_row(f, name, "", r->to.terms[i]);
+    if (!r->to.orders)
+        return;
     if (!is_maxwell)
         print_row(f, name, "_A", r->to.orders[i]);
     if (is_range)

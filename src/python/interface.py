@@ -41,7 +41,7 @@ typedef struct {
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
-typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED } fvi_kernel_kind;
+typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED, FVI_KERNEL_MAXWELL2 } fvi_kernel_kind;
 typedef struct {
     fvi_kernel_kind kind;
     double rho, alpha, time, end;

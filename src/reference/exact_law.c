@@ -16,7 +16,7 @@ static const double STEP = 0.5; /* of ln s, from one look at Q to the next */
 
 /* ---- how often Q winds around 0 ---- */
 
-/* arg of Q(s) times 1 + T s^{2 alpha} for each fraction that has poles off the cut: what
+/* arg of Q(s) times 1 + T s^{2 below} for each fraction that has poles off the cut: what
  * is left has zeros only. */
 static double phase(const fvi_pole *Q, double u, double v)
 {
@@ -26,8 +26,11 @@ static double phase(const fvi_pole *Q, double u, double v)
         carg(Q->m * s * s + Q->c + Q->rho * fvi_kernel_at(Q->law, s, &slope));
     for (size_t i = 0; i < Q->law->count; i++) {
         const fvi_kernel_term *t = &Q->law->term[i];
-        if (t->kind == FVI_KERNEL_ZENER && t->alpha > 0.5 && t->rho > 0)
-            angle += carg(1 + t->time * cexp(2 * t->alpha * (u + I * v)));
+        const double below = t->kind == FVI_KERNEL_ZENER      ? t->alpha
+                             : t->kind == FVI_KERNEL_MAXWELL2 ? t->alpha - t->end
+                                                              : 0;
+        if (below > 0.5 && t->rho > 0)
+            angle += carg(1 + t->time * cexp(2 * below * (u + I * v)));
     }
     return angle;
 }

@@ -19,6 +19,11 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (method->scheme == FVI_SCHEME_CLASSICAL)
         FVI_FAIL("this method has no adjoint", FVI_EUNSUP);
+    for (size_t i = 0; run->law && i < run->law->count; i++)
+        if (run->law->term[i].kind >= FVI_KERNEL_MAXWELL2
+            && (want->orders || want->times || want->ends))
+            FVI_FAIL("this kind of law has a derivative by rho alone",
+                     FVI_EUNSUP);
     if (run->law ? want->alpha != NULL : fvi_adjoint_kernel_is_wanted(want))
         FVI_FAIL("a law has terms, and no alpha; a power the other way round",
                  FVI_EINVAL);

@@ -28,7 +28,7 @@ void fvi_adjoint_unit_term(const fvi_kernel_term *of, fvi_kernel_term *unit,
     *unit = *of;
     *rho = of->rho;
     unit->rho = 1;
-    if (!fvi_adjoint_is_fraction(of))
+    if (of->kind == FVI_KERNEL_POWER || of->kind == FVI_KERNEL_DISTRIBUTED)
         unit->time = 0;
 }
 

@@ -15,14 +15,17 @@
  * the pole is a node itself. */
 static int is_divided(const fvi_kernel_simple *t)
 {
-    return t->rho > 0 && t->time > 0 && t->alpha > 0.45 && t->alpha != 0.5;
+    const int turns = t->alpha > 0.5 && 2 * (t->alpha - t->below) < 1;
+    return t->rho > 0 && t->time > 0 && !fvi_kernel_is_relaxation(t)
+           && (t->below > 0.45 || (t->below < t->alpha && turns));
 }
 
 /* A dashpot acts at once, as a mass does. */
 static int has_cut(const fvi_kernel_simple *t)
 {
-    return t->rho > 0 && t->alpha > 0 && t->alpha < 1 && t->alpha != 0.5
-           && !is_divided(t);
+    const int is_at_once = t->alpha == 0 || t->alpha == 1 || t->alpha == 0.5;
+    return t->rho > 0 && !is_divided(t)
+           && !(is_at_once && (t->time == 0 || t->below == t->alpha));
 }
 
 int fvi_lobatto_kernel_prepare(const fvi_kernel *law, double h, fvi_lobatto_kernel *ready)
@@ -48,10 +51,7 @@ void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready)
 /* h Im C(-mu/h + i0) / pi of one term, by ln mu. */
 static double on_the_cut(const fvi_kernel_simple *t, double h, double ln_mu)
 {
-    const double beta = 2 * t->alpha, q = exp(beta * (ln_mu - log(h)));
-    const double re = 1 + t->time * q * cos(M_PI * beta),
-                 im = t->time * q * sin(M_PI * beta);
-    return t->rho * h / M_PI * q * sin(M_PI * beta) / (re * re + im * im);
+    return fvi_kernel_on_the_cut(t, t->rho * h / M_PI, ln_mu - log(h));
 }
 
 /* The sums of that, and of mu times that, over ln mu = first - step, first - 2 step, ...:
@@ -62,7 +62,8 @@ static void add_tail(const fvi_kernel_simple *t, double h, double first,
     const double beta = 2 * t->alpha;
     double at = first, now = on_the_cut(t, h, at);
     if (t->time > 0) /* until the fraction is a power to all digits */
-        while (t->time * exp(beta * (at - log(h))) > 1e-17 && now > 0) {
+        while (t->time * exp(2 * t->below * (at - log(h))) > 1e-17
+               && now != 0) {
             at -= step;
             now = on_the_cut(t, h, at);
             *S0 += now;
@@ -96,7 +97,7 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
         least = smaller(least, 2 * t->alpha - 1);
         most = larger(most, 2 * t->alpha - 1);
         if (t->time > 0) /* poles on the sheet beyond the cut */
-            width = smaller(width, 0.9 * fmin(1, 1 / t->alpha - 2));
+            width = smaller(width, 0.9 * fmin(1, 1 / t->below - 2));
     }
     if (most < least)
         return 0;
@@ -132,7 +133,7 @@ size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, doubl
         const fvi_kernel_simple *t = &ready->term[i];
         if (t->rho > 0 && t->alpha == 0)
             springs += t->rho / (1 + t->time);
-        if (!(t->rho > 0 && t->alpha == 0.5 && t->time > 0))
+        if (!fvi_kernel_is_relaxation(t))
             continue;
         if (q) { /* rho / (1 + T s) = (rho/T) / (s + 1/T): a residue */
             q[Q] = t->rho * ready->h / t->time;
@@ -220,6 +221,15 @@ static void divide(size_t s, double T, size_t n, double *Q, double *N)
 }
 //< division
 
+/* (Delta/h)^(2 alpha - 1) */
+static int power(size_t s, double alpha, double h, size_t n, double *N)
+{
+    const int status = fvi_lobatto_weights(s, 2 * alpha - 1, n, N);
+    for (size_t i = 0; !status && i < n * s * s; i++)
+        N[i] *= pow(h, 1 - 2 * alpha);
+    return status;
+}
+
 /* W += the matrices of a fraction without nodes, from W_{FVI_LAGS + 1} on. */
 static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
                        double *W)
@@ -229,13 +239,13 @@ static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
     if (!N)
         FVI_FAIL("no memory for the weights", FVI_ENOMEM);
     double *Q = N + n * s2;
-    int status = fvi_lobatto_weights(s, 2 * t->alpha - 1, n, N);
-    for (size_t i = 0; !status && i < n * s2; i++)
-        N[i] *= pow(h, 1 - 2 * t->alpha);
-    if (!status) {
+    int status = power(s, t->below, h, n, N);
+    if (!status)
         differentiate(s, h, n, N, Q);
+    if (!status && t->below != t->alpha)
+        status = power(s, t->alpha, h, n, N);
+    if (!status)
         divide(s, t->time, n, Q, N);
-    }
     for (size_t i = (FVI_LAGS + 1) * s2; !status && i < n * s2; i++)
         W[i] += t->rho * N[i];
     free(N);
@@ -264,7 +274,7 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
     for (size_t i = 0; !status && i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
         if (t->rho > 0)
-            fvi_lobatto_near(s, t->rho, t->alpha, t->time, ready->h, W);
+            fvi_lobatto_near(s, t, ready->h, W);
         if (is_divided(t) && n > FVI_LAGS + 1)
             status = add_divided(s, t, ready->h, n, W);
     }

@@ -194,23 +194,25 @@ static series near(size_t s, double beta, series *rate)
 //< near
 
 //> fraction
-/* (Delta/h)^(2 alpha - 1) (1 + T (Delta/h)^(2 alpha))^(-1): all of these commute. */
-void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
-                      double *W)
+/* (Delta/h)^(2 alpha - 1) (1 + T (Delta/h)^(2 below))^(-1): all of these commute. */
+void fvi_lobatto_near(size_t s, const fvi_kernel_simple *t, double h, double *W)
 {
     const series one = identity(s);
-    series top = near(s, 2 * alpha - 1, NULL), bottom = delta(s);
-    combine(s, pow(h, 1 - 2 * alpha), &top, 0, &one, &top);
-    if (T > 0) {
-        bottom = times_series(s, &bottom, &top);
-        combine(s, T / h, &bottom, 1, &one, &bottom);
+    series top = near(s, 2 * t->alpha - 1, NULL), bottom = delta(s), part;
+    combine(s, pow(h, 1 - 2 * t->alpha), &top, 0, &one, &top);
+    if (t->time > 0) {
+        part = t->below == t->alpha ? top : near(s, 2 * t->below - 1, NULL);
+        if (t->below != t->alpha)
+            combine(s, pow(h, 1 - 2 * t->below), &part, 0, &one, &part);
+        bottom = times_series(s, &bottom, &part);
+        combine(s, t->time / h, &bottom, 1, &one, &bottom);
         bottom = invert(s, &bottom);
         top = times_series(s, &top, &bottom);
     }
     for (size_t n = 0; n < TERMS; n++)
         for (size_t i = 0; i < s; i++)
             for (size_t j = 0; j < s; j++)
-                *W++ += rho * top.w[n][i][j];
+                *W++ += t->rho * top.w[n][i][j];
 }
 //< fraction
 

@@ -7,6 +7,8 @@
 #ifndef FVI_LOBATTO_WEIGHTS_H
 #define FVI_LOBATTO_WEIGHTS_H
 
+#include "memory/kernel_terms.h"
+
 #include <stddef.h>
 
 enum { FVI_STAGES = 8 /* at most */, FVI_LAGS = 3 /* near ones */ };
@@ -85,9 +87,9 @@ void fvi_lobatto_advance(size_t s, size_t Q, const double *q, const double *p,
 
 /* ---- for lobatto_kernel.c: nothing is checked ---- */
 
-/* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of rho s^(2 alpha - 1) /
- * (1 + T s^(2 alpha)) at Delta(z)/h. The step size IS included. */
-void fvi_lobatto_near(size_t s, double rho, double alpha, double T, double h,
+/* fvi_lobatto_near -- adds to W_0, ..., W_FVI_LAGS those of the term over s, at s =
+ * Delta(z)/h. The step size IS included. */
+void fvi_lobatto_near(size_t s, const fvi_kernel_simple *term, double h,
                       double *W);
 
 /* ln mu of the nodes: the first, the last, and from one to the next. */

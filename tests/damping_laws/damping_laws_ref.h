@@ -9,6 +9,8 @@ static const fvi_kernel_term ref_terms_4[] = { { 3, 0x1.0000000000000p+0, 0, 0, 
 static const fvi_kernel_term ref_terms_5[] = { { 0, 0x1.0000000000000p-1, 0x1.0000000000000p-3, 0, 0 }, { 0, 0x1.0000000000000p-2, 0x1.8000000000000p-1, 0, 0 }, { 2, 0x1.0000000000000p-1, 0, 0x1.8000000000000p-1, 0 } };
 static const fvi_kernel_term ref_terms_6[] = { { 3, 0x1.0000000000000p-1, 0x1.0000000000000p-3, 0, 0x1.c000000000000p-1 } };
 static const fvi_kernel_term ref_terms_7[] = { { 0, 0x1.0000000000000p-1, 0, 0, 0 }, { 0, 0x1.0000000000000p-2, 0x1.8000000000000p-1, 0, 0 }, { 1, 0x1.0000000000000p-1, 0x1.c000000000000p-2, 0x1.8000000000000p+0, 0 } };
+static const fvi_kernel_term ref_terms_8[] = { { 4, 0x1.0000000000000p+0, 0x1.8000000000000p-2, 0x1.8000000000000p-1, 0x1.0000000000000p-3 } };
+static const fvi_kernel_term ref_terms_9[] = { { 4, 0x1.0000000000000p-1, 0x1.e000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p-1 }, { 0, 0x1.0000000000000p-2, 0x1.0000000000000p-2, 0, 0 } };
 
 static const fvi_kernel ref_laws[] = {
     { 1, ref_terms_0 },
@@ -19,17 +21,23 @@ static const fvi_kernel ref_laws[] = {
     { 3, ref_terms_5 },
     { 1, ref_terms_6 },
     { 3, ref_terms_7 },
+    { 1, ref_terms_8 },
+    { 2, ref_terms_9 },
 };
 static const fvi_kernel_term steep_terms_0[] = { { 1, 0x1.0000000000000p+0, 0x1.e000000000000p-2, 0x1.8000000000000p-1, 0 } };
 static const fvi_kernel_term steep_terms_1[] = { { 1, 0x1.0000000000000p+1, 0x1.8000000000000p-1, 0x1.0000000000000p-1, 0 }, { 0, 0x1.0000000000000p-1, 0x1.0000000000000p-2, 0, 0 } };
 static const fvi_kernel_term steep_terms_2[] = { { 1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p-2, 0 } };
 static const fvi_kernel_term steep_terms_3[] = { { 0, 0x1.0000000000000p-1, 0x1.e000000000000p-1, 0, 0 }, { 0, 0x1.0000000000000p-2, 0x1.0000000000000p+0, 0, 0 }, { 2, 0x1.0000000000000p-1, 0, 0x1.8000000000000p-1, 0 } };
+static const fvi_kernel_term steep_terms_4[] = { { 4, 0x1.0000000000000p+0, 0x1.6000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-3 } };
+static const fvi_kernel_term steep_terms_5[] = { { 4, 0x1.0000000000000p+0, 0x1.8000000000000p-1, 0x1.0000000000000p-1, 0x1.8000000000000p-2 } };
 
 static const fvi_kernel steep_laws[] = {
     { 1, steep_terms_0 },
     { 2, steep_terms_1 },
     { 1, steep_terms_2 },
     { 3, steep_terms_3 },
+    { 1, steep_terms_4 },
+    { 1, steep_terms_5 },
 };
 
 enum { REF_LAGS = 5 };
@@ -53,6 +61,10 @@ static const struct { const fvi_kernel *law; size_t s; double W[REF_LAGS][9]; } 
     { &ref_laws[6], 3, { { 0x1.c87a667f71ed4p-1, 0x1.11f6627024f1bp-1, -0x1.3b36e75e85debp-3, -0x1.3b36e75e85debp-3, 0x1.f6033956ac700p-2, 0x1.11f6627024f1bp-3, 0x1.2c69a74a0455ap-4, -0x1.3b36e75e85debp-1, 0x1.c87a667f71ed4p-1 }, { -0x1.55ecf3d84e801p-11, -0x1.7451f9de107e5p-8, -0x1.56b5907cd132fp-9, -0x1.beaeddf1f997dp-13, -0x1.70c980ae04eedp-9, -0x1.7451f9de107e5p-10, 0x1.ac8fa5714865dp-14, -0x1.beaeddf1f997dp-11, -0x1.55ecf3d84e801p-11 }, { 0x1.c9a50a3078683p-14, -0x1.a5fbfae3a0c1fp-11, -0x1.4c024b3e30594p-11, 0x1.476d72838bfd9p-12, 0x1.8ec8aa0b8f259p-12, -0x1.a5fbfae3a0c1fp-13, 0x1.e6eaf299628c4p-12, 0x1.476d72838bfd9p-10, 0x1.c9a50a3078683p-14 }, { 0x1.781bc89b9566fp-11, 0x1.79edf6ced0592p-9, 0x1.7bc69b7c06a6dp-11, 0x1.7650117779e2fp-11, 0x1.781bd4d874c1ap-9, 0x1.79edf6ced0592p-11, 0x1.748aa06f00627p-11, 0x1.7650117779e2fp-9, 0x1.781bc89b9566fp-11 }, { 0x1.ae20b964372e6p-12, 0x1.aeb1441c041acp-10, 0x1.af42782b8352cp-12, 0x1.ad90d8008e526p-12, 0x1.ae20ba090ba3cp-10, 0x1.aeb1441c041acp-12, 0x1.ad019d5db7b13p-12, 0x1.ad90d8008e526p-10, 0x1.ae20b964372e6p-12 } } },
     { &ref_laws[7], 2, { { 0x1.a844ab361a21dp-1, 0x1.166d90cd95ec3p-2, -0x1.166d90cd95ec3p-2, 0x1.a844ab361a21dp-1 }, { 0x1.bd258a92b22b0p-6, 0x1.1ce1e30b80d0cp-6, 0x1.067b1776cdd0dp-5, 0x1.bd258a92b22b0p-6 }, { 0x1.0de52ae0f5788p-5, 0x1.dacbb539bd0d5p-6, 0x1.1f905450bd1b0p-5, 0x1.0de52ae0f5788p-5 }, { 0x1.1352b0ff8900ap-5, 0x1.1411fe0f214bfp-5, 0x1.129d7ce5d9262p-5, 0x1.1352b0ff8900ap-5 }, { 0x1.02cbfbfb84c4cp-5, 0x1.02d0f115a9db3p-5, 0x1.02c71a064d51cp-5, 0x1.02cbfbfb84c4cp-5 } } },
     { &ref_laws[7], 3, { { 0x1.56eb3821fb111p+0, 0x1.aa7f06ba060cfp-1, -0x1.f223c88411ac6p-3, -0x1.f223c88411ac6p-3, 0x1.6df72b3871987p-1, 0x1.aa7f06ba060cfp-3, 0x1.a72182b7c65dap-4, -0x1.f223c88411ac6p-1, 0x1.56eb3821fb111p+0 }, { 0x1.3074987c84578p-7, 0x1.ebe25ad10c3cbp-6, 0x1.38347624b7deep-8, 0x1.523f233aa12aap-7, 0x1.2cb4e8f256bf0p-5, 0x1.ebe25ad10c3cbp-8, 0x1.6a4f8bcb92f9cp-7, 0x1.523f233aa12aap-5, 0x1.3074987c84578p-7 }, { 0x1.6ada1af8b55ebp-7, 0x1.5326b31003621p-5, 0x1.31e6c973e9da2p-7, 0x1.7a180326bf478p-7, 0x1.69c483b6d1e97p-5, 0x1.5326b31003621p-7, 0x1.8536c8a1aef16p-7, 0x1.7a180326bf478p-5, 0x1.6ada1af8b55ebp-7 }, { 0x1.6f1ae5db25ff7p-7, 0x1.6f9c53101067ep-5, 0x1.702163dce103ap-7, 0x1.6e9d1b6edb430p-7, 0x1.6f1af3d0b5b78p-5, 0x1.6f9c53101067ep-7, 0x1.6e22bbf4f1526p-7, 0x1.6e9d1b6edb430p-5, 0x1.6f1ae5db25ff7p-7 }, { 0x1.590ff8184c6a0p-7, 0x1.5913495b22ff8p-5, 0x1.5916a12ff3d82p-7, 0x1.590cad671f9e2p-7, 0x1.590ff82227398p-5, 0x1.5913495b22ff8p-7, 0x1.59096920315ddp-7, 0x1.590cad671f9e2p-5, 0x1.590ff8184c6a0p-7 } } },
+    { &ref_laws[8], 2, { { 0x1.1ddb3949f3bcfp-3, -0x1.28871a5f814b8p-4, 0x1.28871a5f814b8p-4, 0x1.1ddb3949f3bcfp-3 }, { 0x1.270ab4c7b277fp-5, 0x1.62839fcf4a959p-5, 0x1.fa6a9a9d2ed95p-6, 0x1.270ab4c7b277fp-5 }, { 0x1.f0baf677a05bcp-6, 0x1.1f6f7da75025bp-5, 0x1.b5f639ebbd675p-6, 0x1.f0baf677a05bcp-6 }, { 0x1.c1dd506f92eb7p-8, 0x1.cc51dcf9602fcp-8, 0x1.b7ea9a15841c6p-8, 0x1.c1dd506f92eb7p-8 }, { 0x1.1463026b596ebp-9, 0x1.15d4b45cf724fp-9, 0x1.12f5a3eec222ep-9, 0x1.1463026b596ebp-9 } } },
+    { &ref_laws[8], 3, { { 0x1.1a722ca2f028fp-4, -0x1.362b460a5ce15p-4, 0x1.081b55c8fd0bcp-5, 0x1.081b55c8fd0bcp-5, 0x1.018950955ae8fp-3, -0x1.362b460a5ce15p-6, 0x1.57f6ea8c7ac14p-6, 0x1.081b55c8fd0bcp-3, 0x1.1a722ca2f028fp-4 }, { 0x1.8b52c4da34571p-7, 0x1.b7e2cc0452275p-5, 0x1.effc03306e2f4p-7, 0x1.691b27add3d4dp-7, 0x1.8c8209b39bff6p-5, 0x1.b7e2cc0452275p-7, 0x1.4c7ee11991ff7p-7, 0x1.691b27add3d4dp-5, 0x1.8b52c4da34571p-7 }, { 0x1.4c39f918a8ee5p-7, 0x1.68b619c0f6feep-5, 0x1.8abe197bd0449p-7, 0x1.34e945bf0ac47p-7, 0x1.4cb9718afd5bap-5, 0x1.68b619c0f6feep-7, 0x1.20c61deacacc0p-7, 0x1.34e945bf0ac47p-5, 0x1.4c39f918a8ee5p-7 }, { 0x1.2bed434e2bf6dp-9, 0x1.2f74f3bcbd68cp-7, 0x1.33146ec01f790p-9, 0x1.287d50fd49cf9p-9, 0x1.2bedb60a45002p-7, 0x1.2f74f3bcbd68cp-9, 0x1.252351d9b2cdfp-9, 0x1.287d50fd49cf9p-7, 0x1.2bed434e2bf6dp-9 }, { 0x1.7084381515caep-11, 0x1.717b69c3d92a8p-9, 0x1.7274151b1ebaep-11, 0x1.6f8e8003c9c92p-11, 0x1.708439cda45fep-9, 0x1.717b69c3d92a8p-11, 0x1.6e9a3aadbad12p-11, 0x1.6f8e8003c9c92p-9, 0x1.7084381515caep-11 } } },
+    { &ref_laws[9], 2, { { 0x1.2ebfdd722e8afp-1, 0x1.bef8aa693765fp-4, -0x1.bef8aa693765fp-4, 0x1.2ebfdd722e8afp-1 }, { -0x1.31d6a7b06ed64p-8, -0x1.608740d292534p-7, -0x1.5a2d233e59b66p-10, -0x1.31d6a7b06ed64p-8 }, { -0x1.9249a0a5fc346p-11, -0x1.da299628e0078p-9, 0x1.fff1cbaa19446p-11, -0x1.9249a0a5fc346p-11 }, { 0x1.f0cef98a98610p-9, 0x1.f57ef5e58e0b7p-9, 0x1.ec33962916c3ap-9, 0x1.f0cef98a98610p-9 }, { 0x1.073ee158167d7p-9, 0x1.0815bf506f72bp-9, 0x1.0669ff52b8a59p-9, 0x1.073ee158167d7p-9 } } },
+    { &ref_laws[9], 3, { { 0x1.88b802137abcap-1, 0x1.0654727250443p-2, -0x1.4fdf2aeba8cd4p-4, -0x1.4fdf2aeba8cd4p-4, 0x1.265857289ca31p-1, 0x1.0654727250443p-4, 0x1.4da248323548dp-7, -0x1.4fdf2aeba8cd4p-2, 0x1.88b802137abcap-1 }, { -0x1.7f67508b29e14p-10, -0x1.53c05357d77bbp-7, -0x1.15b8890038ff8p-8, -0x1.8c523197aeb32p-11, -0x1.8f67b3c703061p-8, -0x1.53c05357d77bbp-9, -0x1.de2394129668ep-13, -0x1.8c523197aeb32p-9, -0x1.7f67508b29e14p-10 }, { -0x1.c9d6208f0ca6bp-13, -0x1.84028b9f8e7a1p-9, -0x1.78c8bae61bfc9p-10, 0x1.3329bfb38d467p-13, -0x1.f1ff291a14a37p-11, -0x1.84028b9f8e7a1p-11, 0x1.c3ccca3ad9e90p-12, 0x1.3329bfb38d467p-11, -0x1.c9d6208f0ca6bp-13 }, { 0x1.4b3e1939fd92cp-10, 0x1.4cd029930741ep-8, 0x1.4e658b3906ecbp-10, 0x1.49af5d4557f56p-10, 0x1.4b3e1158771eep-8, 0x1.4cd029930741ep-10, 0x1.4824153b30394p-10, 0x1.49af5d4557f56p-8, 0x1.4b3e1939fd92cp-10 }, { 0x1.5efed05db371dp-11, 0x1.5f8e6523da3d1p-9, 0x1.601ea6779d3d8p-11, 0x1.5e6fe821a555dp-11, 0x1.5efed104b443cp-9, 0x1.5f8e6523da3d1p-11, 0x1.5de1a9d3aca14p-11, 0x1.5e6fe821a555dp-9, 0x1.5efed05db371dp-11 } } },
     { &steep_laws[0], 2, { { 0x1.4d6be8cf77924p-4, -0x1.19f898260df6bp-4, 0x1.19f898260df6bp-4, 0x1.4d6be8cf77924p-4 }, { 0x1.8bf5c4912221bp-5, 0x1.ccaddb5df1fa6p-5, 0x1.559c7b93ef286p-5, 0x1.8bf5c4912221bp-5 }, { 0x1.5178335429464p-5, 0x1.86e8c8bcdc00dp-5, 0x1.24502e6b024ffp-5, 0x1.5178335429464p-5 }, { 0x1.0a3dc0bffce51p-9, 0x1.19365f3eeed05p-9, 0x1.f93877ba083e4p-10, 0x1.0a3dc0bffce51p-9 }, { 0x1.2a12e8a012f99p-12, 0x1.2c21aa5ea3affp-12, 0x1.280b862044c13p-12, 0x1.2a12e8a012f99p-12 } } },
     { &steep_laws[0], 3, { { 0x1.c59dadd98102ep-6, -0x1.adb95753e5cd2p-5, 0x1.9b7e33c054a20p-6, 0x1.9b7e33c054a20p-6, 0x1.128cec35d66dap-4, -0x1.adb95753e5cd2p-7, 0x1.7707ec99324bcp-6, 0x1.9b7e33c054a20p-4, 0x1.c59dadd98102ep-6 }, { 0x1.0a7a00fab69ebp-6, 0x1.21732a641a9c3p-4, 0x1.3abdb046f3319p-6, 0x1.eb8e99bacb893p-7, 0x1.0a980fb87395fp-4, 0x1.21732a641a9c3p-6, 0x1.c5c5a62a6861dp-7, 0x1.eb8e99bacb893p-5, 0x1.0a7a00fab69ebp-6 }, { 0x1.c5aadb572f1c1p-7, 0x1.eb6f86125a64ep-5, 0x1.0a67d6e00e0d4p-6, 0x1.a374d30ef2a46p-7, 0x1.c5d64233eeeb9p-5, 0x1.eb6f86125a64ep-7, 0x1.841fd1c6a5bfep-7, 0x1.a374d30ef2a46p-5, 0x1.c5aadb572f1c1p-7 }, { 0x1.629a799051675p-11, 0x1.6cce95d00d939p-9, 0x1.7786db84f993ap-11, 0x1.58e9fba15ebebp-11, 0x1.629e44aa473e9p-9, 0x1.6cce95d00d939p-11, 0x1.4fadef9b5e3c9p-11, 0x1.58e9fba15ebebp-9, 0x1.629a799051675p-11 }, { 0x1.8d6e1b6aa6e55p-14, 0x1.8ece83e2187afp-12, 0x1.9031725e9f221p-14, 0x1.8c1038de92a9cp-14, 0x1.8d6e1edc13ca1p-12, 0x1.8ece83e2187afp-14, 0x1.8ab4ce7828351p-14, 0x1.8c1038de92a9cp-12, 0x1.8d6e1b6aa6e55p-14 } } },
     { &steep_laws[1], 2, { { 0x1.92ef57f6d3fa6p-2, -0x1.28b817a125b5ap-2, 0x1.28b817a125b5ap-2, 0x1.92ef57f6d3fa6p-2 }, { 0x1.98d149d5ba4edp-3, 0x1.ebec0d02b47b6p-3, 0x1.48c157b2e2bbcp-3, 0x1.98d149d5ba4edp-3 }, { 0x1.46517f9219f54p-3, 0x1.974a4b540eb09p-3, 0x1.f470c8236d8e1p-4, 0x1.46517f9219f54p-3 }, { 0x1.e12928f6c7175p-7, 0x1.d9a1c82c67dd6p-7, 0x1.dcd6d1ab8899ap-7, 0x1.e12928f6c7175p-7 }, { 0x1.dccb457463ba9p-9, 0x1.de01bf6511d47p-9, 0x1.db96f052f3326p-9, 0x1.dccb457463ba9p-9 } } },
@@ -61,6 +73,10 @@ static const struct { const fvi_kernel *law; size_t s; double W[REF_LAGS][9]; } 
     { &steep_laws[2], 3, { { 0x1.555febedd9d16p-4, -0x1.56a237d1e5713p-3, 0x1.52a9bea036ef5p-4, 0x1.52a9bea036ef5p-4, 0x1.aba99fd458fd9p-3, -0x1.56a237d1e5713p-5, 0x1.4ab8cc3cd9eb8p-4, 0x1.52a9bea036ef5p-2, 0x1.555febedd9d16p-4 }, { 0x1.f3daa328415d5p-5, 0x1.14ef9cd2c7561p-2, 0x1.2bd42e34a02d6p-4, 0x1.b57f5c384df42p-5, 0x1.f358226d94324p-3, 0x1.14ef9cd2c7561p-4, 0x1.70d767c0691ccp-5, 0x1.b57f5c384df42p-3, 0x1.f3daa328415d5p-5 }, { 0x1.7140b9aaaf281p-5, 0x1.b5e292f199270p-3, 0x1.f436259f4a955p-5, 0x1.263e48379c0f4p-5, 0x1.70a7533002397p-3, 0x1.b5e292f199270p-5, 0x1.ae81b106272e6p-6, 0x1.263e48379c0f4p-3, 0x1.7140b9aaaf281p-5 }, { -0x1.0701d8e4f510dp-5, -0x1.6d05398e953f8p-4, -0x1.8a215ef91ebd5p-7, -0x1.53f0e2330810ep-5, -0x1.079545a50161cp-3, -0x1.6d05398e953f8p-6, -0x1.9b0205b1525c2p-5, -0x1.53f0e2330810ep-3, -0x1.0701d8e4f510dp-5 }, { 0x1.4e98c92bf5acap-4, 0x1.439256ca2fb43p-2, 0x1.33678e287d70fp-4, 0x1.5465b423b7371p-4, 0x1.4e9f0a354c795p-2, 0x1.439256ca2fb43p-4, 0x1.54e0138c1920cp-4, 0x1.5465b423b7371p-2, 0x1.4e98c92bf5acap-4 } } },
     { &steep_laws[3], 2, { { 0x1.51498f0b0a1b4p+2, 0x1.27560c6688e85p+2, -0x1.27560c6688e85p+2, 0x1.51498f0b0a1b4p+2 }, { 0x1.fa1cb10269fa4p-11, -0x1.a131e7a5aa0ecp-7, 0x1.966c9acc164aap-8, 0x1.fa1cb10269fa4p-11 }, { 0x1.e8681d90b6c7bp-8, 0x1.f6fc9ee87f3aap-9, 0x1.18ad7311f67bfp-7, 0x1.e8681d90b6c7bp-8 }, { -0x1.5adb546f2d4a4p-14, -0x1.1f677e65e891cp-14, -0x1.89e5dd1e8faa3p-14, -0x1.5adb546f2d4a4p-14 }, { -0x1.f3b747d51964ep-17, -0x1.f9f68ebe67391p-17, -0x1.ed95e56556febp-17, -0x1.f3b747d51964ep-17 } } },
     { &steep_laws[3], 3, { { 0x1.cb8bf0a8c5e5ep+3, 0x1.19a5992764c00p+4, -0x1.210e90d9d9773p+2, -0x1.210e90d9d9773p+2, 0x1.289c576d762efp+0, 0x1.19a5992764c00p+2, 0x1.036ab210069a7p+2, -0x1.210e90d9d9773p+4, 0x1.cb8bf0a8c5e5ep+3 }, { 0x1.fc672b0569ac8p-11, -0x1.7246f26697059p-8, -0x1.6f95299fbb0d1p-8, 0x1.0cd550e96a293p-9, 0x1.89f4051886fabp-9, -0x1.7246f26697059p-10, 0x1.62823f31c6692p-9, 0x1.0cd550e96a293p-7, 0x1.fc672b0569ac8p-11 }, { 0x1.65e58200bc82ap-9, 0x1.12b49c7e244adp-7, 0x1.10a7a73e5258cp-10, 0x1.895a9e783dec5p-9, 0x1.5ef39735f8564p-7, 0x1.12b49c7e244adp-9, 0x1.98db9d0fb9396p-9, 0x1.895a9e783dec5p-7, 0x1.65e58200bc82ap-9 }, { -0x1.d7ddb321469b1p-16, -0x1.ae6f0927e3637p-14, -0x1.7feaf58bc3377p-16, -0x1.fc3ffde5613b8p-16, -0x1.d7a90315b48a3p-14, -0x1.ae6f0927e3637p-16, -0x1.0e3454d13dc43p-15, -0x1.fc3ffde5613b8p-14, -0x1.d7ddb321469b1p-16 }, { -0x1.4d21e894ff4cdp-18, -0x1.4f397d98ac1ccp-16, -0x1.515636c610d15p-18, -0x1.4b0f7776235bcp-18, -0x1.4d21f0e44f382p-16, -0x1.4f397d98ac1ccp-18, -0x1.490208fed89c3p-18, -0x1.4b0f7776235bcp-16, -0x1.4d21e894ff4cdp-18 } } },
+    { &steep_laws[4], 2, { { 0x1.0c78bf4646216p-2, -0x1.22a403f6199ebp-3, 0x1.22a403f6199ebp-3, 0x1.0c78bf4646216p-2 }, { 0x1.7e84eff756f26p-5, 0x1.270e8e329f9e3p-4, 0x1.d12de3d0b09fcp-6, 0x1.7e84eff756f26p-5 }, { 0x1.aa29cffae02b6p-6, 0x1.63b9dde252f7fp-5, 0x1.b5d017b9769f3p-7, 0x1.aa29cffae02b6p-6 }, { -0x1.8caf2946bf75ap-9, -0x1.a499195476548p-9, -0x1.771b4f9b82232p-9, -0x1.8caf2946bf75ap-9 }, { -0x1.39fa1a9ebbaa6p-12, -0x1.3cee57474af0dp-12, -0x1.3711e78c61239p-12, -0x1.39fa1a9ebbaa6p-12 } } },
+    { &steep_laws[4], 3, { { 0x1.e83af66fbd8e1p-4, -0x1.2d4fdb748d6c1p-3, 0x1.039f3cae1b175p-4, 0x1.039f3cae1b175p-4, 0x1.d6195fcf48d81p-3, -0x1.2d4fdb748d6c1p-5, 0x1.607bfe426cdb9p-5, 0x1.039f3cae1b175p-2, 0x1.e83af66fbd8e1p-4 }, { 0x1.0837ac768d651p-6, 0x1.55baff5314cdfp-4, 0x1.b2c7000792cbdp-6, 0x1.92b16f51dafc1p-7, 0x1.096e710ef6c14p-4, 0x1.55baff5314cdfp-6, 0x1.28861d111f500p-7, 0x1.92b16f51dafc1p-5, 0x1.0837ac768d651p-6 }, { 0x1.27be488f558c8p-7, 0x1.91b14cd3041cdp-5, 0x1.0790628be4555p-6, 0x1.a13d9cab2b4cep-8, 0x1.291441cfce068p-5, 0x1.91b14cd3041cdp-7, 0x1.0df5f247c5053p-8, 0x1.a13d9cab2b4cep-6, 0x1.27be488f558c8p-7 }, { -0x1.08035c6526c08p-10, -0x1.103011ae0dee0p-8, -0x1.18d2337a24203p-10, -0x1.004b99d64fadep-10, -0x1.08070469e7bc9p-8, -0x1.103011ae0dee0p-10, -0x1.f1f453dd098c2p-11, -0x1.004b99d64fadep-8, -0x1.08035c6526c08p-10 }, { -0x1.a2a182ca71683p-14, -0x1.a49baf8188b8cp-12, -0x1.a699fce5fb064p-14, -0x1.a0ab7692b00f7p-14, -0x1.a2a188c9679d3p-12, -0x1.a49baf8188b8cp-14, -0x1.9eb972de6bda6p-14, -0x1.a0ab7692b00f7p-12, -0x1.a2a182ca71683p-14 } } },
+    { &steep_laws[5], 2, { { 0x1.b2c1f2a21ff48p-1, -0x1.81dd2551652e8p-5, 0x1.81dd2551652e8p-5, 0x1.b2c1f2a21ff48p-1 }, { -0x1.d83e0c86dd9fdp-6, -0x1.df9fcd20a7364p-6, -0x1.b2d9fc2720279p-6, -0x1.d83e0c86dd9fdp-6 }, { -0x1.b4087c498f1bep-6, -0x1.e0eaad9e841a3p-6, -0x1.84c94aafbc34ep-6, -0x1.b4087c498f1bep-6 }, { -0x1.3664d92eae3d3p-9, -0x1.44dcd85764134p-9, -0x1.28eac44a9561bp-9, -0x1.3664d92eae3d3p-9 }, { -0x1.ddecf49e38fe6p-13, -0x1.e2d0696a21abap-13, -0x1.d91e4607e5920p-13, -0x1.ddecf49e38fe6p-13 } } },
+    { &steep_laws[5], 3, { { 0x1.7ad7c39ecf085p-1, -0x1.4736955a6c344p-3, 0x1.9621ba3b3641ep-5, 0x1.9621ba3b3641ep-5, 0x1.b831ff9fc3522p-1, -0x1.4736955a6c344p-5, -0x1.69d49ae0382d1p-7, 0x1.9621ba3b3641ep-3, 0x1.7ad7c39ecf085p-1 }, { -0x1.45230d0df2672p-7, -0x1.46e10da9f9fd5p-5, -0x1.3988ecd17f247p-7, -0x1.37e5dc92dbd87p-7, -0x1.42eab28f9d939p-5, -0x1.46e10da9f9fd5p-7, -0x1.280ae632099f9p-7, -0x1.37e5dc92dbd87p-5, -0x1.45230d0df2672p-7 }, { -0x1.284506fd8563cp-7, -0x1.385dd04f61e64p-5, -0x1.45ffb2d1831fcp-7, -0x1.166ecfaf0c752p-7, -0x1.27bf779784064p-5, -0x1.385dd04f61e64p-7, -0x1.04f167fbfc905p-7, -0x1.166ecfaf0c752p-5, -0x1.284506fd8563cp-7 }, { -0x1.9dc3eb2098c29p-11, -0x1.a7952500dbe49p-9, -0x1.b1c595a535e4cp-11, -0x1.94519f976a7d6p-11, -0x1.9dc6266c179e5p-9, -0x1.a7952500dbe49p-11, -0x1.8b35553755a60p-11, -0x1.94519f976a7d6p-9, -0x1.9dc3eb2098c29p-11 }, { -0x1.3e9ca90e1d7c1p-14, -0x1.403f8d2840928p-12, -0x1.41e601ac3d3f8p-14, -0x1.3cfd5534ad742p-14, -0x1.3e9cae5a8abaep-12, -0x1.403f8d2840928p-14, -0x1.3b617c6a3b7f8p-14, -0x1.3cfd5534ad742p-12, -0x1.3e9ca90e1d7c1p-14 } } },
 };
 
 enum { REF_INDICES = 11 };
@@ -99,6 +115,14 @@ static const struct { size_t law; int kind; double h, w[REF_INDICES]; } ref_weig
     { 7, 0, 0x1.0000000000000p-9, { 0x1.6a2489570822cp+11, -0x1.0f87702d94b11p+12, 0x1.0f87602ff5fc8p+10, 0x1.6a0985eb31fc7p+7, 0x1.2f4ef6344188bp+2, 0x1.caf349f817949p-3, 0x1.a81b30776fb3ep-3, 0x1.88d97450baae8p-3, 0x1.6fd2181b8b455p-5, 0x1.8c006e48809b7p-7, 0x1.0fe3e1746d5fap-8 } },
     { 7, 1, 0x1.0000000000000p-3, { 0x1.66780ba7f217cp+3, -0x1.4cf613f627cc3p+4, 0x1.833b3c97ccbecp+3, -0x1.f1fbb1b54562cp+0, -0x1.65dd548d1739cp-9, -0x1.95b69733a0ac4p-10, -0x1.7f699019aa805p-10, -0x1.6a7a23965d0cap-10, -0x1.9367dcf025b9fp-12, -0x1.abb475f8ee4e3p-14, -0x1.3d2b3919213a0p-15 } },
     { 7, 1, 0x1.0000000000000p-9, { 0x1.4c9b1582b76d2p+12, -0x1.4c8dc4789b93bp+13, 0x1.83fab58dc4767p+12, -0x1.ecac2fb4c6a1fp+9, 0x1.d2194866a655ap+1, 0x1.ae29d0ac478ffp-3, 0x1.8e5babc3138a1p-3, 0x1.71bd67df2c12bp-3, 0x1.63ca1acb8548ap-5, 0x1.8424f90814ed4p-7, 0x1.0c1dbe1b71d1cp-8 } },
+    { 8, 0, 0x1.0000000000000p-3, { 0x1.8623868f52becp+0, -0x1.400f9bb02bbd0p-1, -0x1.ce7f927456361p-3, -0x1.fe88df03fe31fp-4, -0x1.3db7924847de3p-6, -0x1.6724b3d6a2ab0p-9, -0x1.54719a25b3758p-9, -0x1.433662298a356p-9, -0x1.dc59f61ba4192p-11, -0x1.7fb3230eeb34fp-12, -0x1.736a0951fce57p-13 } },
+    { 8, 0, 0x1.0000000000000p-9, { 0x1.7f5404c72f937p+2, -0x1.a9fd6fed2e9aap+0, -0x1.47c8b173cba04p-1, -0x1.8444efdfb134bp-2, -0x1.590dc569c6796p-4, -0x1.43235efd90f6fp-6, -0x1.36c50cf0eebcbp-6, -0x1.2b358fd05c5b2p-6, -0x1.1fe8fa40bf7dcp-7, -0x1.23d2631e0cb67p-8, -0x1.4df4a86e6f1a5p-9 } },
+    { 8, 1, 0x1.0000000000000p-3, { 0x1.caba7271a5f28p+0, -0x1.dbcf204ab20fdp-1, -0x1.cf265f6e4f0f8p-3, -0x1.d6461c658af3dp-4, -0x1.2e959379b27d8p-6, -0x1.60480da70a9c9p-9, -0x1.4e1a3f97d4a37p-9, -0x1.3d56ebbf89c07p-9, -0x1.d70d59c3da56ep-11, -0x1.7d08337a78df9p-12, -0x1.71a9d1c628de6p-13 } },
+    { 8, 1, 0x1.0000000000000p-9, { 0x1.ac9954fc13011p+2, -0x1.37f7149ad6dbcp+1, -0x1.463e0bdb3930cp-1, -0x1.707aa53b2dd57p-2, -0x1.539ce2c766cebp-4, -0x1.41a7e991a60e0p-6, -0x1.356221539c0e4p-6, -0x1.29e8def47daf5p-6, -0x1.1f208a3f96551p-7, -0x1.23449372ec96ap-8, -0x1.4d76a607dc65cp-9 } },
+    { 9, 0, 0x1.0000000000000p-3, { 0x1.2022ffc851044p+2, -0x1.5d93972626417p+2, 0x1.6603bdf1688c9p-1, 0x1.5804558cba344p-3, 0x1.dae97b7f96c97p-9, -0x1.26eb1f3664864p-11, -0x1.2323f1dde89f8p-11, -0x1.1efea05fc7eebp-11, -0x1.5efdf412bf79ep-12, -0x1.76ac10ed71935p-13, -0x1.ae55e0fb70001p-14 } },
+    { 9, 0, 0x1.0000000000000p-9, { 0x1.9355894b8f52bp+9, -0x1.f961fa21ff20ap+9, 0x1.fdb411a898673p+6, 0x1.ff2632e9d13cep+4, 0x1.5f0ea292aed56p+0, 0x1.7167a89cf74a1p-4, 0x1.5822a8c2d7261p-4, 0x1.4147ae8404d11p-4, 0x1.5be9a9a8a0012p-6, 0x1.aa0ba492433fcp-8, 0x1.46e484ef59f80p-9 } },
+    { 9, 1, 0x1.0000000000000p-3, { 0x1.d8fdc3002045cp+2, -0x1.83f4aa84b061ap+3, 0x1.472d66cc9e12bp+2, -0x1.7093be289a659p-2, 0x1.23cb6ab969469p-9, -0x1.320f96ede6d69p-11, -0x1.2d09f84778cb7p-11, -0x1.27cf7771c1f50p-11, -0x1.605688fa6abb6p-12, -0x1.7661eddd9724fp-13, -0x1.adbaa33df6260p-14 } },
+    { 9, 1, 0x1.0000000000000p-9, { 0x1.4f26b3e8b7a4cp+10, -0x1.17de3c0108e1ap+11, 0x1.d3be9489caccap+9, -0x1.f2939b8bce3d7p+5, 0x1.21d0368f42e08p+0, 0x1.6009b273cbcc0p-4, 0x1.48789b8f782aep-4, 0x1.331b4182849e1p-4, 0x1.53514ea1a713bp-6, 0x1.a39fc0104cd6ap-8, 0x1.437927319b366p-9 } },
 };
 
 static const struct { size_t law; double omega, storage, loss; } ref_moduli[] = {
@@ -126,6 +150,12 @@ static const struct { size_t law; double omega, storage, loss; } ref_moduli[] = 
     { 7, 0x1.0000000000000p-6, 0x1.015fe0e674ec0p-1, 0x1.aa8c729fa8a48p-7 },
     { 7, 0x1.8000000000000p-1, 0x1.25756144cd5aep-1, 0x1.00438862ba0e8p-2 },
     { 7, 0x1.9000000000000p+6, -0x1.5fe36b0544e42p+7, 0x1.618fa49ae56f9p+7 },
+    { 8, 0x1.0000000000000p-6, 0x1.29b7ef05cb7e7p-6, 0x1.306e52274e2b3p-5 },
+    { 8, 0x1.8000000000000p-1, 0x1.5a8904bbe2c4ep-2, 0x1.9d6b2e43665e0p-2 },
+    { 8, 0x1.9000000000000p+6, 0x1.b427b5ece2cd2p+1, 0x1.c4a1ef4eba343p+0 },
+    { 9, 0x1.0000000000000p-6, 0x1.670258405471cp-6, 0x1.6aebca2ad215ap-6 },
+    { 9, 0x1.8000000000000p-1, 0x1.7600328944111p-5, 0x1.02afbce01e307p-2 },
+    { 9, 0x1.9000000000000p+6, -0x1.44f7fa67da613p+5, 0x1.7f7cd411c84b9p+6 },
 };
 
 static const struct { size_t law; double x0, p0, force, t, x; } ref_motions[] = {
@@ -177,6 +207,18 @@ static const struct { size_t law; double x0, p0, force, t, x; } ref_motions[] = 
     { 7, 0x1.0000000000000p-1, 0, 0x1.0000000000000p-2, 4, 0x1.5d7f38defe567p-2 },
     { 7, 0, 0x1.0000000000000p+0, 0, 1, 0x1.40c8f84fde996p-1 },
     { 7, 0, 0x1.0000000000000p+0, 0, 4, -0x1.b5abf3a4fa049p-2 },
+    { 8, 0x1.0000000000000p+0, 0, 0, 1, 0x1.2a9955f0f8700p-1 },
+    { 8, 0x1.0000000000000p+0, 0, 0, 4, 0x1.02b3d5efc9c40p-4 },
+    { 8, 0x1.0000000000000p-1, 0, 0x1.0000000000000p-2, 1, 0x1.954caaf87c380p-2 },
+    { 8, 0x1.0000000000000p-1, 0, 0x1.0000000000000p-2, 4, 0x1.102b3d5efc9c4p-2 },
+    { 8, 0, 0x1.0000000000000p+0, 0, 1, 0x1.663e3ac2a4c7ep-1 },
+    { 8, 0, 0x1.0000000000000p+0, 0, 4, -0x1.61214276dd901p-2 },
+    { 9, 0x1.0000000000000p+0, 0, 0, 1, 0x1.34b6f15c7edfbp-1 },
+    { 9, 0x1.0000000000000p+0, 0, 0, 4, -0x1.4abcabadd9bf4p-2 },
+    { 9, 0x1.0000000000000p-1, 0, 0x1.0000000000000p-2, 1, 0x1.9a5b78ae3f6fdp-2 },
+    { 9, 0x1.0000000000000p-1, 0, 0x1.0000000000000p-2, 4, 0x1.5aa1aa2913206p-3 },
+    { 9, 0, 0x1.0000000000000p+0, 0, 1, 0x1.5da5c6ef81d43p-1 },
+    { 9, 0, 0x1.0000000000000p+0, 0, 4, -0x1.7a9d819aa9b0fp-2 },
 };
 
 /* Laws of which Q has more zeros than one, or strong damping: their number, by the argument
@@ -186,6 +228,7 @@ static const fvi_kernel_term hard_terms_1[] = { { 1, 0x1.0000000000000p+1, 0x1.8
 static const fvi_kernel_term hard_terms_2[] = { { 1, 0x1.0000000000000p-1, 0x1.e000000000000p-1, 0x1.0000000000000p+0, 0 }, { 0, 0x1.0000000000000p-2, 0x1.0000000000000p-2, 0, 0 } };
 static const fvi_kernel_term hard_terms_3[] = { { 3, 0x1.0000000000000p+3, 0x1.0000000000000p-3, 0, 0x1.c000000000000p-1 }, { 2, 0x1.0000000000000p+6, 0, 0x1.0000000000000p+1, 0 } };
 static const fvi_kernel_term hard_terms_4[] = { { 0, 0x1.0000000000000p+5, 0x1.c000000000000p-2, 0, 0 }, { 0, 0x1.0000000000000p-3, 0x1.e000000000000p-1, 0, 0 } };
+static const fvi_kernel_term hard_terms_5[] = { { 4, 0x1.0000000000000p+1, 0x1.c000000000000p-1, 0x1.0000000000000p-1, 0x1.0000000000000p-3 } };
 
 static const struct { fvi_kernel law; int zeros; } ref_hard[] = {
     { { 1, hard_terms_0 }, 2 },
@@ -193,6 +236,7 @@ static const struct { fvi_kernel law; int zeros; } ref_hard[] = {
     { { 2, hard_terms_2 }, 2 },
     { { 2, hard_terms_3 }, 1 },
     { { 2, hard_terms_4 }, 1 },
+    { { 1, hard_terms_5 }, 2 },
 };
 
 static const struct { size_t law; int forcing; double A, T, t, x, v; } ref_exact[] = {
@@ -241,4 +285,13 @@ static const struct { size_t law; int forcing; double A, T, t, x, v; } ref_exact
     { 4, 2, 2, 1.5, 0x1.0000000000000p-6, 0x1.fc584afbc7788p-1, -0x1.b482be8d3331dp-2 },
     { 4, 2, 2, 1.5, 0x1.0000000000000p+0, 0x1.d940e8fd0c91dp-1, -0x1.36a633c177815p-4 },
     { 4, 2, 2, 1.5, 0x1.0000000000000p+3, 0x1.0f2cda950adabp-1, 0x1.c59606e5550d0p-6 },
+    { 5, 0, 0, 0, 0x1.0000000000000p-6, 0x1.fbe86302bdc68p-1, -0x1.0bbaa31ab5767p-1 },
+    { 5, 0, 0, 0, 0x1.0000000000000p+0, 0x1.97f0dae17e792p-3, -0x1.7eded16196696p-1 },
+    { 5, 0, 0, 0, 0x1.0000000000000p+3, 0x1.d62bfd42f08c5p-3, -0x1.c45d13f555837p-4 },
+    { 5, 1, 2, 0.75, 0x1.0000000000000p-6, 0x1.fbf86234332bfp-1, -0x1.03bb66b49133cp-1 },
+    { 5, 1, 2, 0.75, 0x1.0000000000000p+0, 0x1.0ebe7fa41b2b1p-1, -0x1.d9df74fa9cc50p-2 },
+    { 5, 1, 2, 0.75, 0x1.0000000000000p+3, 0x1.d9b38046773dbp-3, -0x1.c9b1094ae16c8p-6 },
+    { 5, 2, 2, 1.5, 0x1.0000000000000p-6, 0x1.fbf8620434721p-1, -0x1.03bb96b2b6760p-1 },
+    { 5, 2, 2, 1.5, 0x1.0000000000000p+0, 0x1.efbd6f6c4176dp-2, -0x1.fb5a26ecebd9fp-2 },
+    { 5, 2, 2, 1.5, 0x1.0000000000000p+3, 0x1.9dd0816a3c409p-8, 0x1.41783cc7675b9p-3 },
 };

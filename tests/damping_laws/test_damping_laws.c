@@ -43,7 +43,7 @@ END_TEST
 
 START_TEST(eq_26_1_growth)
 {
-    const double growth[] = { 0.625, 0.75, 0, 0, 1, 1.5, 1.75, 1.5 };
+    const double growth[] = { 0.625, 0.75, 0, 0, 1, 1.5, 1.75, 1.5, 0.25, 1.25 };
     for (size_t i = 0; i < LEN(ref_laws); i++)
         ck_assert_double_eq(fvi_kernel_growth(&ref_laws[i]), growth[i]);
     const fvi_kernel_term dashpot = { FVI_KERNEL_MAXWELL, 1, 0, 0, 0 },
@@ -84,6 +84,10 @@ START_TEST(eq_26_3_one_law_in_two_words)
         { { FVI_KERNEL_MAXWELL, 2, 0, 0.7, 0 },
           { FVI_KERNEL_ZENER, 2, 0.5, 0.7, 0 } },
         { { FVI_KERNEL_MAXWELL, 2, 0, 0, 0 }, { FVI_KERNEL_POWER, 2, 0.5, 0, 0 } },
+        { { FVI_KERNEL_MAXWELL2, 2, 0.3, 0.7, 0 },
+          { FVI_KERNEL_ZENER, 2, 0.3, 0.7, 0 } },
+        { { FVI_KERNEL_MAXWELL2, 2, 0.3, 1, 0.3 },
+          { FVI_KERNEL_POWER, 1, 0.3, 0, 0 } },
     };
     for (size_t i = 0; i < LEN(pairs); i++)
         for (int kind = 0; kind < 2; kind++) {
@@ -116,10 +120,13 @@ START_TEST(what_is_no_law_is_refused)
         { FVI_KERNEL_MAXWELL, 1, 0, NAN, 0 },
         { FVI_KERNEL_DISTRIBUTED, 1, 0.3, 0, 0.3 },
         { FVI_KERNEL_DISTRIBUTED, 1, 0.3, 0, 1.1 },
+        { FVI_KERNEL_MAXWELL2, 1, 0.3, 1, 0.4 },
+        { FVI_KERNEL_MAXWELL2, 1, 0.3, 1, -0.1 },
+        { FVI_KERNEL_MAXWELL2, 1, 0.3, -1, 0.1 },
     };
     for (size_t i = 0; i < LEN(bad); i++)
         ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, &bad[i] }), FVI_EDOM);
-    const fvi_kernel_term unknown = { (fvi_kernel_kind)4, 1, 0.3, 1, 1 };
+    const fvi_kernel_term unknown = { (fvi_kernel_kind)7, 1, 0.3, 1, 1 };
     ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, &unknown }), FVI_EINVAL);
     ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 0, &unknown }), FVI_EINVAL);
     ck_assert_int_eq(fvi_kernel_check(&(fvi_kernel){ 1, NULL }), FVI_EFAULT);

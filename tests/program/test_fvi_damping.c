@@ -28,6 +28,9 @@ START_TEST(a_power_is_alpha_and_rho)
                    last_x("--damping power:0.3,0.35 --method fvi-bdf2 "
                           "--steps 400"),
                    1e-12, "laws add");
+    ck_assert_double_eq(
+        last_x("--damping 'viscous:0.1 + spring:0.3' --steps 400"),
+        last_x("--damping power:0.1,0.5 --damping power:0.3,0 --steps 400"));
 }
 END_TEST
 
@@ -45,6 +48,8 @@ START_TEST(each_kind_is_its_symbol)
         { "--damping maxwell:1,0.75 --damping maxwell:0.5,3",
           0x1.3b232fdfd4090p-3 },
         { "--damping distributed:1,0,0.5", 0x1.0c3372023837cp-5 },
+        { "--damping maxwell2:1,0.375,1.3333333333333333,0.125", 0x1.02b3d5efc9c40p-4 },
+        { "--damping maxwell2:1.3333333333333333,0.125,1,0.375", 0x1.02b3d5efc9c40p-4 },
     };
     size_t ran = 0;
     for (size_t i = 0; i < LEN(laws); i++) {
@@ -64,7 +69,7 @@ START_TEST(each_kind_is_its_symbol)
         ck_assert_near(cell(3, 0), laws[i].x, 2e-13, "%s", laws[i].words);
         ran++;
     }
-    ck_assert_uint_eq(ran, 4);
+    ck_assert_uint_eq(ran, LEN(laws));
 }
 END_TEST
 
@@ -103,8 +108,14 @@ START_TEST(what_is_no_law_is_bad_use)
         const char *words, *said;
     } bad[] = {
         { "--damping zenr:1,2,3",
-          "--damping: 'zenr:1,2,3' is none of power:R,A  zener:R,A,T  "
-          "maxwell:R,T  distributed:R,A,B; did you mean zener?" },
+          "--damping: 'zenr:1,2,3' is none of viscous:R  spring:K  power:R,A  "
+          "zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B  distributed:R,A,B; "
+          "did you mean zener?" },
+        { "--damping maxwell2:1,0.3,-1,0.1", "R1, R2 >= 0 and A, B in [0, 1]" },
+        { "--damping maxwell2:1,0.3,1,1.1", "R1, R2 >= 0 and A, B in [0, 1]" },
+        { "--damping 'power:1,0.3 + '", "--damping: '' is none of" },
+        { "--damping 'power:1,0.3 + spring:-1'",
+          "--damping: 'spring:-1': spring:K with K >= 0" },
         { "--damping power:1", "--damping: 'power:1' is not power:R,A" },
         { "--damping Zener:1,x,1", "'Zener:1,x,1' is not zener:R,A,T" },
         { "--damping maxwell", "'maxwell' is not maxwell:R,T" },

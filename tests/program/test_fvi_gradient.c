@@ -184,6 +184,11 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
     rows_of_a_law("--method fvi-bdf2");
     rows_of_a_law("--method fvi-lobatto4d");
     rows_of_a_law("--method fvi-stable");
+    ck_assert_int_eq(
+        fvi("gradient --damping 'maxwell2:1,0.4,2,0.1 + power:0.2,0.3'"), 0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# warning = no derivatives by the numbers of damping_1\n"));
+    ck_assert_ptr_nonnull(strstr(out, "\ndamping_2\t"));
     ck_assert_int_eq(fvi("gradient --damping power:0.2,0.7"), 0);
     derivative("damping");
     derivative("damping_A");

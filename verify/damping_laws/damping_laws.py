@@ -24,7 +24,7 @@ from shared.arithmetic import circle, coefficients
 from shared.refgen import claim, header, prove
 
 mp.dps = 40
-POWER, ZENER, MAXWELL, DISTRIBUTED = range(4)
+POWER, ZENER, MAXWELL, DISTRIBUTED, MAXWELL2 = range(5)
 # kind, rho, alpha, time, end: exact in binary
 LAWS = [
     [(POWER, 1, "0.3125", 0, 0)],
@@ -35,6 +35,8 @@ LAWS = [
     [(POWER, "0.5", "0.125", 0, 0), (POWER, "0.25", "0.75", 0, 0), (MAXWELL, "0.5", 0, "0.75", 0)],
     [(DISTRIBUTED, "0.5", "0.125", 0, "0.875")],
     [(POWER, "0.5", 0, 0, 0), (POWER, "0.25", "0.75", 0, 0), (ZENER, "0.5", "0.4375", "1.5", 0)],
+    [(MAXWELL2, 1, "0.375", "0.75", "0.125")],
+    [(MAXWELL2, "0.5", "0.9375", "1.5", "0.625"), (POWER, "0.25", "0.25", 0, 0)],
 ]
 LAWS = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in LAWS]
 
@@ -65,7 +67,8 @@ def symbol(law, s):
         if kind == DISTRIBUTED:
             return rho * (exp(2 * end * log) - exp(2 * alpha * log)) / (2 * log)
         q = s if kind == MAXWELL else exp(2 * alpha * log)
-        return rho * (q if kind == POWER else q / (1 + time * q))
+        below = exp(2 * (alpha - end) * log) if kind == MAXWELL2 else q
+        return rho * (q if kind == POWER else q / (1 + time * below))
     return sum(term(*t) for t in law)
 
 
@@ -112,7 +115,8 @@ def weights(law, delta, h):
             continue
         q = power(base, mpf(1) if kind == MAXWELL else 2 * alpha)
         if kind != POWER:
-            q = over(q, [int(n == 0) + time * c for n, c in enumerate(q)])
+            below = power(base, 2 * (alpha - end)) if kind == MAXWELL2 else q
+            q = over(q, [int(n == 0) + time * c for n, c in enumerate(below)])
         total = [a + rho * b for a, b in zip(total, q)]
     return total
 #< weights
@@ -204,6 +208,7 @@ HARD = [
     [(ZENER, "0.5", "0.9375", 1, 0), (POWER, "0.25", "0.25", 0, 0)],
     [(DISTRIBUTED, 8, "0.125", 0, "0.875"), (MAXWELL, 64, 0, 2, 0)],
     [(POWER, 32, "0.4375", 0, 0), (POWER, "0.125", "0.9375", 0, 0)],
+    [(MAXWELL2, 2, "0.875", "0.5", "0.125")],
 ]
 HARD = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in HARD]
 
@@ -227,7 +232,8 @@ def zeros(law, m, c):
     """(26.11): how often Q winds around 0 while s runs along the boundary of the upper half
     plane without the cut, and how often the poles of C did."""
     law, low, high = [(kind, *map(float, numbers)) for kind, *numbers in law], 1e-12, 2e12
-    poles = sum(kind == ZENER and alpha > 0.5 for kind, _, alpha, _, _ in law)
+    poles = sum((kind == ZENER and alpha > 0.5) or (kind == MAXWELL2 and alpha - end > 0.5)
+                for kind, _, alpha, _, end in law)
     ray = [low * (high / low)**(i / 4000) for i in range(4001)]      # not through s = 1, where C is 0/0
     arc = [cmath.exp(1j * cmath.pi * i / 200) for i in range(200)]
     path = ([complex(r) for r in ray] + [high * v for v in arc]
@@ -316,6 +322,8 @@ STEEP = [
     [(ZENER, 2, "0.75", "0.5", 0), (POWER, "0.5", "0.25", 0, 0)],
     [(ZENER, 1, 1, "0.25", 0)],
     [(POWER, "0.5", "0.9375", 0, 0), (POWER, "0.25", 1, 0, 0), (MAXWELL, "0.5", 0, "0.75", 0)],
+    [(MAXWELL2, 1, "0.6875", "0.5", "0.125")],
+    [(MAXWELL2, 1, "0.75", "0.5", "0.375")],
 ]
 STEEP = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in STEEP]
 

@@ -139,23 +139,32 @@ class Expression:
         self.pointer = ffi.gc(out[0], lib.fvi_expression_free)
 
 
-LAWS = {"power": (lib.FVI_KERNEL_POWER, ("rho", "alpha")), "zener": (lib.FVI_KERNEL_ZENER, ("rho", "alpha", "time")),
-        "maxwell": (lib.FVI_KERNEL_MAXWELL, ("rho", "time")),
-        "distributed": (lib.FVI_KERNEL_DISTRIBUTED, ("rho", "alpha", "end"))}
+def two_springpots(R: float, A: float, S: float, B: float) -> tuple:
+    """Two springpots in series, the one of the higher order first."""
+    (low, s), (high, r) = sorted(((A, R), (B, S)))
+    return lib.FVI_KERNEL_MAXWELL2, r if s else 0, high, r / s if r and s else 0, low
+
+
+LAWS: dict = {  # the numbers of each word, and kind, rho, alpha, time and end of the term that they make
+    "viscous": (1, lambda R: (lib.FVI_KERNEL_POWER, R, 0.5, 0, 0)),
+    "spring": (1, lambda K: (lib.FVI_KERNEL_POWER, K, 0, 0, 0)),
+    "power": (2, lambda R, A: (lib.FVI_KERNEL_POWER, R, A, 0, 0)),
+    "zener": (3, lambda R, A, T: (lib.FVI_KERNEL_ZENER, R, A, T, 0)),
+    "maxwell": (2, lambda R, T: (lib.FVI_KERNEL_MAXWELL, R, 0, T, 0)),
+    "maxwell2": (4, two_springpots),
+    "distributed": (3, lambda R, A, B: (lib.FVI_KERNEL_DISTRIBUTED, R, A, 0, B))}
 
 
 def law(given: Union[str, Sequence[str]]) -> tuple:
-    """The terms "zener:1,0.3,2", a text or several, as the library's struct, and what it points to."""
+    """The terms "zener:1,0.3,2 + spring:1", a text or several, as the library's struct, and what it points to."""
     if not isinstance(given, str) and not (isinstance(given, (list, tuple))
                                            and all(isinstance(each, str) for each in given)):
         raise TypeError(f"damping: {arguments.described(given)} is no text and no list of texts")
-    terms = [given] if isinstance(given, str) else given
+    terms = [one for text in ([given] if isinstance(given, str) else given) for one in text.split(" + ")]
     array_ = ffi.new("fvi_kernel_term[]", len(terms))
     for term, text in zip(array_, terms):
-        name, n = arguments.words("damping", text, {word: len(fields) for word, (_, fields) in LAWS.items()})
-        term.kind = LAWS[name][0]
-        for field, value in zip(LAWS[name][1], n):
-            setattr(term, field, value)
+        name, n = arguments.words("damping", text, {word: count for word, (count, _) in LAWS.items()})
+        term.kind, term.rho, term.alpha, term.time, term.end = LAWS[name][1](*n)
     return ffi.new("fvi_kernel *", {"count": len(terms), "term": array_}), array_
 
 

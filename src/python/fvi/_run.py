@@ -274,8 +274,9 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     let         the numbers that expressions name: {"k": 3}; one that none names is a ValueError
     alpha       0 ... 1, a pure number; the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them: rho >= 0 in mass time^(2 alpha - 2), 0.2; mass > 0, 1
-    damping     instead of alpha and rho a law, "power:R,A", "zener:R,A,T", "maxwell:R,T" or
-                "distributed:R,A,B" as the program has them, or a list of such, which add
+    damping     instead of alpha and rho a law, "viscous:R", "spring:K", "power:R,A", "zener:R,A,T",
+                "maxwell:R,T", "maxwell2:R1,A,R2,B" or "distributed:R,A,B" as the program has them,
+                several with " + " between them, or a list of such, which add
     force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T),
                 an expression in t, or a function of t that gives one number or d of them, in
                 mass length / time^2

@@ -1,0 +1,240 @@
+/* src/memory/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
+#include <fvi/damping_laws.h>
+
+#include "kernel_terms.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <complex.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+/* All that the library knows of a kind of kernel. The symbols are those of rho = 1. */
+typedef struct {
+    int (*check)(const fvi_kernel_term *t);
+    double complex (*symbol)(const fvi_kernel_term *t, double modulus,
+                             double angle, double complex *slope);
+    double (*growth)(const fvi_kernel_term *t);
+} kernel_class;
+
+/* ---- ranges of the numbers ---- */
+
+static int check_order(const fvi_kernel_term *t)
+{
+    if (!(t->alpha >= 0 && t->alpha <= 1))
+        FVI_FAIL("alpha of a law must be in [0, 1]", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+static int check_time(const fvi_kernel_term *t)
+{
+    if (!(isfinite(t->time) && t->time >= 0))
+        FVI_FAIL("the time of a law must be finite and not negative", FVI_EDOM);
+    return FVI_SUCCESS;
+}
+
+static int check_order_and_time(const fvi_kernel_term *t)
+{
+    const int status = check_order(t);
+    return status ? status : check_time(t);
+}
+
+static int check_range(const fvi_kernel_term *t)
+{
+    const int status = check_order(t);
+    if (!status && !(t->end > t->alpha && t->end <= 1))
+        FVI_FAIL("the end of a range of orders must be in (alpha, 1]",
+                 FVI_EDOM);
+    return status;
+}
+
+static int check_pair(const fvi_kernel_term *t)
+{
+    const int status = check_order_and_time(t);
+    if (!status && !(t->end >= 0 && t->end <= t->alpha))
+        FVI_FAIL("the end of two springpots must be in [0, alpha]", FVI_EDOM);
+    return status;
+}
+
+/* ---- symbols ---- */
+
+/* e^{2 a ln s}, whose angle is 2 a times that of s: exact where that is none. */
+static double complex power_at(double a, double modulus, double angle)
+{
+    const double size = pow(modulus, 2 * a);
+    return size * cos(2 * a * angle) + I * size * sin(2 * a * angle);
+}
+
+static double complex power_symbol(const fvi_kernel_term *t, double modulus,
+                                   double angle, double complex *slope)
+{
+    const double complex q = power_at(t->alpha, modulus, angle);
+    *slope = 2 * t->alpha * q;
+    return q;
+}
+
+//> symbol
+/* s^{2 a} / (1 + time s^{2 b}), and s times its derivative */
+static double complex fraction_at(double a, double b, double time,
+                                  double modulus, double angle,
+                                  double complex *slope)
+{
+    const double complex q = power_at(a, modulus, angle),
+                         below = b == a ? q : power_at(b, modulus, angle),
+                         part = 1 + time * below;
+    *slope = (2 * a + 2 * (a - b) * time * below) * q / (part * part);
+    return q / part;
+}
+//< symbol
+
+static double complex zener_symbol(const fvi_kernel_term *t, double modulus,
+                                   double angle, double complex *slope)
+{
+    return fraction_at(t->alpha, t->alpha, t->time, modulus, angle, slope);
+}
+
+static double complex maxwell_symbol(const fvi_kernel_term *t, double modulus,
+                                     double angle, double complex *slope)
+{
+    return fraction_at(0.5, 0.5, t->time, modulus, angle, slope);
+}
+
+static double complex maxwell2_symbol(const fvi_kernel_term *t, double modulus,
+                                      double angle, double complex *slope)
+{
+    return fraction_at(t->alpha, t->alpha - t->end, t->time, modulus, angle,
+                       slope);
+}
+
+/* The integral of e^{2 a L}, L = ln s, over a range of orders, and its derivative by L. */
+static double complex range_symbol(const fvi_kernel_term *t, double modulus,
+                                   double angle, double complex *slope)
+{
+    const double middle = (t->alpha + t->end) / 2, width = t->end - t->alpha;
+    const double complex L = log(modulus) + I * angle,
+                         q = power_at(middle, modulus, angle);
+    if (L == 0) {
+        *slope = 2 * middle * width;
+        return width;
+    }
+    const double complex ratio = csinh(width * L) / L;
+    *slope = q * (2 * middle * ratio + (width * ccosh(width * L) - ratio) / L);
+    return q * ratio;
+}
+
+/* ---- growth ---- */
+
+static double power_growth(const fvi_kernel_term *t)
+{
+    return 2 * t->alpha;
+}
+
+static double range_growth(const fvi_kernel_term *t)
+{
+    return 2 * t->end;
+}
+
+static double zener_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 0;
+}
+
+static double maxwell_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 1 : 0;
+}
+
+static double maxwell2_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 2 * t->end;
+}
+
+/* ---- the table ---- */
+
+static const kernel_class classes[] = {
+    [FVI_KERNEL_POWER] = { check_order, power_symbol, power_growth },
+    [FVI_KERNEL_ZENER] = { check_order_and_time, zener_symbol, zener_growth },
+    [FVI_KERNEL_MAXWELL] = { check_time, maxwell_symbol, maxwell_growth },
+    [FVI_KERNEL_DISTRIBUTED] = { check_range, range_symbol, range_growth },
+    [FVI_KERNEL_MAXWELL2] = { check_pair, maxwell2_symbol, maxwell2_growth },
+};
+
+/* ---- a sum of terms ---- */
+
+static int check_term(const fvi_kernel_term *t)
+{
+    if ((size_t)t->kind >= sizeof classes / sizeof *classes)
+        FVI_FAIL("unknown law of damping", FVI_EINVAL);
+    if (!(isfinite(t->rho) && t->rho >= 0))
+        FVI_FAIL("rho of a law must be finite and not negative", FVI_EDOM);
+    return classes[t->kind].check(t);
+}
+
+int fvi_kernel_check(const fvi_kernel *law)
+{
+    if (!law || (law->count && !law->term))
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (law->count == 0)
+        FVI_FAIL("a law has at least one term", FVI_EINVAL);
+    for (size_t i = 0; i < law->count; i++) {
+        int status = check_term(&law->term[i]);
+        if (status)
+            return status;
+    }
+    return FVI_SUCCESS;
+}
+
+double fvi_kernel_growth(const fvi_kernel *law)
+{
+    double most = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        most = larger(most, classes[t->kind].growth(t));
+    }
+    return most;
+}
+
+static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
+                             double complex *slope)
+{
+    double complex C = 0;
+    *slope = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        double complex one;
+        C += t->rho * classes[t->kind].symbol(t, modulus, angle, &one);
+        *slope += t->rho * one;
+    }
+    return C;
+}
+
+double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
+                          double complex *slope)
+{
+    return sum_at(law, cabs(s), carg(s), slope);
+}
+
+double fvi_kernel_symbol(const fvi_kernel *law, double s)
+{
+    double complex slope;
+    return creal(sum_at(law, s, 0, &slope));
+}
+
+int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
+                   double *loss)
+{
+    int status = fvi_kernel_check(law);
+    if (status)
+        return status;
+    if (!storage || !loss)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    if (!(isfinite(omega) && omega > 0))
+        FVI_FAIL("omega must be finite and positive", FVI_EDOM);
+    double complex slope;
+    const double complex C = sum_at(law, omega, M_PI_2, &slope);
+    if (!isfinite(creal(C)) || !isfinite(cimag(C)))
+        FVI_FAIL("a modulus is not finite", FVI_EOVRFLW);
+    *storage = creal(C);
+    *loss = cimag(C);
+    return FVI_SUCCESS;
+}
