@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MANY_STEPS 0x1p17
 #define ROUGH 1e-6 /* of u: here the starts end, */
 #define FINE 1e-9  /* and here the best of them */
 #define VAGUE 20   /* sd of a logit or a logarithm that says nothing */
@@ -178,7 +177,7 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
 static int refine(search *o, place *best, fvi_estimate *fitted)
 {
     int status = FVI_SUCCESS, moves = 1;
-    while (!status && moves && (double)o->model.run.steps <= MANY_STEPS / 2) {
+    while (!status && moves && o->model.run.steps <= FVI_FIT_MOST_EQUAL_STEPS / 2) {
         const fvi_estimate before = *fitted;
         fvi_estimation_model_step(&o->model, o->model.run.h / 2);
         fvi_estimation_minimise(o, best, GSL_POSINF);
@@ -224,7 +223,7 @@ static int whole(search *o, const double *low, const double *high,
     const fvi_estimation *fit = o->model.fit;
     size_t first = 0;
     const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit);
-    fvi_estimation_model_step(&o->model, fmax(h, fit->t[fit->n - 1] / MANY_STEPS));
+    fvi_estimation_model_step(&o->model, fmax(h, fit->t[fit->n - 1] / FVI_FIT_MOST_EQUAL_STEPS));
     int status = try_all(o, low, high, &first);
     if (status)
         return status;

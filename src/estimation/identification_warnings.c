@@ -1,9 +1,11 @@
 /* src/estimation/identification_warnings.c -- What to know before a fit is believed. [H 24] */
 #include <fvi/error.h>
 #include <fvi/identification.h>
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define ALIKE 0.9 /* a correlation above this is worth a word */
 #define MOVED                                                                  \
@@ -80,6 +82,31 @@ static int is_mass_free(const fvi_estimation *fit)
     return fits_mass && !force->value && force->impulse_count == 0;
 }
 
+/* The steps that a method of equal steps would take to the last time: of the length asked for,
+ * or of the shortest gap between the times. */
+static double equal_steps_needed(const fvi_estimation *fit)
+{
+    const double *t = fit->t, T = t[fit->n - 1];
+    double gap = fit->h > 0 ? fit->h : T;
+    for (size_t i = 1; i < fit->n && fit->h == 0; i++)
+        gap = smaller(gap, t[i] - t[i - 1]);
+    return fit->method->dense ? 0 : T / gap;
+}
+
+static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
+{
+    const double needed = equal_steps_needed(fit);
+    const size_t end = strlen(text);
+    if (needed > FVI_FIT_MOST_EQUAL_STEPS)
+        snprintf(text + end, size - end,
+                 "; to t = %.10g %s take %.3g equal steps, and a fit makes %d; "
+                 "fvi-adaptive chooses its own",
+                 fit->t[fit->n - 1],
+                 fit->h > 0 ? "steps of that length"
+                            : "steps as short as the gaps of the data",
+                 needed, FVI_FIT_MOST_EQUAL_STEPS);
+}
+
 int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted,
                    const char *names, const char *dashes, size_t size,
                    char *text)
@@ -111,7 +138,11 @@ int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimat
                                           : (size_t)FVI_FIT_MOST_STEPS,
                  fitted->reached, fit->t[fit->n - 1],
                  *dashes ? "--most-steps" : "most_steps");
+    else if (status == FVI_EBADFUNC)
+        snprintf(text, size, "no start gives a motion that can be computed");
     else
         return 0;
+    if (status != FVI_ERUNAWAY)
+        add_equal_steps(fit, size, text);
     return 1;
 }

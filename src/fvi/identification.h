@@ -24,6 +24,7 @@ extern "C" {
 
 enum { FVI_ESTIMATION_MOST = 8 };              /* parameters in a fit */
 enum { FVI_FIT_MOST_STEPS = 1 << 22 }; /* of a run; a fit is hundreds of them */
+enum { FVI_FIT_MOST_EQUAL_STEPS = 1 << 17 }; /* of a run whose steps are equally long */
 
 /* fvi_free_parameter -- what a fit may look for. FVI_FREE_PARAMETER_CONSTANT + i is number i of
  * the constants of the potential. */
@@ -54,7 +55,8 @@ typedef enum {
  *              search may leave it, but alpha stays within what the method knows and
  *              rho and the mass stay positive
  *   starts     how many searches, >= 2
- *   h          0: the step is found; else it is h at most, and not halved */
+ *   h          0: the step is found; else it is h at most, and not halved. It is never
+ *              shorter than a part FVI_FIT_MOST_EQUAL_STEPS of the last time */
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -171,8 +173,10 @@ int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *
 const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
                                     const fvi_estimate *fitted);
 
-/* fvi_estimate_reason -- 1 and a text, why an answer with this code is not to be believed:
- * FVI_EMAXITER, FVI_ETOL, FVI_ESING and FVI_ERUNAWAY of fvi_estimate_multistart; 0 for another code.
+/* fvi_estimate_reason -- 1 and a text, why there is no answer with this code, or none to be
+ * believed: FVI_EMAXITER, FVI_ETOL, FVI_ESING, FVI_EBADFUNC and FVI_ERUNAWAY of
+ * fvi_estimate_multistart; 0 for another code. Where equal steps that are as short as the data
+ * need would be more than a fit makes, the text says how many they are.
  *
  *   fit, fitted  the question and its answer
  *   names   of the parameters, as the text has them: "alpha,rho"

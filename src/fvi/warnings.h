@@ -16,7 +16,7 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
-enum { FVI_WARNING_ROOM = 240 }; /* characters for a text, with its end */
+enum { FVI_WARNING_ROOM = 400 }; /* characters for a text, with its end */
 
 /* fvi_warning_of_initial_history -- 1 if no motion starts like this run: Riemann-Liouville
  * with a damped x0 != 0 and alpha > 1/2; else 0; -1 without memory.          [(19.2)]

@@ -9,7 +9,6 @@
 
 #include <dirent.h>
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -242,14 +241,13 @@ static int named_columns(const fvi_rows *r, loads *l, size_t d)
         return 1;
     for (at++; *(at += strspn(at, between)); at = stop) {
         const int digit = *at == 'f' && at[1] >= '0' && at[1] <= '9';
-        const double i = digit ? strtod(at + 1, &stop) : 0;
-        if (!digit || !strchr(between, *stop) || i != floor(i)
-            || !(i >= 1 && i <= (double)d))
+        const size_t i = digit ? strtoul(at + 1, &stop, 10) : 0;
+        if (!digit || !strchr(between, *stop) || i < 1 || i > d)
             return refuse_name(r, at, "a name that is none of the unknowns'");
         for (size_t k = 0; k < l->width; k++)
-            if (l->unknown[k] == (size_t)i - 1)
+            if (l->unknown[k] == i - 1)
                 return refuse_name(r, at, "an unknown that is named twice");
-        l->unknown[l->width++] = (size_t)i - 1;
+        l->unknown[l->width++] = i - 1;
     }
     return l->width > 0 ? 0
                         : refuse_name(r, at, "names are t, then f1, f2, ...");

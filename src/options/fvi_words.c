@@ -2,6 +2,7 @@
 #include "fvi_words.h"
 #include "input/fvi_data.h"
 #include "fvi_format_double.h"
+#include "system/lines.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,17 +12,12 @@
 
 /* ---- numbers ---- */
 
-/* A finite number that ends at the end of the text or before `end`. strtod would
- * skip spaces first; 0x1p-1 is a number too. Never "0,5": the locale is C. */
+/* A finite number that ends at the end of the text or before `end`. What a number is, tables
+ * and options ask the same function; the text stays, as its point is no comma. */
 static int number(const char *text, char end, double *value, const char **rest)
 {
-    char *stop;
-    if (*text == '\0' || strchr(" \t\n\v\f\r", *text))
-        return 0;
-    *value = strtod(text, &stop);
-    *rest = stop;
-    return stop != text && (*stop == '\0' || (end && *stop == end))
-           && isfinite(*value);
+    *rest = fvi_lines_decimal((char *)text, '.', value);
+    return *rest && (**rest == '\0' || (end && **rest == end));
 }
 
 /* Is v of the range? See fvi_word_number. */
@@ -37,7 +33,8 @@ int fvi_word_number(const char *name, const char *text, double low, double high,
     const char *rest;
     double v;
     if (!number(text, '\0', &v, &rest))
-        return fvi_refuse(c, "--%s: '%s' is not a finite number", name, text);
+        return fvi_refuse(c, "--%s: '%s' is not a finite decimal number", name,
+                          text);
     if (!within(v, low, high, brackets))
         return fvi_refuse(c, "--%s: '%s' is outside %c%g, %g%c", name, text,
                           brackets[0], low, high, brackets[1]);
@@ -115,8 +112,9 @@ int fvi_word_list(const char *name, const char *text, double low, double high,
     } else {
         n = numbers_of(text, d, values);
         if (n == 0)
-            return fvi_refuse(c, "--%s: '%s' is not a %sfinite number%s", name,
-                              text, d > 1 ? "list of " : "", d > 1 ? "s" : "");
+            return fvi_refuse(c, "--%s: '%s' is not a %sfinite decimal number%s",
+                              name, text, d > 1 ? "list of " : "",
+                              d > 1 ? "s" : "");
     }
     for (size_t j = 1; n == 1 && j < d; j++)
         values[j] = values[0];

@@ -41,7 +41,7 @@ typedef struct {
 int fvi_word_once(const char *dashes, const char *name, const char **text,
                   const char *value, fvi_complaint c);
 
-/* A finite number between low and high. brackets is "[]", "(]", "[)" or "()":
+/* A finite decimal number between low and high, as in a table: not 0x10, inf or nan. brackets is "[]", "(]", "[)" or "()":
  * a round one keeps its end out of the range. */
 int fvi_word_number(const char *name, const char *text, double low, double high,
                     const char *brackets, double *value, fvi_complaint c);

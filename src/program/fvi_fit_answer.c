@@ -112,8 +112,6 @@ int fvi_fit_complain(int status, const request *r, const fvi_estimate *f)
     return fvi_complain(fvi_estimate_reason(status, &r->fit, f, r->words.own[FIT],
                                        "--", sizeof text, text)
                             ? text
-                        : status == FVI_EBADFUNC
-                            ? "no start gives a motion that can be computed"
                         : status == FVI_ENOMEM ? "not enough memory"
                                                : fvi_code_in_words(status));
 }

@@ -99,7 +99,7 @@ const fvi_method *fvi_step_search_other(const fvi_method *method, const fvi_run 
 typedef struct { double estimate; ...; } fvi_variable_step_found;
 int fvi_variable_step_search(const fvi_run *run, double error, size_t most, double *x, double *p,
                         fvi_variable_step_found *found);
-enum { FVI_WARNING_ROOM = 240 };
+enum { FVI_WARNING_ROOM = 400 };
 int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 typedef struct { double stiffest; size_t next; } fvi_watch;

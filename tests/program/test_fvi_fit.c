@@ -345,6 +345,34 @@ START_TEST(fit_is_helped)
 }
 END_TEST
 
+/* Equal steps cannot be as many as so late a time takes, and no start leads anywhere. */
+START_TEST(a_fit_that_takes_too_many_equal_steps_says_how_many)
+{
+    static const char *const cases[][2] = {
+        { "fit --method fvi-lobatto4",
+          "no start gives a motion that can be computed; to t = 1000000000 "
+          "steps as short as the gaps of the data take 2e+09 equal steps, and a "
+          "fit makes 131072" },
+        { "fit --method fvi",
+          "steps as short as the gaps of the data take 2e+09 equal steps" },
+        { "fit --method fvi-lobatto4 --h 0.1",
+          "steps of that length take 1e+10 equal steps" }
+    };
+    char line[sizeof folder + 200];
+    write_text("far.tsv", "0\t1\n0.5\t0.8\n1\t0.6\n2\t-0.3\n3\t-0.9\n"
+                          "4\t-0.8\n1e9\t0.1\n");
+    for (size_t i = 0; i < LEN(cases); i++) {
+        snprintf(line, sizeof line, "%s %s/far.tsv", cases[i][0], folder);
+        ck_assert_int_eq(fvi(line), 1);
+        ck_assert_msg(strstr(err, cases[i][1]), "%s: %s", cases[i][0], err);
+    }
+    write_text("near.tsv", "0\t1\n1\t1\n2\t1\n3\t1\n"); /* few enough */
+    snprintf(line, sizeof line, "fit --fit mass,rho,c %s/near.tsv", folder);
+    ck_assert_int_eq(fvi(line), 1);
+    ck_assert_ptr_null(strstr(err, "equal steps"));
+}
+END_TEST
+
 /* With alpha near 0 a body swings on up to the last datum. */
 START_TEST(a_fit_whose_motions_come_to_no_end_says_how_far_they_came)
 {
@@ -372,6 +400,7 @@ int main(void)
              fit_says_what_is_not_to_be_believed);
     ADD_CASE(suite, "words", fit_refuses_words_and_tables,
              fit_of_any_bytes_ends, fit_knows_the_names_of_let, fit_is_helped,
+             a_fit_that_takes_too_many_equal_steps_says_how_many,
              a_fit_whose_motions_come_to_no_end_says_how_far_they_came);
     return run_suite_of_program(suite);
 }

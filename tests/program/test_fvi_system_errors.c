@@ -45,6 +45,8 @@ START_TEST(bad_folders_are_refused_with_file_and_line)
         { "f.tsv", "t f4\n0 1\n",
           "f.tsv:1:3: a name that is none of the "
           "unknowns'" },
+        { "f.tsv", "t f1e0\n0 1\n",
+          "f.tsv:1:3: a name that is none of the unknowns'" },
         { "f.tsv", "t f1 f1\n0 1 1\n",
           "f.tsv:1:6: an unknown that is named "
           "twice" },

@@ -95,8 +95,10 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     question.low, question.high = low, high
     curve, f = np.empty_like(times), ffi.new("fvi_estimate *")
     status = ask(lib.fvi_estimate_multistart, question, ffi.from_buffer("double[]", curve), f)
+    text = ffi.new("char[]", lib.FVI_WARNING_ROOM)
+    has_reason = lib.fvi_estimate_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
     if status not in (0, lib.FVI_EMAXITER, lib.FVI_ETOL, lib.FVI_ESING):
-        raise failure(status)
+        raise Error(text_of(text), status) if has_reason else failure(status)
     P = range(len(names))
     answer = Fit({n: f.estimate[j] for j, n in enumerate(names)}, {n: f.sd[j] for j, n in enumerate(names)},
                  {n: (f.estimate[j] - f.quantile * f.sd[j], f.estimate[j] + f.quantile * f.sd[j])
@@ -106,8 +108,6 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     if status != lib.FVI_ESING:
         warn_of(question, f, names)
     if status:
-        text = ffi.new("char[]", lib.FVI_WARNING_ROOM)
-        lib.fvi_estimate_reason(status, question, f, which.encode(), b"", lib.FVI_WARNING_ROOM, text)
         error = Error(text_of(text), status)
         error.fit = answer
         raise error
