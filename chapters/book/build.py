@@ -236,8 +236,7 @@ def main():
     found = pages.render(all_pages)
     for page in all_pages:
         pages.link_equations(page, found)
-    order = {"index": 0, "course": 1}  # then the chapters, then the rest
-    all_pages.sort(key=lambda page: order.get(page.name, 2 if page.number else 3))
+    all_pages.sort(key=pages.order)
     add_index(all_pages)
     write_pages(all_pages)
     files = write_sources(all_pages)
@@ -246,7 +245,7 @@ def main():
     write_live_page()
     kernel.write(OUT / "live")
     version = re.search(r'FVI_VERSION "([^"]*)"', pathlib.Path("src/fvi/version.h").read_text())[1]
-    paper.write(OUT, [page for page in all_pages if page.number], plain, version)
+    paper.write(OUT, [page for page in all_pages if pages.on_paper(page)], plain, version)
     links = check_links()
     print(f"{OUT}/index.html: {len(all_pages)} pages, {len(files)} sources, {len(found)} numbered equations, "
           f"{sections} places to search, {links} links")

@@ -21,9 +21,9 @@ from links import heading_id  # noqa: E402
 # The pages that are no chapter, and what they are called in the site.
 OTHERS = {"README.md": "index", "chapters/README.md": "course",
           "chapters/workshop/README.md": "workshop", "chapters/workshop/exercises.md": "exercises",
-          "chapters/workshop/lectures.md": "lectures", "chapters/book/glossary.md": "glossary",
-          **{f"chapters/handbook/{name}.md": name for name in ("manual", "tour", "statements", "equations", "bibliography")},
-          "chapters/handbook/what_the_principle_buys.md": "what_the_principle_buys"}
+          "chapters/workshop/lectures.md": "lectures",
+          **{f"chapters/handbook/{name}.md": name for name in
+             ("manual", "tour", "equations", "statements", "what_the_principle_buys", "evidence", "symbols", "glossary", "bibliography")}}
 FOLDERS = ("", "further", "handbook")  # of the Course, and of the two that stand behind it
 CUT = "page-ends-here"
 
@@ -35,9 +35,19 @@ def file_name(path):
 
 def part(page):
     """Where the contents put a page."""
-    if page.number:
-        return {"further": "Further", "handbook": "Handbook"}.get(page.path.parent.name, "Course")
-    return "" if page.name in ("index", "course") else "More"
+    if page.name in ("index", "course"):
+        return ""
+    return {"further": "Further", "handbook": "Handbook"}.get(page.path.parent.name, "Course" if page.number else "More")
+
+
+def order(page):
+    """Where a page stands in the book; its part first, and a numbered page before one without a number."""
+    return ("", "Course", "Further", "Handbook", "More").index(part(page)), not page.number
+
+
+def on_paper(page):
+    """The numbered pages, and what they send the reader to."""
+    return page.number or page.name in ("symbols", "glossary", "bibliography")
 
 
 class Page:

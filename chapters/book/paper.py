@@ -82,7 +82,7 @@ def write(out, chapters, words, version):
     heads, rows, bodies = [], [], []
     for page in chapters:
         title = words(page.title).replace('"', '\\"')
-        mark = "c" + page.number.replace(" ", "")
+        mark = "c" + (page.number.replace(" ", "") or page.name)
         heads.append(f'.{mark} {{ page: {mark} }} @page {mark} {{ @top-left {{ content: "{title}" }} }}')
         rows.append(row(1, page.name, page.title))
         rows += [row(2, f"{page.name}--{ident}", title) for level, ident, title in page.headings if level == 2]

@@ -9,7 +9,9 @@ const out = process.argv[2], book = `${out}/fvi.pdf`;
 const ask = (tool, ...words) => execFileSync(tool, words, { encoding: "utf8", maxBuffer: 1 << 28 });
 const pages = ask("pdftotext", "-layout", book, "-").split("\f").slice(0, -1);
 const html = readFileSync(`${out}/print.html`, "utf8");
-const chapters = [...html.matchAll(/<article class="c(H?)(\d+)"><h1 id="([^"]*)"/g)].map(([, of, number, name]) => ({ number: of ? `H ${number}` : number, name }));
+// What a chapter's title begins with: its number, or the title of a page that has none.
+const chapters = [...html.matchAll(/<article class="c(H?)(\d*)\w*"><h1 id="([^"]*)"[^>]*>([^<]*)/g)]
+  .map(([, of, number, name, title]) => ({ head: number ? `${of ? "H " : ""}${number}. ` : title.trim(), name }));
 const at = Object.fromEntries(ask("pdfinfo", "-dests", book).split("\n").map(line => /^\s*(\d+) \[.*\] "(.*)"$/.exec(line))
   .filter(Boolean).map(([, page, place]) => [place, Number(page)]));
 let tests = 0;
@@ -29,17 +31,17 @@ test("every page but the cover has its number at its foot", () => {
 
 test("the head of a page is the title of its chapter", () => {
   assert.ok(chapters.length > 26);
-  chapters.forEach(({ number, name }, i) => {
+  chapters.forEach(({ head, name }, i) => {
     const end = i + 1 < chapters.length ? at[chapters[i + 1].name] : pages.length + 1;
     for (let page = at[name]; page < end; page++)
-      assert.ok(pages[page - 1].trimStart().startsWith(`${number}. `), `page ${page}, ${name}: ${pages[page - 1].trimStart().slice(0, 40)}`);
+      assert.ok(pages[page - 1].trimStart().startsWith(head), `page ${page}, ${name}: ${pages[page - 1].trimStart().slice(0, 40)}`);
   });
 });
 
 test("the contents name the pages on which chapters begin", () => {
   const contents = pages.slice(1, at[chapters[0].name] - 1).join("\n");
-  for (const { number, name } of chapters)
-    assert.match(contents, new RegExp(`${number}\\. [^\\n]*?${at[name]}\\b`), `${name} on page ${at[name]}`);
+  for (const { head, name } of chapters)
+    assert.match(contents, new RegExp(`${head.replace(".", "\\.")}[^\\n]*?${at[name]}\\b`), `${name} on page ${at[name]}`);
 });
 
 test("no word stands in a margin, and nothing of the screen is on paper", () => {
