@@ -5,7 +5,7 @@
 #include <fvi/discrete_mechanics.h>
 #include "lobatto_stages.h"
 #include "system/fail.h"
-#include "system/newton.h"
+#include "system/linearised.h"
 
 #include <gsl/gsl_machine.h>
 #include <math.h>
@@ -24,8 +24,11 @@ static double weight(const fvi_stepper *s, const fvi_lobatto_stages *o,
 /* grad U at x_k + dX_i */
 static int gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
 {
+    fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     for (size_t j = 0; j < o->d; j++)
         s->dx[j] = s->x[j] + o->dX[i * o->d + j];
+    if (linearised)
+        linearised->stage = i;
     return fvi_potential_gradient(s->run.system, s->dx, o->grad + i * o->d);
 }
 
@@ -72,6 +75,8 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
                 *to++ = -o->M[(j * o->n + i) * o->n + l] * weight(s, o, l, j);
     int status =
         fvi_newton_stages_alloc(s->run.system, inner, coupling, &s->newton);
+    if (!status)
+        s->newton->first = 1;
     free(coupling);
     return status;
 }
@@ -79,13 +84,23 @@ static int prepare_inner(fvi_stepper *s, fvi_lobatto_stages *o)
 
 /* ---- a step ---- */
 
+/* If the history begins at 0, x jumps to x0 at the start of the first step. To the first
+ * stage that is a velocity of x0/(h b_1), by (17.3). */
+static double jump_of_velocity(const fvi_stepper *s, const fvi_lobatto_stages *o,
+                               size_t j)
+{
+    return o->from_zero && s->k == 0 ? s->run.x0[j] / (s->run.h * o->rule->b[0])
+                                     : 0;
+}
+
 /* The history of the damped coordinates, as forces: S += h b rho (Y - v0 part).
  * o->v holds the v of the step before. */
 static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const size_t n = o->s;
     if (o->memory && s->k > 0) {
-        int status = fvi_lobatto_history_push(o->memory, o->v, o->Y);
+        int status =
+            fvi_lobatto_history_push_by_order(o->memory, o->v, o->Y, o->Ydot);
         if (status)
             return status;
     }
@@ -94,6 +109,7 @@ static int update_history(fvi_stepper *s, fvi_lobatto_stages *o)
             double Y = o->memory && s->k > 0 ? o->scale * o->Y[l * n + i] : 0;
             for (size_t c = 0; c < n; c++)
                 Y -= o->W[i][c] * o->v0[l];
+            Y += o->W[i][0] * jump_of_velocity(s, o, j);
             o->S[i * o->d + j] +=
                 weight(s, o, i, j) * s->run.system->damping[j] * Y;
         }
@@ -122,6 +138,7 @@ static void apply_damping(fvi_stepper *s, fvi_lobatto_stages *o)
         }
         for (size_t i = 0; i < n; i++)
             v[i] -= o->v0[l];
+        v[0] += jump_of_velocity(s, o, j);
     }
 }
 

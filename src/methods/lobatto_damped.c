@@ -6,7 +6,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/lu.h"
-#include "system/newton.h"
+#include "system/linearised.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -145,16 +145,53 @@ static void apply_damping(const fvi_stepper *s, fvi_lobatto_stages *o)
     }
 }
 
+/* The same in dual variables: v = p/m is the multiplier, and x the force that it is driven
+ * by, summed from the end of the run. U acts on V, not on X:
+ *
+ *     V + h^2 G A (Hess U o V) = what V is without U,   x -= h sum_i b_i Hess U_i V_i
+ *
+ * and G A = A G, both being functions of A, so that the solver is that of (17.24). (23.15) */
+//> dual
+static int step_dual(fvi_stepper *s, fvi_lobatto_stages *o)
+{
+    const size_t n = o->s, d = o->d;
+    double *V = o->dX;
+    for (size_t j = 0; j < d; j++) {
+        double delta[FVI_STAGES];
+        velocities(s, o, j, NULL, delta);
+        for (size_t i = 0; i < n; i++)
+            o->r[i * d + j] = s->p[j] / s->run.system->mass[j] + delta[i];
+    }
+    memset(s->dx, 0, d * sizeof *s->dx);
+    const int status = fvi_newton_solve(s->newton, s->dx, o->r, V, o->grad);
+    for (size_t j = 0; j < d; j++) {
+        s->p[j] = s->run.system->mass[j] * V[(n - 1) * d + j];
+        for (size_t i = 0; i < n; i++)
+            s->x[j] -= s->run.h * o->rule->b[i] * o->grad[i * d + j];
+    }
+    for (size_t l = 0; l < o->damped; l++)
+        for (size_t i = 0; i < n; i++)
+            o->v[l * n + i] = V[i * d + o->index[l]];
+    return status;
+}
+//< dual
+
 //> step
 int fvi_lobatto_damped_step(fvi_stepper *s)
 {
     fvi_lobatto_stages *o = s->method_state;
+    const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     const size_t n = o->s, d = o->d;
-    const int is_free = !s->run.system->potential.gradient;
+    const int is_free = !s->run.system->potential.gradient,
+              is_dual = linearised && linearised->is_dual;
+    if (is_dual)
+        memcpy(s->F, s->x, d * sizeof *s->F);
     int status = fvi_lobatto_assemble_known_rhs(s, o);
     if (status)
         return status;
     apply_damping(s, o);
+    if (is_dual)
+        return step_dual(s, o);
     if (!is_free)
         status = solve(s, o);
     if (status)

@@ -19,6 +19,8 @@ typedef struct {
     double *r;             /* of the stages that are solved for */
     size_t damped, *index; /* the coordinates that have a Y */
     double *v, *Y, *v0;
+    double *Ydot;  /* of a linearised run: the derivative of Y by the order; or NULL */
+    int from_zero; /* of a linearised run: the history begins at 0, not at x0 */
     double scale, W[FVI_STAGES][FVI_STAGES]; /* h^(-beta), times W_0 */
     double A[FVI_STAGES][FVI_STAGES];        /* of Lobatto IIIC (17.3) */
     fvi_lobatto_history *memory;              /* NULL: there is no history */

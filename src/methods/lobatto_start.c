@@ -6,6 +6,7 @@
 #include "lobatto_stages.h"
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/linearised.h"
 #include "system/lu.h"
 
 #include <gsl/gsl_linalg.h>
@@ -82,7 +83,9 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
     o->n = n;
     o->M = calloc(d * n * n, sizeof *o->M);
     o->index = calloc(d, sizeof *o->index);
-    o->share = calloc(2 * d + 6 * stages * d, sizeof *o->share);
+    const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
+    const size_t rows = linearised && linearised->by_order ? 7 : 6;
+    o->share = calloc(2 * d + rows * stages * d, sizeof *o->share);
     if (!o->M || !o->index || !o->share)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->v0 = o->share + d;
@@ -92,6 +95,8 @@ static int allocate(fvi_stepper *s, size_t stages, size_t n)
     o->v = o->grad + stages * d;
     o->Y = o->v + stages * d;
     o->r = o->Y + stages * d;
+    if (rows == 7)
+        o->Ydot = o->r + stages * d;
     return FVI_SUCCESS;
 }
 
@@ -120,7 +125,7 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     const fvi_run *run = &s->run;
     const double beta = 2 * run->alpha - 1;
     o->scale = run->law ? 1 : pow(run->h, -beta);
-    if (o->damped == 0 || (!run->law && beta == 0)) {
+    if (o->damped == 0 || (!run->law && beta == 0 && !o->Ydot)) {
         for (size_t i = 0; i < o->s; i++)
             o->W[i][i] = o->damped > 0;
         return FVI_SUCCESS;
@@ -130,8 +135,9 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
         run->law ? fvi_lobatto_history_of_kernel(o->s, run->law, run->h, o->damped,
                                              run->steps, run->memory, keep,
                                              &o->memory)
-                 : fvi_lobatto_history_alloc(o->s, beta, o->damped, run->steps,
-                                            run->memory, keep, &o->memory);
+                 : (o->Ydot ? fvi_lobatto_history_alloc_by_order
+                            : fvi_lobatto_history_alloc)(
+                     o->s, beta, o->damped, run->steps, run->memory, keep, &o->memory);
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
@@ -139,23 +145,35 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     return status;
 }
 
-static int start(fvi_stepper *s, size_t stages, int damped)
+/* Which coordinates have a history, and what their inertia is at alpha = 1, (17.17): there a
+ * damping is a mass, but to a run in dual variables, whose history is asked for. */
+static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
 {
     const fvi_system *system = s->run.system;
+    const fvi_linearised *linearised = fvi_linearised_of(system);
+    const int is_dual = linearised && linearised->is_dual,
+              all = linearised && linearised->remembers_all,
+              is_mass = s->run.alpha == 1 && !is_dual;
+    o->from_zero = linearised && linearised->from_zero;
+    for (size_t j = 0; j < o->d; j++) {
+        const double m = system->mass[j], rho = system->damping[j];
+        o->share[j] = is_mass ? m / (m + rho) : 1;
+        if ((rho == 0 && !all) || is_mass)
+            continue;
+        o->v0[o->damped] = s->run.alpha > 0.5 ? s->p[j] / m : 0;
+        o->index[o->damped++] = j;
+    }
+}
+
+static int start(fvi_stepper *s, size_t stages, int damped)
+{
     int status = allocate(s, stages, damped ? stages : stages - 1);
     if (status)
         return status;
     fvi_lobatto_stages *o = s->method_state;
     if (s->run.law) /* it acts on V as it is: nothing pulls */
         s->run.alpha = 0.5;
-    for (size_t j = 0; j < o->d; j++) {
-        const double m = system->mass[j], rho = system->damping[j];
-        o->share[j] = s->run.alpha == 1 ? m / (m + rho) : 1; /* (17.17) */
-        if (rho == 0 || s->run.alpha == 1)
-            continue;
-        o->v0[o->damped] = s->run.alpha > 0.5 ? s->p[j] / m : 0;
-        o->index[o->damped++] = j;
-    }
+    find_damped(s, o);
     status = fvi_initial_history_force_start(s, stages, o->rule->c, &o->history_force);
     if (!status)
         status = prepare(s, o);

@@ -11,19 +11,18 @@
 
 /* ---- the start ---- */
 
-enum { LONG = 5, SHORT = 11 }; /* arrays of s d and of d numbers */
+enum { LONG = 2, SHORT = 14 }; /* arrays of s d and of d numbers */
 
 static int allocate(fvi_adjoint_lobatto *m)
 {
     const size_t s = m->s, d = m->d;
-    const fvi_system *system = m->run->system;
-    const size_t hessian =
-        system->potential.hessian ? fvi_potential_hessian_size(system) : 0;
-    double **longs[LONG] = { &m->Lambda, &m->T, &m->past, &m->pastdot, &m->r };
+    double **longs[LONG] = { &m->Lambda, &m->reversed };
     double **shorts[SHORT] = { &m->column, &m->Q,       &m->mass,   &m->after,
-                               &m->last,   &m->kinetic, &m->sum,    &m->sumdot,
-                               &m->plain,  &m->pull,    &m->impulse_sum_by_order };
-    m->block = calloc((LONG * s + SHORT) * d + s * hessian, sizeof *m->block);
+                               &m->last,   &m->hessian_product,    &m->T,      &m->Tdot,
+                               &m->kinetic, &m->sum,    &m->sumdot, &m->plain,
+                               &m->pull,   &m->impulse_sum_by_order };
+    m->block = calloc((LONG * s + SHORT) * d + s * m->linearised.size,
+                      sizeof *m->block);
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
     double *next = m->block;
@@ -31,46 +30,37 @@ static int allocate(fvi_adjoint_lobatto *m)
         *longs[i] = next;
     for (size_t i = 0; i < SHORT; i++, next += d)
         *shorts[i] = next;
-    m->G = hessian ? next : NULL;
-    const size_t w =
-        system->potential.diagonals ? system->potential.diagonals : d;
-    const size_t n = m->damped_inertia ? s : s - 1; /* unknown stages */
-    if (fvi_band_alloc(n * d, n * w, &m->J))
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    m->G = m->linearised.size ? next : NULL;
     return FVI_SUCCESS;
 }
 
-static int start_memory(fvi_adjoint_lobatto *m)
+/* The mirrored run at node N. Of form M it begins at J_p, m/(m + rho) of it at alpha = 1, of
+ * form D with the velocity J_p; p0 is zero, as no history knows of it. */
+static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
+                         const double *Jp)
 {
-    const fvi_run *run = m->run;
-    const size_t s = m->s;
-    const double beta = 2 * run->alpha - 1;
-    m->is_damped = m->want->damping != NULL || m->want->alpha != NULL;
-    for (size_t i = 0; i < m->d; i++)
-        m->is_damped |= run->system->damping[i] > 0;
-    m->unit = run->law ? 1 : pow(run->h, -beta);
-    for (size_t i = 0; i < s; i++)
-        m->W[i][i] = !m->mass_plus_damping; /* beta = 0; nothing */
-    if (!m->is_damped || m->mass_plus_damping
-        || (!run->law && beta == 0 && !m->want->alpha))
-        return FVI_SUCCESS;
-    const double keep = fvi_lobatto_history_tolerance(run);
-    int status =
-        run->law
-            ? fvi_lobatto_history_of_kernel(s, run->law, run->h, m->d, run->steps,
-                                        run->memory, keep, &m->memory)
-            : (m->want->alpha ? fvi_lobatto_history_alloc_by_order
-                              : fvi_lobatto_history_alloc)(
-                s, beta, m->d, run->steps, run->memory, keep, &m->memory);
-    if (!status)
-        status = fvi_adjoint_terms_start(m);
-    for (size_t i = 0; !status && i < s; i++) {
-        memcpy(m->W[i], fvi_lobatto_history_now(m->memory) + i * s,
-               s * sizeof(double));
-        if (m->want->alpha)
-            memcpy(m->rate[i], fvi_lobatto_history_now_by_order(m->memory) + i * s,
-                   s * sizeof(double));
-    }
+    fvi_run back = *m->run;
+    double *x0 = m->reversed; /* zeros still */
+    m->linearised.G = m->G;
+    m->linearised.reversed = 1;
+    m->linearised.by_order = m->want->alpha != NULL;
+    m->linearised.remembers_all = m->is_damped;
+    m->linearised.from_zero = !m->damped_inertia;
+    m->linearised.is_dual = m->damped_inertia;
+    m->system = *m->run->system;
+    m->system.potential = fvi_linearised_potential(&m->linearised);
+    m->system.force = (fvi_force){ .value = NULL };
+    back.system = &m->system;
+    back.p0 = m->after;
+    back.x0 = m->damped_inertia ? m->after : x0;
+    back.past = FVI_INITIAL_HISTORY_HELD;
+    for (size_t j = 0; j < m->d; j++)
+        x0[j] = Jp[j] * m->run->system->mass[j] / m->mass[j];
+    int status = fvi_stepper_start(method, &back, &m->stepper);
+    for (size_t j = 0; !status && m->damped_inertia && j < m->d; j++)
+        m->stepper->p[j] = m->run->system->mass[j] * x0[j];
+    for (size_t j = 0; j < m->d; j++)
+        m->Lambda[j * m->s] = x0[j]; /* lambda_N, as the first of a step N */
     return status;
 }
 
@@ -87,33 +77,35 @@ int fvi_adjoint_lobatto_start(const fvi_method *method, const fvi_run *run,
                               .d = run->system->d,
                               .damped_inertia = method->damped_inertia,
                               .mass_plus_damping = run->alpha == 1 && !run->law
-                                       && !method->damped_inertia };
+                                       && !method->damped_inertia,
+                              .linearised = fvi_linearised_begin(run->system, s) };
     run = m->run;
     if (run->law) /* as the run does: nothing pulls */
         m->own.alpha = 0.5;
     int status = allocate(m);
-    if (!status)
-        status = start_memory(m);
     if (status)
         return status;
-    fvi_adjoint_lobatto_matrices(m);
-    for (size_t j = 0; j < m->d; j++) { /* lambda_N, as the first of a step N */
-        const double mass = run->system->mass[j];
-        m->mass[j] = mass + (m->mass_plus_damping ? run->system->damping[j] : 0);
-        m->Lambda[j * s] = Jp[j] * mass / m->mass[j];
+    m->is_damped = want->damping != NULL || want->alpha != NULL;
+    for (size_t j = 0; j < m->d; j++) {
+        const double mass = run->system->mass[j], rho = run->system->damping[j];
+        m->is_damped |= rho > 0;
+        m->mass[j] = mass + (m->mass_plus_damping ? rho : 0);
         m->last[j] = Jp[j] * p[j];
     }
+    status = start_stepper(m, method, Jp);
+    if (!status && m->is_damped)
+        status = fvi_adjoint_terms_start(m);
+    fvi_lobatto_table(m->rule, s, m->A);
     m->has_initial_impulses = m->is_damped && fvi_initial_history_acts(run->past, run->alpha);
     if (m->has_initial_impulses)
         fvi_kernel_impulse_prepare(run->alpha, m->s, m->rule->c, &m->initial_impulse);
-    return FVI_SUCCESS;
+    return status;
 }
 
 void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
 {
-    fvi_lobatto_history_free(m->memory);
+    fvi_stepper_free(m->stepper);
     fvi_adjoint_terms_stop(m);
-    fvi_band_free(&m->J);
     free(m->block);
 }
 
@@ -128,7 +120,7 @@ static const double *positions(const fvi_adjoint_lobatto *m, const double *rows)
 static int evaluate_hessians(fvi_adjoint_lobatto *m, const double *rows)
 {
     const fvi_potential *u = &m->run->system->potential;
-    const size_t room = fvi_potential_hessian_size(m->run->system);
+    const size_t room = m->linearised.size;
     const double *X = positions(m, rows);
     int status = FVI_SUCCESS;
     for (size_t i = 0; m->G && !status && i < m->s; i++)
@@ -151,43 +143,72 @@ static void velocities(const fvi_adjoint_lobatto *m, size_t j, const double *row
         v[0] += (X[0] - rows[j]) / m->rule->b[0] / m->run->h;
 }
 
-/* dJ/dm but for v_0, times h: Lambda . K X in form M; in form D what m multiplies. */
-static double inertia(const fvi_adjoint_lobatto *m, size_t j, const double *rows,
-                      const double *v)
+/* dJ/dm but for v_0, times h: h D Lambda . B v in form M; in form D what m multiplies. */
+static double inertia(const fvi_adjoint_lobatto *m, size_t j, const double *v)
 {
     const double *Lambda = m->Lambda + j * m->s;
     double sum = 0;
-    for (size_t i = 0; i < m->s; i++)
+    for (size_t i = 0; i < m->s; i++) {
+        double slope = 0; /* of Lambda, or of v */
         for (size_t l = 0; l < m->s; l++)
-            sum += m->damped_inertia ? -m->run->h * Lambda[i] * m->rule->b[i]
-                                           * m->rule->D[i][l] * v[l]
-                                     : Lambda[i] * m->K[i][l]
-                                           * (rows[l * m->d + j] - rows[j]);
+            slope += m->rule->D[i][l] * (m->damped_inertia ? v[l] : Lambda[l]);
+        sum += m->rule->b[i] * slope * (m->damped_inertia ? -Lambda[i] : v[i]);
+    }
     if (m->damped_inertia) /* v_{k+1} is v[s-1] */
-        sum += m->run->h * (m->after[j] * v[m->s - 1] - Lambda[0] * v[0]);
-    return sum;
+        sum += m->after[j] * v[m->s - 1] - Lambda[0] * v[0];
+    return m->run->h * sum;
 }
 
-/* T = W_0 P Lambda + what was known, and what it and Lambda meet. */
+/* T of coordinate j and its derivative by the order, in reverse order, as the mirrored run
+ * left them: of form D its memory sums Lambda, of form M DD Lambda, and DD T comes out. */
+static void read_history(fvi_adjoint_lobatto *m, size_t j, double *T, double *Tdot)
+{
+    const fvi_lobatto_stages *o = m->stepper->method_state;
+    const size_t s = m->s;
+    const double *v = o->v + j * s, *Wdot = NULL, h = m->run->h;
+    double Y[FVI_STAGES], Ydot[FVI_STAGES] = { 0 };
+    if (o->Ydot && o->memory)
+        Wdot = fvi_lobatto_history_now_by_order(o->memory);
+    for (size_t i = 0; i < s; i++) {
+        Y[i] = o->scale * o->Y[j * s + i];
+        for (size_t c = 0; c < s; c++)
+            Y[i] += o->W[i][c] * v[c];
+        if (!Wdot)
+            continue;
+        Ydot[i] = o->Ydot[j * s + i];
+        for (size_t c = 0; c < s; c++)
+            Ydot[i] += Wdot[i * s + c] * v[c];
+        Ydot[i] *= o->scale;
+    }
+    for (size_t i = 0; i < s; i++) {
+        T[i] = m->damped_inertia ? Y[i] : m->T[j];
+        Tdot[i] = m->damped_inertia ? Ydot[i] : m->Tdot[j];
+        for (size_t c = 0; !m->damped_inertia && c < s; c++) {
+            T[i] += h * m->A[i][c] * Y[c];
+            Tdot[i] += h * m->A[i][c] * Ydot[c];
+        }
+    }
+    m->T[j] = T[s - 1];
+    m->Tdot[j] = Tdot[s - 1];
+}
+
+/* What T and the velocities make together. */
 static void accumulate_damping(fvi_adjoint_lobatto *m, const double *rows)
 {
     const size_t s = m->s;
     for (size_t j = 0; j < m->d; j++) {
-        const double *Lambda = m->Lambda + j * s;
         const double v0 =
             m->run->alpha > 0.5 ? m->run->p0[j] / m->run->system->mass[j] : 0;
-        double v[FVI_STAGES] = { 0 };
+        double v[FVI_STAGES] = { 0 }, T[FVI_STAGES], Tdot[FVI_STAGES];
         velocities(m, j, rows, v);
-        m->kinetic[j] += inertia(m, j, rows, v);
+        m->kinetic[j] += inertia(m, j, v);
+        if (!m->is_damped || m->mass_plus_damping)
+            continue;
+        read_history(m, j, T, Tdot);
         for (size_t i = 0; i < s; i++) {
-            double T = m->past[j * s + i], Tdot = m->pastdot[j * s + i];
-            for (size_t l = 0; l < s; l++) {
-                T += m->W[i][l] * Lambda[s - 1 - l];
-                Tdot += m->rate[i][l] * Lambda[s - 1 - l];
-            }
-            m->sum[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * T;
-            m->sumdot[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * Tdot;
-            m->plain[j] += m->rule->b[i] * T;
+            m->sum[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * T[i];
+            m->sumdot[j] += m->rule->b[i] * (v[s - 1 - i] - v0) * Tdot[i];
+            m->plain[j] += m->rule->b[i] * T[i];
         }
         fvi_adjoint_terms_accumulate(m, j, v);
     }
@@ -231,30 +252,44 @@ static int accumulate_parameters(fvi_adjoint_lobatto *m, const double *rows)
     return status;
 }
 
-/* P Lambda goes into the memory, and out comes what is known of the next T. */
-static int update_history(fvi_adjoint_lobatto *m)
+/* A step of the mirrored run: Lambda, and what of dJ/dx0 it leaves. */
+//> stages
+static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
 {
-    const size_t s = m->s;
-    if (!m->memory)
-        return FVI_SUCCESS;
-    for (size_t j = 0; j < m->d; j++)
-        for (size_t i = 0; i < s; i++)
-            m->T[j * s + i] = m->Lambda[j * s + s - 1 - i];
-    const int status = fvi_lobatto_history_push_by_order(
-        m->memory, m->T, m->past, m->want->alpha ? m->pastdot : NULL);
-    return status ? status : fvi_adjoint_terms_update_history(m);
+    fvi_stepper *s = m->stepper;
+    fvi_lobatto_stages *o = s->method_state;
+    const size_t d = m->d, end = m->s - 1;
+    for (size_t j = 0; j < d; j++) {
+        m->Q[j] += Jx[j];
+        m->after[j] = m->Lambda[j * m->s]; /* lambda_{k+1} */
+        if (m->damped_inertia)
+            s->x[j] += Jx[j];
+        else
+            s->p[j] += o->share[j] * Jx[j];
+    }
+    m->linearised.stage = 0;
+    fvi_linearised_gradient(d, s->x, &m->linearised, m->hessian_product);
+    if (!m->damped_inertia) /* before the first step no Hessian was there */
+        memcpy(o->grad, m->hessian_product, d * sizeof *o->grad);
+    const int status = fvi_stepper_step(s);
+    for (size_t i = 0; i <= end; i++)
+        for (size_t j = 0; j < d; j++) {
+            const double *g = i == 0 && !m->damped_inertia ? m->hessian_product : o->grad + i * d;
+            m->Lambda[j * m->s + end - i] =
+                o->dX[i * d + j] + (m->damped_inertia ? 0 : m->after[j]);
+            m->reversed[j * m->s + i] = m->Lambda[j * m->s + end - i];
+            m->Q[j] -= m->run->h * m->rule->b[i] * g[j];
+        }
+    return status;
 }
+//< stages
 
 int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *rows,
                            const double *Jx)
 {
-    for (size_t j = 0; j < m->d; j++) {
-        m->Q[j] += Jx[j];
-        m->after[j] = m->Lambda[j * m->s]; /* lambda_{k+1} */
-    }
     int status = evaluate_hessians(m, rows);
     if (!status)
-        status = fvi_adjoint_lobatto_solve(m);
+        status = advance_adjoint(m, Jx);
     if (!status)
         status = accumulate_parameters(m, rows);
     if (status)
@@ -262,7 +297,7 @@ int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *row
     accumulate_force(m, k);
     if (m->is_damped || m->want->mass)
         accumulate_damping(m, rows);
-    return update_history(m);
+    return fvi_adjoint_terms_update_history(m);
 }
 
 /* ---- the end ---- */
@@ -281,13 +316,13 @@ static void end_damping(const fvi_adjoint_lobatto *m, size_t j, double pulled,
         want->damping[j] += m->mass_plus_damping ? m->kinetic[j] / run->h
                                            + m->Lambda[j * m->s] * v0
                                            - m->last[j] / m->mass[j]
-                                     : -run->h * m->unit * m->sum[j];
+                                     : -run->h * m->sum[j];
     }
     if (want->alpha) /* e falls by 2 dalpha, beta grows by it */
         *want->alpha +=
             2 * rho
             * (A * pulled * (log_h * m->pull[j] + m->impulse_sum_by_order[j])
-               - run->h * m->unit * (m->sumdot[j] - log_h * m->sum[j]));
+               - run->h * (m->sumdot[j] - log_h * m->sum[j]));
     if (m->mass_plus_damping && want->mass)
         want->mass[j] +=
             rho / mass * (m->last[j] / m->mass[j] - m->Lambda[j * m->s] * v0);
@@ -306,7 +341,7 @@ int fvi_adjoint_lobatto_end(fvi_adjoint_lobatto *m, const double *Jx)
                      v0 = run->p0[j] / mass;
         const double by_A = -rho * pulled * m->pull[j];
         const double by_v0 =
-            above ? by_A + (m->mass_plus_damping ? 0 : run->h * rho * m->unit * m->plain[j])
+            above ? by_A + (m->mass_plus_damping ? 0 : run->h * rho * m->plain[j])
                   : 0;
         m->Q[j] += Jx[j];
         if (want->x0)

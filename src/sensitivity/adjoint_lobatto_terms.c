@@ -233,7 +233,7 @@ int fvi_adjoint_terms_update_history(fvi_adjoint_lobatto *m)
         fvi_adjoint_lobatto_term *t = &m->each[l];
         convolution *const of_nu[] = { &t->self, &t->lower, &t->upper };
         for (size_t i = 0; !status && i < 3; i++)
-            status = push(of_nu[i], m->T);
+            status = push(of_nu[i], m->reversed);
         if (!status)
             status = push(&t->again, t->slope);
         if (!status && t->log.memory)

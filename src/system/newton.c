@@ -1,5 +1,5 @@
 /* src/system/newton.c -- The one equation that a step has to solve.     [H 2] */
-#include "newton_stages.h"
+#include "linearised.h"
 
 #include "system/fail.h"
 #include "system/larger.h"
@@ -316,6 +316,7 @@ int fvi_newton_solve(fvi_newton *n, const double *x, const double *r, double *d,
     n->callback_status = 0;
     solver *solve = n->system->matrices         ? fvi_newton_by_matrices
                     : !n->implicit              ? solve_explicit
+                    : fvi_linearised_of(n->system) ? fvi_newton_by_linearised
                     : !n->linear                ? solve_nonlinear
                     : n->q > 1                  ? solve_linear_stages
                     : fvi_newton_is_diagonal(n) ? solve_diagonal

@@ -1,5 +1,5 @@
 /* src/system/newton_stages.c -- The equations of the stages, their Jacobian. [H 2] */
-#include "newton_stages.h"
+#include "linearised.h"
 
 #include "system/fail.h"
 
@@ -24,9 +24,13 @@ static const double *point(fvi_newton *n, const double *x, const double *d,
 int fvi_newton_gradients(fvi_newton *n, const double *x, const double *d,
                          double *g)
 {
-    for (size_t l = 0; l < n->q && !n->callback_status; l++)
+    fvi_linearised *linearised = fvi_linearised_of(n->system);
+    for (size_t l = 0; l < n->q && !n->callback_status; l++) {
+        if (linearised)
+            linearised->stage = n->first + l;
         n->callback_status =
             fvi_potential_gradient(n->system, point(n, x, d, l), g + l * n->system->d);
+    }
     return n->callback_status;
 }
 

@@ -1,0 +1,166 @@
+/* src/system/linearised.c -- A run that is the derivative of another run.  [H 23] */
+#include "linearised.h"
+
+#include "system/fail.h"
+
+#include <string.h>
+
+fvi_linearised fvi_linearised_begin(const fvi_system *system, size_t stages)
+{
+    return (fvi_linearised){ .d = system->d,
+                             .diagonals = system->potential.diagonals,
+                             .size = system->potential.hessian
+                                         ? fvi_potential_hessian_size(system)
+                                         : 0,
+                             .stages = stages };
+}
+
+static const double *hessian_of_stage(const fvi_linearised *l)
+{
+    return l->G
+           + (l->reversed ? l->stages - 1 - l->stage : l->stage) * l->size;
+}
+
+/* Entry (i, j) of G. */
+static double entry(const fvi_linearised *l, const double *G, size_t i, size_t j)
+{
+    const size_t w = l->diagonals;
+    return w == 0 ? G[i * l->d + j] : i < j ? G[i * w + j - i] : G[j * w + i - j];
+}
+
+/* The neighbours of coordinate j in G: from low to below high. */
+static void find_neighbours(const fvi_linearised *l, size_t j, size_t *low,
+                            size_t *high)
+{
+    const size_t w = l->diagonals;
+    *low = w && j + 1 > w ? j + 1 - w : 0;
+    *high = w && j + w < l->d ? j + w : l->d;
+}
+
+int fvi_linearised_gradient(size_t d, const double *x, void *of, double *g)
+{
+    const fvi_linearised *l = of;
+    if (!l->G) {
+        memset(g, 0, d * sizeof *g);
+        return 0;
+    }
+    const double *G = hessian_of_stage(l);
+    if (l->diagonals == 1) {
+        for (size_t i = 0; i < d; i++)
+            g[i] = G[i] * x[i];
+        return 0;
+    }
+    for (size_t i = 0; i < d; i++) {
+        size_t low, high;
+        find_neighbours(l, i, &low, &high);
+        g[i] = 0;
+        for (size_t j = low; j < high; j++)
+            g[i] += entry(l, G, i, j) * x[j];
+    }
+    return 0;
+}
+
+static int write_hessian(size_t d, const double *x, void *of, double *H)
+{
+    const fvi_linearised *l = of;
+    (void)d, (void)x;
+    if (l->G)
+        memcpy(H, hessian_of_stage(l), l->size * sizeof *H);
+    else
+        memset(H, 0, l->size * sizeof *H);
+    return 0;
+}
+
+static int value(size_t d, const double *x, void *of, double *U)
+{
+    const fvi_linearised *l = of;
+    *U = 0;
+    for (size_t i = 0; l->G && i < d; i++) {
+        size_t low, high;
+        find_neighbours(l, i, &low, &high);
+        for (size_t j = low; j < high; j++)
+            *U += x[i] * entry(l, hessian_of_stage(l), i, j) * x[j] / 2;
+    }
+    return 0;
+}
+
+fvi_potential fvi_linearised_potential(fvi_linearised *of)
+{
+    return (fvi_potential){ .value = value,
+                            .gradient = fvi_linearised_gradient,
+                            .hessian = write_hessian,
+                            .params = of,
+                            .diagonals = of->diagonals };
+}
+
+/* ---- the equation of a step ---- */
+
+/* One coordinate, one stage: a division. */
+static int solve_alone(const fvi_newton *n, const fvi_linearised *l, const double *x,
+                       const double *r, double *d, double *g)
+{
+    const double G = l->G ? *hessian_of_stage(l) : 0,
+                 J = *n->A + *n->s * n->theta * G;
+    if (J == 0)
+        return FVI_ESING;
+    *d = (*r - *n->s * (G * *x)) / J;
+    *g = G * (*x + n->theta * *d);
+    return FVI_SUCCESS;
+}
+
+/* The columns of stage i in J, but for A. */
+static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i)
+{
+    const size_t q = n->q;
+    const double *G = hessian_of_stage(l);
+    for (size_t j = 0; j < l->d; j++) {
+        size_t low, high;
+        find_neighbours(l, j, &low, &high);
+        for (size_t row = j * q; row < (j + 1) * q; row++) {
+            const double s = n->s[row * q + i] * n->theta;
+            double *to = fvi_band_row(&n->J, row) + i;
+            for (size_t c = low; c < high; c++)
+                to[c * q] = s * entry(l, G, j, c);
+        }
+    }
+}
+
+/* r - s grad U(x), and the matrix. */
+static void assemble(fvi_newton *n, fvi_linearised *l, const double *x,
+                     const double *r, double *g)
+{
+    const size_t dim = l->d, q = n->q;
+    fvi_band_clear(&n->J);
+    for (size_t i = 0; i < q; i++) {
+        l->stage = n->first + i;
+        fvi_linearised_gradient(dim, x, l, g + i * dim);
+        if (l->G)
+            add_stage(n, l, i);
+    }
+    const double *s = n->s;
+    for (size_t j = 0, row = 0; j < dim; j++)
+        for (size_t i = 0; i < q; i++, row++) {
+            fvi_band_row(&n->J, row)[row] += n->A[j];
+            n->step[row] = r[i * dim + j];
+            for (size_t c = 0; c < q; c++)
+                n->step[row] -= *s++ * g[c * dim + j];
+        }
+}
+
+int fvi_newton_by_linearised(fvi_newton *n, const double *x, const double *r,
+                             double *d, double *g)
+{
+    fvi_linearised *l = fvi_linearised_of(n->system);
+    const size_t dim = l->d, q = n->q;
+    l->stage = n->first;
+    if (dim * q == 1)
+        return solve_alone(n, l, x, r, d, g);
+    assemble(n, l, x, r, g);
+    if (fvi_band_factorise(&n->J))
+        return FVI_ESING;
+    fvi_band_solve(&n->J, n->step);
+    for (size_t j = 0; j < dim; j++)
+        for (size_t i = 0; i < q; i++)
+            d[i * dim + j] = n->step[j * q + i];
+    return fvi_newton_gradients(n, x, d, g);
+}
