@@ -185,10 +185,9 @@ int fvi_estimation_model_has_tangents(const fvi_estimation_model *m)
     const size_t constants =
         fvi_parameter_gradient_of(&fit->run->system->potential).count;
     const fvi_method *method = fit->method;
-    const int form_M =
-        method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia;
-    int known =
-        (form_M || method->scheme == FVI_SCHEME_FVI) && !fit->run->law;
+    int known = (method->scheme == FVI_SCHEME_LOBATTO
+                 || method->scheme == FVI_SCHEME_FVI)
+                && !fit->run->law;
     for (size_t j = 0; j < fit->parameters; j++)
         known &= fit->which[j] < FVI_FREE_PARAMETER_CONSTANT + constants;
     return known;

@@ -8,114 +8,108 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define ENOUGH                                                                 \
+    1e-10 /* for a memory of stages: slopes lead to the least, and are not it */
+
 static double rho(const fvi_tangent_run *o)
 {
     return o->run->system->damping[0];
 }
 
-/* Does the memory know the line t p0/m? (9.6) */
-static int knows_the_line(const fvi_tangent_run *o)
+static double velocity_at_start(const fvi_tangent_run *o)
 {
-    return o->run->past == FVI_INITIAL_HISTORY_CAPUTO && o->run->alpha > 0.5;
+    return o->run->p0[0] / o->run->system->mass[0];
 }
 
 /* ---- one step ---- */
 
-/* d U'(S) by the parameters of U at fixed S, and U''(S). */
-static int potential_at(fvi_tangent_run *o, double S, double *G)
+int fvi_tangent_evaluate_potential(fvi_tangent_run *o, size_t i, double X)
 {
     const fvi_system *system = o->run->system;
     double H[2] = { 0, 0 };
-    int status = fvi_potential_hessian(system, &S, H);
-    *G = H[0];
+    int status = fvi_potential_hessian(system, &X, H);
     for (size_t j = 0; j < o->P && !status; j++) {
-        o->dU[j] = 0;
-        if (o->which[j] >= FVI_FREE_PARAMETER_CONSTANT)
-            status = o->by.column(o->which[j] - FVI_FREE_PARAMETER_CONSTANT, 1, &S,
-                                  system->potential.params, &o->dU[j]);
+        const fvi_free_parameter which = o->which[j];
+        o->G[i * o->P + j] = H[0];
+        if (which >= FVI_FREE_PARAMETER_CONSTANT)
+            status = o->by.column(which - FVI_FREE_PARAMETER_CONSTANT, 1, &X,
+                                  system->potential.params, &o->dU[i * o->P + j]);
     }
     return status;
+}
+
+/* The history of x, H_k and its derivative by 2 alpha. */
+static int update_history(fvi_tangent_run *o, double x, double dx, double *H,
+                          double *rate)
+{
+    const fvi_run *r = o->run;
+    const fvi_stepper *s = o->stepper;
+    double z = r->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? x : x - r->x0[0],
+           dz = s->k > 0 ? dx : z;
+    if (r->past == FVI_INITIAL_HISTORY_CAPUTO && r->alpha > 0.5 && s->k > 0) { /* (9.6) */
+        z -= s->t * velocity_at_start(o);
+        dz -= r->h * velocity_at_start(o);
+    }
+    return o->history ? fvi_history_push_by_order(o->history, &z, &dz, H, rate)
+                      : FVI_SUCCESS;
 }
 
 //> tangent
-/* (24.6): the derived equation of a step is linear, with one matrix for all slopes.
- * dx = x_{k+1} - x_k. */
-static int tangent_step(fvi_tangent_run *o, double G, double dx)
+/* (24.6): the derived equation of a step is linear, and a step of the linearised run. What
+ * the parameters change besides is force: in the equation for x_{k+1} before the step, in
+ * p_{k+1} behind it. dx = x_{k+1} - x_k. */
+static int tangent_step(fvi_tangent_run *o, double dx)
 {
-    const double h = o->run->h, kappa = o->run->kappa,
-                 m = o->run->system->mass[0],
-                 J = m / h + kappa * (1 - kappa) * h * G;
-    if (!(J != 0))
-        return FVI_ESING;
+    const double h = o->run->h, kappa = o->run->kappa;
+    double H = 0, rate = 0, *p = o->tangent->p;
+    for (size_t j = 0; j < o->P; j++)
+        p[j] -= kappa * h * o->dU[j]
+                + (o->which[j] == FVI_FREE_PARAMETER_MASS ? dx / h : 0);
+    int status = fvi_stepper_step(o->tangent);
+    if (!status)
+        status = update_history(o, o->stepper->x[0], dx, &H, &rate);
     for (size_t j = 0; j < o->P; j++) {
-        const double of_mass = o->which[j] == FVI_FREE_PARAMETER_MASS ? dx / h : 0;
-        o->delta[j] =
-            (o->pi[j] - kappa * h * (G * o->s[j] + o->dU[j]) - of_mass) / J;
-        o->pi[j] -= h * (G * (o->s[j] + (1 - kappa) * o->delta[j]) + o->dU[j]);
-        o->s[j] += o->delta[j];
+        p[j] -= (1 - kappa) * h * o->dU[j];
+        if (o->which[j] == FVI_FREE_PARAMETER_MASS)
+            p[j] += dx / h;
+        if (o->which[j] == FVI_FREE_PARAMETER_RHO)
+            p[j] -= pow(h, 1 - 2 * o->run->alpha) * H;
+        if (o->which[j] == FVI_FREE_PARAMETER_ALPHA)
+            p[j] -= 2 * o->c * (rate - log(h) * H);
     }
-    return FVI_SUCCESS;
+    return status;
 }
 //< tangent
 
-/* d z_k and its increment, of parameter j; k = 0 is the first, with delta = s. (24.7) */
-static void take_in(fvi_tangent_run *o, size_t k)
+/* A step of Algorithm 3. */
+static int step(fvi_tangent_run *o)
 {
-    const double t = (double)k * o->run->h, m = o->run->system->mass[0],
-                 p0 = o->run->p0[0];
-    const int line = knows_the_line(o) && k > 0;
-    for (size_t j = 0; j < o->P; j++) {
-        const double origin = o->which[j] == FVI_FREE_PARAMETER_X0
-                              && o->run->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
-                     speed = !line                               ? 0
-                             : o->which[j] == FVI_FREE_PARAMETER_P0   ? 1 / m
-                             : o->which[j] == FVI_FREE_PARAMETER_MASS ? -p0 / (m * m)
-                                                                 : 0;
-        o->z[j] = o->s[j] - origin - t * speed;
-        o->dz[j] = k > 0 ? o->delta[j] - o->run->h * speed : o->z[j];
-    }
+    fvi_stepper *s = o->stepper;
+    const double before = s->x[0], kappa = o->run->kappa;
+    int status = fvi_stepper_step(s);
+    if (!status)
+        status = fvi_tangent_evaluate_potential(
+            o, 0, kappa * before + (1 - kappa) * s->x[0]);
+    return status ? status : tangent_step(o, s->x[0] - before);
 }
 
-/* The memory of the slopes, and what alpha and rho change in that of x. */
-static int update_history(fvi_tangent_run *o, size_t k, double x, double dx)
+/* d x and d p of the linearised run, whose momentum is m dv in form D. */
+static void read_tangent(fvi_tangent_run *o)
 {
-    const fvi_run *r = o->run;
-    const double t = (double)k * r->h, speed = r->p0[0] / r->system->mass[0];
-    double H = 0, rate = 0;
-    take_in(o, k);
-    int status = o->memory ? fvi_history_push(o->memory, o->z, o->dz, o->z) : 0;
-    if (!status && o->base_history) {
-        double z = r->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? x : x - r->x0[0],
-               dz = k > 0 ? dx : z;
-        if (knows_the_line(o)) {
-            z -= t * speed;
-            dz -= k > 0 ? r->h * speed : 0;
-        }
-        status = fvi_history_push_by_order(o->base_history, &z, &dz, &H, &rate);
-    }
-    for (size_t j = 0; j < o->P && k > 0 && !status; j++) {
-        o->pi[j] -= o->memory ? o->c * o->z[j] : 0;
-        if (o->which[j] == FVI_FREE_PARAMETER_RHO)
-            o->pi[j] -= pow(r->h, 1 - 2 * r->alpha) * H;
-        if (o->which[j] == FVI_FREE_PARAMETER_ALPHA)
-            o->pi[j] -= 2 * o->c * (rate - log(r->h) * H);
-    }
-    return status;
+    const double v = o->stepper->p[0] / o->run->system->mass[0];
+    memcpy(o->s, o->tangent->x, o->P * sizeof *o->s);
+    memcpy(o->pi, o->tangent->p, o->P * sizeof *o->pi);
+    for (size_t j = 0; j < o->P; j++)
+        if (o->which[j] == FVI_FREE_PARAMETER_MASS && o->damped_inertia)
+            o->pi[j] += v;
 }
 
 int fvi_tangent_step(fvi_tangent_run *o)
 {
-    fvi_stepper *s = o->stepper;
-    if (o->staged)
-        return fvi_tangent_stages_step(o);
-    const double before = s->x[0], kappa = o->run->kappa;
-    double G;
-    int status = fvi_stepper_step(s);
+    const int status = o->stages ? fvi_tangent_stages_step(o) : step(o);
     if (!status)
-        status = potential_at(o, kappa * before + (1 - kappa) * s->x[0], &G);
-    if (!status)
-        status = tangent_step(o, G, s->x[0] - before);
-    return status ? status : update_history(o, s->k, s->x[0], s->x[0] - before);
+        read_tangent(o);
+    return status;
 }
 
 /* ---- the whole ---- */
@@ -135,67 +129,142 @@ static int check(const fvi_tangent_run *o)
             && o->which[j] - FVI_FREE_PARAMETER_CONSTANT
                    >= fvi_parameter_gradient_of(&o->run->system->potential).count)
             FVI_FAIL("the potential has no such constant", FVI_EINVAL);
+    if (!status && o->stages && o->run->alpha == 1)
+        FVI_FAIL("the tangents of stages are those of a damping below alpha = "
+                 "1",
+                 FVI_EUNSUP);
     return status;
 }
 
-/* The slopes of the start. */
-static int begin(fvi_tangent_run *o)
+static int make_room(fvi_tangent_run *o)
 {
-    o->by = fvi_parameter_gradient_of(&o->run->system->potential);
-    o->s = calloc(6 * o->P, sizeof *o->s);
-    if (!o->s)
+    const size_t stages = o->stages ? o->stages : 1;
+    o->block = calloc((4 + 3 * stages) * o->P, sizeof *o->block);
+    if (!o->block)
         FVI_FAIL("no memory for the tangents", FVI_ENOMEM);
+    o->s = o->block;
     o->pi = o->s + o->P;
-    o->delta = o->pi + o->P;
-    o->z = o->delta + o->P;
-    o->dz = o->z + o->P;
-    o->dU = o->dz + o->P;
-    for (size_t j = 0; j < o->P; j++) {
-        o->s[j] = o->which[j] == FVI_FREE_PARAMETER_X0;
-        o->pi[j] = o->which[j] == FVI_FREE_PARAMETER_P0;
-    }
+    o->mass = o->pi + o->P;
+    o->damping = o->mass + o->P;
+    o->G = o->damping + o->P;
+    o->dU = o->G + stages * o->P;
+    o->source = o->dU + stages * o->P;
     return FVI_SUCCESS;
 }
 
-static int prepare(fvi_tangent_run *o)
+/* The tolerance with which the memory of stages keeps ENOUGH, or as much as that of the run:
+ * it keeps a part of run->tolerance, the same part of all (17.21). */
+static double tolerance_of_slopes(const fvi_run *run)
+{
+    enum { PROBE = 100 };
+    fvi_run probe = *run;
+    probe.tolerance = 1. / PROBE;
+    const double part = PROBE * fvi_lobatto_history_tolerance(&probe),
+                 keep = fmax(fvi_lobatto_history_tolerance(run), ENOUGH);
+    return fmin(keep / part, 1. / PROBE);
+}
+
+/* The forces of the next stage of this step. */
+static int next_source(double t, size_t d, void *params, double *F)
+{
+    fvi_tangent_run *o = params;
+    (void)t;
+    memcpy(F, o->source + o->asked++ * d, d * sizeof *F);
+    return 0;
+}
+
+/* The linearised run at k = 0. Its past is that of the run: a line from d x0 with d v0. As a
+ * momentum its start is m dv0, to which form M and Algorithm 3 add v0 dm. Where no motion
+ * starts at another x0, (19.2), that slope is the slope of a run whose past does not act. */
+static int start_linearised(fvi_tangent_run *o, const fvi_method *method)
+{
+    fvi_run tangent = *o->run;
+    const int has = method->paper_convention
+                    || fvi_initial_history_solvable(tangent.past, tangent.alpha, rho(o), 1);
+    o->linearised = (fvi_linearised){ .G = o->G,
+                                      .d = o->P,
+                                      .diagonals = 1,
+                                      .size = o->P,
+                                      .stages = o->stages ? o->stages : 1 };
+    for (size_t j = 0; j < o->P; j++) {
+        o->mass[j] = o->run->system->mass[0];
+        o->damping[j] = rho(o);
+        o->s[j] = has && o->which[j] == FVI_FREE_PARAMETER_X0;
+        o->pi[j] = o->which[j] == FVI_FREE_PARAMETER_P0     ? 1
+                   : o->which[j] == FVI_FREE_PARAMETER_MASS ? -velocity_at_start(o)
+                                                            : 0;
+    }
+    o->system = (fvi_system){ .d = o->P,
+                              .mass = o->mass,
+                              .damping = o->damping,
+                              .potential = fvi_linearised_potential(&o->linearised) };
+    if (o->stages) {
+        o->system.force = (fvi_force){ .value = next_source, .params = o };
+        tangent.tolerance = tolerance_of_slopes(o->run);
+    }
+    tangent.system = &o->system;
+    tangent.x0 = o->s;
+    tangent.p0 = o->pi;
+    const int status = fvi_stepper_start(method, &tangent, &o->tangent);
+    for (size_t j = 0; !status && j < o->P; j++) {
+        if (o->which[j] == FVI_FREE_PARAMETER_MASS && !o->damped_inertia)
+            o->tangent->p[j] += velocity_at_start(o);
+        if (o->which[j] == FVI_FREE_PARAMETER_X0)
+            o->tangent->x[j] = 1;
+    }
+    return status;
+}
+
+/* The history of x, where alpha or rho are asked for. */
+static int start_history(fvi_tangent_run *o)
 {
     const fvi_run *r = o->run;
     int wants_own = 0;
+    double H, rate;
     o->c = rho(o) * pow(r->h, 1 - 2 * r->alpha);
     for (size_t j = 0; j < o->P; j++)
         wants_own |= o->which[j] == FVI_FREE_PARAMETER_RHO
                      || (o->which[j] == FVI_FREE_PARAMETER_ALPHA && rho(o) > 0);
-    int status = rho(o) > 0
-                     ? fvi_history_alloc(2 * r->alpha, o->P, r->steps, r->memory,
-                                        r->tolerance, &o->memory)
-                     : FVI_SUCCESS;
-    if (!status && wants_own)
-        status = fvi_history_alloc_by_order(2 * r->alpha, 1, r->steps, r->memory,
-                                       r->tolerance, &o->base_history);
-    return status ? status : update_history(o, 0, r->x0[0], r->x0[0]);
+    int status = wants_own ? fvi_history_alloc_by_order(2 * r->alpha, 1, r->steps,
+                                                        r->memory, r->tolerance,
+                                                        &o->history)
+                           : FVI_SUCCESS;
+    return status ? status : update_history(o, r->x0[0], r->x0[0], &H, &rate);
 }
 
 int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
                       const fvi_free_parameter *which, fvi_tangent_run *o)
 {
-    *o = (fvi_tangent_run){ .run = run, .P = P, .which = which };
+    *o = (fvi_tangent_run){ .run = run,
+                            .P = P,
+                            .which = which,
+                            .stages = (size_t)method->stages,
+                            .damped_inertia = method->damped_inertia };
     int status = check(o);
     if (!status)
         status = fvi_stepper_start(method, run, &o->stepper);
     if (!status)
-        status = begin(o);
+        status = make_room(o);
     if (status)
         return status;
-    return method->stages ? fvi_tangent_stages_start(o, method) : prepare(o);
+    o->by = fvi_parameter_gradient_of(&run->system->potential);
+    status = fvi_tangent_evaluate_potential(o, 0, run->x0[0]);
+    if (!status)
+        status = start_linearised(o, method);
+    if (!status)
+        status = o->stages ? fvi_tangent_stages_start(o) : start_history(o);
+    if (!status)
+        read_tangent(o);
+    return status;
 }
 
 void fvi_tangent_stop(fvi_tangent_run *o)
 {
     fvi_stepper_free(o->stepper);
-    fvi_tangent_stages_stop(o->staged);
-    fvi_history_free(o->memory);
-    fvi_history_free(o->base_history);
-    free(o->s);
+    fvi_stepper_free(o->tangent);
+    fvi_history_free(o->history);
+    fvi_lobatto_history_free(o->of_stages);
+    free(o->block);
 }
 
 int fvi_tangent(const fvi_run *run, size_t P, const fvi_free_parameter *which,

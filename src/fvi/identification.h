@@ -115,8 +115,8 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  *   fitted  output
  *
  * Levenberg's and Marquardt's method by GSL, with the slopes of (24.6) for fvi_fractional
- * and of (24.12) for form M of H 17, without a law and with constants that
- * fvi_parameter_gradient_of knows, else with differences, in
+ * and of (24.12) for the methods with stages of H 17, without a law and with constants
+ * that fvi_parameter_gradient_of knows, else with differences, in
  * alpha's logit, ln rho and ln m, from the values of the run and from fit->starts - 1
  * points of Sobol's sequence in the box. If sigma is given and the best chi^2 so far is below
  * its quantile of 0.99, a start whose last ten iterations promise no better one is given up,

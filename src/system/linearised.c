@@ -95,17 +95,20 @@ fvi_potential fvi_linearised_potential(fvi_linearised *of)
 
 /* ---- the equation of a step ---- */
 
-/* One coordinate, one stage: a division. */
-static int solve_alone(const fvi_newton *n, const fvi_linearised *l, const double *x,
-                       const double *r, double *d, double *g)
+/* One stage, and coordinates that do not see each other: a division each. */
+static int solve_diagonal(const fvi_newton *n, const fvi_linearised *l, const double *x,
+                          const double *r, double *d, double *g)
 {
-    const double G = l->G ? *hessian_of_stage(l) : 0,
-                 J = *n->A + *n->s * n->theta * G;
-    if (J == 0)
-        return FVI_ESING;
-    *d = (*r - *n->s * (G * *x)) / J;
-    *g = G * (*x + n->theta * *d);
-    return FVI_SUCCESS;
+    const double *G = l->G ? hessian_of_stage(l) : NULL;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < l->d; j++) {
+        const double H = G ? G[j] : 0, J = n->A[j] + n->s[j] * n->theta * H;
+        if (J == 0)
+            status = FVI_ESING;
+        d[j] = (r[j] - n->s[j] * (H * x[j])) / J;
+        g[j] = H * (x[j] + n->theta * d[j]);
+    }
+    return status;
 }
 
 /* The columns of stage i in J, but for A. */
@@ -153,8 +156,8 @@ int fvi_newton_by_linearised(fvi_newton *n, const double *x, const double *r,
     fvi_linearised *l = fvi_linearised_of(n->system);
     const size_t dim = l->d, q = n->q;
     l->stage = n->first;
-    if (dim * q == 1)
-        return solve_alone(n, l, x, r, d, g);
+    if (q == 1 && (l->diagonals == 1 || dim == 1))
+        return solve_diagonal(n, l, x, r, d, g);
     assemble(n, l, x, r, g);
     if (fvi_band_factorise(&n->J))
         return FVI_ESING;
