@@ -171,9 +171,9 @@ static int statistics(search *o, const place *at, fvi_estimate *fitted)
 }
 
 //> refine
-/* Halve the step until no estimate moves any more: the error of the method is one of
- * the model, and no noise tells of it. If a move is hardly shorter than the one before,
- * it is not the step that moves them, and bias tells. */
+/* Halve the step until no estimate moves any more, because an error of the method is an
+ * error of the model, and no noise shows it. If a move is hardly shorter than the one
+ * before, it is not the step that moves the estimates. Then `bias` shows it. */
 static int refine(search *o, place *best, fvi_estimate *fitted)
 {
     int status = FVI_SUCCESS, moves = 1;

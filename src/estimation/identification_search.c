@@ -16,7 +16,8 @@ typedef fvi_estimation_slot place;
 typedef fvi_estimation_work search;
 
 //> residuals
-/* f_i = (x(t_i) - x_i) / scale. A motion that cannot be had is a bad one. */
+/* f_i = (x(t_i) - x_i) / scale. If the integrator fails, every f_i is a large number, so
+ * that the search turns away. */
 int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
 {
     search *o = params;
