@@ -6,21 +6,30 @@
 const FVI_SEARCH = (() => {
   const plain = text => text.normalize("NFD").replace(/[\u0300-\u036f]/g, "").toLowerCase();
   const wordsOf = text => plain(text).match(/[\p{L}\p{N}]+/gu) ?? [];
-  let index; // word -> Map(section -> weight), made at the first question
+  let index; // word -> Map(section -> how much it says there), made at the first question
+
+  // A word of a heading says more than one of its page's title or address, and that more than one
+  // of the text, where the first few count. The begin of a page answers better than its
+  // exercises, a chapter of the Course better than a proof, and a page better than a source, unless a source is asked for.
+  const IDLE = new Set("a an and are can do does for how i in is it my of on or the there to we what when where which why with you your".split(" "));
+  const NAMED = 3, TITLE = 1, ADDRESS = 1;
+  const worth = ({ p, t, u }) => (t === p ? 1.6 : 1)
+    * (/^(Exercises|Answers|How we know|What we have now)$/.test(t) ? 0.5 : 1) * (/^\d/.test(u) ? 1.3 : 1);
 
   function build() {
     index = new Map();
-    const add = (text, section, weight) => {
-      for (const word of wordsOf(text)) {
-        if (!index.has(word)) index.set(word, new Map());
-        const at = index.get(word);
-        at.set(section, (at.get(section) ?? 0) + weight);
-      }
-    };
     FVI_TEXTS.forEach((text, section) => {
-      add(text.t, section, 8);
-      add(text.p, section, 3);
-      add(text.x, section, 1);
+      const at = new Map(), once = (words, value) => new Set(wordsOf(words)).forEach(word => at.set(word, (at.get(word) ?? 0) + value));
+      const counts = new Map();
+      for (const word of wordsOf(text.x)) counts.set(word, (counts.get(word) ?? 0) + 1);
+      for (const [word, count] of counts) at.set(word, count / (count + 2));
+      once(text.t, NAMED);
+      once(text.p, TITLE);
+      once(text.u.replace(/#.*/, ""), ADDRESS);
+      for (const [word, value] of at) {
+        if (!index.has(word)) index.set(word, new Map());
+        index.get(word).set(section, value * worth(text));
+      }
     });
   }
 
@@ -43,20 +52,23 @@ const FVI_SEARCH = (() => {
       if (!likeness) continue;
       const rare = Math.log(1 + FVI_TEXTS.length / at.size);
       for (const [section, weight] of at)
-        found.set(section, (found.get(section) ?? 0) + likeness * rare * weight / (weight + 2));
+        found.set(section, (found.get(section) ?? 0) + likeness * rare * weight);
     }
     return found;
   }
 
-  // The sections that have every word, best first.
+  // The sections that have every word, best first; where there is none, those that have some.
   function search(question) {
     if (!index) build();
-    let all;
-    for (const word of new Set(wordsOf(question))) {
-      const now = hits(word);
-      all = all ? new Map([...all].filter(([s]) => now.has(s)).map(([s, v]) => [s, v + now.get(s)])) : now;
-    }
-    return [...all ?? []].sort((a, b) => b[1] - a[1]).map(([section]) => FVI_TEXTS[section]);
+    const all = new Map(), asked = [...new Set(wordsOf(question))], telling = asked.filter(word => !IDLE.has(word));
+    const words = telling.length ? telling : asked, source = /\w[._]\w/.test(question) ? 1 : 0.08; // of a file or a function
+    for (const word of words)
+      for (const [section, value] of hits(word)) {
+        const [count, sum] = all.get(section) ?? [0, 0];
+        all.set(section, [count + 1, sum + value * (FVI_TEXTS[section].u.startsWith("source/") ? source : 1)]);
+      }
+    const best = [...all].sort((a, b) => b[1][1] - a[1][1]), every = best.filter(([, [count]]) => count === words.length);
+    return (every.length ? every : best).map(([section]) => FVI_TEXTS[section]);
   }
 
   const safe = text => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/"/g, "&quot;");
