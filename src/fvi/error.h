@@ -16,6 +16,8 @@
 #ifndef FVI_ERROR_H
 #define FVI_ERROR_H
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,6 +42,36 @@ enum {
 
 /* fvi_error_name -- a code in words: a constant text, for any number. */
 const char *fvi_error_name(int code);
+
+/* fvi_error -- what was wrong, in the words of the field. A function that takes one as its last
+ * argument fills it in where it fails; NULL is allowed there. After success it is untouched.
+ *
+ *   code   as the function returned it
+ *   field  what was refused, "x0" or "damping"; NULL if it is no single thing. It is a constant, or
+ *          a text that the caller gave
+ *   value  the number that was refused; NaN if it is no number
+ *   index  of several the one that was refused: a coordinate, a row, or a byte of a text; from 0
+ *   text   a line without its end; or two, the second with a caret below the place in the first
+ *          that is meant. It does not begin with the field
+ *
+ *     fvi_error error;
+ *     if (fvi_parse_damping("zener:1,2,3", &damping, &error))
+ *         fprintf(stderr, "%s: %s\n", error.field, error.text); */
+enum { FVI_ERROR_ROOM = 400 };
+typedef struct {
+    int code;
+    const char *field;
+    double value;
+    size_t index;
+    char text[FVI_ERROR_ROOM];
+} fvi_error;
+
+/* fvi_fail -- fill in an error, as printf would, and return its code; the index is 0. NULL is
+ * allowed for error and field. Of a text that is too long the middle becomes "...", and
+ * control characters become '?'. It is for functions of the caller's that fail in the same way. */
+__attribute__((format(printf, 5, 6))) int
+fvi_fail(fvi_error *error, int code, const char *field, double value,
+         const char *format, ...);
 
 /* fvi_error_handler -- called, if one is set, where an error arises, before its code
  * is returned: what is wrong, in which file and line, and the code. It may end the

@@ -65,14 +65,14 @@ const char *fvi_marked_file(size_t i)
     return i < marks && i < KEPT ? inputs[i].name : NULL;
 }
 
-int fvi_check_output(const char *option, const char *name, fvi_complaint c)
+int fvi_check_output(const char *option, const char *name, fvi_error *c)
 {
     struct stat file;
     if (!name || strcmp(name, "-") == 0 || stat(name, &file) != 0)
         return 0;
     for (size_t i = 0; i < marks && i < KEPT; i++)
         if (inputs[i].device == file.st_dev && inputs[i].number == file.st_ino)
-            return fvi_refuse(c,
+            return fvi_refuse(c, NULL,
                               strcmp(inputs[i].option, "DATA") == 0
                                   ? "%s: '%s' is the file of the data, too"
                                   : "%s: '%s' is the file of --%s, too",

@@ -20,6 +20,6 @@ const char *fvi_marked_file(size_t i);
 /* fvi_check_output -- refuse an output that would take the place of what was read, by
  * whatever name. `option` is with its dashes; name NULL is standard output, which a shell
  * has opened. Returns 0, or 2 with a complaint. */
-int fvi_check_output(const char *option, const char *name, fvi_complaint c);
+int fvi_check_output(const char *option, const char *name, fvi_error *c);
 
 #endif

@@ -32,14 +32,14 @@ const char *fvi_shared_error(int code)
 }
 
 static int compile(const char *text, const char *path, void **library,
-                   fvi_complaint c)
+                   fvi_error *c)
 {
     char why[200] = "";
     *library = compiled && strcmp(compiled, text) == 0 ? kept : NULL;
     if (*library)
         return 0;
     if (fvi_compile(path, library, sizeof why, why))
-        return fvi_refuse(c, "--potential: cannot compile '%s': %s", text, why);
+        return fvi_refuse(c, "potential", "cannot compile '%s': %s", text, why);
     if (!compiled && (compiled = strdup(text)))
         kept = *library;
     return 0;
@@ -48,21 +48,21 @@ static int compile(const char *text, const char *path, void **library,
 /* A name without a folder is that of a file here, not of one where the system keeps its
  * libraries; and -d/a.c is no option of the compiler. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
-                    fvi_complaint c)
+                    fvi_error *c)
 {
     char path[PATH_MAX];
     const int length =
         snprintf(path, sizeof path, "%s%s", *text == '/' ? "" : "./", text);
     *library = NULL;
     if (length >= (int)sizeof path)
-        return fvi_refuse(c, "--potential: '%s': the name is too long", text);
+        return fvi_refuse(c, "potential", "'%s': the name is too long", text);
     fvi_mark_read("potential", path);
     if (ends_with(text, ".c")) {
         int status = compile(text, path, library, c);
         if (status)
             return status;
     } else if (!(*library = dlopen(path, RTLD_NOW))) {
-        return fvi_refuse(c, "--potential: cannot load '%s': %s", text,
+        return fvi_refuse(c, "potential", "cannot load '%s': %s", text,
                           dlerror());
     }
     const fvi_potential *found = dlsym(*library, "fvi_user_potential");
@@ -73,10 +73,10 @@ int fvi_shared_open(const char *text, void **library, fvi_potential *U,
     }
     fvi_shared_close(*library);
     *library = NULL;
-    return fvi_refuse(c,
-                      found ? "--potential: '%s': a function is missing in "
+    return fvi_refuse(c, "potential",
+                      found ? "'%s': a function is missing in "
                               "fvi_user_potential"
-                            : "--potential: '%s' defines no fvi_user_potential",
+                            : "'%s' defines no fvi_user_potential",
                       text);
 }
 

@@ -20,7 +20,7 @@ int fvi_shared_name(const char *text);
  *
  * Returns 0; 2 if it cannot be loaded or compiled, or has no such potential. */
 int fvi_shared_open(const char *text, void **library, fvi_potential *U,
-                    fvi_complaint c);
+                    fvi_error *c);
 
 /* fvi_shared_error -- what fvi_user_error of the potential that is open says; NULL if it says
  * nothing of this code. */

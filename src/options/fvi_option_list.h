@@ -4,10 +4,8 @@
 
 #include <fvi/expression.h>
 #include <fvi/trajectory.h>
-#include "input/fvi_directory.h"
-#include "fvi_forces.h"
-#include "fvi_laws.h"
-#include "fvi_user_parameters.h"
+#include <fvi/directory.h>
+#include <fvi/parse.h>
 #include "fvi_words.h"
 
 typedef enum {
@@ -41,18 +39,14 @@ typedef struct {
     double longest; /* step; 0: no limit */
     size_t steps, every, count, d;
     size_t most_steps; /* of a method that chooses its own; 0: see fvi_run */
-    fvi_potential_kind potential;
-    double spring[2];           /* its parameters */
-    fvi_user_parameters lets;              /* those of the expressions */
-    fvi_expression *expression; /* that it is, or NULL */
-    void *library;              /* where it stands, or NULL, */
-    fvi_potential user;         /* and it */
-    fvi_forcing force;
-    double forcing[2];  /* its parameters */
-    fvi_forces *forces; /* any other force, or NULL */
+    fvi_typed_potential potential;
+    fvi_user_parameters lets; /* those of the expressions */
+    void *library;            /* where a potential of the user's stands, or NULL, */
+    fvi_potential user;       /* and it */
+    fvi_typed_force *force;   /* NULL: that of the directory */
     fvi_directory *directory;   /* of matrices instead of the lists, or NULL */
     size_t *shown, shown_count; /* which of x, p, y are columns, from 0 */
-    fvi_laws laws;      /* instead of alpha, and then count > 0 */
+    fvi_typed_damping damping; /* instead of alpha, and then law.count > 0 */
     fvi_initial_history past;
     const char *no_solution; /* what fvi_warning_of_initial_history says, or NULL */
     fvi_history_kind memory;
@@ -66,6 +60,8 @@ typedef struct {
     int resume;                   /* go on from there */
     const char *output;   /* points into argv, or NULL for standard output */
     const char *text[48]; /* each as it was given or by default, by index */
+    char let_text[1024];     /* all --let, with commas between */
+    char damping_text[4096]; /* all --damping, with " + " between */
     char step[32];        /* the text of a step that follows from --time */
 } fvi_options;
 

@@ -6,6 +6,7 @@
 #include <fvi/variable_steps.h>
 
 #include <getopt.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -25,7 +26,7 @@ const char *fvi_command_name(fvi_command command)
     return commands[command];
 }
 
-static int command_of(const char *name, fvi_command *command, fvi_complaint c)
+static int command_of(const char *name, fvi_command *command, fvi_error *c)
 {
     for (size_t i = 0; commands[i]; i++)
         if (strcasecmp(name, commands[i]) == 0) {
@@ -37,12 +38,12 @@ static int command_of(const char *name, fvi_command *command, fvi_complaint c)
         "help", "coefficients", "--help", "--version", NULL
     };
     char place[64];
-    return fvi_refuse(c, "'%s' is not a command%s", name,
+    return fvi_refuse(c, NULL, "'%s' is not a command%s", name,
                       fvi_word_hint(name, strlen(name), all, place));
 }
 
 /* A word that is none of the options of this command. */
-static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
+static int unknown(const fvi_options *o, const char *given, fvi_error *c)
 {
     const char *names[OPTIONS + 2];
     size_t n = 0;
@@ -54,8 +55,22 @@ static int unknown(const fvi_options *o, const char *given, fvi_complaint c)
     return fvi_refuse_option(c, given, names);
 }
 
+/* One more value of an option that may be repeated, at the end of its text. */
+static int append(fvi_options *o, option_index i, const char *between,
+                  char *text, size_t size, fvi_error *c)
+{
+    const size_t used = strlen(text), room = size - used;
+    const int length = snprintf(text + used, room, "%s%s",
+                                used > 0 ? between : "", optarg);
+    o->text[i] = text;
+    return (size_t)length < room
+               ? 0
+               : fvi_refuse(c, fvi_option_list[i].name, "'%s': too many %s",
+                            optarg, i == LET ? "parameters" : "terms");
+}
+
 /* One more option with its text. A long name must be written in full. */
-static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
+static int take(fvi_options *o, int found, const char *given, fvi_error *c)
 {
     if (found == '?')
         return unknown(o, given, c);
@@ -69,19 +84,19 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
             || strncmp(given + 2, fvi_option_list[i].name, length - 2) != 0))
         return unknown(o, given, c);
     if (!fvi_option_is_known(o->command, i))
-        return fvi_refuse(c, "%s%s: not an option of this command",
+        return fvi_refuse(c, NULL, "%s%s: not an option of this command",
                           i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
     if (bare)
-        return fvi_refuse(c, "%s: a value is missing", given);
+        return fvi_refuse(c, NULL, "%s: a value is missing", given);
     if (i == CONTINUE)
         optarg = optarg ? optarg : "";
-    if (i == LET) { /* --let k=3 --let c=1 is --let k=3,c=1 */
-        o->text[LET] = o->lets.text;
-        return fvi_user_parameters_add(&o->lets, optarg, c);
-    }
+    if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
+        return append(o, LET, ",", o->let_text, sizeof o->let_text, c);
     if (i == DAMPING) { /* laws add */
-        o->text[DAMPING] = o->laws.text;
-        return fvi_laws_add(&o->laws, optarg, c);
+        const int status = fvi_parse_damping(optarg, &o->damping, c);
+        return status ? status
+                      : append(o, DAMPING, " + ", o->damping_text,
+                               sizeof o->damping_text, c);
     }
     return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
                          &o->text[i], optarg, c);
@@ -89,7 +104,7 @@ static int take(fvi_options *o, int found, const char *given, fvi_complaint c)
 
 /* The words behind the command into o->text; --help or -h among them changes
  * the command. */
-static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
+static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
 {
     struct option longs[OPTIONS + 1] = { { 0 } };
     for (int i = 0; i < OUTPUT; i++)
@@ -120,7 +135,7 @@ static int take_all(fvi_options *o, int count, char **words, fvi_complaint c)
             return status;
     }
     return optind < count
-               ? fvi_refuse(c, "'%s': not expected here", words[optind])
+               ? fvi_refuse(c, NULL, "'%s': not expected here", words[optind])
                : 0;
 }
 
@@ -135,11 +150,11 @@ static int is_replaced(const fvi_options *o, option_index i)
     return 0;
 }
 
-static int check_system(const fvi_options *o, fvi_complaint c)
+static int check_system(const fvi_options *o, fvi_error *c)
 {
     for (int i = 0; i < OPTIONS; i++)
         if (o->text[i] && is_replaced(o, (option_index)i))
-            return fvi_refuse(c, "--system: not together with --%s",
+            return fvi_refuse(c, "system", "not together with --%s",
                               fvi_option_list[i].name);
     return 0;
 }
@@ -152,19 +167,19 @@ static const char *preset(const fvi_options *o, option_index i)
 }
 
 /* The presets; the step comes from --h, or from --time, or is looked for. */
-static int fill_in(fvi_options *o, fvi_complaint c)
+static int fill_in(fvi_options *o, fvi_error *c)
 {
     const option_index instead = o->text[ERROR] ? ERROR : TIME;
     if (o->text[H] && o->text[instead])
-        return fvi_refuse(c, "--h: not together with --%s",
+        return fvi_refuse(c, "h", "not together with --%s",
                           fvi_option_list[instead].name);
     if (o->text[STEP_ERROR] && o->text[ERROR])
-        return fvi_refuse(c, "--step-error: not together with --error");
+        return fvi_refuse(c, "step-error", "not together with --error");
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
     const int law = o->text[DAMPING] != NULL;
     if (law && (o->text[ALPHA] || o->text[RHO]))
-        return fvi_refuse(c, "--damping: not together with --%s",
+        return fvi_refuse(c, "damping", "not together with --%s",
                           o->text[ALPHA] ? "alpha" : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
@@ -181,14 +196,12 @@ static int fill_in(fvi_options *o, fvi_complaint c)
     return status;
 }
 
-int fvi_options_parse(int argc, char **argv, fvi_options *o, char *text,
-                      size_t size)
+int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
 {
-    fvi_complaint c = { text, size };
     *o =
         (fvi_options){ .command = FVI_COMMAND_HELP, .about = FVI_COMMAND_HELP };
     if (argc < 2)
-        return fvi_refuse(c, "a command is missing");
+        return fvi_refuse(c, NULL, "a command is missing");
     int status = command_of(argv[1], &o->command, c);
     const int about = !status && o->command == FVI_COMMAND_HELP && argc > 2;
     if (about) /* fvi help run */

@@ -9,15 +9,11 @@
  *   argc, argv  as main has them; getopt_long may permute nothing: it stops at
  *               the first word that is no option
  *   o           output; free it with fvi_options_free if 0 is returned
- *   complaint   output if the words are refused: one line without the newline,
- *               "--alpha: '1.5' is outside [0, 1]"
- *   size        of complaint
+ *   error       output if the words are refused, its field the option
  *
- * Prints nothing and opens nothing. Returns 0; 2 if refused; 1 if there is no
- * memory. On error nothing is left to free, and o->command is the one that was meant, or
+ * Prints nothing. Returns 0; else a code of fvi/error.h. On error nothing is left to free, and o->command is the one that was meant, or
  * FVI_COMMAND_HELP. */
-int fvi_options_parse(int argc, char **argv, fvi_options *o, char *complaint,
-                      size_t size);
+int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *error);
 
 /* fvi_command_name -- its word: "run", or "--version". */
 const char *fvi_command_name(fvi_command command);

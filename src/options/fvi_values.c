@@ -2,7 +2,7 @@
 #include "fvi_values.h"
 #include "input/fvi_files.h"
 #include "input/fvi_shared.h"
-#include "fvi_format_double.h"
+#include <fvi/format_double.h>
 #include "memory/kernel_terms.h"
 #include "methods/damping.h"
 
@@ -18,26 +18,26 @@
 
 /* The number of option i; see fvi_word_number. */
 static int number(const fvi_options *o, option_index i, double low, double high,
-                  const char *brackets, double *value, fvi_complaint c)
+                  const char *brackets, double *value, fvi_error *c)
 {
-    return fvi_word_number(fvi_option_list[i].name, o->text[i], low, high,
+    return fvi_parse_number(fvi_option_list[i].name, o->text[i], low, high,
                            brackets, value, c);
 }
 
 /* Counts of rows are added and doubled: half of what a size_t holds is enough. */
 static int whole(const fvi_options *o, option_index i, size_t *value,
-                 fvi_complaint c)
+                 fvi_error *c)
 {
-    return fvi_word_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2,
+    return fvi_parse_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2,
                           value, c);
 }
 
 /* The text becomes the word that is chosen, in small letters, as the head shows it. */
 static int choice(fvi_options *o, option_index i, const char *const *words,
-                  size_t *which, fvi_complaint c)
+                  size_t *which, fvi_error *c)
 {
     const int status =
-        fvi_word_choice(fvi_option_list[i].name, o->text[i], words, which, c);
+        fvi_parse_word(fvi_option_list[i].name, o->text[i], words, which, c);
     if (!status)
         o->text[i] = words[*which];
     return status;
@@ -47,20 +47,18 @@ static int choice(fvi_options *o, option_index i, const char *const *words,
 
 /* A jump of the force that is not at a row is what no estimate can see, but that of a
  * method whose steps end there. */
-static int interpret_error(fvi_options *o, fvi_complaint c)
+static int interpret_error(fvi_options *o, fvi_error *c)
 {
     int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
     for (size_t i = 0; !status && !o->method->dense; i++) {
-        const double jump = o->forces ? fvi_forces_jump(o->forces, i)
-                            : i == 0 && o->force == FVI_FORCING_STEP
-                                ? o->forcing[1]
-                                : NAN;
+        const double jump =
+            o->force ? fvi_typed_force_jump(o->force, i) : NAN;
         const double end = jump / o->h, row = round(end);
         if (isnan(jump))
             break;
         if (row <= (double)o->steps && fabs(end - row) > 4 * DBL_EPSILON * row)
             return fvi_refuse(c,
-                              "--error: the force '%s' jumps between two rows; "
+                              "error", "the force '%s' jumps between two rows; "
                               "take other --steps%s",
                               o->text[FORCE],
                               o->text[DAMPING] || o->directory
@@ -72,49 +70,48 @@ static int interpret_error(fvi_options *o, fvi_complaint c)
 
 /* Steps of a given length have no tolerance, and no limit unless they are searched for. */
 static int interpret_of_steps(fvi_options *o, option_index i, double *value,
-                              fvi_complaint c)
+                              fvi_error *c)
 {
     if (o->text[i] && !o->method->dense && !(i != STEP_ERROR && o->text[ERROR]))
         return fvi_refuse(c,
-                          "--%s: '%s' is not for %s, whose steps are "
-                          "given; fvi-adaptive chooses its own",
-                          fvi_option_list[i].name, o->text[i], o->method->name);
+                          fvi_option_list[i].name, "'%s' is not for %s, whose steps are "
+                          "given; fvi-adaptive chooses its own", o->text[i], o->method->name);
     return !o->text[i]       ? 0
            : i == MOST_STEPS ? whole(o, i, &o->most_steps, c)
                              : number(o, i, 0, INFINITY, "()", value, c);
 }
 
 /* What is asked for is done or refused: the words that a method cannot honour. */
-static int check_method(const fvi_options *o, fvi_complaint c)
+static int check_method(const fvi_options *o, fvi_error *c)
 {
     const fvi_method *m = o->method;
     if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
-        return fvi_refuse(c, "--alpha: '%s' is not %g, all that %s knows",
+        return fvi_refuse(c, "alpha", "'%s' is not %g, all that %s knows",
                           o->text[ALPHA], m->alpha_least, m->name);
     if (o->text[DAMPING] && !m->takes_laws)
-        return fvi_refuse(c, "--damping: '%s' is not known to %s",
+        return fvi_refuse(c, "damping", "'%s' is not known to %s",
                           o->text[DAMPING], m->name);
     if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES
-        && !fvi_kernel_has_modes(&o->laws.law, fvi_damping_quadrature(m), o->h))
+        && !fvi_kernel_has_modes(&o->damping.law, fvi_damping_quadrature(m), o->h))
         return fvi_refuse(c,
-                          "--memory: 'exponentials': of --damping '%s' there "
+                          "memory", "'exponentials': of --damping '%s' there "
                           "are none with this step; 'auto' sums it all",
                           o->text[DAMPING]);
     if (o->directory && !m->takes_matrices)
         return fvi_refuse(c,
-                          "--method: '%s' takes no matrices; fvi, fvi-shifted, "
+                          "method", "'%s' takes no matrices; fvi, fvi-shifted, "
                           "fvi-bdf2 and fvi-stable do",
                           m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
-        return fvi_refuse(c, "--kappa: '%s' is not for %s, which has no kappa",
+        return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa",
                           o->text[KAPPA], m->name);
     if (!fvi_method_takes_history(m, o->memory))
-        return fvi_refuse(c, "--memory: '%s' is not known to %s",
+        return fvi_refuse(c, "memory", "'%s' is not known to %s",
                           o->text[MEMORY], m->name);
     return 0;
 }
 
-static int interpret_method(fvi_options *o, fvi_complaint c)
+static int interpret_method(fvi_options *o, fvi_error *c)
 {
     size_t count = 0, which;
     while (fvi_methods[count])
@@ -130,16 +127,14 @@ static int interpret_method(fvi_options *o, fvi_complaint c)
     return check_method(o, c);
 }
 
-static int interpret_run(fvi_options *o, fvi_complaint c)
+static int interpret_run(fvi_options *o, fvi_error *c)
 {
-    static const char *const memories[] = { "auto", "direct", "exponentials",
-                                            NULL };
     size_t which;
     int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
     if (!status)
         status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
     if (!status)
-        status = choice(o, MEMORY, memories, &which, c);
+        status = choice(o, MEMORY, fvi_history_words, &which, c);
     if (status)
         return status;
     o->memory = (fvi_history_kind)which;
@@ -154,7 +149,7 @@ static int interpret_run(fvi_options *o, fvi_complaint c)
 }
 
 /* The rows are at t_k = k h: by --h, or by --time. */
-static int interpret_grid(fvi_options *o, fvi_complaint c)
+static int interpret_grid(fvi_options *o, fvi_error *c)
 {
     int status = whole(o, STEPS, &o->steps, c);
     if (status || !o->text[TIME])
@@ -163,7 +158,7 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
     status = number(o, TIME, 0, INFINITY, "()", &time, c);
     o->h = time / (double)o->steps;
     if (!status && !(o->h > 0))
-        return fvi_refuse(c, "--time: '%s' is too short for so many steps",
+        return fvi_refuse(c, "time", "'%s' is too short for so many steps",
                           o->text[TIME]);
     fvi_format_double(o->h, o->step);
     o->text[H] = o->step; /* the head says what follows */
@@ -171,17 +166,21 @@ static int interpret_grid(fvi_options *o, fvi_complaint c)
 }
 
 /* What has an exact solution in the library. */
-static int check_linear(const fvi_options *o, fvi_complaint c)
+static int check_linear(const fvi_options *o, fvi_error *c)
 {
-    if (o->potential != FVI_POTENTIAL_FREE
-        && !(o->potential == FVI_POTENTIAL_HARMONIC && o->spring[0] >= 0))
+    const fvi_typed_potential *u = &o->potential;
+    fvi_forcing kind;
+    double constants[2];
+    if (o->library
+        || (u->kind != FVI_POTENTIAL_FREE
+            && !(u->kind == FVI_POTENTIAL_HARMONIC && u->constants[0] >= 0)))
         return fvi_refuse(c,
-                          "--potential: '%s' has no exact solution here; "
+                          "potential", "'%s' has no exact solution here; "
                           "harmonic:C with C >= 0 and free have",
                           o->text[POTENTIAL]);
-    if (o->forces)
+    if (!fvi_typed_force_is_simple(o->force, &kind, constants))
         return fvi_refuse(c,
-                          "--force: '%s' has no exact solution here; none, "
+                          "force", "'%s' has no exact solution here; none, "
                           "step:A,T and cosine:A,W have",
                           o->text[FORCE]);
     return 0;
@@ -189,7 +188,7 @@ static int check_linear(const fvi_options *o, fvi_complaint c)
 
 /* A problem without a solution is for `run` with the paper's method alone, and not
  * with --error, as there is nothing to be near to. (19.2) */
-static int check_solution(fvi_options *o, fvi_complaint c)
+static int check_solution(fvi_options *o, fvi_error *c)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
@@ -200,32 +199,30 @@ static int check_solution(fvi_options *o, fvi_complaint c)
     if (o->no_solution
         && !(o->method && o->method->paper_convention && o->error == 0))
         return fvi_refuse(c,
-                          "--derivative: 'rl' has no solution for %s != 0 and "
+                          "derivative", "'rl' has no solution for %s != 0 and "
                           "alpha > 1/2; take held or caputo",
                           o->directory ? "C x0" : "x0");
     return 0;
 }
 
 /* At alpha = 1 the momentum of a method with stages is not the one that is hit. (17.17) */
-static int check_impulses(const fvi_options *o, fvi_complaint c)
+static int check_impulses(const fvi_options *o, fvi_error *c)
 {
     int added_mass = 0;
     for (size_t i = 0; i < o->d; i++)
         added_mass |= o->alpha == 1 && o->rho[i] > 0;
-    if (added_mass && o->method && o->method->stages && o->forces
-        && fvi_forces_force(o->forces).impulse_count)
+    if (added_mass && o->method && o->method->stages && o->force
+        && fvi_force_typed(o->force).impulse_count)
         return fvi_refuse(c,
-                          "--force: '%s': %s takes no impulse at alpha = 1; "
+                          "force", "'%s': %s takes no impulse at alpha = 1; "
                           "fvi-adaptive does",
                           o->text[FORCE], o->method->name);
     return 0;
 }
 
 /* What run and exact share: the system, its start, the grid, the columns. */
-static int interpret_trajectory(fvi_options *o, fvi_complaint c)
+static int interpret_trajectory(fvi_options *o, fvi_error *c)
 {
-    /* in the order of fvi_initial_history */
-    static const char *const pasts[] = { "held", "caputo", "rl", NULL };
     size_t which = 0;
     int status = fvi_problem_potential(o, c);
     if (!status)
@@ -237,10 +234,11 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
     if (!status)
         status = fvi_user_parameters_are_used(&o->lets, c);
     if (!status)
-        status = choice(o, DERIVATIVE, pasts, &which, c);
+        status = choice(o, DERIVATIVE, fvi_initial_history_words,
+                        &which, c);
     o->past = (fvi_initial_history)which;
     if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD)
-        status = fvi_refuse(c, "--derivative: '%s' is not for --damping",
+        status = fvi_refuse(c, "derivative", "'%s' is not for --damping",
                             o->text[DERIVATIVE]);
     if (!status)
         status = whole(o, EVERY, &o->every, c);
@@ -250,10 +248,10 @@ static int interpret_trajectory(fvi_options *o, fvi_complaint c)
         status = fvi_problem_unknowns(o, c);
     for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
-            status = fvi_refuse(c, "--continue: column y needs every row");
+            status = fvi_refuse(c, "continue", "column y needs every row");
     if (!status && o->plot && o->columns.count == 1
         && o->columns.at[0] == FVI_COLUMN_T)
-        status = fvi_refuse(c, "--plot: the only column is t");
+        status = fvi_refuse(c, "plot", "the only column is t");
     if (!status && o->command == FVI_COMMAND_RUN)
         status = interpret_run(o, c);
     if (!status && o->command == FVI_COMMAND_EXACT)
@@ -276,47 +274,46 @@ static int is_picture(const char *name)
 }
 
 /* Of two outputs in one file the later would take the place of the other. */
-static int check_files(const fvi_options *o, fvi_complaint c)
+static int check_files(const fvi_options *o, fvi_error *c)
 {
     static const option_index files[] = { PLOT, SNAPSHOT, CHECKPOINT };
     for (int i = 0; i < 3; i++) {
         const char *name = fvi_option_list[files[i]].name,
                    *text = o->text[files[i]];
         if (text && fvi_same_file(text, o->output))
-            return fvi_refuse(c, "--%s: '%s' is the table's file, too", name,
+            return fvi_refuse(c, name, "'%s' is the table's file, too",
                               text);
         for (int j = 0; text && j < i; j++)
             if (o->text[files[j]] && fvi_same_file(text, o->text[files[j]]))
-                return fvi_refuse(c, "--%s: '%s' is the file of --%s, too",
-                                  name, text, fvi_option_list[files[j]].name);
+                return fvi_refuse(c, name, "'%s' is the file of --%s, too", text, fvi_option_list[files[j]].name);
     }
     return 0;
 }
 
-static int interpret(fvi_options *o, fvi_complaint c)
+static int interpret(fvi_options *o, fvi_error *c)
 {
     size_t format;
     if (o->text[OUTPUT] && !*o->text[OUTPUT])
-        return fvi_refuse(c, "-o: '' is not a file's name");
+        return fvi_refuse(c, "o", "'' is not a file's name");
     o->output = o->text[OUTPUT];
     o->plot = o->text[PLOT];
     if (o->plot && !is_picture(o->plot))
-        return fvi_refuse(c, "--plot: '%s' is not a name.svg or name.png",
+        return fvi_refuse(c, "plot", "'%s' is not a name.svg or name.png",
                           o->plot);
     o->snapshot = o->text[SNAPSHOT];
     if (o->snapshot && !*o->snapshot)
-        return fvi_refuse(c, "--snapshot: '' is not a file's name");
+        return fvi_refuse(c, "snapshot", "'' is not a file's name");
     if (o->snapshot && o->text[ERROR])
-        return fvi_refuse(c, "--snapshot: not together with --error");
+        return fvi_refuse(c, "snapshot", "not together with --error");
     o->checkpoint = o->text[CHECKPOINT];
     o->resume = o->text[CONTINUE] != NULL;
     if (o->checkpoint && (!*o->checkpoint || strcmp(o->checkpoint, "-") == 0))
-        return fvi_refuse(c, "--checkpoint: '%s' is not a file's name",
+        return fvi_refuse(c, "checkpoint", "'%s' is not a file's name",
                           o->checkpoint);
     if (o->checkpoint && o->text[ERROR])
-        return fvi_refuse(c, "--checkpoint: not together with --error");
+        return fvi_refuse(c, "checkpoint", "not together with --error");
     if (o->resume && !o->checkpoint)
-        return fvi_refuse(c, "--continue: from which --checkpoint FILE?");
+        return fvi_refuse(c, "continue", "from which --checkpoint FILE?");
     int status = check_files(o, c);
     if (!status)
         status = choice(o, FORMAT, fvi_format_names, &format, c);
@@ -335,7 +332,7 @@ static int interpret(fvi_options *o, fvi_complaint c)
 }
 
 /* No output in the place of what was read. */
-static int check_outputs(const fvi_options *o, fvi_complaint c)
+static int check_outputs(const fvi_options *o, fvi_error *c)
 {
     int status = fvi_check_output("-o", o->output, c);
     if (!status)
@@ -347,7 +344,7 @@ static int check_outputs(const fvi_options *o, fvi_complaint c)
     return status;
 }
 
-int fvi_options_interpret(fvi_options *o, fvi_complaint c)
+int fvi_options_interpret(fvi_options *o, fvi_error *c)
 {
     int status = interpret(o, c);
     if (!status)
@@ -360,15 +357,14 @@ int fvi_options_interpret(fvi_options *o, fvi_complaint c)
 void fvi_options_free(fvi_options *o)
 {
     free(o->x0);
-    fvi_expression_free(o->expression);
-    fvi_forces_free(o->forces);
+    fvi_typed_potential_free(&o->potential);
+    fvi_typed_force_free(o->force);
     fvi_directory_close(o->directory);
     free(o->shown);
     o->x0 = o->p0 = o->mass = o->rho = NULL;
-    o->expression = NULL;
     fvi_shared_close(o->library);
     o->library = NULL;
-    o->forces = NULL;
+    o->force = NULL;
     o->directory = NULL;
     o->shown = NULL;
 }

@@ -5,9 +5,9 @@
 #include "fvi_option_list.h"
 #include "fvi_problem.h"
 
-/* Interpret o->text, presets filled in. Returns 0; 2 if a word is refused, 1 if there
- * is no memory, with the complaint written and nothing allocated. */
-int fvi_options_interpret(fvi_options *o, fvi_complaint c);
+/* Interpret o->text, presets filled in. Returns 0, or a code of fvi/error.h with the
+ * error written and nothing allocated. */
+int fvi_options_interpret(fvi_options *o, fvi_error *c);
 
 /* fvi_options_free -- give back what was allocated. */
 void fvi_options_free(fvi_options *o);

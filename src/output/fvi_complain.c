@@ -1,7 +1,7 @@
 /* src/output/fvi_complain.c -- What the program says when something cannot be done. */
 #include "fvi_complain.h"
 #include "fvi_output.h"
-#include <fvi/error.h>
+#include "input/fvi_refuse.h"
 #include "input/fvi_shared.h"
 #include "system/fail.h"
 
@@ -22,12 +22,15 @@ void fvi_warn(const char *what)
     fprintf(stderr, "fvi: warning: %s\n", what);
 }
 
-void fvi_refused(const char *complaint, const char *command)
+int fvi_refused(const fvi_error *error, const char *command)
 {
+    char complaint[FVI_COMPLAINT];
+    const int code = fvi_complaint(error, complaint);
     const int all = strcmp(command, "help") == 0 || *command == '-';
     fprintf(stderr, "fvi: %s%sTry 'fvi %s%s--help'.\n", complaint,
             strchr(complaint, '\n') ? "  " : "\n", all ? "" : command,
             all ? "" : " ");
+    return code;
 }
 
 int fvi_cannot_write(const char *name)

@@ -2,6 +2,8 @@
 #ifndef FVI_COMPLAIN_H
 #define FVI_COMPLAIN_H
 
+#include <fvi/error.h>
+
 #include <stddef.h>
 
 /* What went wrong, as a line on standard error; each returns 1. */
@@ -15,8 +17,8 @@ void fvi_warn(const char *what);
 
 /* fvi_refused -- bad use: the complaint as a line on standard error, and a line that points
  * to the help of that command, or of all if it is "help" or "--version". A caret below the complaint stands
- * at the beginning of the second. */
-void fvi_refused(const char *complaint, const char *command);
+ * at the beginning of the second. Returns the exit code. */
+int fvi_refused(const fvi_error *error, const char *command);
 
 /* fvi_code_in_words -- what fvi_error_name says, and the number of a code that a function of
  * the user's own returned, with his words for it; good until the next call. */

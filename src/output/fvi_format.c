@@ -2,7 +2,7 @@
 #include "fvi_format.h"
 
 #include <fvi/version.h>
-#include "options/fvi_format_double.h"
+#include <fvi/format_double.h>
 
 #include <math.h>
 #include <stdint.h>

@@ -6,7 +6,7 @@
 #define PETSC_SHARE_H
 
 #include <fvi/trajectory.h>
-#include "input/fvi_directory.h"
+#include <fvi/directory.h>
 
 #include <petscksp.h>
 

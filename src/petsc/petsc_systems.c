@@ -37,15 +37,14 @@ static int forces_of_rows(double t, size_t d, void *params, double *F)
 
 PetscErrorCode petsc_of_files(const char *folder, double last, share *s)
 {
-    char text[FVI_COMPLAINT];
-    const fvi_complaint complaint = { text, sizeof text };
+    fvi_error error;
     const fvi_sparse *A[3];
     int forced = 0;
     PetscFunctionBeginUser;
     PetscCheck(
-        !fvi_directory_open(folder, &s->directory, complaint)
-            && !fvi_directory_force(s->directory, last, &forced, complaint),
-        PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED, "%s", text);
+        !fvi_directory_open(folder, &s->directory, &error)
+            && !fvi_directory_force(s->directory, last, &forced, &error),
+        PETSC_COMM_SELF, PETSC_ERR_FILE_UNEXPECTED, "--%s: %s", error.field, error.text);
     fvi_directory_matrices(s->directory, A);
     s->all = (PetscInt)A[0]->n;
     s->rows = PETSC_DECIDE;

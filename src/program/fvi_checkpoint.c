@@ -297,12 +297,9 @@ int fvi_checkpoint_begin(const fvi_options *o, fvi_stepper *s,
     if (!o->checkpoint)
         return 0;
     if (s->method_state && !s->method->serialize) {
-        char text[FVI_COMPLAINT];
-        const int status =
-            fvi_refuse((fvi_complaint){ text, sizeof text },
-                       "--checkpoint: not known to %s", s->method->name);
-        fvi_refused(text, "run");
-        return status;
+        fvi_error error;
+        fvi_refuse(&error, "checkpoint", "not known to %s", s->method->name);
+        return fvi_refused(&error, "run");
     }
     if (!(c->head = fvi_checkpoint_head(o)))
         return fvi_complain("not enough memory");

@@ -74,11 +74,9 @@ char *fvi_checkpoint_head(const fvi_options *o)
 
 int fvi_checkpoint_refuse(const fvi_options *o, const char *why)
 {
-    char text[FVI_COMPLAINT];
-    const int status = fvi_refuse((fvi_complaint){ text, sizeof text },
-                                  "--continue: %s: %s", o->checkpoint, why);
-    fvi_refused(text, "run");
-    return status;
+    fvi_error error;
+    fvi_refuse(&error, "continue", "%s: %s", o->checkpoint, why);
+    return fvi_refused(&error, "run");
 }
 
 /* The length of "file NAME" in a line; 0 if it is none of those. */

@@ -100,18 +100,22 @@ static int exact_rows(const fvi_table *t, const fvi_linear_oscillator *problem)
 
 static fvi_linear_oscillator linear_problem(const fvi_options *o)
 {
+    fvi_forcing forcing = FVI_FORCING_NONE;
+    double constants[2] = { 0 };
+    fvi_typed_force_is_simple(o->force, &forcing, constants);
+    const int is_free = o->potential.kind == FVI_POTENTIAL_FREE;
     return (fvi_linear_oscillator){ .m = o->mass[0],
-                         .c = o->spring[0],
+                         .c = is_free ? 0 : o->potential.constants[0],
                          .rho = o->rho[0],
                          .alpha = o->alpha,
                          .past = o->past,
                          .x0 = o->x0[0],
                          .v0 = o->p0[0] / o->mass[0],
-                         .forcing = o->force,
-                         .A = o->forcing[0],
-                         .T = o->forcing[1],
-                         .w = o->forcing[1],
-                         .law = o->text[DAMPING] ? &o->laws.law : NULL };
+                         .forcing = forcing,
+                         .A = constants[0],
+                         .T = constants[1],
+                         .w = constants[1],
+                         .law = o->text[DAMPING] ? &o->damping.law : NULL };
 }
 
 /* The same table from the exact solution; p = m v. */
@@ -192,16 +196,14 @@ static int with_system(const fvi_options *o,
 int main(int argc, char **argv)
 {
     fvi_options o;
-    char complaint[FVI_COMPLAINT];
+    fvi_error error;
     for (int fd = 0; fd < 3; fd++) /* or a table would get the number 2 */
         if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != fd)
             return 1;
     signal(SIGCHLD, SIG_DFL); /* or a child that has ended could not be asked */
-    int status = fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
-    if (status) {
-        fvi_refused(complaint, fvi_command_name(o.command));
-        return status;
-    }
+    int status = fvi_options_parse(argc, argv, &o, &error);
+    if (status)
+        return fvi_refused(&error, fvi_command_name(o.command));
     switch (o.command) {
     case FVI_COMMAND_SWEEP:
         return fvi_command_sweep(argc, argv);

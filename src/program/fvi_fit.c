@@ -4,7 +4,6 @@
 #include "fvi_fit_answer.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
-#include "input/fvi_data.h"
 #include "input/fvi_files.h"
 
 #include <math.h>
@@ -35,13 +34,12 @@ typedef fvi_fit_request request;
 static const char *constant_name(const fvi_options *o, size_t i)
 {
     static const char *const c_and_g[] = { "c", "g", NULL };
-    switch (o->potential) {
+    switch (o->potential.kind) {
     case FVI_POTENTIAL_HARMONIC:
         return i == 0 ? "c" : NULL;
     case FVI_POTENTIAL_PENDULUM:
         return i == 0 ? "g" : NULL;
     case FVI_POTENTIAL_FREE:
-    case FVI_POTENTIAL_SHARED:
         return NULL;
     case FVI_POTENTIAL_EXPRESSION:
         return i < o->lets.count ? o->lets.name[i] : NULL;
@@ -51,25 +49,25 @@ static const char *constant_name(const fvi_options *o, size_t i)
 }
 
 static int parameter_named(const request *r, const char *name,
-                           fvi_free_parameter *which, fvi_complaint c)
+                           fvi_free_parameter *which, fvi_error *c)
 {
     /* in the order of fvi_free_parameter, then the constants */
-    const char *known[FVI_FREE_PARAMETER_CONSTANT + FVI_MOST_LETS + 1] = {
+    const char *known[FVI_FREE_PARAMETER_CONSTANT + FVI_MOST_USER_PARAMETERS + 1] = {
         "alpha", "rho", "mass", "x0", "p0"
     };
     size_t found = 0;
     for (size_t i = 0; constant_name(&r->o, i); i++)
         known[FVI_FREE_PARAMETER_CONSTANT + i] = constant_name(&r->o, i);
-    const int status = fvi_word_choice("fit", name, known, &found, c);
+    const int status = fvi_parse_word("fit", name, known, &found, c);
     *which = (fvi_free_parameter)found;
     return status;
 }
 
-static int interpret_names(request *r, fvi_complaint c)
+static int interpret_names(request *r, fvi_error *c)
 {
     const char *text = r->words.own[FIT] ? r->words.own[FIT] : "alpha,rho";
     if (strlen(text) >= sizeof r->names)
-        return fvi_refuse(c, "--fit: '%s' is too long", text);
+        return fvi_refuse(c, "fit", "'%s' is too long", text);
     strcpy(r->names, text);
     r->words.own[FIT] = text;
     for (char *at = r->names; at; r->fit.parameters++) {
@@ -78,22 +76,22 @@ static int interpret_names(request *r, fvi_complaint c)
         if (comma)
             *comma++ = '\0';
         if (n == FVI_ESTIMATION_MOST)
-            return fvi_refuse(c, "--fit: more than %d parameters",
+            return fvi_refuse(c, "fit", "more than %d parameters",
                               FVI_ESTIMATION_MOST);
         if (parameter_named(r, at, &r->which[n], c))
             return 2;
         for (size_t i = 0; i < n; i++)
             if (r->which[i] == r->which[n])
-                return fvi_refuse(c, "--fit: '%s' stands twice", at);
+                return fvi_refuse(c, "fit", "'%s' stands twice", at);
         if (r->which[n] == FVI_FREE_PARAMETER_ALPHA
             && r->o.method->alpha_least == r->o.method->alpha_most)
-            return fvi_refuse(c, "--fit: 'alpha' is %g for %s, and no other",
+            return fvi_refuse(c, "fit", "'alpha' is %g for %s, and no other",
                               r->o.method->alpha_least, r->o.method->name);
         const size_t constant = (size_t)r->which[n] - FVI_FREE_PARAMETER_CONSTANT;
-        if (r->which[n] >= FVI_FREE_PARAMETER_CONSTANT && r->o.expression
+        if (r->which[n] >= FVI_FREE_PARAMETER_CONSTANT && r->o.potential.expression
             && r->o.lets.used[constant] & 4)
             return fvi_refuse(c,
-                              "--fit: another --let was made of '%s', and "
+                              "fit", "another --let was made of '%s', and "
                               "would stay as it is; write it out in the "
                               "expressions",
                               at);
@@ -103,11 +101,12 @@ static int interpret_names(request *r, fvi_complaint c)
     return 0;
 }
 
-static int interpret(request *r, fvi_complaint c)
+static int interpret(request *r, fvi_error *c)
 {
     fvi_options *o = &r->o;
     r->fit = (fvi_estimation){ .method = o->method,
-                        .constants = o->expression ? o->lets.value : o->spring,
+                        .constants = o->potential.expression ? o->lets.value
+                                                      : o->potential.constants,
                         .which = r->which,
                         .h = r->words.given[H] ? o->h : 0 };
     if (!r->words.given[H])
@@ -116,61 +115,59 @@ static int interpret(request *r, fvi_complaint c)
     const int by_number = o->text[DIMENSION] != NULL;
     if (!status && o->d != 1)
         status = fvi_refuse(c,
-                            "--%s: '%s' has more masses than the one column of "
+                            by_number ? "dimension" : "potential", "'%s' has more masses than the one column of "
                             "a fit",
-                            by_number ? "dimension" : "potential",
                             o->text[by_number ? DIMENSION : POTENTIAL]);
     if (!status && r->words.own[SIGMA])
-        status = fvi_word_number("sigma", r->words.own[SIGMA], 0, INFINITY,
+        status = fvi_parse_number("sigma", r->words.own[SIGMA], 0, INFINITY,
                                  "()", &r->fit.sigma, c);
     if (!r->words.own[STARTS])
         r->words.own[STARTS] = "20";
     if (!status)
-        status = fvi_word_whole("starts", r->words.own[STARTS], 1000000,
+        status = fvi_parse_whole("starts", r->words.own[STARTS], 1000000,
                                 &r->fit.starts, c);
     if (!status && r->fit.starts < 2)
         status = fvi_refuse(c,
-                            "--starts: '%s' is less than 2: one start alone "
+                            "starts", "'%s' is less than 2: one start alone "
                             "proves nothing",
                             r->words.own[STARTS]);
     if (!status && r->words.own[CURVE] && !*r->words.own[CURVE])
-        status = fvi_refuse(c, "--curve: '' is not a file's name");
+        status = fvi_refuse(c, "curve", "'' is not a file's name");
     if (!status && r->words.own[CURVE]
         && fvi_same_file(r->words.own[CURVE], o->output))
-        status = fvi_refuse(c, "--curve: '%s' is the table's file, too",
+        status = fvi_refuse(c, "curve", "'%s' is the table's file, too",
                             r->words.own[CURVE]);
     return status;
 }
 
-static int read_data(request *r, fvi_complaint c)
+static int read_data(request *r, fvi_error *c)
 {
     static const char *const names[] = { "t", "x" };
     if (!r->words.operand)
         return fvi_refuse(c,
-                          "DATA: a file with the columns t and x is missing");
+                          NULL, "DATA: a file with the columns t and x is missing");
     fvi_mark_read("DATA", r->words.operand);
     int status = fvi_check_output("-o", r->o.output, c);
     if (!status)
         status = fvi_check_output("--curve", r->words.own[CURVE], c);
     if (!status)
-        status = fvi_data_table("DATA", r->words.operand, names, &r->fit.n,
+        status = fvi_parse_table("DATA", r->words.operand, names, &r->fit.n,
                                 &r->t, &r->x, c);
     if (status)
         return status;
     r->fit.t = r->t;
     r->fit.x = r->x;
     if (r->t[0] < 0)
-        return fvi_refuse(c, "--DATA: %s: t begins before 0, with %g",
+        return fvi_refuse(c, "DATA", "%s: t begins before 0, with %g",
                           r->words.operand, r->t[0]);
     if (r->fit.n <= r->fit.parameters)
         return fvi_refuse(c,
-                          "--DATA: %s: %zu rows are not enough for %zu "
+                          "DATA", "%s: %zu rows are not enough for %zu "
                           "parameters",
                           r->words.operand, r->fit.n, r->fit.parameters);
     r->curve = malloc(r->fit.n * sizeof *r->curve);
-    if (!r->curve)
-        fvi_refuse(c, "not enough memory");
-    return r->curve ? 0 : 1;
+    return r->curve ? 0
+                    : fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
 }
 
 /* ---- the search ---- */
@@ -180,7 +177,7 @@ static int read_data(request *r, fvi_complaint c)
 static int make_box(request *r)
 {
     const int status = fvi_estimate_box(&r->fit, r->low, r->high);
-    for (size_t j = 0; j < r->fit.parameters && r->o.expression; j++)
+    for (size_t j = 0; j < r->fit.parameters && r->o.potential.expression; j++)
         if (r->which[j] >= FVI_FREE_PARAMETER_CONSTANT) {
             const double k =
                 r->o.lets.value[r->which[j] - FVI_FREE_PARAMETER_CONSTANT];
@@ -227,8 +224,7 @@ static int search_and_print(request *r)
 
 int fvi_command_fit(int argc, char **argv)
 {
-    char complaint[FVI_COMPLAINT] = "";
-    const fvi_complaint c = { complaint, sizeof complaint };
+    fvi_error error, *c = &error;
     request r = { .t = NULL };
     int status = fvi_subcommand_options_parse(&fit, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
@@ -237,8 +233,7 @@ int fvi_command_fit(int argc, char **argv)
     if (!status)
         status = read_data(&r, c);
     if (status)
-        fvi_subcommand_options_refuse(
-            &fit, complaint + 2 * (strncmp(complaint, "--DATA", 6) == 0));
+        status = fvi_refused(&error, fit.name);
     else
         status = search_and_print(&r);
     if (parsed)

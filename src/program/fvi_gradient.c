@@ -27,7 +27,7 @@ typedef fvi_gradient_request request;
 /* ---- words ---- */
 
 /* x, p, energy; x:2, p:2. */
-static int interpret_of(request *r, fvi_complaint c)
+static int interpret_of(request *r, fvi_error *c)
 {
     static const char *const known[] = { "x", "p", "energy", NULL };
     if (!r->words.own[OF])
@@ -37,41 +37,41 @@ static int interpret_of(request *r, fvi_complaint c)
     const char *text = r->words.own[OF], *colon = strchr(text, ':');
     char word[8] = "";
     snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
-    if (fvi_word_choice("of", word, known, &r->of, c))
+    if (fvi_parse_word("of", word, known, &r->of, c))
         return 2;
     if (!colon && r->of < 2 && r->o.d > 1)
-        return fvi_refuse(c, "--of: '%s' of which mass? %s:1 to %s:%zu", text,
+        return fvi_refuse(c, "of", "'%s' of which mass? %s:1 to %s:%zu", text,
                           word, word, r->o.d);
     if (colon && r->of == 2)
-        return fvi_refuse(c, "--of: '%s': there is one energy", text);
-    int status = colon ? fvi_word_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
+        return fvi_refuse(c, "of", "'%s': there is one energy", text);
+    int status = colon ? fvi_parse_whole("of", colon + 1, r->o.d, &r->i, c) : 0;
     r->i -= colon != NULL;
     return status;
 }
 
-static int interpret(request *r, fvi_complaint c)
+static int interpret(request *r, fvi_error *c)
 {
     const fvi_method *m = r->o.method;
     r->system = fvi_options_system(&r->o);
     r->run = fvi_options_run(&r->o, &r->system);
     if (m->scheme == FVI_SCHEME_CLASSICAL)
         return fvi_refuse(c,
-                          "--method: '%s' has no gradient; fvi, fvi-shifted, "
+                          "method", "'%s' has no gradient; fvi, fvi-shifted, "
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
     for (size_t j = 0; j < r->o.lets.count; j++)
-        if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & 2)
+        if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & FVI_USED_BY_FORCE)
             return fvi_refuse(c,
-                              "--let: '%s' has no gradient with %s, which "
+                              "let", "'%s' has no gradient with %s, which "
                               "asks for the force between the rows",
                               r->o.lets.name[j], m->name);
     r->per = m->stages ? (size_t)m->stages - 1 : 1;
     if (r->words.own[FORCES] && !*r->words.own[FORCES])
-        return fvi_refuse(c, "--forces: '' is not a file's name");
+        return fvi_refuse(c, "forces", "'' is not a file's name");
     if (r->words.own[FORCES]
         && fvi_same_file(r->words.own[FORCES], r->o.output))
-        return fvi_refuse(c, "--forces: '%s' is the table's file, too",
+        return fvi_refuse(c, "forces", "'%s' is the table's file, too",
                           r->words.own[FORCES]);
     const int status = fvi_check_output("--forces", r->words.own[FORCES], c);
     return status ? status : interpret_of(r, c);
@@ -122,8 +122,8 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
 /* dU/dtheta_j at x: U is linear in the parameters of what is ready to use. */
 static int energy_by(const request *r, size_t j, const double *x, double *value)
 {
-    if (r->o.expression) {
-        fvi_expression_parameter_gradient(r->o.expression, j, x, value, NULL);
+    if (r->o.potential.expression) {
+        fvi_expression_parameter_gradient(r->o.potential.expression, j, x, value, NULL);
         return 0;
     }
     const double unit[2] = { j == 0, j == 1 };
@@ -165,13 +165,21 @@ static int add_energy(request *r, const double *x, const double *p)
     return status;
 }
 
+static int force_has_lets(const request *r)
+{
+    for (size_t j = 0; j < r->o.lets.count; j++)
+        if (r->o.lets.used[j] & FVI_USED_BY_FORCE)
+            return 1;
+    return 0;
+}
+
 /* A --let may stand in the force. */
 static void add_forces(request *r)
 {
-    for (size_t j = 0; r->o.forces && j < r->o.lets.count; j++)
+    for (size_t j = 0; force_has_lets(r) && j < r->o.lets.count; j++)
         for (size_t k = 0; k <= r->o.steps * r->per; k++) {
-            const double by = fvi_forces_by_parameter(
-                r->o.forces, j, fvi_gradient_row_time(r, k));
+            const double by = fvi_typed_force_by_parameter(
+                r->o.force, j, fvi_gradient_row_time(r, k));
             for (size_t i = 0; i < r->o.d; i++)
                 r->lets[j] += by * r->force[k * r->o.d + i];
         }
@@ -245,12 +253,12 @@ static int make_room(request *r)
 {
     const size_t d = r->o.d;
     r->to.sensitivity = fvi_parameter_gradient_of(&r->system.potential);
-    if (r->o.expression)
+    if (r->o.potential.expression)
         r->to.sensitivity = (fvi_parameter_gradient){ r->o.lets.count, by_let };
     const double rows =
         8 * (double)d * (double)r->per * (double)(r->o.steps + 1);
     const int wanted =
-        r->words.own[FORCES] || (r->o.forces && r->o.lets.count > 0);
+        r->words.own[FORCES] || force_has_lets(r);
     const size_t terms = r->run.law ? r->run.law->count : 0;
     r->numbers = calloc(numbers_of(r), sizeof(double));
     if (wanted && rows < fvi_machine_bytes())
@@ -264,7 +272,7 @@ static int make_room(request *r)
     r->to.mass = r->to.p0 + d;
     r->to.damping = r->to.mass + d;
     r->to.alpha = has_alpha(r) ? r->to.damping + d : NULL;
-    r->to.parameters = r->o.expression ? r->lets : r->to.damping + d + 1;
+    r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
     if (!r->run.law)
         return 0;
     r->to.terms = r->lets + r->o.lets.count;
@@ -297,15 +305,14 @@ static int answer(request *r)
 
 int fvi_command_gradient(int argc, char **argv)
 {
-    char complaint[FVI_COMPLAINT] = "";
-    const fvi_complaint c = { complaint, sizeof complaint };
+    fvi_error error, *c = &error;
     request r = { .i = 0 };
     int status = fvi_subcommand_options_parse(&gradient, argc, argv, &r.words, &r.o, c);
     const int parsed = !status;
     if (!status)
         status = interpret(&r, c);
     if (status)
-        fvi_subcommand_options_refuse(&gradient, complaint);
+        status = fvi_refused(&error, gradient.name);
     else
         status = answer(&r);
     if (parsed)

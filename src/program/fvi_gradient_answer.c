@@ -111,8 +111,8 @@ static void print_numbers(FILE *f, const request *r)
                     ? "there x has a logarithm at 0, for which these "
                       "steps are not made"
                     : "p of this method jumps at 1");
-    const int pendulum = r->o.potential == FVI_POTENTIAL_PENDULUM;
-    for (size_t j = 0; !r->o.expression && j < r->to.sensitivity.count; j++)
+    const int pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
+    for (size_t j = 0; !r->o.potential.expression && j < r->to.sensitivity.count; j++)
         print_row(f, pendulum ? "g" : c_and_g[j], "", r->to.parameters[j]);
 }
 

@@ -54,9 +54,9 @@ static double run_bytes(const fvi_options *o)
     if (s > 0)
         return bytes
                + fvi_lobatto_history_bytes(
-                   s, o->laws.law.count > 0 ? -0.5 : 2 * o->alpha - 1, d,
+                   s, o->damping.law.count > 0 ? -0.5 : 2 * o->alpha - 1, d,
                    o->steps, o->memory, o->tolerance);
-    const double order = o->laws.law.count > 0 ? 0.5 : 2 * o->alpha;
+    const double order = o->damping.law.count > 0 ? 0.5 : 2 * o->alpha;
     return bytes
            + (double)fvi_history_bytes(order, d, o->steps, o->memory,
                                       o->tolerance);

@@ -5,7 +5,7 @@
 #include "output/fvi_output.h"
 #include "output/fvi_format.h"
 #include "fvi_run.h"
-#include "options/fvi_format_double.h"
+#include <fvi/format_double.h>
 #include "options/fvi_values.h"
 
 #include <math.h>

@@ -12,7 +12,7 @@ typedef struct {
     fvi_subcommand_options *w;
     char **run;
     int count;
-    fvi_complaint c;
+    fvi_error *c;
 } sorter;
 
 /* The number of this long option, "--name" or "--name=value", or -1. */
@@ -47,8 +47,7 @@ static int refuse_option(const sorter *s, const char *word, option_index i)
     const char *names[FVI_SUBCOMMAND_MOST + OPTIONS + 2];
     size_t n = 0;
     if (i < OPTIONS)
-        return fvi_refuse(s->c, "--%s: not an option of this command",
-                          fvi_option_list[i].name);
+        return fvi_refuse(s->c, fvi_option_list[i].name, "not an option of this command");
     for (; s->command->own[n]; n++)
         names[n] = s->command->own[n];
     for (int j = 0; j < OUTPUT; j++)
@@ -63,14 +62,14 @@ static int take_own(sorter *s, int which, const char *value)
 {
     const char *name = s->command->own[which], **text = &s->w->own[which];
     if (!value)
-        return fvi_refuse(s->c, "--%s: a value is missing", name);
+        return fvi_refuse(s->c, name, "a value is missing");
     return fvi_word_once("--", name, text, value, s->c);
 }
 
 static int take_operand(sorter *s, const char *word)
 {
     if (!s->command->operand || s->w->operand)
-        return fvi_refuse(s->c, "'%s': not expected here", word);
+        return fvi_refuse(s->c, NULL, "'%s': not expected here", word);
     s->w->operand = word;
     return 0;
 }
@@ -101,12 +100,11 @@ static int sort_words(sorter *s, int argc, char **argv)
 }
 
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
-                        fvi_subcommand_options *w, fvi_options *o, fvi_complaint c)
+                        fvi_subcommand_options *w, fvi_options *o, fvi_error *c)
 {
     char **room = malloc(((size_t)argc + 2) * sizeof *room);
     if (!room) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     }
     sorter s = { command, w, room + 3, 0, c };
     int status = sort_words(&s, argc, argv);
@@ -119,8 +117,7 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
     if (preset)
         run[2] = command->method;
     if (!status)
-        status =
-            fvi_options_parse(s.count + 2 + preset, run, o, c.text, c.size);
+        status = fvi_options_parse(s.count + 2 + preset, run, o, c);
     free(room);
     return status;
 }
@@ -137,9 +134,4 @@ void fvi_subcommand_options_head(FILE *out, const fvi_own_command *command,
         if (w->own[i])
             fvi_format_parameter(out, FVI_FORMAT_TSV, command->own[i],
                                  w->own[i]);
-}
-
-void fvi_subcommand_options_refuse(const fvi_own_command *command, const char *complaint)
-{
-    fvi_refused(complaint, command->name);
 }

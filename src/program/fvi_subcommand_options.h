@@ -31,15 +31,11 @@ typedef struct {
  * into w, which is all 0, those of run into o. Returns as fvi_options_parse, and o is to
  * be freed as there. */
 int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char **argv,
-                        fvi_subcommand_options *w, fvi_options *o, fvi_complaint c);
+                        fvi_subcommand_options *w, fvi_options *o, fvi_error *c);
 
 /* fvi_subcommand_options_head -- the head of a table: the version, the options of run that the
  * command has, and its own that are given. */
 void fvi_subcommand_options_head(FILE *out, const fvi_own_command *command,
                         const fvi_subcommand_options *w, const fvi_options *o);
-
-/* fvi_subcommand_options_refuse -- the complaint, and where help is, on standard error. */
-void fvi_subcommand_options_refuse(const fvi_own_command *command,
-                          const char *complaint);
 
 #endif

@@ -9,7 +9,7 @@
 #include "fvi_run.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
-#include "options/fvi_format_double.h"
+#include <fvi/format_double.h>
 
 #include <math.h>
 #include <signal.h>
@@ -86,10 +86,9 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
 /* Run number i into its row: the values of the grid, then the columns of step N. */
 static verdict one_run(const sweep_grid *g, size_t i, double *row)
 {
-    char complaint[FVI_COMPLAINT];
     fvi_options o;
     verdict v = { .status = FVI_ENOMEM };
-    if (sweep_grid_options(g, i, &o, complaint, sizeof complaint))
+    if (sweep_grid_options(g, i, &o, NULL))
         return v; /* it was understood before */
     const fvi_system system = fvi_options_system(&o);
     const fvi_run r = fvi_options_run(&o, &system);
@@ -262,15 +261,15 @@ static int print_table(const sweep_grid *g, const fvi_options *o, const board *b
     return failed;
 }
 
-/* Every point of the grid is understood before the first run begins. Returns 0, or 2. */
+/* Every point of the grid is understood before the first run begins. Returns 0, or a code. */
 static int check_all(const sweep_grid *g, const char **no_solution,
-                     char *complaint, size_t size)
+                     fvi_error *c)
 {
-    int status = sweep_grid_check(g, (fvi_complaint){ complaint, size });
+    int status = sweep_grid_check(g, c);
     *no_solution = NULL;
     for (size_t i = 0; !status && i < g->runs; i++) {
         fvi_options o;
-        status = sweep_grid_options(g, g->first + i, &o, complaint, size);
+        status = sweep_grid_options(g, g->first + i, &o, c);
         if (status)
             return status;
         if (o.no_solution)
@@ -304,17 +303,17 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
 
 int fvi_command_sweep(int argc, char **argv)
 {
-    char complaint[FVI_COMPLAINT];
+    fvi_error error;
     sweep_grid g;
     fvi_options o;
     const char *no_solution;
-    int status = sweep_grid_parse(argc, argv, &g, complaint, sizeof complaint);
+    int status = sweep_grid_parse(argc, argv, &g, &error);
     if (!status)
-        status = check_all(&g, &no_solution, complaint, sizeof complaint);
+        status = check_all(&g, &no_solution, &error);
     if (!status)
-        status = sweep_grid_options(&g, g.first, &o, complaint, sizeof complaint);
+        status = sweep_grid_options(&g, g.first, &o, &error);
     if (status) {
-        fvi_refused(complaint, "sweep");
+        status = fvi_refused(&error, "sweep");
     } else {
         status = run_all(&g, &o, no_solution);
         fvi_options_free(&o);

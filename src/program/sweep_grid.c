@@ -1,7 +1,7 @@
 /* src/program/sweep_grid.c -- The runs of a sweep. */
 #include "sweep_grid.h"
 #include "options/fvi_options.h"
-#include "options/fvi_format_double.h"
+#include <fvi/format_double.h>
 
 #include <ctype.h>
 #include <float.h>
@@ -64,7 +64,7 @@ int sweep_grid_has(const sweep_grid *g, const char *name)
 enum { AHEAD = 2 + FVI_MOST_AXES };
 
 int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
-                     char *complaint, size_t size)
+                       fvi_error *c)
 {
     /* getopt needs words that may be written to, and o keeps pointers to them */
     static char fvi[] = "fvi", run[] = "run", word[FVI_MOST_AXES][140];
@@ -79,8 +79,7 @@ int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
                  value);
         words[2 + n] = word[n];
     }
-    return fvi_options_parse(2 + (int)g->count + g->word_count, words, o,
-                             complaint, size);
+    return fvi_options_parse(2 + (int)g->count + g->word_count, words, o, c);
 }
 
 /* ---- words ---- */
@@ -110,7 +109,7 @@ static int is_option(const char *name)
 
 /* "A:B:N[:log]" */
 static int take_range(fvi_axis *a, const char *text, const char *range,
-                      fvi_complaint c)
+                      fvi_error *c)
 {
     char place[3][40] = { "", "", "" };
     double count = 0;
@@ -119,49 +118,49 @@ static int take_range(fvi_axis *a, const char *text, const char *range,
                              place[1], place[2], &used);
     a->log = found == 3 && strcmp(range + used, ":log") == 0;
     if (found != 3 || (range[used] && !a->log))
-        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N or NAME=A:B:N:log",
                           text);
-    int status = fvi_word_number("vary", place[0], -INFINITY, INFINITY, "()",
+    int status = fvi_parse_number("vary", place[0], -INFINITY, INFINITY, "()",
                                  &a->from, c);
     if (!status)
-        status = fvi_word_number("vary", place[1], -INFINITY, INFINITY, "()",
+        status = fvi_parse_number("vary", place[1], -INFINITY, INFINITY, "()",
                                  &a->to, c);
     if (!status)
-        status = fvi_word_number("vary", place[2], 1, 1e9, "[]", &count, c);
+        status = fvi_parse_number("vary", place[2], 1, 1e9, "[]", &count, c);
     if (status)
         return status;
     if (count != floor(count) || (count == 1 && a->from != a->to))
-        return fvi_refuse(c, "--vary: '%s': %s values from %s to %s", text,
+        return fvi_refuse(c, "vary", "'%s': %s values from %s to %s", text,
                           place[2], place[0], place[1]);
     if (a->log && !(a->from * a->to > 0))
-        return fvi_refuse(c, "--vary: '%s': log needs two ends of one sign",
+        return fvi_refuse(c, "vary", "'%s': log needs two ends of one sign",
                           text);
     a->count = (size_t)count;
     return 0;
 }
 
 /* One more axis. */
-static int take_axis(sweep_grid *g, const char *text, fvi_complaint c)
+static int take_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
     const char *equals = strchr(text, '=');
     const size_t length = equals ? (size_t)(equals - text) : 0,
                  end = strlen(g->text);
     fvi_axis *a = &g->axis[g->count];
     if (g->count == FVI_MOST_AXES)
-        return fvi_refuse(c, "--vary: '%s': at most %d are varied", text,
+        return fvi_refuse(c, "vary", "'%s': at most %d are varied", text,
                           FVI_MOST_AXES);
     if (length == 0 || length >= sizeof a->name)
-        return fvi_refuse(c, "--vary: '%s' is not NAME=A:B:N or NAME=A:B:N:log",
+        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N or NAME=A:B:N:log",
                           text);
     memcpy(a->name, text, length);
     a->name[length] = '\0';
     a->is_let = !is_numeric(a->name);
     if (sweep_grid_has(g, a->name))
-        return fvi_refuse(c, "--vary: '%s' is varied twice", a->name);
+        return fvi_refuse(c, "vary", "'%s' is varied twice", a->name);
     if (a->is_let
         && (is_option(a->name) || !fvi_symbol_is_free(a->name, "x")
             || !fvi_symbol_is_free(a->name, "t")))
-        return fvi_refuse(c, "--vary: '%s' is not a number that can be varied",
+        return fvi_refuse(c, "vary", "'%s' is not a number that can be varied",
                           a->name);
     int status = take_range(a, text, equals + 1, c);
     if (status)
@@ -171,28 +170,28 @@ static int take_axis(sweep_grid *g, const char *text, fvi_complaint c)
     return 0;
 }
 
-static int take_part(sweep_grid *g, const char *text, fvi_complaint c)
+static int take_part(sweep_grid *g, const char *text, fvi_error *c)
 {
     char first[32] = "", rest[32] = "";
     int used = 0;
     if (sscanf(text, "%31[^/]/%31[^/]%n", first, rest, &used) != 2
         || text[used])
-        return fvi_refuse(c, "--part: '%s' is not I/K", text);
-    int status = fvi_word_whole("part", rest, 1000000, &g->parts, c);
+        return fvi_refuse(c, "part", "'%s' is not I/K", text);
+    int status = fvi_parse_whole("part", rest, 1000000, &g->parts, c);
     if (!status)
-        status = fvi_word_whole("part", first, g->parts, &g->part, c);
+        status = fvi_parse_whole("part", first, g->parts, &g->part, c);
     snprintf(g->part_text, sizeof g->part_text, "%s", text);
     return status;
 }
 
 /* --jobs, or --part; text is what it was before. */
 static int take_once(sweep_grid *g, int jobs, const char *value,
-                     const char **text, fvi_complaint c)
+                     const char **text, fvi_error *c)
 {
     const int status =
         fvi_word_once("--", jobs ? "jobs" : "part", text, value, c);
     return status ? status
-           : jobs ? fvi_word_whole("jobs", value, 1024, &g->jobs, c)
+           : jobs ? fvi_parse_whole("jobs", value, 1024, &g->jobs, c)
                   : take_part(g, value, c);
 }
 
@@ -210,22 +209,21 @@ static int option(char **argv, int *i, const char *name, const char **value)
 
 /* A word that is none of `fvi run`, but nearly one of a sweep; or one of it that a run of
  * one row has no use for. */
-static int check_word(const char *word, fvi_complaint c)
+static int check_word(const char *word, fvi_error *c)
 {
     static const char *const names[] = { "vary", "jobs", "part", NULL };
     const option_index i = fvi_option_named(word);
     if (i == EVERY || i == PLOT || i == SNAPSHOT || i == CHECKPOINT
         || i == CONTINUE)
-        return fvi_refuse(c, "--%s: not an option of this command",
-                          fvi_option_list[i].name);
+        return fvi_refuse(c, fvi_option_list[i].name, "not an option of this command");
     if (strncmp(word, "--", 2) != 0 || i < OPTIONS
-        || !fvi_word_nearest(word + 2, strcspn(word + 2, "="), names))
+        || !fvi_nearest_word(word + 2, strcspn(word + 2, "="), names))
         return 0;
     return fvi_refuse_option(c, word, names);
 }
 
 /* Sort the words: those of a sweep are read, the others kept. */
-static int take_words(sweep_grid *g, int argc, char **argv, fvi_complaint c)
+static int take_words(sweep_grid *g, int argc, char **argv, fvi_error *c)
 {
     const char *texts[2] = { NULL, NULL }; /* of --part and --jobs */
     for (int i = 2; i < argc; i++) {
@@ -235,7 +233,7 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_complaint c)
                   jobs = !vary && option(argv, &i, "--jobs", &value),
                   part = !vary && !jobs && option(argv, &i, "--part", &value);
         if ((vary || jobs || part) && !value)
-            return fvi_refuse(c, "%s: a value is missing", given);
+            return fvi_refuse(c, NULL, "%s: a value is missing", given);
         if (vary)
             status = take_axis(g, value, c);
         else if (jobs || part)
@@ -257,10 +255,8 @@ static int take_words(sweep_grid *g, int argc, char **argv, fvi_complaint c)
     return 0;
 }
 
-int sweep_grid_parse(int argc, char **argv, sweep_grid *g, char *complaint,
-                   size_t size)
+int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c)
 {
-    const fvi_complaint c = { complaint, size };
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     double all = 1;
     *g = (sweep_grid){ .part = 1,
@@ -268,18 +264,17 @@ int sweep_grid_parse(int argc, char **argv, sweep_grid *g, char *complaint,
                      .jobs = cores > 0 ? (size_t)cores : 1 };
     g->words = calloc(AHEAD + (size_t)argc, sizeof *g->words);
     if (!g->words) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     }
     int status = take_words(g, argc, argv, c);
     if (status)
         return status;
     if (g->count == 0)
-        return fvi_refuse(c, "sweep: --vary NAME=A:B:N is missing");
+        return fvi_refuse(c, NULL, "sweep: --vary NAME=A:B:N is missing");
     for (size_t n = 0; n < g->count; n++)
         all *= (double)g->axis[n].count;
     if (all > 1e9)
-        return fvi_refuse(c, "--vary: %g runs are too many", all);
+        return fvi_refuse(c, "vary", "%g runs are too many", all);
     /* part I has the runs from (I - 1) R / K to I R / K: none, if there are more parts than runs */
     const size_t runs = (size_t)all;
     g->first = (g->part - 1) * runs / g->parts;
@@ -302,7 +297,7 @@ static int stands_in(const char *text, const char *name)
     return 0;
 }
 
-int sweep_grid_check(const sweep_grid *g, fvi_complaint c)
+int sweep_grid_check(const sweep_grid *g, fvi_error *c)
 {
     for (size_t n = 0; n < g->count; n++) {
         const char *name = g->axis[n].name;
@@ -313,7 +308,7 @@ int sweep_grid_check(const sweep_grid *g, fvi_complaint c)
         if (g->axis[n].is_let && !found)
             return fvi_refuse(
                 c,
-                "--vary: '%s' is no option that can be varied, "
+                "vary", "'%s' is no option that can be varied, "
                 "and in no expression%s",
                 name, fvi_word_hint(name, strlen(name), numbers, place));
     }

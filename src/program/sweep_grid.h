@@ -30,20 +30,19 @@ typedef struct {
     int word_count; /* without these */
 } sweep_grid;
 
-/* sweep_grid_parse -- understand argv, all but what is for `fvi run`. Returns 0, 2 or 1 as
+/* sweep_grid_parse -- understand argv, all but what is for `fvi run`. Returns as
  * fvi_options_parse; free the grid with sweep_grid_free in any case. */
-int sweep_grid_parse(int argc, char **argv, sweep_grid *g, char *complaint,
-                   size_t size);
+int sweep_grid_parse(int argc, char **argv, sweep_grid *g, fvi_error *c);
 void sweep_grid_free(sweep_grid *g);
 
 /* sweep_grid_options -- the options of run i, counted in the whole grid. As
  * fvi_options_parse. */
 int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
-                     char *complaint, size_t size);
+                       fvi_error *c);
 
 /* sweep_grid_check -- does each name that is no option stand in another word? Whether that is
- * an expression sweep_grid_options sees. Returns 0, or 2 and a complaint. */
-int sweep_grid_check(const sweep_grid *g, fvi_complaint c);
+ * an expression sweep_grid_options sees. Returns 0, or FVI_EINVAL. */
+int sweep_grid_check(const sweep_grid *g, fvi_error *c);
 
 /* sweep_grid_value -- of axis n in run i. Both ends are met exactly. A value between them is the
  * decimal number of fewest digits, at most 12, within the roundings of its formula, if there

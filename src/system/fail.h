@@ -19,13 +19,13 @@ void fvi_quiet(void);
 void fvi_loud(void);
 
 /* Tell the handler, if there is one; returns code. */
-int fvi_fail(const char *reason, const char *file, int line, int code);
+int fvi_tell_handler(const char *reason, const char *file, int line, int code);
 
 /* What the caller's interrupter says, 0 if there is none: a loop that may last asks. */
 int fvi_interrupted(void);
 
 #define FVI_FAIL(reason, code)                                                 \
-    return fvi_fail(reason, __FILE__, __LINE__, code)
+    return fvi_tell_handler(reason, __FILE__, __LINE__, code)
 
 /* fvi_is_own_code -- nonzero for a code of the caller's own functions, none of error.h. */
 int fvi_is_own_code(int code);

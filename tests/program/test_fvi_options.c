@@ -3,7 +3,7 @@
 #include "harness/ulp.h"
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
-#include "options/fvi_format_double.h"
+#include <fvi/format_double.h>
 #include "options/fvi_words.h"
 
 #include <float.h>
@@ -104,14 +104,15 @@ START_TEST(random_words_are_understood_or_refused)
     for (size_t round = 0; round < 100000; round++) {
         char *argv[12] = { program, dice(4) ? run : weights },
              complaint[FVI_COMPLAINT] = "";
+        fvi_error error;
         int argc = 2 + (int)dice(9);
         for (int i = 2; i < argc; i++)
             argv[i] = words[dice(LEN(words))];
         fvi_options o;
-        int status =
-            fvi_options_parse(argc, argv, &o, complaint, sizeof complaint);
-        ck_assert(status == 0 || status == 2);
-        ck_assert((status == 0) == (complaint[0] == '\0'));
+        const int status = fvi_options_parse(argc, argv, &o, &error);
+        ck_assert(status == 0 || status == error.code);
+        if (status)
+            ck_assert_int_eq(fvi_complaint(&error, complaint), 2);
         const char *second = strchr(complaint, '\n'); /* a caret, if anything */
         ck_assert(!second || strspn(second, "\n ") + 1 == strlen(second));
         if (status == 0 && o.command == FVI_COMMAND_RUN) {
@@ -132,18 +133,21 @@ END_TEST
 /* What was not said has the value of the manual. */
 START_TEST(defaults_are_those_of_the_manual)
 {
-    char program[] = "fvi", run[] = "run", complaint[100];
+    char program[] = "fvi", run[] = "run";
     char *argv[] = { program, run, NULL };
     fvi_options o;
-    ck_assert_int_eq(
-        fvi_options_parse(2, argv, &o, complaint, sizeof complaint), 0);
+    fvi_forcing force;
+    double constants[2];
+    ck_assert_int_eq(fvi_options_parse(2, argv, &o, NULL), 0);
     ck_assert(o.alpha == 0.5 && o.rho[0] == 0.2 && o.mass[0] == 1
               && o.kappa == 0.5);
     ck_assert(o.h == 0.1 && o.steps == 200 && o.every == 1 && o.d == 1);
     ck_assert(o.x0[0] == 1 && o.p0[0] == 0.5 && o.past == FVI_INITIAL_HISTORY_HELD
               && !o.output);
-    ck_assert(o.potential == FVI_POTENTIAL_HARMONIC && o.spring[0] == 1
-              && o.force == FVI_FORCING_NONE);
+    ck_assert(o.potential.kind == FVI_POTENTIAL_HARMONIC
+              && o.potential.constants[0] == 1);
+    ck_assert(fvi_typed_force_is_simple(o.force, &force, constants)
+              && force == FVI_FORCING_NONE);
     ck_assert(o.memory == FVI_HISTORY_AUTO && o.tolerance == 1e-13);
     ck_assert(o.error == 0);
     const fvi_column columns[] = { FVI_COLUMN_T, FVI_COLUMN_X, FVI_COLUMN_P,
@@ -157,7 +161,7 @@ END_TEST
 
 /* Parse up to two words behind the program's name; the exit code. */
 static int parse(const char *first, const char *second, const char *third,
-                 char *complaint, size_t size)
+                 char complaint[FVI_COMPLAINT])
 {
     static char words[4][40] = { "fvi" };
     char *argv[5] = { words[0], words[1], words[2], words[3], NULL };
@@ -166,10 +170,11 @@ static int parse(const char *first, const char *second, const char *third,
     for (size_t i = 0; i < LEN(given) && given[i]; i++)
         snprintf(words[argc++], sizeof *words, "%s", given[i]);
     fvi_options o;
-    int status = fvi_options_parse(argc, argv, &o, complaint, size);
-    if (status == 0)
-        fvi_options_free(&o);
-    return status;
+    fvi_error error;
+    if (fvi_options_parse(argc, argv, &o, &error))
+        return fvi_complaint(&error, complaint);
+    fvi_options_free(&o);
+    return 0;
 }
 
 /* A slip of the finger: a letter too many, too few, another one, two swapped, a word
@@ -214,9 +219,9 @@ START_TEST(the_nearest_known_word_is_named)
                   { "run", "--columns", "t,enrgy,x", "energy" },
                   { "run", "--columns", "t,q", NULL } };
     for (size_t i = 0; i < LEN(slips); i++) {
-        char complaint[400] = "", hint[60];
+        char complaint[FVI_COMPLAINT] = "", hint[60];
         ck_assert_int_eq(parse(slips[i].first, slips[i].second, slips[i].third,
-                               complaint, sizeof complaint),
+                               complaint),
                          2);
         const char *said = strstr(complaint, "; did you mean ");
         if (!slips[i].meant) {
@@ -226,8 +231,8 @@ START_TEST(the_nearest_known_word_is_named)
         snprintf(hint, sizeof hint, "; did you mean %s?", slips[i].meant);
         ck_assert_msg(said && strcmp(said, hint) == 0, "%s", complaint);
     }
-    char complaint[400] = ""; /* all methods are named, to the last */
-    parse("run", "--method", "rk4", complaint, sizeof complaint);
+    char complaint[FVI_COMPLAINT] = ""; /* all methods are named, to the last */
+    parse("run", "--method", "rk4", complaint);
     ck_assert_ptr_nonnull(strstr(complaint, ", fvi-stable"));
 }
 END_TEST
@@ -236,21 +241,28 @@ END_TEST
  * known words than there is room for are cut, not written behind it. */
 START_TEST(words_stay_within_their_bounds)
 {
-    char text[400] = "";
-    const fvi_complaint c = { text, sizeof text };
+    char text[FVI_COMPLAINT] = "";
+    fvi_error error;
     size_t value = 7;
-    ck_assert_int_eq(fvi_word_whole("steps", "1e10", 2147483647, &value, c), 2);
+    ck_assert_int_eq(
+        fvi_parse_whole("steps", "1e10", 2147483647, &value, &error), FVI_EDOM);
+    ck_assert_int_eq(fvi_complaint(&error, text), 2);
+    ck_assert_str_eq(error.field, "steps");
+    ck_assert_double_eq(error.value, 1e10);
     ck_assert_str_eq(text, "--steps: '1e10' is outside [1, 2.14748e+09]");
     ck_assert_uint_eq(value, 7);
-    ck_assert_int_eq(fvi_word_whole("steps", "2e9", 2147483647, &value, c), 0);
+    ck_assert_int_eq(
+        fvi_parse_whole("steps", "2e9", 2147483647, &value, NULL), 0);
     ck_assert_uint_eq(value, 2000000000);
-    ck_assert_int_eq(fvi_word_whole("steps", "1e16", SIZE_MAX, &value, c), 2);
+    ck_assert_int_eq(fvi_parse_whole("steps", "1e16", SIZE_MAX, &value, NULL),
+                     FVI_EDOM);
     const char *many[101];
     for (size_t i = 0; i < 100; i++)
         many[i] = "a-word-of-some-length";
     many[100] = NULL;
-    ck_assert_int_eq(fvi_word_choice("x", "else", many, &value, c), 2);
-    ck_assert_uint_lt(strlen(text), strlen("--x: 'else' is none of ") + 320);
+    ck_assert_int_eq(fvi_parse_word("x", "else", many, &value, &error),
+                     FVI_EINVAL);
+    ck_assert_uint_lt(strlen(error.text), strlen("'else' is none of ") + 320);
 }
 END_TEST
 
@@ -259,16 +271,18 @@ END_TEST
 START_TEST(a_long_word_is_shortened_and_its_reason_stays)
 {
     static const char reason[] = "3,3,3' has 400 numbers, not 1 or 399";
-    char word[800], text[400] = "";
+    char word[800];
+    fvi_error error;
     double values[399];
     for (size_t i = 0; i < 400; i++)
         memcpy(word + 2 * i, i < 399 ? "3," : "3", 2);
-    const fvi_complaint c = { text, sizeof text };
-    ck_assert_int_eq(fvi_word_list("x0", word, -1, 9, "[]", 399, values, c), 2);
-    ck_assert_uint_eq(strlen(text), 399);
-    ck_assert_int_eq(strncmp(text, "--x0: '3,3,3,", 13), 0);
-    ck_assert_ptr_nonnull(strstr(text, "..."));
-    ck_assert_str_eq(text + 399 - strlen(reason), reason);
+    ck_assert_int_eq(
+        fvi_parse_numbers("x0", word, -1, 9, "[]", 399, values, &error),
+        FVI_EINVAL);
+    ck_assert_uint_eq(strlen(error.text), 399);
+    ck_assert_int_eq(strncmp(error.text, "'3,3,3,", 7), 0);
+    ck_assert_ptr_nonnull(strstr(error.text, "..."));
+    ck_assert_str_eq(error.text + 399 - strlen(reason), reason);
 }
 END_TEST
 
@@ -319,16 +333,14 @@ START_TEST(only_the_mirror_asks_for_other_nodes)
                  { "t,x,y", 6, { 0, 2, 4, 6, 8, 10 } },
                  { "y,t", 6, { 0, 2, 4, 6, 8, 10 } } };
     for (size_t i = 0; i < LEN(some); i++) {
-        char complaint[200], columns[8],
+        char columns[8],
             *line[] = { "fvi",     "run", "--steps",   "10",
                         "--every", "4",   "--columns", columns };
         fvi_options o;
         fvi_table table;
         const fvi_system system = { 0 };
         strcpy(columns, some[i].columns);
-        ck_assert_int_eq(
-            fvi_options_parse(LEN(line), line, &o, complaint, sizeof complaint),
-            0);
+        ck_assert_int_eq(fvi_options_parse(LEN(line), line, &o, NULL), 0);
         fvi_table_shape(&table, &o, &system);
         size_t k = 0;
         for (size_t n = 1; n < some[i].count; n++) {

@@ -1,4 +1,4 @@
-/* src/input/fvi_polygon.h -- A table as a function of t.                          [H 18] */
+/* src/problem/polygon.h -- A table as a function of t.                          [H 18] */
 #ifndef FVI_POLYGON_H
 #define FVI_POLYGON_H
 

@@ -1,5 +1,5 @@
-/* src/options/fvi_format_double.c -- A number as a word. */
-#include "fvi_format_double.h"
+/* src/system/format_double.c -- A number as a word. */
+#include <fvi/format_double.h>
 
 #include <float.h>
 #include <math.h>

@@ -1,19 +1,22 @@
-/* src/input/fvi_data.c -- Numbers from files. */
-#include "fvi_data.h"
-#include "fvi_rows.h"
+/* src/problem/data.c -- Numbers from files. */
+#include "data.h"
+#include "rows.h"
 
+#include <fvi/parse.h>
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 static const char blank[] = " \t";
 
-int fvi_data_numbers(const char *option, const char *file, size_t most,
-                     double *values, size_t *n, fvi_complaint c)
+int fvi_data_numbers(const char *field, const char *file, size_t most,
+                     double *values, size_t *n, fvi_error *error)
 {
     fvi_rows r;
     fvi_rows_kind kind = FVI_ROWS_COMMENT;
-    int status = fvi_rows_open(&r, option, file, c);
+    int status = fvi_rows_open(&r, field, file, error);
     *n = 0;
     while (!status && kind != FVI_ROWS_END) {
         status = fvi_rows_next(&r, &kind);
@@ -136,16 +139,15 @@ static int choose_columns(const names_above *above, const fvi_rows *r,
 /* ---- tables ---- */
 
 /* Room for one more pair. */
-static int make_room(size_t n, size_t *room, double **pairs, fvi_complaint c)
+static int make_room(size_t n, size_t *room, double **pairs, const fvi_rows *r)
 {
     if (n < *room)
         return 0;
     *room = 2 * *room + 256;
     double *more = realloc(*pairs, 2 * *room * sizeof *more);
-    if (!more) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
-    }
+    if (!more)
+        return fvi_fail(r->error, FVI_ENOMEM, r->field, NAN,
+                        "not enough memory");
     *pairs = more;
     return 0;
 }
@@ -184,7 +186,7 @@ static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
         if (*n == 0)
             status = choose_columns(&above, r, &from);
         if (!status)
-            status = make_room(*n, &room, pairs, r->c);
+            status = make_room(*n, &room, pairs, r);
         if (!status)
             status = take_row(r, &from, *n == 0, *pairs + 2 * *n);
         if (status)
@@ -194,24 +196,23 @@ static int read_rows(fvi_rows *r, const char *const names[2], size_t *n,
     return status;
 }
 
-int fvi_data_table(const char *option, const char *file,
+int fvi_parse_table(const char *field, const char *file,
                    const char *const names[2], size_t *n, double **t,
-                   double **v, fvi_complaint c)
+                   double **v, fvi_error *error)
 {
     fvi_rows r;
     double *pairs = NULL;
     *n = 0;
-    int status = fvi_rows_open(&r, option, file, c);
+    int status = fvi_rows_open(&r, field, file, error);
     if (!status)
         status = read_rows(&r, names, n, &pairs);
     fvi_rows_close(&r);
     if (!status && *n == 0)
-        status = fvi_refuse(c, "--%s: %s: has no rows", option, file);
+        status = fvi_fail(error, FVI_EINVAL, field, NAN, "%s: has no rows",
+                          file);
     double *block = !status ? malloc(2 * *n * sizeof *block) : NULL;
-    if (!status && !block) {
-        fvi_refuse(c, "not enough memory");
-        status = 1;
-    }
+    if (!status && !block)
+        status = fvi_fail(error, FVI_ENOMEM, field, NAN, "not enough memory");
     for (size_t i = 0; !status && i < *n; i++) {
         block[i] = pairs[2 * i];
         block[*n + i] = pairs[2 * i + 1];

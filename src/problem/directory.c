@@ -1,11 +1,10 @@
-/* src/input/fvi_directory.c -- A system from the files of a folder. */
+/* src/problem/directory.c -- A system from the files of a folder. */
 #define _GNU_SOURCE /* PATH_MAX */
-#include "fvi_directory.h"
-#include "fvi_files.h"
-#include "fvi_polygon.h"
-#include "fvi_rows.h"
+#include <fvi/directory.h>
+
+#include "polygon.h"
+#include "rows.h"
 #include "matrices/sparse.h"
-#include <fvi/error.h>
 
 #include <dirent.h>
 #include <limits.h>
@@ -29,18 +28,16 @@ struct fvi_directory {
     loads loads;
 };
 
-static int no_memory(fvi_complaint c)
+static int no_memory(fvi_error *error)
 {
-    fvi_refuse(c, "not enough memory");
-    return 1;
+    return fvi_fail(error, FVI_ENOMEM, "system", NAN, "not enough memory");
 }
 
-/* DIR/file, which is read if it is there. */
+/* DIR/file. */
 static const char *path(const fvi_directory *d, const char *file,
                         char place[PATH_MAX + 8])
 {
     snprintf(place, PATH_MAX + 8, "%s/%s", d->name, file);
-    fvi_mark_read("system", place);
     return place;
 }
 
@@ -54,19 +51,19 @@ static int is_there(const char *place)
 /* ---- matrices ---- */
 
 static int read_matrix(const fvi_directory *d, const char *file, fvi_sparse *A,
-                       fvi_complaint c)
+                       fvi_error *error)
 {
     char place[PATH_MAX + 8];
     fvi_misread wrong = { 0, "", 0 };
     int status = fvi_sparse_read(path(d, file, place), A, &wrong);
     if (status == FVI_ENOMEM)
-        return no_memory(c);
+        return no_memory(error);
     if (status && wrong.line == 0)
-        return fvi_refuse(c, "--system: %s: %s", place, wrong.reason);
+        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, wrong.reason);
     if (status && wrong.column == 0)
-        return fvi_refuse(c, "--system: %s:%zu: %s", place, wrong.line,
+        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu: %s", place, wrong.line,
                           wrong.reason);
-    return status ? fvi_refuse(c, "--system: %s:%zu:%zu: %s", place, wrong.line,
+    return status ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu:%zu: %s", place, wrong.line,
                                wrong.column, wrong.reason)
                   : 0;
 }
@@ -94,7 +91,7 @@ static int gives_away(const fvi_sparse *A, int semidefinite, int *row,
 /* Three matrices that were read, but do not make a system: with the line of the size, or of
  * the entry that gives it away, where one does. */
 static int refuse_matrices(const fvi_directory *d, int status, char fault,
-                           fvi_complaint c)
+                           fvi_error *error)
 {
     const char *reason =
         status == FVI_EINVAL ? "not of the size of M.mtx"
@@ -102,7 +99,7 @@ static int refuse_matrices(const fvi_directory *d, int status, char fault,
         : fault == 'C' ? "not positive semidefinite: it would feed the motion"
                        : "not a matrix of a system";
     if (status == FVI_ENOMEM)
-        return no_memory(c);
+        return no_memory(error);
     const char name[] = { fault, '.', 'm', 't', 'x', '\0' };
     char place[PATH_MAX + 8];
     int row = -1, column = -1;
@@ -112,24 +109,24 @@ static int refuse_matrices(const fvi_directory *d, int status, char fault,
         || gives_away(fault == 'M' ? &d->M : &d->C, fault == 'C', &row,
                       &column))
         line = fvi_sparse_line(place, row, column);
-    return line ? fvi_refuse(c, "--system: %s:%zu: %s", place, line, reason)
-                : fvi_refuse(c, "--system: %s: %s", place, reason);
+    return line ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s:%zu: %s", place, line, reason)
+                : fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: %s", place, reason);
 }
 
-static int read_all(fvi_directory *d, fvi_complaint c)
+static int read_all(fvi_directory *d, fvi_error *error)
 {
     char place[PATH_MAX + 8], fault;
-    int status = read_matrix(d, "M.mtx", &d->M, c);
+    int status = read_matrix(d, "M.mtx", &d->M, error);
     if (!status)
-        status = read_matrix(d, "K.mtx", &d->K, c);
+        status = read_matrix(d, "K.mtx", &d->K, error);
     const int damped = is_there(path(d, "C.mtx", place));
     if (!status && damped)
-        status = read_matrix(d, "C.mtx", &d->C, c);
+        status = read_matrix(d, "C.mtx", &d->C, error);
     if (status)
         return status;
     status = fvi_structure_alloc(&d->M, &d->K, damped ? &d->C : NULL,
                                  &d->structure, &fault);
-    return status ? refuse_matrices(d, status, fault, c) : 0;
+    return status ? refuse_matrices(d, status, fault, error) : 0;
 }
 
 /* ---- files that are not read ---- */
@@ -160,7 +157,7 @@ static int is_stranger(const char *name)
 }
 
 /* Of several the first by its name. A folder that cannot be listed has none. */
-static int refuse_strangers(const fvi_directory *d, fvi_complaint c)
+static int refuse_strangers(const fvi_directory *d, fvi_error *error)
 {
     char first[NAME_MAX + 1] = "";
     DIR *folder = opendir(d->name);
@@ -170,29 +167,28 @@ static int refuse_strangers(const fvi_directory *d, fvi_complaint c)
             snprintf(first, sizeof first, "%s", file->d_name);
     if (folder)
         closedir(folder);
-    return *first ? fvi_refuse(c,
-                               "--system: %s/%s would not be read: M.mtx, "
+    return *first ? fvi_fail(error, FVI_EINVAL, "system", NAN, "%s/%s would not be read: M.mtx, "
                                "K.mtx, C.mtx and f.tsv are",
                                d->name, first)
                   : 0;
 }
 
 int fvi_directory_open(const char *name, fvi_directory **directory,
-                       fvi_complaint c)
+                       fvi_error *error)
 {
     fvi_directory *d = calloc(1, sizeof *d);
     if (!d)
-        return no_memory(c);
+        return no_memory(error);
     int status = 0;
     if (strlen(name) >= sizeof d->name)
-        status = fvi_refuse(c, "--system: '%s' is too long", name);
+        status = fvi_fail(error, FVI_EINVAL, "system", NAN, "'%s' is too long", name);
     else
         strcpy(d->name, name);
     snprintf(d->force_name, sizeof d->force_name, "f.tsv of %s", d->name);
     if (!status)
-        status = read_all(d, c);
+        status = read_all(d, error);
     if (!status)
-        status = refuse_strangers(d, c);
+        status = refuse_strangers(d, error);
     if (status)
         fvi_directory_close(d);
     else
@@ -210,7 +206,7 @@ static int all_columns(loads *l, size_t d)
     l->unknown = malloc(d * sizeof *l->unknown);
     for (l->width = 0; l->unknown && l->width < d; l->width++)
         l->unknown[l->width] = l->width;
-    return l->unknown ? 0 : 1;
+    return l->unknown ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
 /* Is a line behind # no comment, but "t f3 f7"? */
@@ -225,7 +221,7 @@ static int names_columns(const char *line)
 /* A fault in the line of names. */
 static int refuse_name(const fvi_rows *r, const char *at, const char *reason)
 {
-    return fvi_refuse(r->c, "--system: %s:%zu:%zu: %s", r->name,
+    return fvi_fail(r->error, FVI_EINVAL, "system", NAN, "%s:%zu:%zu: %s", r->name,
                       r->lines.number, (size_t)(at - r->lines.text) + 1,
                       reason);
 }
@@ -238,7 +234,7 @@ static int named_columns(const fvi_rows *r, loads *l, size_t d)
         return refuse_name(r, at, "names are t, then f1, f2, ...");
     l->unknown = malloc(d * sizeof *l->unknown);
     if (!l->unknown)
-        return 1;
+        return FVI_ENOMEM;
     for (at++; *(at += strspn(at, between)); at = stop) {
         const int digit = *at == 'f' && at[1] >= '0' && at[1] <= '9';
         const size_t i = digit ? strtoul(at + 1, &stop, 10) : 0;
@@ -264,7 +260,7 @@ static int take_row(const fvi_rows *r, loads *l, size_t *room)
         *room = 2 * *room + 64;
         double *more = realloc(l->t, *room * width * sizeof *more);
         if (!more)
-            return 1;
+            return FVI_ENOMEM;
         l->t = more;
     }
     memcpy(l->t + n * width, r->values, width * sizeof *l->t);
@@ -290,8 +286,8 @@ static int read_rows(fvi_rows *r, loads *l, size_t d)
             status = named_columns(r, l, d);
         else if (kind == FVI_ROWS_WORDS)
             status = fvi_rows_refuse(r, 0, FVI_ROWS_NO_NUMBER);
-        else if (!l->unknown && all_columns(l, d))
-            status = 1;
+        else if (!l->unknown)
+            status = all_columns(l, d);
         if (!status && !is_name)
             status = take_row(r, l, &room);
         if (status)
@@ -301,7 +297,7 @@ static int read_rows(fvi_rows *r, loads *l, size_t d)
 }
 
 int fvi_directory_force(fvi_directory *d, double last, int *found,
-                        fvi_complaint c)
+                        fvi_error *error)
 {
     char place[PATH_MAX + 8];
     loads *l = &d->loads;
@@ -309,18 +305,17 @@ int fvi_directory_force(fvi_directory *d, double last, int *found,
     *found = is_there(path(d, "f.tsv", place));
     if (!*found)
         return 0;
-    int status = fvi_rows_open(&r, "system", place, c);
+    int status = fvi_rows_open(&r, "system", place, error);
     if (!status)
         status = read_rows(&r, l, d->M.n);
     fvi_rows_close(&r);
     if (status)
-        return status == 1 ? no_memory(c) : status;
+        return status == FVI_ENOMEM ? no_memory(error) : status;
     if (l->rows == 0)
-        return fvi_refuse(c, "--system: %s: has no rows", place);
+        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: has no rows", place);
     const double end = l->t[(l->rows - 1) * (l->width + 1)];
     if (l->t[0] > 0 || end < last * (1 - 1e-12))
-        return fvi_refuse(
-            c, "--system: %s: from t = %g to %g, the run from 0 to %g", place,
+        return fvi_fail(error, FVI_EINVAL, "system", NAN, "%s: from t = %g to %g, the run from 0 to %g", place,
             l->t[0], end, last);
     return 0;
 }

@@ -1,9 +1,9 @@
-/* src/options/fvi_laws.c -- Laws of damping: --damping zener:1,0.3,2. */
-#include "fvi_laws.h"
+/* src/problem/typed_damping.c -- Laws of damping as they are typed: zener:1,0.3,2. */
+#include "words.h"
 
-#include <stdio.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 static const char *const words[] = { "viscous", "spring",  "power",
                                      "zener",   "maxwell", "maxwell2",
@@ -75,56 +75,59 @@ static const struct {
 
 /* ---- texts ---- */
 
-/* One more term at the end of the sum, as its text. */
-static int add(fvi_laws *laws, const fvi_kernel_term *term, const char *text,
-               fvi_complaint c)
+static int refuse_range(const char *text, size_t i, double value,
+                        fvi_error *error)
 {
-    const size_t used = strlen(laws->text), room = sizeof laws->text - used;
-    const int length =
-        snprintf(laws->text + used, room, "%s%s", used > 0 ? " + " : "", text);
-    if (laws->law.count == FVI_MOST_TERMS || (size_t)length >= room)
-        return fvi_refuse(c, "--damping: '%s': too many terms", text);
-    laws->term[laws->law.count++] = *term;
-    laws->law.term = laws->term;
-    return 0;
+    return fvi_fail(error, FVI_EDOM, "damping", value, "'%s': %s with %s", text,
+                    kinds[i].form, kinds[i].range);
 }
 
-static int add_one(fvi_laws *laws, const char *text, fvi_complaint c)
+/* One term at the end of the sum. */
+static int add_term(const char *text, fvi_typed_damping *damping,
+                    fvi_error *error)
 {
-    const size_t length = strcspn(text, ":");
+    const size_t length = strcspn(text, ":"),
+                 i = fvi_scan_word(text, length, words);
     double p[MOST_NUMBERS];
     char place[64];
-    size_t i = 0;
-    while (words[i]
-           && (strlen(words[i]) != length
-               || strncasecmp(text, words[i], length) != 0))
-        i++;
     if (!words[i])
-        return fvi_refuse(c, "--damping: '%s' is none of %s%s", text, forms,
-                          fvi_word_hint(text, length, words, place));
-    if (!fvi_word_call(text, words[i], kinds[i].count, p))
-        return fvi_refuse(c, "--damping: '%s' is not %s", text, kinds[i].form);
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "'%s' is none of %s%s", text, forms,
+                        fvi_word_hint(text, length, words, place));
+    if (!fvi_scan_call(text, words[i], kinds[i].count, p))
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN, "'%s' is not %s",
+                        text, kinds[i].form);
     for (int j = 0; j < kinds[i].count; j++)
         if (p[j] < 0)
-            return fvi_refuse(c, "--damping: '%s': %s with %s", text,
-                              kinds[i].form, kinds[i].range);
+            return refuse_range(text, i, p[j], error);
     const fvi_kernel_term term = kinds[i].term(p);
     if (fvi_kernel_check(&(fvi_kernel){ 1, &term }) != 0)
-        return fvi_refuse(c, "--damping: '%s': %s with %s", text, kinds[i].form,
-                          kinds[i].range);
-    return add(laws, &term, text, c);
+        return refuse_range(text, i, NAN, error);
+    if (damping->law.count == FVI_MOST_TERMS)
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "'%s': too many terms", text);
+    damping->term[damping->law.count++] = term;
+    damping->law.term = damping->term;
+    return FVI_SUCCESS;
 }
 
-int fvi_laws_add(fvi_laws *laws, const char *text, fvi_complaint c)
+int fvi_parse_damping(const char *text, fvi_typed_damping *damping,
+                      fvi_error *error)
 {
-    char one[256];
-    const char *end;
-    int status = 0;
-    for (; !status && (end = strstr(text, " + ")); text = end + 3) {
-        if ((size_t)(end - text) >= sizeof one)
-            return fvi_refuse(c, "--damping: '%s': too long", text);
-        snprintf(one, sizeof one, "%.*s", (int)(end - text), text);
-        status = add_one(laws, one, c);
+    if (!text || !damping)
+        return fvi_fail(error, FVI_EFAULT, "damping", NAN, "null pointer");
+    char *copy = malloc(strlen(text) + 1);
+    if (!copy)
+        return fvi_fail(error, FVI_ENOMEM, "damping", NAN, "not enough memory");
+    int status = FVI_SUCCESS;
+    for (char *at = strcpy(copy, text), *next = at; next && !status;
+         at = next) {
+        if ((next = strstr(at, " + "))) {
+            *next = '\0';
+            next += 3;
+        }
+        status = add_term(at, damping, error);
     }
-    return status ? status : add_one(laws, text, c);
+    free(copy);
+    return status;
 }

@@ -1,11 +1,7 @@
-/* src/options/fvi_forces.c -- Forces that are typed, or stand in a file. */
+/* src/problem/typed_force.c -- Forces that are typed, or stand in a file. */
 #define _GNU_SOURCE /* strdup */
-#include "fvi_forces.h"
-
-#include "input/fvi_data.h"
-#include "input/fvi_polygon.h"
-#include <fvi/error.h>
-#include "system/larger.h"
+#include "words.h"
+#include "polygon.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,6 +12,7 @@
  * library's. */
 typedef struct {
     fvi_expression *expression;
+    char *file; /* the name of the table's */
     size_t n;
     double *t, *F;
     int hits;
@@ -23,7 +20,7 @@ typedef struct {
     double p[2];
 } part;
 
-struct fvi_forces {
+struct fvi_typed_force {
     size_t count;
     part *parts;
     size_t jump_count; /* the ends of steps, then the rows of tables */
@@ -44,6 +41,12 @@ static fvi_force ready_made(const part *p)
 {
     return p->kind == FVI_FORCING_STEP ? fvi_force_step(p->p)
                                        : fvi_force_cosine(p->p);
+}
+
+/* None, a step or a cosine. */
+static int is_ready_made(const part *p)
+{
+    return !p->expression && !p->t && !p->hits;
 }
 
 static int value_of(const part *p, double t, double *F)
@@ -81,7 +84,7 @@ static int bound_of(const part *p, double from, double to, size_t order,
     return force.bound(from, to, order, 1, force.params, most);
 }
 
-double fvi_forces_by_parameter(const fvi_forces *f, size_t j, double t)
+double fvi_typed_force_by_parameter(const fvi_typed_force *f, size_t j, double t)
 {
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
@@ -96,7 +99,7 @@ double fvi_forces_by_parameter(const fvi_forces *f, size_t j, double t)
 
 static int force_value(double t, size_t d, void *params, double *F)
 {
-    const fvi_forces *f = params;
+    const fvi_typed_force *f = params;
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
         double one;
@@ -113,7 +116,7 @@ static int force_value(double t, size_t d, void *params, double *F)
 static int force_bound(double from, double to, size_t order, size_t d,
                        void *params, double *most)
 {
-    const fvi_forces *f = params;
+    const fvi_typed_force *f = params;
     double one[FVI_BOUND_ORDER + 1], sum[FVI_BOUND_ORDER + 1] = { 0 };
     for (size_t i = 0; i < f->count; i++) {
         int status = bound_of(&f->parts[i], from, to, order, one);
@@ -128,8 +131,13 @@ static int force_bound(double from, double to, size_t order, size_t d,
     return 0;
 }
 
-fvi_force fvi_forces_force(const fvi_forces *f)
+/* One step or one cosine acts without a detour. */
+fvi_force fvi_force_typed(const fvi_typed_force *f)
 {
+    const part *first = f->parts;
+    if (f->count == 1 && is_ready_made(first))
+        return first->kind == FVI_FORCING_NONE ? (fvi_force){ 0 }
+                                               : ready_made(first);
     return (fvi_force){ .value = force_value,
                         .bound = force_bound,
                         .params = (void *)f,
@@ -139,7 +147,25 @@ fvi_force fvi_forces_force(const fvi_forces *f)
                         .impulse_count = f->impulse_count };
 }
 
-double fvi_forces_jump(const fvi_forces *f, size_t i)
+int fvi_typed_force_is_simple(const fvi_typed_force *f, fvi_forcing *kind,
+                              double constants[2])
+{
+    if (f->count != 1 || !is_ready_made(f->parts))
+        return 0;
+    *kind = f->parts->kind;
+    memcpy(constants, f->parts->p, sizeof f->parts->p);
+    return 1;
+}
+
+const char *fvi_typed_force_file(const fvi_typed_force *f, size_t i)
+{
+    for (size_t n = 0; n < f->count; n++)
+        if (f->parts[n].file && i-- == 0)
+            return f->parts[n].file;
+    return NULL;
+}
+
+double fvi_typed_force_jump(const fvi_typed_force *f, size_t i)
 {
     for (size_t n = 0; n < f->count; n++)
         if ((f->parts[n].kind == FVI_FORCING_STEP || f->parts[n].hits)
@@ -148,10 +174,11 @@ double fvi_forces_jump(const fvi_forces *f, size_t i)
     return NAN;
 }
 
-void fvi_forces_free(fvi_forces *f)
+void fvi_typed_force_free(fvi_typed_force *f)
 {
     for (size_t i = 0; f && i < f->count; i++) {
         fvi_expression_free(f->parts[i].expression);
+        free(f->parts[i].file);
         free(f->parts[i].t);
     }
     if (f) {
@@ -165,73 +192,86 @@ void fvi_forces_free(fvi_forces *f)
 
 /* ---- words ---- */
 
+static int no_memory(fvi_error *error)
+{
+    return fvi_fail(error, FVI_ENOMEM, "force", NAN, "not enough memory");
+}
+
 /* A table from 0 to the end of the run: nothing is made up. */
-static int read_file(part *p, const char *name, double last, fvi_complaint c)
+static int read_file(part *p, const char *name, double last, fvi_error *error)
 {
     static const char *const columns[] = { "t", "F" };
-    int status = fvi_data_table("force", name, columns, &p->n, &p->t, &p->F, c);
+    p->file = strdup(name);
+    if (!p->file)
+        return no_memory(error);
+    int status =
+        fvi_parse_table("force", name, columns, &p->n, &p->t, &p->F, error);
     if (status)
         return status;
     if (p->t[0] > 0)
-        return fvi_refuse(c, "--force: %s begins at t = %g, the run at 0", name,
-                          p->t[0]);
+        return fvi_fail(error, FVI_EDOM, "force", p->t[0],
+                        "%s begins at t = %g, the run at 0", name, p->t[0]);
     if (p->t[p->n - 1] < last * (1 - 1e-12))
-        return fvi_refuse(c, "--force: %s ends at t = %g, the run at %g", name,
-                          p->t[p->n - 1], last);
-    return 0;
-}
-
-static int read_expression(part *p, const char *text, fvi_user_parameters *lets,
-                           fvi_complaint c)
-{
-    fvi_misprint wrong;
-    int status = fvi_user_parameters_parse(lets, "t", 1, text, &p->expression, &wrong);
-    if (status == FVI_ENOMEM) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
-    }
-    return status ? fvi_refuse_at(c, "force", text, wrong) : 0;
+        return fvi_fail(error, FVI_EDOM, "force", p->t[p->n - 1],
+                        "%s ends at t = %g, the run at %g", name,
+                        p->t[p->n - 1], last);
+    return FVI_SUCCESS;
 }
 
 /* One that comes when the run is over, or has not begun, would be ignored. */
-static int read_impulse(part *p, const char *text, double last, fvi_complaint c)
+static int take_impulse(part *p, const char *text, double last,
+                        fvi_error *error)
 {
     p->hits = 1;
     if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
-        return fvi_refuse(c, "--force: '%s' is not within the run, 0 <= T <= %g",
-                          text, last);
-    return 0;
+        return fvi_fail(error, FVI_EDOM, "force", p->p[1],
+                        "'%s' is not within the run, 0 <= T <= %g", text, last);
+    return FVI_SUCCESS;
+}
+
+/* None, step:A,T or cosine:A,W. */
+static int scan_ready_made(part *p, const char *text)
+{
+    p->kind = strcasecmp(text, "none") == 0             ? FVI_FORCING_NONE
+              : fvi_scan_call(text, "step", 2, p->p)   ? FVI_FORCING_STEP
+                                                       : FVI_FORCING_COSINE;
+    return p->kind != FVI_FORCING_COSINE
+           || fvi_scan_call(text, "cosine", 2, p->p);
 }
 
 /* One part: a word with a colon, or an expression. */
-static int read_part(part *p, const char *text, fvi_user_parameters *lets,
-                     double last, fvi_complaint c)
+static int parse_part(part *p, const char *text,
+                      fvi_user_parameters *parameters, double last,
+                      fvi_error *error)
 {
     static const char *const words[] = { "none",    "step", "cosine",
                                          "impulse", "file", NULL };
     static const char *const forms[] = { "none", "step:A,T", "cosine:A,W",
                                          "impulse:J,T", "file:F.tsv" };
-    const size_t length = strcspn(text, ":");
+    const size_t length = strcspn(text, ":"),
+                 word = fvi_scan_word(text, length, words);
     if (length == 4 && text[length] && strncasecmp(text, "file", 4) == 0)
-        return read_file(p, text + 5, last, c);
-    if (fvi_word_force(text, &p->kind, p->p))
+        return read_file(p, text + 5, last, error);
+    if (scan_ready_made(p, text))
         return p->kind == FVI_FORCING_STEP && p->p[1] < 0
-                   ? fvi_refuse(c, "--force: '%s' ends before it begins", text)
-                   : 0;
-    if (fvi_word_call(text, "impulse", 2, p->p))
-        return read_impulse(p, text, last, c);
-    for (size_t i = 0; words[i]; i++)
-        if (strlen(words[i]) == length
-            && strncasecmp(words[i], text, length) == 0)
-            return fvi_refuse(c, "--force: '%s' is not %s", text, forms[i]);
+                   ? fvi_fail(error, FVI_EDOM, "force", p->p[1],
+                              "'%s' ends before it begins", text)
+                   : FVI_SUCCESS;
+    p->kind = FVI_FORCING_NONE;
+    if (fvi_scan_call(text, "impulse", 2, p->p))
+        return take_impulse(p, text, last, error);
+    if (words[word])
+        return fvi_fail(error, FVI_EINVAL, "force", NAN, "'%s' is not %s", text,
+                        forms[word]);
     char place[64];
     fvi_word_hint(text, length, words, place);
     if (text[length] || *place)
-        return fvi_refuse(c,
-                          "--force: '%s' is none of none, step:A,T, "
-                          "cosine:A,W, impulse:J,T, file:F.tsv%s",
-                          text, place);
-    return read_expression(p, text, lets, c);
+        return fvi_fail(error, FVI_EINVAL, "force", NAN,
+                        "'%s' is none of none, step:A,T, cosine:A,W, "
+                        "impulse:J,T, file:F.tsv%s",
+                        text, place);
+    return fvi_parse_expression("force", "t", 1, text, parameters,
+                                &p->expression, error);
 }
 
 /* Does a word with a colon begin here? */
@@ -253,16 +293,16 @@ static const char *end_of_part(const char *at)
     return at + strlen(at);
 }
 
-/* Where the sum is not smooth. Returns 0, or 1 if there is no memory. */
-static int collect_jumps(fvi_forces *f)
+/* Where the sum is not smooth. Returns 0, or FVI_ENOMEM. */
+static int collect_jumps(fvi_typed_force *f)
 {
     size_t room = 0;
     for (size_t i = 0; i < f->count; i++)
         room += f->parts[i].t ? f->parts[i].n : 1;
     f->jumps = malloc(room * sizeof *f->jumps);
     if (!f->jumps)
-        return 1;
-    for (double t; !isnan(t = fvi_forces_jump(f, f->jump_count));)
+        return FVI_ENOMEM;
+    for (double t; !isnan(t = fvi_typed_force_jump(f, f->jump_count));)
         f->jumps[f->jump_count++] = t;
     for (size_t i = 0; i < f->count; i++)
         for (size_t k = 0; f->parts[i].t && k < f->parts[i].n; k++)
@@ -276,8 +316,8 @@ static int by_time(const void *a, const void *b)
     return (x->t > y->t) - (x->t < y->t);
 }
 
-/* Each on all d masses. Returns 0, or 1 if there is no memory. */
-static int collect_impulses(fvi_forces *f, size_t d)
+/* Each on all d masses. Returns 0, or FVI_ENOMEM. */
+static int collect_impulses(fvi_typed_force *f, size_t d)
 {
     size_t n = 0;
     for (size_t i = 0; i < f->count; i++)
@@ -287,7 +327,7 @@ static int collect_impulses(fvi_forces *f, size_t d)
     f->impulses = malloc(n * sizeof *f->impulses);
     f->J = malloc(n * d * sizeof *f->J);
     if (!f->impulses || !f->J)
-        return 1;
+        return FVI_ENOMEM;
     for (size_t i = 0; i < f->count; i++) {
         if (!f->parts[i].hits)
             continue;
@@ -301,39 +341,43 @@ static int collect_impulses(fvi_forces *f, size_t d)
     return 0;
 }
 
-int fvi_forces_parse(const char *text, size_t d, fvi_user_parameters *lets, double last,
-                     fvi_forces **f, fvi_complaint c)
+/* One part at the end of the sum; `word` has room for its text. */
+static int add_part(fvi_typed_force *f, char *word, const char *at, size_t length,
+                    fvi_user_parameters *parameters, double last,
+                    fvi_error *error)
 {
-    char *copy = strdup(text);
-    fvi_forces *new = calloc(1, sizeof *new);
-    int status = copy && new ? 0 : 1;
+    part *parts = realloc(f->parts, (f->count + 1) * sizeof *parts);
+    if (!parts)
+        return no_memory(error);
+    f->parts = parts;
+    parts[f->count] = (part){ .kind = FVI_FORCING_NONE };
+    memcpy(word, at, length);
+    word[length] = '\0';
+    return parse_part(&parts[f->count++], word, parameters, last, error);
+}
+
+int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
+                    double last, fvi_typed_force **force, fvi_error *error)
+{
+    if (!text || !force)
+        return fvi_fail(error, FVI_EFAULT, "force", NAN, "null pointer");
+    char *word = malloc(strlen(text) + 1);
+    fvi_typed_force *new = calloc(1, sizeof *new);
+    int status = word && new ? FVI_SUCCESS : no_memory(error);
     for (const char *at = text, *end; !status; at = end + 3) {
         at += strspn(at, " ");
         end = end_of_part(at);
-        part *parts =
-            realloc(new->parts, (new->count + 1) * sizeof *new->parts);
-        if (!parts) {
-            status = 1;
-            break;
-        }
-        new->parts = parts;
-        parts[new->count] = (part){ .kind = FVI_FORCING_NONE };
-        char *word = memcpy(copy, at, (size_t)(end - at));
-        word[end - at] = '\0';
-        status = read_part(&parts[new->count++], word, lets, last, c);
+        status = add_part(new, word, at, (size_t)(end - at), parameters, last,
+                          error);
         if (*end == '\0')
             break;
     }
-    if (!status)
-        status = collect_jumps(new);
-    if (!status)
-        status = collect_impulses(new, d);
-    if (status == 1)
-        fvi_refuse(c, "not enough memory");
-    free(copy);
+    if (!status && (collect_jumps(new) || collect_impulses(new, d)))
+        status = no_memory(error);
+    free(word);
     if (status)
-        fvi_forces_free(new);
+        fvi_typed_force_free(new);
     else
-        *f = new;
+        *force = new;
     return status;
 }

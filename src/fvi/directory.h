@@ -1,9 +1,23 @@
-/* src/input/fvi_directory.h -- A system from the files of a folder. */
+/* src/fvi/directory.h -- A system from the files of a folder.
+ *
+ *     fvi_directory *directory;
+ *     if (fvi_directory_open("building", &directory, &error) == FVI_SUCCESS)
+ *         system = fvi_directory_system(directory); */
 #ifndef FVI_DIRECTORY_H
 #define FVI_DIRECTORY_H
 
-#include <fvi/structures.h>
-#include "fvi_refuse.h"
+#include "error.h"
+#include "structures.h"
+
+#ifdef __cplusplus
+extern "C" {
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+#pragma GCC visibility push(default)
 
 typedef struct fvi_directory fvi_directory;
 
@@ -13,10 +27,10 @@ typedef struct fvi_directory fvi_directory;
  *
  *   directory  output; close it with fvi_directory_close
  *
- * Returns 0; 2 after a complaint that names the file and the line; 1 if there is no
- * memory. */
+ * Returns FVI_SUCCESS; FVI_EINVAL with an error that names the file and the line;
+ * FVI_ENOMEM. */
 int fvi_directory_open(const char *name, fvi_directory **directory,
-                       fvi_complaint c);
+                       fvi_error *error);
 
 /* fvi_directory_force -- f.tsv of the folder, if it is there: rows t, f_1, ..., f_d, or of the
  * unknowns that a first line names, "t f3 f7"; linear in between. All others are free.
@@ -26,7 +40,7 @@ int fvi_directory_open(const char *name, fvi_directory **directory,
  *
  * Returns as fvi_directory_open. */
 int fvi_directory_force(fvi_directory *directory, double last, int *found,
-                        fvi_complaint c);
+                        fvi_error *error);
 
 /* fvi_directory_force_name -- "f.tsv of DIR", for the head of a table; the directory's. */
 const char *fvi_directory_force_name(const fvi_directory *directory);
@@ -44,5 +58,10 @@ const char *fvi_directory_solver(const fvi_directory *directory, double m,
 
 /* fvi_directory_close -- give everything back. NULL is allowed. */
 void fvi_directory_close(fvi_directory *directory);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
 
 #endif

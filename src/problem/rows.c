@@ -1,8 +1,5 @@
-/* src/input/fvi_rows.c -- Rows of numbers in a file. */
-#include "fvi_rows.h"
-#include "fvi_files.h"
-
-#include <fvi/error.h>
+/* src/problem/rows.c -- Rows of numbers in a file. */
+#include "rows.h"
 
 #include <errno.h>
 #include <math.h>
@@ -13,23 +10,22 @@ static const char blank[] = " \t", between[] = " \t,;";
 
 static int no_memory(const fvi_rows *r)
 {
-    fvi_refuse(r->c, "not enough memory");
-    return 1;
+    return fvi_fail(r->error, FVI_ENOMEM, r->field, NAN, "not enough memory");
 }
 
 /* A file is opened, and read, with memory of the C library's own. */
 static int cannot_read(const fvi_rows *r)
 {
     return errno == ENOMEM ? no_memory(r)
-                           : fvi_refuse(r->c, "--%s: cannot read '%s': %s",
-                                        r->option, r->name, strerror(errno));
+                           : fvi_fail(r->error, FVI_EINVAL, r->field, NAN,
+                                      "cannot read '%s': %s", r->name,
+                                      strerror(errno));
 }
 
-int fvi_rows_open(fvi_rows *r, const char *option, const char *name,
-                  fvi_complaint c)
+int fvi_rows_open(fvi_rows *r, const char *field, const char *name,
+                  fvi_error *error)
 {
-    *r = (fvi_rows){ .option = option, .name = name, .c = c };
-    fvi_mark_read(option, name);
+    *r = (fvi_rows){ .field = field, .name = name, .error = error };
     return fvi_lines_open(&r->lines, name) ? 0 : cannot_read(r);
 }
 
@@ -44,8 +40,8 @@ void fvi_rows_close(fvi_rows *r)
 
 static int refuse(const fvi_rows *r, size_t column, const char *reason)
 {
-    return fvi_refuse(r->c, "--%s: %s:%zu:%zu: %s", r->option, r->name,
-                      r->lines.number, column, reason);
+    return fvi_fail(r->error, FVI_EINVAL, r->field, NAN, "%s:%zu:%zu: %s",
+                    r->name, r->lines.number, column, reason);
 }
 
 static int refuse_at(const fvi_rows *r, const char *at, const char *reason)

@@ -1,5 +1,5 @@
-/* src/input/fvi_polygon.c -- A table as a function of t.                          [H 18] */
-#include "fvi_polygon.h"
+/* src/problem/polygon.c -- A table as a function of t.                          [H 18] */
+#include "polygon.h"
 
 #include "system/larger.h"
 

@@ -1,0 +1,217 @@
+/* src/fvi/parse.h -- Problems as they are typed: potentials, forces, dampings, starts.
+ *
+ *     fvi_typed_potential U = { 0 };
+ *     if (fvi_parse_potential("duffing:1,0.5", 0, NULL, &U, &error) == FVI_SUCCESS)
+ *         system.potential = fvi_potential_typed(&U);
+ *
+ * One parser serves the program, C and Python. A word is followed by its numbers, "zener:1,0.3,2";
+ * capitals count as small letters in words, and the point is '.' under every locale. Every function
+ * returns FVI_SUCCESS; FVI_EINVAL for a text that is not understood; FVI_EDOM for a number that is
+ * out of its range; FVI_ENOMEM; FVI_EFAULT if a pointer that must be there is NULL; and says in
+ * *error, which may be NULL, what is wrong, with the nearest known word where a slip of the finger
+ * leads to one. The fields are the words of the program: "potential", "force", "damping", "let". */
+#ifndef FVI_PARSE_H
+#define FVI_PARSE_H
+
+#include "damping_laws.h"
+#include "error.h"
+#include "exact_solution.h"
+#include "expression.h"
+#include "system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* ---- numbers and words ---- */
+
+/* fvi_parse_number -- a finite decimal number between low and high, as in a table: not 0x10, inf
+ * or nan. brackets is "[]", "(]", "[)" or "()": a round one keeps its end out of the range. */
+int fvi_parse_number(const char *field, const char *text, double low,
+                     double high, const char *brackets, double *value,
+                     fvi_error *error);
+
+/* fvi_parse_whole -- a whole number from 1 to `most`, below 2^53; "1e6" is one too. */
+int fvi_parse_whole(const char *field, const char *text, size_t most,
+                    size_t *value, fvi_error *error);
+
+/* fvi_parse_numbers -- d numbers "1,2,3", or one that stands for all of them; or "@file" with
+ * these numbers, separated by commas, spaces or lines. The range as of fvi_parse_number; the
+ * error's index says which number is out of it. After an error the values are of no use. */
+int fvi_parse_numbers(const char *field, const char *text, double low,
+                      double high, const char *brackets, size_t d,
+                      double *values, fvi_error *error);
+
+/* fvi_parse_word -- which of the words, ended by NULL. */
+int fvi_parse_word(const char *field, const char *text,
+                   const char *const *words, size_t *which, fvi_error *error);
+
+/* fvi_nearest_word -- the word, of those ended by NULL, that is nearest to the first `length`
+ * letters of text, if a slip of the finger leads from the one to the other; else NULL. */
+const char *fvi_nearest_word(const char *text, size_t length,
+                             const char *const *words);
+
+/* fvi_word_hint -- "; did you mean x?", written to place, for a text that is none of the words;
+ * empty if none is near. Returns place. */
+const char *fvi_word_hint(const char *text, size_t length,
+                          const char *const *words, char place[64]);
+
+/* The words of fvi_initial_history, held, caputo and rl, and of fvi_history_kind, auto, direct and
+ * exponentials, each in the order of its numbers and ended by NULL: for fvi_parse_word. */
+extern const char *const fvi_initial_history_words[];
+extern const char *const fvi_history_words[];
+
+/* fvi_parse_table -- two columns of a file of rows, all of as many numbers, separated by ';',
+ * by ',' or by blanks and tabs; '#' begins a comment.
+ *
+ *   names   of the columns. A line of words above the numbers in which both stand says which these
+ *           are, also behind #, if it has as many words as the first row has numbers; one without #
+ *           that has not is refused. If there is none, or NULL stands for names, the first two
+ *   n       output: rows, at least one
+ *   t, v    output: n numbers each, one block, free(*t). t increases
+ *
+ * A fault in the file is said with its line and column. */
+int fvi_parse_table(const char *field, const char *file,
+                    const char *const names[2], size_t *n, double **t,
+                    double **v, fvi_error *error);
+
+/* ---- parameters of expressions ---- */
+
+/* fvi_user_parameters -- names and values that expressions may use; begin with a zeroed one. Do
+ * not copy one that is in use: name points into names. A value may be changed while no run goes on.
+ *
+ *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
+ *         FVI_USED_BY_PARAMETER, added */
+enum {
+    FVI_MOST_USER_PARAMETERS = 64,
+    FVI_USED_BY_POTENTIAL = 1,
+    FVI_USED_BY_FORCE = 2,
+    FVI_USED_BY_PARAMETER = 4
+};
+typedef struct {
+    size_t count;
+    const char *name[FVI_MOST_USER_PARAMETERS];
+    double value[FVI_MOST_USER_PARAMETERS];
+    unsigned char used[FVI_MOST_USER_PARAMETERS];
+    char names[1024];
+} fvi_user_parameters;
+
+/* fvi_user_parameters_set -- one more name with a finite value; again with the same value is
+ * allowed. Refused: a name that is taken, is no name, or is one too many. */
+int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name,
+                            double value, fvi_error *error);
+
+/* fvi_parse_user_parameters -- "k=3,c=2*k": a value may be an expression of the names before
+ * it. */
+int fvi_parse_user_parameters(const char *text,
+                              fvi_user_parameters *parameters,
+                              fvi_error *error);
+
+/* fvi_user_parameters_are_used -- refuse one that no expression speaks of. */
+int fvi_user_parameters_are_used(const fvi_user_parameters *parameters,
+                                 fvi_error *error);
+
+/* ---- potentials ---- */
+
+typedef enum {
+    FVI_POTENTIAL_HARMONIC,
+    FVI_POTENTIAL_DUFFING,
+    FVI_POTENTIAL_PENDULUM,
+    FVI_POTENTIAL_FREE,
+    FVI_POTENTIAL_CHAIN,
+    FVI_POTENTIAL_EXPRESSION
+} fvi_potential_kind;
+
+/* fvi_typed_potential -- what a text has become; begin with a zeroed one, give it back with
+ * fvi_typed_potential_free.
+ *
+ *   d          the dimension; 0: any, its coordinates are alike
+ *   constants  c and g of the kinds that have them, as fvi_potential_duffing names them
+ *   expression  of FVI_POTENTIAL_EXPRESSION, else NULL */
+typedef struct {
+    fvi_potential_kind kind;
+    size_t d;
+    double constants[2];
+    fvi_expression *expression;
+} fvi_typed_potential;
+
+/* fvi_parse_potential -- harmonic:C, duffing:C,G, pendulum:G, free, chain:D,C,G, or an
+ * expression in x, or x1, ..., xd.
+ *
+ *   d           of the system; 0: what the text says, 1 of an expression. A chain of another d
+ *               is refused
+ *   parameters  of the expression, kept: they must outlive the potential; NULL if there are none
+ *
+ * Of a misprint in an expression the error has the byte as its index. */
+int fvi_parse_potential(const char *text, size_t d,
+                        fvi_user_parameters *parameters,
+                        fvi_typed_potential *potential, fvi_error *error);
+
+/* fvi_potential_typed -- U, to be used in a system. It points into *potential, which must outlive
+ * the runs and stay where it is. */
+fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
+
+/* fvi_typed_potential_free -- give the expression back; the struct is the caller's. */
+void fvi_typed_potential_free(fvi_typed_potential *potential);
+
+/* ---- dampings ---- */
+
+/* fvi_typed_damping -- a law of damping; begin with a zeroed one. Do not copy one that is in use:
+ * law points into term. Nothing is to be given back. */
+enum { FVI_MOST_TERMS = 64 };
+typedef struct {
+    fvi_kernel law;
+    fvi_kernel_term term[FVI_MOST_TERMS];
+} fvi_typed_damping;
+
+/* fvi_parse_damping -- one more term, or several with " + " between: viscous:R, spring:K, power:R,A,
+ * zener:R,A,T, maxwell:R,T, maxwell2:R1,A,R2,B, distributed:R,A,B. */
+int fvi_parse_damping(const char *text, fvi_typed_damping *damping,
+                      fvi_error *error);
+
+/* ---- forces ---- */
+
+typedef struct fvi_typed_force fvi_typed_force;
+
+/* fvi_parse_force -- a sum of forces, " + " between: none, step:A,T, cosine:A,W, impulse:J,T
+ * (every momentum jumps by J at T), file:NAME (columns t and F, linear in between), expressions
+ * in t.
+ *
+ *   d           of the system
+ *   parameters  of the expressions, kept: they must outlive the force; NULL if there are none
+ *   last        the end of the run: a file must reach it, and an impulse comes before
+ *   force       output; give it back with fvi_typed_force_free */
+int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
+                    double last, fvi_typed_force **force, fvi_error *error);
+
+/* fvi_force_typed -- F, the same on every mass, to be used in a system. *force must outlive the
+ * runs. */
+fvi_force fvi_force_typed(const fvi_typed_force *force);
+
+/* fvi_typed_force_is_simple -- nonzero if the force is none, one step or one cosine, as
+ * fvi_linear_oscillator has them. */
+int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind,
+                              double constants[2]);
+
+/* fvi_typed_force_by_parameter -- the derivative at t by parameter number j. */
+double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j,
+                                    double t);
+
+/* fvi_typed_force_jump -- number i, from 0, of the times at which the force jumps, as far as it is
+ * known: the ends of its steps, and its impulses. NaN if there are not so many. */
+double fvi_typed_force_jump(const fvi_typed_force *force, size_t i);
+
+/* fvi_typed_force_file -- the name of file number i, from 0, that was read; NULL if there are not
+ * so many. */
+const char *fvi_typed_force_file(const fvi_typed_force *force, size_t i);
+
+/* fvi_typed_force_free -- give everything back. NULL is allowed. */
+void fvi_typed_force_free(fvi_typed_force *force);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

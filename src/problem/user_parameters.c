@@ -1,0 +1,157 @@
+/* src/problem/user_parameters.c -- Parameters of expressions: k=3,c=2*k. */
+#include "words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- expressions ---- */
+
+enum { SHOWN = 60, AHEAD = 40 };
+
+/* "'x^^2': a number, a name or ( is wanted here", and a caret below the place; of a long text
+ * what is around it. */
+static int refuse_misprint(const char *field, const char *text,
+                           fvi_misprint wrong, fvi_error *error)
+{
+    const size_t length = strlen(text);
+    const size_t from =
+        length > SHOWN && wrong.at > AHEAD ? wrong.at - AHEAD : 0;
+    const char *front = from > 0 ? "..." : "",
+               *back = length - from > SHOWN ? "..." : "";
+    fvi_fail(error, FVI_EINVAL, field, NAN, "'%s%.*s%s': %s", front, SHOWN,
+             text + from, back, wrong.reason);
+    if (!error)
+        return FVI_EINVAL;
+    error->index = wrong.at;
+    const size_t end = strlen(error->text),
+                 column = 1 + strlen(front) + wrong.at - from;
+    if (length > 0 && end + column + 3 < sizeof error->text)
+        snprintf(error->text + end, sizeof error->text - end, "\n%*s^",
+                 (int)column, "");
+    return FVI_EINVAL;
+}
+
+/* Note which parameters an expression, which has been understood, speaks of. */
+static void note_use(fvi_user_parameters *parameters, const char *text,
+                     unsigned char by)
+{
+    static const char inside[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789."
+                                 "abcdefghijklmnopqrstuvwxyz";
+    while (*(text += strcspn(text, inside))) {
+        const size_t length = strspn(text, inside);
+        for (size_t i = 0; i < parameters->count; i++)
+            if (strlen(parameters->name[i]) == length
+                && strncmp(text, parameters->name[i], length) == 0)
+                parameters->used[i] |= by;
+        text += length;
+    }
+}
+
+int fvi_parse_expression(const char *field, const char *variable, size_t d,
+                         const char *text, fvi_user_parameters *parameters,
+                         fvi_expression **e, fvi_error *error)
+{
+    static fvi_user_parameters none;
+    fvi_misprint wrong;
+    const fvi_user_parameters *known = parameters ? parameters : &none;
+    const fvi_symbols names = { variable, d, known->name, known->count };
+    const int status =
+        fvi_expression_parse(text, &names, known->value, e, &wrong);
+    if (status == FVI_EINVAL)
+        return refuse_misprint(field, text, wrong, error);
+    if (status)
+        return fvi_fail(error, status, field, NAN, "not enough memory");
+    if (parameters)
+        note_use(parameters, text,
+                 !variable          ? FVI_USED_BY_PARAMETER
+                 : *variable == 't' ? FVI_USED_BY_FORCE
+                                    : FVI_USED_BY_POTENTIAL);
+    return FVI_SUCCESS;
+}
+
+/* ---- parameters ---- */
+
+int fvi_user_parameters_are_used(const fvi_user_parameters *parameters,
+                                 fvi_error *error)
+{
+    for (size_t i = 0; i < parameters->count; i++)
+        if (!parameters->used[i])
+            return fvi_fail(error, FVI_EINVAL, "let", parameters->value[i],
+                            "'%s' is in no expression", parameters->name[i]);
+    return FVI_SUCCESS;
+}
+
+int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name,
+                            double value, fvi_error *error)
+{
+    if (!parameters || !name)
+        return fvi_fail(error, FVI_EFAULT, "let", NAN, "null pointer");
+    if (!fvi_symbol_is_free(name, "x") || !fvi_symbol_is_free(name, "t"))
+        return fvi_fail(error, FVI_EINVAL, "let", value,
+                        "'%s' is not a name for a parameter", name);
+    if (!isfinite(value))
+        return fvi_fail(error, FVI_EDOM, "let", value, "'%s' is not finite",
+                        name);
+    size_t room = sizeof parameters->names;
+    char *place = parameters->names;
+    for (size_t i = 0; i < parameters->count; i++) {
+        if (strcmp(name, parameters->name[i]) == 0)
+            return value == parameters->value[i]
+                       ? FVI_SUCCESS
+                       : fvi_fail(error, FVI_EINVAL, "let", value,
+                                  "'%s' is given twice", name);
+        room -= strlen(place) + 1;
+        place += strlen(place) + 1;
+    }
+    if (parameters->count == FVI_MOST_USER_PARAMETERS || strlen(name) >= room)
+        return fvi_fail(error, FVI_EINVAL, "let", value,
+                        "'%s': too many parameters", name);
+    parameters->name[parameters->count] = strcpy(place, name);
+    parameters->value[parameters->count++] = value;
+    return FVI_SUCCESS;
+}
+
+/* "NAME=VALUE", where VALUE is an expression of the names before. */
+static int parse_one(char *text, fvi_user_parameters *parameters,
+                     fvi_error *error)
+{
+    char *equals = strchr(text, '=');
+    if (!equals)
+        return fvi_fail(error, FVI_EINVAL, "let", NAN,
+                        "'%s' is not NAME=VALUE", text);
+    *equals = '\0';
+    const char *value = equals + 1;
+    if (!fvi_symbol_is_free(text, "x") || !fvi_symbol_is_free(text, "t"))
+        return fvi_user_parameters_set(parameters, text, 0, error);
+    fvi_expression *e;
+    int status =
+        fvi_parse_expression("let", NULL, 0, value, parameters, &e, error);
+    if (status)
+        return status;
+    const double number = fvi_expression_value(e, NULL);
+    fvi_expression_free(e);
+    if (!isfinite(number))
+        return fvi_fail(error, FVI_EDOM, "let", number, "'%s' is not finite",
+                        value);
+    return fvi_user_parameters_set(parameters, text, number, error);
+}
+
+int fvi_parse_user_parameters(const char *text,
+                              fvi_user_parameters *parameters,
+                              fvi_error *error)
+{
+    char copy[sizeof parameters->names];
+    if (!text || !parameters)
+        return fvi_fail(error, FVI_EFAULT, "let", NAN, "null pointer");
+    if (strlen(text) >= sizeof copy)
+        return fvi_fail(error, FVI_EINVAL, "let", NAN,
+                        "'%s': too many parameters", text);
+    int status = FVI_SUCCESS;
+    for (char *at = strcpy(copy, text), *next = at; next && !status; at = next) {
+        if ((next = strchr(at, ',')))
+            *next++ = '\0';
+        status = parse_one(at, parameters, error);
+    }
+    return status;
+}

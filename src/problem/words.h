@@ -1,0 +1,25 @@
+/* src/problem/words.h -- What the parsers of potentials, dampings and forces share. */
+#ifndef FVI_WORDS_H
+#define FVI_WORDS_H
+
+#include <fvi/parse.h>
+
+/* A number that ends at the end of the text or before `end`, and where it ends. */
+int fvi_scan_number(const char *text, char end, double *value,
+                    const char **rest);
+
+/* "word:p1,p2": nonzero if text is that word with exactly count finite numbers. */
+int fvi_scan_call(const char *text, const char *word, int count, double *p);
+
+/* Which of the words, ended by NULL, are the first `length` letters of the text? Their number if
+ * they are none. */
+size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
+
+/* fvi_parse_expression -- fvi_expression_parse of x, or x1, ..., xd, or of t, or, where variable is
+ * NULL, of the parameters alone. It is noted which of them the text uses. A misprint is an error of
+ * the field, with a caret; its index is the byte. parameters may be NULL. */
+int fvi_parse_expression(const char *field, const char *variable, size_t d,
+                         const char *text, fvi_user_parameters *parameters,
+                         fvi_expression **e, fvi_error *error);
+
+#endif
