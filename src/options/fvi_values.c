@@ -192,10 +192,8 @@ static int check_solution(fvi_options *o, fvi_error *c)
 {
     const fvi_system system = fvi_options_system(o);
     const fvi_run run = fvi_options_run(o, &system);
-    if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0) {
-        fvi_refuse(c, "not enough memory");
-        return 1;
-    }
+    if (fvi_warning_of_initial_history(&run, &o->no_solution) < 0)
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
     if (o->no_solution
         && !(o->method && o->method->paper_convention && o->error == 0))
         return fvi_refuse(c,
