@@ -231,8 +231,8 @@ static int halve(search *o, double error, size_t most, fvi_step_found *found)
     size_t seen; /* so many parts see all of the force */
     orders(o->method, o->run, &least, &highest);
     found->estimate = GSL_POSINF;
-    int unknown = fvi_search_least_parts(o->run, error, most / o->run->steps,
-                                         &seen);
+    int unknown = fvi_search_least_parts(o->run, (size_t)o->method->stages,
+                                         error, most / o->run->steps, &seen);
     if (unknown)
         return unknown;
     seen /= o->first;

@@ -7,7 +7,8 @@ Proved here, all parameters symbolic:
           so 1 - x_k/x_0 = 8 k^2/W + ... at even k, and D_{j+1}/D_j comes to 16;
   (18.7)  of the angles v in (0, pi), the share with |cos v - c| <= (1 + c)/2 grows up to
           c = 1/3 and falls after it; there it is arccos(-1/3)/pi < 0.61, and
-          0.61^128 < 10^-27.
+          0.61^128 < 10^-27;
+  (18.8)  C_4 is 1 for the ends of steps, and 1/80 for the four nodes of a step of Lobatto's.
 That no function of the x^(j) sees an alias is the argument in the chapter: by hand.
 Printed: x_k = cos(k phi), at 60 digits."""
 import mpmath
@@ -57,6 +58,17 @@ prove("(18.7) its sign: 9 (4 - (c-1)^2) - (4 - (3c+1)^2) = 24 + 24 c",
 claim("(18.7) the slope above 1/3 is negative", diff(acos(low), a).subs(a, Rational(1, 2)) < 0)
 claim("(18.7) the largest share", acos(Rational(-1, 3)) / pi < Rational(61, 100))
 claim("(18.7) 128 times", Rational(61, 100) ** 128 < Rational(1, 10**27))
+
+# (18.8): by y = (t - 3/2)^2 and by w = t (1 - t) both products are parabolas: their largest size is
+# that of the vertex or of an end of the range.
+y, w = symbols("y w")
+ends, stages = (y - Rational(1, 4)) * (Rational(9, 4) - y), w * (Rational(1, 5) - w)
+prove("(18.8) four ends of steps", expand(ends.subs(y, (t - Rational(3, 2)) ** 2) - t * (1 - t) * (2 - t) * (3 - t)))
+prove("(18.8) four nodes of Lobatto's", expand(stages.subs(w, t * (1 - t)) - t * (1 - t) * (t**2 - t + Rational(1, 5))))
+prove("(18.8) the vertices", diff(ends, y).subs(y, Rational(5, 4)), diff(stages, w).subs(w, Rational(1, 10)))
+claim("(18.8) C_4 = 1", max(abs(ends.subs(y, v)) for v in (0, Rational(5, 4), Rational(9, 4))) == 1)
+claim("(18.8) C_4 = 1/80", max(abs(stages.subs(w, v)) for v in (0, Rational(1, 10), Rational(1, 4))) == Rational(1, 80))
+prove("(18.8) the place of the first", (3 - sqrt(5)) / 2 - (Rational(3, 2) - sqrt(Rational(5, 4))))
 
 header("verify/step_search/step_search.py")
 rows = []
