@@ -7,6 +7,7 @@ import re
 import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+REGIONS = re.compile(r"regions? ((?:`[\w-]+`(?:,\s+|\s+and\s+)?)+)\s+of\s+\[[^\]]*\]\(([^)\s]+)\)")
 STATEMENTS = 87
 BIBLIOGRAPHY = pathlib.Path("chapters/handbook/bibliography.md")
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
@@ -35,6 +36,16 @@ def faults_of_links(page):
             yield f"{page}: dead link: {target}"
         elif anchor and file.suffix == ".md" and anchor not in anchors(file):
             yield f"{page}: no such heading: {target}"
+
+
+def faults_of_regions(page):
+    """The answers of the exercises point to regions, which lie between marks of the source."""
+    for names, path in REGIONS.findall(page.read_text()):
+        file = page.parent / path
+        source = file.read_text() if file.is_file() else ""
+        for name in re.findall(r"`([\w-]+)`", names):
+            if not re.search(rf"^\s*(?://|#|/\*)> {name}(?: \*/)?$", source, re.M):
+                yield f"{page}: no such region: {name} of {path}"
 
 
 def faults_of_statements(page):
@@ -70,7 +81,7 @@ def faults_of_bibliography(pages):
 def main():
     root = pathlib.Path(".")
     pages = [root / "README.md", *sorted(root.glob("chapters/**/*.md"))]
-    faults = [fault for page in pages for fault in faults_of_links(page)]
+    faults = [fault for page in pages for fault in (*faults_of_links(page), *faults_of_regions(page))]
     faults += faults_of_statements(root / "chapters/handbook/statements.md")
     faults += faults_of_bibliography(pages)
     sys.exit("\n".join(faults) or 0)
