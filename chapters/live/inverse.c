@@ -95,11 +95,6 @@ void fvi_adjoint_lobatto_stop(fvi_adjoint_lobatto *m)
     (void)m;
 }
 
-void fvi_tangent_stages_stop(fvi_tangent_stages *o)
-{
-    (void)o;
-}
-
 /* ---- H 24: a fit ---- */
 
 /* A becomes L with A = L L^T; GSL's for a few numbers. */

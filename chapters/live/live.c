@@ -9,6 +9,7 @@
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
+#include <fvi/paper/discrete_principle.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/integration_by_parts.h>
 #include <gsl/gsl_sf_gamma.h>
@@ -81,6 +82,30 @@ void EXPORT(live_powers)(double order, int n)
         arrays[1][i] = order < 1 ? pow(t, -order) / tgamma(1 - order) : 0;
         arrays[2][i] = pow(t, order) / tgamma(1 + order);
     }
+}
+
+static double action(double alpha, double rho, double c, double h, int N, const double *x, const double *y)
+{
+    const double one = 1;
+    const fvi_system system = { .d = 1, .mass = &one, .damping = &rho, .potential = fvi_potential_harmonic(&c) };
+    const size_t last = (size_t)N;
+    double S = 0;
+    return fvi_discrete_action(&system, alpha, 0.5, h, last, 0, last, x, y, &S) ? NAN : S;
+}
+
+/* The action of two bodies of unit mass and spring, with N + 1 places each: x, array 0, was held
+ * at its first place, and y, array 1, rests at its last. By (6.11) the damping adds what it adds
+ * to the action of the distances from there. */
+double EXPORT(live_action)(double alpha, double rho, double h, int N)
+{
+    const double *x = arrays[0], *y = arrays[1];
+    double *z = arrays[2], *ahead = arrays[3];
+    for (int k = 0; k <= N; k++) {
+        z[k] = x[k] - x[0];
+        ahead[k] = y[k] - y[N];
+    }
+    return action(alpha, 0, 1, h, N, x, y) + action(alpha, rho, 0, h, N, z, ahead)
+           - action(alpha, 0, 0, h, N, z, ahead);
 }
 
 /* ---- what the exponentials call ---- */

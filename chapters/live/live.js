@@ -1,6 +1,6 @@
 // chapters/live/live.js -- What the figures that move share: sliders, pictures, the C behind them.
 //
-// kernel.py puts model.js and plot.js of the live page in front of this, orders.js behind it, and
+// kernel.py puts model.js and plot.js of the live page in front of this, orders.js and modes.js behind it, and
 // all into one function. A figure's script says what moves it, what is computed and how it is drawn:
 //
 //   FVI_LIVE.scene("name of the picture", {

@@ -101,8 +101,8 @@ await test("11: the motion is the program's, the pole a zero of Q", () => {
 });
 
 await test("12: the exponentials keep the program's weights to the error that is asked for", () => {
-  for (const [order, tolerance] of [[0.5, 1e-6], [0.1, 1e-2], [0.9, 1e-12]]) {
-    const { worst, lags, size, Q } = moved("memory", { order, tolerance, N: 5000 });
+  for (const [name, order, tolerance] of [["memory", 0.5, 1e-6], ["memory", 0.1, 1e-2], ["course_modes", 0.9, 1e-12]]) {
+    const { worst, lags, size, Q } = moved(name, { order, tolerance, N: 5000 });
     const w = asked(`coefficients --alpha ${order} --count 8192`)(1);
     lags.forEach((n, i) => assert.equal(size[i], -w[n]));
     assert.ok(worst <= tolerance + 1e-13 && worst > tolerance / 1e3, `${worst}`);
@@ -148,6 +148,30 @@ await test("1: the running body's run is the program's, from where it was dragge
   nearAll(x, asked(`run ${words} --alpha 0.35 --x0 0.65`)(0), 1e-12, "x");
   nearAll(seven[2], asked(`run ${words} --alpha 0.4`)(0), 1e-12, "alpha = 0.4");
   assert.deepEqual([...weights], asked("coefficients --alpha 0.7 --count 17")(1));
+});
+
+await test("4: a bend of both bodies leaves the action as it is, to first order, and the gradient of x alone is the program's damping", () => {
+  for (const [alpha, bend] of [[0.25, 0.3], [0, -0.2], [0.7, 0.5]]) {
+    const { x, slopes, middle, here, both } = moved("course_bend", { alpha, bend });
+    nearAll(x, asked(`run --alpha ${alpha} --rho 0.5 --p0 0 --h 0.1 --steps 100 --columns x --memory direct`)(0), 1e-12, "x");
+    near(slopes[0], 0, 1e-8, "stationary"); // rounding of S by 2e-4
+    assert.ok(Math.abs(slopes[1]) > 1e-3, `x alone, ${slopes[1]}`);
+    assert.ok(Number.isFinite(middle) && Math.abs(here[0]) > 1e-3 && both[20] === 0);
+  }
+});
+
+await test("7: pasts are the program's, and the kick doubles where a quarter of the step does it", () => {
+  const { held, line, zero } = moved("course_pasts", { alpha: 0.75, halvings: 3 }), words = "--alpha 0.75 --rho 0.5 --p0 0.5 --h 0.025 --steps 240 --columns x --memory direct";
+  for (const [of, past] of [[held, "held"], [line, "caputo"], [zero[3], "rl"]])
+    nearAll(of, asked(`run ${words} --derivative ${past}`)(0), 1e-11, past);
+  near(moved("course_pasts", { alpha: 0.75, halvings: 5 }).kick / moved("course_pasts", { alpha: 0.75, halvings: 3 }).kick, 2, 1e-12, "kick");
+});
+
+await test("10: loads and runs are the program's, and the edge lies where (10c) says", () => {
+  const { x, load, edge } = moved("course_errors", { h: 3.2 });
+  nearAll(x, asked("run --alpha 0.25 --rho 0.5 --p0 0 --h 3.2 --steps 100 --columns x --memory direct")(0), 1e-10, "x");
+  near(load, Math.SQRT2 * 0.5 * 3.2 ** 1.5 / 4, 1e-12, "load");
+  near(edge, 2 ** (5 / 3), 2e-3, "edge"); // a chord of steps of 1/20
 });
 
 await test("00, 09: runs are the program's", () => {

@@ -1,0 +1,2 @@
+// Chapter 11: a power law as a sum of exponentials; the scene is in modes.js.
+FVI_LIVE.modes("course_modes");
