@@ -41,7 +41,7 @@ static int take_chain(const char *text, size_t d, const double *p,
                       fvi_typed_potential *potential, fvi_error *error)
 {
     if (!(p[0] >= 1 && p[0] <= 1000000 && p[0] == floor(p[0])))
-        return fvi_fail(error, FVI_EDOM, "potential", p[0],
+        return fvi_fail(error, FVI_EINVAL, "potential", p[0],
                         "a chain has 1 to 1000000 masses, not '%s'", text);
     potential->d = (size_t)p[0];
     if (d && d != potential->d)

@@ -41,15 +41,7 @@ typedef struct {
 } fvi_system;
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
-typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_ZENER, FVI_KERNEL_MAXWELL, FVI_KERNEL_DISTRIBUTED, FVI_KERNEL_MAXWELL2 } fvi_kernel_kind;
-typedef struct {
-    fvi_kernel_kind kind;
-    double rho, alpha, time, end;
-} fvi_kernel_term;
-typedef struct {
-    size_t count;
-    const fvi_kernel_term *term;
-} fvi_kernel;
+typedef struct { ...; } fvi_kernel;
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
@@ -79,12 +71,6 @@ typedef struct {
 extern const fvi_method *const fvi_methods[];
 const fvi_method *fvi_method_find(const char *name);
 fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
-fvi_potential fvi_potential_harmonic(const double *c);
-fvi_potential fvi_potential_duffing(const double *cg);
-fvi_potential fvi_potential_pendulum(const double *g);
-fvi_potential fvi_potential_chain(const double *cg);
-fvi_force fvi_force_step(const double *aT);
-fvi_force fvi_force_cosine(const double *aw);
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper);
 int fvi_stepper_step(fvi_stepper *s);
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
@@ -107,24 +93,28 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_u
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t k,
                       const double *x, size_t size, char *text);
 
-typedef struct fvi_expression fvi_expression;
-typedef struct {
-    const char *variable;
-    size_t d;
-    const char *const *parameter;
-    size_t parameters;
-} fvi_symbols;
-typedef struct { size_t at; const char *reason; } fvi_misprint;
-int fvi_symbol_is_free(const char *name, const char *variable);
-int fvi_expression_parse(const char *text, const fvi_symbols *names, const double *values,
-                         fvi_expression **e, fvi_misprint *wrong);
-void fvi_expression_free(fvi_expression *e);
-fvi_potential fvi_potential_expression(const fvi_expression *e);
-fvi_force fvi_force_expression(const fvi_expression *e);
+typedef struct { int code; const char *field; double value; size_t index; char text[400]; } fvi_error;
+typedef struct { double value[64]; ...; } fvi_user_parameters;
+int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name, double value, fvi_error *error);
+int fvi_user_parameters_are_used(const fvi_user_parameters *parameters, fvi_error *error);
+typedef enum { FVI_POTENTIAL_HARMONIC, FVI_POTENTIAL_DUFFING, FVI_POTENTIAL_PENDULUM, FVI_POTENTIAL_CHAIN,
+               FVI_POTENTIAL_EXPRESSION, ... } fvi_potential_kind;
+typedef struct { fvi_potential_kind kind; size_t d; double constants[2]; ...; } fvi_typed_potential;
+int fvi_parse_potential(const char *text, size_t d, fvi_user_parameters *parameters, fvi_typed_potential *potential,
+                        fvi_error *error);
+fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
+void fvi_typed_potential_free(fvi_typed_potential *potential);
+typedef struct { fvi_kernel law; ...; } fvi_typed_damping;
+int fvi_parse_damping(const char *text, fvi_typed_damping *damping, fvi_error *error);
+typedef struct fvi_typed_force fvi_typed_force;
+int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
+                    fvi_error *error);
+fvi_force fvi_force_typed(const fvi_typed_force *force);
+void fvi_typed_force_free(fvi_typed_force *force);
 
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
                FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
-enum { FVI_ESTIMATION_MOST = 8, FVI_EINVAL = 4, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+enum { FVI_ESTIMATION_MOST = 8, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -157,6 +147,7 @@ typedef struct {
     double A, T, w;
     const fvi_kernel *law;
 } fvi_linear_oscillator;
+int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind, double *constants);
 int fvi_estimate_warning_of_pair(const fvi_estimate *fitted, size_t i, size_t j, const char *name_i,
                             const char *name_j, size_t size, char *text);
 int fvi_estimate_warning_of_model(const fvi_estimation *fit, const fvi_estimate *fitted, size_t size, char *text);

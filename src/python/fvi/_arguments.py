@@ -4,8 +4,6 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-import math
-import re
 from typing import Any, Callable, Sequence, Union
 
 import numpy as np
@@ -86,22 +84,3 @@ def row(what: str, given: Array, d: int) -> Array:
     if given.shape not in ((), (1,), (d,)):
         raise ValueError(f"{what} has the shape {given.shape}, not ({d},)")
     return np.ascontiguousarray(np.broadcast_to(given, (d,)))
-
-
-def decimal(what: str, text: str) -> float:
-    """A finite decimal number, as in the program's tables: Python's float() reads 1_0 and nan, too."""
-    value = float(text) if re.fullmatch(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", text) else math.inf
-    if not math.isfinite(value):
-        raise ValueError(f"{what}: '{text}' is not a finite decimal number")
-    return value
-
-
-def words(what: str, text: Any, known: dict) -> tuple:
-    """'duffing:1,0.5' -> ('duffing', [1.0, 0.5]); known says how many numbers a word takes."""
-    name, _, rest = word(what, text).partition(":")
-    if name not in known:
-        raise ValueError(f"{what}: '{text}' is none of " + ", ".join(known))
-    given = [decimal(f"{what}: '{text}'", each) for each in rest.split(",")] if rest else []
-    if len(given) != known[name]:
-        raise ValueError(f"{what}: '{text}': {name} takes {known[name]} numbers")
-    return name, given

@@ -71,7 +71,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential] = "harmonic:1",
     for name in ("steps", "time"):
         if name in options:
             raise ValueError(f"{name}: not for a fit, whose times are those of the data")
-    problem, model, found = prepare(potential, method=method, **options)
+    problem, model, found = prepare(potential, float(times[-1]), method=method, **options)
     places = {"alpha": lib.FVI_FREE_PARAMETER_ALPHA, "rho": lib.FVI_FREE_PARAMETER_RHO, "mass": lib.FVI_FREE_PARAMETER_MASS,
               "x0": lib.FVI_FREE_PARAMETER_X0, "p0": lib.FVI_FREE_PARAMETER_P0}
     places.update((name, lib.FVI_FREE_PARAMETER_CONSTANT + i) for i, name in enumerate(problem.names))

@@ -97,6 +97,20 @@ def succeed(status: int, where: str = "") -> None:
         raise failure(status, where)
 
 
+def understand(function: Callable[..., int], *arguments: Any) -> None:
+    """A function of fvi/parse.h, whose last argument says what was wrong: text that is none of the library's
+    is a ValueError, a number out of its range an Error, each with the library's words behind the field."""
+    error = ffi.new("fvi_error *")
+    status = function(*arguments, error)
+    if not status:
+        return
+    field = text_of(error.field) + ": "
+    words = field + text_of(error.text).replace("\n", "\n" + " " * len(field))
+    if status == lib.FVI_ENOMEM:
+        raise MemoryError(words)
+    raise ValueError(words) if status == lib.FVI_EINVAL else Error(words, status)
+
+
 def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
     """Was there something to warn of? It is what a function of fvi/warnings.h writes into its
     last argument. A function of the caller's that raises is the run's affair, which may never

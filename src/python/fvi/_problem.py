@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 import numbers
-import re
 from collections.abc import Mapping
 from typing import Any, Callable, Optional, Sequence, Union
 
@@ -12,7 +11,7 @@ import numpy as np
 from . import _arguments as arguments
 from ._arguments import Array, Numbers
 from ._fvi import ffi, lib
-from ._library import is_interrupted, keep, succeed
+from ._library import is_interrupted, keep, understand
 
 
 class Potential:
@@ -120,68 +119,41 @@ def ask_quadratic(params):
     return 1
 
 
-class Expression:
-    """A text that was understood; it lives as long as the runs that use it."""
-
-    def __init__(self, what: str, text: str, variable: str, d: int, let: dict, values: Array):
-        self.values = values  # of `let`; whoever changes them changes them for all expressions
-        encoded = [ffi.new("char[]", name.encode()) for name in let]
-        coordinate, parameters = ffi.new("char[]", variable.encode()), ffi.new("const char *[]", encoded)
-        names = ffi.new("fvi_symbols *", {"variable": coordinate, "d": d, "parameter": parameters,
-                                        "parameters": len(let)})
-        out, wrong = ffi.new("fvi_expression **"), ffi.new("fvi_misprint *")
-        status = lib.fvi_expression_parse(text.encode(), names, ffi.cast("double *", self.values.ctypes.data),
-                                          out, wrong)
-        if status == lib.FVI_EINVAL:
-            place = len(text.encode()[:wrong.at].decode(errors="ignore"))
-            raise ValueError(f"{what}: {ffi.string(wrong.reason).decode()}\n  {text}\n  {' ' * place}^")
-        succeed(status)
-        self.pointer = ffi.gc(out[0], lib.fvi_expression_free)
+KINDS = {lib.FVI_POTENTIAL_HARMONIC: ["c"], lib.FVI_POTENTIAL_DUFFING: ["c", "g"],
+         lib.FVI_POTENTIAL_PENDULUM: ["g"], lib.FVI_POTENTIAL_CHAIN: ["c", "g"]}  # names of their constants
 
 
-def two_springpots(R: float, A: float, S: float, B: float) -> tuple:
-    """Two springpots in series, the one of the higher order first."""
-    (low, s), (high, r) = sorted(((A, R), (B, S)))
-    return lib.FVI_KERNEL_MAXWELL2, r if s else 0, high, r / s if r and s else 0, low
-
-
-LAWS: dict = {  # the numbers of each word, and kind, rho, alpha, time and end of the term that they make
-    "viscous": (1, lambda R: (lib.FVI_KERNEL_POWER, R, 0.5, 0, 0)),
-    "spring": (1, lambda K: (lib.FVI_KERNEL_POWER, K, 0, 0, 0)),
-    "power": (2, lambda R, A: (lib.FVI_KERNEL_POWER, R, A, 0, 0)),
-    "zener": (3, lambda R, A, T: (lib.FVI_KERNEL_ZENER, R, A, T, 0)),
-    "maxwell": (2, lambda R, T: (lib.FVI_KERNEL_MAXWELL, R, 0, T, 0)),
-    "maxwell2": (4, two_springpots),
-    "distributed": (3, lambda R, A, B: (lib.FVI_KERNEL_DISTRIBUTED, R, A, 0, B))}
-
-
-def law(given: Union[str, Sequence[str]]) -> tuple:
-    """The terms "zener:1,0.3,2 + spring:1", a text or several, as the library's struct, and what it points to."""
+def law(given: Union[str, Sequence[str]]) -> Any:
+    """What the terms "zener:1,0.3,2", a text or several, have become."""
     if not isinstance(given, str) and not (isinstance(given, (list, tuple))
                                            and all(isinstance(each, str) for each in given)):
         raise TypeError(f"damping: {arguments.described(given)} is no text and no list of texts")
-    terms = [one for text in ([given] if isinstance(given, str) else given) for one in text.split(" + ")]
-    array_ = ffi.new("fvi_kernel_term[]", len(terms))
-    for term, text in zip(array_, terms):
-        name, n = arguments.words("damping", text, {word: count for word, (count, _) in LAWS.items()})
-        term.kind, term.rho, term.alpha, term.time, term.end = LAWS[name][1](*n)
-    return ffi.new("fvi_kernel *", {"count": len(terms), "term": array_}), array_
+    damping = ffi.new("fvi_typed_damping *")
+    for text in [given] if isinstance(given, str) else given:
+        understand(lib.fvi_parse_damping, text.encode(), damping)
+    return damping
+
+
+def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
+    out = ffi.new("fvi_typed_force **")
+    understand(lib.fvi_parse_force, text.encode(), d, parameters, last, out)
+    return ffi.gc(out[0], lib.fvi_typed_force_free)
 
 
 class Problem:
     """A system and its start as the library wants them. Whatever C points to is kept here."""
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
-                 x0: Numbers, p0: Numbers, let: Optional[dict] = None):
+                 x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf):
         self.keep: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
         self.let = {name: arguments.number(f"let: {name}", value) for name, value in (let or {}).items()}
-        self.values = np.array(list(self.let.values()) or [0.0])
-        self.named: set = set()  # by the expressions
-        for name in self.let:
-            if not (lib.fvi_symbol_is_free(name.encode(), b"x") and lib.fvi_symbol_is_free(name.encode(), b"t")):
-                raise ValueError(f"let: '{name}' is not a name for a parameter")
+        self.parameters = ffi.new("fvi_user_parameters *")
+        for name, value in self.let.items():
+            understand(lib.fvi_user_parameters_set, self.parameters, name.encode(), value)
+        self.values = np.frombuffer(ffi.buffer(self.parameters.value, 8 * max(1, len(self.let))))
+        self.last = last
         self.constants: Optional[Array] = None  # of the potential, by names
         self.names: list = []
         rows = {name: arguments.numbers(name, given)
@@ -202,9 +174,7 @@ class Problem:
         self.system.damping = self.pointer(arguments.row("rho", rows["rho"], self.d))
         self.system.potential = U
         self.system.force = self.force(force)
-        for name in self.let:
-            if name not in self.named:
-                raise ValueError(f"let: '{name}' is in no expression")
+        understand(lib.fvi_user_parameters_are_used, self.parameters)
 
     def pointer(self, a: Array) -> Any:
         self.keep.append(a)
@@ -218,29 +188,16 @@ class Problem:
                             "fvi.potential(value, gradient, hessian) takes all three")
         if not isinstance(given, str):
             raise TypeError(f"potential: {arguments.described(given)} is no text, and not what fvi.potential makes")
-        known = {"harmonic": 1, "duffing": 2, "pendulum": 1, "chain": 3, "free": 0}
-        if given.partition(":")[0] not in known:
-            return self.expression(given)
-        name, n = arguments.words("potential", given, known)
-        if name == "chain":
-            if n[0] != int(n[0]) or n[0] < 1 or self.d not in (1, n[0]):
-                raise ValueError(f"potential: '{given}': so many masses do not fit the other lists")
-            self.d = int(n.pop(0))
-        if name == "free":
-            return ffi.new("fvi_potential *")[0]
-        self.constants, self.names = np.array(n), ["g"] if name == "pendulum" else ["c", "g"][:len(n)]
-        return getattr(lib, f"fvi_potential_{name}")(self.pointer(self.constants))
-
-    def understood(self, what: str, text: str, variable: str, d: int) -> Expression:
-        e = Expression(what, text, variable, d, self.let, self.values)
-        self.keep.append(e)
-        self.named.update(re.findall(r"[\w.]+", text))
-        return e
-
-    def expression(self, text: str) -> Any:
-        e = self.understood("potential", text, "x", self.d)
-        self.constants, self.names = e.values, list(self.let)
-        return lib.fvi_potential_expression(e.pointer)
+        typed = ffi.gc(ffi.new("fvi_typed_potential *"), lib.fvi_typed_potential_free)
+        understand(lib.fvi_parse_potential, given.encode(), self.d if self.d > 1 else 0, self.parameters, typed)
+        self.keep.append(typed)
+        self.d = max(self.d, typed.d)
+        if typed.kind == lib.FVI_POTENTIAL_EXPRESSION:
+            self.constants, self.names = self.values, list(self.let)
+        elif typed.kind in KINDS:
+            self.names = KINDS[typed.kind]
+            self.constants = np.frombuffer(ffi.buffer(typed.constants, 8 * len(self.names)))
+        return lib.fvi_potential_typed(typed)
 
     def own_potential(self, given: Potential) -> Any:
         U = ffi.new("fvi_potential *")
@@ -255,7 +212,7 @@ class Problem:
 
     def force(self, given: Any) -> Any:
         F = ffi.new("fvi_force *")
-        if given is None or isinstance(given, str) and given == "none":
+        if given is None:
             return F[0]
         if callable(given):
             F.value, F.params = lib.ask_force, self.handle
@@ -263,18 +220,6 @@ class Problem:
         if not isinstance(given, str):
             raise TypeError(f"force: {arguments.described(given)} is no text and no function of t; measured values "
                             "are one by lambda t: numpy.interp(t, times, values)")
-        known = {"step": 2, "cosine": 2, "impulse": 2}
-        if given.partition(":")[0] not in known:
-            return lib.fvi_force_expression(self.understood("force", given, "t", 1).pointer)
-        name, n = arguments.words("force", given, known)
-        if name == "impulse":
-            F.impulses = self.impulse(*n)
-            F.impulse_count = 1
-            return F[0]
-        return getattr(lib, f"fvi_force_{name}")(self.pointer(np.array(n)))
-
-    def impulse(self, J: float, t: float) -> Any:
-        hit = ffi.new("fvi_impulse[1]")
-        hit[0].t, hit[0].J = t, self.pointer(np.full(self.d, J))
-        self.keep.append(hit)
-        return hit
+        typed = typed_force(given, self.d, self.parameters, self.last)
+        self.keep.append(typed)
+        return lib.fvi_force_typed(typed)

@@ -7,10 +7,10 @@ from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word, words
+from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
-from ._problem import Potential, Problem, law
+from ._problem import Potential, Problem, law, typed_force
 
 PASTS = {"held": lib.FVI_INITIAL_HISTORY_HELD, "caputo": lib.FVI_INITIAL_HISTORY_CAPUTO,
          "rl": lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE}
@@ -70,7 +70,7 @@ def length(what: str, given: Optional[float]) -> float:
     return given or 0.0
 
 
-def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[float] = None,
+def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[float] = None, /, *, alpha: Optional[float] = None,
             rho: Optional[Numbers] = None, damping: Union[None, str, Sequence[str]] = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
@@ -80,12 +80,13 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
     if damping is not None and not (alpha is None and rho is None):
         raise ValueError("damping: not together with alpha or rho")
     default = 0.2 if damping is None else 1.0  # a law has its own
-    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let)
     steps = whole("steps", steps, 1)
     if h is not None and time is not None:
         raise ValueError("h: not together with time")
     if time is not None:
         h = number("time", time) / steps
+    end = steps * number("h", 0.1 if h is None else h) if last is None else last
+    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let, end)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
@@ -104,7 +105,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", *, alpha: Optional[
     run.alpha = number("alpha", 0.5 if alpha is None else alpha)
     if damping is not None:
         kept = law(damping)
-        run.law = kept[0]
+        run.law = ffi.addressof(kept, "law")
         problem.keep.append(kept)
     run.past = choice("derivative", derivative, PASTS)
     run.memory = choice("memory", memory, MEMORIES)
@@ -277,7 +278,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     damping     instead of alpha and rho a law, "viscous:R", "spring:K", "power:R,A", "zener:R,A,T",
                 "maxwell:R,T", "maxwell2:R1,A,R2,B" or "distributed:R,A,B" as the program has them,
                 several with " + " between them, or a list of such, which add
-    force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T),
+    force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T), "file:F.tsv",
                 an expression in t, or a function of t that gives one number or d of them, in
                 mass length / time^2
     derivative  the past, what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
@@ -371,19 +372,18 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     flat = np.ascontiguousarray(times.reshape(-1))
     if damping is not None and not (alpha is None and rho is None):
         raise ValueError("damping: not together with alpha or rho")
-    kept = law(damping) if damping is not None else (ffi.NULL,)
+    kept = law(damping) if damping is not None else None
     default = 0.2 if damping is None else 1.0
     problem = ffi.new("fvi_linear_oscillator *", {
         "m": number("mass", mass), "c": number("c", c), "rho": number("rho", default if rho is None else rho),
         "alpha": number("alpha", 0.5 if alpha is None else alpha), "x0": number("x0", x0), "v0": number("v0", v0),
-        "past": choice("derivative", derivative, PASTS), "law": kept[0]})
-    if force is not None and word("force", force) != "none":
-        name, n = words("force", force, {"step": 2, "cosine": 2})
-        problem.A = n[0]
-        if name == "step":
-            problem.forcing, problem.T = lib.FVI_FORCING_STEP, n[1]
-        else:
-            problem.forcing, problem.w = lib.FVI_FORCING_COSINE, n[1]
+        "past": choice("derivative", derivative, PASTS), "law": ffi.NULL if kept is None else ffi.addressof(kept, "law")})
+    if force is not None:
+        kind, constants = ffi.new("fvi_forcing *"), ffi.new("double[2]")
+        typed = typed_force(word("force", force), 1, ffi.NULL, math.inf)
+        if not lib.fvi_typed_force_is_simple(typed, kind, constants):
+            raise ValueError(f"force: '{force}' has no exact solution here; none, step:A,T and cosine:A,W have")
+        problem.forcing, problem.A, problem.T, problem.w = kind[0], constants[0], constants[1], constants[1]
     x, v = np.empty_like(flat), np.empty_like(flat)
     room = lambda a: ffi.from_buffer("double[]", a)
     count = on_grid(flat) if damping is None else 0

@@ -1,0 +1,143 @@
+/* tests/problem/test_parse.c -- What the library understands of typed problems, and what it says of
+ * what it does not. Run alone: make test-parse */
+#include "harness/ulp.h"
+
+#include <fvi/parse.h>
+
+#include <math.h>
+#include <string.h>
+
+static fvi_error error;
+
+/* An error as a function left it. */
+static void expect(int code, const char *field, const char *text)
+{
+    ck_assert_int_eq(error.code, code);
+    ck_assert_str_eq(error.field, field);
+    ck_assert_str_eq(error.text, text);
+}
+
+START_TEST(a_text_becomes_a_potential)
+{
+    const double x = 1.25;
+    double typed, made;
+    fvi_typed_potential well = { 0 };
+    fvi_user_parameters k = { 0 };
+    ck_assert_int_eq(fvi_parse_user_parameters("k=3,c=2*k", &k, &error), 0);
+    ck_assert(k.count == 2 && k.value[1] == 6);
+    ck_assert_int_eq(fvi_parse_potential("c*x^2/2 + k*x^4/4", 0, &k, &well, NULL),
+                     0);
+    ck_assert_int_eq(fvi_user_parameters_are_used(&k, &error), 0);
+    const fvi_potential u = fvi_potential_typed(&well);
+    ck_assert_int_eq(u.value(1, &x, u.params, &typed), 0);
+    fvi_typed_potential_free(&well);
+    ck_assert_int_eq(fvi_parse_potential("Duffing:6,3", 0, NULL, &well, NULL), 0);
+    const fvi_potential v = fvi_potential_typed(&well);
+    ck_assert_int_eq(v.value(1, &x, v.params, &made), 0);
+    ck_assert_double_eq_tol(typed, made, 4e-15);
+    fvi_typed_potential_free(&well);
+    ck_assert_int_eq(fvi_parse_potential("chain:3,1,0.5", 0, NULL, &well, NULL),
+                     0);
+    ck_assert(well.d == 3 && well.constants[0] == 1 && well.constants[1] == 0.5);
+}
+END_TEST
+
+/* The field, the number and the place are there for programs, the text for people. */
+START_TEST(an_error_says_field_value_index_and_text)
+{
+    fvi_typed_potential well = { 0 };
+    fvi_typed_damping damping = { 0 };
+    fvi_typed_force *force = NULL;
+    double x0[3];
+    size_t which;
+    ck_assert_int_eq(fvi_parse_potential("1 + x^^2", 0, NULL, &well, &error),
+                     FVI_EINVAL);
+    ck_assert_uint_eq(error.index, 6);
+    ck_assert_ptr_nonnull(strstr(error.text, "\n       ^"));
+    fvi_parse_potential("duffin:1,1", 0, NULL, &well, &error);
+    expect(FVI_EINVAL, "potential",
+           "'duffin:1,1' is none of harmonic:C, duffing:C,G, pendulum:G, free, "
+           "chain:D,C,G; did you mean duffing?");
+    fvi_parse_potential("chain:3,1,1", 2, NULL, &well, &error);
+    expect(FVI_EINVAL, "dimension", "'2' is not that of 'chain:3,1,1'");
+    fvi_parse_numbers("x0", "1,-2,3", 0, INFINITY, "[)", 3, x0, &error);
+    expect(FVI_EDOM, "x0", "'-2' is outside [0, inf)");
+    ck_assert(error.value == -2 && error.index == 1);
+    fvi_parse_damping("zener:1,0.3,2 + power:1,1.5", &damping, &error);
+    expect(FVI_EDOM, "damping",
+           "'power:1,1.5': power:R,A with R >= 0 and 0 <= A <= 1");
+    fvi_parse_force("step:1,-2", 1, NULL, 9, &force, &error);
+    expect(FVI_EDOM, "force", "'step:1,-2' ends before it begins");
+    ck_assert(error.value == -2 && !force);
+    fvi_parse_force("cos(t) + impulse:1,10", 1, NULL, 9, &force, &error);
+    expect(FVI_EDOM, "force",
+           "'impulse:1,10' is not within the run, 0 <= T <= 9");
+    fvi_parse_word("derivative", "hled", fvi_initial_history_words, &which,
+                   &error);
+    expect(FVI_EINVAL, "derivative",
+           "'hled' is none of held, caputo, rl; did you mean held?");
+    ck_assert_int_eq(fvi_parse_potential(NULL, 0, NULL, &well, NULL), FVI_EFAULT);
+}
+END_TEST
+
+/* A name that is taken, twice the same name, and one that no expression speaks of. */
+START_TEST(parameters_are_names_with_one_value_that_are_used)
+{
+    fvi_user_parameters k = { 0 };
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "x", 1, &error), FVI_EINVAL);
+    expect(FVI_EINVAL, "let", "'x' is not a name for a parameter");
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "k", NAN, &error), FVI_EDOM);
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "k", 1, &error), 0);
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "k", 1, &error), 0);
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "k", 2, &error), FVI_EINVAL);
+    ck_assert_uint_eq(k.count, 1);
+    ck_assert_int_eq(fvi_user_parameters_are_used(&k, &error), FVI_EINVAL);
+    expect(FVI_EINVAL, "let", "'k' is in no expression");
+    char name[] = "a0"; /* no more than there is room for */
+    for (int i = 1; i < FVI_MOST_USER_PARAMETERS; i++) {
+        name[0] = (char)('a' + i / 10), name[1] = (char)('0' + i % 10);
+        ck_assert_int_eq(fvi_user_parameters_set(&k, name, i, &error), 0);
+    }
+    ck_assert_int_eq(fvi_user_parameters_set(&k, "more", 1, &error),
+                     FVI_EINVAL);
+    expect(FVI_EINVAL, "let", "'more': too many parameters");
+    ck_assert_str_eq(k.name[0], "k");
+    ck_assert_str_eq(k.name[63], "g3");
+}
+END_TEST
+
+/* One step acts as the library's own; a sum is the sum of its parts, and knows where it jumps. */
+START_TEST(a_text_becomes_a_force)
+{
+    fvi_typed_force *one, *sum;
+    fvi_forcing kind;
+    double p[2], F[2];
+    ck_assert_int_eq(fvi_parse_force("step:8,1", 2, NULL, 9, &one, NULL), 0);
+    ck_assert(fvi_typed_force_is_simple(one, &kind, p)
+              && kind == FVI_FORCING_STEP && p[0] == 8 && p[1] == 1);
+    ck_assert_int_eq(fvi_parse_force("step:8,1 + cos(t) + impulse:2,3", 2, NULL,
+                                     9, &sum, NULL),
+                     0);
+    ck_assert(!fvi_typed_force_is_simple(sum, &kind, p));
+    const fvi_force f = fvi_force_typed(sum);
+    ck_assert_int_eq(f.value(0.5, 2, f.params, F), 0);
+    ck_assert(F[0] == 8 + cos(0.5) && F[1] == F[0]);
+    ck_assert(fvi_typed_force_jump(sum, 0) == 1
+              && fvi_typed_force_jump(sum, 1) == 3
+              && isnan(fvi_typed_force_jump(sum, 2)));
+    ck_assert(f.impulse_count == 1 && f.impulses->J[1] == 2);
+    ck_assert_ptr_null(fvi_typed_force_file(sum, 0));
+    fvi_typed_force_free(one);
+    fvi_typed_force_free(sum);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("problems as they are typed");
+    ADD_CASE(suite, "parse", a_text_becomes_a_potential,
+             an_error_says_field_value_index_and_text,
+             parameters_are_names_with_one_value_that_are_used,
+             a_text_becomes_a_force);
+    return run_suite(suite);
+}
