@@ -10,6 +10,7 @@
 #define FVI_DAMPING_LAWS_H
 
 #include "convolution_quadrature.h"
+#include "expression.h"
 #include "memory.h"
 
 #include <stddef.h>
@@ -26,13 +27,18 @@ extern "C" {
  *   MAXWELL      s / (1 + time s)
  *   DISTRIBUTED  int_alpha^end s^{2 a} da
  *   MAXWELL2     s^{2 alpha} / (1 + time s^{2 (alpha - end)}): two springpots in series,
- *                rho s^{2 alpha} and (rho / time) s^{2 end}. A ZENER has end = 0 */
+ *                rho s^{2 alpha} and (rho / time) s^{2 end}. A ZENER has end = 0
+ *   DAVIDSON     (s / (1 + time s))^{2 alpha}, Cole and Davidson's
+ *   SYMBOL       any function of s: a term of this kind is the first member of a
+ *                fvi_kernel_function, and stands alone in its law */
 typedef enum {
     FVI_KERNEL_POWER,
     FVI_KERNEL_ZENER,
     FVI_KERNEL_MAXWELL,
     FVI_KERNEL_DISTRIBUTED,
-    FVI_KERNEL_MAXWELL2
+    FVI_KERNEL_MAXWELL2,
+    FVI_KERNEL_DAVIDSON,
+    FVI_KERNEL_SYMBOL
 } fvi_kernel_kind;
 
 /* fvi_kernel_term -- one term; what its kind does not name is not read.
@@ -54,9 +60,41 @@ typedef struct {
 } fvi_kernel;
 
 /* fvi_kernel_check -- is it a law?
- * Returns FVI_SUCCESS; FVI_EFAULT if law, or the terms of a law that has some, is NULL;
- * FVI_EINVAL for no terms and an unknown kind; FVI_EDOM for a number out of range. */
+ * Returns FVI_SUCCESS; FVI_EFAULT if law, or the terms of a law that has some, or the
+ * function of a SYMBOL, is NULL; FVI_EINVAL for no terms, an unknown kind, and a SYMBOL that
+ * is not alone; FVI_EDOM for a number out of range, and for a function that is
+ * seen not to be as fvi_kernel_function asks. */
 int fvi_kernel_check(const fvi_kernel *law);
+
+/* fvi_kernel_function -- a law by a function of the caller's.
+ *
+ *     static void symbol(double re, double im, void *params, double *C_re, double *C_im);
+ *     const fvi_kernel_function f = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 }, symbol, &params };
+ *     const fvi_kernel law = fvi_kernel_of_function(&f);
+ *
+ *   term    its rho is a factor; the other numbers are not read
+ *   value   C(s) at s = re + i im, by the principal logarithm: im = 0 with re < 0 is the
+ *           upper side of the cut. Analytic but for s <= 0, real for s > 0, finite at i omega,
+ *           and growing no faster than s^2. Whether the law takes energy, with an imaginary
+ *           part that is not negative at i omega, is not asked
+ *   params  handed on to value
+ *
+ * Its weights come from Cauchy's integral, and its modes from the values on the cut if 512
+ * weights say that they are all: a pole of C on the cut has none. */
+typedef struct {
+    fvi_kernel_term term;
+    void (*value)(double re, double im, void *params, double *C_re,
+                  double *C_im);
+    void *params;
+} fvi_kernel_function;
+
+/* fvi_kernel_of_function -- the law that the function is; it belongs to the caller. */
+fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function);
+
+/* fvi_kernel_of_expression -- rho C(s), C an expression of the one variable "s", which must
+ * outlive it. fvi_kernel_check refuses one with abs, which is not analytic. */
+fvi_kernel_function fvi_kernel_of_expression(const fvi_expression *e,
+                                             double rho);
 
 /* fvi_kernel_moduli -- C(i omega): what an experiment at one frequency sees.  [(26.2)]
  *
@@ -75,7 +113,7 @@ int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
 double fvi_kernel_symbol(const fvi_kernel *law, double s);
 
 /* fvi_kernel_growth -- the largest nu with which |C(s)| grows like |s|^nu at infinity, but
- * for a logarithm: 2 alpha of a POWER, 0 of a MAXWELL or a ZENER with a time, 2 end of
+ * for a logarithm: 2 alpha of a POWER, 0 of a MAXWELL, a ZENER or a DAVIDSON with a time, 2 end of
  * a DISTRIBUTED and of a MAXWELL2 with a time. The law has passed fvi_kernel_check. */
 double fvi_kernel_growth(const fvi_kernel *law);
 
@@ -90,7 +128,9 @@ double fvi_kernel_growth(const fvi_kernel *law);
  * Accuracy: relative to the largest weight, 60 u for each term (no proof; seen 3). Not so
  * for a ZENER with 2 alpha > 1, or a MAXWELL2 with 2 (alpha - end) > 1: it rings, and keeps roundings for as long as it does (seen
  * 1800 u in 1500 weights, alpha = 0.985).
- * Cost: O(count), and O(count^2) for a ZENER with alpha other than 1/2 and a MAXWELL2.
+ * Cost: O(count), and O(count^2) for a ZENER with alpha other than 1/2 and a MAXWELL2; a
+ * DAVIDSON and a SYMBOL take 8 count values of their symbol and O(count ln count), and their
+ * weights are right relative to the largest alone.
  * Returns FVI_SUCCESS; what fvi_kernel_check returns; FVI_EFAULT if w is NULL; FVI_EINVAL
  * if count == 0 or kind is another; FVI_EDOM for h; FVI_ENOMEM. On error w is
  * untouched. */

@@ -55,7 +55,7 @@ const char *fvi_error_name(int code);
  *          that is meant. It does not begin with the field
  *
  *     fvi_error error;
- *     if (fvi_parse_damping("zener:1,2,3", &damping, &error))
+ *     if (fvi_parse_damping("zener:1,2,3", NULL, &damping, &error))
  *         fprintf(stderr, "%s: %s\n", error.field, error.text); */
 enum { FVI_ERROR_ROOM = 400 };
 typedef struct {

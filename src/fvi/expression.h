@@ -114,6 +114,11 @@ fvi_potential fvi_potential_expression(const fvi_expression *e);
 /* fvi_force_expression -- F(t), of one variable, the same on every mass. */
 fvi_force fvi_force_expression(const fvi_expression *e);
 
+/* fvi_expression_complex_value -- of one variable, at re + i im, by principal branches; NaN
+ * where abs is asked for, which is not analytic. Nothing is checked. */
+void fvi_expression_complex_value(const fvi_expression *e, double re, double im,
+                                  double *value_re, double *value_im);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

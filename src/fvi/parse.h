@@ -82,12 +82,13 @@ int fvi_parse_table(const char *field, const char *file,
  * not copy one that is in use: name points into names. A value may be changed while no run goes on.
  *
  *   used  for each, who speaks of it: FVI_USED_BY_POTENTIAL, FVI_USED_BY_FORCE,
- *         FVI_USED_BY_PARAMETER, added */
+ *         FVI_USED_BY_PARAMETER, FVI_USED_BY_DAMPING, added */
 enum {
     FVI_MOST_USER_PARAMETERS = 64,
     FVI_USED_BY_POTENTIAL = 1,
     FVI_USED_BY_FORCE = 2,
-    FVI_USED_BY_PARAMETER = 4
+    FVI_USED_BY_PARAMETER = 4,
+    FVI_USED_BY_DAMPING = 8
 };
 typedef struct {
     size_t count;
@@ -157,18 +158,28 @@ void fvi_typed_potential_free(fvi_typed_potential *potential);
 
 /* ---- dampings ---- */
 
-/* fvi_typed_damping -- a law of damping; begin with a zeroed one. Do not copy one that is in use:
- * law points into term. Nothing is to be given back. */
+/* fvi_typed_damping -- a law of damping; begin with a zeroed one, give it back with
+ * fvi_typed_damping_free. Do not copy one that is in use: law points into it.
+ *
+ *   symbol  the expression of a law that is typed so, else NULL; function points to it */
 enum { FVI_MOST_TERMS = 64 };
 typedef struct {
     fvi_kernel law;
     fvi_kernel_term term[FVI_MOST_TERMS];
+    fvi_expression *symbol;
+    fvi_kernel_function function;
 } fvi_typed_damping;
 
 /* fvi_parse_damping -- one more term, or several with " + " between: viscous:R, spring:K, power:R,A,
- * zener:R,A,T, maxwell:R,T, maxwell2:R1,A,R2,B, distributed:R,A,B. */
-int fvi_parse_damping(const char *text, fvi_typed_damping *damping,
-                      fvi_error *error);
+ * zener:R,A,T, maxwell:R,T, maxwell2:R1,A,R2,B, davidson:R,A,T, distributed:R,A,B; or
+ * symbol:EXPRESSION in s, which stands alone.
+ *
+ *   parameters  of the expression, kept: they must outlive the law; NULL if there are none */
+int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
+                      fvi_typed_damping *damping, fvi_error *error);
+
+/* fvi_typed_damping_free -- give the expression back; the struct is the caller's. */
+void fvi_typed_damping_free(fvi_typed_damping *damping);
 
 /* ---- forces ---- */
 

@@ -2,7 +2,7 @@
 #include <fvi/damping_laws.h>
 
 #include <fvi/coefficients.h>
-#include "kernel_terms.h"
+#include "kernel_general.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_integration.h>
@@ -40,6 +40,8 @@ int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t 
         FVI_FAIL("no memory for the law", FVI_ENOMEM);
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *from = &law->term[i];
+        if (fvi_kernel_is_general(from))
+            continue;
         if (from->kind != FVI_KERNEL_DISTRIBUTED) {
             t[n++] = simple_term(from);
             continue;
@@ -182,5 +184,5 @@ int fvi_kernel_weights(const fvi_kernel *law, fvi_delta kind, double h,
         fvi_kernel_series(&term[i], kind, h, 0, count, room, w);
     free(room);
     free(term);
-    return FVI_SUCCESS;
+    return fvi_kernel_general_weights(law, kind, h, 0, count, w);
 }

@@ -1,7 +1,7 @@
 /* src/memory/kernel_classes.c -- Kinds of kernels: ranges, symbols, growth.   [H 26] */
 #include <fvi/damping_laws.h>
 
-#include "kernel_terms.h"
+#include "kernel_general.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -9,7 +9,8 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* All that the library knows of a kind of kernel. The symbols are those of rho = 1. */
+/* All that the library knows of a kind of kernel. The symbols are those of rho = 1; slope is
+ * s times the derivative, and may be NULL of a SYMBOL. */
 typedef struct {
     int (*check)(const fvi_kernel_term *t);
     double complex (*symbol)(const fvi_kernel_term *t, double modulus,
@@ -122,6 +123,45 @@ static double complex range_symbol(const fvi_kernel_term *t, double modulus,
     return q * ratio;
 }
 
+static double complex davidson_symbol(const fvi_kernel_term *t, double modulus,
+                                      double angle, double complex *slope)
+{
+    const double complex part =
+        1 + t->time * modulus * (cos(angle) + I * sin(angle));
+    const double complex C =
+        power_at(t->alpha, modulus, angle)
+        * power_at(-t->alpha, cabs(part), carg(part));
+    *slope = 2 * t->alpha * C / part;
+    return C;
+}
+
+/* The value that the caller's function gives, NaN where it gives none. */
+static double complex value_of(const fvi_kernel_term *t, double complex s)
+{
+    const fvi_kernel_function *f = (const fvi_kernel_function *)t;
+    double re = GSL_NAN, im = GSL_NAN;
+    f->value(creal(s), cimag(s), f->params, &re, &im);
+    return re + I * im;
+}
+
+/* The derivative by ln s is a mean over a circle around ln s, on which the symbol is
+ * analytic; 24 points leave 1e-13 where the cut is a right angle away. */
+static double complex function_symbol(const fvi_kernel_term *t, double modulus,
+                                      double angle, double complex *slope)
+{
+    enum { POINTS = 24 };
+    const double radius = 0.4;
+    const double complex s = modulus * (cos(angle) + I * sin(angle));
+    double complex sum = 0;
+    for (int j = 0; slope && j < POINTS; j++) {
+        const double complex turn = cexp(2 * M_PI * I * j / POINTS);
+        sum += value_of(t, s * cexp(radius * turn)) / turn;
+    }
+    if (slope)
+        *slope = sum / (radius * POINTS);
+    return value_of(t, s);
+}
+
 /* ---- growth ---- */
 
 static double power_growth(const fvi_kernel_term *t)
@@ -149,6 +189,39 @@ static double maxwell2_growth(const fvi_kernel_term *t)
     return t->time == 0 ? 2 * t->alpha : 2 * t->end;
 }
 
+static double davidson_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 0;
+}
+
+/* From one power of 2 to the next, far up; a law that falls there does not grow. */
+static double function_growth(const fvi_kernel_term *t)
+{
+    const double ratio = cabs(value_of(t, 0x1p400) / value_of(t, 0x1p399));
+    return ratio < 1 ? 0 : ldexp(round(ldexp(log2(ratio), 30)), -30);
+}
+
+/* Some frequencies say whether it is a function, and real for real s. */
+static int check_function(const fvi_kernel_term *t)
+{
+    if (!((const fvi_kernel_function *)t)->value)
+        FVI_FAIL("a symbol without a function", FVI_EFAULT);
+    if (!(function_growth(t) <= 2))
+        FVI_FAIL("the symbol of a law must not grow faster than s^2", FVI_EDOM);
+    for (int k = -20; k <= 20; k += 4) {
+        const double omega = ldexp(1.1, k); /* at 1 ln s would be 0 */
+        const double complex C = value_of(t, I * omega),
+                             mirrored = value_of(t, -I * omega),
+                             real = value_of(t, omega);
+        if (!isfinite(cabs(C)) || !isfinite(cabs(real)))
+            FVI_FAIL("the symbol of a law must be finite at i omega", FVI_EDOM);
+        if (!(cabs(mirrored - conj(C)) <= 1e-12 * cabs(C))
+            || !(fabs(cimag(real)) <= 1e-12 * cabs(real)))
+            FVI_FAIL("the symbol of a law must be real at s > 0", FVI_EDOM);
+    }
+    return FVI_SUCCESS;
+}
+
 /* ---- the table ---- */
 
 static const kernel_class classes[] = {
@@ -157,6 +230,9 @@ static const kernel_class classes[] = {
     [FVI_KERNEL_MAXWELL] = { check_time, maxwell_symbol, maxwell_growth },
     [FVI_KERNEL_DISTRIBUTED] = { check_range, range_symbol, range_growth },
     [FVI_KERNEL_MAXWELL2] = { check_pair, maxwell2_symbol, maxwell2_growth },
+    [FVI_KERNEL_DAVIDSON] = { check_order_and_time, davidson_symbol,
+                              davidson_growth },
+    [FVI_KERNEL_SYMBOL] = { check_function, function_symbol, function_growth },
 };
 
 /* ---- a sum of terms ---- */
@@ -177,6 +253,8 @@ int fvi_kernel_check(const fvi_kernel *law)
     if (law->count == 0)
         FVI_FAIL("a law has at least one term", FVI_EINVAL);
     for (size_t i = 0; i < law->count; i++) {
+        if (law->term[i].kind == FVI_KERNEL_SYMBOL && law->count > 1)
+            FVI_FAIL("a SYMBOL stands alone in its law", FVI_EINVAL);
         int status = check_term(&law->term[i]);
         if (status)
             return status;
@@ -194,10 +272,25 @@ double fvi_kernel_growth(const fvi_kernel *law)
     return most;
 }
 
+double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
+                                  double angle)
+{
+    double complex slope;
+    return t->rho
+           * classes[t->kind].symbol(
+               t, modulus, angle, t->kind == FVI_KERNEL_SYMBOL ? NULL : &slope);
+}
+
+/* Of a symbol that the caller gives the slope costs many values. */
 static double complex sum_at(const fvi_kernel *law, double modulus, double angle,
                              double complex *slope)
 {
     double complex C = 0;
+    if (!slope) {
+        for (size_t i = 0; i < law->count; i++)
+            C += fvi_kernel_term_at(&law->term[i], modulus, angle);
+        return C;
+    }
     *slope = 0;
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *t = &law->term[i];
@@ -208,6 +301,25 @@ static double complex sum_at(const fvi_kernel *law, double modulus, double angle
     return C;
 }
 
+fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function)
+{
+    return (fvi_kernel){ 1, &function->term };
+}
+
+static void expression_value(double re, double im, void *params, double *C_re,
+                             double *C_im)
+{
+    fvi_expression_complex_value(params, re, im, C_re, C_im);
+}
+
+fvi_kernel_function fvi_kernel_of_expression(const fvi_expression *e,
+                                             double rho)
+{
+    return (fvi_kernel_function){ { FVI_KERNEL_SYMBOL, rho, 0, 0, 0 },
+                                  expression_value,
+                                  (void *)e };
+}
+
 double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
                           double complex *slope)
 {
@@ -216,8 +328,7 @@ double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
 
 double fvi_kernel_symbol(const fvi_kernel *law, double s)
 {
-    double complex slope;
-    return creal(sum_at(law, s, 0, &slope));
+    return creal(sum_at(law, s, 0, NULL));
 }
 
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
@@ -230,8 +341,7 @@ int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(isfinite(omega) && omega > 0))
         FVI_FAIL("omega must be finite and positive", FVI_EDOM);
-    double complex slope;
-    const double complex C = sum_at(law, omega, M_PI_2, &slope);
+    const double complex C = sum_at(law, omega, M_PI_2, NULL);
     if (!isfinite(creal(C)) || !isfinite(cimag(C)))
         FVI_FAIL("a modulus is not finite", FVI_EOVRFLW);
     *storage = creal(C);

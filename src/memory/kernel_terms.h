@@ -37,7 +37,7 @@ static inline double fvi_kernel_on_the_cut(const fvi_kernel_simple *t,
 //< cut
 
 /* fvi_kernel_at -- C(s) by the principal logarithm, s != 0, and in *slope s C'(s): of a range
- * of orders to a relative u / |ln s|. */
+ * of orders to a relative u / |ln s|. slope may be NULL. */
 double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
                           double complex *slope);
 
@@ -45,7 +45,7 @@ double complex fvi_kernel_at(const fvi_kernel *law, double complex s,
  * Returns what it returns; FVI_EINVAL for kind, FVI_EDOM for h. */
 int fvi_kernel_check_weights(const fvi_kernel *law, fvi_delta kind, double h);
 
-/* fvi_kernel_flatten -- the law as such terms, a new array for the caller to free.
+/* fvi_kernel_flatten -- the terms that are so, as such, a new array for the caller to free.
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t *count);
 

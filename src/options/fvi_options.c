@@ -92,12 +92,9 @@ static int take(fvi_options *o, int found, const char *given, fvi_error *c)
         optarg = optarg ? optarg : "";
     if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
         return append(o, LET, ",", o->let_text, sizeof o->let_text, c);
-    if (i == DAMPING) { /* laws add */
-        const int status = fvi_parse_damping(optarg, &o->damping, c);
-        return status ? status
-                      : append(o, DAMPING, " + ", o->damping_text,
-                               sizeof o->damping_text, c);
-    }
+    if (i == DAMPING) /* laws add */
+        return append(o, DAMPING, " + ", o->damping_text,
+                      sizeof o->damping_text, c);
     return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
                          &o->text[i], optarg, c);
 }

@@ -229,6 +229,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = interpret_grid(o, c);
     if (!status)
         status = fvi_problem_force(o, c);
+    if (!status && o->text[DAMPING])
+        status = fvi_parse_damping(o->text[DAMPING], &o->lets, &o->damping, c);
     if (!status)
         status = fvi_user_parameters_are_used(&o->lets, c);
     if (!status)
@@ -356,6 +358,7 @@ void fvi_options_free(fvi_options *o)
 {
     free(o->x0);
     fvi_typed_potential_free(&o->potential);
+    fvi_typed_damping_free(&o->damping);
     fvi_typed_force_free(o->force);
     fvi_directory_close(o->directory);
     free(o->shown);

@@ -4,13 +4,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static const char *const words[] = { "viscous", "spring",  "power",
                                      "zener",   "maxwell", "maxwell2",
-                                     "distributed", NULL };
+                                     "davidson", "distributed", "symbol", NULL };
 static const char forms[] =
     "viscous:R  spring:K  power:R,A  zener:R,A,T  maxwell:R,T  "
-    "maxwell2:R1,A,R2,B  distributed:R,A,B";
+    "maxwell2:R1,A,R2,B  davidson:R,A,T  distributed:R,A,B  symbol:EXPRESSION";
+
+static const char symbol_word[] = "symbol:";
+enum { SYMBOL_LENGTH = sizeof symbol_word - 1 };
 
 /* ---- the numbers where the term has its own ---- */
 
@@ -50,6 +54,11 @@ static fvi_kernel_term maxwell2(const double *p)
                               high[0] / low[0], low[1] };
 }
 
+static fvi_kernel_term davidson(const double *p)
+{
+    return (fvi_kernel_term){ FVI_KERNEL_DAVIDSON, p[0], p[1], p[2], 0 };
+}
+
 static fvi_kernel_term distributed(const double *p)
 {
     return (fvi_kernel_term){ FVI_KERNEL_DISTRIBUTED, p[0], p[1], 0, p[2] };
@@ -70,10 +79,16 @@ static const struct {
     { "zener:R,A,T", 3, "R, T >= 0 and 0 <= A <= 1", zener },
     { "maxwell:R,T", 2, "R, T >= 0", maxwell },
     { "maxwell2:R1,A,R2,B", 4, "R1, R2 >= 0 and A, B in [0, 1]", maxwell2 },
+    { "davidson:R,A,T", 3, "R, T >= 0 and 0 <= A <= 1", davidson },
     { "distributed:R,A,B", 3, "R >= 0 and 0 <= A < B <= 1", distributed },
 };
 
 /* ---- texts ---- */
+
+static int is_symbol(const char *text)
+{
+    return strncasecmp(text, symbol_word, SYMBOL_LENGTH) == 0;
+}
 
 static int refuse_range(const char *text, size_t i, double value,
                         fvi_error *error)
@@ -90,7 +105,10 @@ static int add_term(const char *text, fvi_typed_damping *damping,
                  i = fvi_scan_word(text, length, words);
     double p[MOST_NUMBERS];
     char place[64];
-    if (!words[i])
+    if (is_symbol(text))
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "'%s': a symbol stands alone", text);
+    if (!words[i] || i == sizeof kinds / sizeof *kinds)
         return fvi_fail(error, FVI_EINVAL, "damping", NAN,
                         "'%s' is none of %s%s", text, forms,
                         fvi_word_hint(text, length, words, place));
@@ -111,11 +129,41 @@ static int add_term(const char *text, fvi_typed_damping *damping,
     return FVI_SUCCESS;
 }
 
-int fvi_parse_damping(const char *text, fvi_typed_damping *damping,
-                      fvi_error *error)
+/* A law of its own, whatever stands in it; a colon would be that of another. */
+static int parse_symbol(const char *text, fvi_user_parameters *parameters,
+                        fvi_typed_damping *damping, fvi_error *error)
+{
+    const char *expression = text + SYMBOL_LENGTH;
+    if (damping->law.count > 0 || strchr(expression, ':'))
+        return fvi_fail(error, FVI_EINVAL, "damping", NAN,
+                        "'%s': a symbol stands alone", text);
+    const int status = fvi_parse_expression("damping", "s", 1, expression,
+                                            parameters, &damping->symbol, error);
+    if (status)
+        return status;
+    damping->function = fvi_kernel_of_expression(damping->symbol, 1);
+    damping->law = fvi_kernel_of_function(&damping->function);
+    if (fvi_kernel_check(&damping->law) != 0)
+        return fvi_fail(error, FVI_EDOM, "damping", NAN,
+                        "'%s' is no law: it must be finite at s = i w, real "
+                        "for s > 0, and grow no faster than s^2",
+                        text);
+    return FVI_SUCCESS;
+}
+
+void fvi_typed_damping_free(fvi_typed_damping *damping)
+{
+    fvi_expression_free(damping->symbol);
+    damping->symbol = NULL;
+}
+
+int fvi_parse_damping(const char *text, fvi_user_parameters *parameters,
+                      fvi_typed_damping *damping, fvi_error *error)
 {
     if (!text || !damping)
         return fvi_fail(error, FVI_EFAULT, "damping", NAN, "null pointer");
+    if (is_symbol(text))
+        return parse_symbol(text, parameters, damping, error);
     char *copy = malloc(strlen(text) + 1);
     if (!copy)
         return fvi_fail(error, FVI_ENOMEM, "damping", NAN, "not enough memory");

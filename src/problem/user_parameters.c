@@ -66,6 +66,7 @@ int fvi_parse_expression(const char *field, const char *variable, size_t d,
         note_use(parameters, text,
                  !variable          ? FVI_USED_BY_PARAMETER
                  : *variable == 't' ? FVI_USED_BY_FORCE
+                 : *variable == 's' ? FVI_USED_BY_DAMPING
                                     : FVI_USED_BY_POTENTIAL);
     return FVI_SUCCESS;
 }

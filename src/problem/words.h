@@ -15,7 +15,7 @@ int fvi_scan_call(const char *text, const char *word, int count, double *p);
  * they are none. */
 size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
 
-/* fvi_parse_expression -- fvi_expression_parse of x, or x1, ..., xd, or of t, or, where variable is
+/* fvi_parse_expression -- fvi_expression_parse of x, or x1, ..., xd, of t or of s, or, where variable is
  * NULL, of the parameters alone. It is noted which of them the text uses. A misprint is an error of
  * the field, with a caret; its index is the byte. parameters may be NULL. */
 int fvi_parse_expression(const char *field, const char *variable, size_t d,

@@ -128,7 +128,11 @@ int fvi_gradient_print_answer(const fvi_own_command *command, const request *r)
     print_each(f, r, "p0", r->to.p0);
     print_numbers(f, r);
     for (size_t j = 0; j < r->o.lets.count; j++)
-        print_row(f, r->o.lets.name[j], "", r->lets[j]);
+        if (r->o.lets.used[j] & FVI_USED_BY_DAMPING)
+            fprintf(f, "# warning = no derivative by %s, of which the law speaks\n",
+                    r->o.lets.name[j]);
+        else
+            print_row(f, r->o.lets.name[j], "", r->lets[j]);
     return fvi_output_close(f, 1) ? fvi_cannot_write(r->o.output) : 0;
 }
 

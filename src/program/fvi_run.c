@@ -14,7 +14,8 @@
 #include <stdlib.h>
 
 /* What the parser let through is in range: FVI_EINVAL is then a number of steps that no
- * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive. */
+ * memory is made for, FVI_EDOM an m / h, FVI_EUNSUP a start of fvi-adaptive, or a law that
+ * stages do not take. */
 int fvi_complain_of_start(const fvi_options *o, int status)
 {
     if (status == FVI_ESING && !o->directory)
@@ -26,6 +27,9 @@ int fvi_complain_of_start(const fvi_options *o, int status)
               "negative somewhere, and h too long for it"
         : status == FVI_EINVAL
             ? "--steps: the compressed memory reaches back 10^9 steps at most"
+        : status == FVI_EUNSUP && o->text[DAMPING]
+            ? "--damping: the tail of this law is no sum of decaying modes; "
+              "fvi, fvi-bdf2 and fvi-stable take it"
         : status == FVI_EUNSUP
             ? "no step is short enough for a velocity that jumps: alpha is too "
               "near to 1"

@@ -34,8 +34,8 @@ static const char usage_run[] =
     "  --damping LAW    instead of --alpha and --rho; may be repeated, laws\n"
     "                   add: power:R,A (R D^{2A} x)  viscous:R  spring:K\n"
     "                   zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B\n"
-    "                   distributed:R,A,B, parted by ' + '; not by\n"
-    "                   fvi-shifted and fvi-adaptive\n"
+    "                   davidson:R,A,T  distributed:R,A,B, parted by ' + ';\n"
+    "                   or symbol:C(s); not by fvi-shifted, fvi-adaptive\n"
     "  --mass M         mass, M > 0; a list, one for each             [1]\n"
     "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
     "                   chain:D,C,G (D masses between two walls), or an\n"
@@ -82,11 +82,11 @@ static const char usage_run[] =
     "  --plot FILE      a picture of the table, FILE.svg or FILE.png\n"
     "  --snapshot FILE  all x and p at the end, a line each\n"
     "  --checkpoint F   the state of the run, into a file, every 10 seconds\n"
-    "  --continue       go on from that file, with the same digits\n"
-    "  --format F       tsv; csv (names in the first line); json      [tsv]\n";
+    "  --continue       go on from that file, with the same digits\n";
 
 /* Apart, as C promises 4095 characters in one string. */
 static const char usage_run_examples[] =
+    "  --format F       tsv; csv (names in the first line); json      [tsv]\n"
     "  -o FILE          write there, complete or not at all           "
     "[stdout]\n"
     "\n"

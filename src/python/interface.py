@@ -42,6 +42,13 @@ typedef struct {
 typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
 typedef struct { ...; } fvi_kernel;
+typedef enum { FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
+typedef struct { fvi_kernel_kind kind; double rho; ...; } fvi_kernel_term;
+typedef struct {
+    fvi_kernel_term term;
+    void (*value)(double re, double im, void *params, double *C_re, double *C_im);
+    void *params;
+} fvi_kernel_function;
 typedef struct {
     const fvi_system *system;
     const double *x0, *p0;
@@ -104,8 +111,10 @@ int fvi_parse_potential(const char *text, size_t d, fvi_user_parameters *paramet
                         fvi_error *error);
 fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
 void fvi_typed_potential_free(fvi_typed_potential *potential);
-typedef struct { fvi_kernel law; ...; } fvi_typed_damping;
-int fvi_parse_damping(const char *text, fvi_typed_damping *damping, fvi_error *error);
+fvi_kernel fvi_kernel_of_function(const fvi_kernel_function *function);
+typedef struct { fvi_kernel law; fvi_kernel_function function; ...; } fvi_typed_damping;
+int fvi_parse_damping(const char *text, fvi_user_parameters *parameters, fvi_typed_damping *damping, fvi_error *error);
+void fvi_typed_damping_free(fvi_typed_damping *damping);
 typedef struct fvi_typed_force fvi_typed_force;
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);
@@ -174,6 +183,7 @@ extern "Python" int ask_gradient(size_t d, const double *x, void *params, double
 extern "Python" int ask_hessian(size_t d, const double *x, void *params, double *H);
 extern "Python" int ask_force(double t, size_t d, void *params, double *F);
 extern "Python" int ask_quadratic(const void *params);
+extern "Python" void ask_symbol(double re, double im, void *params, double *C_re, double *C_im);
 """)
 
 

@@ -181,7 +181,7 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
                               double tolerance, fvi_lobatto_history **memory)
 {
     fvi_lobatto_kernel ready;
-    int status = fvi_lobatto_kernel_prepare(law, h, &ready);
+    int status = fvi_lobatto_kernel_prepare(s, law, h, &ready);
     if (status)
         return status;
     if (!ready.has_nodes && kind == FVI_HISTORY_AUTO)

@@ -1,5 +1,6 @@
 /* src/stages/lobatto_kernel.c -- Laws of damping on Lobatto nodes.          [H 26] */
 #include "lobatto_kernel.h"
+#include "lobatto_general.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
@@ -28,16 +29,31 @@ static int has_cut(const fvi_kernel_simple *t)
            && !(is_at_once && (t->time == 0 || t->below == t->alpha));
 }
 
-int fvi_lobatto_kernel_prepare(const fvi_kernel *law, double h, fvi_lobatto_kernel *ready)
+/* A term that Cauchy's integral and the cut are asked for. */
+static int has_contour(const fvi_kernel_term *t)
 {
+    return fvi_kernel_is_general(t) && t->rho > 0;
+}
+
+int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
+                               fvi_lobatto_kernel *ready)
+{
+    *ready = (fvi_lobatto_kernel){
+        .law = law, .h = h, .strip = 1, .has_nodes = 1
+    };
+    for (size_t i = 0; i < law->count; i++)
+        if (has_contour(&law->term[i]))
+            ready->strip =
+                smaller(ready->strip,
+                        fvi_lobatto_general_strip(s, &law->term[i], h));
+    if (ready->strip == 0)
+        FVI_FAIL("stages take a law whose tail is a sum of decaying modes; "
+                 "fvi, fvi-bdf2 and fvi-stable take this one",
+                 FVI_EUNSUP);
     int status = fvi_kernel_flatten(law, &ready->term, &ready->terms);
-    if (status)
-        return status;
-    ready->h = h;
-    ready->has_nodes = 1;
-    for (size_t i = 0; i < ready->terms; i++)
+    for (size_t i = 0; !status && i < ready->terms; i++)
         ready->has_nodes &= !is_divided(&ready->term[i]);
-    return FVI_SUCCESS;
+    return status;
 }
 
 void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready)
@@ -123,11 +139,33 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
     return Q;
 }
 
+/* The nodes of the terms that are no fractions of powers, behind Q others. */
+static size_t nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
+                               double tolerance, size_t Q, double *q,
+                               double *p, double *a, size_t stride)
+{
+    for (size_t i = 0; i < r->law->count; i++) {
+        const fvi_kernel_term *t = &r->law->term[i];
+        fvi_kernel_modes m;
+        if (!has_contour(t)
+            || fvi_lobatto_general_modes(s, t, r->h, N, tolerance, r->strip, &m))
+            continue; /* no memory: the weights are asked for next */
+        for (size_t j = 0; q && j < m.count; j++) {
+            q[Q + j] = r->h * m.weight[j];
+            fvi_lobatto_node(s, r->h * m.rate[j], &p[Q + j], a + Q + j, stride);
+        }
+        Q += m.count;
+        free(m.rate);
+    }
+    return Q;
+}
+
 size_t fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N,
                              double tolerance, double *q, double *p, double *a,
                              size_t stride)
 {
     size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p, a, stride);
+    Q = nodes_of_general(s, ready, N, tolerance, Q, q, p, a, stride);
     double springs = 0;
     for (size_t i = 0; i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
@@ -271,6 +309,10 @@ int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t
             fvi_lobatto_sum(s, Q, q, q + 2 * Q, W + k * s * s);
     }
     free(q);
+    for (size_t i = 0; i < ready->law->count; i++)
+        if (has_contour(&ready->law->term[i]))
+            fvi_lobatto_contour(s, &ready->law->term[i], ready->h, FVI_LAGS + 1,
+                                W);
     for (size_t i = 0; !status && i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
         if (t->rho > 0)

@@ -12,16 +12,20 @@
 
 /* A law's terms at one step; release with fvi_lobatto_kernel_free. */
 typedef struct {
-    fvi_kernel_simple *term;
+    const fvi_kernel *law;
+    fvi_kernel_simple *term; /* its fractions of powers */
     size_t terms;
     double h;
+    double strip;  /* of the terms that are none, the narrowest */
     int has_nodes; /* all of them: W_n is a sum of powers, for n > FVI_LAGS */
 } fvi_lobatto_kernel;
 
 /* fvi_lobatto_kernel_prepare -- a law that has passed fvi_kernel_check. Fractions with 2 alpha > 0.9
  * but for 1 have no nodes: their poles are too near to the cut, or off it.
- * Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_lobatto_kernel_prepare(const fvi_kernel *law, double h, fvi_lobatto_kernel *ready);
+ * Returns FVI_SUCCESS; FVI_EUNSUP of a DAVIDSON or a SYMBOL whose weights are not all in its
+ * values on the cut; FVI_ENOMEM. */
+int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
+                               fvi_lobatto_kernel *ready);
 
 void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
 

@@ -371,3 +371,12 @@ fvi_force fvi_force_expression(const fvi_expression *e)
                         .bound = force_bound,
                         .params = (void *)e };
 }
+
+void fvi_expression_complex_value(const fvi_expression *e, double re, double im,
+                                  double *value_re, double *value_im)
+{
+    const double complex v = fvi_tape_complex(e->terms->node, e->terms->count,
+                                              CMPLX(re, im), e->values);
+    *value_re = creal(v);
+    *value_im = cimag(v);
+}

@@ -7,6 +7,8 @@
 
 #include <fvi/expression.h>
 
+#include <complex.h>
+
 /* The functions stand last, in the order of fvi_tape_functions. */
 typedef enum {
     TAPE_NUMBER,
@@ -62,6 +64,11 @@ int fvi_parse(const char *text, const fvi_symbols *names, fvi_node **node,
  *   x  coordinates     k  parameters */
 double fvi_tape_value(const fvi_node *node, size_t n, const double *x,
                       const double *k);
+
+/* fvi_tape_complex -- the same of one complex coordinate s, by principal branches; NaN where
+ * abs is asked for, which is not analytic. */
+double complex fvi_tape_complex(const fvi_node *node, size_t n,
+                                double complex s, const double *k);
 
 /* What two of the names are held against: coordinates as they are numbered,
  * parameter j as -1 - j. */

@@ -6,6 +6,7 @@
 #include "harness/ulp.h"
 
 #include "damping_laws_ref.h"
+#include "function_of_law.h"
 #include "random_laws.h"
 
 /* What a memory makes of random terms with first taken in again, in `H`. */
@@ -201,6 +202,42 @@ START_TEST(eq_26_6_where_there_are_no_modes)
 }
 END_TEST
 
+/* A function of s has modes by its values on the cut, as far as the weights confirm them: the
+ * memory of a law is that of its function, to 1e-13 of the largest weight. Where the cut does
+ * not tell all, MODES is refused and AUTO sums the weights. */
+START_TEST(eq_26_16_the_memory_of_a_function)
+{
+    enum { STEPS = 2000 };
+    static double x[STEPS + 1], direct[STEPS + 1], by[STEPS + 1];
+    srand(5);
+    for (size_t k = 0; k <= STEPS; k++)
+        x[k] = random_in(-1, 1);
+    for (size_t l = 0; l < LEN(ref_laws); l++)
+        for (int kind = 0; kind < 2; kind++) {
+            const fvi_delta q = (fvi_delta)kind;
+            const fvi_kernel_function f = function_of_law(&ref_laws[l]);
+            const fvi_kernel law = fvi_kernel_of_function(&f);
+            const int none = has_a_second_singularity(&ref_laws[l]);
+            fvi_history *memory = NULL;
+            double first, w0;
+            ck_assert_int_eq(fvi_kernel_history(&law, q, 0.01, 1, STEPS,
+                                                FVI_HISTORY_MODES, 0, &first,
+                                                &memory),
+                             none ? FVI_EUNSUP : FVI_SUCCESS);
+            fvi_history_free(memory);
+            fvi_kernel_weights(&law, q, 0.01, 1, &w0);
+            sums(&ref_laws[l], q, 0.01, STEPS, FVI_HISTORY_DIRECT, x, direct);
+            sums(&law, q, 0.01, STEPS,
+                 none ? FVI_HISTORY_AUTO : FVI_HISTORY_MODES, x, by);
+            for (size_t k = 0; k <= STEPS; k++) {
+                seen(fabs(by[k] - direct[k]) / w0, "of the largest weight");
+                ck_assert_near(by[k], direct[k], 1e-13 * w0, "law %zu, n = %zu",
+                               l, k);
+            }
+        }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("damping_laws: memory");
@@ -208,6 +245,7 @@ int main(void)
              eq_26_4_what_rests_is_summed_to_all_digits,
              eq_26_14_a_law_relaxes_and_creeps, eq_26_6_one_set_of_modes,
              eq_26_6_every_weight_to_all_its_digits,
-             eq_26_6_where_there_are_no_modes);
+             eq_26_6_where_there_are_no_modes,
+             eq_26_16_the_memory_of_a_function);
     return run_suite(suite);
 }

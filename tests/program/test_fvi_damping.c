@@ -48,6 +48,11 @@ START_TEST(each_kind_is_its_symbol)
         { "--damping maxwell:1,0.75 --damping maxwell:0.5,3",
           0x1.3b232fdfd4090p-3 },
         { "--damping distributed:1,0,0.5", 0x1.0c3372023837cp-5 },
+        { "--damping davidson:1,0.3125,0.75", 0x1.4a991e06f8274p-2 },
+        { "--damping 'symbol:r*s^(2*a)/(1+T*s^(2*a))' --let r=1,T=0.75,a=0.3125",
+          0x1.d4ed457a18de0p-3 },
+        { "--let r=4/3 --damping 'symbol:1/(1/s^0.75+1/(r*s^0.25))'",
+          0x1.02b3d5efc9c40p-4 },
         { "--damping maxwell2:1,0.375,1.3333333333333333,0.125", 0x1.02b3d5efc9c40p-4 },
         { "--damping maxwell2:1.3333333333333333,0.125,1,0.375", 0x1.02b3d5efc9c40p-4 },
     };
@@ -109,8 +114,17 @@ START_TEST(what_is_no_law_is_bad_use)
     } bad[] = {
         { "--damping zenr:1,2,3",
           "--damping: 'zenr:1,2,3' is none of viscous:R  spring:K  power:R,A  "
-          "zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B  distributed:R,A,B; "
-          "did you mean zener?" },
+          "zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B  davidson:R,A,T  "
+          "distributed:R,A,B  symbol:EXPRESSION; did you mean zener?" },
+        { "--damping 'symbol:s^'", "--damping: " },
+        { "--damping 'symbol:s^k'", "--damping: " },
+        { "--damping symbol:s^2.1", "'symbol:s^2.1' is no law" },
+        { "--damping 'symbol:abs(s)'", "is no law" },
+        { "--damping 'symbol:sqrt(-s)'", "is no law" },
+        { "--damping 'symbol:sqrt(1 - s)'", "is no law" },
+        { "--damping symbol:s --damping spring:1", "a symbol stands alone" },
+        { "--damping spring:1 --damping symbol:s", "a symbol stands alone" },
+        { "--damping 'symbol:s' --let k=1", "'k' is in no expression" },
         { "--damping maxwell2:1,0.3,-1,0.1", "R1, R2 >= 0 and A, B in [0, 1]" },
         { "--damping maxwell2:1,0.3,1,1.1", "R1, R2 >= 0 and A, B in [0, 1]" },
         { "--damping 'power:1,0.3 + '", "--damping: '' is none of" },
@@ -148,6 +162,10 @@ START_TEST(what_is_no_law_is_bad_use)
         ck_assert_msg(strstr(err, bad[i].said), "%s: %s", line, err);
         ck_assert_str_eq(out, "");
     }
+    ck_assert_int_eq(fvi("run --damping 'symbol:(s/(1+s))^0.6' "
+                         "--method fvi-lobatto4d"),
+                     1);
+    ck_assert_ptr_nonnull(strstr(err, "no sum of decaying modes"));
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --derivative rl"), 2);
     ck_assert_ptr_nonnull(strstr(err, "--derivative: 'rl'"));
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --alpha 0.3"), 2);

@@ -246,6 +246,26 @@ def test_a_law_of_damping_is_the_programs(method):
         fvi.run(damping="power:1,0.7", method="fvi-shifted")
 
 
+@pytest.mark.parametrize("method", ["fvi-bdf2", "fvi-lobatto4d"])
+def test_a_law_is_an_expression_or_a_function_of_s(method):
+    options = dict(method=method, steps=1000, h=0.02)
+    zener = fvi.run(damping="zener:1,0.3,2", **options).x
+    words = ["--damping", "symbol:r*s^(2*a)/(1 + T*s^(2*a))", "--let", "r=1,a=0.3,T=2"]
+    text = fvi.run(damping=words[1], let={"r": 1, "a": 0.3, "T": 2}, **options)
+    assert np.array_equal(text.x, program("run", "--method", method, "--steps", "1000", "--h", "0.02", *words)[:, 1])
+    own = fvi.run(damping=lambda s: s**0.6 / (1 + 2 * s**0.6), **options).x
+    assert abs(text.x - zener).max() < 1e-12 and abs(own - zener).max() < 1e-12
+    assert abs(fvi.exact(3, damping=lambda s: s**0.6 / (1 + 2 * s**0.6))[0]
+               - fvi.exact(3, damping="zener:1,0.3,2")[0]) < 1e-13
+    with pytest.raises(ZeroDivisionError):
+        fvi.run(damping=lambda s: 1 / 0)
+    for wrong, kind in (("symbol:s +", ValueError), ("symbol:k*s", ValueError), ("symbol:sqrt(-s)", fvi.Error)):
+        with pytest.raises(kind):
+            fvi.run(damping=wrong)
+    with pytest.raises(ValueError):
+        fvi.run(damping="symbol:s", let={"k": 1})
+
+
 def test_no_step_is_longer_than_the_longest():
     def pulse(t):
         return np.exp(-((t - 9.37) / 2e-3) ** 2)

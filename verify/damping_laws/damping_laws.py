@@ -24,7 +24,7 @@ from shared.arithmetic import circle, coefficients
 from shared.refgen import claim, header, prove
 
 mp.dps = 40
-POWER, ZENER, MAXWELL, DISTRIBUTED, MAXWELL2 = range(5)
+POWER, ZENER, MAXWELL, DISTRIBUTED, MAXWELL2, DAVIDSON = range(6)
 # kind, rho, alpha, time, end: exact in binary
 LAWS = [
     [(POWER, 1, "0.3125", 0, 0)],
@@ -37,6 +37,8 @@ LAWS = [
     [(POWER, "0.5", 0, 0, 0), (POWER, "0.25", "0.75", 0, 0), (ZENER, "0.5", "0.4375", "1.5", 0)],
     [(MAXWELL2, 1, "0.375", "0.75", "0.125")],
     [(MAXWELL2, "0.5", "0.9375", "1.5", "0.625"), (POWER, "0.25", "0.25", 0, 0)],
+    [(DAVIDSON, 1, "0.3125", "0.75", 0)],
+    [(DAVIDSON, "0.5", "0.4375", "1.5", 0), (POWER, "0.25", "0.75", 0, 0)],
 ]
 LAWS = [[(kind, *map(mpf, numbers)) for kind, *numbers in law] for law in LAWS]
 
@@ -66,6 +68,8 @@ def symbol(law, s):
     def term(kind, rho, alpha, time, end):
         if kind == DISTRIBUTED:
             return rho * (exp(2 * end * log) - exp(2 * alpha * log)) / (2 * log)
+        if kind == DAVIDSON:
+            return rho * exp(2 * alpha * log) * (1 + time * s)**(-2 * alpha)
         q = s if kind == MAXWELL else exp(2 * alpha * log)
         below = exp(2 * (alpha - end) * log) if kind == MAXWELL2 else q
         return rho * (q if kind == POWER else q / (1 + time * below))
@@ -112,6 +116,11 @@ def weights(law, delta, h):
                 nu = 2 * (middle + half * node)         # these powers serve every h
                 share = rho * half * weight * h**-nu
                 total = [a + share * b for a, b in zip(total, power(tuple(delta), nu))]
+            continue
+        if kind == DAVIDSON:
+            q = power(base, 2 * alpha)
+            below = power((1 + time * base[0], *(time * b for b in base[1:])), -2 * alpha)
+            total = [a + rho * b for a, b in zip(total, times(q, below))]
             continue
         q = power(base, mpf(1) if kind == MAXWELL else 2 * alpha)
         if kind != POWER:

@@ -15,7 +15,7 @@ _fvi()
         --format) known='tsv csv json' ;;
         --potential) known='harmonic: duffing: pendulum: free chain:' ;;
         --force) known='none step: cosine: impulse: file:' ;;
-        --damping) known='viscous: spring: power: zener: maxwell: maxwell2: distributed:' ;;
+        --damping) known='viscous: spring: power: zener: maxwell: maxwell2: davidson: distributed: symbol:' ;;
         --columns) known='t,x t,x,p,energy' ;;
         -o | --plot | --snapshot | --system | --checkpoint | --curve | --forces) COMPREPLY=($(compgen -f -- "$word")); return ;;
         *) known=$(fvi help "${COMP_WORDS[1]}" 2>/dev/null | grep -oE -- '--[a-z0-9-]+' | sort -u) ;;

@@ -123,15 +123,27 @@ KINDS = {lib.FVI_POTENTIAL_HARMONIC: ["c"], lib.FVI_POTENTIAL_DUFFING: ["c", "g"
          lib.FVI_POTENTIAL_PENDULUM: ["g"], lib.FVI_POTENTIAL_CHAIN: ["c", "g"]}  # names of their constants
 
 
-def law(given: Union[str, Sequence[str]]) -> Any:
-    """What the terms "zener:1,0.3,2", a text or several, have become."""
+@ffi.def_extern(onerror=keep)
+def ask_symbol(re, im, params, C_re, C_im):
+    C = complex(ffi.from_handle(params)(complex(re, im)))
+    C_re[0], C_im[0] = C.real, C.imag
+
+
+def law(given: Any, parameters: Any = ffi.NULL) -> tuple:
+    """What a function C(s), or the terms "zener:1,0.3,2", a text or several, have become, and what they point to."""
+    damping = ffi.gc(ffi.new("fvi_typed_damping *"), lib.fvi_typed_damping_free)
+    if callable(given):
+        kept = ffi.new_handle(given)
+        damping.function.value, damping.function.params = lib.ask_symbol, kept
+        damping.function.term.kind, damping.function.term.rho = lib.FVI_KERNEL_SYMBOL, 1.0
+        damping.law = lib.fvi_kernel_of_function(ffi.addressof(damping, "function"))
+        return damping, kept
     if not isinstance(given, str) and not (isinstance(given, (list, tuple))
                                            and all(isinstance(each, str) for each in given)):
-        raise TypeError(f"damping: {arguments.described(given)} is no text and no list of texts")
-    damping = ffi.new("fvi_typed_damping *")
+        raise TypeError(f"damping: {arguments.described(given)} is no text, no list of texts and no function of s")
     for text in [given] if isinstance(given, str) else given:
-        understand(lib.fvi_parse_damping, text.encode(), damping)
-    return damping
+        understand(lib.fvi_parse_damping, text.encode(), parameters, damping)
+    return damping, parameters
 
 
 def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
@@ -144,7 +156,8 @@ class Problem:
     """A system and its start as the library wants them. Whatever C points to is kept here."""
 
     def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
-                 x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf):
+                 x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf,
+                 damping: Any = None):
         self.keep: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
@@ -174,6 +187,10 @@ class Problem:
         self.system.damping = self.pointer(arguments.row("rho", rows["rho"], self.d))
         self.system.potential = U
         self.system.force = self.force(force)
+        self.law = ffi.NULL
+        if damping is not None:
+            self.keep.append(law(damping, self.parameters))
+            self.law = ffi.addressof(self.keep[-1][0], "law")
         understand(lib.fvi_user_parameters_are_used, self.parameters)
 
     def pointer(self, a: Array) -> Any:

@@ -12,6 +12,8 @@ from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
 from ._problem import Potential, Problem, law, typed_force
 
+Law = Union[None, str, Sequence[str], Callable[[complex], complex]]
+
 PASTS = {"held": lib.FVI_INITIAL_HISTORY_HELD, "caputo": lib.FVI_INITIAL_HISTORY_CAPUTO,
          "rl": lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE}
 MEMORIES = {"auto": lib.FVI_HISTORY_AUTO, "direct": lib.FVI_HISTORY_DIRECT,
@@ -71,7 +73,7 @@ def length(what: str, given: Optional[float]) -> float:
 
 
 def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[float] = None, /, *, alpha: Optional[float] = None,
-            rho: Optional[Numbers] = None, damping: Union[None, str, Sequence[str]] = None, mass: Numbers = 1.0,
+            rho: Optional[Numbers] = None, damping: Law = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
             derivative: str = "held", kappa: float = 0.5, x0: Numbers = 1.0, p0: Numbers = 0.5,
             h: Optional[float] = None, steps: int = 200, time: Optional[float] = None, method: str = "fvi",
@@ -86,7 +88,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     if time is not None:
         h = number("time", time) / steps
     end = steps * number("h", 0.1 if h is None else h) if last is None else last
-    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let, end)
+    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let, end, damping)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
@@ -103,10 +105,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     run.h, run.steps = number("h", 0.1 if h is None else h), steps
     run.kappa, run.tolerance = number("kappa", kappa), number("tolerance", tolerance)
     run.alpha = number("alpha", 0.5 if alpha is None else alpha)
-    if damping is not None:
-        kept = law(damping)
-        run.law = ffi.addressof(kept, "law")
-        problem.keep.append(kept)
+    run.law = problem.law
     run.past = choice("derivative", derivative, PASTS)
     run.memory = choice("memory", memory, MEMORIES)
     return problem, run, found
@@ -276,8 +275,11 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     alpha       0 ... 1, a pure number; the damping is of order 2 alpha; 0.5
     rho, mass   one number, or d of them: rho >= 0 in mass time^(2 alpha - 2), 0.2; mass > 0, 1
     damping     instead of alpha and rho a law, "viscous:R", "spring:K", "power:R,A", "zener:R,A,T",
-                "maxwell:R,T", "maxwell2:R1,A,R2,B" or "distributed:R,A,B" as the program has them,
-                several with " + " between them, or a list of such, which add
+                "maxwell:R,T", "maxwell2:R1,A,R2,B", "davidson:R,A,T" or "distributed:R,A,B" as the
+                program has them, several with " + " between them, or a list of such, which add;
+                or alone "symbol:EXPRESSION" in s and the names of let, or a function C(s) of the
+                complex s: analytic but for s <= 0 (there the limit from above is asked for), real
+                for s > 0, and growing no faster than s^2
     force       None, "step:A,T", "cosine:A,W", "impulse:J,T" (every momentum jumps by J at T), "file:F.tsv",
                 an expression in t, or a function of t that gives one number or d of them, in
                 mass length / time^2
@@ -348,7 +350,7 @@ def on_grid(t: Array) -> int:
 
 @spelt()
 def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float] = None,
-          alpha: Optional[float] = None, damping: Union[None, str, Sequence[str]] = None,
+          alpha: Optional[float] = None, damping: Law = None,
           derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
           force: Optional[str] = None) -> tuple:
     """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|, with
@@ -377,7 +379,7 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
     problem = ffi.new("fvi_linear_oscillator *", {
         "m": number("mass", mass), "c": number("c", c), "rho": number("rho", default if rho is None else rho),
         "alpha": number("alpha", 0.5 if alpha is None else alpha), "x0": number("x0", x0), "v0": number("v0", v0),
-        "past": choice("derivative", derivative, PASTS), "law": ffi.NULL if kept is None else ffi.addressof(kept, "law")})
+        "past": choice("derivative", derivative, PASTS), "law": ffi.NULL if kept is None else ffi.addressof(kept[0], "law")})
     if force is not None:
         kind, constants = ffi.new("fvi_forcing *"), ffi.new("double[2]")
         typed = typed_force(word("force", force), 1, ffi.NULL, math.inf)

@@ -1,0 +1,150 @@
+/* src/memory/kernel_general.c -- Weights and modes of a symbol alone.          [H 26] */
+#include "kernel_general.h"
+
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <gsl/gsl_fft_complex.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+
+int fvi_kernel_is_general(const fvi_kernel_term *t)
+{
+    return (t->kind == FVI_KERNEL_DAVIDSON && t->time > 0)
+           || t->kind == FVI_KERNEL_SYMBOL;
+}
+
+/* ---- weights ---- */
+
+/* C(delta(z)/h), divided by 1 - z if wanted. */
+static double complex at_point(const fvi_kernel_term *t, fvi_delta kind,
+                               double h, int increments, double complex z)
+{
+    double complex s = (1 - z) / h;
+    if (kind == FVI_DELTA_BDF2)
+        s *= (3 - z) / 2;
+    const double complex C = fvi_kernel_term_at(t, cabs(s), carg(s));
+    return increments ? C / (1 - z) : C;
+}
+
+//> cauchy
+/* Points z = r e^(2 pi i j / M) with r^M = 1e-14: what comes round again is below that, and
+ * roundings grow by r^-count = 10^(14/8) at most. */
+int fvi_kernel_cauchy(const fvi_kernel_term *t, fvi_delta kind, double h,
+                      int increments, size_t count, double *w)
+{
+    size_t M = 16;
+    while (M < 8 * count)
+        M *= 2;
+    double *f = malloc(2 * M * sizeof *f);
+    if (!f)
+        FVI_FAIL("no memory for the weights", FVI_ENOMEM);
+    const double ln_r = log(1e-14) / (double)M, turn = 2 * M_PI / (double)M;
+    for (size_t j = 0; j <= M / 2; j++) {
+        const double complex z =
+                                 exp(ln_r)
+                                 * (cos(turn * (double)j)
+                                    + I * sin(turn * (double)j)),
+                             C = at_point(t, kind, h, increments, z);
+        f[2 * j] = creal(C);
+        f[2 * j + 1] = cimag(C);
+        f[2 * ((M - j) % M)] = creal(C);
+        f[2 * ((M - j) % M) + 1] = j == 0 ? 0 : -cimag(C);
+    }
+    gsl_fft_complex_radix2_forward(f, 1, M);
+    for (size_t n = 0; n < count; n++)
+        w[n] += f[2 * n] / (double)M * exp(-ln_r * (double)n);
+    free(f);
+    return FVI_SUCCESS;
+}
+//< cauchy
+
+int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
+                               int increments, size_t count, double *w)
+{
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < law->count; i++)
+        if (fvi_kernel_is_general(&law->term[i]) && law->term[i].rho > 0)
+            status = fvi_kernel_cauchy(&law->term[i], kind, h, increments,
+                                       count, w);
+    return status;
+}
+
+/* ---- modes ---- */
+
+enum { MOST_MODES = 6000 };
+
+/* One more mode, if there is room: nodes from the fastest down to the slowest. */
+static void add_mode(fvi_kernel_modes *m, double rate, double weight)
+{
+    m->rate[m->count] = rate;
+    m->weight[m->count++] = weight;
+}
+
+/* (s/(1 + T s))^{2 alpha} has its cut on (-1/T, 0). There s = -e^u/(1 + T e^u), and both ends
+ * of the cut go to infinity. What is beyond e^u = 1e17/T stands at 1/T: a geometric sum. */
+static int davidson_modes(const fvi_kernel_term *t, double slowest,
+                          double delta, fvi_kernel_modes *m)
+{
+    const double T = t->time, L = -log(delta), step = M_PI * M_PI / (L + 3),
+                 order = 2 * t->alpha, last = -log(T) + 39,
+                 sine = t->rho * step / M_PI * sin(M_PI * order);
+    if (order >= 0.95 || order < 0.02)
+        return FVI_EUNSUP;
+    const double first = log(slowest) - L / order;
+    if ((last - first) / step > MOST_MODES - 2)
+        return FVI_EUNSUP;
+    for (double u = last; u > first; u -= step) {
+        const double q = T * exp(u), rate = exp(u) / (1 + q);
+        double weight = sine * exp(order * u) / (1 + q);
+        if (u == last)
+            weight /= -expm1(-(1 - order) * step);
+        add_mode(m, rate, weight);
+    }
+    return FVI_SUCCESS;
+}
+
+/* Im C(-rate + i0) / pi by ln rate; down to where it adds nothing to what is seen. */
+static int symbol_modes(const fvi_kernel_term *t, double slowest,
+                        double fastest, double delta, double strip,
+                        fvi_kernel_modes *m)
+{
+    const double step = strip * M_PI * M_PI / (3 - log(delta)),
+                 spring = creal(fvi_kernel_term_at(t, 0x1p-900, 0));
+    double most = 0;
+    for (double u = log(fastest); u > -600; u -= step) {
+        const double rate = exp(u),
+                     weight = step / M_PI
+                              * cimag(fvi_kernel_term_at(t, rate, M_PI));
+        if (!isfinite(weight))
+            return FVI_EUNSUP;
+        most = larger(most, rate < slowest ? fabs(weight) : 0);
+        if (rate < slowest && fabs(weight) <= delta / 100 * most)
+            break;
+        if (m->count == MOST_MODES - 1)
+            return FVI_EUNSUP;
+        if (weight != 0)
+            add_mode(m, rate, weight);
+    }
+    if (spring > 0)
+        add_mode(m, 0, spring);
+    return FVI_SUCCESS;
+}
+
+int fvi_kernel_modes_of(const fvi_kernel_term *t, double slowest,
+                        double fastest, double delta, double strip,
+                        fvi_kernel_modes *modes)
+{
+    double *block = malloc(2 * MOST_MODES * sizeof *block);
+    if (!block)
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    *modes = (fvi_kernel_modes){ 0, block, block + MOST_MODES };
+    const int status =
+        t->kind == FVI_KERNEL_DAVIDSON
+            ? davidson_modes(t, slowest, delta, modes)
+            : symbol_modes(t, slowest, fastest, delta, strip, modes);
+    if (status)
+        free(block);
+    return status;
+}

@@ -1,0 +1,236 @@
+/* src/memory/kernel_modes.c -- One set of modes for all terms of a law.      [H 26] */
+#include "kernel_ready.h"
+
+#include "history_kinds.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const fvi_kernel_term *fvi_kernel_ready_function(const fvi_kernel_ready *r)
+{
+    const fvi_kernel_term *t = r->law->term;
+    return t->kind == FVI_KERNEL_SYMBOL && t->rho > 0 ? t : NULL;
+}
+
+static int is_whole(double x)
+{
+    return x == floor(x);
+}
+
+static int has_cut(const fvi_kernel_simple *t)
+{
+    return t->rho > 0
+           && !(is_whole(2 * t->alpha)
+                && (t->time == 0 || is_whole(2 * t->below)));
+}
+
+/* A fraction's symbol has poles where 1 + time s^{2 below} = 0, on the sheet of the cut
+ * this many radians beyond it; of a power's there are none. */
+static double strip(const fvi_kernel_simple *t)
+{
+    return t->time == 0 ? M_PI_2
+                        : 0.9 * fmin(M_PI_2, M_PI * (0.5 / t->below - 1));
+}
+
+/* ---- the cut ---- */
+
+/* The same of all terms. */
+static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
+{
+    const fvi_kernel_term *function = fvi_kernel_ready_function(r);
+    if (function)
+        return cimag(fvi_kernel_term_at(function, exp(ln_radius), M_PI));
+    double sum = 0;
+    for (size_t i = 0; i < r->terms; i++)
+        if (has_cut(&r->term[i]))
+            sum += fvi_kernel_on_the_cut(&r->term[i], r->term[i].rho,
+                                         ln_radius);
+    return sum;
+}
+
+/* Below 1/N the nodes fall off doubly fast, and the strip in which a fraction is analytic
+ * is crushed there: its poles, at |s| = h time^(-1/2 below), shall be well above. */
+static double longest(const fvi_kernel_ready *r, double N)
+{
+    for (size_t i = 0; i < r->terms; i++) {
+        const fvi_kernel_simple *t = &r->term[i];
+        if (has_cut(t) && t->time > 0)
+            N = larger(N, 20 * pow(t->time, 0.5 / t->below) / r->h);
+    }
+    return N;
+}
+
+/* A thousand nodes, at most, for a pole that low. */
+#define MOST 1e90
+
+/* BDF2's symbol has poles of its own where a time is short, at |z| = 2.4 for the longest
+ * orders: their powers are not gone within the window, and on no cut. */
+static int is_short(const fvi_kernel_ready *r, double time)
+{
+    return r->kind == FVI_DELTA_BDF2 && 4 * r->h > time;
+}
+
+/* Are the modes of each term of the kind DAVIDSON to be had, and on the cut of BDF2? */
+static int davidsons_have_modes(const fvi_kernel_ready *r)
+{
+    for (size_t i = 0; i < r->law->count; i++) {
+        const fvi_kernel_term *t = &r->law->term[i];
+        fvi_kernel_modes m;
+        if (t->kind != FVI_KERNEL_DAVIDSON || !fvi_kernel_is_general(t)
+            || t->rho == 0)
+            continue;
+        if (is_short(r, t->time)
+            || fvi_kernel_modes_of(t, 1 / (1e9 * r->h), 1 / r->h, 1e-14, 1, &m))
+            return 0;
+        free(m.rate);
+    }
+    return 1;
+}
+
+int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r)
+{
+    if (fvi_kernel_ready_function(r))
+        return r->strip > 0;
+    if (!davidsons_have_modes(r))
+        return 0;
+    for (size_t i = 0; i < r->terms; i++) {
+        const fvi_kernel_simple *t = &r->term[i];
+        if (t->rho == 0 || t->time == 0)
+            continue;
+        if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
+            || (has_cut(t) && longest(r, 1) > MOST))
+            return 0; /* poles too near, or off the cut, or too low */
+        if (has_cut(t) && t->below > 0.4
+            && is_short(r, pow(t->time, 0.5 / t->below)))
+            return 0;
+        if (fvi_kernel_is_relaxation(t) && is_short(r, t->time))
+            return 0;
+    }
+    return 1;
+}
+
+/* The power of the rate with which the cut of a SYMBOL begins; 1 if there is no cut. */
+static double function_order(const fvi_kernel_ready *r)
+{
+    const fvi_kernel_term *t = fvi_kernel_ready_function(r);
+    const double order =
+        log2(cimag(fvi_kernel_term_at(t, 0x1p-399, M_PI))
+             / cimag(fvi_kernel_term_at(t, 0x1p-400, M_PI)));
+    return order > 0 && order < 1.99 ? order : r->increments ? 1.9 : 0.99;
+}
+
+/* Modes on the cut: Q of them, or with s == NULL their number alone. */
+static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, double *s,
+                           double *c)
+{
+    double least = 1, width = M_PI_2;
+    int any = 0;
+    for (size_t i = 0; i < r->terms; i++)
+        if (has_cut(&r->term[i])) {
+            any = 1;
+            least = smaller(least, 2 * r->term[i].alpha - r->increments);
+            width = smaller(width, strip(&r->term[i]));
+        }
+    if (fvi_kernel_ready_function(r)) {
+        any = 1;
+        least = function_order(r) - r->increments;
+        width = r->strip * M_PI_2;
+    }
+    if (!any)
+        return 0;
+    N = longest(r, N);
+    const fvi_node_range g = fvi_node_range_of(least, N, delta, width / M_PI_2);
+    const int bdf2 = r->kind == FVI_DELTA_BDF2;
+    size_t Q = 0;
+    for (size_t q = 0; q < g.Q; q++) { /* (26.6) */
+        const double t = g.left + (double)q * g.step, ln_s = t - exp(-t);
+        const double node = exp(ln_s) / N, half = (3 - exp(node)) / 2;
+        if (bdf2 && half <= 0)
+            break; /* 3^(-33) of the rest is below all rounding */
+        const double grows = node > 0 ? expm1(node) / node : 1;
+        const double ln_radius =
+            ln_s - log(N) + log(grows * (bdf2 ? half : 1) / r->h);
+        const double weight = -g.step / M_PI * (1 + exp(-t))
+                              * on_the_cut(r, ln_radius);
+        if (s) {
+            s[Q] = node;
+            c[Q] = weight * (r->increments ? -1 / grows : node);
+        }
+        Q++;
+    }
+    return Q;
+}
+
+/* ---- the poles ---- */
+
+/* Of rho s / (1 + T s) the weights are powers of one number, or of two. */
+static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_simple *t,
+                                  double *s, double *c)
+{
+    const double h = r->h, T = t->time, rho = t->rho;
+    if (r->kind == FVI_DELTA_EULER) { /* (26.7) */
+        if (s) {
+            s[0] = log1p(h / T);
+            c[0] = r->increments ? rho / (h + T) : -rho / T * h / (h + T);
+        }
+        return 1;
+    }
+    const double x = 2 * h / T, root = sqrt(1 - x); /* z = 2 -+ root */
+    const double z[] = { 2 - root, 2 + root }, sign[] = { 1, -1 };
+    for (size_t i = 0; s && i < 2; i++) {
+        s[i] = i ? log(z[1]) : log1p(x / (1 + root));
+        c[i] = sign[i] * rho / (T * root * z[i])
+               * (r->increments ? (3 - z[i]) / 2 : -h / T);
+    }
+    return 2;
+}
+
+/* Of a DAVIDSON: its rates stand where delta(e^s)/h = -rate.                  (26.17) */
+static size_t modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term *t,
+                                double N, double delta, double *s, double *c)
+{
+    fvi_kernel_modes m;
+    const double h = r->h;
+    if (fvi_kernel_modes_of(t, 1 / (N * h), 1 / h, delta, 1, &m))
+        return 0; /* no memory: nothing else is asked of has_modes */
+    for (size_t j = 0; s && j < m.count; j++) {
+        const double x = h * m.rate[j];
+        const int bdf2 = r->kind == FVI_DELTA_BDF2;
+        const double root = bdf2 ? sqrt(1 - 2 * x) : 1,
+                     grown = bdf2 ? 2 * x / (1 + root) : x, /* e^s - 1 */
+                     share = m.weight[j] * x / (root * (1 + grown));
+        s[j] = log1p(grown);
+        c[j] = r->increments ? share / grown : -share;
+    }
+    free(m.rate);
+    return m.count;
+}
+
+size_t fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
+                              double *s, double *c)
+{
+    size_t Q = modes_of_cut(r, N, delta, s, c);
+    const fvi_kernel_term *function = fvi_kernel_ready_function(r);
+    double springs =
+        function ? creal(fvi_kernel_term_at(function, 0x1p-900, 0)) : 0;
+    for (size_t i = 0; i < r->law->count; i++) {
+        const fvi_kernel_term *t = &r->law->term[i];
+        if (t->kind == FVI_KERNEL_DAVIDSON && fvi_kernel_is_general(t)
+            && t->rho > 0)
+            Q += modes_of_davidson(r, t, N, delta, s ? s + Q : NULL,
+                                   s ? c + Q : NULL);
+    }
+    for (size_t i = 0; i < r->terms; i++) {
+        const fvi_kernel_simple *t = &r->term[i];
+        if (fvi_kernel_is_relaxation(t))
+            Q += modes_of_relaxation(r, t, s ? s + Q : NULL, s ? c + Q : NULL);
+        if (t->alpha == 0)
+            springs += t->rho / (1 + t->time);
+    }
+    if (springs > 0 && r->increments && s) { /* their sum, for ever */
+        s[Q] = 0;
+        c[Q] = springs;
+    }
+    return Q + (springs > 0 && r->increments);
+}

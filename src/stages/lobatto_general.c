@@ -1,0 +1,147 @@
+/* src/stages/lobatto_general.c -- A symbol alone, on Lobatto nodes.            [H 26] */
+#include "lobatto_general.h"
+
+#include "memory/history_kinds.h" /* FVI_VECTORS */
+#include "system/fail.h"
+#include "system/larger.h"
+#include "system/lu.h"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ln |det A^{-1}| / s: the middle of the logarithms of the eigenvalues. */
+static double middle(const fvi_lobatto_rule *rule, size_t s)
+{
+    double m[FVI_STAGES * FVI_STAGES], sum = 0;
+    size_t order[FVI_STAGES];
+    gsl_permutation permutation = { s, order };
+    for (size_t i = 0; i < s; i++)
+        memcpy(m + i * s, rule->D[i], s * sizeof *m);
+    m[0] += 1 / rule->b[0];
+    gsl_matrix_view M = gsl_matrix_view_array(m, s, s);
+    fvi_lu_factorise(&M.matrix, &permutation);
+    for (size_t i = 0; i < s; i++)
+        sum += log(fabs(m[i * s + i]));
+    return sum / (double)s;
+}
+
+/* G = (lambda - A^{-1})^{-1}, row by row. */
+static void resolvent(const fvi_lobatto_rule *rule, size_t s,
+                      double complex lambda, double complex *G)
+{
+    double m[2 * FVI_STAGES * FVI_STAGES] = { 0 },
+              inverse[2 * FVI_STAGES * FVI_STAGES];
+    size_t order[FVI_STAGES];
+    int sign;
+    gsl_permutation permutation = { s, order };
+    for (size_t i = 0; i < s; i++) {
+        for (size_t j = 0; j < s; j++)
+            m[2 * (i * s + j)] = -rule->D[i][j];
+        m[2 * (i * s + i)] += creal(lambda);
+        m[2 * (i * s + i) + 1] = cimag(lambda);
+    }
+    m[0] -= 1 / rule->b[0];
+    gsl_matrix_complex_view M = gsl_matrix_complex_view_array(m, s, s),
+                            to = gsl_matrix_complex_view_array(inverse, s, s);
+    gsl_linalg_complex_LU_decomp(&M.matrix, &permutation, &sign);
+    gsl_linalg_complex_LU_invert(&M.matrix, &permutation, &to.matrix);
+    for (size_t i = 0; i < s * s; i++)
+        G[i] = inverse[2 * i] + I * inverse[2 * i + 1];
+}
+
+/* W_0 += factor G, W_n += factor (-1)^n g^(n-1) (G e_1)(e_s^T G) / b_1 with g = e_s^T G e_1
+ * / b_1: the powers of z in (lambda - Delta(z))^{-1}, twice their real parts. */
+static void add_point(size_t s, double b, double complex factor,
+                      const double complex *G, size_t count, double *W)
+{
+    const double complex *row = G + (s - 1) * s, g = row[0] / b;
+    double complex power = -2 * factor / b;
+    for (size_t i = 0; i < s * s; i++)
+        W[i] += creal(2 * factor * G[i]);
+    for (size_t n = 1; n < count; n++, power *= -g)
+        for (size_t i = 0; i < s; i++)
+            for (size_t j = 0; j < s; j++)
+                W[(n * s + i) * s + j] += creal(power * G[i * s] * row[j]);
+}
+
+//> contour
+/* The eigenvalues of A^{-1} lie within 1.3 i of a point of the axis of ln lambda, and the cut
+ * is at pi i: an ellipse of ln lambda goes between. 128 points leave 1e-14. (26.16) */
+void fvi_lobatto_contour(size_t s, const fvi_kernel_term *t, double h,
+                         size_t count, double *W)
+{
+    enum { POINTS = 128 };
+    static const double along = 1.6, across = 2.2;
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    const double at = middle(rule, s), step = 2 * M_PI / POINTS;
+    double complex G[FVI_STAGES * FVI_STAGES];
+    for (int j = 0; j < POINTS / 2; j++) {
+        const double turn = (j + 0.5) * step;
+        const double u = at + along * cos(turn), v = across * sin(turn);
+        const double complex lambda = exp(u) * (cos(v) + I * sin(v)),
+                             slope = -along * sin(turn)
+                                     + I * across * cos(turn),
+                             C = fvi_kernel_term_at(t, exp(u) / h, v);
+        resolvent(rule, s, lambda, G);
+        add_point(s, rule->b[0], h * C * slope * step / (2 * M_PI * I), G, count,
+                  W);
+    }
+}
+//< contour
+
+int fvi_lobatto_general_modes(size_t s, const fvi_kernel_term *t, double h,
+                              double N, double tolerance, double strip,
+                              fvi_kernel_modes *modes)
+{
+    const fvi_lobatto_span span =
+        fvi_lobatto_span_of(s, -1, 1, N, tolerance, 1);
+    return fvi_kernel_modes_of(t, 1 / (N * h), exp(span.last) / h,
+                               fmax(tolerance, 1e-16), strip, modes);
+}
+
+/* What the modes leave of W_n at the first lag behind the near ones, relative to W_0. */
+static double left_by_modes(size_t s, const fvi_kernel_term *t, double h,
+                            double strip)
+{
+    enum { COUNT = FVI_LAGS + 2 };
+    double W[COUNT * FVI_STAGES * FVI_STAGES] = { 0 }, most = 0, worst = 0,
+           a[FVI_STAGES], M[FVI_STAGES * FVI_STAGES];
+    fvi_kernel_modes m;
+    if (fvi_lobatto_general_modes(s, t, h, COUNT, 1e-15, strip, &m))
+        return GSL_POSINF;
+    fvi_lobatto_contour(s, t, h, COUNT, W);
+    for (size_t i = 0; i < s * s; i++)
+        most = larger(most, fabs(W[i]));
+    for (size_t j = 0; j < m.count; j++) {
+        double p;
+        fvi_lobatto_node(s, h * m.rate[j], &p, a, 1);
+        for (size_t n = FVI_LAGS + 1; n < COUNT; n++) {
+            const double q =
+                h * m.weight[j] * pow(1 - p, (double)n - 1);
+            fvi_lobatto_sum(s, 1, &q, a, M);
+            for (size_t i = 0; i < s * s; i++)
+                W[n * s * s + i] -= M[i];
+        }
+    }
+    free(m.rate);
+    for (size_t i = (FVI_LAGS + 1) * s * s; i < COUNT * s * s; i++)
+        worst = isnan(W[i]) ? GSL_POSINF : larger(worst, fabs(W[i]));
+    return worst / most;
+}
+
+double fvi_lobatto_general_strip(size_t s, const fvi_kernel_term *t, double h)
+{
+    double best = 0, least = 1e-10;
+    for (double strip = 1; strip > 0.1; strip /= 2) {
+        const double left = left_by_modes(s, t, h, strip);
+        if (left < least) {
+            best = strip;
+            least = left / 4; /* a narrower one costs more nodes */
+        }
+    }
+    return best;
+}
