@@ -35,18 +35,25 @@ body { margin: 0; font: 1.6rem/1.4 Georgia, "DejaVu Serif", serif; color: #222; 
 section { box-sizing: border-box; width: 100vw; min-height: 100vh; padding: 4vh 6vw; page-break-after: always; }
 .live section { display: none; } .live section.now { display: block; }
 h1, h2, footer { font-family: "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
-h1 { font-size: 3rem; margin-top: 22vh; } h2 { font-size: 1.9rem; margin: 0 0 3vh; }
+h1 { font-size: 3rem; margin-top: 22vh; } h2 { font-size: 1.19em; margin: 0 0 3vh; }
 figure { margin: 0; text-align: center; } img { max-width: 100%; max-height: 68vh; }
-figure:not(:last-child) img { max-height: 50vh; } figure + p { font-size: 1.2rem; }
-figcaption { font-size: 1.2rem; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
-code { font-size: .85em; } pre { font-size: 1.2rem; line-height: 1.25; } table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ccc; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
+figure:not(:last-child) img { max-height: 50vh; } figure + p { font-size: .75em; }
+figcaption { font-size: .75em; color: #444; } footer { position: fixed; right: 2vw; bottom: 1vh; font-size: .9rem; color: #666; }
+code { font-size: .85em; } pre { font-size: .75em; line-height: 1.25; } table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ccc; } .katex { font-size: 1em; } .katex-display { margin: 1.2em 0; }
 @media print { footer { display: none; } .live section { display: block; } }
 """
 SCRIPT = """
 const all = [...document.querySelectorAll('section')], foot = document.querySelector('footer');
+// What does not fit on a wall gets smaller letters, but no smaller than half.
+function fit(slide) {
+  const page = document.documentElement, over = () => page.scrollHeight > innerHeight + 2 || page.scrollWidth > innerWidth + 2;
+  slide.style.fontSize = '';
+  for (let size = 1.5; over() && size >= 0.8; size -= 0.1) slide.style.fontSize = `${size}rem`;
+}
 function show(n) {
   n = Math.max(0, Math.min(all.length - 1, n));
   all.forEach((s, i) => s.classList.toggle('now', i === n));
+  fit(all[n]);
   foot.textContent = `${n + 1} / ${all.length}`;
   history.replaceState(null, '', `#${n + 1}`);
 }
@@ -54,6 +61,9 @@ const here = () => all.findIndex(s => s.classList.contains('now'));
 const steps = { ArrowRight: 1, ' ': 1, PageDown: 1, ArrowLeft: -1, PageUp: -1, Home: -1e9, End: 1e9 };
 addEventListener('keydown', e => { if (e.key in steps) { e.preventDefault(); show(here() + steps[e.key]); } });
 addEventListener('click', e => { if (!e.target.closest('a')) show(here() + 1); });
+const again = () => fit(all[here()]);
+addEventListener('resize', again);
+document.fonts.ready.then(again);
 document.body.classList.add('live');
 show((parseInt(location.hash.slice(1)) || 1) - 1);
 """
