@@ -105,7 +105,14 @@ typedef struct fvi_structure fvi_structure;
  * Returns FVI_SUCCESS; FVI_EFAULT if M, K or structure is NULL; FVI_EINVAL if sizes differ;
  * FVI_EDOM if a matrix is not symmetric to the last bit or has an entry that is not finite,
  * a diagonal entry of M that is not positive, or C is negative; FVI_ESING if M is not
- * positive definite; FVI_ENOMEM. On error *structure is untouched. */
+ * positive definite; FVI_ENOMEM. On error *structure is untouched.
+ *
+ * Where memory ends within CHOLMOD it says so, and nothing is left of it. Two libraries under
+ * it do not, and both are asked only for factors with more than 250 entries in a column, which
+ * large frames in space have. METIS prints lines of its own, on standard output too, and loses
+ * what it had allocated; the factors are then made in AMD's order. libgomp, by which CHOLMOD
+ * works in four threads, prints a line and ends the process. Such a factorisation also
+ * must not follow a fork() of a process that made one before: libgomp then waits for ever. */
 int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                         const fvi_sparse *C, fvi_structure **structure,
                         char *fault);
