@@ -1,0 +1,46 @@
+/* src/system/fail.c -- What was wrong, in words. */
+#include <fvi/error.h>
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What was typed may be long, and what is wrong with it stands at the end: the middle
+ * gives way. */
+static void leave_out_the_middle(char *text, size_t length, const char *format,
+                                 va_list arguments)
+{
+    const size_t end = FVI_ERROR_ROOM / 2; /* so much of the end, its '\0' included */
+    char *whole = malloc(length + 1);
+    if (whole) {
+        vsnprintf(whole, length + 1, format, arguments);
+        memcpy(text + FVI_ERROR_ROOM - end - 3, "...", 3);
+        memcpy(text + FVI_ERROR_ROOM - end, whole + length + 1 - end, end);
+    }
+    free(whole);
+}
+
+int fvi_fail(fvi_error *error, int code, const char *field, double value,
+             const char *format, ...)
+{
+    if (!error)
+        return code;
+    error->code = code;
+    error->field = field;
+    error->value = value;
+    error->index = 0;
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int length =
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+    if (length > 0 && (size_t)length >= sizeof error->text)
+        leave_out_the_middle(error->text, (size_t)length, format, again);
+    va_end(again);
+    va_end(arguments);
+    for (char *t = error->text; *t; t++) /* one line, whatever was typed */
+        if ((unsigned char)*t < ' ')
+            *t = '?';
+    return code;
+}
