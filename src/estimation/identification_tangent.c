@@ -164,15 +164,6 @@ static double tolerance_of_slopes(const fvi_run *run)
     return fmin(keep / part, 1. / PROBE);
 }
 
-/* The forces of the next stage of this step. */
-static int next_source(double t, size_t d, void *params, double *F)
-{
-    fvi_tangent_run *o = params;
-    (void)t;
-    memcpy(F, o->source + o->asked++ * d, d * sizeof *F);
-    return 0;
-}
-
 /* The linearised run at k = 0. Its past is that of the run: a line from d x0 with d v0. As a
  * momentum its start is m dv0, to which form M and Algorithm 3 add v0 dm. Where no motion
  * starts at another x0, (19.2), that slope is the slope of a run whose past does not act. */
@@ -194,12 +185,11 @@ static int start_linearised(fvi_tangent_run *o, const fvi_method *method)
                    : o->which[j] == FVI_FREE_PARAMETER_MASS ? -velocity_at_start(o)
                                                             : 0;
     }
-    o->system = (fvi_system){ .d = o->P,
-                              .mass = o->mass,
-                              .damping = o->damping,
-                              .potential = fvi_linearised_potential(&o->linearised) };
+    o->system = fvi_linearised_system(o->run->system, &o->linearised);
+    o->system.mass = o->mass;
+    o->system.damping = o->damping;
     if (o->stages) {
-        o->system.force = (fvi_force){ .value = next_source, .params = o };
+        o->linearised.source = o->source;
         tangent.tolerance = tolerance_of_slopes(o->run);
     }
     tangent.system = &o->system;

@@ -23,7 +23,6 @@ typedef struct {
     fvi_stepper *tangent;
     double *mass, *damping;  /* its numbers */
     double *G, *dU, *source; /* of stage i at [i * P + j]: Hess U, d grad U, forces */
-    size_t asked;            /* so many forces of this step were asked for */
     double *block;           /* all these arrays; owned */
     /* the history of x, with its derivative by the order */
     fvi_history *history; /* of Algorithm 3; NULL: not asked for */

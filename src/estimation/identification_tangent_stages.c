@@ -112,7 +112,7 @@ int fvi_tangent_stages_step(fvi_tangent_run *o)
     }
     if (!status)
         status = fill_sources(o, k, v, v_k);
-    o->asked = 0;
+    o->linearised.asked = 0;
     return status ? status : fvi_stepper_step(o->tangent);
 }
 

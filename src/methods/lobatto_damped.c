@@ -158,6 +158,8 @@ static int step_dual(fvi_stepper *s, fvi_lobatto_stages *o)
     double *V = o->dX;
     for (size_t j = 0; j < d; j++) {
         double delta[FVI_STAGES];
+        for (size_t i = 0; i < n; i++)
+            o->S[i * d + j] -= s->run.h * o->rule->b[i] * s->x[j];
         velocities(s, o, j, NULL, delta);
         for (size_t i = 0; i < n; i++)
             o->r[i * d + j] = s->p[j] / s->run.system->mass[j] + delta[i];
@@ -182,15 +184,12 @@ int fvi_lobatto_damped_step(fvi_stepper *s)
     fvi_lobatto_stages *o = s->method_state;
     const fvi_linearised *linearised = fvi_linearised_of(s->run.system);
     const size_t n = o->s, d = o->d;
-    const int is_free = !s->run.system->potential.gradient,
-              is_dual = linearised && linearised->is_dual;
-    if (is_dual)
-        memcpy(s->F, s->x, d * sizeof *s->F);
+    const int is_free = !s->run.system->potential.gradient;
     int status = fvi_lobatto_assemble_known_rhs(s, o);
     if (status)
         return status;
     apply_damping(s, o);
-    if (is_dual)
+    if (linearised && linearised->is_dual)
         return step_dual(s, o);
     if (!is_free)
         status = solve(s, o);

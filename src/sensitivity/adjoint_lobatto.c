@@ -47,9 +47,7 @@ static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
     m->linearised.remembers_all = m->is_damped;
     m->linearised.from_zero = !m->damped_inertia;
     m->linearised.is_dual = m->damped_inertia;
-    m->system = *m->run->system;
-    m->system.potential = fvi_linearised_potential(&m->linearised);
-    m->system.force = (fvi_force){ .value = NULL };
+    m->system = fvi_linearised_system(m->run->system, &m->linearised);
     back.system = &m->system;
     back.p0 = m->after;
     back.x0 = m->damped_inertia ? m->after : x0;

@@ -84,13 +84,29 @@ static int value(size_t d, const double *x, void *of, double *U)
     return 0;
 }
 
-fvi_potential fvi_linearised_potential(fvi_linearised *of)
+int fvi_linearised_force(double t, size_t d, void *of, double *F)
 {
-    return (fvi_potential){ .value = value,
-                            .gradient = fvi_linearised_gradient,
-                            .hessian = write_hessian,
-                            .params = of,
-                            .diagonals = of->diagonals };
+    fvi_linearised *l = of;
+    (void)t;
+    if (l->source)
+        memcpy(F, l->source + l->asked++ * d, d * sizeof *F);
+    else
+        memset(F, 0, d * sizeof *F);
+    return 0;
+}
+
+fvi_system fvi_linearised_system(const fvi_system *system, fvi_linearised *of)
+{
+    fvi_system linear = *system;
+    linear.d = of->d;
+    linear.force = (fvi_force){ .value = fvi_linearised_force, .params = of };
+    if (!system->matrices)
+        linear.potential = (fvi_potential){ .value = value,
+                                            .gradient = fvi_linearised_gradient,
+                                            .hessian = write_hessian,
+                                            .params = of,
+                                            .diagonals = of->diagonals };
+    return linear;
 }
 
 /* ---- the equation of a step ---- */
@@ -128,22 +144,31 @@ static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i)
     }
 }
 
-/* r - s grad U(x), and the matrix. */
-static void assemble(fvi_newton *n, fvi_linearised *l, const double *x,
-                     const double *r, double *g)
+/* The matrix of the step, and its factors. */
+static int factorise(fvi_newton *n, fvi_linearised *l)
+{
+    fvi_band_clear(&n->J);
+    for (size_t i = 0; l->G && i < n->q; i++) {
+        l->stage = n->first + i;
+        add_stage(n, l, i);
+    }
+    for (size_t row = 0; row < l->d * n->q; row++)
+        fvi_band_row(&n->J, row)[row] += n->A[row / n->q];
+    return fvi_band_factorise(&n->J) ? FVI_ESING : FVI_SUCCESS;
+}
+
+/* r - s grad U(x) into n->step. */
+static void assemble_right_hand_side(fvi_newton *n, fvi_linearised *l, const double *x,
+                                     const double *r, double *g)
 {
     const size_t dim = l->d, q = n->q;
-    fvi_band_clear(&n->J);
     for (size_t i = 0; i < q; i++) {
         l->stage = n->first + i;
         fvi_linearised_gradient(dim, x, l, g + i * dim);
-        if (l->G)
-            add_stage(n, l, i);
     }
     const double *s = n->s;
     for (size_t j = 0, row = 0; j < dim; j++)
         for (size_t i = 0; i < q; i++, row++) {
-            fvi_band_row(&n->J, row)[row] += n->A[j];
             n->step[row] = r[i * dim + j];
             for (size_t c = 0; c < q; c++)
                 n->step[row] -= *s++ * g[c * dim + j];
@@ -158,9 +183,11 @@ int fvi_newton_by_linearised(fvi_newton *n, const double *x, const double *r,
     l->stage = n->first;
     if (q == 1 && (l->diagonals == 1 || dim == 1))
         return solve_diagonal(n, l, x, r, d, g);
-    assemble(n, l, x, r, g);
-    if (fvi_band_factorise(&n->J))
-        return FVI_ESING;
+    const int status = n->has_factors ? FVI_SUCCESS : factorise(n, l);
+    if (status)
+        return status;
+    n->has_factors = l->is_constant;
+    assemble_right_hand_side(n, l, x, r, g);
     fvi_band_solve(&n->J, n->step);
     for (size_t j = 0; j < dim; j++)
         for (size_t i = 0; i < q; i++)

@@ -15,7 +15,10 @@
  * before each of them.
  *
  *   G         the Hessians of the step at hand, as the potential that is derived writes
- *             them, stage after stage; NULL: there is no potential
+ *             them, stage after stage; NULL: there is no potential, or there are matrices
+ *   is_constant  nonzero if G is the same in all steps
+ *   source    the forces of the step at hand, d numbers a stage; NULL: none
+ *   asked     so many of them were asked for; 0 before a step
  *   size      how many numbers a Hessian has
  *   stages    how many Hessians a step has
  *   reversed  nonzero if stage i of this run is stage stages - 1 - i of the run that is
@@ -27,25 +30,27 @@
  *   is_dual   nonzero if the run is a run of form D in dual variables: v = p/m are the
  *             multipliers, and x is the integrated force. (23.15) */
 typedef struct {
-    const double *G;
-    size_t d, diagonals, size, stages, stage;
-    int reversed, by_order, remembers_all, from_zero, is_dual;
+    const double *G, *source;
+    size_t d, diagonals, size, stages, stage, asked;
+    int reversed, is_constant, by_order, remembers_all, from_zero, is_dual;
 } fvi_linearised;
 
-/* fvi_linearised_begin -- what `system` asks of its derivative: sizes, G = NULL, stage 0, and
- * no flag set.
- * fvi_linearised_potential -- the potential x^T G x / 2. */
+/* fvi_linearised_begin -- what `system` asks of its derivative: sizes, and all else zero.
+ * fvi_linearised_system -- `system` with x^T G x / 2 for its potential, if it has no matrices,
+ * and the sources for its force. *of stays the caller's. */
 fvi_linearised fvi_linearised_begin(const fvi_system *system, size_t stages);
-fvi_potential fvi_linearised_potential(fvi_linearised *of);
+fvi_system fvi_linearised_system(const fvi_system *system, fvi_linearised *of);
 
-/* fvi_linearised_gradient -- G x at the stage; of the signature of fvi_potential. */
+/* fvi_linearised_gradient, _force -- G x at the stage, and the next source; of the signatures of
+ * fvi_potential and fvi_force. */
 int fvi_linearised_gradient(size_t d, const double *x, void *of, double *g);
+int fvi_linearised_force(double t, size_t d, void *of, double *F);
 
 /* fvi_linearised_of -- what is linearised here; NULL of an ordinary system. */
 static inline fvi_linearised *fvi_linearised_of(const fvi_system *system)
 {
-    const fvi_potential *u = &system->potential;
-    return u->gradient == fvi_linearised_gradient ? u->params : NULL;
+    const fvi_force *force = &system->force;
+    return force->value == fvi_linearised_force ? force->params : NULL;
 }
 
 /* fvi_newton_by_linearised -- as fvi_newton_solve, which calls it. */

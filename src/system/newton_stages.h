@@ -25,7 +25,8 @@ struct fvi_newton {
     double *from, *before;      /* and d and e before it */
     double size, last, largest; /* of step_i, of the last, of d_i; absolute */
     fvi_band J;                 /* (2.11), or its LU factors */
-    size_t first; /* which stage of a step is stage 0 here; for linearised.h alone */
+    size_t first;    /* for linearised.h alone: which stage of a step is stage 0 here; */
+    int has_factors; /* is J there already, and stays? */
     int callback_status;                 /* what a callback returned, if not 0 */
     double m, c;                /* with matrices: of (27.3), s being *s, */
     void *factors;              /* and what they made of them */
