@@ -87,13 +87,12 @@ typedef struct {
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping
  *
  * One factorisation of the size of a Hessian a step, none if U is quadratic (with stages
- * always one, s - 1 times as large, in form D s times), and no iteration. Measured,
+ * always one, s - 2 times as large, in form D s times), and no iteration. Measured,
  * fvi_fractional, one coordinate, all derivatives, the rows given: half the time of the
  * run, a little less without that by alpha (figures/adjoint/adjoint_bench.tsv).
  * fvi_variable_step keeps 11 d numbers a step.
  * Accuracy: no bound is proved for the rounding. Seen: 5e-14 of a derivative, or of 1 where
- * that is more, N = 2000; with eight stages and alpha near 0 an identity of all derivatives
- * is off by 1e-11.
+ * that is more, N = 2000; with eight stages an identity of all derivatives is off by 1e-12.
  *
  * Returns FVI_SUCCESS; what fvi_stepper_start and fvi_stepper_step return; FVI_EFAULT if method, run,
  * objective, its slopes or gradients is NULL, or one of x and p alone; FVI_EINVAL if

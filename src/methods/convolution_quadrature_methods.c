@@ -71,7 +71,7 @@ static int update_history(fvi_stepper *s, second_order *o)
     if (status)
         return status;
     filter(o, d->count, o->increments ? d->dz : d->z);
-    return fvi_history_push(d->memory, d->z, d->dz, o->H);
+    return fvi_damping_update_history(d, o->H);
 }
 
 /* What the past does at the left or the right end of this step. */
@@ -148,6 +148,12 @@ static int step_second_order(fvi_stepper *s)
     return status;
 }
 //< step
+
+const fvi_damping *fvi_damping_of(const fvi_stepper *s)
+{
+    const second_order *o = s->method_state;
+    return s->method->paper_convention ? s->method_state : o->damping;
+}
 
 /* ---- starts ---- */
 

@@ -5,6 +5,7 @@
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
 #include "system/fail.h"
+#include "system/linearised.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@ void fvi_damping_free(fvi_damping *d)
     fvi_history_free(d->memory);
     free(d->index);
     free(d->factor);
+    free(d->H);
     free(d);
 }
 
@@ -57,6 +59,7 @@ static int law_of(const fvi_stepper *s, fvi_damping *d)
                                 run->tolerance, &first, &d->memory);
     for (size_t j = 0; j < d->count; j++)
         d->factor[j] *= first;
+    d->unit *= first;
     return status;
 }
 
@@ -96,6 +99,17 @@ int fvi_damping_terms(fvi_damping *d, const fvi_stepper *s)
     return FVI_SUCCESS;
 }
 
+int fvi_damping_update_history(fvi_damping *d, double *H)
+{
+    if (!d->H)
+        return fvi_history_push(d->memory, d->z, d->dz, H);
+    const int status =
+        d->Hdot ? fvi_history_push_by_order(d->memory, d->z, d->dz, d->H, d->Hdot)
+                : fvi_history_push(d->memory, d->z, d->dz, d->H);
+    memcpy(H, d->H, d->count * sizeof *H);
+    return status;
+}
+
 int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
                      double *p)
 {
@@ -118,9 +132,12 @@ int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
 /* How many are remembered. */
 static size_t damped(const fvi_system *system)
 {
+    const fvi_linearised *linearised = fvi_linearised_of(system);
     size_t count = 0;
     if (system->matrices)
         return system->matrices->remembered;
+    if (linearised && linearised->remembers_all)
+        return system->d;
     for (size_t i = 0; i < system->d; i++)
         count += system->damping[i] > 0;
     return count;
@@ -134,12 +151,11 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
     d->count = 0;
     //> start
     for (size_t i = 0; i < system->d; i++) {
-        if (system->damping[i] == 0)
+        if (!d->all && system->damping[i] == 0)
             continue;
         size_t j = d->count++;
         d->index[j] = i;
-        d->factor[j] =
-            system->damping[i] * (run->law ? run->h : pow(run->h, 1 - order));
+        d->factor[j] = system->damping[i] * d->unit;
         if (past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
             d->origin[j] = s->x[i]; /* (9.6) */
         if (past == FVI_INITIAL_HISTORY_CAPUTO && order > 1)
@@ -149,11 +165,24 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
     //< start
 }
 
+/* Room for the sums, which those who transpose a run read. */
+static int keep_sums(fvi_damping *d, int by_order)
+{
+    d->H = calloc(2 * d->count, sizeof *d->H);
+    if (!d->H)
+        FVI_FAIL("no memory for the damping", FVI_ENOMEM);
+    d->Hdot = by_order ? d->H + d->count : NULL;
+    return FVI_SUCCESS;
+}
+
 int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
                       fvi_damping **damping)
 {
     const fvi_run *run = &s->run;
+    const fvi_linearised *linearised = fvi_linearised_of(run->system);
     const size_t count = damped(run->system);
+    if (linearised && linearised->from_zero)
+        past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
     *damping = NULL;
     if (count == 0) /* nothing damped: no memory at all */
         return FVI_SUCCESS;
@@ -162,6 +191,11 @@ int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
         return status;
     fvi_damping *d = *damping;
     d->increments = run->law || 2 * run->alpha >= 1;
+    d->unit = run->law ? run->h : pow(run->h, 1 - 2 * run->alpha);
+    if (linearised)
+        status = keep_sums(d, linearised->by_order);
+    if (status)
+        return status;
     if (run->system->matrices)
         status = fvi_damping_begin_matrices(s, past, d);
     else
@@ -170,10 +204,11 @@ int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
         return status;
     status = run->law
                  ? law_of(s, d)
-                 : fvi_history_alloc(2 * run->alpha, count, run->steps,
-                                    run->memory, run->tolerance, &d->memory);
+                 : (d->Hdot ? fvi_history_alloc_by_order : fvi_history_alloc)(
+                     2 * run->alpha, count, run->steps, run->memory,
+                     run->tolerance, &d->memory);
     if (!status)
-        status = fvi_history_push(d->memory, d->z, d->dz, d->dz);
+        status = fvi_damping_update_history(d, d->dz);
     return status;
 }
 

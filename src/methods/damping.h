@@ -14,13 +14,16 @@ typedef struct {
     double *factor; /* rho h^(1 - 2 alpha) of each; with matrices rho is 1 */
     double *origin; /* x_0 of each, 0 for Riemann-Liouville */
     double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
+    double unit;    /* h^(1 - 2 alpha), or h w_0 of a law: factor is rho of it */
     double *z, *dz; /* x - origin and its increment, gathered */
+    double *H;      /* of a linearised run: the last sums, else NULL, */
+    double *Hdot;   /* and their derivative by 2 alpha, or NULL */
     fvi_history *memory;
     const fvi_system *system;
 } fvi_damping;
 
-/* fvi_damping_velocity -- v = M^-1 p, of a system with matrices; d numbers each. Returns
- * FVI_SUCCESS, or what factorise or solve returned. */
+/* fvi_damping_velocity -- v = M^-1 p, d numbers each. Returns FVI_SUCCESS, or what factorise or
+ * solve of the matrices returned. */
 int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 
 /* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of a system with
@@ -37,6 +40,10 @@ int fvi_damping_gather(const fvi_damping *damping, const double *x,
  * memory sums positions, dz is left as it is. Returns as fvi_damping_gather. */
 int fvi_damping_terms(fvi_damping *damping, const fvi_stepper *s);
 
+/* fvi_damping_update_history -- z and dz go into the memory, and its sums to H, count numbers.
+ * Returns what fvi_history_push and fvi_history_push_by_order return. */
+int fvi_damping_update_history(fvi_damping *damping, double *H);
+
 /* fvi_damping_apply_force -- p -= share h rho h^(-2 alpha) H, H of the damped coordinates; with
  * matrices share h h^(-2 alpha) S H.  Returns FVI_SUCCESS, or what damp returned. */
 int fvi_damping_apply_force(const fvi_damping *damping, double share, const double *H,
@@ -45,13 +52,18 @@ int fvi_damping_apply_force(const fvi_damping *damping, double share, const doub
 /* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
  *
  *   s        a stepper at k = 0
- *   past     of the memory; s->run.past is not read
+ *   past     of the memory; s->run.past is not read, nor is past where a linearised run
+ *            begins at 0: then that is all that its memory knows
  *   damping  output; NULL, and no memory at all, if nothing is damped
  *
  * Returns FVI_SUCCESS; what fvi_history_alloc returns; FVI_ENOMEM. After an error
  * what was made so far is in *damping: free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
                       fvi_damping **damping);
+
+/* fvi_damping_of -- the damping of a stepper of Algorithm 3, or of a method of order 2; or
+ * NULL. */
+const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
 /* fvi_damping_copy -- the same again, memory included; NULL of NULL.
  * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */

@@ -11,7 +11,10 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
 {
     const fvi_matrices *m = system->matrices;
     void *factors;
-    memcpy(v, p, system->d * sizeof *v);
+    for (size_t i = 0; i < system->d; i++)
+        v[i] = m ? p[i] : p[i] / system->mass[i];
+    if (!m)
+        return FVI_SUCCESS;
     int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
     if (status)
         return status;
@@ -25,7 +28,7 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
 {
     const fvi_run *run = &s->run;
     const double order = 2 * run->alpha;
-    d->factor[0] = run->law ? run->h : pow(run->h, 1 - order);
+    d->factor[0] = d->unit;
     int status = FVI_SUCCESS;
     if (past == FVI_INITIAL_HISTORY_CAPUTO && order > 1) {
         double *v = s->dx; /* nothing stands there yet */

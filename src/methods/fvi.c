@@ -45,7 +45,7 @@ static int damp(fvi_stepper *s, fvi_damping *d)
 {
     int status = fvi_damping_terms(d, s);
     if (!status)
-        status = fvi_history_push(d->memory, d->z, d->dz, d->z);
+        status = fvi_damping_update_history(d, d->z);
     return status ? status : fvi_damping_apply_force(d, 1, d->z, s->p);
 }
 //< damp
@@ -108,7 +108,7 @@ static int step_alone(fvi_stepper *s)
 static int goes_by_parts(const fvi_stepper *s)
 {
     const fvi_damping *d = s->method_state;
-    return d && s->run.kappa == 1 && d->all
+    return d && s->run.kappa == 1 && d->all && !d->H
            && fvi_history_takes_parts(d->memory);
 }
 

@@ -3,7 +3,6 @@
 
 #include "checkpointing.h"
 #include "adjoint_multistep.h"
-#include "adjoint_matrices.h"
 #include "adjoint_variable.h"
 #include "adjoint_lobatto.h"
 #include "system/fail.h"
@@ -70,6 +69,7 @@ static size_t forces_of(const fvi_method *method)
 static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
 {
     const size_t d = run->system->d;
+    const int whole = run->system->matrices != NULL;
     if (want->alpha)
         *want->alpha = 0;
     double *const of_law[] = { want->terms, want->orders, want->times,
@@ -77,13 +77,12 @@ static void clear(const fvi_run *run, const fvi_sensitivities *want, size_t per)
     for (size_t l = 0; l < sizeof of_law / sizeof *of_law; l++)
         for (size_t i = 0; of_law[l] && i < run->law->count; i++)
             of_law[l][i] = 0;
-    if (want->damping && !run->system->matrices)
-        memset(want->damping, 0, d * sizeof *want->damping);
+    if (want->damping)
+        memset(want->damping, 0, (whole ? 1 : d) * sizeof *want->damping);
     if (want->force)
         memset(want->force, 0,
                (run->steps * per + 1) * d * sizeof *want->force);
-    for (size_t j = 0; want->parameters && !run->system->matrices
-                       && j < want->sensitivity.count;
+    for (size_t j = 0; want->parameters && j < (whole ? 1 : want->sensitivity.count);
          j++)
         want->parameters[j] = 0;
 }
@@ -106,13 +105,13 @@ typedef struct {
 } mirror;
 
 static int begin(const fvi_method *method, const fvi_run *run,
-                 const fvi_sensitivities *want, const double *p, const double *Jp,
-                 mirror *m)
+                 const fvi_sensitivities *want, const double *rows,
+                 const double *p, const double *Jp, mirror *m)
 {
     m->stages = (size_t)method->stages;
     return m->stages
                ? fvi_adjoint_lobatto_start(method, run, want, p, Jp, &m->staged)
-               : fvi_adjoint_multistep_start(method, run, want, Jp, &m->plain);
+               : fvi_adjoint_multistep_start(method, run, want, rows, Jp, &m->plain);
 }
 
 static int step(mirror *m, size_t k, const double *rows, const double *Jx)
@@ -147,9 +146,11 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
     if (!status)
         status = slopes(objective, N, d, rows + per * d,
                         fvi_checkpointing_momentum(path), J, J + d);
+    if (!status && !fvi_all_finite(d, J + d))
+        status = FVI_EOVRFLW;
     if (!status)
-        status =
-            begin(method, run, want, fvi_checkpointing_momentum(path), J + d, &m);
+        status = begin(method, run, want, rows, fvi_checkpointing_momentum(path),
+                       J + d, &m);
     for (size_t k = N; !status && k-- > 0;) {
         if (k + 1 < N)
             status = fvi_checkpointing_step(path, k, &rows);
@@ -204,11 +205,6 @@ static int all_derivatives(const fvi_method *method, const fvi_run *run,
     int status = fvi_checkpointing_alloc(method, run, x, p, &path);
     if (status)
         return status;
-    if (run->system->matrices) {
-        status = fvi_adjoint_matrices(method, run, path, objective, want);
-        fvi_checkpointing_free(path);
-        return status;
-    }
     double *J = calloc(2 * run->system->d, sizeof *J);
     if (!J) {
         fvi_checkpointing_free(path);

@@ -2,40 +2,59 @@
 #include "adjoint_constant.h"
 
 #include "methods/damping.h"
-#include "adjoint_multistep.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <string.h>
 
+/* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
+static size_t factor_bdf2(double beta, double *g, double *gdot)
+{
+    double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
+    fvi_cq_bdf2_factor(beta, g);
+    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
+        l[n] = -(power /= 3) / (double)n;
+    for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
+        for (size_t j = 0; j <= n; j++)
+            gdot[n] += l[j] * g[n - j];
+    return FVI_BDF2_TAPS;
+}
+
+size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
+                          double *gdot)
+{
+    if (scheme == FVI_SCHEME_CQ_BDF2)
+        return factor_bdf2(2 * alpha, g, gdot);
+    g[0] = 1;
+    if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
+        return 1;
+    g[0] = 0.5 + alpha; /* (13.16) */
+    g[1] = 0.5 - alpha;
+    gdot[0] = 0.5;
+    gdot[1] = -0.5;
+    return 2;
+}
+
 int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
-                              fvi_adjoint_constant *c)
+                               int by_order, fvi_adjoint_constant *c)
 {
     const fvi_scheme scheme = method->scheme;
     const double alpha = run->law ? 0 : run->alpha; /* (26.15) */
-    double unused[FVI_BDF2_TAPS] = { 0 };
-    *c = (fvi_adjoint_constant){
-        .paper_convention = scheme == FVI_SCHEME_FVI,
-        .theta = scheme == FVI_SCHEME_CQ2_SHIFTED  ? run->alpha
-                 : scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
-                                               : 0,
-        .unit = run->law ? run->h : pow(run->h, 1 - 2 * run->alpha)
-    };
-    if (run->system->matrices->remembered == 0)
-        return FVI_SUCCESS;
+    *c = (fvi_adjoint_constant){ .by_order = by_order,
+                                 .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? run->alpha
+                                          : scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
+                                                                              : 0 };
     c->taps = fvi_adjoint_factor(run->law && scheme == FVI_SCHEME_CQ_BDF2
-                                    ? FVI_SCHEME_FVI /* no factor */
-                                    : scheme,
-                                alpha, c->g, unused);
+                                     ? FVI_SCHEME_FVI /* no factor */
+                                     : scheme,
+                                 alpha, c->g, c->gdot);
     if (!run->law)
-        return fvi_history_alloc(2 * alpha, 1, run->steps, run->memory,
-                                run->tolerance, &c->memory);
-    double first = 0;
-    const int status = fvi_kernel_history(run->law, fvi_damping_quadrature(method),
-                                      run->h, 1, run->steps, run->memory,
-                                      run->tolerance, &first, &c->memory);
-    c->unit *= first;
-    return status;
+        return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
+            2 * alpha, 1, run->steps, run->memory, run->tolerance, &c->memory);
+    double first; /* the damping has it */
+    return fvi_kernel_history(run->law, fvi_damping_quadrature(method), run->h, 1,
+                              run->steps, run->memory, run->tolerance, &first,
+                              &c->memory);
 }
 
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)
@@ -43,24 +62,34 @@ void fvi_adjoint_constant_stop(fvi_adjoint_constant *c)
     fvi_history_free(c->memory);
 }
 
-//> next
-int fvi_adjoint_constant_next(fvi_adjoint_constant *c, double *impulse)
+/* A new term is to come in front of the last ones. */
+static void move_on(size_t taps, double *past)
 {
-    const double one = 1, change = !c->has_begun;
-    double sum = 0;
-    *impulse = 0;
+    memmove(past + 1, past, (taps - 1) * sizeof *past);
+}
+
+//> next
+int fvi_adjoint_constant_next(fvi_adjoint_constant *c)
+{
+    const double one = 1, change = !c->has_begun, before = c->sum,
+                 before_by_order = c->sum_by_order, theta = c->theta;
     if (!c->memory)
         return FVI_SUCCESS;
     c->has_begun = 1;
-    memmove(c->past + 1, c->past, (FVI_BDF2_TAPS - 1) * sizeof *c->past);
-    const int status = fvi_history_push(c->memory, &one, &change, c->past);
-    for (size_t n = 0; n < c->taps; n++)
-        sum += c->g[n] * c->past[n];
-    *impulse =
-        c->unit
-        * (c->paper_convention ? sum
-                      : (0.5 + c->theta) * sum + (0.5 - c->theta) * c->before);
-    c->before = sum;
+    move_on(c->taps, c->past);
+    move_on(c->taps, c->past_by_order);
+    const int status =
+        c->by_order ? fvi_history_push_by_order(c->memory, &one, &change, c->past,
+                                                c->past_by_order)
+                    : fvi_history_push(c->memory, &one, &change, c->past);
+    c->sum = c->sum_by_order = 0;
+    for (size_t n = 0; n < c->taps; n++) {
+        c->sum += c->g[n] * c->past[n];
+        c->sum_by_order += c->g[n] * c->past_by_order[n] + c->gdot[n] * c->past[n];
+    }
+    c->value = (0.5 + theta) * c->sum + (0.5 - theta) * before;
+    c->rate = (0.5 + theta) * c->sum_by_order + (0.5 - theta) * before_by_order;
+    c->by_theta = c->sum - before;
     return status;
 }
 //< next

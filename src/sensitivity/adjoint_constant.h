@@ -1,7 +1,8 @@
 /* src/sensitivity/adjoint_constant.h -- What a memory held at J_p leaves out.      [H 23]
  *
- * Internal. The mirrored run begins at J_p; its memory should begin at zero, (23.3), and
- * takes in mu - J_p. What is left out is the memory of a constant, a sum of weights. */
+ * Internal, of the methods of order 2. The mirrored run begins at J_p; its memory should begin
+ * at zero, (23.3), and takes in mu - J_p. What is left out is the memory of a constant, a sum
+ * of weights. */
 #ifndef FVI_ADJOINT_CONSTANT_H
 #define FVI_ADJOINT_CONSTANT_H
 
@@ -9,27 +10,40 @@
 #include <fvi/trajectory.h>
 
 typedef struct {
-    fvi_history *memory;     /* of the number 1; NULL: no damping */
-    double unit;            /* h^(1 - 2 alpha), or h w_0 of a law */
-    double theta, before;   /* (23.7); the sum of the node before */
-    int paper_convention, has_begun; /* Algorithm 3 */
-    size_t taps;            /* of a factor of the weights */
-    double g[FVI_BDF2_TAPS], past[FVI_BDF2_TAPS];
+    fvi_history *memory; /* of the number 1; NULL: nothing is left out */
+    int by_order, has_begun;
+    double theta;                  /* the shift of (23.7) */
+    double sum, sum_by_order;      /* of weights, of this node */
+    double value, rate, by_theta;  /* see below */
+    size_t taps;                   /* of a factor of the weights */
+    double g[FVI_BDF2_TAPS], gdot[FVI_BDF2_TAPS];
+    double past[FVI_BDF2_TAPS], past_by_order[FVI_BDF2_TAPS]; /* without the factor */
 } fvi_adjoint_constant;
+
+/* fvi_adjoint_factor -- what the weights of a power have besides (1 - z)^(2 alpha).
+ *
+ *   scheme   as below
+ *   g, gdot  output, zeros, FVI_BDF2_TAPS numbers each: the factor by powers of z, (13.11)
+ *            or (13.16), and its derivative by 2 alpha
+ *
+ * Returns how many of them there are; 1 if there is no factor. */
+size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
+                          double *gdot);
 
 /* fvi_adjoint_constant_start -- at node N.
  *
- *   method  its scheme is FVI_SCHEME_FVI, SHIFTED, BDF2 or STABLE
- *   run     with matrices
- *   c       output; in any case to be given back by fvi_adjoint_constant_stop
+ *   method    its scheme is FVI_SCHEME_CQ2_SHIFTED, BDF2 or STABLE
+ *   by_order  nonzero if the derivatives by 2 alpha and by the shift are wanted
+ *   c         output; in any case to be given back by fvi_adjoint_constant_stop
  *
  * Returns FVI_SUCCESS, what fvi_history_alloc and fvi_kernel_history return. */
 int fvi_adjoint_constant_start(const fvi_method *method, const fvi_run *run,
-                              fvi_adjoint_constant *c);
+                               int by_order, fvi_adjoint_constant *c);
 
-/* fvi_adjoint_constant_next -- for N, N - 1, ..., 0: by what of C J_p the momentum falls there
- * besides; a number.                                                   [(23.23)] */
-int fvi_adjoint_constant_next(fvi_adjoint_constant *c, double *impulse);
+/* fvi_adjoint_constant_next -- for N, N - 1, ..., 0: by what of h^(1 - 2 alpha) C J_p the
+ * momentum falls there besides, as c->value; its derivative by 2 alpha, the shift held, as
+ * c->rate, and by the shift as c->by_theta.                                   [(23.23)] */
+int fvi_adjoint_constant_next(fvi_adjoint_constant *c);
 
 void fvi_adjoint_constant_stop(fvi_adjoint_constant *c);
 

@@ -1,7 +1,6 @@
 /* src/sensitivity/adjoint_multistep.c -- The run that goes backwards.                 [H 23] */
 #include "adjoint_multistep.h"
 
-#include "methods/damping.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -10,261 +9,385 @@
 
 /* ---- the start ---- */
 
-enum { ARRAYS = 24 };
-
 static int allocate(fvi_adjoint_multistep *m)
 {
-    const size_t d = m->d;
-    const fvi_potential *u = &m->run->system->potential;
-    double **each[ARRAYS] = { &m->c,      &m->lambda,  &m->delta,   &m->q,
-                              &m->nu,     &m->dnu,     &m->N,       &m->Ndot,
-                              &m->M,      &m->S,       &m->work,    &m->sum,
-                              &m->rate,   &m->plain,   &m->linear,  &m->kinetic,
-                              &m->pull,   &m->shift,   &m->impulse_sum_by_order, &m->before,
-                              &m->column, &m->inertia, &m->origin,  &m->drift };
-    double *block = calloc(ARRAYS * d, sizeof *block);
-    if (!block)
+    double **each[] = { &m->Jp,      &m->CJ,     &m->v0,     &m->right,
+                        &m->S,       &m->M,      &m->by_start, &m->by_line,
+                        &m->kinetic, &m->pull,   &m->impulse_sum_by_order,
+                        &m->z,       &m->z_next, &m->sum,    &m->work,
+                        &m->column,  &m->nu,     &m->behind, &m->mean,
+                        &m->change };
+    enum { ARRAYS = sizeof each / sizeof *each };
+    const size_t d = m->d, ring = m->want->alpha ? FVI_BDF2_TAPS * m->r : 0;
+    m->block = calloc(ARRAYS * d + 2 * m->r + 2 * ring + m->linearised.size,
+                      sizeof *m->block);
+    if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (size_t i = 0; i < ARRAYS; i++)
-        *each[i] = block + i * d;
-    m->block = block;
-    if (u->hessian)
-        m->G = malloc(fvi_potential_hessian_size(m->run->system) * sizeof *m->G);
-    if (u->hessian && !m->G)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    if (u->hessian && u->diagonals != 1
-        && fvi_band_alloc(d, (u->diagonals ? u->diagonals : d) - 1, &m->J))
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    double *next = m->block;
+    for (size_t i = 0; i < ARRAYS; i++, next += d)
+        *each[i] = next;
+    m->N = next;
+    m->Ndot = m->N + m->r;
+    m->ring = m->Ndot + m->r;
+    m->ring_by_order = m->ring + ring;
+    m->G = m->ring_by_order + ring;
     return FVI_SUCCESS;
 }
 
-/* That of the law, and those of each term if its derivatives are asked for. */
-static int start_law(fvi_adjoint_multistep *m, fvi_delta kind)
+/* The mirrored run at node N, at rest at J_p. Algorithm 3's memory begins at 0; that of the
+ * others is held at J_p, and `constant` has what that leaves out. */
+static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
 {
-    const fvi_run *run = m->run;
-    double first = 0;
-    int status =
-        fvi_kernel_history(run->law, kind, run->h, m->d, run->steps, run->memory,
-                       run->tolerance, &first, &m->memory);
-    m->unit = run->h * first;
-    if (status || !fvi_adjoint_kernel_is_wanted(m->want))
+    fvi_run back = *m->run;
+    int moves = 0;
+    m->linearised.G = m->has_hessian ? m->G : NULL;
+    m->linearised.is_constant = m->is_quadratic;
+    m->linearised.by_order = m->want->alpha != NULL;
+    m->linearised.remembers_all = m->is_damped;
+    m->linearised.from_zero = m->paper_convention;
+    m->system = fvi_linearised_system(m->run->system, &m->linearised);
+    back.system = &m->system;
+    back.x0 = m->Jp;
+    back.p0 = m->work; /* zeros */
+    back.kappa = 1 - m->kappa;
+    back.past = FVI_INITIAL_HISTORY_HELD;
+    int status = fvi_stepper_start(method, &back, &m->stepper);
+    if (status)
         return status;
-    m->each = calloc(run->law->count, sizeof *m->each);
-    if (!m->each)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    for (; !status && m->terms < run->law->count; m->terms++)
-        status = fvi_adjoint_term_start(run, m->want, kind, m->terms, m->d,
-                                       &m->each[m->terms]);
-    return status;
-}
-
-/* The memory of the run, with its rates only if alpha is asked for. All coordinates
- * are remembered, even those whose damping is zero: their derivatives are not. */
-static int start_memories(fvi_adjoint_multistep *m, const fvi_method *method)
-{
-    const fvi_run *run = m->run;
-    int is_damped = m->want->damping != NULL;
+    m->damping = fvi_damping_of(m->stepper);
     for (size_t i = 0; i < m->d; i++)
-        is_damped |= run->system->damping[i] > 0;
-    if (!is_damped)
-        return FVI_SUCCESS;
-    if (run->law)
-        return start_law(m, fvi_damping_quadrature(method));
-    const double beta = 2 * run->alpha;
-    int status = (m->want->alpha ? fvi_history_alloc_by_order : fvi_history_alloc)(
-        beta, m->d, run->steps, run->memory, run->tolerance, &m->memory);
-    if (!status && m->want->alpha && method->scheme == FVI_SCHEME_CQ2_SHIFTED)
-        status = fvi_history_alloc(beta, m->d, run->steps, run->memory,
-                                  run->tolerance, &m->slope);
-    return status;
+        moves |= m->Jp[i] != 0;
+    return m->damping && moves && !m->paper_convention
+               ? fvi_adjoint_constant_start(method, m->run, m->want->alpha != NULL,
+                                            &m->constant)
+               : FVI_SUCCESS;
 }
 
-/* g = ((3 - z)/2)^beta by powers of z, and g ln((3 - z)/2). */
-static size_t factor_bdf2(double beta, double *g, double *gdot)
+static void start_initial_history(fvi_adjoint_multistep *m)
 {
-    double power = 1, l[FVI_BDF2_TAPS] = { log(1.5) };
-    fvi_cq_bdf2_factor(beta, g);
-    for (size_t n = 1; n < FVI_BDF2_TAPS; n++)
-        l[n] = -(power /= 3) / (double)n;
-    for (size_t n = 0; n < FVI_BDF2_TAPS; n++)
-        for (size_t j = 0; j <= n; j++)
-            gdot[n] += l[j] * g[n - j];
-    return FVI_BDF2_TAPS;
+    static const double ends[] = { 0, 1 };
+    m->has_initial_impulses =
+        !m->paper_convention && m->is_damped && !m->run->law
+        && fvi_initial_history_acts(m->run->past, m->run->alpha);
+    if (!m->has_initial_impulses)
+        return;
+    fvi_kernel_impulse_prepare(m->run->alpha, 2, ends, &m->initial_impulse);
+    m->impulse_size = pow(m->run->h, 1 + m->initial_impulse.e);
 }
 
-size_t fvi_adjoint_factor(fvi_scheme scheme, double alpha, double *g,
-                         double *gdot)
+static void describe(const fvi_method *method, const fvi_run *run,
+                     fvi_adjoint_multistep *m)
 {
-    if (scheme == FVI_SCHEME_CQ_BDF2)
-        return factor_bdf2(2 * alpha, g, gdot);
-    g[0] = 1;
-    if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
-        return 1;
-    g[0] = 0.5 + alpha; /* (13.16) */
-    g[1] = 0.5 - alpha;
-    gdot[0] = 0.5;
-    gdot[1] = -0.5;
-    return 2;
-}
-
-static int start_factor(fvi_adjoint_multistep *m, fvi_scheme scheme)
-{
-    if (scheme != FVI_SCHEME_CQ2_MIDPOINT
-        && (scheme != FVI_SCHEME_CQ_BDF2 || m->run->law))
-        return FVI_SUCCESS;
-    m->taps = fvi_adjoint_factor(scheme, m->run->law ? 0 : m->run->alpha, m->g,
-                                m->gdot); /* (26.15) */
-    m->sums = calloc(2 * FVI_BDF2_TAPS * m->d, sizeof *m->sums);
-    if (!m->sums)
-        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
-    m->rates = m->sums + FVI_BDF2_TAPS * m->d;
-    return FVI_SUCCESS;
-}
-
-/* Does the memory know p0/m? */
-static int drifts(const fvi_adjoint_multistep *m)
-{
-    return !m->run->law && 2 * m->run->alpha > 1
-           && (!m->paper_convention || m->run->past == FVI_INITIAL_HISTORY_CAPUTO);
-}
-
-/* z_j = x_j - origin - j drift, on which the memory of the run acts, and c. */
-static void start_terms(fvi_adjoint_multistep *m)
-{
-    const fvi_run *run = m->run;
-    const int whole = m->paper_convention && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    for (size_t i = 0; i < m->d; i++) {
-        const double mass = run->system->mass[i];
-        m->c[i] = run->system->damping[i] * m->unit;
-        m->inertia[i] =
-            mass / run->h + m->theta * m->c[i] * (m->taps ? m->g[0] : 1);
-        m->origin[i] = whole ? 0 : run->x0[i];
-        m->drift[i] = drifts(m) ? run->h * run->p0[i] / mass : 0;
+    const fvi_system *system = run->system;
+    const fvi_potential *u = &system->potential;
+    m->d = m->r = system->d;
+    m->scheme = method->scheme;
+    m->paper_convention = method->scheme == FVI_SCHEME_FVI;
+    m->is_liouville = m->paper_convention && !run->law
+                      && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    m->has_drift = !run->law && run->alpha > 0.5
+                   && (run->past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
+    m->kappa = method->takes_kappa ? run->kappa : 0.5;
+    m->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? run->alpha
+               : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
+                                                           : 0;
+    m->linearised = fvi_linearised_begin(system, 1);
+    m->has_hessian = !system->matrices && u->hessian;
+    m->is_quadratic = u->quadratic && u->quadratic(u->params);
+    m->is_damped = m->want->damping != NULL;
+    if (system->matrices) {
+        m->r = system->matrices->remembered;
+        m->is_damped = m->r > 0;
     }
+    for (size_t i = 0; i < m->d && !system->matrices; i++)
+        m->is_damped |= system->damping[i] > 0;
 }
 
 int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
-                     const fvi_sensitivities *want, const double *Jp, fvi_adjoint_multistep *m)
+                                const fvi_sensitivities *want, const double *rows,
+                                const double *Jp, fvi_adjoint_multistep *m)
 {
-    static const double ends[] = { 0, 1 };
-    const fvi_scheme scheme = method->scheme;
-    const int paper_convention = scheme == FVI_SCHEME_FVI,
-              stable = scheme == FVI_SCHEME_CQ2_MIDPOINT;
-    *m = (fvi_adjoint_multistep){ .run = run,
-                       .want = want,
-                       .d = run->system->d,
-                       .theta = scheme == FVI_SCHEME_CQ2_SHIFTED ? run->alpha
-                                : stable                     ? 0.5
-                                                             : 0,
-                       .kappa = stable ? 0.5 : run->kappa,
-                       .end = paper_convention ? 1 : 0.5,
-                       .unit =
-                           run->law ? run->h : pow(run->h, 1 - 2 * run->alpha),
-                       .paper_convention = paper_convention };
+    *m = (fvi_adjoint_multistep){ .run = run, .want = want };
+    describe(method, run, m);
+    if (run->system->matrices && want->mass && !run->system->matrices->inertia)
+        FVI_FAIL("no derivative by a factor of M without its products",
+                 FVI_EUNSUP);
     int status = allocate(m);
-    if (!status)
-        status = start_memories(m, method);
-    if (!status)
-        status = start_factor(m, scheme);
     if (status)
         return status;
-    const fvi_potential *u = &run->system->potential;
-    m->is_quadratic = u->quadratic && u->quadratic(u->params);
-    start_terms(m);
-    memcpy(m->lambda, Jp, m->d * sizeof *Jp);
-    m->has_initial_impulses = !paper_convention && m->memory && !run->law
-                   && fvi_initial_history_acts(run->past, run->alpha);
-    if (m->has_initial_impulses)
-        fvi_kernel_impulse_prepare(run->alpha, 2, ends, &m->initial_impulse);
-    return FVI_SUCCESS;
+    memcpy(m->Jp, Jp, m->d * sizeof *Jp);
+    start_initial_history(m);
+    if (m->has_drift)
+        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+    if (!status)
+        status = start_stepper(m, method);
+    if (!status && m->is_damped)
+        status = fvi_adjoint_multistep_damping_start(m, method);
+    if (!status && m->damping && m->paper_convention)
+        status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
+    return status;
 }
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 {
-    fvi_history_free(m->memory);
-    fvi_history_free(m->slope);
+    fvi_stepper_free(m->stepper);
+    fvi_adjoint_constant_stop(&m->constant);
     for (size_t i = 0; i < m->terms; i++)
         fvi_adjoint_term_stop(&m->each[i]);
     free(m->each);
-    fvi_band_free(&m->J);
     free(m->block);
-    free(m->sums);
-    free(m->G);
 }
+
+/* ---- a step ---- */
+
+void fvi_adjoint_multistep_elongation(const fvi_adjoint_multistep *m, size_t j,
+                                      const double *x, double *z)
+{
+    const fvi_run *run = m->run;
+    const double t = (double)j * run->h;
+    for (size_t i = 0; i < m->d; i++)
+        z[i] = x[i] - (m->is_liouville ? 0 : run->x0[i])
+               - (m->has_drift ? t * m->v0[i] : 0);
+}
+
+/* J_{k+1} is a force on the mirrored run. */
+static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
+                        const double *Jx)
+{
+    const double t = (double)(k + 1) * m->run->h;
+    for (size_t i = 0; i < m->d; i++) {
+        m->stepper->p[i] += Jx[i];
+        m->by_start[i] += Jx[i];
+        m->by_line[i] += t * Jx[i];
+    }
+    return m->constant.memory
+               ? fvi_adjoint_multistep_add_constant(m, k, rows + m->d)
+               : FVI_SUCCESS;
+}
+
+/* G at S = kappa x_k + (1 - kappa) x_{k+1}; once, if U is quadratic. */
+static int evaluate_hessian(fvi_adjoint_multistep *m, size_t k, const double *rows)
+{
+    const fvi_potential *u = &m->run->system->potential;
+    for (size_t i = 0; i < m->d; i++)
+        m->S[i] = rows[i] + (1 - m->kappa) * (rows[m->d + i] - rows[i]);
+    if (!m->has_hessian || (m->is_quadratic && k + 1 < m->run->steps))
+        return FVI_SUCCESS;
+    return u->hessian(m->d, m->S, u->params, m->G);
+}
+
+static double dot(size_t d, const double *a, const double *b)
+{
+    double sum = a[0] * b[0];
+    for (size_t i = 1; i < d; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* By the parameters of U; or by a factor of K, stepper->g being K M_k. */
+static int accumulate_parameters(fvi_adjoint_multistep *m)
+{
+    const fvi_sensitivities *want = m->want;
+    const fvi_parameter_gradient *by = &want->sensitivity;
+    const fvi_system *system = m->run->system;
+    const double h = m->run->h;
+    int status = FVI_SUCCESS;
+    if (system->matrices) {
+        m->by_K += dot(m->d, m->S, m->stepper->g);
+        return status;
+    }
+    for (size_t j = 0; want->parameters && !status && j < by->count; j++) {
+        status = by->column(j, m->d, m->S, system->potential.params, m->column);
+        want->parameters[j] -= h * dot(m->d, m->column, m->M);
+    }
+    return status;
+}
+
+/* By the masses, each of them or a factor of M. */
+static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
+{
+    const fvi_matrices *matrices = m->run->system->matrices;
+    const double *left = m->stepper->x;
+    const size_t d = m->d;
+    int status = FVI_SUCCESS;
+    if (!matrices)
+        for (size_t i = 0; i < d; i++)
+            m->kinetic[i] += (rows[d + i] - rows[i]) * (m->right[i] - left[i]);
+    if (!matrices || !m->want->mass)
+        return status;
+    for (size_t i = 0; i < d; i++)
+        m->column[i] = m->right[i] - left[i];
+    status = matrices->inertia(d, m->column, matrices->params, m->work);
+    for (size_t i = 0; i < d; i++)
+        m->by_M += (rows[d + i] - rows[i]) * m->work[i];
+    return status;
+}
+
+/* What the force and the past gave to the two ends of step k. */
+static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
+{
+    const double *left = m->stepper->x, *right = m->right, h = m->run->h;
+    const size_t d = m->d;
+    double *force = m->want->force ? m->want->force + k * d : NULL;
+    for (size_t i = 0; force && i < d; i++) {
+        force[d + i] += m->paper_convention ? h * right[i] : h / 2 * right[i];
+        force[i] += m->paper_convention ? 0 : h / 2 * left[i];
+    }
+    if (!m->has_initial_impulses)
+        return;
+    double at[2] = { 0 }, slope[2] = { 0 };
+    fvi_kernel_impulses(&m->initial_impulse, k, at);
+    if (m->want->alpha)
+        fvi_kernel_impulses_by_order(&m->initial_impulse, k, slope);
+    for (size_t i = 0; i < d; i++) {
+        m->pull[i] += at[0] * left[i] + at[1] * right[i];
+        m->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
+    }
+}
+
+/* One coordinate, by Algorithm 3, and no term of a law? */
+static int is_alone(const fvi_adjoint_multistep *m)
+{
+    return m->paper_convention && m->d == 1 && m->damping && !m->terms
+           && !m->run->system->matrices;
+}
+
+/* The digits of what follows, in half its time: the step of the mirrored run, (9.4), is a
+ * division, and no loop has to find out that it runs once. */
+static int step_alone(fvi_adjoint_multistep *m, size_t k, const double *rows,
+                      const double *Jx)
+{
+    fvi_stepper *s = m->stepper;
+    const double h = m->run->h, kappa = m->kappa, p = *s->p + *Jx, right = *s->x,
+                 G = m->has_hessian ? *m->G : 0, share = (1 - kappa) * h,
+                 J = *fvi_newton_diagonal(s->newton) + share * kappa * G,
+                 delta = (p - share * (G * right)) / J, left = right + delta,
+                 g = G * (right + kappa * delta), t = (double)(k + 1) * h,
+                 z = rows[0] - (m->is_liouville ? 0 : *m->run->x0)
+                     - (double)k * h * *m->v0,
+                 rho = *m->run->system->damping;
+    double H, Hdot = 0;
+    const int status = m->want->alpha
+                           ? fvi_history_push_by_order(m->damping->memory, &left,
+                                                       &delta, &H, &Hdot)
+                           : fvi_history_push(m->damping->memory, &left, &delta, &H);
+    *s->x = left;
+    *s->p = p - h * g - *m->damping->factor * H;
+    *m->M = right + kappa * delta;
+    *m->by_start += *Jx - h * g;
+    *m->by_line += t * *Jx - h * (t - kappa * h) * g;
+    *m->kinetic -= (rows[1] - rows[0]) * delta;
+    *m->sum += z * H;
+    m->sum_of_C += rho * (z * H);
+    m->sum_by_order += rho * (z * Hdot);
+    if (m->want->force)
+        m->want->force[k + 1] += h * right;
+    return status ? status : J == 0 ? FVI_ESING : accumulate_parameters(m);
+}
+
+//> step
+int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double *rows,
+                               const double *Jx)
+{
+    fvi_stepper *s = m->stepper;
+    const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h;
+    int status = evaluate_hessian(m, k, rows);
+    if (!status && is_alone(m))
+        return step_alone(m, k, rows, Jx);
+    if (!status)
+        status = apply_slopes(m, k, rows, Jx);
+    memcpy(m->right, s->x, m->d * sizeof *m->right);
+    if (!status)
+        status = fvi_stepper_step(s);
+    for (size_t i = 0; i < m->d; i++) { /* s->g is G M_k */
+        m->M[i] = m->right[i] + m->kappa * (s->x[i] - m->right[i]);
+        m->by_start[i] -= h * s->g[i];
+        m->by_line[i] -= h * t * s->g[i];
+    }
+    accumulate_forces(m, k);
+    if (!status)
+        status = accumulate_parameters(m);
+    if (!status)
+        status = accumulate_mass(m, rows);
+    return status || !m->damping
+               ? status
+               : fvi_adjoint_multistep_accumulate_damping(m, k, rows);
+}
+//< step
 
 /* ---- the end ---- */
 
-/* The damping of coordinate i: what of its derivatives the memory and the pull give. */
-static void end_damping(const fvi_adjoint_multistep *m, size_t i)
+/* By x0, from what it leaves alone: x + const changes grad U only, and where A of (19.3) is
+ * x0 the pull. By Algorithm 3 Riemann-Liouville's memory knows x0 itself, and the derivative
+ * is what arrives; lambda_0 is no part of N_0. (23.6) */
+static int by_start(fvi_adjoint_multistep *m, const double *Jx)
 {
     const fvi_run *run = m->run;
-    const fvi_sensitivities *want = m->want;
-    const double rho = run->system->damping[i], mass = run->system->mass[i];
-    const double h = run->h, v0 = run->p0[i] / mass;
-    if (want->damping)
-        want->damping[i] = -m->unit * m->sum[i];
-    if (want->alpha)
-        *want->alpha -= 2 * rho * m->unit * (m->rate[i] - log(h) * m->sum[i])
-                        + m->c[i] * m->shift[i];
-    if (drifts(m)) {
-        const double slope = m->c[i] * h * m->linear[i] / mass;
-        if (want->p0)
-            want->p0[i] += slope;
-        if (want->mass)
-            want->mass[i] -= slope * v0;
-    }
-    if (want->x0 && !(m->paper_convention && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE))
-        want->x0[i] += m->c[i] * m->plain[i]; /* the origin */
+    const fvi_stepper *s = m->stepper;
+    for (size_t i = 0; i < m->d; i++)
+        m->by_start[i] = Jx[i] + (m->is_liouville ? s->p[i] : m->by_start[i]);
+    if (m->is_liouville && m->damping)
+        return fvi_adjoint_multistep_apply_damping(m, -m->damping->unit, s->x,
+                                                   m->by_start);
+    return m->has_initial_impulses && run->alpha < 0.5
+               ? fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+                                                     m->by_start)
+               : FVI_SUCCESS;
 }
 
-/* J has the impulses -rho A h^(1 + e) at[] of the past, times lambda; A is v0, or x0 of
- * Riemann-Liouville's past with alpha < 1/2. */
-static void end_pull(const fvi_adjoint_multistep *m, size_t i)
+/* By p0 less lambda_0: where the memory knows the line x + t p/m, that changes grad U only, and
+ * by (13.7) what the past pulls. */
+static int by_momentum(fvi_adjoint_multistep *m, double *more)
 {
     const fvi_run *run = m->run;
-    const fvi_sensitivities *want = m->want;
-    const double rho = run->system->damping[i], mass = run->system->mass[i];
-    const double v0 = run->p0[i] / mass, log_h = log(run->h);
-    const double A = fvi_initial_history_amplitude(run->past, run->alpha, run->x0[i], v0);
-    const double unit = pow(run->h, 1 + m->initial_impulse.e),
-                 slope = -rho * unit * m->pull[i]; /* by A */
-    if (want->damping)
-        want->damping[i] -= A * unit * m->pull[i];
-    if (want->alpha) /* de = -2 dalpha */
-        *want->alpha +=
-            2 * rho * A * unit * (log_h * m->pull[i] + m->impulse_sum_by_order[i]);
-    if (run->alpha < 0.5) {
-        if (want->x0)
-            want->x0[i] += slope;
-        return;
-    }
-    if (want->p0)
-        want->p0[i] += slope / mass;
-    if (want->mass)
-        want->mass[i] -= slope * v0 / mass;
-    if (want->x0 && rho > 0 && run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
-        want->x0[i] = NAN; /* (19.2): no run begins elsewhere */
+    int status = FVI_SUCCESS;
+    memset(more, 0, m->d * sizeof *more);
+    if (!m->has_drift || !m->damping)
+        return status;
+    if (m->has_initial_impulses)
+        status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->pull,
+                                                     m->by_line);
+    if (!status)
+        status = fvi_damping_velocity(run->system, m->by_line, more);
+    for (size_t i = 0; i < m->d; i++)
+        more[i] += m->Jp[i] - m->stepper->x[i];
+    return status;
+}
+
+static void write_mass(const fvi_adjoint_multistep *m, const double *more)
+{
+    const fvi_run *run = m->run;
+    double *mass = m->want->mass;
+    if (mass && run->system->matrices) /* v0 is M^-1 p0 */
+        *mass = m->by_M / run->h - dot(m->d, run->p0, more);
+    for (size_t i = 0; mass && !run->system->matrices && i < m->d; i++)
+        mass[i] = m->kinetic[i] / run->h
+                  - more[i] * (run->p0[i] / run->system->mass[i]);
 }
 
 //> end
 int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
 {
+    const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
-    const int whole = m->paper_convention && m->run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    int status = m->memory ? fvi_adjoint_last(m) : FVI_SUCCESS;
+    double *more = m->work;
+    int status = by_start(m, Jx);
+    if (!status)
+        status = by_momentum(m, more);
     for (size_t i = 0; i < m->d; i++) {
-        m->q[i] += Jx[i] - (whole ? m->c[i] * m->N[i] : 0); /* (23.6) */
+        const int has = run->law || m->paper_convention
+                        || fvi_initial_history_solvable(run->past, run->alpha,
+                                                        run->system->damping[i], 1);
         if (want->x0)
-            want->x0[i] = m->q[i];
+            want->x0[i] = has ? m->by_start[i] : NAN; /* (19.2) */
         if (want->p0)
-            want->p0[i] = m->lambda[i];
-        if (want->mass)
-            want->mass[i] = m->kinetic[i] / m->run->h;
-        if (m->memory)
-            end_damping(m, i);
-        if (m->has_initial_impulses)
-            end_pull(m, i);
+            want->p0[i] = m->stepper->x[i] + more[i];
     }
-    return status || fvi_all_finite(m->d, m->q) ? status : FVI_EOVRFLW;
+    write_mass(m, more);
+    if (want->parameters && run->system->matrices)
+        *want->parameters = -run->h * m->by_K;
+    if (!status && m->damping)
+        status = fvi_adjoint_multistep_end_damping(m);
+    return status || fvi_all_finite(m->d, m->by_start) ? status : FVI_EOVRFLW;
 }
 //< end

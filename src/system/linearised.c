@@ -21,20 +21,17 @@ static const double *hessian_of_stage(const fvi_linearised *l)
            + (l->reversed ? l->stages - 1 - l->stage : l->stage) * l->size;
 }
 
-/* Entry (i, j) of G. */
-static double entry(const fvi_linearised *l, const double *G, size_t i, size_t j)
+/* g = G x, of the diagonals of G. */
+static void multiply_band(size_t d, size_t w, const double *restrict G,
+                          const double *restrict x, double *restrict g)
 {
-    const size_t w = l->diagonals;
-    return w == 0 ? G[i * l->d + j] : i < j ? G[i * w + j - i] : G[j * w + i - j];
-}
-
-/* The neighbours of coordinate j in G: from low to below high. */
-static void find_neighbours(const fvi_linearised *l, size_t j, size_t *low,
-                            size_t *high)
-{
-    const size_t w = l->diagonals;
-    *low = w && j + 1 > w ? j + 1 - w : 0;
-    *high = w && j + w < l->d ? j + w : l->d;
+    for (size_t i = 0; i < d; i++)
+        g[i] = G[i * w] * x[i];
+    for (size_t i = 0; w > 1 && i < d; i++)
+        for (size_t k = 1; k < w && i + k < d; k++) {
+            g[i] += G[i * w + k] * x[i + k];
+            g[i + k] += G[i * w + k] * x[i];
+        }
 }
 
 int fvi_linearised_gradient(size_t d, const double *x, void *of, double *g)
@@ -45,17 +42,12 @@ int fvi_linearised_gradient(size_t d, const double *x, void *of, double *g)
         return 0;
     }
     const double *G = hessian_of_stage(l);
-    if (l->diagonals == 1) {
-        for (size_t i = 0; i < d; i++)
-            g[i] = G[i] * x[i];
-        return 0;
-    }
-    for (size_t i = 0; i < d; i++) {
-        size_t low, high;
-        find_neighbours(l, i, &low, &high);
+    if (l->diagonals > 0)
+        multiply_band(d, l->diagonals, G, x, g);
+    for (size_t i = 0; l->diagonals == 0 && i < d; i++) {
         g[i] = 0;
-        for (size_t j = low; j < high; j++)
-            g[i] += entry(l, G, i, j) * x[j];
+        for (size_t j = 0; j < d; j++)
+            g[i] += G[i * d + j] * x[j];
     }
     return 0;
 }
@@ -71,16 +63,11 @@ static int write_hessian(size_t d, const double *x, void *of, double *H)
     return 0;
 }
 
+/* Nobody asks for energies of a run that is a derivative. */
 static int value(size_t d, const double *x, void *of, double *U)
 {
-    const fvi_linearised *l = of;
+    (void)d, (void)x, (void)of;
     *U = 0;
-    for (size_t i = 0; l->G && i < d; i++) {
-        size_t low, high;
-        find_neighbours(l, i, &low, &high);
-        for (size_t j = low; j < high; j++)
-            *U += x[i] * entry(l, hessian_of_stage(l), i, j) * x[j] / 2;
-    }
     return 0;
 }
 
@@ -127,21 +114,27 @@ static int solve_diagonal(const fvi_newton *n, const fvi_linearised *l, const do
     return status;
 }
 
+/* Entry (j, c) of the Hessian of stage i, in the rows of coordinate j. */
+static void add_entry(fvi_newton *n, size_t i, size_t j, size_t c, double H)
+{
+    const size_t q = n->q;
+    const double *s = n->s + j * q * q + i;
+    for (size_t l = 0; l < q; l++)
+        fvi_band_row(&n->J, j * q + l)[c * q + i] = s[l * q] * n->theta * H;
+}
+
 /* The columns of stage i in J, but for A. */
 static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i)
 {
-    const size_t q = n->q;
+    const size_t d = l->d, w = l->diagonals;
     const double *G = hessian_of_stage(l);
-    for (size_t j = 0; j < l->d; j++) {
-        size_t low, high;
-        find_neighbours(l, j, &low, &high);
-        for (size_t row = j * q; row < (j + 1) * q; row++) {
-            const double s = n->s[row * q + i] * n->theta;
-            double *to = fvi_band_row(&n->J, row) + i;
-            for (size_t c = low; c < high; c++)
-                to[c * q] = s * entry(l, G, j, c);
+    for (size_t j = 0; j < d; j++)
+        for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
+            const double H = G[j * (w ? w : d) + k];
+            add_entry(n, i, j, w ? j + k : k, H);
+            if (w && k > 0)
+                add_entry(n, i, j + k, j, H);
         }
-    }
 }
 
 /* The matrix of the step, and its factors. */

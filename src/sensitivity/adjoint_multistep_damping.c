@@ -1,0 +1,264 @@
+/* src/sensitivity/adjoint_multistep_damping.c -- What the memory of the mirrored run gives.
+ *                                                                     [H 23]
+ * The sums N_j of (23.5) are what the mirrored run remembers. That of a method of order 2
+ * gives H_k, the sums of lambda - J_p, and (23.7) says
+ *
+ *     N_j = (1 - theta) H_j + theta H_{j-1} + what the constant J_p gives
+ *
+ * so that z_j N_j is summed as ((1 - theta) z_k + theta z_{k+1}) H_k. */
+#include "adjoint_multistep.h"
+
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- C ---- */
+
+int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double share,
+                                        const double *x, double *to)
+{
+    const fvi_system *system = m->run->system;
+    const fvi_matrices *C = system->matrices;
+    for (size_t i = 0; !C && i < m->d; i++)
+        to[i] -= share * system->damping[i] * x[i];
+    if (!C || C->remembered == 0)
+        return FVI_SUCCESS;
+    double *z = calloc(2 * C->remembered, sizeof *z);
+    if (!z)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    int status = C->remember(system->d, x, z + C->remembered, C->params, z);
+    if (!status)
+        status = C->damp(system->d, share, z, C->params, to);
+    free(z);
+    return status;
+}
+
+/* z . C N, and each z_i N_i times `share` where there are no matrices; N: r numbers. */
+static int multiply(fvi_adjoint_multistep *m, const double *z, const double *N,
+                    double share, double *each, double *sum)
+{
+    const fvi_system *system = m->run->system;
+    const fvi_matrices *C = system->matrices;
+    int status = FVI_SUCCESS;
+    if (C) {
+        memset(m->work, 0, m->d * sizeof *m->work);
+        status = C->damp(m->d, -share, N, C->params, m->work);
+        for (size_t i = 0; i < m->d; i++)
+            *sum += z[i] * m->work[i];
+        return status;
+    }
+    for (size_t i = 0; i < m->d; i++) {
+        const double product = share * z[i] * N[i];
+        *sum += system->damping[i] * product;
+        if (each)
+            each[i] += product;
+    }
+    return status;
+}
+
+/* ---- the start ---- */
+
+int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_method *method)
+{
+    const fvi_run *run = m->run;
+    int status = FVI_SUCCESS;
+    if (run->system->matrices)
+        status = fvi_adjoint_multistep_apply_damping(m, -1, m->Jp, m->CJ);
+    else
+        memcpy(m->CJ, m->Jp, m->d * sizeof *m->CJ);
+    if (!run->law)
+        m->taps = fvi_adjoint_factor(m->scheme, run->alpha, m->g, m->gdot);
+    if (status || !fvi_adjoint_kernel_is_wanted(m->want))
+        return status;
+    m->each = calloc(run->law->count, sizeof *m->each);
+    if (!m->each)
+        FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
+    for (; !status && m->terms < run->law->count; m->terms++)
+        status = fvi_adjoint_term_start(run, m->want, fvi_damping_quadrature(method),
+                                        m->terms, m->d, &m->each[m->terms]);
+    return status;
+}
+
+/* ---- a node ---- */
+
+/* N and its derivative by 2 alpha, from what the memory has given. It takes in g lambda, so
+ * that the derivative by g is that of the filter g'/g on its sums:  g y = g' N. */
+//> filter
+static void read_sums(fvi_adjoint_multistep *m)
+{
+    const size_t r = m->r, bytes = r * sizeof *m->N;
+    memcpy(m->N, m->damping->H, bytes);
+    if (!m->damping->Hdot)
+        return;
+    memcpy(m->Ndot, m->damping->Hdot, bytes);
+    if (m->taps < 2)
+        return;
+    m->place = (m->place + FVI_BDF2_TAPS - 1) % FVI_BDF2_TAPS;
+    double *y = m->ring_by_order + m->place * r;
+    memcpy(m->ring + m->place * r, m->N, bytes);
+    memset(y, 0, bytes);
+    for (size_t n = 0; n < m->taps; n++) {
+        const size_t at = (m->place + n) % FVI_BDF2_TAPS * r;
+        for (size_t i = 0; i < r; i++)
+            y[i] += m->gdot[n] * m->ring[at + i]
+                    - (n > 0 ? m->g[n] * m->ring_by_order[at + i] : 0);
+    }
+    for (size_t i = 0; i < r; i++)
+        m->Ndot[i] += y[i] /= m->g[0];
+}
+//< filter
+
+/* z and the sums of this node, to all that is summed up. */
+static int accumulate_sums(fvi_adjoint_multistep *m, const double *z)
+{
+    int status = multiply(m, z, m->N, 1, m->sum, &m->sum_of_C);
+    if (!status && m->want->alpha)
+        status = multiply(m, z, m->Ndot, 1, NULL, &m->sum_by_order);
+    return status;
+}
+
+int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x)
+{
+    fvi_adjoint_multistep_elongation(m, m->run->steps, x, m->z);
+    read_sums(m);
+    const int status =
+        fvi_damping_apply_force(m->damping, 1, m->damping->H, m->stepper->p);
+    return status ? status : accumulate_sums(m, m->z);
+}
+
+/* The memory of the constant J_p: on the momentum, and on z_{k+1}. */
+int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const double *x)
+{
+    fvi_adjoint_constant *c = &m->constant;
+    const fvi_system *system = m->run->system;
+    const double unit = m->damping->unit;
+    const int status = fvi_adjoint_constant_next(c);
+    fvi_adjoint_multistep_elongation(m, k + 1, x, m->z_next);
+    for (size_t i = 0; i < m->d; i++) {
+        const double rho = system->matrices ? 1 : system->damping[i],
+                     product = m->z_next[i] * m->CJ[i];
+        m->stepper->p[i] -= unit * c->value * rho * m->CJ[i];
+        m->sum[i] += c->value * product;
+        m->sum_of_C += c->value * rho * product;
+        m->sum_by_order += c->rate * rho * product;
+        m->sum_by_theta += c->by_theta * rho * product;
+    }
+    return status;
+}
+
+/* nu_{k+1} and its increment, (23.7); of fvi-stable the mean of nu_{k+1} and nu_{k+2}. */
+static void find_nu(fvi_adjoint_multistep *m, size_t k)
+{
+    const double *left = m->stepper->x, theta = m->theta,
+                 share = m->paper_convention         ? 1
+                         : k + 1 == m->run->steps ? 0.5
+                                                  : 1 - theta;
+    for (size_t i = 0; i < m->d; i++) {
+        m->nu[i] = share * m->right[i] + theta * left[i];
+        const double now = m->scheme == FVI_SCHEME_CQ2_MIDPOINT
+                               ? (m->nu[i] + m->behind[i]) / 2
+                               : m->nu[i];
+        m->behind[i] = m->nu[i];
+        m->change[i] = now - m->mean[i];
+        m->mean[i] = now;
+    }
+}
+
+/* What each term of the law, alone, gives to its derivatives: h C z_{k+1} meets its sums. */
+static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
+{
+    int status = FVI_SUCCESS;
+    find_nu(m, k);
+    memset(m->column, 0, m->d * sizeof *m->column);
+    status = fvi_adjoint_multistep_apply_damping(m, -m->run->h, m->z_next, m->column);
+    for (size_t l = 0; !status && l < m->terms; l++)
+        status = fvi_adjoint_term_accumulate(&m->each[l], m->mean, m->change,
+                                             m->column, m->want, l);
+    return status;
+}
+
+int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
+                                             const double *rows)
+{
+    const double theta = m->theta;
+    const int by_theta = m->scheme == FVI_SCHEME_CQ2_SHIFTED && m->want->alpha;
+    int status = FVI_SUCCESS;
+    fvi_adjoint_multistep_elongation(m, k, rows, m->z);
+    read_sums(m);
+    if (theta > 0 || by_theta || m->terms)
+        fvi_adjoint_multistep_elongation(m, k + 1, rows + m->d, m->z_next);
+    if (by_theta) {
+        for (size_t i = 0; i < m->d; i++)
+            m->column[i] = m->z_next[i] - m->z[i];
+        status = multiply(m, m->column, m->N, 1, NULL, &m->sum_by_theta);
+    }
+    for (size_t i = 0; theta > 0 && i < m->d; i++)
+        m->z[i] += theta * (m->z_next[i] - m->z[i]);
+    if (!status)
+        status = accumulate_sums(m, m->z);
+    return status || !m->terms ? status : accumulate_terms(m, k);
+}
+
+/* ---- the end ---- */
+
+/* lambda_0 is no part of N_0, which acts where the memory of the run begins at 0. */
+static int take_last_away(fvi_adjoint_multistep *m)
+{
+    const fvi_system *system = m->run->system;
+    const fvi_matrices *C = system->matrices;
+    int status = FVI_SUCCESS;
+    fvi_adjoint_multistep_elongation(m, 0, m->run->x0, m->z);
+    memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
+    if (C)
+        status = C->remember(m->d, m->stepper->x, m->Ndot, C->params, m->N);
+    else
+        memcpy(m->N, m->stepper->x, m->d * sizeof *m->N);
+    return status ? status : multiply(m, m->z, m->N, -1, m->sum, &m->sum_of_C);
+}
+
+/* The impulses of the past, rho A h^(1 + e): their sums with lambda and their slopes by e, A
+ * being v0, or x0 of Riemann and Liouville's past below alpha = 1/2. */
+static int meet_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
+{
+    const fvi_run *run = m->run;
+    const fvi_matrices *C = run->system->matrices;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->d; i++)
+        m->z[i] = fvi_initial_history_amplitude(run->past, run->alpha, run->x0[i],
+                                                m->v0[i]);
+    memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
+    if (C)
+        status = C->remember(m->d, m->z, m->Ndot, C->params, m->N);
+    else
+        memcpy(m->N, m->z, m->d * sizeof *m->N);
+    if (!status)
+        status = multiply(m, m->pull, m->N, 1, m->want->damping && !C ? m->column : NULL,
+                          at);
+    return status ? status : multiply(m, m->impulse_sum_by_order, m->N, 1, NULL, rate);
+}
+
+//> end
+int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
+{
+    const fvi_run *run = m->run;
+    const fvi_sensitivities *want = m->want;
+    const double unit = m->damping->unit, log_h = log(run->h), size = m->impulse_size;
+    double at = 0, rate = 0;
+    int status = m->is_liouville ? take_last_away(m) : FVI_SUCCESS;
+    memset(m->column, 0, m->d * sizeof *m->column);
+    if (!status && m->has_initial_impulses)
+        status = meet_impulses(m, &at, &rate);
+    if (want->damping && run->system->matrices)
+        *want->damping = -unit * m->sum_of_C - size * at;
+    for (size_t i = 0; want->damping && !run->system->matrices && i < m->d; i++)
+        want->damping[i] = -unit * m->sum[i] - size * m->column[i];
+    if (want->alpha) /* 2 alpha is the order; e falls by 2 dalpha */
+        *want->alpha =
+            -unit * (2 * m->sum_by_order - 2 * log_h * m->sum_of_C
+                     + (m->scheme == FVI_SCHEME_CQ2_SHIFTED ? m->sum_by_theta : 0))
+            + 2 * size * (log_h * at + rate);
+    return status;
+}
+//< end
