@@ -140,16 +140,6 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 
 /* ---- a step ---- */
 
-void fvi_adjoint_multistep_elongation(const fvi_adjoint_multistep *m, size_t j,
-                                      const double *x, double *z)
-{
-    const fvi_run *run = m->run;
-    const double t = (double)j * run->h;
-    for (size_t i = 0; i < m->d; i++)
-        z[i] = x[i] - (m->is_liouville ? 0 : run->x0[i])
-               - (m->has_drift ? t * m->v0[i] : 0);
-}
-
 /* J_{k+1} is a force on the mirrored run. */
 static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
                         const double *Jx)

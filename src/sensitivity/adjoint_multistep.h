@@ -43,7 +43,7 @@ typedef struct {
     double *sum;                /* each: sum_j z_j N_j, where there are no matrices */
     double *work, *column;      /* each */
     double *nu, *behind, *mean, *change; /* each: of a law, (23.7) */
-    double *N, *Ndot;           /* r each: what the memory gives, and its derivative by order */
+    double *N, *Ndot;           /* r each: room for sums, and for their derivatives by order */
     double *ring, *ring_by_order; /* r FVI_BDF2_TAPS each: their last values */
     double *G;
     double *block; /* all these; owned */
@@ -96,7 +96,12 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m);
 
 /* fvi_adjoint_multistep_elongation -- z_j = x_j - origin - j drift, on which the memory of the
  * run acts, from x_j; d numbers each. */
-void fvi_adjoint_multistep_elongation(const fvi_adjoint_multistep *m, size_t j,
-                                      const double *x, double *z);
+static inline void fvi_adjoint_multistep_elongation(const fvi_adjoint_multistep *m,
+                                                    size_t j, const double *x, double *z)
+{
+    const double *x0 = m->run->x0, t = (double)j * m->run->h;
+    for (size_t i = 0; i < m->d; i++)
+        z[i] = x[i] - (m->is_liouville ? 0 : x0[i]) - (m->has_drift ? t * m->v0[i] : 0);
+}
 
 #endif

@@ -83,21 +83,18 @@ int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_meth
 
 /* ---- a node ---- */
 
-/* N and its derivative by 2 alpha, from what the memory has given. It takes in g lambda, so
+/* The derivative of N by 2 alpha, from what the memory has given. It takes in g lambda, so
  * that the derivative by g is that of the filter g'/g on its sums:  g y = g' N. */
 //> filter
-static void read_sums(fvi_adjoint_multistep *m)
+static const double *differentiated_sums(fvi_adjoint_multistep *m)
 {
     const size_t r = m->r, bytes = r * sizeof *m->N;
-    memcpy(m->N, m->damping->H, bytes);
-    if (!m->damping->Hdot)
-        return;
-    memcpy(m->Ndot, m->damping->Hdot, bytes);
     if (m->taps < 2)
-        return;
+        return m->damping->Hdot;
+    memcpy(m->Ndot, m->damping->Hdot, bytes);
     m->place = (m->place + FVI_BDF2_TAPS - 1) % FVI_BDF2_TAPS;
     double *y = m->ring_by_order + m->place * r;
-    memcpy(m->ring + m->place * r, m->N, bytes);
+    memcpy(m->ring + m->place * r, m->damping->H, bytes);
     memset(y, 0, bytes);
     for (size_t n = 0; n < m->taps; n++) {
         const size_t at = (m->place + n) % FVI_BDF2_TAPS * r;
@@ -107,22 +104,22 @@ static void read_sums(fvi_adjoint_multistep *m)
     }
     for (size_t i = 0; i < r; i++)
         m->Ndot[i] += y[i] /= m->g[0];
+    return m->Ndot;
 }
 //< filter
 
 /* z and the sums of this node, to all that is summed up. */
 static int accumulate_sums(fvi_adjoint_multistep *m, const double *z)
 {
-    int status = multiply(m, z, m->N, 1, m->sum, &m->sum_of_C);
-    if (!status && m->want->alpha)
-        status = multiply(m, z, m->Ndot, 1, NULL, &m->sum_by_order);
+    int status = multiply(m, z, m->damping->H, 1, m->sum, &m->sum_of_C);
+    if (!status && m->damping->Hdot)
+        status = multiply(m, z, differentiated_sums(m), 1, NULL, &m->sum_by_order);
     return status;
 }
 
 int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x)
 {
     fvi_adjoint_multistep_elongation(m, m->run->steps, x, m->z);
-    read_sums(m);
     const int status =
         fvi_damping_apply_force(m->damping, 1, m->damping->H, m->stepper->p);
     return status ? status : accumulate_sums(m, m->z);
@@ -186,13 +183,12 @@ int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
     const int by_theta = m->scheme == FVI_SCHEME_CQ2_SHIFTED && m->want->alpha;
     int status = FVI_SUCCESS;
     fvi_adjoint_multistep_elongation(m, k, rows, m->z);
-    read_sums(m);
     if (theta > 0 || by_theta || m->terms)
         fvi_adjoint_multistep_elongation(m, k + 1, rows + m->d, m->z_next);
     if (by_theta) {
         for (size_t i = 0; i < m->d; i++)
             m->column[i] = m->z_next[i] - m->z[i];
-        status = multiply(m, m->column, m->N, 1, NULL, &m->sum_by_theta);
+        status = multiply(m, m->column, m->damping->H, 1, NULL, &m->sum_by_theta);
     }
     for (size_t i = 0; theta > 0 && i < m->d; i++)
         m->z[i] += theta * (m->z_next[i] - m->z[i]);
