@@ -13,10 +13,10 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
 MODULES = [*wasm.MODULES, "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
-           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_step", "control", "identification_tangent"]
+           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_constant", "control", "identification_tangent"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_ahead fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_history_tiled_copy
-    fvi_history_tiled_push fvi_history_tiled_archive fvi_adjoint_matrices fvi_adjoint_variable fvi_adjoint_lobatto_end
+    fvi_history_tiled_push fvi_history_tiled_archive fvi_adjoint_variable fvi_adjoint_lobatto_end
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step fvi_tangent_stages_start fvi_tangent_stages_step""".split()]
 SHARED = [PLAY / "model.js", PLAY / "plot.js", HERE / "live.js", HERE / "orders.js", HERE / "modes.js"]
 WORDS = "scene, scenes, begin, open, start, settled, axes, error, span, short, readColours, stopsOf, orders, modes"
