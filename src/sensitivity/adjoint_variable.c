@@ -9,19 +9,18 @@
 
 /* ---- the start ---- */
 
-enum { LANED = 5, PLAIN = 11, STAGED = 2 };
+enum { LANED = 5, PLAIN = 11, STAGED = 3 };
 
 static int allocate(fvi_adjoint_variable_run *m)
 {
     const size_t s = m->s, d = m->d;
     const fvi_system *system = m->run->system;
-    const size_t room =
-        system->potential.hessian ? fvi_potential_hessian_size(system) : 0;
     double **laned[LANED] = { &m->Lambda, &m->mu, &m->T, &m->v, &m->source };
     double **plain[PLAIN] = { &m->xi,    &m->after,  &m->before,  &m->Jx,
                               &m->Jp,    &m->column, &m->kinetic, &m->sum,
                               &m->plain, &m->push,   &m->subtracted_velocity };
-    m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d + s * room,
+    m->block = calloc((LANED * FVI_LANES + PLAIN + STAGED * s) * d
+                          + s * m->linearised.size,
                       sizeof *m->block);
     if (!m->block)
         FVI_FAIL("no memory for the mirrored run", FVI_ENOMEM);
@@ -32,7 +31,9 @@ static int allocate(fvi_adjoint_variable_run *m)
         *plain[i] = next;
     m->X = next;
     m->r = m->X + s * d;
-    m->G = room ? m->r + s * d : NULL;
+    m->hessian_product = m->r + s * d;
+    if (m->linearised.size > 0)
+        m->linearised.G = m->G = m->hessian_product + s * d;
     const size_t w =
         system->potential.diagonals ? system->potential.diagonals : d;
     if (fvi_band_alloc(s * d, s * w, &m->J_band))
@@ -52,6 +53,7 @@ static int start(fvi_adjoint_variable_run *m)
     for (size_t j = 0; j < m->d; j++)
         m->has_history |= m->run->system->damping[j] > 0;
     m->has_history = m->has_history && (!m->mass_plus_damping || m->want->alpha);
+    m->linearised = fvi_linearised_begin(m->run->system, m->s);
     int status = allocate(m);
     if (status)
         return status;
@@ -262,7 +264,7 @@ static int step_back(fvi_adjoint_variable_run *m, size_t n)
         m->after[j] = M * m->Lambda[j * FVI_LANES] + by_v[j];
         m->kinetic[j] -= by_v[j] * numbers[2 * m->d + j] / M; /* J / M, by M */
         for (size_t i = 0; i < m->s; i++)
-            by_x[j] -= h * b[i] * fvi_adjoint_variable_hessian_product(m, j, i);
+            by_x[j] -= h * b[i] * m->hessian_product[i * m->d + j];
         m->xi[j] += by_x[j];
     }
     return FVI_SUCCESS;

@@ -7,7 +7,7 @@
 #include <fvi/adjoint.h>
 #include "recorded_steps.h"
 #include "singular_start_adjoint.h"
-#include "system/band.h"
+#include "system/linearised.h"
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i]. Where the comment says "each",
  * d numbers. */
@@ -27,7 +27,9 @@ typedef struct {
     double *kinetic, *sum, *plain, *push; /* each */
     double *subtracted_velocity; /* each: what the memory takes from V, (23.26) */
     fvi_singular_start_adjoint pull;
-    double *G, *X, *r; /* s Hessians; s d; s d */
+    fvi_linearised linearised;        /* G, stage by stage */
+    double *G, *X, *r;                /* s Hessians; s d; s d */
+    double *hessian_product;          /* s d: (G Lambda)_i of coordinate j at [i * d + j] */
     double *block;     /* all these; owned */
     fvi_modes *modes;  /* NULL: none is needed */
     fvi_band J_band;
@@ -40,12 +42,9 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *objective,
                     const fvi_sensitivities *want);
 
 /* fvi_adjoint_variable_solve -- (23.16): Lambda and mu of step n, from source, after, xi and the
- * memory, which is told of its length; T is then what mu is not in. Also X, and G.
+ * memory, which is told of its length; T is then what mu is not in. Also X, G and G Lambda.
  * Errors: FVI_ESING; what the Hessian returns. */
 int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n);
-
-/* fvi_adjoint_variable_hessian_product -- (G Lambda)_i of coordinate j. */
-double fvi_adjoint_variable_hessian_product(const fvi_adjoint_variable_run *m, size_t j, size_t i);
 
 /* What adjoint_variable_singular.c has of the singular part of a start, (23.24) to (23.26):
  * _subtract_velocity  before the first step: subtracted_velocity

@@ -27,7 +27,7 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
         const double t = fvi_adjoint_variable_time(m, n, i);
         for (size_t j = 0; j < m->d; j++)
             fvi_singular_start_adjoint_accumulate(&m->pull, j, t,
-                                 -h * b[i] * fvi_adjoint_variable_hessian_product(m, j, i), 0,
+                                 -h * b[i] * m->hessian_product[i * m->d + j], 0,
                                  -h * b[i] * m->Lambda[j * FVI_LANES + i]);
     }
 }

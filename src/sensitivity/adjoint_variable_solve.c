@@ -1,7 +1,6 @@
 /* src/sensitivity/adjoint_variable_solve.c -- A step backwards over a mesh.    [H 23] */
 #include "adjoint_variable.h"
 
-#include "hessian_band.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -16,7 +15,7 @@ static int evaluate_hessians(fvi_adjoint_variable_run *m, size_t n, double h)
 {
     const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
     const fvi_potential *u = &m->run->system->potential;
-    const size_t d = m->d, room = m->G ? fvi_potential_hessian_size(m->run->system) : 0;
+    const size_t d = m->d, room = m->linearised.size;
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < d; j++) {
         double move[FVI_LANES];
@@ -34,49 +33,62 @@ static int evaluate_hessians(fvi_adjoint_variable_run *m, size_t n, double h)
     return status;
 }
 
-/* (G Lambda)_i of coordinate j */
-double fvi_adjoint_variable_hessian_product(const fvi_adjoint_variable_run *m, size_t j, size_t i)
+/* G Lambda at all stages. */
+static void multiply_by_hessians(fvi_adjoint_variable_run *m)
 {
-    const fvi_system *system = m->run->system;
-    size_t low, high;
-    double sum = 0;
-    if (!m->G)
-        return 0;
-    fvi_hessian_reach(system, j, &low, &high);
-    for (size_t l = low; l < high; l++)
-        sum +=
-            fvi_hessian_entry(system, m->G + i * fvi_potential_hessian_size(system), j, l)
-            * m->Lambda[l * FVI_LANES + i];
-    return sum;
+    for (size_t i = 0; i < m->s; i++) {
+        for (size_t j = 0; j < m->d; j++)
+            m->column[j] = m->Lambda[j * FVI_LANES + i];
+        m->linearised.stage = i;
+        fvi_linearised_gradient(m->d, m->column, &m->linearised,
+                                m->hessian_product + i * m->d);
+    }
+}
+
+/* Entry (j, l) of the Hessian at stage i, in the rows of coordinate j. */
+static void add_entry(fvi_adjoint_variable_run *m, double h, size_t i, size_t j,
+                      size_t l, double H)
+{
+    const size_t s = m->s;
+    const double weight = h * h * m->rule->b[i] * H;
+    for (size_t c = 0; c < s; c++)
+        fvi_band_row(&m->J_band, j * s + c)[l * s + i] +=
+            weight * entry(m->path.to_x, i, c);
+}
+
+/* What the Hessians give to the matrix. */
+static void add_hessians(fvi_adjoint_variable_run *m, double h)
+{
+    const fvi_linearised *of = &m->linearised;
+    const size_t d = m->d, w = of->diagonals;
+    for (size_t i = 0; m->G && i < m->s; i++)
+        for (size_t j = 0; j < d; j++)
+            for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
+                const double H = m->G[i * of->size + j * (w ? w : d) + k];
+                add_entry(m, h, i, j, w ? j + k : k, H);
+                if (w && k > 0)
+                    add_entry(m, h, i, j + k, j, H);
+            }
 }
 
 /* The matrix of the step, transposed: row c is the derivative by V_c. */
 static int factorise(fvi_adjoint_variable_run *m, double h)
 {
     const size_t s = m->s;
-    const fvi_system *system = m->run->system;
     const double unit = pow(h, 1 - m->path.beta), *b = m->rule->b;
     fvi_band_clear(&m->J_band);
     for (size_t j = 0; j < m->d; j++) {
-        size_t low = 0, high = 0;
-        if (m->G)
-            fvi_hessian_reach(system, j, &low, &high);
+        const double mass = fvi_adjoint_variable_mass(m, j),
+                     rho = fvi_adjoint_variable_damping(m, j) * unit;
         for (size_t c = 0; c < s; c++) {
-            double *row = fvi_band_row(&m->J_band, j * s + c);
+            double *row = fvi_band_row(&m->J_band, j * s + c) + j * s;
             for (size_t i = 0; i < s; i++)
-                row[j * s + i] = b[i]
-                                 * (fvi_adjoint_variable_mass(m, j)
-                                        * entry(&m->rule->inverse, i, c)
-                                    + fvi_adjoint_variable_damping(m, j) * unit
-                                          * entry(&m->path.W0, i, c));
-            for (size_t l = low; l < high; l++)
-                for (size_t i = 0; i < s; i++)
-                    row[l * s + i] +=
-                        h * h * entry(m->path.to_x, i, c) * b[i]
-                        * fvi_hessian_entry(
-                            system, m->G + i * fvi_potential_hessian_size(system), j, l);
+                row[i] = b[i]
+                         * (mass * entry(&m->rule->inverse, i, c)
+                            + rho * entry(&m->path.W0, i, c));
         }
     }
+    add_hessians(m, h);
     return fvi_band_factorise(&m->J_band);
 }
 
@@ -119,6 +131,7 @@ static int solve(fvi_adjoint_variable_run *m, double h)
             m->Lambda[j * FVI_LANES + i] = m->r[j * s + i];
             m->mu[j * FVI_LANES + s - 1 - i] = m->r[j * s + i];
         }
+    multiply_by_hessians(m);
     return FVI_SUCCESS;
 }
 //< mesh
