@@ -7,22 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
-{
-    const fvi_matrices *m = system->matrices;
-    void *factors;
-    for (size_t i = 0; i < system->d; i++)
-        v[i] = m ? p[i] : p[i] / system->mass[i];
-    if (!m)
-        return FVI_SUCCESS;
-    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
-    if (status)
-        return status;
-    status = m->solve(system->d, factors, v);
-    m->forget(factors);
-    return status;
-}
-
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *d)
 {
