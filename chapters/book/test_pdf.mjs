@@ -59,9 +59,9 @@ test("each chapter has a bookmark that leads to it", () => {
 });
 
 test("answers stand behind the exercises", () => {
-  for (const { name } of chapters) {
+  for (const { head, name } of chapters.filter(({ head }) => head.startsWith("H "))) { // the Course's stand there, too
     const exercises = html.indexOf(`id="${name}--exercises"`), answers = html.indexOf(`id="${name}--answers"`);
-    assert.ok(exercises < 0 || answers > exercises, name);
+    assert.ok(exercises < 0 || answers > exercises, head + name);
   }
   assert.doesNotMatch(html, /<summary>Answer<\/summary>/);
 });
