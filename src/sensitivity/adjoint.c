@@ -33,6 +33,10 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law)
+        FVI_FAIL("steps of any length have no adjoint with a law; fvi-bdf2, "
+                 "fvi-stable and the methods with stages have",
+                 FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
         && (run->alpha == 0 || run->alpha == 1)
         && fvi_initial_history_acts(run->past, run->alpha))

@@ -2,6 +2,7 @@
  *                                                                     [H 23] */
 #include "adjoint_lobatto.h"
 
+#include "adjoint_stages.h"
 #include "methods/lobatto_stages.h"
 #include "system/fail.h"
 
@@ -115,17 +116,6 @@ static const double *positions(const fvi_adjoint_lobatto *m, const double *rows)
     return rows + (m->damped_inertia ? m->d : 0);
 }
 
-static int evaluate_hessians(fvi_adjoint_lobatto *m, const double *rows)
-{
-    const fvi_potential *u = &m->run->system->potential;
-    const size_t room = m->linearised.size;
-    const double *X = positions(m, rows);
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; m->G && !status && i < m->s; i++)
-        status = u->hessian(m->d, X + i * m->d, u->params, m->G + i * room);
-    return status;
-}
-
 /* The velocities of all stages of coordinate j: D X / h, of form D with the penalty of
  * (17.3), as x_k is not X_1 there. */
 static void velocities(const fvi_adjoint_lobatto *m, size_t j, const double *rows,
@@ -233,23 +223,6 @@ static void accumulate_force(fvi_adjoint_lobatto *m, size_t k)
         }
 }
 
-static int accumulate_parameters(fvi_adjoint_lobatto *m, const double *rows)
-{
-    const fvi_parameter_gradient *by = &m->want->sensitivity;
-    const size_t d = m->d;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; m->want->parameters && i < m->s; i++)
-        for (size_t p = 0; !status && p < by->count; p++) {
-            status = by->column(p, d, positions(m, rows) + i * d,
-                                m->run->system->potential.params, m->column);
-            for (size_t j = 0; j < d; j++)
-                m->want->parameters[p] -= m->run->h * m->rule->b[i]
-                                          * m->column[j]
-                                          * m->Lambda[j * m->s + i];
-        }
-    return status;
-}
-
 /* A step of the mirrored run: Lambda, and what of dJ/dx0 it leaves. */
 //> stages
 static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
@@ -285,11 +258,15 @@ static int advance_adjoint(fvi_adjoint_lobatto *m, const double *Jx)
 int fvi_adjoint_lobatto_step(fvi_adjoint_lobatto *m, size_t k, const double *rows,
                            const double *Jx)
 {
-    int status = evaluate_hessians(m, rows);
+    const fvi_system *system = m->run->system;
+    int status = fvi_adjoint_evaluate_hessians(system, m->s, positions(m, rows),
+                                               m->linearised.size, m->G);
     if (!status)
         status = advance_adjoint(m, Jx);
     if (!status)
-        status = accumulate_parameters(m, rows);
+        status = fvi_adjoint_accumulate_parameters(
+            m->want, system, m->s, m->run->h, m->rule->b, positions(m, rows),
+            m->Lambda, m->s, m->column);
     if (status)
         return status;
     accumulate_force(m, k);

@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_multistep.c -- The run that goes backwards.                 [H 23] */
 #include "adjoint_multistep.h"
 
+#include "adjoint_stages.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -158,12 +159,12 @@ static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
 /* G at S = kappa x_k + (1 - kappa) x_{k+1}; once, if U is quadratic. */
 static int evaluate_hessian(fvi_adjoint_multistep *m, size_t k, const double *rows)
 {
-    const fvi_potential *u = &m->run->system->potential;
     for (size_t i = 0; i < m->d; i++)
         m->S[i] = rows[i] + (1 - m->kappa) * (rows[m->d + i] - rows[i]);
     if (!m->has_hessian || (m->is_quadratic && k + 1 < m->run->steps))
         return FVI_SUCCESS;
-    return u->hessian(m->d, m->S, u->params, m->G);
+    return fvi_adjoint_evaluate_hessians(m->run->system, 1, m->S, m->linearised.size,
+                                         m->G);
 }
 
 static double dot(size_t d, const double *a, const double *b)
@@ -177,20 +178,11 @@ static double dot(size_t d, const double *a, const double *b)
 /* By the parameters of U; or by a factor of K, stepper->g being K M_k. */
 static int accumulate_parameters(fvi_adjoint_multistep *m)
 {
-    const fvi_sensitivities *want = m->want;
-    const fvi_parameter_gradient *by = &want->sensitivity;
-    const fvi_system *system = m->run->system;
-    const double h = m->run->h;
-    int status = FVI_SUCCESS;
-    if (system->matrices) {
-        m->by_K += dot(m->d, m->S, m->stepper->g);
-        return status;
-    }
-    for (size_t j = 0; want->parameters && !status && j < by->count; j++) {
-        status = by->column(j, m->d, m->S, system->potential.params, m->column);
-        want->parameters[j] -= h * dot(m->d, m->column, m->M);
-    }
-    return status;
+    if (!m->run->system->matrices)
+        return fvi_adjoint_accumulate_parameters(m->want, m->run->system, 1, m->run->h,
+                                                 NULL, m->S, m->M, 1, m->column);
+    m->by_K += dot(m->d, m->S, m->stepper->g);
+    return FVI_SUCCESS;
 }
 
 /* By the masses, each of them or a factor of M. */

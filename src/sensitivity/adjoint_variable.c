@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_variable.c -- The run that goes backwards over its own mesh. [H 23] */
 #include "adjoint_variable.h"
 
+#include "adjoint_stages.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -203,22 +204,6 @@ static void accumulate_force(fvi_adjoint_variable_run *m, const fvi_recorded_ste
     }
 }
 
-static int accumulate_parameters(fvi_adjoint_variable_run *m, double h)
-{
-    const fvi_parameter_gradient *by = &m->want->sensitivity;
-    const size_t d = m->d;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; m->want->parameters && i < m->s; i++)
-        for (size_t p = 0; !status && p < by->count; p++) {
-            status = by->column(p, d, m->X + i * d,
-                                m->run->system->potential.params, m->column);
-            for (size_t j = 0; j < d; j++)
-                m->want->parameters[p] -= h * m->rule->b[i] * m->column[j]
-                                          * m->Lambda[j * FVI_LANES + i];
-        }
-    return status;
-}
-
 /* mu goes into the memory. */
 static void update_history(fvi_adjoint_variable_run *m)
 {
@@ -248,7 +233,9 @@ static int step_back(fvi_adjoint_variable_run *m, size_t n)
     if (!status)
         status = fvi_adjoint_variable_solve(m, n);
     if (!status)
-        status = accumulate_parameters(m, h);
+        status = fvi_adjoint_accumulate_parameters(m->want, m->run->system, m->s, h, b,
+                                                   m->X, m->Lambda, FVI_LANES,
+                                                   m->column);
     if (status)
         return status;
     accumulate_damping(m, numbers, h);

@@ -1,6 +1,7 @@
 /* src/sensitivity/adjoint_variable_solve.c -- A step backwards over a mesh.    [H 23] */
 #include "adjoint_variable.h"
 
+#include "adjoint_stages.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -11,12 +12,10 @@ static double entry(const fvi_square *M, size_t i, size_t l)
     return M->column[l][i];
 }
 
-static int evaluate_hessians(fvi_adjoint_variable_run *m, size_t n, double h)
+static void find_stages(fvi_adjoint_variable_run *m, size_t n, double h)
 {
     const double *numbers = m->path.numbers + n * FVI_MESH_NUMBERS * m->d;
-    const fvi_potential *u = &m->run->system->potential;
-    const size_t d = m->d, room = m->linearised.size;
-    int status = FVI_SUCCESS;
+    const size_t d = m->d;
     for (size_t j = 0; j < d; j++) {
         double move[FVI_LANES];
         fvi_square_apply(m->s, m->path.to_x, numbers + 3 * d + j * FVI_LANES,
@@ -28,9 +27,6 @@ static int evaluate_hessians(fvi_adjoint_variable_run *m, size_t n, double h)
             m->X[i * d + j] += fvi_singular_start_adjoint_at(
                 &m->pull, j, fvi_adjoint_variable_time(m, n, i), NULL);
     }
-    for (size_t i = 0; m->G && !status && i < m->s; i++)
-        status = u->hessian(d, m->X + i * d, u->params, m->G + i * room);
-    return status;
 }
 
 /* G Lambda at all stages. */
@@ -139,7 +135,9 @@ static int solve(fvi_adjoint_variable_run *m, double h)
 int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
 {
     const fvi_length length = m->path.step[n].length;
-    int status = evaluate_hessians(m, n, length.h);
+    find_stages(m, n, length.h);
+    const int status = fvi_adjoint_evaluate_hessians(m->run->system, m->s, m->X,
+                                                     m->linearised.size, m->G);
     if (m->modes)
         fvi_modes_begin(m->modes, length);
     recall(m, length.h);

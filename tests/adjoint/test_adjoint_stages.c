@@ -210,10 +210,10 @@ END_TEST
 
 /* One body on a spring, Caputo's past: x_N is linear in p0, so that dx_N/dp0 is x_N of the
  * run with x0 = 0 and p0 = 1. The adjoint goes through the same equations in the opposite
- * order. It meets that run up to rounding of N = 400 steps: 3e-14 of it up to alpha = 1/2,
+ * order. It meets that run up to rounding of N = 400 steps: 1e-13 of it up to alpha = 1/2,
  * where the history sums what it is told, and 1e-12 above, where it sums differences. A
  * solver of its own for the adjoint, for positions and not for increments, was off by
- * 2e-10 in form M with eight stages. Seen: 0.4 and 0.2 of them. */
+ * 2e-10 in form M with eight stages. Seen: 0.3 of both. */
 START_TEST(eq_23_13_the_derivative_by_p0_is_a_run)
 {
     enum { STEPS = 400 };
@@ -237,7 +237,7 @@ START_TEST(eq_23_13_the_derivative_by_p0_is_a_run)
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL),
                          FVI_SUCCESS);
         const double allowed =
-            (run.alpha > 0.5 ? 1e-12 : 3e-14) * larger(fabs(x[STEPS]), 0.1);
+            (run.alpha > 0.5 ? 1e-12 : 1e-13) * larger(fabs(x[STEPS]), 0.1);
         ck_assert_near(by_p0, x[STEPS], allowed, "%s alpha=%g", method->name,
                        run.alpha);
     }
