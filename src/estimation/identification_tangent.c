@@ -176,6 +176,7 @@ static int start_linearised(fvi_tangent_run *o, const fvi_method *method)
                                       .d = o->P,
                                       .diagonals = 1,
                                       .size = o->P,
+                                      .is_one_body = 1,
                                       .stages = o->stages ? o->stages : 1 };
     for (size_t j = 0; j < o->P; j++) {
         o->mass[j] = o->run->system->mass[0];

@@ -123,10 +123,10 @@ static void add_entry(fvi_newton *n, size_t i, size_t j, size_t c, double H)
         fvi_band_row(&n->J, j * q + l)[c * q + i] = s[l * q] * n->theta * H;
 }
 
-/* The columns of stage i in J, but for A. */
-static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i)
+/* The columns of stage i in the rows of the first d coordinates of J, but for A. */
+static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i, size_t d)
 {
-    const size_t d = l->d, w = l->diagonals;
+    const size_t w = l->diagonals;
     const double *G = hessian_of_stage(l);
     for (size_t j = 0; j < d; j++)
         for (size_t k = 0; k < (w ? w : d) && (w ? j + k : k) < d; k++) {
@@ -137,17 +137,35 @@ static void add_stage(fvi_newton *n, const fvi_linearised *l, size_t i)
         }
 }
 
+/* The factors of the first coordinate become those of all others. */
+static void copy_factors(fvi_newton *n, size_t d)
+{
+    const size_t q = n->q, bytes = q * sizeof *n->J.entry;
+    for (size_t row = q; row < d * q; row++) {
+        const size_t first = row % q, block = row - first;
+        memcpy(fvi_band_row(&n->J, row) + block, fvi_band_row(&n->J, first), bytes);
+        n->J.pivot[row] = n->J.pivot[first] + block;
+    }
+}
+
 /* The matrix of the step, and its factors. */
 static int factorise(fvi_newton *n, fvi_linearised *l)
 {
+    const size_t d = l->is_one_body ? 1 : l->d;
+    fvi_band some = n->J; /* its first rows */
     fvi_band_clear(&n->J);
     for (size_t i = 0; l->G && i < n->q; i++) {
         l->stage = n->first + i;
-        add_stage(n, l, i);
+        add_stage(n, l, i, d);
     }
-    for (size_t row = 0; row < l->d * n->q; row++)
+    for (size_t row = 0; row < d * n->q; row++)
         fvi_band_row(&n->J, row)[row] += n->A[row / n->q];
-    return fvi_band_factorise(&n->J) ? FVI_ESING : FVI_SUCCESS;
+    some.n = d * n->q;
+    if (fvi_band_factorise(&some))
+        return FVI_ESING;
+    if (l->is_one_body)
+        copy_factors(n, l->d);
+    return FVI_SUCCESS;
 }
 
 /* r - s grad U(x) into n->step. */

@@ -17,6 +17,8 @@
  *   G         the Hessians of the step at hand, as the potential that is derived writes
  *             them, stage after stage; NULL: there is no potential, or there are matrices
  *   is_constant  nonzero if G is the same in all steps
+ *   is_one_body  nonzero if all coordinates have the same equation, and G is diagonal: one
+ *             block of the matrix is factorised for all
  *   source    the forces of the step at hand, d numbers a stage; NULL: none
  *   asked     so many of them were asked for; 0 before a step
  *   size      how many numbers a Hessian has
@@ -32,7 +34,7 @@
 typedef struct {
     const double *G, *source;
     size_t d, diagonals, size, stages, stage, asked;
-    int reversed, is_constant, by_order, remembers_all, from_zero, is_dual;
+    int reversed, is_constant, is_one_body, by_order, remembers_all, from_zero, is_dual;
 } fvi_linearised;
 
 /* fvi_linearised_begin -- what `system` asks of its derivative: sizes, and all else zero.
