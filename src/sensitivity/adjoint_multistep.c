@@ -126,6 +126,9 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
         status = fvi_adjoint_multistep_damping_start(m, method);
     if (!status && m->damping && m->paper_convention)
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
+    m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
+                  && !run->system->matrices;
+    m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
     return status;
 }
 
@@ -227,55 +230,15 @@ static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
     }
 }
 
-/* One coordinate, by Algorithm 3, and no term of a law? */
-static int is_alone(const fvi_adjoint_multistep *m)
-{
-    return m->paper_convention && m->d == 1 && m->damping && !m->terms
-           && !m->run->system->matrices;
-}
-
-/* The digits of what follows, in half its time: the step of the mirrored run, (9.4), is a
- * division, and no loop has to find out that it runs once. */
-static int step_alone(fvi_adjoint_multistep *m, size_t k, const double *rows,
-                      const double *Jx)
-{
-    fvi_stepper *s = m->stepper;
-    const double h = m->run->h, kappa = m->kappa, p = *s->p + *Jx, right = *s->x,
-                 G = m->has_hessian ? *m->G : 0, share = (1 - kappa) * h,
-                 J = *fvi_newton_diagonal(s->newton) + share * kappa * G,
-                 delta = (p - share * (G * right)) / J, left = right + delta,
-                 g = G * (right + kappa * delta), t = (double)(k + 1) * h,
-                 z = rows[0] - (m->is_liouville ? 0 : *m->run->x0)
-                     - (double)k * h * *m->v0,
-                 rho = *m->run->system->damping;
-    double H, Hdot = 0;
-    const int status = m->want->alpha
-                           ? fvi_history_push_by_order(m->damping->memory, &left,
-                                                       &delta, &H, &Hdot)
-                           : fvi_history_push(m->damping->memory, &left, &delta, &H);
-    *s->x = left;
-    *s->p = p - h * g - *m->damping->factor * H;
-    *m->M = right + kappa * delta;
-    *m->by_start += *Jx - h * g;
-    *m->by_line += t * *Jx - h * (t - kappa * h) * g;
-    *m->kinetic -= (rows[1] - rows[0]) * delta;
-    *m->sum += z * H;
-    m->sum_of_C += rho * (z * H);
-    m->sum_by_order += rho * (z * Hdot);
-    if (m->want->force)
-        m->want->force[k + 1] += h * right;
-    return status ? status : J == 0 ? FVI_ESING : accumulate_parameters(m);
-}
-
 //> step
 int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double *rows,
                                const double *Jx)
 {
     fvi_stepper *s = m->stepper;
     const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h;
+    if (m->is_alone)
+        return fvi_adjoint_multistep_step_alone(m, k, rows, *Jx);
     int status = evaluate_hessian(m, k, rows);
-    if (!status && is_alone(m))
-        return step_alone(m, k, rows, Jx);
     if (!status)
         status = apply_slopes(m, k, rows, Jx);
     memcpy(m->right, s->x, m->d * sizeof *m->right);

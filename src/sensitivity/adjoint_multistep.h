@@ -23,6 +23,8 @@ typedef struct {
     int is_liouville;      /* and that of the run, too: z_j = x_j */
     int has_drift;         /* the memory of the run knows p0/m */
     int is_damped, has_initial_impulses, is_quadratic, has_hessian;
+    int is_alone;   /* one coordinate, by Algorithm 3, and no terms of a law: */
+    double inertia; /* its m/h */
     double kappa, theta;   /* of the method, or of the run; the shift of (23.7) */
     fvi_linearised linearised;
     fvi_system system;
@@ -77,6 +79,10 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx);
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m);
+
+/* fvi_adjoint_multistep_step_alone -- the same in half the time where m->is_alone. */
+int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
+                                     const double *rows, double Jx);
 
 /* What adjoint_multistep_damping.c has of these:
  * _damping_start  the memories of the terms of a law

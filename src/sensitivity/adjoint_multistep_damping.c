@@ -242,6 +242,10 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
     const fvi_sensitivities *want = m->want;
     const double unit = m->damping->unit, log_h = log(run->h), size = m->impulse_size;
     double at = 0, rate = 0;
+    if (m->is_alone) { /* C is rho */
+        m->sum_of_C = *run->system->damping * *m->sum;
+        m->sum_by_order = *run->system->damping * m->sum_by_order;
+    }
     int status = m->is_liouville ? take_last_away(m) : FVI_SUCCESS;
     memset(m->column, 0, m->d * sizeof *m->column);
     if (!status && m->has_initial_impulses)

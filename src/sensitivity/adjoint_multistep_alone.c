@@ -1,0 +1,68 @@
+/* src/sensitivity/adjoint_multistep_alone.c -- A step backwards of one coordinate.    [H 23]
+ *
+ * The step of the mirrored run, (9.4), is a division, and no loop has to find out that it runs
+ * once: the digits of adjoint_multistep.c, in half its time. */
+#include "adjoint_multistep.h"
+
+#include "system/fail.h"
+
+/* N, and its derivative by 2 alpha if that is wanted: lambda and its increment go in. */
+static int push(const fvi_adjoint_multistep *m, double lambda, double delta, double *N,
+                double *Ndot)
+{
+    return m->damping->Hdot ? fvi_history_push_by_order(m->damping->memory, &lambda,
+                                                        &delta, N, Ndot)
+                            : fvi_history_push(m->damping->memory, &lambda, &delta, N);
+}
+
+/* The derivatives by the parameters of U, M being the multiplier of S. */
+static int accumulate_parameters(const fvi_adjoint_multistep *m, double S, double M)
+{
+    const fvi_sensitivities *want = m->want;
+    const fvi_parameter_gradient *by = &want->sensitivity;
+    void *params = m->run->system->potential.params;
+    int status = FVI_SUCCESS;
+    for (size_t p = 0; want->parameters && !status && p < by->count; p++) {
+        double column;
+        status = by->column(p, 1, &S, params, &column);
+        want->parameters[p] -= m->run->h * (column * M);
+    }
+    return status;
+}
+
+//> alone
+int fvi_adjoint_multistep_step_alone(fvi_adjoint_multistep *m, size_t k,
+                                     const double *rows, double Jx)
+{
+    const fvi_run *run = m->run;
+    const fvi_potential *u = &run->system->potential;
+    fvi_stepper *s = m->stepper;
+    const double h = run->h, kappa = m->kappa, share = (1 - kappa) * h,
+                 moved = rows[1] - rows[0], S = rows[0] + (1 - kappa) * moved;
+    double G = 0, N, Ndot = 0;
+    int status = FVI_SUCCESS;
+    if (m->has_hessian && !(m->is_quadratic && k + 1 < run->steps))
+        status = u->hessian(1, &S, u->params, m->G);
+    if (m->has_hessian)
+        G = *m->G;
+    const double p = *s->p + Jx, right = *s->x,
+                 J = m->inertia + share * kappa * G,
+                 delta = (p - share * (G * right)) / J, left = right + delta,
+                 M = right + kappa * delta, g = h * (G * M);
+    const int pushed = push(m, left, delta, &N, &Ndot);
+    *s->x = left;
+    *s->p = p - g - *m->damping->factor * N;
+    *m->by_start += Jx - g;
+    if (m->has_drift)
+        *m->by_line += (double)(k + 1) * h * (Jx - g) + kappa * h * g;
+    *m->kinetic -= moved * delta;
+    const double z = rows[0] - (m->is_liouville ? 0 : *run->x0)
+                     - (double)k * h * *m->v0;
+    *m->sum += z * N;
+    m->sum_by_order += z * Ndot; /* times rho in the end */
+    if (m->want->force)
+        m->want->force[k + 1] += h * right;
+    status = status ? status : J == 0 ? FVI_ESING : pushed;
+    return status ? status : accumulate_parameters(m, S, M);
+}
+//< alone
