@@ -118,6 +118,15 @@ static void orders(const fvi_method *method, const fvi_run *run, double *least,
 }
 //< order
 
+/* A velocity that jumps makes x'' infinite where a law grows faster than s; steps of any length
+ * are not made for that. */
+static int takes_law(const fvi_method *method, const fvi_run *run)
+{
+    return !run->law
+           || (method->takes_laws
+               && !(method->dense && fvi_kernel_growth(run->law) > 1));
+}
+
 const fvi_method *fvi_step_search_other(const fvi_method *method,
                                         const fvi_run *run)
 {
@@ -132,7 +141,7 @@ const fvi_method *fvi_step_search_other(const fvi_method *method,
             && run->alpha >= other->alpha_least
             && run->alpha <= other->alpha_most
             && fvi_method_takes_history(other, run->memory)
-            && (other->takes_laws || !run->law)
+            && takes_law(other, run)
             && (other->takes_matrices || !run->system->matrices)) {
             best = other;
             most = others;

@@ -28,8 +28,9 @@ extern "C" {
  * stages the error of x over all t falls about like n^-10: fits lie between 9 and 12.
  *
  * Any system in R^d but those of matrices, all coordinates with the same steps; any alpha
- * in [0, 1], any rho, any past, no law of damping. run->h and run->steps say where the
- * rows are, t_k = k h; the steps are the method's own, see fvi_stepper_step: s->k counts rows that
+ * in [0, 1], any rho, any past; or a law of damping whose poles beside the cut have 2 alpha <
+ * 0.98 (26.18), with p0 = 0 and no impulse where it grows faster than s. run->h and
+ * run->steps say where the rows are, t_k = k h; the steps are the method's own, see fvi_stepper_step: s->k counts rows that
  * have been passed, s->t is the time of x and p. Between the ends of its steps fvi_stepper_advance_to
  * and fvi_trajectory interpolate, with about the same error as far as the force is smooth.
  *

@@ -88,6 +88,14 @@ static double complex fraction_at(double a, double b, double time,
 }
 //< symbol
 
+double complex fvi_kernel_simple_at(const fvi_kernel_simple *t, double modulus,
+                                    double angle)
+{
+    double complex slope;
+    return t->rho
+           * fraction_at(t->alpha, t->below, t->time, modulus, angle, &slope);
+}
+
 static double complex zener_symbol(const fvi_kernel_term *t, double modulus,
                                    double angle, double complex *slope)
 {

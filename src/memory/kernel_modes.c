@@ -49,6 +49,24 @@ static double on_the_cut(const fvi_kernel_ready *r, double ln_radius)
     return sum;
 }
 
+void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
+                     double first, double step, double n, double *S0,
+                     double *S1)
+{
+    const double beta = 2 * t->alpha;
+    double at = first,
+           now = fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(n * at);
+    if (t->time > 0) /* until the fraction is a power to all digits */
+        while (t->time * exp(2 * t->below * (at - ln_h)) > 1e-17 && now != 0) {
+            at -= step;
+            now = fvi_kernel_on_the_cut(t, factor, at - ln_h) * exp(n * at);
+            *S0 += now;
+            *S1 += now * exp(at);
+        }
+    *S0 += now / expm1((n + beta) * step);
+    *S1 += now * exp(at) / expm1((n + 1 + beta) * step);
+}
+
 /* Below 1/N the nodes fall off doubly fast, and the strip in which a fraction is analytic
  * is crushed there: its poles, at |s| = h time^(-1/2 below), shall be well above. */
 static double longest(const fvi_kernel_ready *r, double N)

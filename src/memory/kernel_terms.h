@@ -36,6 +36,17 @@ static inline double fvi_kernel_on_the_cut(const fvi_kernel_simple *t,
 }
 //< cut
 
+/* fvi_kernel_tail -- the sums of mu^n Im C(-mu/h + i0), and of mu^(n + 1) times that, over ln mu =
+ * first - step, first - 2 step, ..., with `factor` instead of rho: of a power geometric
+ * sequences, of a fraction in the end. Added to S0 and S1.                         (17.12) */
+void fvi_kernel_tail(const fvi_kernel_simple *t, double factor, double ln_h,
+                     double first, double step, double n, double *S0,
+                     double *S1);
+
+/* fvi_kernel_simple_at -- C(s) of one such term at s = modulus e^(i angle). */
+double complex fvi_kernel_simple_at(const fvi_kernel_simple *t, double modulus,
+                                    double angle);
+
 /* fvi_kernel_at -- C(s) by the principal logarithm, s != 0, and in *slope s C'(s): of a range
  * of orders to a relative u / |ln s|. slope may be NULL. */
 double complex fvi_kernel_at(const fvi_kernel *law, double complex s,

@@ -81,6 +81,15 @@ static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                              : number(o, i, 0, INFINITY, "()", value, c);
 }
 
+/* Does the velocity of a mass that is damped jump at some time? */
+static int begins_to_move(const fvi_options *o)
+{
+    for (size_t i = 0; i < o->d; i++)
+        if (o->p0[i] != 0 && o->rho[i] > 0)
+            return 1;
+    return o->force && fvi_force_typed(o->force).impulse_count > 0;
+}
+
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_error *c)
 {
@@ -91,7 +100,12 @@ static int check_method(const fvi_options *o, fvi_error *c)
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "damping", "'%s' is not known to %s",
                           o->text[DAMPING], m->name);
-    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES
+    if (o->text[DAMPING] && m->dense
+        && fvi_kernel_growth(&o->damping.law) > 1 && begins_to_move(o))
+        return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps "
+                          "with a law that grows faster than s; fvi-bdf2 and "
+                          "fvi-stable do");
+    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !m->dense
         && !fvi_kernel_has_modes(&o->damping.law, fvi_damping_quadrature(m), o->h))
         return fvi_refuse(c,
                           "memory", "'exponentials': of --damping '%s' there "

@@ -27,6 +27,9 @@ int fvi_complain_of_start(const fvi_options *o, int status)
               "negative somewhere, and h too long for it"
         : status == FVI_EINVAL
             ? "--steps: the compressed memory reaches back 10^9 steps at most"
+        : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
+            ? "--damping: a pole of this law is too near to its cut, or off "
+              "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"
         : status == FVI_EUNSUP && o->text[DAMPING]
             ? "--damping: the tail of this law is no sum of decaying modes; "
               "fvi, fvi-bdf2 and fvi-stable take it"

@@ -70,25 +70,6 @@ static double on_the_cut(const fvi_kernel_simple *t, double h, double ln_mu)
     return fvi_kernel_on_the_cut(t, t->rho * h / M_PI, ln_mu - log(h));
 }
 
-/* The sums of that, and of mu times that, over ln mu = first - step, first - 2 step, ...:
- * of a power a geometric sequence, of a fraction one in the end. (17.12) */
-static void add_tail(const fvi_kernel_simple *t, double h, double first,
-                     double step, double *S0, double *S1)
-{
-    const double beta = 2 * t->alpha;
-    double at = first, now = on_the_cut(t, h, at);
-    if (t->time > 0) /* until the fraction is a power to all digits */
-        while (t->time * exp(2 * t->below * (at - log(h))) > 1e-17
-               && now != 0) {
-            at -= step;
-            now = on_the_cut(t, h, at);
-            *S0 += now;
-            *S1 += now * exp(at);
-        }
-    *S0 += now / expm1(beta * step);
-    *S1 += now * exp(at) / expm1((1 + beta) * step);
-}
-
 /* Orders up to 1, or those above, of which the sign on the cut is the other one: nodes
  * below ln mu = first, as one. */
 static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
@@ -97,7 +78,8 @@ static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
     *S0 = *S1 = 0;
     for (size_t i = 0; i < r->terms; i++)
         if (has_cut(&r->term[i]) && (r->term[i].alpha > 0.5) == above)
-            add_tail(&r->term[i], r->h, first, step, S0, S1);
+            fvi_kernel_tail(&r->term[i], r->term[i].rho * r->h / M_PI,
+                            log(r->h), first, step, 0, S0, S1);
 }
 
 /* The cut's: (17.10) with all terms on one set of nodes. */

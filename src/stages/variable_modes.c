@@ -46,6 +46,7 @@ struct fvi_modes {
     double *y;              /* Q for each coordinate */
     fvi_last_step *last;    /* of each coordinate */
     double *own;            /* room for rows off the lattice */
+    int is_free;            /* the rates are any, and no mode sleeps */
 };
 
 /* ---- lengths, rows, sleep ---- */
@@ -65,7 +66,7 @@ static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
     const long every = (long)m->range.every, part = FVI_POINTS / every,
                j = (long)m->first + length.k - FVI_FIRST + every * (long)from;
     const size_t n = to - from;
-    if (length.k != FVI_OFF_LATTICE && j >= 0 && j / every + (long)n <= part) {
+    if (!m->is_free && length.k != FVI_OFF_LATTICE && j >= 0 && j / every + (long)n <= part) {
         const fvi_mode_row *t = m->table;
         const long place = j % every * part + j / every;
         return (fvi_mode_row){ t->mu + place, t->p + place, t->a + place,
@@ -124,6 +125,11 @@ void fvi_modes_begin(fvi_modes *m, fvi_length length)
     size_t q = m->apart * FVI_ENDS;
     if (length.h == m->now.h && m->now.k == length.k && m->count <= m->awake)
         return;
+    if (m->is_free) {
+        m->now = length;
+        m->row = row_of(m, length, 0, m->Q);
+        return;
+    }
     const double L = fvi_variable_spacing(),
                  h = length.k == FVI_OFF_LATTICE ? log(length.h) / L
                                                  : (double)length.k,
@@ -148,7 +154,7 @@ static void read_modes(const fvi_modes *m, const double *closed, size_t j,
 
 void fvi_modes_history(const fvi_modes *m, size_t j, double *H)
 {
-    read_modes(m, m->value.closed, j, H);
+    read_modes(m, m->is_free ? m->value.weight : m->value.closed, j, H);
 }
 
 void fvi_modes_history_by_order(const fvi_modes *m, size_t j, double *H)
@@ -237,6 +243,29 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
     }
     const fvi_mode_ladder ladder = ladder_of(m);
     fvi_mode_weights(&ladder, m->sigma, m->value.weight, m->value.top);
+    *modes = m;
+    return FVI_SUCCESS;
+}
+
+int fvi_modes_of_rates(const fvi_variable_rule *rule, int rises, size_t d,
+                       double T, size_t count, const double *rate,
+                       const double *weight, fvi_modes **modes)
+{
+    const size_t Q = (count + FVI_LANES - 1) / FVI_LANES * FVI_LANES;
+    fvi_modes *m = make((fvi_modes){ .rule = rule,
+                                     .beta = rises ? 0.5 : -0.5,
+                                     .longest = T,
+                                     .d = d,
+                                     .Q = Q,
+                                     .count = Q,
+                                     .awake = Q,
+                                     .is_free = 1 });
+    if (!m)
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    for (size_t q = 0; q < Q; q++) {
+        m->sigma[q] = q < count ? rate[q] : 1 / T;
+        m->value.weight[q] = q < count ? weight[q] : 0;
+    }
     *modes = m;
     return FVI_SUCCESS;
 }

@@ -63,6 +63,19 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,
                     fvi_modes **modes);
 
+/* fvi_modes_of_rates -- modes of any rates, none of which ever sleeps.
+ *
+ *   rises         zero: y is remembered, (22.6); else z, (22.7)
+ *   d, T          as above
+ *   count         how many, >= 1
+ *   rate, weight  count numbers each: those of (22.10); 0 < rate
+ *
+ * A step of a new length costs O(Q s^2), Q the next multiple of FVI_LANES. Not for
+ * fvi_modes_add_order. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_modes_of_rates(const fvi_variable_rule *rule, int rises, size_t d,
+                       double T, size_t count, const double *rate,
+                       const double *weight, fvi_modes **modes);
+
 /* fvi_modes_add_order -- before the first step: make what fvi_modes_history_by_order reads. A
  * copy has no rate. Memory O(Q). Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_modes_add_order(fvi_modes *modes);

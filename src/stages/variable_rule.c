@@ -67,6 +67,13 @@ void fvi_variable_present(const fvi_variable_rule *rule, double beta,
 }
 //< present
 
+void fvi_variable_function(const fvi_variable_rule *rule, const double *re,
+                           const double *im, fvi_square *W)
+{
+    memset(W, 0, sizeof *W);
+    projectors(rule, re, im, W);
+}
+
 void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
                                fvi_square *W)
 {

@@ -65,6 +65,11 @@ void fvi_variable_powers(const fvi_variable_rule *rule, double beta, double *re,
 void fvi_variable_present(const fvi_variable_rule *rule, double beta,
                           fvi_square *W);
 
+/* fvi_variable_function -- f(A^{-1}) by the s/2 values re + i im of f at the eigenvalues in
+ * the upper half plane; accuracy and cost as above. */
+void fvi_variable_function(const fvi_variable_rule *rule, const double *re,
+                           const double *im, fvi_square *W);
+
 /* fvi_variable_present_by_order -- d W0 / d beta = (A^{-1})^beta ln A^{-1}, for any beta in
  * [-1, 1]; accuracy and cost as above.                                        (23.18) */
 void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,

@@ -97,6 +97,8 @@ typedef struct {
     /* the past */
     fvi_modes_kind modes_kind; /* how many digits the modes of such a tolerance have */
     fvi_modes *modes;      /* NULL: none is needed */
+    struct fvi_variable_step_kernel *kernel; /* of a law; NULL: a power */
+    fvi_modes *rising;     /* of its terms that grow faster than s, or NULL */
     size_t damped, *index; /* the coordinates that have modes */
     double *centre; /* alpha = 0: where the springs of the damping rest */
     fvi_singular singular;
@@ -184,6 +186,19 @@ static inline double fvi_variable_step_compliance(const fvi_variable_step_state 
 {
     return fmin(kind->compliance, o->T - o->t);
 }
+
+/* fvi_variable_step_prepare_kernel, _copy_kernel -- run->law as a run needs it; give it back with
+ * free. FVI_ENOMEM; NULL.
+ * fvi_variable_step_begin_kernel -- o->modes and o->rising of o->kernel: FVI_EUNSUP where poles are
+ * too near to the cut, or off it; FVI_ENOMEM.
+ * fvi_variable_step_present_kernel -- W0, W1 and memory_leakage of steps of length h.   (26.18) */
+typedef struct fvi_variable_step_kernel fvi_variable_step_kernel;
+int fvi_variable_step_prepare_kernel(const fvi_run *run,
+                                     fvi_variable_step_kernel **kernel);
+fvi_variable_step_kernel *
+fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
+int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
+void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
 
 /* fvi_variable_step_next_event -- the next time at which a step has to end.
  * fvi_variable_step_exponent -- the k of a length exp(L k), which may be none of the lattice.

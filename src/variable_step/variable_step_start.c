@@ -156,7 +156,7 @@ static void plan(fvi_stepper *s, fvi_variable_step_state *o, double scale)
     o->diagonals =
         o->solve == FVI_SOLVE_COUPLED ? run->system->potential.diagonals : 1;
     const int each = o->solve == FVI_SOLVE_DIAGONAL && tolerance > FVI_TOLERANCE_VERY_LOOSE;
-    if (!damped || each || o->diagonals > o->rule->s)
+    if (!damped || each || o->kernel || o->diagonals > o->rule->s)
         o->diagonals = 0; /* no functions of A; the steps are too long for one
                              Hessian; no room for them in hessian */
     o->scale = scale;
@@ -178,6 +178,8 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; j < o->d; j++)
         if (system->damping[j] > 0)
             o->index[o->damped++] = j;
+    if (o->kernel)
+        return o->damped ? fvi_variable_step_begin_kernel(o) : FVI_SUCCESS;
     fvi_variable_present(o->rule, o->beta, &o->W0);
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
     fvi_square_apply(o->rule->s, &o->W0, ones, o->W1);
@@ -235,6 +237,24 @@ static int find_events(const fvi_stepper *s, fvi_variable_step_state *o)
     return FVI_SUCCESS;
 }
 
+/* What a law asks for: a nominal alpha for the lengths that are guessed, and that no velocity
+ * jumps where a term grows faster than s, which would make x'' infinite. */
+static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
+{
+    const fvi_system *system = s->run.system;
+    if (!s->run.law)
+        return FVI_SUCCESS;
+    s->run.alpha = 0.25;
+    int jumps = system->force.impulse_count > 0;
+    for (size_t j = 0; j < system->d; j++)
+        jumps |= system->damping[j] > 0 && s->p[j] != 0;
+    if (jumps && fvi_kernel_growth(s->run.law) > 1)
+        FVI_FAIL("p0: fvi-adaptive takes no velocity that jumps with a law that "
+                 "grows faster than s; fvi-bdf2 and fvi-stable do",
+                 FVI_EUNSUP);
+    return fvi_variable_step_prepare_kernel(&s->run, &o->kernel);
+}
+
 static int start(fvi_stepper *s, int open)
 {
     const size_t d = s->run.system->d;
@@ -244,7 +264,9 @@ static int start(fvi_stepper *s, int open)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     o->d = d;
     o->open = open;
-    int status = find_springs(s, o, &springs);
+    int status = begin_law(s, o);
+    if (!status)
+        status = find_springs(s, o, &springs);
     if (!status)
         status = first_scale(s, springs, &scale);
     if (!status) {

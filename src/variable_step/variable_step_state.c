@@ -26,6 +26,8 @@ void fvi_variable_step_stop(fvi_stepper *s)
     if (!o)
         return;
     fvi_modes_free(o->modes);
+    fvi_modes_free(o->rising);
+    free(o->kernel);
     free(o->singular.c);
     free(o->events);
     free(o->jacobian);
@@ -83,7 +85,8 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     if (!o)
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
     *o = *old;
-    o->modes = NULL;
+    o->modes = o->rising = NULL;
+    o->kernel = NULL;
     o->singular.c = NULL;
     o->events = NULL;
     o->jacobian = NULL;
@@ -107,7 +110,12 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     if (!o->events)
         FVI_FAIL("no memory for the jumps", FVI_ENOMEM);
     memcpy(o->events, old->events, o->event_count * sizeof *o->events);
-    return old->modes ? fvi_modes_copy(old->modes, &o->modes) : FVI_SUCCESS;
+    if (old->kernel && !(o->kernel = fvi_variable_step_copy_kernel(old->kernel)))
+        FVI_FAIL("no memory for the law", FVI_ENOMEM);
+    if (old->modes)
+        status = fvi_modes_copy(old->modes, &o->modes);
+    return status || !old->rising ? status
+                                  : fvi_modes_copy(old->rising, &o->rising);
 }
 
 /* ---- from outside ---- */
@@ -178,6 +186,8 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
     if (h == o->length.h)
         return FVI_SUCCESS;
     const double power = pow(h, 1 - o->beta);
+    if (o->kernel)
+        fvi_variable_step_present_kernel(o, h);
     const int inverse = o->solve == FVI_SOLVE_TOGETHER /* who asks for it? */
                         || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
     o->length.h = 0; /* until all of them are there */
@@ -290,6 +300,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
         FVI_FAIL("not a state of this run", FVI_EINVAL);
     if (!status && o->modes)
         status = fvi_modes_archive(o->modes, v);
+    if (!status && o->rising)
+        status = fvi_modes_archive(o->rising, v);
     if (status)
         return status;
     const fvi_length length = o->length;

@@ -80,6 +80,21 @@ static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
 }
 //< drive
 
+/* R -= h rho H of one set of modes, or of none. */
+static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
+{
+    const double h = o->length.h;
+    for (size_t l = 0; modes && l < o->damped; l++) {
+        const size_t j = o->index[l];
+        const double factor = h * o->group[o->kind[j]].damping;
+        double H[FVI_LANES];
+        fvi_modes_history(modes, l, H);
+        fvi_four *R = LANES(o->R + j * FVI_LANES);
+        R[0] -= factor * LANES(H)[0];
+        R[1] -= factor * LANES(H)[1];
+    }
+}
+
 //> remember
 /* R -= h rho H, and rho h^{1-beta} W0 1 v_k where the memory has v, not v - v_k; or of what
  * v has jumped by. */
@@ -97,15 +112,8 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
         R[0] -= now * W1[0] + spring;
         R[1] -= now * W1[1] + spring;
     }
-    for (size_t l = 0; o->modes && l < o->damped; l++) {
-        const size_t j = o->index[l];
-        const double factor = h * o->group[o->kind[j]].damping;
-        double H[FVI_LANES];
-        fvi_modes_history(o->modes, l, H);
-        fvi_four *R = LANES(o->R + j * FVI_LANES);
-        R[0] -= factor * LANES(H)[0];
-        R[1] -= factor * LANES(H)[1];
-    }
+    subtract_modes(o, o->modes);
+    subtract_modes(o, o->rising);
 }
 //< remember
 
@@ -146,6 +154,8 @@ static int try_step(fvi_stepper *s, fvi_variable_step_state *o, fvi_length lengt
         return status;
     if (o->modes)
         fvi_modes_begin(o->modes, length);
+    if (o->rising)
+        fvi_modes_begin(o->rising, length);
     status = apply_forces(s, o);
     if (status)
         return status;
@@ -266,6 +276,10 @@ static void accept_step(fvi_variable_step_state *o, double event)
         stage_velocities(o, j, v);
         fvi_modes_advance(o->modes, l, v, o->v[j] - o->impulse_dv[j]);
     }
+    for (size_t l = 0; o->rising && l < o->damped; l++) {
+        const size_t j = o->index[l]; /* no velocity jumps */
+        fvi_modes_advance(o->rising, l, o->delta + j * FVI_LANES, o->v[j]);
+    }
     for (size_t j = 0; j < o->d; j++) {
         double *delta = o->delta + j * FVI_LANES, move[FVI_LANES];
         fvi_square_apply(s, o->to_x, delta, move);
@@ -349,6 +363,7 @@ const fvi_method fvi_variable_step = {
     .lowest = 9,
     .highest = 12,
     .alpha_most = 1,
+    .takes_laws = 1,
     .scheme = FVI_SCHEME_VARIABLE_STEP,
     .memories = 1u << FVI_HISTORY_AUTO | 1u << FVI_HISTORY_MODES,
     .implicit = 1,

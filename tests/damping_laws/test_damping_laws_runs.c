@@ -268,7 +268,7 @@ START_TEST(who_does_not_know_laws_says_so)
         ck_assert_int_eq(fvi_trajectory(fvi_methods[i], &run, x, NULL, NULL),
                          fvi_methods[i]->takes_laws ? FVI_SUCCESS : FVI_EUNSUP);
     }
-    ck_assert_uint_eq(know, 17); /* fvi, fvi-bdf2, fvi-stable, both forms */
+    ck_assert_uint_eq(know, 18); /* fvi, fvi-bdf2, fvi-stable, both forms, fvi-adaptive */
     x[0] = 7;
     run.past = FVI_INITIAL_HISTORY_CAPUTO;
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),

@@ -68,6 +68,9 @@ START_TEST(each_kind_is_its_symbol)
                  laws[i].words);
         ck_assert_near(last_x(line), laws[i].x, 2e-13, "%s", laws[i].words);
         snprintf(line, sizeof line,
+                 "--p0 0 --step-error 1e-13 --steps 4 %s", laws[i].words);
+        ck_assert_near(last_x(line), laws[i].x, 1e-13, "%s", laws[i].words);
+        snprintf(line, sizeof line,
                  "exact --p0 0 --time 4 --steps 3 --columns x %s",
                  laws[i].words);
         ck_assert_int_eq(fvi(line), 0);
@@ -141,7 +144,6 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping power:1,0.3 --alpha 0.3", "not together with --alpha" },
         { "--damping power:1,0.3 --rho 1", "not together with --rho" },
         { "--damping power:1,0.3 --method fvi-shifted", "is not known to" },
-        { "--damping power:1,0.3 --method fvi-adaptive", "is not known to" },
         { "--damping power:1,0.3 --method lda", "is not known to" },
         { "--damping power:1,0.3 --derivative rl", "--derivative: 'rl'" },
         { "--damping power:1,0.3 --derivative caputo", "--derivative: 'cap" },
@@ -166,6 +168,8 @@ START_TEST(what_is_no_law_is_bad_use)
                          "--method fvi-lobatto4d"),
                      1);
     ck_assert_ptr_nonnull(strstr(err, "no sum of decaying modes"));
+    ck_assert_int_eq(fvi("run --damping zener:1,0.6,1 --method fvi-adaptive"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "too near to its cut, or off it"));
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --derivative rl"), 2);
     ck_assert_ptr_nonnull(strstr(err, "--derivative: 'rl'"));
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --alpha 0.3"), 2);

@@ -1,0 +1,305 @@
+/* src/variable_step/variable_step_kernel.c -- Any kernel in a run with variable steps. [H 26]
+ *
+ * With k(s) = C(s)/s the present part of a step is k(A^{-1}/h), by the eigenvalues of A^{-1}.
+ * The past is a sum over modes, of which each term with growth up to 1 has
+ *
+ *     k(s) = sum_q w_q / (s + sigma_q),
+ *
+ * with y = sigma w as state, (22.6); and each one that grows faster
+ *
+ *     k(s) = sum_q w_q s / (s + sigma_q),
+ *
+ * with z as state, (22.7). The rates are those of a ladder as fine as the poles beside the
+ * cut ask for, and those of single poles, which stand nowhere on a ladder.        (26.18) */
+#include "variable_step.h"
+
+#include "memory/kernel_general.h"
+#include "system/fail.h"
+#include "system/larger.h"
+
+#include <complex.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct fvi_variable_step_kernel {
+    const fvi_kernel *law;
+    size_t terms;
+    fvi_kernel_simple term[]; /* those of the law that are fractions of powers */
+};
+
+static int rises(const fvi_kernel_simple *t)
+{
+    return 2 * (t->time > 0 ? t->alpha - t->below : t->alpha) > 1;
+}
+
+static int is_whole(double x)
+{
+    return x == floor(x);
+}
+
+/* A relaxation and a spring are single poles, and what else has whole orders has no past. */
+static int has_ladder(const fvi_kernel_simple *t)
+{
+    return t->rho > 0 && !fvi_kernel_is_relaxation(t)
+           && !(is_whole(2 * t->alpha)
+                && (t->time == 0 || is_whole(2 * t->below)));
+}
+
+/* ---- modes ---- */
+
+enum { MOST = 6000 };
+
+/* Rates and weights as they come. */
+typedef struct {
+    size_t count;
+    double *rate, *weight;
+} mode_list;
+
+static int add_mode(mode_list *l, double rate, double weight)
+{
+    if (l->count == MOST)
+        return FVI_EUNSUP;
+    l->rate[l->count] = rate;
+    l->weight[l->count++] = weight;
+    return FVI_SUCCESS;
+}
+
+/* Im C(-sigma + i0) / pi of the terms of one group, by ln sigma. */
+static double density(const fvi_variable_step_kernel *k, int rising, double u)
+{
+    double sum = 0;
+    for (size_t i = 0; i < k->terms; i++)
+        if (has_ladder(&k->term[i]) && rises(&k->term[i]) == rising)
+            sum += fvi_kernel_on_the_cut(&k->term[i], k->term[i].rho, u);
+    return sum / M_PI;
+}
+
+/* The distance of the nearest pole from the cut in ln sigma, with a tenth to spare; 0 where a
+ * pole is not beside the cut but before it; and whether there is a ladder at all. */
+static double strip(const fvi_variable_step_kernel *k, int rising, int *any)
+{
+    double width = M_PI_2;
+    *any = 0;
+    for (size_t i = 0; i < k->terms; i++) {
+        const fvi_kernel_simple *t = &k->term[i];
+        if (!has_ladder(t) || rises(t) != rising)
+            continue;
+        *any = 1;
+        if (t->time > 0)
+            width = smaller(width, fmax(0, 0.9 * M_PI * (0.5 / t->below - 1)));
+    }
+    return width;
+}
+
+/* From mu = 1e6 in the shortest step down to sigma T = 1e-8; what lies below is one mode, by two
+ * moments. */
+//> ladder
+static int add_ladder(const fvi_variable_step_state *o, int rising,
+                      mode_list *l)
+{
+    const fvi_variable_step_kernel *k = o->kernel;
+    int any;
+    const double width = strip(k, rising, &any), step = 2 * M_PI * width / 36,
+                 last = log(1e6 / o->least), first = log(1e-8 / o->T);
+    if (any && !((last - first) / step < MOST - 2))
+        return FVI_EUNSUP; /* poles too near to the cut, or off it */
+    double u = last, S0 = 0, S1 = 0;
+    for (; any && u > first; u -= step)
+        add_mode(l, exp(u), step * density(k, rising, u));
+    for (size_t i = 0; i < k->terms; i++) {
+        const fvi_kernel_simple *t = &k->term[i];
+        if (has_ladder(t) && rises(t) == rising)
+            fvi_kernel_tail(t, step * t->rho / M_PI, 0, u + step, step,
+                            rising ? -1 : 0, &S0, &S1);
+    }
+    if (any && S0 != 0)
+        add_mode(l, S1 / S0, rising ? S1 : S0);
+    return FVI_SUCCESS;
+}
+//< ladder
+
+/* Single poles, and the springs as one with a rate that is none. */
+static int add_poles(const fvi_variable_step_state *o, mode_list *l)
+{
+    const fvi_variable_step_kernel *k = o->kernel;
+    double springs = 0;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < k->terms; i++) {
+        const fvi_kernel_simple *t = &k->term[i];
+        if (fvi_kernel_is_relaxation(t))
+            status = add_mode(l, 1 / t->time, t->rho / t->time);
+        if (t->alpha == 0)
+            springs += t->rho / (1 + t->time);
+    }
+    return status || springs == 0 ? status : add_mode(l, 0, springs);
+}
+
+/* Do the modes of a SYMBOL say all of it? Between s and 2 s, over all times of the run, as k
+ * itself may contain a dashpot. */
+static int says_all(const fvi_kernel_term *t, const fvi_kernel_modes *m,
+                    double slowest, double fastest)
+{
+    for (double s = slowest; s < fastest; s *= 2) {
+        const double change = creal(fvi_kernel_term_at(t, s, 0)) / s
+                              - creal(fvi_kernel_term_at(t, 2 * s, 0)) / (2 * s),
+                     size = creal(fvi_kernel_term_at(t, s, 0)) / s;
+        double sum = 0;
+        for (size_t j = 0; j < m->count; j++)
+            sum += m->weight[j]
+                   * (1 / (s + m->rate[j]) - 1 / (2 * s + m->rate[j]));
+        if (!(fabs(sum - change) <= 1e-11 * fabs(size)))
+            return 0;
+    }
+    return 1;
+}
+
+/* Of one such term, the widest strip first. */
+static int add_general_term(const fvi_variable_step_state *o,
+                            const fvi_kernel_term *t, mode_list *l)
+{
+    for (double width = 1; width > 0.1; width /= 2) {
+        fvi_kernel_modes m;
+        int status = fvi_kernel_modes_of(t, 1e-2 / o->T, 1e6 / o->least, 1e-15,
+                                         width, &m);
+        if (status == FVI_EUNSUP)
+            continue;
+        if (status)
+            return status;
+        const int all = t->kind != FVI_KERNEL_SYMBOL
+                        || says_all(t, &m, 1 / o->T, 1e-6 / o->least);
+        for (size_t j = 0; all && !status && j < m.count; j++)
+            status = add_mode(l, m.rate[j], m.weight[j]);
+        free(m.rate);
+        if (all)
+            return status;
+    }
+    return FVI_EUNSUP;
+}
+
+static int add_general(const fvi_variable_step_state *o, mode_list *l)
+{
+    const fvi_kernel *law = o->kernel->law;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < law->count; i++)
+        if (fvi_kernel_is_general(&law->term[i]) && law->term[i].rho > 0)
+            status = add_general_term(o, &law->term[i], l);
+    return status;
+}
+
+/* The modes of one group as a memory; none where the list is empty. */
+static int make_modes(const fvi_variable_step_state *o, int rising, mode_list *l,
+                      fvi_modes **modes)
+{
+    const double standstill = 1e-16 / o->T;
+    for (size_t q = 0; q < l->count; q++) {
+        l->rate[q] = larger(l->rate[q], standstill);
+        l->weight[q] /= rising ? -l->rate[q] : l->rate[q];
+    }
+    return l->count == 0 ? FVI_SUCCESS
+                         : fvi_modes_of_rates(o->rule, rising, o->damped, o->T,
+                                              l->count, l->rate, l->weight,
+                                              modes);
+}
+
+/* ---- the start ---- */
+
+int fvi_variable_step_prepare_kernel(const fvi_run *run,
+                                     fvi_variable_step_kernel **kernel)
+{
+    fvi_kernel_simple *term;
+    size_t terms;
+    int status = fvi_kernel_flatten(run->law, &term, &terms);
+    if (status)
+        return status;
+    fvi_variable_step_kernel *k =
+        malloc(sizeof *k + terms * sizeof *k->term);
+    if (k) {
+        *k = (fvi_variable_step_kernel){ .law = run->law, .terms = terms };
+        memcpy(k->term, term, terms * sizeof *term);
+    }
+    free(term);
+    if (!k)
+        FVI_FAIL("no memory for the law", FVI_ENOMEM);
+    *kernel = k;
+    return FVI_SUCCESS;
+}
+
+fvi_variable_step_kernel *
+fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from)
+{
+    const size_t bytes = sizeof *from + from->terms * sizeof *from->term;
+    fvi_variable_step_kernel *k = malloc(bytes);
+    return k ? memcpy(k, from, bytes) : NULL;
+}
+
+int fvi_variable_step_begin_kernel(fvi_variable_step_state *o)
+{
+    double *room = malloc(4 * MOST * sizeof *room);
+    if (!room)
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    mode_list slow = { 0, room, room + MOST },
+              fast = { 0, room + 2 * MOST, room + 3 * MOST };
+    int status = add_ladder(o, 0, &slow);
+    if (!status)
+        status = add_poles(o, &slow);
+    if (!status)
+        status = add_general(o, &slow);
+    if (!status)
+        status = add_ladder(o, 1, &fast);
+    const int none = status == FVI_EUNSUP;
+    if (!status)
+        status = make_modes(o, 0, &slow, &o->modes);
+    if (!status)
+        status = make_modes(o, 1, &fast, &o->rising);
+    free(room);
+    if (none)
+        FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for "
+                 "modes of variable steps; fvi-bdf2 and fvi-stable take it",
+                 FVI_EUNSUP);
+    return status;
+}
+
+/* ---- the present ---- */
+
+/* k at modulus e^(i angle), of the terms that rise or of the others. */
+static double complex present(const fvi_variable_step_kernel *k, int rising,
+                              double modulus, double angle)
+{
+    double complex C = 0;
+    for (size_t i = 0; i < k->terms; i++)
+        if (k->term[i].rho > 0 && rises(&k->term[i]) == rising)
+            C += fvi_kernel_simple_at(&k->term[i], modulus, angle);
+    for (size_t i = 0; !rising && i < k->law->count; i++)
+        if (fvi_kernel_is_general(&k->law->term[i]))
+            C += fvi_kernel_term_at(&k->law->term[i], modulus, angle);
+    return C / (modulus * (cos(angle) + I * sin(angle)));
+}
+
+void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h)
+{
+    const fvi_variable_rule *rule = o->rule;
+    const double scale = pow(h, o->beta), ones[FVI_LANES] = { 1, 1, 1, 1,
+                                                              1, 1, 1, 1 };
+    double re[2][FVI_LANES / 2], im[2][FVI_LANES / 2], W_last[FVI_LANES];
+    for (size_t n = 0; n < rule->s / 2; n++) {
+        const double modulus = exp(rule->log_modulus[n]) / h;
+        const double complex slow =
+            scale * present(o->kernel, 0, modulus, rule->angle[n]);
+        const double complex all =
+            slow + scale * present(o->kernel, 1, modulus, rule->angle[n]);
+        re[0][n] = creal(slow);
+        im[0][n] = cimag(slow);
+        re[1][n] = creal(all);
+        im[1][n] = cimag(all);
+    }
+    fvi_variable_function(rule, re[0], im[0], &o->W0);
+    fvi_square_apply(rule->s, &o->W0, ones, o->W1);
+    fvi_variable_function(rule, re[1], im[1], &o->W0);
+    fvi_square_apply(rule->s, &o->W0, rule->last, W_last);
+    o->memory_leakage = 0;
+    for (size_t i = 0; i < rule->s; i++)
+        o->memory_leakage += rule->b[i] * W_last[i];
+    o->memory_leakage = fabs(o->memory_leakage);
+}
