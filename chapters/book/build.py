@@ -101,7 +101,7 @@ def add_index(all_pages):
         users = [page for page in all_pages if re.search(rf"<code>{name}\b", page.body)]
         links = ", ".join(f'<a href="{page.name}.html">{page.number or unlinked(named(page))}</a>' for page in users)
         header = sources.source_page(headers[name])
-        rows.append(f'<li><a href="source/{header}"><code>{name}</code></a>{": " if links else ""}{links}</li>')
+        rows.append(f'<li><a href="source/{header}"><code>{pages.breakable(name)}</code></a>{": " if links else ""}{links}</li>')
     glossary = next(page for page in all_pages if page.name == "glossary")
     glossary.headings.append((2, "functions", "The functions of the library"))
     glossary.body += (f'<h2 id="functions">The functions of the library</h2><p>Each leads to its header; the numbers are '

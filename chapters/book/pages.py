@@ -252,12 +252,17 @@ def colour_code(page):
     page.body = re.sub(r'<pre(?: class="([^"]*)")?><code>(.*?)</code></pre>', block, page.body, flags=re.S)
 
 
+def breakable(code):
+    """A name of 25 letters and more may end a line behind a _, so that it fits on a phone."""
+    return re.sub(r"\w{25,}", lambda word: re.sub(r"(?<=\w{9})_(?=\w{4})", "_<wbr>", word[0]), code)
+
+
 def unbroken(page):
     """No line of the text ends within a short command or name, with -- or fvi-, say; a long name may end one behind a _."""
     def kept(code):
         if len(code) <= 16:
             return f'<span class="keep">{code}</span>' if re.search("[- ]", code) else code
-        code = re.sub(r"\w{25,}", lambda word: re.sub(r"(?<=\w{9})_(?=\w{4})", "_<wbr>", word[0]), code)
+        code = breakable(code)
         return re.sub(r"[^\s<-]*-[^\s<]*", lambda word: f'<span class="keep">{word[0]}</span>' if len(word[0]) <= 24 else word[0], code)
 
     page.body = re.sub(r'(?<!<pre class="code">)<code>([^<]*)</code>', lambda code: f"<code>{kept(code[1])}</code>", page.body)
