@@ -173,7 +173,8 @@ static int run_of(const fvi_system *system)
 {
     const fvi_run run = the_run(system);
     fvi_stepper *s;
-    if (!(input.steps <= MOST_STEPS) || fvi_stepper_start(the_method(), &run, &s))
+    if (!(input.steps <= MOST_STEPS) || fvi_stepper_start(the_method(), &run, &s,
+                                                          NULL))
         return 0;
     int rows = 0, status;
     do {

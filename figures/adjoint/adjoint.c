@@ -2,6 +2,7 @@
  * Blocks: for a spring, then for a Duffing spring, rows t, x, lambda, mirror; then rows
  * t, (x_N of the run with a small push at t - x_N) / push. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 
 #include <stdio.h>
 #include <stdlib.h>

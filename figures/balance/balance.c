@@ -6,6 +6,7 @@
  * Block 1: t, position of mass 4 after a push of mass 1, of mass 1 after one of mass 4,
  * and of the masses that were pushed. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/balance.h>
 
 #include <stdio.h>

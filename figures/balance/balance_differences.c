@@ -7,6 +7,7 @@
  * MEAN, BACK and fvi the error of the gradient that the same scheme, run backwards about the
  * trajectory, gives for the run's. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/lobatto.h>
 #include "../tests/balance/differences.h"

@@ -3,6 +3,7 @@
  * Blocks: t, x, u to T; t, x without force after T; t, the force that holds; then the
  * pendulum: t, x / pi, u to T. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 
 #include <stdio.h>
 #include <string.h>

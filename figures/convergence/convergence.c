@@ -7,6 +7,7 @@
  * alpha = 3/4, blocks of t and error of x over h, for three steps; then, for the
  * shortest of them, t, what (20.7) feeds over h, and (20.8) over h. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 
 #include <gsl/gsl_math.h>
 #include <stdio.h>

@@ -6,6 +6,7 @@
  * and of p on [1/2, 1], then of x and of p at all nodes of [0, 1/4]: the mean of the last two
  * halvings whose errors are above rounding. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

@@ -5,6 +5,7 @@
  * T = 1. kappa = 1/2. In each row h and the largest error of x with fvi, fvi-shifted,
  * fvi-bdf2. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>

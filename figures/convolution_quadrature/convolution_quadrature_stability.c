@@ -7,6 +7,7 @@
  * Blocks 1 to 4: R, growth a step minus 1 predicted, and measured in a run of 1500
  * steps, for alpha = 1/4, W = 1: fvi, fvi-shifted, fvi-bdf2, trapezoidal weights. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

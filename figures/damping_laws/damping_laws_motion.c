@@ -4,6 +4,7 @@
  * a run of fvi-bdf2 with h = 1/32 up to t = 1000, every row up to t = 32 and then some,
  * evenly in ln t. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "laws.h"
 
 #include <stdio.h>

@@ -25,7 +25,7 @@ static double energy(const fvi_system *system, const double *x, const double *p)
 static fvi_stepper *start(const fvi_method *method, const fvi_run *run)
 {
     fvi_stepper *s;
-    if (fvi_stepper_start(method, run, &s) != FVI_SUCCESS)
+    if (fvi_stepper_start(method, run, &s, NULL) != FVI_SUCCESS)
         exit(EXIT_FAILURE);
     return s;
 }

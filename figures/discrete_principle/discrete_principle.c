@@ -4,6 +4,7 @@
  * mirrored solution y: unrestricted, restricted, with and without the end
  * term, and with the mirror of the wrong kappa. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>
 #include "system/larger.h"
 

@@ -5,6 +5,7 @@
  * delta. Block 0: epsilon, eta, S_d - S_d(0, 0) on a grid. Block 1: epsilon, and S_d - S_d(0, 0)
  * along eta = epsilon, along eta = 0. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>
 
 #include <math.h>

@@ -4,6 +4,7 @@
  * p0 = 1/2) for alpha = 1/2 as a block, then for each alpha t and x of the run at
  * h = 1/2, N = 30, kappa = 1/2. The first line of a block has its name. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/experiments.h>
 
 #include <stdio.h>

@@ -6,6 +6,7 @@
  * matrix method, and the matrix method's own error for this h, all at the
  * multiples of 0.1; then slopes. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/experiments.h>
 
 #include "../tests/experiments/experiments_bagley_torvik_ref.h"

@@ -5,6 +5,7 @@
  * (m = c = 1, rho = 0.2, x0 = 1, p0 = 1/2, alpha = 1/2), h = 0.2, T = 30: of the
  * momentum form, and of Algorithm 3 as printed, with its double sum. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 
 #include <stdio.h>

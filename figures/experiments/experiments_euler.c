@@ -28,7 +28,7 @@ static int print_run(const fvi_system *system, const fvi_method *method,
         system, &x0, &p0, h, steps, .kappa = 0.5, .alpha = 0.5
     };
     fvi_stepper *s;
-    int status = fvi_stepper_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s, NULL);
     if (status)
         return status;
     printf("\n\n# %s, h = %g: t x energy\n", method->name, h);

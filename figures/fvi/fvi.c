@@ -4,6 +4,7 @@
  * each alpha and h the largest error of x at ten times, against the solution as a
  * double series: damping as printed (Riemann-Liouville), and of a held body. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
  * x'' + x + D^{9/5} x / 5 = 0, x_0 = 1, p_0 = 1/2, kappa = 1/2, alpha = 0.9, to
  * t = 15. A block for each h, thinned to 150 steps. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,6 +6,7 @@
  * recurrence in long double, for Algorithm 3 as printed and for the momentum
  * form. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include "system/larger.h"
 

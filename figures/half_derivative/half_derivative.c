@@ -6,6 +6,7 @@
  * run, |x| of Algorithm 3 with its double sums, and their difference, the largest
  * in each of a thousand windows. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include <fvi/paper/half_derivative.h>
 #include "system/larger.h"

@@ -6,6 +6,7 @@
  * searches end that begin in the local minima of this grid. Third: c, and the least of
  * the mean over alpha, and over alpha and rho. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>

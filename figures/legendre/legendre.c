@@ -4,6 +4,7 @@
  * x0 = 1, p0 = 1/2, to t = 15. Block 1: a Duffing oscillator without damping, whose
  * solution is an elliptic function, to t = 5. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/legendre.h>
 #include "system/larger.h"
 

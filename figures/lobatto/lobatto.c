@@ -3,6 +3,7 @@
  * x'' + x + D^{3/2} x = 8 for t <= 1, then 0, from rest. For s = 2, 3, 4 a block
  * with the largest errors of x, p and the corrected p on 2 <= t <= 20. */
 #include <fvi/error.h>
+#include "run/whole_run.h"
 #include <fvi/exact_solution.h>
 #include <fvi/lobatto.h>
 #include "system/larger.h"

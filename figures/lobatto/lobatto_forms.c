@@ -5,6 +5,7 @@
  * Block 4: t, energy of x'' + x^3 = 0 over that of the start, s = 3, steps of 1/2: form M,
  * form D. */
 #include <fvi/exact_solution.h>
+#include "run/whole_run.h"
 #include <fvi/lobatto.h>
 #include "system/larger.h"
 

@@ -4,6 +4,7 @@
  * largest errors of x and p on 1 <= t <= 4, over the last three steps h, h/2, h/4
  * whose errors are above rounding. */
 #include <fvi/error.h>
+#include "run/whole_run.h"
 #include <fvi/exact_solution.h>
 #include <fvi/lobatto.h>
 #include "system/larger.h"

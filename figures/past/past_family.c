@@ -5,6 +5,7 @@
  * fvi-lobatto4 with h = 0.05 up to t = 15, at every tenth node the exact x, else
  * "-", and in the last line the name of the curve. */
 #include <fvi/exact_solution.h>
+#include "run/whole_run.h"
 #include <fvi/lobatto.h>
 
 #include <stdio.h>

@@ -5,6 +5,7 @@
 #define FIRST_RUN_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "ladder.h"
 
 enum { ROWS = 4000, FORK = 560 };

@@ -29,7 +29,7 @@ static size_t scalar_run(double alpha, double kappa, double W, double R)
                           .kappa = kappa,
                           .alpha = alpha };
     fvi_stepper *s;
-    if (fvi_stepper_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s, NULL))
         return 0;
     size_t reached = 0;
     x[0] = 0;

@@ -4,6 +4,7 @@
  * by bisection of the load. Block 1: the same, by bisection of runs of 4000 steps whose
  * second half is larger than the first, or not. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

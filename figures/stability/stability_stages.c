@@ -5,6 +5,7 @@
  * second half is larger than the first, or not. Block 2: R, and the h omega near sqrt(24) at
  * which runs begin to grow. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

@@ -63,7 +63,7 @@ static void swing(double alpha, int shapes)
     fvi_run run = fvi_run_default(&system, x0, p0, 1.0 / 400, STEPS);
     run.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL));
     for (;; fail(fvi_stepper_step(s))) {
         if (!shapes && s->k % 4 == 0)
             printf("%g %.6g\n", s->t, s->x[D - 2]);

@@ -99,7 +99,7 @@ static void run(double size, double *ground, double *roof, double *drift)
     fvi_run r = fvi_run_default(&system, rest, rest, h, STEPS);
     r.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_stepper_start(&fvi_cq2_midpoint, &r, &s));
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &r, &s, NULL));
     for (;; fail(fvi_stepper_step(s))) {
         roof[s->k] = s->x[FLOORS - 1];
         for (int i = 0; i < FLOORS; i++)

@@ -72,7 +72,7 @@ int main(void)
         fvi_run_default(&system, x0, p0, 1.0 / (M + 1), at[TIMES - 1]);
     run.alpha = alpha;
     fvi_stepper *s;
-    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
+    fail(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL));
     for (int l = 0; l < TIMES; l++) {
         while (s->k < at[l])
             fail(fvi_stepper_step(s));

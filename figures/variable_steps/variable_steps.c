@@ -31,7 +31,7 @@ static fvi_stepper *started(fvi_run *run)
                       .steps = ROWS,
                       .alpha = 0.75,
                       .step_error = 1e-8 };
-    if (fvi_stepper_start(&fvi_variable_step, run, &s))
+    if (fvi_stepper_start(&fvi_variable_step, run, &s, NULL))
         exit(EXIT_FAILURE);
     return s;
 }

@@ -18,7 +18,7 @@ static int check(const fvi_run *run, const void *output)
 {
     if (!run || !output)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check_any(run->system);
+    int status = fvi_system_check_any(run->system, NULL);
     if (status)
         return status;
     if (!run->x0)

@@ -28,7 +28,7 @@ int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
 {
     if (!method || !run || !x || !stiffest || !load)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system);
+    int status = fvi_system_check(run->system, NULL);
     if (status)
         return status;
     double stiffness = 0, there = 0;

@@ -191,7 +191,7 @@ static int check(size_t stages, const fvi_run *run, const void *load)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!fvi_lobatto(stages))
         FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
-    int status = fvi_system_check(run->system);
+    int status = fvi_system_check(run->system, NULL);
     if (status)
         return status;
     if (!run->x0)

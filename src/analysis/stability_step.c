@@ -81,7 +81,7 @@ int fvi_stability_longest_step(const fvi_method *method, const fvi_run *run, dou
     if (!method->stability_number_grows)
         FVI_FAIL("the stable steps are not all those up to a longest",
                  FVI_EUNSUP);
-    int status = fvi_system_check_any(run->system);
+    int status = fvi_system_check_any(run->system, NULL);
     if (status)
         return status;
     kept_hessian kept = { .u = &run->system->potential };

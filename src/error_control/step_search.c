@@ -1,5 +1,5 @@
 /* src/error_control/step_search.c -- The step that a wanted error needs.      [H 18] */
-#include <fvi/step_search.h>
+#include "step_search.h"
 
 #include <fvi/fvi.h>
 #include "run/solution.h"
@@ -48,7 +48,7 @@ static int trial(const search *o, size_t parts)
     run.h /= (double)(o->first * parts); /* a power of two: exact */
     run.steps = o->rows * parts;
     fvi_stepper *s;
-    int status = fvi_stepper_start(o->method, &run, &s);
+    int status = fvi_stepper_start(o->method, &run, &s, NULL);
     if (status)
         return status;
     for (size_t row = 0;; row++) {
@@ -301,7 +301,7 @@ static int check(const fvi_method *method, const fvi_run *run, double error,
     }
     if (method && method->dense)
         FVI_FAIL("its steps are its own: fvi_variable_step_search", FVI_EUNSUP);
-    int status = fvi_stepper_start(method, run ? &shortest : NULL, &s);
+    int status = fvi_stepper_start(method, run ? &shortest : NULL, &s, NULL);
     if (status && !too_long(status))
         return status;
     if (!status)

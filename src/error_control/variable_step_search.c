@@ -1,6 +1,6 @@
 /* src/error_control/variable_step_search.c -- Two runs with variable steps, and how far they are
  * apart.                                                             [H 22] */
-#include <fvi/variable_steps.h>
+#include "variable_step_search.h"
 
 #include "variable_step/variable_step.h"
 #include "system/fail.h"
@@ -14,11 +14,12 @@
 
 enum { FEWEST = 128, MOST_RUNS = 16, SAME_END = 5 };
 
-/* Rows of a run, `first` times as many as the caller wants, so that few rows do not
- * hide what is between them. */
+/* The times at which runs are compared: the rows of a run, `first` times as many as the caller
+ * has, so that few rows do not hide what is between them, and the times that are wanted. */
 typedef struct {
     const fvi_run *run;
-    size_t first, length;
+    size_t first, count, length; /* of the times; of their numbers */
+    double *t;
     size_t most;            /* no run of more steps */
     int fine;               /* are only the finest modes good enough? */
     double end;             /* the t that the last run came to */
@@ -40,12 +41,12 @@ static int trial(pair *o, double step_error, double longest, int growth)
     if (o->fine)
         run.tolerance = FVI_FINE_MODES;
     fvi_stepper *s;
-    int status = fvi_stepper_start(&fvi_variable_step, &run, &s);
+    int status = fvi_stepper_start(&fvi_variable_step, &run, &s, NULL);
     if (status)
         return status;
     fvi_variable_step_limit(s, longest, growth);
-    for (size_t k = 0; k <= run.steps && !status; k++) {
-        const double t = (double)k * run.h;
+    for (size_t k = 0; k < o->count && !status; k++) {
+        const double t = o->t[k];
         while (s->t < t && !status) {
             status = fvi_stepper_step(s);
             fvi_stepper_statistics(s, &o->counts);
@@ -134,14 +135,48 @@ static int check(const fvi_run *run, double error, const double *x,
     fvi_run wanted = *run;
     wanted.step_error = error;
     fvi_stepper *s;
-    int status = fvi_stepper_start(&fvi_variable_step, &wanted, &s);
+    int status = fvi_stepper_start(&fvi_variable_step, &wanted, &s, NULL);
     if (!status)
         fvi_stepper_free(s);
     return status;
 }
 
-int fvi_variable_step_search(const fvi_run *run, double error, size_t most,
-                        double *x, double *p, fvi_variable_step_found *found)
+/* The rows of the run and the wanted times, in one increasing list. */
+static void merge_times(pair *o, size_t count, const double *t)
+{
+    const size_t rows = o->run->steps * o->first;
+    const double h = o->run->h / (double)o->first; /* exact */
+    size_t i = 0;
+    o->count = 0;
+    for (size_t k = 0; k <= rows; k++) {
+        const double row = (double)k * h;
+        for (; i < count && t[i] <= row; i++)
+            if (t[i] < row)
+                o->t[o->count++] = t[i];
+        o->t[o->count++] = row;
+    }
+    o->length = o->count * o->run->system->d;
+}
+
+/* What stands in the last run at the times that are wanted: `count` at t, or its rows. */
+static void give_out(const pair *o, size_t count, const double *t, double *x,
+                     double *p)
+{
+    const size_t d = o->run->system->d;
+    for (size_t k = 0, at = 0; k < count; k++, at++) {
+        while (t && o->t[at] < t[k])
+            at++;
+        if (!t)
+            at = k * o->first;
+        memcpy(x + k * d, o->x + at * d, d * sizeof *x);
+        if (p)
+            memcpy(p + k * d, o->p + at * d, d * sizeof *p);
+    }
+}
+
+int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
+                             double error, size_t most, double *x, double *p,
+                             fvi_variable_step_found *found)
 {
     int status = check(run, error, x, found);
     if (status)
@@ -150,22 +185,22 @@ int fvi_variable_step_search(const fvi_run *run, double error, size_t most,
     pair o = { .run = run, .first = 1, .most = most };
     while (run->steps * o.first < FEWEST)
         o.first *= 2;
-    if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first)
+    if (run->steps >= SIZE_MAX / sizeof(double) / 8 / d / o.first
+        || (t && count >= SIZE_MAX / sizeof(double) / 8 / d))
         FVI_FAIL("rows must be addressable", FVI_EINVAL);
-    o.length = (run->steps * o.first + 1) * d;
-    double *block = malloc(3 * o.length * sizeof *block);
+    const size_t length = run->steps * o.first + 1 + (t ? count : 0);
+    double *block = malloc((3 * d + 1) * length * sizeof *block);
     if (!block)
         FVI_FAIL("no memory for the rows", FVI_ENOMEM);
     o.x = block;
-    o.before = block + o.length;
-    o.p = block + 2 * o.length;
+    o.before = block + length * d;
+    o.p = block + 2 * length * d;
+    o.t = block + 3 * length * d;
+    merge_times(&o, t ? count : 0, t);
     fvi_variable_step_found best = { 0 };
     status = search(&o, error, &best);
-    for (size_t k = 0; !status && k <= run->steps; k++) {
-        memcpy(x + k * d, o.x + k * o.first * d, d * sizeof *x);
-        if (p)
-            memcpy(p + k * d, o.p + k * o.first * d, d * sizeof *p);
-    }
+    if (!status)
+        give_out(&o, t ? count : run->steps + 1, t, x, p);
     free(block);
     if (!status || status == FVI_ETOL)
         *found = best;

@@ -166,7 +166,7 @@ int fvi_estimation_check(const fvi_estimation *fit)
     if (!fit || !fit->method || !fit->run || !fit->run->x0 || !fit->run->p0
         || !fit->t || !fit->x || !fit->which || !fit->low != !fit->high)
         FVI_FAIL("a pointer of the fit is NULL", FVI_EFAULT);
-    int status = fvi_system_check(fit->run->system);
+    int status = fvi_system_check(fit->run->system, NULL);
     if (!status && fit->run->system->d != 1)
         FVI_FAIL("a fit is of one mass", FVI_EINVAL);
     if (!status)

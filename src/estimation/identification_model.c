@@ -132,7 +132,7 @@ static int run_motion(fvi_estimation_model *m)
     fvi_stepper *s;
     if (!is_possible(m)) /* what fvi_stepper_start would tell the handler */
         return FVI_EDOM;
-    int status = fvi_stepper_start(m->fit->method, &m->run, &s);
+    int status = fvi_stepper_start(m->fit->method, &m->run, &s, NULL);
     if (status)
         return status;
     const double h = m->run.h, drift = h / m->mass;

@@ -120,7 +120,7 @@ static int check(const fvi_tangent_run *o)
         FVI_FAIL("a pointer of the tangents is NULL", FVI_EFAULT);
     if (o->run->law)
         FVI_FAIL("the tangents are those of a power", FVI_EUNSUP);
-    int status = fvi_system_check(o->run->system);
+    int status = fvi_system_check(o->run->system, NULL);
     if (!status && (o->run->system->d != 1 || o->P == 0))
         FVI_FAIL("tangents are of one mass, by a parameter or more",
                  FVI_EINVAL);
@@ -196,7 +196,7 @@ static int start_linearised(fvi_tangent_run *o, const fvi_method *method)
     tangent.system = &o->system;
     tangent.x0 = o->s;
     tangent.p0 = o->pi;
-    const int status = fvi_stepper_start(method, &tangent, &o->tangent);
+    const int status = fvi_stepper_start(method, &tangent, &o->tangent, NULL);
     for (size_t j = 0; !status && j < o->P; j++) {
         if (o->which[j] == FVI_FREE_PARAMETER_MASS && !o->damped_inertia)
             o->tangent->p[j] += velocity_at_start(o);
@@ -233,7 +233,7 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
                             .damped_inertia = method->damped_inertia };
     int status = check(o);
     if (!status)
-        status = fvi_stepper_start(method, run, &o->stepper);
+        status = fvi_stepper_start(method, run, &o->stepper, NULL);
     if (!status)
         status = make_room(o);
     if (status)

@@ -14,6 +14,8 @@
 #ifndef FVI_SYSTEM_H
 #define FVI_SYSTEM_H
 
+#include "error.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -158,14 +160,15 @@ typedef struct {
 } fvi_system;
 //< system
 
-/* fvi_system_check -- is the system one that everything in the library can take?
+/* fvi_system_check -- is the system one that everything in the library can take? If not, the error
+ * has "mass", "rho", "d", "potential" or "matrices" for its field.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if system, mass or damping is NULL;
  * FVI_EINVAL if d == 0, if the Hessian and as much again seven times cannot be
  * addressed, or if the potential has some of its three functions but not all; FVI_EDOM
  * if a mass is not finite and > 0, or a damping not finite and >= 0; FVI_EUNSUP if it has
  * matrices, which fvi_stepper_start and fvi_stability_number take, and not everything. Cost O(d). */
-int fvi_system_check(const fvi_system *system);
+int fvi_system_check(const fvi_system *system, fvi_error *error);
 
 /* fvi_energy -- E = sum_i p_i^2 / (2 m_i) + U(x).                  [(2.4)]
  *

@@ -5,7 +5,7 @@
  * caller reads x and p between steps, so rows can be printed as they come:
  *
  *     fvi_stepper *s;
- *     if (fvi_stepper_start(&fvi_fractional, &run, &s) == FVI_SUCCESS) {
+ *     if (fvi_stepper_start(&fvi_fractional, &run, &s, &error) == FVI_SUCCESS) {
  *         while (s->k < run.steps && fvi_stepper_step(s) == FVI_SUCCESS)
  *             printf("%g %g\n", s->t, s->x[0]);
  *         fvi_stepper_free(s);
@@ -178,6 +178,8 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 
 /* fvi_stepper_start -- check the run, stand at k = 0.
  *
+ *   error  output, or NULL: what is wrong, its field a member of fvi_run or of the system
+ *
  * Memory O(d), O(d w) for the 2 w - 1 diagonals of a Hessian (O(d^2) if full) where
  * the step is implicit, and what the method's memory takes. Returns FVI_SUCCESS; what
  * fvi_system_check and fvi_history_alloc return; FVI_EFAULT if a pointer is NULL;
@@ -193,7 +195,7 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
  * if an impulse at t = 0 makes p infinite; what the potential returned. On error *stepper is
  * untouched. */
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
-              fvi_stepper **stepper);
+                      fvi_stepper **stepper, fvi_error *error);
 
 /* fvi_stepper_step -- from k to k + 1, where p then holds what impulses give to that node, (2.15);
  * or, of a method that chooses its steps, one of these: from
@@ -274,18 +276,6 @@ int fvi_stepper_reset(fvi_stepper *s);
  *
  * Returns FVI_SUCCESS; FVI_EINVAL in a callback of the same stepper: it lives on then. */
 int fvi_stepper_free(fvi_stepper *s);
-
-/* fvi_trajectory -- a whole run into arrays.
- *
- *   x, p    NULL, or (steps + 1) d numbers: component i of row k at [k * d + i]
- *   energy  NULL, or steps + 1 numbers
- *
- * What is NULL is not computed. Returns what fvi_stepper_start and fvi_stepper_step return, and
- * FVI_EINVAL if (steps + 1) d numbers cannot be addressed. If fvi_stepper_start
- * refuses, the arrays are untouched; if the step to row k, or U in its energy, fails,
- * rows 0 ... k - 1 stand. */
-int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
-                   double *p, double *energy);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

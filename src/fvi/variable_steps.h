@@ -32,7 +32,7 @@ extern "C" {
  * 0.98 (26.18), with p0 = 0 and no impulse where it grows faster than s. run->h and
  * run->steps say where the rows are, t_k = k h; the steps are the method's own, see fvi_stepper_step: s->k counts rows that
  * have been passed, s->t is the time of x and p. Between the ends of its steps fvi_stepper_advance_to
- * and fvi_trajectory interpolate, with about the same error as far as the force is smooth.
+ * and fvi_solve interpolate, with about the same error as far as the force is smooth.
  *
  *   run->step_error  what x may be off by the estimate of each step, >= 0; 0: 1e-10 of
  *                    the size so far, max |x_i|; below 1e-17 of that: 1e-17. p is off by more
@@ -101,39 +101,6 @@ typedef struct {
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for a stepper of
  * another method. */
 int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts);
-
-/* What fvi_variable_step_search found. */
-typedef struct {
-    double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
-    fvi_step_statistics counts; /* of the run whose rows are given out */
-} fvi_variable_step_found;
-
-/* fvi_variable_step_search -- the rows of a run, right to a wanted error.
- *
- * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
- * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
- * largest difference in the rows, and 3e-14 max |x| for the rounding, or what their modes
- * may be off by, is the estimate. It tells the error of the first run;
- * the rows are those of the second, and mostly some 500 times better. While the estimate is above `error`, a run with
- * a tenth again is compared with the last.
- *
- *   run    as for fvi_stepper_start; step_error and most_steps are not read
- *   error  what max |x_k - x(t_k)| may be, finite, > 0
- *   most   no run of more steps than this is made
- *   x, p   outputs, (steps + 1) d numbers, rows k = 0, ..., N; p may be NULL
- *   found  output
- *
- * It is an estimate, no bound: what both runs pass over, a pulse of a force without bounds
- * that is shorter than their steps, say, is not seen, nor perhaps a small jump that is not declared. The
- * error of p is another matter. Where five runs in a row fail within a thousandth of one t,
- * no finer one is tried.
- * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
- * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_stepper_start
- * and fvi_stepper_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
- * because of most: found->estimate is then the smallest one, infinite if there was none. On
- * error x, p and, but for FVI_ETOL, *found are untouched. */
-int fvi_variable_step_search(const fvi_run *run, double error, size_t most,
-                        double *x, double *p, fvi_variable_step_found *found);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

@@ -14,7 +14,7 @@
 static int prepare(const fvi_system *system, double kappa, double h,
                    const double *x, const double *y, double **S)
 {
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (status)
         return status;
     if (!x || !y)

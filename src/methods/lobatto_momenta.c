@@ -34,7 +34,7 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                                             { 1, -4, 6, -4, 1 } };
     if (!method || !run || !x || !p)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system);
+    int status = fvi_system_check(run->system, NULL);
     if (status)
         return status;
     const size_t s = (size_t)method->stages;

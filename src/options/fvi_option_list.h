@@ -34,6 +34,7 @@ typedef struct {
     fvi_command about; /* of what help speaks; HELP itself for the whole */
     const fvi_method *method;
     double alpha, kappa, h, tolerance;
+    double time;  /* of --time; 0: not given */
     double error; /* 0: the step is h; else it is to be found */
     double step_error; /* of fvi-adaptive; 0: its own */
     double longest; /* step; 0: no limit */

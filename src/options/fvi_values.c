@@ -170,6 +170,7 @@ static int interpret_grid(fvi_options *o, fvi_error *c)
         return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
     double time = 0;
     status = number(o, TIME, 0, INFINITY, "()", &time, c);
+    o->time = time;
     o->h = time / (double)o->steps;
     if (!status && !(o->h > 0))
         return fvi_refuse(c, "time", "'%s' is too short for so many steps",

@@ -50,7 +50,7 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
 {
     if (!x)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (status)
         return status;
     if (system->d != 1)
@@ -68,7 +68,8 @@ int fvi_algorithm_3(const fvi_system *system, double alpha, double kappa,
                           .alpha = alpha,
                           .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
     fvi_stepper *s;
-    status = fvi_stepper_start(&fvi_fractional, &run, &s); /* only to check them */
+    status = fvi_stepper_start(&fvi_fractional, &run, &s,
+                               NULL); /* only to check them */
     if (status)
         return status;
     fvi_stepper_free(s);

@@ -12,7 +12,7 @@ static int check(const fvi_balance_scheme *scheme, size_t N)
 {
     if (!scheme)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(scheme->system);
+    int status = fvi_system_check(scheme->system, NULL);
     if (status)
         return status;
     if (!(scheme->alpha >= 0 && scheme->alpha <= 1))

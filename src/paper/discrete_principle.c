@@ -21,7 +21,7 @@ typedef struct {
 
 static int check(const problem *p)
 {
-    int status = fvi_system_check(p->system);
+    int status = fvi_system_check(p->system, NULL);
     if (status)
         return status;
     if (!p->x || !p->y)

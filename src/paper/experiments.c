@@ -90,7 +90,7 @@ int fvi_oscillator_errors(const fvi_method *method, double m, double rho,
                           .kappa = 0.5,
                           .alpha = 0.5 };
     fvi_stepper *s;
-    int status = fvi_stepper_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s, NULL);
     if (status)
         return status;
     double worst[3] = { 0 };

@@ -60,7 +60,7 @@ static int solve_for_next(const fvi_system *system, double kappa, double h,
 int fvi_legendre_inverse(const fvi_system *system, double kappa, double h,
                          const double *x, const double *p, double *y)
 {
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (status)
         return status;
     if (!x || !p || !y)

@@ -177,7 +177,7 @@ static int check_curve(const fvi_powers *f)
 static int check(const fvi_system *system, double alpha, double T, size_t count,
                  const fvi_powers *const *curve, const double *out)
 {
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (!status && !out)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!status && system->d != 1)

@@ -126,7 +126,8 @@ static PetscErrorCode run(const share *s, const wishes *w, const double *mass,
     wish.alpha = w->alpha;
     fvi_stepper *stepper;
     PetscFunctionBeginUser;
-    const int status = fvi_stepper_start(&fvi_cq2_midpoint, &wish, &stepper);
+    const int status = fvi_stepper_start(&fvi_cq2_midpoint, &wish, &stepper,
+                                         NULL);
     PetscCheck(!status, PETSC_COMM_SELF, PETSC_ERR_USER, "%s",
                fvi_error_name(status));
     if (w->resumes)

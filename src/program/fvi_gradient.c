@@ -202,7 +202,7 @@ static int complain_of(request *r, int status)
     fvi_stepper *s;
     if (status == FVI_ENOMEM)
         return fvi_complain("not enough memory");
-    int failed = fvi_stepper_start(r->o.method, &r->run, &s);
+    int failed = fvi_stepper_start(r->o.method, &r->run, &s, NULL);
     if (failed)
         return fvi_complain(fvi_code_in_words(failed));
     while (s->k < N && !(failed = fvi_stepper_step(s)))

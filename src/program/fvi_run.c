@@ -185,15 +185,15 @@ void fvi_run_head(FILE *out, const fvi_options *o, const char *unstable)
                              unstable);
 }
 
-void fvi_variable_step_head(FILE *out, const fvi_options *o,
-                       const fvi_step_statistics *counts)
+void fvi_variable_step_head(FILE *out, const fvi_options *o, int stages,
+                            char form, size_t steps)
 {
     char text[32];
-    snprintf(text, sizeof text, "%c, %d stages", counts->form, counts->stages);
+    snprintf(text, sizeof text, "%c, %d stages", form, stages);
     fvi_format_parameter(out, o->format, "form", text);
-    if (counts->steps == 0)
+    if (steps == 0)
         return;
-    snprintf(text, sizeof text, "%zu", counts->steps);
+    snprintf(text, sizeof text, "%zu", steps);
     fvi_format_parameter(out, o->format, "steps taken", text);
 }
 
@@ -250,8 +250,8 @@ static int run_to_the_end(fvi_table *t, const fvi_run *r, fvi_stepper *s,
     fvi_watch watch = fvi_watch_begin(o->method, r, *unstable != '\0');
     fvi_step_statistics counts;
     if (o->method->dense && fvi_stepper_statistics(s, &counts) == 0) {
-        counts.steps = 0; /* of a run that goes on, too: not before its end */
-        fvi_variable_step_head(t->out, o, &counts);
+        /* how many steps, of a run that goes on, too: not before its end */
+        fvi_variable_step_head(t->out, o, counts.stages, counts.form, 0);
     }
     fvi_table_names(t);
     failed = rows_and_checkpoints(t, s, &watch, c);
@@ -272,7 +272,7 @@ int fvi_command_run(const fvi_options *o, const fvi_system *system)
     int failed, status = FVI_ENOMEM;
     fvi_table_shape(&t, o, system);
     if ((t.rows = fvi_run_room(&t)))
-        status = fvi_stepper_start(o->method, &r, &s);
+        status = fvi_stepper_start(o->method, &r, &s, NULL);
     failed = status ? fvi_complain_of_start(o, status)
                     : fvi_checkpoint_begin(o, s, &c);
     if (!failed)

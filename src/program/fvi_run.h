@@ -3,7 +3,7 @@
 #ifndef FVI_RUN_H
 #define FVI_RUN_H
 
-#include <fvi/step_search.h>
+#include <fvi/solve.h>
 #include <fvi/variable_steps.h>
 #include <fvi/warnings.h>
 #include "fvi_commands.h"
@@ -34,21 +34,14 @@ int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k);
  * not at all, if there is such a name. Returns 0, or 1 after it has said what is wrong. */
 int fvi_snapshot(const fvi_options *o, const fvi_stepper *s);
 
-/* What a search found: one of a step, or of a method that chooses its steps. */
-typedef struct {
-    fvi_step_found step;
-    fvi_variable_step_found adaptive;
-} fvi_run_found;
-
 /* fvi_run_search -- the rows k = 0, ..., steps of r by this method, right to o->error; x and p
- * have room for them. Returns what fvi_step_search and fvi_variable_step_search return. */
+ * have room for them. Returns what fvi_solve returns. */
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
-                   const fvi_run *r, double *x, double *p,
-                   fvi_run_found *found);
+                   const fvi_run *r, double *x, double *p, fvi_report *found);
 
 /* fvi_variable_step_head -- two lines of the head: what a method that chooses its steps has
  * chosen; how many of them, if not 0. */
-void fvi_variable_step_head(FILE *out, const fvi_options *o,
-                       const fvi_step_statistics *counts);
+void fvi_variable_step_head(FILE *out, const fvi_options *o, int stages,
+                            char form, size_t steps);
 
 #endif

@@ -13,19 +13,28 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { USUAL_MOST_STEPS = 1 << 24 };
-
 int fvi_run_search(const fvi_options *o, const fvi_method *method,
-                   const fvi_run *r, double *x, double *p, fvi_run_found *found)
+                   const fvi_run *r, double *x, double *p, fvi_report *found)
 {
-    const size_t most = o->most_steps > 0 ? o->most_steps : USUAL_MOST_STEPS;
-    return method->dense
-               ? fvi_variable_step_search(r, o->error, most, x, p, &found->adaptive)
-               : fvi_step_search(method, r, o->error, most, x, p, &found->step);
+    const fvi_problem problem = { .system = *r->system,
+                                  .x0 = r->x0,
+                                  .p0 = r->p0,
+                                  .T = o->time,
+                                  .alpha = r->alpha,
+                                  .law = r->law,
+                                  .past = r->past };
+    const fvi_solve_options options = { .method = method,
+                                        .kappa = &r->kappa,
+                                        .longest = r->longest,
+                                        .history = r->memory,
+                                        .history_tolerance = r->tolerance };
+    const fvi_accuracy accuracy = { o->error, o->most_steps };
+    const fvi_outputs rows = { .rows = r->steps + 1, .x = x, .p = p };
+    return fvi_solve(&problem, &options, &accuracy, &rows, found, NULL);
 }
 
 static int search(const fvi_options *o, const fvi_method *method,
-                  const fvi_run *r, double *x, double *p, fvi_run_found *found)
+                  const fvi_run *r, double *x, double *p, fvi_report *found)
 {
     const int terminal = isatty(STDERR_FILENO);
     if (terminal)
@@ -37,47 +46,42 @@ static int search(const fvi_options *o, const fvi_method *method,
 }
 
 /* "1.9e-07, with the step 9.537e-07" */
-static double estimate_of(const fvi_options *o, const fvi_method *method,
-                          const fvi_run_found *found, size_t size, char *text)
+static void describe(const fvi_report *found, size_t size, char *text)
 {
-    const double estimate =
-        method->dense ? found->adaptive.estimate : found->step.estimate;
-    if (method->dense)
-        snprintf(text, size, "%.2g, in %zu steps", estimate,
-                 found->adaptive.counts.steps);
+    if (found->method->dense)
+        snprintf(text, size, "%.2g, in %zu steps", found->error, found->steps);
     else
-        snprintf(text, size, "%.2g, with the step %.4g", estimate,
-                 o->h / (double)found->step.parts);
-    return estimate;
+        snprintf(text, size, "%.2g, with the step %.4g", found->error,
+                 found->h);
 }
 
 /* How near to the wanted error a search came; and another method is tried before it is
  * advised. x and p are room for its rows, which nobody sees. */
 static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
-                         double *p, const fvi_run_found *found)
+                         double *p, const fvi_report *found)
 {
     char own[80], others[80], advice[160] = "";
-    const double estimate = estimate_of(o, o->method, found, sizeof own, own);
-    if (!isfinite(estimate) && o->most_steps > 0) {
+    describe(found, sizeof own, own);
+    if (!isfinite(found->error) && o->most_steps > 0) {
         fprintf(stderr,
                 "fvi: --error: of the runs that --most-steps allows, up to %zu "
                 "steps, no two can be compared\n",
                 o->most_steps);
         return;
     }
-    if (!isfinite(estimate)) {
+    if (!isfinite(found->error)) {
         fvi_complain("--error: no step gives a result that can be trusted");
         return;
     }
-    const fvi_method *other =
-        o->method->dense ? NULL : fvi_step_search_other(o->method, r);
-    fvi_run_found tried;
+    const fvi_method *other = found->other;
+    fvi_report tried;
     const int status = other ? search(o, other, r, x, p, &tried) : 0;
     if (other && !status)
         snprintf(advice, sizeof advice, "; try --method %s", other->name);
-    else if (status == FVI_ETOL
-             && estimate_of(o, other, &tried, sizeof others, others) < estimate)
+    else if (status == FVI_ETOL && tried.error < found->error) {
+        describe(&tried, sizeof others, others);
         snprintf(advice, sizeof advice, "; by %s %s", other->name, others);
+    }
     fprintf(stderr,
             "fvi: --error: %g is out of reach; the smallest estimate was "
             "%s%s\n",
@@ -86,7 +90,7 @@ static void say_how_near(const fvi_options *o, const fvi_run *r, double *x,
 
 /* Find the step; say what was found, or how near it came. */
 static int find_step(const fvi_options *o, const fvi_run *r, double *x,
-                     double *p, fvi_run_found *found)
+                     double *p, fvi_report *found)
 {
     int status = search(o, o->method, r, x, p, found);
     if (status == FVI_ETOL)
@@ -98,7 +102,7 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
         fvi_complain_of_start(o, status);
     if (!status) {
         char text[80];
-        estimate_of(o, o->method, found, sizeof text, text);
+        describe(found, sizeof text, text);
         fprintf(stderr, "fvi: the error of x is %sabout %s\n",
                 o->method->dense ? "at most " : "", text);
     }
@@ -106,23 +110,23 @@ static int find_step(const fvi_options *o, const fvi_run *r, double *x,
 }
 
 static void head_of_search(FILE *out, const fvi_options *o,
-                           const fvi_run_found *found)
+                           const fvi_report *found)
 {
     const int dense = o->method->dense != NULL;
     char text[32];
     if (dense) {
-        fvi_variable_step_head(out, o, &found->adaptive.counts);
+        fvi_variable_step_head(out, o, found->stages, found->form,
+                               found->steps);
     } else {
-        fvi_format_double(o->h / (double)found->step.parts, text);
+        fvi_format_double(found->h, text);
         fvi_format_parameter(out, o->format, "step", text);
     }
-    snprintf(text, sizeof text, "%.2g",
-             dense ? found->adaptive.estimate : found->step.estimate);
+    snprintf(text, sizeof text, "%.2g", found->error);
     fvi_format_parameter(out, o->format, "error estimate", text);
 }
 
 static int print_found(const fvi_options *o, const fvi_system *system,
-                       const fvi_run_found *found, const double *x,
+                       const fvi_report *found, const double *x,
                        const double *p)
 {
     fvi_table t;
@@ -148,7 +152,7 @@ static int print_found(const fvi_options *o, const fvi_system *system,
 int fvi_command_error(const fvi_options *o, const fvi_system *system)
 {
     const fvi_run r = fvi_options_run(o, system);
-    fvi_run_found found;
+    fvi_report found;
     fvi_table t;
     fvi_table_shape(&t, o, system);
     double *rows =

@@ -49,7 +49,7 @@ typedef struct {
 static verdict by_steps(const fvi_options *o, const fvi_run *r, fvi_table *t)
 {
     fvi_stepper *s;
-    verdict v = { .status = fvi_stepper_start(o->method, r, &s) };
+    verdict v = { .status = fvi_stepper_start(o->method, r, &s, NULL) };
     char unstable[FVI_WARNING_ROOM];
     if (v.status)
         return v;
@@ -71,7 +71,7 @@ static verdict by_error(const fvi_options *o, const fvi_run *r, fvi_table *t)
     const size_t last = o->steps * o->d;
     double *x = malloc(2 * (last + o->d) * sizeof *x),
            *p = x ? x + last + o->d : NULL;
-    fvi_run_found found;
+    fvi_report found;
     verdict v = { .status = FVI_ENOMEM };
     if (x)
         v.status = fvi_run_search(o, o->method, r, x, p, &found);

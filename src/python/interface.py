@@ -12,6 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 ffi = FFI()
 ffi.cdef("""
+typedef struct { int code; const char *field; double value; size_t index; char text[400]; } fvi_error;
 typedef struct {
     int (*value)(size_t d, const double *x, void *params, double *value);
     int (*gradient)(size_t d, const double *x, void *params, double *grad);
@@ -78,20 +79,37 @@ typedef struct {
 extern const fvi_method *const fvi_methods[];
 const fvi_method *fvi_method_find(const char *name);
 fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
-int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper);
+int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper, fvi_error *error);
 int fvi_stepper_step(fvi_stepper *s);
 int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
 int fvi_stepper_reset(fvi_stepper *s);
 void fvi_stepper_free(fvi_stepper *s);
-int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x, double *p, double *energy);
-int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
-typedef struct { size_t parts; double estimate, order; } fvi_step_found;
-int fvi_step_search(const fvi_method *method, const fvi_run *run, double error, size_t most,
-                    double *x, double *p, fvi_step_found *found);
-const fvi_method *fvi_step_search_other(const fvi_method *method, const fvi_run *run);
-typedef struct { double estimate; ...; } fvi_variable_step_found;
-int fvi_variable_step_search(const fvi_run *run, double error, size_t most, double *x, double *p,
-                        fvi_variable_step_found *found);
+typedef struct {
+    fvi_system system;
+    const double *x0, *p0;
+    double T, alpha;
+    const fvi_kernel *law;
+    fvi_initial_history past;
+} fvi_problem;
+typedef struct {
+    const fvi_method *method;
+    double h;
+    const double *kappa;
+    double longest, step_error;
+    fvi_history_kind history;
+    double history_tolerance;
+} fvi_solve_options;
+typedef struct { double tolerance; size_t most_steps; } fvi_accuracy;
+typedef struct {
+    size_t rows;
+    const double *t;
+    double *x, *p, *energy;
+    int (*row)(size_t k, double t, const double *x, const double *p, void *params);
+    void *params;
+} fvi_outputs;
+typedef struct { double error; ...; } fvi_report;
+int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, const fvi_accuracy *accuracy,
+              const fvi_outputs *outputs, fvi_report *report, fvi_error *error);
 enum { FVI_WARNING_ROOM = 400 };
 int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
@@ -100,7 +118,6 @@ fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_u
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t k,
                       const double *x, size_t size, char *text);
 
-typedef struct { int code; const char *field; double value; size_t index; char text[400]; } fvi_error;
 typedef struct { double value[64]; ...; } fvi_user_parameters;
 int fvi_user_parameters_set(fvi_user_parameters *parameters, const char *name, double value, fvi_error *error);
 int fvi_user_parameters_are_used(const fvi_user_parameters *parameters, fvi_error *error);
@@ -123,7 +140,7 @@ void fvi_typed_force_free(fvi_typed_force *force);
 
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
                FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
-enum { FVI_ESTIMATION_MOST = 8, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
+enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;

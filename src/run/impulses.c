@@ -1,26 +1,38 @@
 /* src/run/impulses.c -- What hits the body, as steps of one length take it. [H 2] */
 #include "impulses.h"
 
-#include "system/fail.h"
+#include <fvi/error.h>
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-int fvi_impulses_check(const fvi_force *force, size_t d)
+static int refuse(int code, size_t i, double value, const char *reason,
+                  fvi_error *error)
+{
+    fvi_fail(error, code, "impulses", value, "impulse %zu: %s", i, reason);
+    if (error)
+        error->index = i;
+    return code;
+}
+
+int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error)
 {
     const size_t n = force->impulse_count;
     const fvi_impulse *hit = force->impulses;
     if (n > 0 && !hit)
-        FVI_FAIL("impulses is a null pointer", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "impulses", NAN,
+                        "impulses is a null pointer");
     for (size_t i = 0; i < n; i++) {
         if (!hit[i].J)
-            FVI_FAIL("an impulse needs its J", FVI_EFAULT);
+            return refuse(FVI_EFAULT, i, NAN, "it needs its J", error);
         if (!(gsl_finite(hit[i].t) && hit[i].t >= 0)
             || !fvi_all_finite(d, hit[i].J))
-            FVI_FAIL("an impulse is finite, at a time t >= 0", FVI_EDOM);
+            return refuse(FVI_EDOM, i, hit[i].t,
+                          "it must be finite, at a time t >= 0", error);
         if (i > 0 && hit[i].t < hit[i - 1].t)
-            FVI_FAIL("impulses stand in the order of their times", FVI_EINVAL);
+            return refuse(FVI_EINVAL, i, hit[i].t,
+                          "impulses stand in the order of their times", error);
     }
     return FVI_SUCCESS;
 }

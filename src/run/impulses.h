@@ -6,8 +6,8 @@
 
 /* fvi_impulses_check -- FVI_SUCCESS; FVI_EFAULT if there are impulses and no array, or one
  * without J; FVI_EDOM if a number is not finite, or a time negative; FVI_EINVAL if the
- * times fall. Cost O(n d). */
-int fvi_impulses_check(const fvi_force *force, size_t d);
+ * times fall. Field "impulses", the index that of the impulse. Cost O(n d). */
+int fvi_impulses_check(const fvi_force *force, size_t d, fvi_error *error);
 
 /* fvi_impulses_act -- add to p what falls to node k, (2.15). Cost O(log n) of n impulses,
  * and O(d) for each within a step of the node. */

@@ -2,7 +2,8 @@
 #include <fvi/trajectory.h>
 
 #include "impulses.h"
-#include "solution.h"
+#include "run_check.h"
+#include "whole_run.h"
 #include "system/fail.h"
 #include "system/newton.h"
 
@@ -33,84 +34,10 @@ fvi_run fvi_run_default(const fvi_system *system, const double *x0,
                       .memory = FVI_HISTORY_AUTO };
 }
 
-static int check_law(const fvi_method *method, const fvi_run *run)
-{
-    if (!run->law)
-        return FVI_SUCCESS;
-    if (!method->takes_laws)
-        FVI_FAIL("this method knows no laws of damping", FVI_EUNSUP);
-    if (run->past != FVI_INITIAL_HISTORY_HELD)
-        FVI_FAIL("a law of damping is that of a body that was held",
-                 FVI_EUNSUP);
-    return fvi_kernel_check(run->law);
-}
-
-static int check_impulses(const fvi_method *method, const fvi_run *run)
-{
-    const fvi_system *system = run->system;
-    const int status = fvi_impulses_check(&system->force, system->d);
-    if (status || !system->force.impulse_count || !method->stages
-        || run->alpha < 1)
-        return status;
-    for (size_t i = 0; i < system->d; i++)
-        if (system->damping[i] > 0) /* (17.17): p is not m x' */
-            FVI_FAIL("stages take no impulse at alpha = 1", FVI_EUNSUP);
-    return FVI_SUCCESS;
-}
-
-static int check_past(const fvi_method *method, const fvi_run *run)
-{
-    if (run->past != FVI_INITIAL_HISTORY_HELD && run->past != FVI_INITIAL_HISTORY_CAPUTO
-        && run->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
-        FVI_FAIL("unknown past", FVI_EINVAL);
-    int has = 1, status = FVI_SUCCESS;
-    if (!method->paper_convention)
-        status = fvi_run_has_solution(run, &has);
-    if (!has)
-        FVI_FAIL("Riemann-Liouville with a damped x0 != 0 has no solution for "
-                 "alpha > 1/2",
-                 FVI_EDOM);
-    return status;
-}
-
 int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind)
 {
     return method->memories == 0 || kind > FVI_HISTORY_MODES
            || method->memories & 1u << kind;
-}
-
-static int check(const fvi_method *method, const fvi_run *run)
-{
-    if (!method || !run || !run->x0 || !run->p0)
-        FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = method->takes_matrices ? fvi_system_check_any(run->system)
-                                        : fvi_system_check(run->system);
-    if (status)
-        return status;
-    if (run->steps == 0)
-        FVI_FAIL("a run has at least one step", FVI_EINVAL);
-    if (!(gsl_finite(run->h) && run->h > 0))
-        FVI_FAIL("h must be finite and positive", FVI_EDOM);
-    if (!(run->kappa >= 0 && run->kappa <= 1))
-        FVI_FAIL("kappa must be in [0, 1]", FVI_EDOM);
-    if (!(run->alpha >= method->alpha_least
-          && run->alpha <= method->alpha_most))
-        FVI_FAIL("this method does not know this alpha", FVI_EDOM);
-    if (!(run->tolerance >= 0 && run->tolerance < 1))
-        FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
-    if (!(run->step_error >= 0 && gsl_finite(run->step_error)))
-        FVI_FAIL("step_error must be finite and not negative", FVI_EDOM);
-    if (!(run->longest >= 0 && gsl_finite(run->longest)))
-        FVI_FAIL("longest must be finite and not negative", FVI_EDOM);
-    if (!fvi_all_finite(run->system->d, run->x0)
-        || !fvi_all_finite(run->system->d, run->p0))
-        FVI_FAIL("x0 and p0 must be finite", FVI_EDOM);
-    if (!fvi_method_takes_history(method, run->memory))
-        FVI_FAIL("this method has no such memory", FVI_EUNSUP);
-    status = check_impulses(method, run);
-    if (!status)
-        status = check_law(method, run);
-    return status ? status : check_past(method, run);
 }
 
 /* At k = 0, x0, p0 and the run's in one block of its own; or NULL. */
@@ -161,26 +88,29 @@ static int is_finite(const fvi_stepper *s)
 }
 
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
-              fvi_stepper **stepper)
+                      fvi_stepper **stepper, fvi_error *error)
 {
     if (!stepper)
-        FVI_FAIL("stepper is a null pointer", FVI_EFAULT);
-    int status = check(method, run);
+        return fvi_fail(error, FVI_EFAULT, "stepper", NAN,
+                        "stepper is a null pointer");
+    int status = fvi_run_check(method, run, error);
     if (status)
         return status;
     fvi_stepper *s = make(method, run);
     if (!s)
-        FVI_FAIL("no memory for the state", FVI_ENOMEM);
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN,
+                        "no memory for the state");
     status = method->start ? method->start(s) : FVI_SUCCESS;
     if (status) {
         fvi_stepper_free(s);
-        return status;
+        return fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
     }
     if (!method->dense)
         fvi_impulses_act(s, 0);
     if (!is_finite(s)) {
         fvi_stepper_free(s);
-        return FVI_EOVRFLW;
+        return fvi_fail(error, FVI_EOVRFLW, "p0", NAN,
+                        "an impulse at t = 0 makes p infinite");
     }
     *stepper = s;
     return FVI_SUCCESS;
@@ -345,7 +275,7 @@ int fvi_stepper_reset(fvi_stepper *s)
     REFUSE_CALLBACKS_OF(s);
     fvi_stepper *fresh;
     s->is_busy = 1;
-    int status = fvi_stepper_start(s->method, &s->run, &fresh);
+    int status = fvi_stepper_start(s->method, &s->run, &fresh, NULL);
     s->is_busy = 0;
     if (status)
         return status;
@@ -386,7 +316,7 @@ int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
                    double *p, double *energy)
 {
     fvi_stepper *s;
-    int status = fvi_stepper_start(method, run, &s);
+    int status = fvi_stepper_start(method, run, &s, NULL);
     if (status)
         return status;
     if (run->steps >= SIZE_MAX / sizeof(double) / run->system->d) {

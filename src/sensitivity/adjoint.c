@@ -50,7 +50,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         *s; /* knows what a run may be; one of a step has no long memory */
     fvi_run one = *run;
     one.steps = run->steps > 0;
-    int status = fvi_stepper_start(method, &one, &s);
+    int status = fvi_stepper_start(method, &one, &s, NULL);
     if (!status)
         fvi_stepper_free(s);
     return status;

@@ -55,7 +55,7 @@ static int start_stepper(fvi_adjoint_lobatto *m, const fvi_method *method,
     back.past = FVI_INITIAL_HISTORY_HELD;
     for (size_t j = 0; j < m->d; j++)
         x0[j] = Jp[j] * m->run->system->mass[j] / m->mass[j];
-    int status = fvi_stepper_start(method, &back, &m->stepper);
+    int status = fvi_stepper_start(method, &back, &m->stepper, NULL);
     for (size_t j = 0; !status && m->damped_inertia && j < m->d; j++)
         m->stepper->p[j] = m->run->system->mass[j] * x0[j];
     for (size_t j = 0; j < m->d; j++)

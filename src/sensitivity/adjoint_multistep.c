@@ -52,7 +52,7 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
     back.p0 = m->work; /* zeros */
     back.kappa = 1 - m->kappa;
     back.past = FVI_INITIAL_HISTORY_HELD;
-    int status = fvi_stepper_start(method, &back, &m->stepper);
+    int status = fvi_stepper_start(method, &back, &m->stepper, NULL);
     if (status)
         return status;
     m->damping = fvi_damping_of(m->stepper);

@@ -106,7 +106,7 @@ static int run_here(const fvi_method *method, const fvi_run *run,
     if (!b->rows || !b->at)
         FVI_FAIL("no memory for the path", FVI_ENOMEM);
     b->x = b->rows;
-    int status = fvi_stepper_start(method, run, &s);
+    int status = fvi_stepper_start(method, run, &s, NULL);
     if (status)
         return status;
     status = run_all(b, s);

@@ -1,5 +1,6 @@
 /* src/sensitivity/control.c -- From here to there with the least force.  [H 25] */
 #include <fvi/control.h>
+#include "run/whole_run.h"
 
 #include <fvi/adjoint.h>
 #include "system/fail.h"
@@ -293,7 +294,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
 {
     if (!method || !run || !x || !p || !u || !found)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = fvi_system_check(run->system);
+    int status = fvi_system_check(run->system, NULL);
     if (status)
         return status;
     if (run->steps < 2)

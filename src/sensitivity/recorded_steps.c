@@ -85,7 +85,7 @@ int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *m)
         FVI_FAIL("no memory for the path", FVI_ENOMEM);
     m->p = m->rows + (run->steps + 1) * m->d;
     m->impulse_dv = m->p + m->d;
-    int status = fvi_stepper_start(&method, run, &s);
+    int status = fvi_stepper_start(&method, run, &s, NULL);
     if (status)
         return status;
     status = run_all(run, s, m);

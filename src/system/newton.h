@@ -63,7 +63,7 @@ int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
 
 /* fvi_system_check_any -- as fvi_system_check, but matrices are welcome: FVI_EFAULT if one of
  * their functions is missing, FVI_EINVAL if there is a potential, too. */
-int fvi_system_check_any(const fvi_system *system);
+int fvi_system_check_any(const fvi_system *system, fvi_error *error);
 
 /* fvi_newton_solve -- one solution of (2.10), or of the equations of q stages.
  *

@@ -208,7 +208,7 @@ static int finish(fvi_newton *n, fvi_newton **newton)
 int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
                      double theta, fvi_newton **newton)
 {
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (status)
         return status;
     if (!A || !newton)
@@ -231,7 +231,7 @@ int fvi_newton_alloc(const fvi_system *system, const double *A, double s,
 int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
                             fvi_newton **newton)
 {
-    int status = fvi_system_check(system);
+    int status = fvi_system_check(system, NULL);
     if (status)
         return status;
     if (!s || !newton)

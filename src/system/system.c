@@ -10,43 +10,63 @@
 #include <stdint.h>
 #include <string.h>
 
-int fvi_system_check(const fvi_system *s)
+int fvi_system_check(const fvi_system *s, fvi_error *error)
 {
     if (s && s->matrices)
-        FVI_FAIL("this is not for systems with matrices", FVI_EUNSUP);
-    return fvi_system_check_any(s);
+        return fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
+                        "this is not for systems with matrices");
+    return fvi_system_check_any(s, error);
 }
 
-static int check_matrices(const fvi_system *s)
+static int check_matrices(const fvi_system *s, fvi_error *error)
 {
     const fvi_matrices *m = s->matrices;
     if (!m->stiffness || !m->factorise || !m->solve || !m->forget
         || (m->remembered > 0 && (!m->remember || !m->damp)))
-        FVI_FAIL("a function of the matrices is missing", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
+                        "a function of the matrices is missing");
     if (s->potential.value)
-        FVI_FAIL("matrices and a potential do not go together", FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
+                        "matrices and a potential do not go together");
     return FVI_SUCCESS;
 }
 
-int fvi_system_check_any(const fvi_system *s)
+/* A number of one coordinate that is out of its range. */
+static int refuse_number(const char *field, double value, size_t i,
+                         const char *range, fvi_error *error)
+{
+    const int code =
+        fvi_fail(error, FVI_EDOM, field, value, "%s[%zu] is %g; it must be %s",
+                 field, i, value, range);
+    if (error)
+        error->index = i;
+    return code;
+}
+
+int fvi_system_check_any(const fvi_system *s, fvi_error *error)
 {
     if (!s || !s->mass || !s->damping)
-        FVI_FAIL("a system needs masses and dampings", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "system", NAN,
+                        "a system needs masses and dampings");
     const fvi_potential *u = &s->potential;
     const size_t row = s->matrices ? 1 : u->diagonals ? u->diagonals : s->d;
     if (s->d == 0 || s->d > SIZE_MAX / sizeof(double) / 8 / row)
-        FVI_FAIL("the dimension must be at least 1 and a Hessian addressable",
-                 FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "d", (double)s->d,
+                        "the dimension must be at least 1 and a Hessian "
+                        "addressable");
     if (!u->value != !u->gradient || !u->value != !u->hessian)
-        FVI_FAIL("a potential needs value, gradient and hessian, or none",
-                 FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "potential", NAN,
+                        "a potential needs value, gradient and hessian, or "
+                        "none");
     for (size_t i = 0; i < s->d; i++) {
         if (!(gsl_finite(s->mass[i]) && s->mass[i] > 0))
-            FVI_FAIL("a mass must be finite and positive", FVI_EDOM);
+            return refuse_number("mass", s->mass[i], i, "finite and positive",
+                                 error);
         if (!(gsl_finite(s->damping[i]) && s->damping[i] >= 0))
-            FVI_FAIL("a damping must be finite and not negative", FVI_EDOM);
+            return refuse_number("rho", s->damping[i], i,
+                                 "finite and not negative", error);
     }
-    return s->matrices ? check_matrices(s) : FVI_SUCCESS;
+    return s->matrices ? check_matrices(s, error) : FVI_SUCCESS;
 }
 
 int fvi_potential_value(const fvi_system *s, const double *x, double *U)

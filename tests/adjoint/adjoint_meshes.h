@@ -3,6 +3,7 @@
 #define ADJOINT_MESHES_H
 
 #include "adjoint_runs.h"
+#include "run/whole_run.h"
 
 enum { D = 3, N = 40 };
 

@@ -1,5 +1,6 @@
 /* tests/adjoint/test_adjoint.c -- H 23.          Run alone: make test-adjoint */
 #include "adjoint_runs.h"
+#include "run/whole_run.h"
 
 #include "adjoint_ref.h"
 #include "system/larger.h"

@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_factors.c -- H 23: derivatives by factors of matrices.
  *                                        Run alone: make test-adjoint_factors */
 #include "structures/structures_runs.h"
+#include "run/whole_run.h"
 
 #include "adjoint_matrices_ref.h"
 #include "system/larger.h"

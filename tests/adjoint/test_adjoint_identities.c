@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_identities.c -- H 23: reciprocity, Taylor, errors.
  *                                      Run alone: make test-adjoint_identities */
 #include "adjoint_runs.h"
+#include "run/whole_run.h"
 
 #include "adjoint_simple.h"
 #include "system/larger.h"

@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_laws.c -- H 23: laws of damping.
  *                                        Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
+#include "run/whole_run.h"
 #include "stages/lobatto_weights.h"
 #include "system/larger.h"
 

@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_matrices.c -- H 23: systems with matrices.
  *                                        Run alone: make test-adjoint_matrices */
 #include "structures/structures_runs.h"
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 enum { D = 7, N = 70 };

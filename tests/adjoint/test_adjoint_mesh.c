@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_mesh.c -- H 23: steps of any length.
  *                                        Run alone: make test-adjoint_mesh */
 #include "adjoint_meshes.h"
+#include "run/whole_run.h"
 #include "stages/variable_modes.h"
 #include "system/larger.h"
 
@@ -197,7 +198,8 @@ START_TEST(eq_23_16_impulses_are_divided_by_the_mass)
         c.system.force.impulses = impulses;
         c.system.force.impulse_count = LEN(impulses);
         fvi_stepper *refused;
-        const int status = fvi_stepper_start(&fvi_variable_step, &c.run, &refused);
+        const int status = fvi_stepper_start(&fvi_variable_step, &c.run, &refused,
+                                             NULL);
         ck_assert(status == FVI_SUCCESS
                   || (status == FVI_EUNSUP && c.run.alpha == 0.95));
         if (status)

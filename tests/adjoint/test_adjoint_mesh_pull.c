@@ -43,7 +43,8 @@ enum { PLAIN, LASTING, HANDED_OVER, FALLING, TURNED, KINDS };
 static int kind_of(chain *c)
 {
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c->run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c->run, &s,
+                                       NULL), FVI_SUCCESS);
     const fvi_singular *g = &((const fvi_variable_step_state *)s->method_state)->singular;
     const int kind = g->J == 0              ? PLAIN
                      : g->gap < 0           ? FALLING

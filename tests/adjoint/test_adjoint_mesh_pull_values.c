@@ -61,7 +61,8 @@ START_TEST(eq_23_25_the_steps_of_the_values)
         chain c;
         fvi_stepper *s;
         chain_of(i, &c);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c.run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &c.run, &s,
+                                           NULL), FVI_SUCCESS);
         const fvi_variable_step_state *o = s->method_state;
         ck_assert_uint_eq(o->rule->s, ref_pulls[i].s);
         ck_assert_uint_eq(o->singular.J, ref_pulls[i].J);

@@ -49,7 +49,8 @@ START_TEST(eq_23_16_the_steps_of_the_values)
         fvi_stepper *s;
         fvi_step_statistics counts;
         run_of(i, &system, &run, aw);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), FVI_SUCCESS);
         for (size_t n = 0; n < STEPS; n++) {
             ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             ck_assert_double_eq(s->t, ref_mesh_ends[n]);

@@ -1,6 +1,7 @@
 /* tests/adjoint/test_adjoint_stages.c -- H 23: methods with stages, and identities
  * that every method has to keep.       Run alone: make test-adjoint_stages */
 #include "adjoint_runs.h"
+#include "run/whole_run.h"
 #include "stages/lobatto_weights.h"
 #include "system/larger.h"
 

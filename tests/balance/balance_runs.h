@@ -3,6 +3,7 @@
 #define BALANCE_RUNS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/balance.h>
 #include "harness/ulp.h"
 

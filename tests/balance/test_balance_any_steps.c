@@ -73,7 +73,8 @@ START_TEST(eq_21_13_no_step_sequence_gains_energy)
         random_run r = { 0 };
         fvi_stepper *s;
         draw(random, i % 2 ? 1e-12 : 1, &r);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s,
+                                           NULL), FVI_SUCCESS);
         const double start = energy_of(&r.system, s->x, s->p);
         size_t n = 0;
         double longest = 0;
@@ -124,7 +125,8 @@ START_TEST(eq_21_13_between_the_ends_of_steps_energy_may_rise)
         fvi_stepper *s;
         draw(random, 1, &r);
         r.run.step_error = decades(random, -4, 0);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &r.run, &s,
+                                           NULL), FVI_SUCCESS);
         const double start = energy_of(&r.system, s->x, s->p);
         double rise = 0;
         while (s->t < r.run.h * (double)r.run.steps) {

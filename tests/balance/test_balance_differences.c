@@ -2,6 +2,7 @@
  * it has not.                     Run alone: make test-balance_differences
  *                                 [chapters/handbook/what_the_principle_buys.md] */
 #include "balance/differences.h"
+#include "run/whole_run.h"
 
 #include <fvi/fvi.h>
 #include <fvi/lobatto.h>

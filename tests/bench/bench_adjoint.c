@@ -6,6 +6,7 @@
  * and of both runs with no path kept, the forward one counted twice. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "bench.h"
 
 #include <math.h>

@@ -177,7 +177,7 @@ static double run_time(const fvi_method *method, size_t d)
     run.alpha = 0.25;
     for (int i = 0; i < 10; i++) {
         fvi_stepper *s;
-        if (fvi_stepper_start(method, &run, &s))
+        if (fvi_stepper_start(method, &run, &s, NULL))
             exit(EXIT_FAILURE);
         const double start = now();
         while (s->k < steps)
@@ -318,7 +318,7 @@ static double run_of(size_t n, fvi_potential potential, const double *x0,
     run.alpha = 0.25;
     fvi_stepper *s;
     const double begin = now();
-    int status = fvi_stepper_start(&fvi_fractional, &run, &s);
+    int status = fvi_stepper_start(&fvi_fractional, &run, &s, NULL);
     while (!status && s->k < steps)
         status = fvi_stepper_step(s);
     const double seconds = now() - begin;

@@ -41,7 +41,7 @@ static double run_once(const fvi_method *method, size_t d, size_t N, double b,
                           .alpha = alpha,
                           .memory = FVI_HISTORY_MODES };
     fvi_stepper *s;
-    if (fvi_stepper_start(method, &run, &s))
+    if (fvi_stepper_start(method, &run, &s, NULL))
         exit(EXIT_FAILURE);
     const double begin = now();
     while (s->k < N)

@@ -61,7 +61,7 @@ static double run_once(size_t d, size_t N, double kappa, fvi_history_kind kind,
                     .memory = kind,
                     .tolerance = tolerance };
     fvi_stepper *s;
-    if (fvi_stepper_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s, NULL))
         exit(EXIT_FAILURE);
     while (s->k < N)
         if (fvi_stepper_step(s))

@@ -18,6 +18,7 @@
  * The problems are those of bench_variable_steps.c. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
+#include "run/whole_run.h"
 #include "bench.h"
 #include "prototype.h"
 #include "variable_step/variable_step.h"
@@ -170,7 +171,7 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
     size_t n = 0;
     run.system = &P->system;
     run.step_error = tolerance;
-    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL));
     fvi_variable_step_state *o = s->method_state;
     const int first =
         (int)floor(log(0.1 * pow(tolerance, 0.4)) / fvi_variable_spacing());
@@ -279,7 +280,8 @@ static void set_up(const bench_problem *all)
             for (int n = 0; n < 5000; n++) {
                 fvi_stepper *s;
                 const double begin = now();
-                bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+                bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                             NULL));
                 fvi_stepper_free(s);
                 const double took = now() - begin;
                 least = took > 0 ? smaller(least, took) : least;

@@ -7,6 +7,7 @@
  * that wave alone. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "../../figures/structures/wave.h"
 #include "bench.h"
 
@@ -64,7 +65,7 @@ static void wave(size_t d, size_t steps, int with_room)
     const fvi_run run = run_of(&system, x0, p0, dx / 2, steps);
     const double begin = now(), centre = x0[d / 2], s = sin(pi * dx / 2) / dx;
     fvi_stepper *stepper;
-    if (fvi_stepper_start(&fvi_fractional, &run, &stepper))
+    if (fvi_stepper_start(&fvi_fractional, &run, &stepper, NULL))
         exit(EXIT_FAILURE);
     while (stepper->k < steps)
         if (fvi_stepper_step(stepper))
@@ -126,7 +127,7 @@ static void membrane(int m)
     const fvi_system system = fvi_structure_system(structure);
     fvi_run run = run_of(&system, x0, x0 + d, 1 / ((double)m + 1), STEPS);
     const double begin = now();
-    if (fvi_stepper_start(&fvi_cq2_midpoint, &run, &s))
+    if (fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL))
         exit(EXIT_FAILURE);
     const double started = now();
     while (s->k < FEW)

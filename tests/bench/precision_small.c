@@ -45,7 +45,7 @@ static double steps(size_t N)
         problem_run(problem_number(0), N, FVI_HISTORY_MODES, 0);
     const double start = now();
     fvi_stepper *s;
-    if (fvi_stepper_start(&fvi_fractional, &run, &s))
+    if (fvi_stepper_start(&fvi_fractional, &run, &s, NULL))
         return 0;
     while (s->k < N && !fvi_stepper_step(s))
         ;

@@ -53,7 +53,7 @@ static int run_once(const contender *c, const problem *p, size_t N,
     run.step_error = tolerance; /* read by methods that choose their steps */
     const size_t d = p->system.d;
     fvi_stepper *s;
-    int status = fvi_stepper_start(c->method, &run, &s);
+    int status = fvi_stepper_start(c->method, &run, &s, NULL);
     if (status)
         return status;
     for (size_t k = 0; k <= ROWS && !status; k++)

@@ -4,6 +4,7 @@
  * converges to the truth at the order that its publication states, and the truth agrees
  * with the exact solutions. */
 #include "fft_blocks.h"
+#include "run/whole_run.h"
 #include "peers/peers.h"
 #include "harness/ulp.h"
 

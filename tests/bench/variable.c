@@ -1,6 +1,7 @@
 /* tests/bench/variable.c -- Runs with steps of any length, for two benchmarks. [H 22] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
+#include "run/whole_run.h"
 #include "bench.h"
 #include "system/larger.h"
 
@@ -130,7 +131,7 @@ fvi_stepper *bench_start(const bench_problem *P, double tolerance)
     fvi_stepper *s;
     run.system = &P->system;
     run.step_error = tolerance;
-    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL));
     return s;
 }
 
@@ -177,7 +178,7 @@ static void truth_at(const bench_problem *P, size_t n, const double *t,
     fvi_stepper *s;
     run.system = &P->system;
     run.step_error = 1e-14;
-    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s));
+    bench_need(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL));
     for (size_t k = 0; k < n; k++) {
         bench_need(fvi_stepper_advance_to(s, t[k], all, NULL));
         x[k] = all[0];

@@ -20,7 +20,8 @@ static void oscillator(double c, double alpha, double *x)
     run.alpha = alpha;
     run.memory = FVI_HISTORY_MODES;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     for (x[0] = 1; s->k < STEPS; x[s->k] = s->x[0])
         ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
     fvi_stepper_free(s);
@@ -108,7 +109,8 @@ START_TEST(one_number_that_is_not_finite_ends_a_run)
         fvi_run run = fvi_run_default(&system, ones, none, step, 8);
         run.kappa = 1;
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), FVI_SUCCESS);
         ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert_int_eq(fvi_stepper_step(s), FVI_EOVRFLW);
@@ -148,7 +150,8 @@ START_TEST(eq_9_4_parts_have_the_digits_of_the_whole)
             run.alpha = n < 3 ? 0.3 : 0.6;
             run.memory = FVI_HISTORY_MODES;
             run.past = pasts[n % 3];
-            ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s[whole]),
+            ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s[whole],
+                                               NULL),
                              FVI_SUCCESS);
         }
         while (s[0]->k < FEW) {

@@ -1,5 +1,6 @@
 /* tests/control/test_control.c -- H 25.           Run alone: make test-control */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include "control_ref.h"

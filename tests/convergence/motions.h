@@ -3,6 +3,7 @@
 #define MOTIONS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>

@@ -2,6 +2,7 @@
  * method and every past, on a spring and on Duffing's oscillator, from a generic start.
  * Run alone: make test-convergence_orders */
 #include "harness/ulp.h"
+#include "run/whole_run.h"
 #include "order_table.h"
 #include "series.h"
 

@@ -2,6 +2,7 @@
  * memory, and the runs that are refused.
  * Run alone: make test-convolution_quadrature_memories */
 #include "harness/fvi_runs.h"
+#include "run/whole_run.h"
 
 #include "convolution_quadrature_runs.h"
 
@@ -111,7 +112,8 @@ START_TEST(runs_that_cannot_be_done_are_refused)
                               .alpha = bad[r].alpha,
                               .memory = bad[r].kind,
                               .tolerance = bad[r].tolerance };
-        ck_assert_int_eq(fvi_stepper_start(methods[i % LEN(methods)], &run, &s),
+        ck_assert_int_eq(fvi_stepper_start(methods[i % LEN(methods)], &run, &s,
+                                           NULL),
                          bad[r].status);
         ck_assert_ptr_eq(s, sentinel);
     }
@@ -123,7 +125,8 @@ START_TEST(runs_that_cannot_be_done_are_refused)
                     .steps = 9,
                     .kappa = 0.5,
                     .alpha = 1 };
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &s,
+                                       NULL), FVI_EDOM);
     const double far = 1.7e308;
     run.h = 1;
     run.x0 = run.p0 = &far;

@@ -1,6 +1,7 @@
 /* tests/course/library_run.h -- The running body of the Course, by the library. */
 #ifndef LIBRARY_RUN_H
 #define LIBRARY_RUN_H
+#include "run/whole_run.h"
 
 /* The same run by the library. */
 static const double *library_run(const fvi_method *method, double order, double middle, int N)

@@ -3,6 +3,7 @@
 #define STAGE "course/body_06d.c"
 #endif
 #include "stage.h"
+#include "run/whole_run.h"
 
 /* Two bodies with a quartic spring, against the library: |slope of U| <= 30 there, so a
  * step rounds some 200 times, and the springs' curvature of at most 12 lets an error grow. */

@@ -4,6 +4,7 @@
 #define LAW_RUNS_H
 
 #include "damping_laws_ref.h"
+#include "run/whole_run.h"
 
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,6 +1,7 @@
 /* tests/damping_laws/test_damping_laws_runs.c -- Tests of H 26: motions with a law.
  * Run alone: make test-damping_laws_runs */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include "damping_laws_ref.h"
@@ -160,7 +161,8 @@ START_TEST(a_chain_with_a_law_and_its_copy)
     for (size_t i = 0; i < 601 * 3; i++)
         ck_assert_near(x[0][i], x[1][i], 1e-12, "number %zu", i);
     fvi_stepper *s, *fork;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s,
+                                       NULL), FVI_SUCCESS);
     while (s->k < 300)
         fvi_stepper_step(s);
     ck_assert_int_eq(fvi_stepper_copy(s, &fork), FVI_SUCCESS);

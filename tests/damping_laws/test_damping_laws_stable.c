@@ -1,6 +1,7 @@
 /* tests/damping_laws/test_damping_laws_stable.c -- H 26: laws and fvi-stable.
  * Run alone: make test-damping_laws_stable */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 #include "law_runs.h"
 
@@ -135,7 +136,8 @@ START_TEST(modes_and_copies_go_the_same_way)
         }
         for (size_t k = 0; k < D * (STEPS + 1); k++)
             ck_assert_near(x[1][k], x[0][k], 1e-11, "law %zu, %zu", l, k);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s,
+                                           NULL), 0);
         while (s->k < STEPS / 2)
             ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);

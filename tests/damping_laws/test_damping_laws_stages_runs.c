@@ -2,6 +2,8 @@
  * with a law.
  * Run alone: make test-damping_laws_stages_runs */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 #include "law_runs.h"
 
@@ -165,7 +167,8 @@ START_TEST(what_stages_do_not_take_is_refused)
             run.memory = modes ? FVI_HISTORY_MODES : FVI_HISTORY_AUTO;
             const int refused = modes && i < 2;
             ck_assert_int_eq(
-                fvi_stepper_start(i % 2 ? &fvi_lobatto_m4 : &fvi_lobatto_d4, &run, &s),
+                fvi_stepper_start(i % 2 ? &fvi_lobatto_m4 : &fvi_lobatto_d4, &run, &s,
+                                  NULL),
                 refused ? FVI_EUNSUP : FVI_SUCCESS);
             ck_assert_int_eq(s == NULL, refused);
             fvi_stepper_free(s);

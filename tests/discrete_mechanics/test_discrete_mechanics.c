@@ -207,14 +207,19 @@ START_TEST(methods_refuse_what_they_do_not_know)
                   .kappa = 0.5,
                   .alpha = 0.5 };
     fvi_stepper *const kept = (fvi_stepper *)&r, *s = kept;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s,
+                                       NULL), FVI_EINVAL);
     system.damping = none;
     system.force = fvi_force_step(kick);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &r, &s,
+                                       NULL), FVI_EINVAL);
     r.alpha = 0.25;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &r, &s), FVI_EDOM);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &r, &s), FVI_EDOM);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_implicit, &r, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &r, &s,
+                                       NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &r, &s,
+                                       NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_implicit, &r, &s,
+                                       NULL), FVI_EDOM);
     ck_assert_ptr_eq(s, kept);
 }
 END_TEST

@@ -1,6 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_band.c -- H 2: the matrix of a step.
  * Run alone: make test-discrete_mechanics_band */
 #include <fvi/lobatto.h>
+#include "run/whole_run.h"
 #include "newton_solver.h"
 #include "harness/full_chain.h"
 #include "system/band.h"

@@ -1,6 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_geometry.c -- H 2: areas and energy.
  * Run alone: make test-discrete_mechanics_geometry */
 #include <fvi/discrete_mechanics.h>
+#include "run/whole_run.h"
 #include <fvi/error.h>
 #include "harness/energy.h"
 #include "harness/fvi_runs.h"
@@ -197,7 +198,8 @@ static double band(const fvi_run *r, double *rise)
     double time[INTERVALS], far[INTERVALS] = { 0 }, start, cov[4];
     const double E0 = energy_of(r->system, r->x0, r->p0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, r, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, r, &s,
+                                       NULL), FVI_SUCCESS);
     for (size_t i = 0; i < INTERVALS; i++) {
         time[i] = (double)i / INTERVALS;
         for (size_t k = 0; k < STEPS; k++) {

@@ -1,6 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_newton.c -- H 2: the equation of a step.
  * Run alone: make test-discrete_mechanics_newton */
 #include <fvi/lobatto.h>
+#include "run/whole_run.h"
 #include "newton_solver.h"
 #include "system/larger.h"
 

@@ -1,6 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_newton_lost.c -- H 2: where Newton's method alone is lost.
  * Run alone: make test-discrete_mechanics_newton_lost */
 #include <fvi/convolution_quadrature_methods.h>
+#include "run/whole_run.h"
 #include "newton_solver.h"
 
 /* Two wells, at x = 1 and -1; a mass comes to rest in one. There an update is the

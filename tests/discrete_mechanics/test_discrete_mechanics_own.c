@@ -3,6 +3,7 @@
  * tied to its four neighbours; its Hessian is never written down.
  * Run alone: make test-discrete_mechanics_own */
 #include <fvi/convolution_quadrature_methods.h>
+#include "run/whole_run.h"
 #include <fvi/discrete_mechanics.h>
 #include <fvi/stability.h>
 #include "newton_solver.h"
@@ -242,7 +243,7 @@ START_TEST(eq_2_10_what_its_own_solution_returns)
         const fvi_system system = system_of(&o, 1);
         fvi_run run = fvi_run_default(&system, x0, p0, 0.125, STEPS);
         fvi_stepper *s, *fork;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
         ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_int_eq(fvi_stepper_copy(s, &fork), 0);
         ck_assert_int_eq(fvi_stepper_step(s), 0);

@@ -1,6 +1,7 @@
 /* tests/discrete_mechanics/test_discrete_mechanics_sweep.c -- H 2: a thousand nonlinear runs.
  * Run alone: make test-discrete_mechanics_sweep */
 #include <fvi/convolution_quadrature_methods.h>
+#include "run/whole_run.h"
 #include <fvi/error.h>
 #include <fvi/lobatto.h>
 #include "harness/fvi_runs.h"

@@ -204,33 +204,33 @@ START_TEST(systems_that_cannot_move_are_refused)
     const fvi_system good = { 2,     one, one, fvi_potential_harmonic(&c),
                               { 0 }, NULL };
     fvi_system s = good;
-    ck_assert_int_eq(fvi_system_check(&good), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_system_check(NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_system_check(&good, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_system_check(NULL, NULL), FVI_EFAULT);
     s.mass = NULL;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EFAULT);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EFAULT);
     s = good, s.damping = NULL;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EFAULT);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EFAULT);
     s = good, s.d = 0;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EINVAL);
     s.d = SIZE_MAX / 2; /* before a mass is read */
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EINVAL);
     s = good, s.potential.value = NULL;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EINVAL);
     s = good, s.potential.gradient = NULL;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EINVAL);
     s = good, s.potential.hessian = NULL;
-    ck_assert_int_eq(fvi_system_check(&s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EINVAL);
     s = good, s.potential = (fvi_potential){ 0 };
-    ck_assert_int_eq(fvi_system_check(&s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_SUCCESS);
     for (size_t i = 0; i < LEN(bad_mass); i++) {
         const double mass[] = { 1, bad_mass[i] }; /* the second one, too */
         s = good, s.mass = mass;
-        ck_assert_int_eq(fvi_system_check(&s), FVI_EDOM);
+        ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EDOM);
     }
     for (size_t i = 0; i < LEN(bad_damping); i++) {
         const double damping[] = { 0, bad_damping[i] };
         s = good, s.damping = damping;
-        ck_assert_int_eq(fvi_system_check(&s), FVI_EDOM);
+        ck_assert_int_eq(fvi_system_check(&s, NULL), FVI_EDOM);
     }
 }
 END_TEST

@@ -1,6 +1,7 @@
 /* tests/discrete_principle/test_discrete_principle.c -- H 6.
  * Run alone: make test-discrete_principle */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>
 #include "harness/ulp.h"
 

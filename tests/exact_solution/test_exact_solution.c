@@ -1,6 +1,7 @@
 /* tests/exact_solution/test_exact_solution.c -- H 11: values, order, errors.
  * Run alone: make test-exact_solution */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "reference/exact_inverse.h"
 #include "exact_problems.h"
 

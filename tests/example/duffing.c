@@ -8,16 +8,25 @@
 int main(void)
 {
     const double one = 1, spring[] = { 1, 0.5 }, rho = 0.4, p0 = 0.5;
-    const fvi_system system = { .d = 1,
-                                .mass = &one,
-                                .damping = &rho,
-                                .potential = fvi_potential_duffing(spring) };
-    fvi_run run = fvi_run_default(&system, &one, &p0, 0.1, 200);
-    run.alpha = 0.3; /* the rest is at rest until t = 0 */
+    const fvi_problem problem = {
+        .system = { .d = 1,
+                    .mass = &one,
+                    .damping = &rho,
+                    .potential = fvi_potential_duffing(spring) },
+        .x0 = &one,
+        .p0 = &p0,
+        .T = 20,
+        .alpha = 0.3 /* the body is at rest until t = 0 */
+    };
+    const fvi_solve_options steps = { .method = &fvi_lobatto_m3, .h = 0.1 };
     double x[201];
-    const int status = fvi_trajectory(&fvi_lobatto_m3, &run, x, NULL, NULL);
+    const fvi_outputs rows = { .rows = 201, .x = x };
+    fvi_error error;
+    const int status = fvi_solve(&problem, &steps, NULL, &rows, NULL, &error);
+    if (status)
+        fprintf(stderr, "%s\n", error.text);
     for (size_t k = 0; status == 0 && k <= 200; k++)
-        printf("%.17g\t%.17g\n", (double)k * run.h, x[k]);
+        printf("%.17g\t%.17g\n", (double)k * 0.1, x[k]);
     return status;
 }
 //< example

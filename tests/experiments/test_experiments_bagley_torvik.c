@@ -2,6 +2,7 @@
  * F = 8 up to t = 1, then 0, at rest: by the FVI and by the matrix method.
  * Run alone: make test-experiments_bagley_torvik */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/experiments.h>
 #include "harness/ulp.h"
 

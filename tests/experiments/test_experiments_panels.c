@@ -1,6 +1,7 @@
 /* tests/experiments/test_experiments_panels.c -- H 10, the numbers in the panels of the
  * oscillator.                        Run alone: make test-experiments_panels */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include <fvi/paper/experiments.h>
 #include "harness/energy.h"
@@ -243,7 +244,8 @@ START_TEST(eq_10_6_order_two_against_the_modified_mass)
         double error[2] = { 0, 0 }, x, p;
         fvi_stepper *s;
         const fvi_run run = paper_run(&system, 0.5, h, (size_t)(15 / h));
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), FVI_SUCCESS);
         //> modified
         while (s->k < run.steps && fvi_stepper_step(s) == FVI_SUCCESS) {
             fvi_damped_oscillator(1 - RHO * h / 2, RHO, 1, X0, P0, s->t, &x,

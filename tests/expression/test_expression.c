@@ -1,6 +1,7 @@
 /* tests/expression/test_expression.c -- Values of expressions, and their derivatives.
  * Run alone: make test-expression */
 #include "parsed.h"
+#include "run/whole_run.h"
 
 #include "expression_ref.h"
 #include "system/larger.h"

@@ -154,7 +154,7 @@ static int fork_a_run(const fvi_method *method, fvi_history_kind kind)
     fvi_run run = wide_run(&system);
     run.memory = kind;
     fvi_stepper *s, *twin;
-    int status = fvi_stepper_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s, NULL);
     if (status)
         return status;
     status = fvi_stepper_copy(s, &twin);

@@ -1,6 +1,8 @@
 /* tests/fvi/test_fvi_callbacks.c -- A potential or a force that says no.
  * Run alone: make test-fvi_callbacks */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 #include <fvi/paper/algorithm_3.h>
 #include <fvi/paper/discrete_principle.h>
 #include <fvi/paper/experiments.h>

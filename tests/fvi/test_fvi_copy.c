@@ -1,6 +1,7 @@
 /* tests/fvi/test_fvi_copy.c -- Runs that are forked, and runs that begin anew.
  * Run alone: make test-fvi_copy */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include <stdlib.h>
@@ -41,7 +42,7 @@ static void fork_at(const fvi_method *method, const fvi_run *given, size_t k,
     run.x0 = memcpy(start[0], given->x0, sizeof start[0]);
     run.p0 = memcpy(start[1], given->p0, sizeof start[1]);
     fvi_stepper *s, *twin, *late;
-    ck_assert_int_eq(fvi_stepper_start(method, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(method, &run, &s, NULL), 0);
     memset(start, 0xff, sizeof start);
     go_on(s, k, x, p);
     ck_assert_int_eq(fvi_stepper_copy(s, &twin), 0);
@@ -125,7 +126,7 @@ START_TEST(a_fork_goes_on_under_another_force)
         const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
         fvi_stepper *s, *twin;
         ck_assert_int_eq(fvi_trajectory(methods[m], &run, x, p, NULL), 0);
-        ck_assert_int_eq(fvi_stepper_start(methods[m], &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(methods[m], &run, &s, NULL), 0);
         go_on(s, 130, x, p);
         ck_assert_int_eq(fvi_stepper_copy(s, &twin), 0);
         push[0] = 3;
@@ -159,7 +160,7 @@ START_TEST(a_run_that_failed_begins_anew)
     static double x[ROWS], p[ROWS];
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, p, NULL), 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq_bdf2, &run, &s, NULL), 0);
     fail = -3;
     while (fvi_stepper_step(s) == 0) {
     }
@@ -199,7 +200,7 @@ START_TEST(copy_and_reset_refuse)
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     fvi_stepper *s, *to = NULL;
     fvi_history *memory, *twin = NULL;
-    ck_assert_int_eq(fvi_stepper_start(&mine, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&mine, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_copy(s, &to), FVI_EUNSUP);
     ck_assert_int_eq(fvi_stepper_copy(s, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_stepper_copy(NULL, &to), FVI_EFAULT);

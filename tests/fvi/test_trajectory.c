@@ -1,6 +1,7 @@
 /* tests/fvi/test_trajectory.c -- Runs: rows as they come, rows in arrays, and what is
  * refused. Run alone: make test-trajectory */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include "harness/energy.h"
 #include "harness/ulp.h"
@@ -57,7 +58,8 @@ START_TEST(rows_are_the_same_streamed_and_stored)
                      0);
     ck_assert_mem_eq(p, only, sizeof p);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++) {
         ck_assert_uint_eq(s->k, k);
         ck_assert_double_eq(s->t, (double)k * 0.1);
@@ -91,7 +93,8 @@ START_TEST(what_needs_no_memory_takes_none)
                               .alpha = alphas[i],
                               .memory = FVI_HISTORY_DIRECT };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), FVI_SUCCESS);
         for (size_t k = 0; k < 100; k++)
             ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         fvi_stepper_free(s);
@@ -128,7 +131,8 @@ START_TEST(start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *s = (fvi_stepper *)&bad;                                  \
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &bad, &s), code);          \
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &bad, &s,
+                                           NULL), code);          \
         ck_assert_ptr_eq(s, &bad);                                             \
         double x[] = { 7 };                                                    \
         ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &bad, x, x, x),       \
@@ -164,24 +168,32 @@ START_TEST(start_refuses)
     WITH(memory, (fvi_history_kind)99, FVI_EINVAL)
 #undef WITH
     fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_stepper_start(NULL, &run, &s), FVI_EFAULT);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, NULL, &s), FVI_EFAULT);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s), FVI_EINVAL);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(NULL, &run, &s, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, NULL, &s,
+                                       NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, NULL,
+                                       NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s,
+                                       NULL), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lagrange_dalembert, &run, &s,
+                                       NULL), FVI_EDOM);
     fvi_run forced = run;
     forced.system = &pushed;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &forced, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &forced, &s,
+                                       NULL), FVI_EINVAL);
     ck_assert_ptr_null(s);
     fvi_run undamped = forced; /* no memory is there to refuse these */
     undamped.alpha = 1.1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s,
+                                       NULL), FVI_EDOM);
     undamped.alpha = 0.5;
     undamped.h = -0.1; /* nor a solver */
-    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_euler_explicit, &undamped, &s,
+                                       NULL), FVI_EDOM);
     undamped.h = 1;
     undamped.tolerance = 1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &undamped, &s,
+                                       NULL), FVI_EDOM);
     ck_assert_ptr_null(s);
     fvi_run long_run = forced; /* starts, but cannot be stored */
     long_run.steps = SIZE_MAX;
@@ -222,7 +234,8 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
                        k);
     ck_assert_double_eq(x[4], 7); /* rows that are not there are not written */
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     while (fvi_stepper_step(s) == FVI_SUCCESS)
         continue;
     ck_assert_uint_eq(s->k, 3);
@@ -253,7 +266,8 @@ START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
                           .kappa = 0.5,
                           .alpha = 0.5 };
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
     ck_assert_int_eq(fvi_stepper_step(s), FVI_EOVRFLW);
     ck_assert_uint_eq(s->k, 1);
@@ -288,7 +302,8 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
                               .kappa = 0.5,
                               .alpha = 0.3 };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), FVI_SUCCESS);
         ck_assert_int_eq(fvi_stepper_step(s), bad[i].status);
         ck_assert_uint_eq(s->k, 0);
         fvi_stepper_free(s);
@@ -326,7 +341,8 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
                               .kappa = 0.5,
                               .alpha = 0.5 };
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(method, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(method, &run, &s,
+                                           NULL), FVI_SUCCESS);
         ck_assert_int_eq(fvi_stepper_step(s), i % 2 ? FVI_ESING : FVI_EMAXITER);
         ck_assert_uint_eq(s->k, 0);
         fvi_stepper_free(s);

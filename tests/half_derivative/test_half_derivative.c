@@ -1,6 +1,7 @@
 /* tests/half_derivative/test_half_derivative.c -- H 7.
  * Run alone: make test-half_derivative */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/integration_by_parts.h>

@@ -3,6 +3,7 @@
 #define FVI_RUNS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>
 #include "ulp.h"
 

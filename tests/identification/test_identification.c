@@ -2,6 +2,7 @@
  * is what is said of their errors true?
  * Run alone: make test-identification */
 #include "identification_runs.h"
+#include "run/whole_run.h"
 
 static const double *data_of(size_t i)
 {

@@ -2,6 +2,7 @@
  * not to be believed?
  * Run alone: make test-identification_answers */
 #include "identification_runs.h"
+#include "run/whole_run.h"
 
 /* The starts lie in a box from which the search ends in a false minimum, a soft spring and
  * alpha = 0; the values of the run alone lead to the truth. Nobody agrees with it. */

@@ -1,6 +1,7 @@
 /* tests/identification/test_identification_profile.c -- H 24: profiles.
  *                                        Run alone: make test-identification_profile */
 #include "identification_runs.h"
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 /* 24 times up to 12, alpha and rho of a linear spring, noise of `sigma`. */

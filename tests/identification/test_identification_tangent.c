@@ -2,6 +2,7 @@
  * along with a run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
+#include "run/whole_run.h"
 #include "estimation/identification_model.h"
 
 static const fvi_free_parameter SEVEN[] = {

@@ -3,6 +3,7 @@
 #define LOBATTO_RUNS_H
 
 #include <fvi/error.h>
+#include "run/whole_run.h"
 #include <fvi/lobatto.h>
 #include "harness/ulp.h"
 

@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_coordinates.c -- H 17: several coordinates, by what must be
  * equal to what. Run alone: make test-lobatto_coordinates */
 #include "lobatto_pairs.h"
+#include "run/whole_run.h"
 
 /* A run in three dimensions into x and p. */
 static void solve3(const fvi_system *system, size_t s, double alpha,

@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_energy.c -- H 17: stability and energy of form D.
  * Run alone: make test-lobatto_energy */
 #include <fvi/stability.h>
+#include "run/whole_run.h"
 #include "lobatto_runs.h"
 #include "system/larger.h"
 

@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_errors.c -- H 17: corrected momenta, what is not taken
  * and what is refused. Run alone: make test-lobatto_errors */
 #include "lobatto_runs.h"
+#include "run/whole_run.h"
 #include "stages/lobatto_history.h"
 
 #include "lobatto_ref.h"
@@ -58,7 +59,8 @@ START_TEST(what_needs_no_stages_of_the_past_keeps_none)
                                   .alpha = at[i],
                                   .memory = FVI_HISTORY_DIRECT };
             fvi_stepper *stepper;
-            ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), 0);
+            ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper,
+                                               NULL), 0);
             for (size_t k = 0; k < 20; k++)
                 ck_assert_int_eq(fvi_stepper_step(stepper), FVI_SUCCESS);
             fvi_stepper_free(stepper);
@@ -106,7 +108,8 @@ START_TEST(lobatto_start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *same = (fvi_stepper *)&bad;                               \
-        ck_assert_int_eq(fvi_stepper_start(method, &bad, &same), code);                \
+        ck_assert_int_eq(fvi_stepper_start(method, &bad, &same,
+                                           NULL), code);                \
         ck_assert_ptr_eq(same, &bad);                                          \
     }
     for (size_t s = 2; s <= 4; s++) {
@@ -120,7 +123,8 @@ START_TEST(lobatto_start_refuses)
         exact.memory = FVI_HISTORY_MODES;
         exact.tolerance = 1e-15;
         fvi_stepper *stepper = NULL;
-        ck_assert_int_eq(fvi_stepper_start(methods[s], &exact, &stepper), FVI_ETOL);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &exact, &stepper,
+                                           NULL), FVI_ETOL);
         ck_assert_ptr_null(stepper);
     }
 #undef WITH
@@ -201,7 +205,8 @@ START_TEST(a_mass_that_vanishes_against_the_step_is_refused)
     };
     fvi_stepper *stepper = NULL;
     for (size_t s = 2; s <= 4; s++)
-        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_ESING);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper,
+                                           NULL), FVI_ESING);
     ck_assert_ptr_null(stepper);
 }
 END_TEST
@@ -227,7 +232,8 @@ START_TEST(stages_that_find_no_room_are_refused)
     fvi_stepper *stepper = NULL;
     for (size_t s = 3; s <= 4; s++) {
         system.d = D / (s - 2);
-        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_ENOMEM);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper,
+                                           NULL), FVI_ENOMEM);
     }
     ck_assert_ptr_null(stepper);
     free(ones);

@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_forms.c -- H 17: form M and form D beside each other:
  * orders. Run alone: make test-lobatto_forms */
 #include <fvi/exact_solution.h>
+#include "run/whole_run.h"
 #include "lobatto_runs.h"
 #include "system/larger.h"
 

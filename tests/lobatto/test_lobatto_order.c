@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_order.c -- H 17: the orders, measured.
  * Run alone: make test-lobatto_order */
 #include <fvi/exact_solution.h>
+#include "run/whole_run.h"
 #include "lobatto_runs.h"
 #include "system/larger.h"
 

@@ -198,7 +198,8 @@ START_TEST(eq_17_8_without_damping_the_energy_stays)
                               .steps = 20000,
                               .alpha = 0.3 };
         fvi_stepper *stepper;
-        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(methods[s], &run, &stepper,
+                                           NULL), FVI_SUCCESS);
         double worst[2] = { 0 };
         while (stepper->k < run.steps) {
             double *w = worst + (stepper->k >= 10000);

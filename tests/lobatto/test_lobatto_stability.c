@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_stability.c -- H 17: how long a step may be, by runs.
  * Run alone: make test-lobatto_stability */
 #include "lobatto_load.h"
+#include "run/whole_run.h"
 #include "lobatto_runs.h"
 #include "system/larger.h"
 

@@ -1,6 +1,7 @@
 /* tests/lobatto/test_lobatto_stages.c -- H 17: from 2 to 8 stages.
  * Run alone: make test-lobatto_stages */
 #include "lobatto_runs.h"
+#include "run/whole_run.h"
 #include "lobatto_stages_ref.h"
 #include "stages/lobatto_history.h"
 #include "system/larger.h"

@@ -1,6 +1,7 @@
 /* tests/memory/test_memory_energy.c -- H 12: what the memory does to the energy.
  * Run alone: make test-memory_energy */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>
@@ -90,7 +91,8 @@ static size_t run_plane(const plane *a, double *x, double *load)
     fvi_stepper *s;
     ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, load),
                      FVI_SUCCESS);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     memcpy(x, s->x, 2 * sizeof *x);
     while (s->k < a->steps && fabs(x[2 * s->k]) < 1e60
            && fvi_stepper_step(s) == FVI_SUCCESS)

@@ -1,6 +1,7 @@
 /* tests/methods/test_methods.c -- What the methods say of themselves is so.
  * Run alone: make test-methods */
 #include "methods_runs.h"
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 /* ---- the table ---- */
@@ -99,7 +100,7 @@ START_TEST(an_implicit_step_asks_for_the_hessian)
     {
         const fvi_run run = run_of(&system, middle(m));
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(m, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(m, &run, &s, NULL), FVI_SUCCESS);
         asked = 0;
         while (s->k < run.steps)
             ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);

@@ -1,6 +1,8 @@
 /* tests/methods/test_methods_load.c -- The loads of the methods; their copies.
  * Run alone: make test-methods_load */
 #include "methods_runs.h"
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_rng.h>
@@ -13,7 +15,7 @@ static int grows(const fvi_method *m, const fvi_run *run)
 {
     double most = 0;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(m, run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(m, run, &s, NULL), FVI_SUCCESS);
     int status = FVI_SUCCESS;
     while (s->k < run->steps && !status && most < 1e6) {
         status = fvi_stepper_step(s);

@@ -1,6 +1,7 @@
 /* tests/past/test_past.c -- H 19: impulses, pasts that coincide, energy.
  * Run alone: make test-past */
 #include "past_runs.h"
+#include "run/whole_run.h"
 
 #include "past_ref.h"
 

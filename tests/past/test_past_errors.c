@@ -1,6 +1,7 @@
 /* tests/past/test_past_errors.c -- H 19: refusals, coordinates, defaults.
  * Run alone: make test-past_errors */
 #include <fvi/discrete_mechanics.h>
+#include "run/whole_run.h"
 #include "past_runs.h"
 
 static const double one = 1;

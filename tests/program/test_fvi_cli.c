@@ -2,6 +2,7 @@
  * Run alone: make test-fvi_cli */
 #define _GNU_SOURCE
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "program.h"
 
 START_TEST(run_prints_head_and_rows)

@@ -2,6 +2,7 @@
  * Run alone: make test-fvi_problem */
 #define _GNU_SOURCE
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "program.h"
 
 /* Both command lines print the same rows, to the bit, whatever their heads say. */

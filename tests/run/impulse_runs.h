@@ -3,6 +3,7 @@
 #define IMPULSE_RUNS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 enum { MOST = 1280 };

@@ -97,7 +97,7 @@ static void many_run_of(size_t number, many_run *r)
              (int)run.past, run.alpha, potential, force, (int)run.memory,
              run.kappa);
     fvi_stepper *s;
-    r->status = fvi_stepper_start(method, &run, &s);
+    r->status = fvi_stepper_start(method, &run, &s, NULL);
     if (r->status)
         return;
     while (!r->status && s->k < STEPS) {

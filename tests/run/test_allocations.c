@@ -101,7 +101,7 @@ static int whole_life(const fvi_method *method, const fvi_kernel *law)
     fvi_system system;
     const fvi_run run = run_of(&system, law);
     fvi_stepper *s, *copy;
-    int status = fvi_stepper_start(method, &run, &s);
+    int status = fvi_stepper_start(method, &run, &s, NULL);
     if (status)
         return status;
     for (size_t k = 0; k < 3 && !status; k++)

@@ -98,11 +98,11 @@ START_TEST(a_callback_cannot_touch_its_stepper)
         const fvi_system system = system_of(&to);
         fvi_run run = fvi_run_default(&system, &one, &half, 0.1, N);
         fvi_stepper *calm, *s;
-        if (fvi_stepper_start(fvi_methods[n], &run, &calm))
+        if (fvi_stepper_start(fvi_methods[n], &run, &calm, NULL))
             continue;
         while (calm->t < N * 0.1)
             ck_assert_int_eq(fvi_stepper_step(calm), 0);
-        ck_assert_int_eq(fvi_stepper_start(fvi_methods[n], &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(fvi_methods[n], &run, &s, NULL), 0);
         m.of = s;
         while (s->t < N * 0.1)
             ck_assert_int_eq(fvi_stepper_step(s), 0);

@@ -1,5 +1,6 @@
 /* tests/run/test_impulses.c -- Impulses.                     Run alone: make test-impulses */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include <fvi/methods.h>
 #include <fvi/paper/algorithm_3.h>
 #include "impulse_runs.h"
@@ -49,7 +50,8 @@ START_TEST(eq_2_15_at_a_node_it_is_a_force_of_one_node)
         ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, x, p, NULL),
                          FVI_SUCCESS);
         spring.force = (fvi_force){ 0 };
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), FVI_SUCCESS);
         for (size_t k = 1; k <= 40; k++) {
             ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
             if (k == 10)
@@ -229,7 +231,8 @@ START_TEST(a_control_knows_impulses)
         FVI_SUCCESS);
     ck_assert(fabs(found.miss) < 1e-12);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     for (size_t k = 1; k <= 40; k++) {
         ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         s->p[0] += run.h * u[k];
@@ -263,16 +266,20 @@ START_TEST(impulses_that_cannot_be)
     };
     for (size_t i = 0; i < LEN(all); i++) {
         spring.force = all[i].force;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), all[i].status);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                           NULL), all[i].status);
     }
     run = hit_at(1, 1, 40);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m3, &run, &s), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m3, &run, &s,
+                                       NULL), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s,
+                                       NULL), FVI_SUCCESS);
     fvi_stepper_free(s);
     ck_assert_int_eq(fvi_algorithm_3(&spring, 0.3, 0.5, 0.1, 40, x0, p0, x),
                      FVI_EUNSUP);
     spring.damping = &none;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s), FVI_EINVAL);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_midpoint_variational, &run, &s,
+                                       NULL), FVI_EINVAL);
 }
 END_TEST
 

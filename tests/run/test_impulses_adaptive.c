@@ -1,6 +1,8 @@
 /* tests/run/test_impulses_adaptive.c -- Impulses that steps end at.
  *                                                Run alone: make test-impulses_adaptive */
 #include "impulse_runs.h"
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
 
 /* At its time: over all rows x is right to the tolerance of a step, for every order of
  * damping here at which it is not refused. That is an estimate's word, and no bound. */
@@ -20,9 +22,11 @@ START_TEST(eq_22_22_at_its_time_whatever_the_memory)
     const double most = 1 - 14 / 498.4; /* the default tolerance is 10^-10 */
     fvi_run run = hit_at(1.2837, most + 1e-4, 40);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                       NULL), FVI_EUNSUP);
     run.alpha = most - 1e-4;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                       NULL), FVI_SUCCESS);
     fvi_stepper_free(s);
 }
 END_TEST
@@ -62,11 +66,12 @@ START_TEST(eq_22_22_a_search_asks_for_the_wanted_error)
         for (double wish = 1e-3; wish > 1e-7; wish /= 1000) {
             fvi_run run = hit_at(1.2837, orders[i], 40);
             fvi_variable_step_found found;
-            const int status = fvi_variable_step_search(&run, wish, 100000, x, NULL,
+            const int status = fvi_variable_step_search(&run, 0, NULL, wish, 100000, x, NULL,
                                                    &found);
             run.step_error = wish / 10; /* that of the finer of two runs */
             fvi_stepper *s = NULL;
-            ck_assert_int_eq(status, fvi_stepper_start(&fvi_variable_step, &run, &s));
+            ck_assert_int_eq(status, fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                                       NULL));
             fvi_stepper_free(s);
             for (size_t k = 0; !status && k <= 40; k++) {
                 double v;
@@ -84,7 +89,8 @@ START_TEST(eq_22_22_a_copy_remembers_what_has_struck)
     for (double alpha = 0.25; alpha < 1; alpha += 0.5) {
         const fvi_run run = hit_at(1.2837, alpha, 40);
         fvi_stepper *s, *copy;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), FVI_SUCCESS);
         while (s->t < 1.2837)
             ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert(s->t == 1.2837);

@@ -1,6 +1,9 @@
 /* tests/run/test_interrupter.c -- A call that lasts is ended from without.
  * Run alone: make test-interrupter */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 
 enum { CODE = -5 };
@@ -36,7 +39,7 @@ START_TEST(a_run_ends_with_the_code_that_was_given)
     fvi_stepper *s;
     fvi_set_interrupter(stop);
     asks = 3;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
     int status = 0;
     while (!status)
         status = fvi_stepper_step(s);
@@ -77,7 +80,7 @@ START_TEST(a_search_and_the_exact_solution_end_too)
         fvi_step_search(&fvi_fractional, &run, 1e-9, 1 << 20, x, NULL, &found),
         CODE);
     ck_assert_int_eq(
-        fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
+        fvi_variable_step_search(&run, 0, NULL, 1e-9, 1 << 20, x, NULL, &adaptive), CODE);
     for (size_t i = 0; i < LEN(t); i++)
         t[i] = (double)i;
     const fvi_free_parameter rho = FVI_FREE_PARAMETER_RHO;

@@ -85,7 +85,7 @@ static void *run_of_wide_matrices(void *place)
         && !fvi_structure_alloc(&M, &K, &none, &structure, &fault)) {
         const fvi_system system = fvi_structure_system(structure);
         const fvi_run run = fvi_run_default(&system, x0, p0, 0.1, 3);
-        if (!fvi_stepper_start(&fvi_cq2_midpoint, &run, &s)) {
+        if (!fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL)) {
             while (s->k < 3 && !fvi_stepper_step(s))
                 *x = s->x[0];
             fvi_stepper_free(s);

@@ -129,7 +129,7 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                     if (kind > 0 && 4 * run.alpha == floor(4 * run.alpha)
                         && run.alpha != 0.75)
                         continue; /* 0, 1/2, 1: the kinds are one */
-                    if (fvi_stepper_start(fvi_methods[m], &run, &whole))
+                    if (fvi_stepper_start(fvi_methods[m], &run, &whole, NULL))
                         continue; /* not for this method */
                     if (fvi_methods[m]
                             ->dense) { /* steps of its own: H 22 */
@@ -139,7 +139,8 @@ START_TEST(a_run_goes_on_with_the_same_bits)
                     steps(whole, HALF);
                     const size_t size = saved(whole);
                     steps(whole, N - HALF);
-                    ck_assert_int_eq(fvi_stepper_start(fvi_methods[m], &run, &again),
+                    ck_assert_int_eq(fvi_stepper_start(fvi_methods[m], &run, &again,
+                                                       NULL),
                                      0);
                     ck_assert_int_eq(loaded(again, size), 0);
                     ck_assert(again->k == HALF && again->t == HALF * 0.05);
@@ -166,7 +167,7 @@ START_TEST(what_is_saved_is_short)
     fvi_stepper *s;
     run.alpha = 0.3;
     run.memory = FVI_HISTORY_MODES;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
     steps(s, 1000);
     ck_assert_uint_lt(saved(s), 8 * (D * (100 + 2 * 32 + 20) + 200 + 20));
     fvi_stepper_free(s);
@@ -200,7 +201,7 @@ START_TEST(another_run_is_refused)
     fvi_stepper *s;
     run.alpha = 0.3;
     run.memory = FVI_HISTORY_MODES;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
     steps(s, 100);
     const size_t size = saved(s);
     fvi_stepper_free(s);
@@ -209,7 +210,7 @@ START_TEST(another_run_is_refused)
         run.alpha = runs[n].alpha;
         run.steps = runs[n].steps;
         run.memory = runs[n].memory;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
         const size_t own = constant_bytes(s);
         ck_assert_int_eq(loaded(s, size), runs[n].status);
         if (runs[n].status == -7)
@@ -252,7 +253,7 @@ START_TEST(a_count_that_no_run_has_is_refused)
         run.memory = runs[n].memory;
         fvi_stepper *s;
         size_t accepted = 0, wrong = 0;
-        ck_assert_int_eq(fvi_stepper_start(runs[n].method, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(runs[n].method, &run, &s, NULL), 0);
         while (s->k < HALF)
             ck_assert_int_eq(fvi_stepper_step(s), 0);
         const size_t size = saved(s);
@@ -284,7 +285,7 @@ START_TEST(counts_that_do_not_fit_are_refused)
     for (size_t n = 0; n < LEN(wrong); n++) {
         const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(methods[n], &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(methods[n], &run, &s, NULL), 0);
         while (s->k < HALF)
             ck_assert_int_eq(fvi_stepper_step(s), 0);
         const size_t size = saved(s);
@@ -303,10 +304,13 @@ START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
     fvi_stepper *whole, *first, *longer;
     run.alpha = 0.3;
     run.memory = FVI_HISTORY_DIRECT;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &whole), 0);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &longer), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &whole,
+                                       NULL), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &longer,
+                                       NULL), 0);
     run.steps = N;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &first), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_shifted, &run, &first,
+                                       NULL), 0);
     steps(whole, 2 * N);
     steps(first, N);
     ck_assert_int_eq(loaded(longer, saved(first)), 0);
@@ -326,7 +330,7 @@ START_TEST(a_method_without_a_visit_is_refused)
     const fvi_system system = duffing();
     const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&shy, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&shy, &run, &s, NULL), 0);
     shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
     ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), FVI_EUNSUP);
     ck_assert_uint_eq(all.pieces, 0);

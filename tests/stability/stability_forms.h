@@ -7,6 +7,7 @@
 #define STABILITY_FORMS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <math.h>

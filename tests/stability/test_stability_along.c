@@ -1,6 +1,7 @@
 /* tests/stability/test_stability_along.c -- H 14: where a run has come to.
  * Run alone: make test-stability_along */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>

@@ -1,6 +1,7 @@
 /* tests/stability/test_stability_explicit.c -- H 14: Euler's explicit method.
  * Run alone: make test-stability_explicit */
 #include "scalar_run.h"
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 #include <fvi/discrete_mechanics.h>

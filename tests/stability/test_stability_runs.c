@@ -1,6 +1,7 @@
 /* tests/stability/test_stability_runs.c -- H 14: what grows, in the symbol and in runs.
  * Run alone: make test-stability_runs */
 #include "scalar_run.h"
+#include "run/whole_run.h"
 #include "harness/full_chain.h"
 
 #include "stability_ref.h"

@@ -4,6 +4,7 @@
 #define CREDULOUS_H
 
 #include "step_search_runs.h"
+#include "error_control/step_search.h"
 #include "system/larger.h"
 
 static inline void run_rows(const fvi_method *method, fvi_run run, size_t rows,
@@ -12,7 +13,7 @@ static inline void run_rows(const fvi_method *method, fvi_run run, size_t rows,
     fvi_stepper *s;
     run.h /= (double)parts;
     run.steps = rows * parts;
-    ck_assert_int_eq(fvi_stepper_start(method, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(method, &run, &s, NULL), FVI_SUCCESS);
     int status = FVI_SUCCESS;
     for (size_t k = 0; k <= rows; k++) {
         x[k] = status ? GSL_NAN : s->x[0];

@@ -5,6 +5,7 @@
 
 
 #include <fvi/fvi.h>
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 
 #include <gsl/gsl_math.h>

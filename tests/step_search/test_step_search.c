@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search.c -- H 18: does the error that was asked for come?
  * Run alone: make test-step_search */
 #include "step_search_runs.h"
+#include "error_control/step_search.h"
 #include "system/larger.h"
 
 /* The true error of a search over its estimate and over what was asked for. */

@@ -1,6 +1,8 @@
 /* tests/step_search/test_step_search_answers.c -- H 18: what a search gives out, names and refuses.
  * Run alone: make test-step_search_answers */
 #include "step_search_runs.h"
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 
 /* Two Duffing oscillators, one damped, with a force: a run in R^2. */
 static const double mass[] = { 1, 2 }, damping[] = { 0.5, 0 }, cg[] = { 1, 1 },

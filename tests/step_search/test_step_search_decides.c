@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search_decides.c -- H 18: what decides that a run is refused.
  * Run alone: make test-step_search_decides */
 #include "credulous.h"
+#include "error_control/step_search.h"
 #include "system/larger.h"
 
 /* W = 2.5e13 down to 1.6e12. The next terms of the cosine and of the phase are below

@@ -4,6 +4,8 @@
  * All of it under error handlers that end the process, GSL's and one of ours: a step
  * that is too long is no mistake of the caller, and none is to be called for it. */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 
 #include <stdlib.h>

@@ -1,6 +1,9 @@
 /* tests/step_search/test_step_search_pulses.c -- H 18: no pulse of the force hides
  * between the nodes. Run alone: make test-step_search_pulses */
 #include "error_control/search_bound.h"
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 #include "stages/lobatto_weights.h"
 #include "variable_steps/pulse_problems.h"
@@ -59,7 +62,7 @@ START_TEST(eq_18_8_a_pulse_between_the_nodes_cuts_the_steps)
     fvi_variable_step_found of_adaptive;
     run.alpha = 0.3;
     ck_assert_int_eq(
-        fvi_variable_step_search(&run, 1e-7, 1 << 20, x, NULL, &of_adaptive),
+        fvi_variable_step_search(&run, 0, NULL, 1e-7, 1 << 20, x, NULL, &of_adaptive),
         0);
     const int status = fvi_step_search(&fvi_lobatto_m3, &run, 1e-3, 1 << 20, y,
                                        NULL, &found);
@@ -180,12 +183,12 @@ START_TEST(a_longest_step_sees_what_no_bound_says)
     fvi_variable_step_found of_adaptive;
     run.alpha = 0.3;
     ck_assert_int_eq(
-        fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &of_adaptive),
+        fvi_variable_step_search(&run, 0, NULL, 1e-9, 1 << 20, x, NULL, &of_adaptive),
         0);
     ck_assert(x[5] == 0); /* it was missed */
     run.longest = 4e-3;
     ck_assert_int_eq(
-        fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &of_adaptive),
+        fvi_variable_step_search(&run, 0, NULL, 1e-9, 1 << 20, x, NULL, &of_adaptive),
         0);
     ck_assert_double_le(of_adaptive.counts.longest, 4e-3 * (1 + 1e-12));
     ck_assert_int_eq(fvi_step_search(&fvi_cq2_midpoint, &run, 1e-3, 1 << 20, y,
@@ -210,9 +213,11 @@ START_TEST(a_longest_step_sees_what_no_bound_says)
     ck_assert_double_le(run.h / (double)found.parts, 4e-3);
     fvi_stepper *s;
     run.longest = -1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s,
+                                       NULL), FVI_EDOM);
     run.longest = GSL_NAN;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s,
+                                       NULL), FVI_EDOM);
 }
 END_TEST
 

@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search_refused.c -- H 18: runs that agree and are wrong.
  * Run alone: make test-step_search_refused */
 #include "credulous.h"
+#include "error_control/step_search.h"
 
 enum { MOST = 1 << 13, EACH = 20 };
 

@@ -1,6 +1,7 @@
 /* tests/step_search/test_step_search_still.c -- H 18: a spring that no step
  * resolves. Run alone: make test-step_search_still */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 
 #include "step_search_ref.h"

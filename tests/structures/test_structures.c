@@ -1,6 +1,7 @@
 /* tests/structures/test_structures.c -- Runs with matrices.
  * Run alone: make test-structures */
 #include "structures_runs.h"
+#include "run/whole_run.h"
 #include "system/larger.h"
 
 /* ---- against the same system without matrices ---- */
@@ -132,7 +133,7 @@ START_TEST(a_copy_of_a_run_with_matrices_goes_on_alike)
     for (size_t i = 0; i < LEN(takers); i++) {
         fvi_stepper *s, *fork;
         const fvi_run run = run_of(&m.system, 0.3, 0.1, N, x0, p0);
-        OK(fvi_stepper_start(takers[i], &run, &s));
+        OK(fvi_stepper_start(takers[i], &run, &s, NULL));
         while (s->k < N / 2)
             OK(fvi_stepper_step(s));
         OK(fvi_stepper_copy(s, &fork));
@@ -341,8 +342,10 @@ START_TEST(loads_that_are_not_known_are_refused)
     ck_assert_int_eq(fvi_stability_longest_step(&fvi_cq2_shifted, &run, &h), FVI_EUNSUP);
     ck_assert_int_eq(fvi_stability_longest_step(&fvi_lobatto_m4, &run, &h), FVI_EUNSUP);
     fvi_stepper *s = NULL;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s), FVI_EUNSUP);
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_lobatto_m4, &run, &s,
+                                       NULL), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                       NULL), FVI_EUNSUP);
     ck_assert(h == 7 && !s);
     drop(&m);
 }

@@ -1,6 +1,7 @@
 /* tests/structures/test_structures_beam.c -- A clamped beam against what is known of it.
  * Run alone: make test-structures_beam */
 #include "structures_runs.h"
+#include "run/whole_run.h"
 
 #include "structures_ref.h"
 #include "system/larger.h"
@@ -194,7 +195,7 @@ START_TEST(eq_27_5_the_tip_is_the_sum_of_exact_modes_to_order_two)
             fvi_stepper *s;
             const fvi_run run =
                 run_of(&m.system, alphas[i], t / (double)steps, steps, x0, p0);
-            OK(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s));
+            OK(fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL));
             while (s->k < steps)
                 OK(fvi_stepper_step(s));
             error[k] = s->x[d_few - 2] - want;

@@ -1,6 +1,8 @@
 /* tests/structures/test_structures_start.c -- Does a damping feel where bodies start?
  * Run alone: make test-structures_start */
 #include "structures_runs.h"
+#include "run/whole_run.h"
+#include "error_control/step_search.h"
 
 #include "run/solution.h"
 #include "system/larger.h"

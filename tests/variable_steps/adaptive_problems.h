@@ -4,6 +4,8 @@
 #define ADAPTIVE_PROBLEMS_H
 
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -133,7 +135,7 @@ static inline double used_by(adaptive_problem *q, int linear)
         size = larger(size, fabs(q->want[i]));
     q->error *= size;
     q->status =
-        fvi_variable_step_search(&run, q->error, 1 << 22, q->x, NULL, &q->found);
+        fvi_variable_step_search(&run, 0, NULL, q->error, 1 << 22, q->x, NULL, &q->found);
     if (q->status) /* said in words; is there a reason? */
         return (q->status == FVI_ETOL && (!linear || q->error < 1e-9 * size))
                        || (q->status == FVI_EUNSUP && q->alpha > 0.99)

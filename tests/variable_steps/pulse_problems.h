@@ -4,6 +4,9 @@
 #define PULSE_PROBLEMS_H
 
 #include "adaptive_problems.h"
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
+#include "error_control/step_search.h"
 
 enum { PULSE_ROWS = 20, PULSE_TIMES = 2 * 40 + 1, PULSE_TEXT = 200 };
 
@@ -88,7 +91,7 @@ static inline double used_by_pulse(pulse_problem *q, const fvi_method *method)
         q->estimate = found.estimate;
     } else {
         fvi_variable_step_found found = { 0 };
-        q->status = fvi_variable_step_search(&run, q->error, 1 << 22, q->x, NULL,
+        q->status = fvi_variable_step_search(&run, 0, NULL, q->error, 1 << 22, q->x, NULL,
                                         &found);
         q->estimate = found.estimate;
     }

@@ -2,6 +2,7 @@
  * steps that are too long to be solved.
  * Run alone: make test-variable_steps_few */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"
 
@@ -29,7 +30,8 @@ START_TEST(steps_too_long_to_be_solved_are_rare)
         run.step_error = tolerance;
         fvi_stepper *s;
         fvi_step_statistics counts;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         ck_assert_int_eq(fvi_stepper_advance_to(s, 50, NULL, NULL), 0);
         ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
         fvi_stepper_free(s);
@@ -60,7 +62,7 @@ START_TEST(a_digit_takes_few_steps)
     run.step_error = 1e-9;
     ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, want, NULL, NULL), 0);
     run.step_error = 0.1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     for (size_t k = 0; k <= ROWS; k++)
         ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, got + k, NULL), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
@@ -88,7 +90,7 @@ START_TEST(a_stiff_spring_is_not_leapt_over)
     fvi_step_statistics counts;
     run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 0.1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, 40, NULL, NULL), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     fvi_stepper_free(s);
@@ -210,7 +212,7 @@ static void run_on_hard_spring(known *k)
     run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = 0.1;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, 20, NULL, NULL), 0);
     ck_assert_double_lt(fabs(*s->x), 1);
     fvi_stepper_free(s);

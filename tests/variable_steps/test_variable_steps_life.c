@@ -67,7 +67,8 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         fvi_run run = run_of(&system, 1e-9);
         run.alpha = way == 2 ? 0.75 : 0.3;
         fvi_stepper *s, *copy, *again;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         double last = -1;
         int met = 0;
         while (s->t < 1e-3) {
@@ -84,7 +85,8 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
         while (s->t < 0.3 * (double)way)
             ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &again), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &again,
+                                           NULL), 0);
         shelf saved = { .visitor = { save } }, read = { .visitor = { load } };
         ck_assert_int_eq(fvi_stepper_archive(s, &saved.visitor), 0);
         ck_assert_int_eq(fvi_stepper_archive(again, &read.visitor), 0);
@@ -141,7 +143,7 @@ START_TEST(a_copy_makes_factors_of_its_own)
     run.step_error = 1e-5;
     fvi_stepper *s, *copy[200]; /* all at once: none is where another was */
     size_t copies = 0;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     for (; s->k < run.steps; copies++) {
         ck_assert_uint_lt(copies, 200);
         ck_assert_int_eq(fvi_stepper_copy(s, &copy[copies]), 0);
@@ -162,7 +164,7 @@ START_TEST(uniform_methods_have_rows_only)
                                 { 0 }, NULL };
     const fvi_run run = run_of(&system, 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, 7 * run.h, x, p), 0);
     ck_assert(s->k == 7 && memcmp(x, s->x, D * sizeof *x) == 0
               && memcmp(p, s->p, D * sizeof *x) == 0);
@@ -195,7 +197,8 @@ START_TEST(what_callbacks_say_comes_back)
         fvi_stepper *s;
         int status = 0;
         moods = 0;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         while (s->k < run.steps && !status)
             status = fvi_stepper_step(s);
         ck_assert_int_eq(status, mood ? FVI_EOVRFLW : -77);
@@ -204,9 +207,11 @@ START_TEST(what_callbacks_say_comes_back)
     fvi_run wrong = run;
     fvi_stepper *s;
     wrong.step_error = -1;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s,
+                                       NULL), FVI_EDOM);
     wrong.step_error = GSL_NAN;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s), FVI_EDOM);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &wrong, &s,
+                                       NULL), FVI_EDOM);
 }
 END_TEST
 

@@ -1,6 +1,7 @@
 /* tests/variable_steps/test_variable_steps_limits.c -- H 22: what steps of any
  * length do not do. Run alone: make test-variable_steps_limits */
 #include <fvi/exact_solution.h>
+#include "error_control/variable_step_search.h"
 #include <fvi/fvi.h>
 #include "harness/energy.h"
 #include "harness/ulp.h"
@@ -63,7 +64,7 @@ static fvi_step_statistics plate(int (*value)(double, size_t, void *, double *),
     run.step_error = tolerance;
     fvi_stepper *s;
     fvi_step_statistics counts;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     for (size_t k = 0; k <= ROWS; k++)
         ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, x + k, NULL), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
@@ -166,7 +167,7 @@ START_TEST(a_jump_that_is_not_declared_is_seen_by_two_runs)
             for (double error = 1e-3; error > 1e-10; error /= 100) {
                 fvi_variable_step_found found;
                 ck_assert_int_eq(
-                    fvi_variable_step_search(&run, error, 100000, x, NULL, &found),
+                    fvi_variable_step_search(&run, 0, NULL, error, 100000, x, NULL, &found),
                     0);
                 most = larger(most, worst_of(x, jumped[n][i]) / error);
                 ran++;
@@ -211,7 +212,7 @@ START_TEST(a_fast_spring_is_followed_through_every_period)
     fvi_stepper *s;
     fvi_step_statistics counts;
     double x, p, t = 2, exact, v;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, t, &x, &p), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     fvi_stepper_free(s);
@@ -239,7 +240,8 @@ START_TEST(without_damping_the_energy_drifts)
         fvi_stepper *s;
         fvi_step_statistics counts;
         run.step_error = tolerance;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         while (s->k < ROWS) {
             ck_assert_int_eq(fvi_stepper_step(s), 0);
             double *o = &off[s->t > 1000];
@@ -283,7 +285,7 @@ START_TEST(an_error_far_above_the_start_is_kept)
                                  .T = aT[1] };
     ck_assert_int_eq(fvi_exact_at(&problem, 5, t, want, v), FVI_SUCCESS);
     ck_assert_int_eq(
-        fvi_variable_step_search(&run, error, 100000, found_x, NULL, &found),
+        fvi_variable_step_search(&run, 0, NULL, error, 100000, found_x, NULL, &found),
         FVI_SUCCESS);
     for (size_t k = 0; k < 5; k++)
         ck_assert_near(found_x[k], want[k], error + 4e-13 * 9, "row %zu", k);

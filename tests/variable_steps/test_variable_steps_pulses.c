@@ -45,7 +45,7 @@ static fvi_step_statistics steps_with(const char *text, int bounded, double *x)
     run.step_error = 1e-9;
     fvi_stepper *s;
     fvi_step_statistics counts;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, 20, x, NULL), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     fvi_stepper_free(s);
@@ -102,7 +102,7 @@ START_TEST(eq_22_25_a_copy_goes_on_with_the_same_digits)
                           .force = fvi_force_expression(e) };
     const fvi_run run = fvi_run_default(&system, &one, &zero, 20, 1);
     fvi_stepper *s, *copy;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_advance_to(s, 5, NULL, NULL), 0);
     ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
     while (s->t < 20) {

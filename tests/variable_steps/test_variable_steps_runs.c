@@ -1,6 +1,7 @@
 /* tests/variable_steps/test_variable_steps_runs.c -- H 22: runs.
  * Run alone: make test-variable_steps_runs */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"
 
@@ -57,7 +58,8 @@ START_TEST(eq_22_14_steps_of_given_lengths)
         run.h = 1.5;
         run.steps = 1;
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         s->run.step_error = 1e9; /* of the stages it has been asked before */
         fvi_variable_step_state *o = s->method_state;
         o->next = o->first = 3;
@@ -198,7 +200,8 @@ START_TEST(every_strength_and_long_relaxations)
         ck_assert_near(error_of(&run, &problem, &of_p), 0, 1e-11 + 1e-13,
                        "case %zu", i);
         fvi_stepper *s;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         ck_assert_int_eq(fvi_stepper_advance_to(s, (double)N * run.h, NULL, NULL), 0);
         fvi_step_statistics n;
         ck_assert_int_eq(fvi_stepper_statistics(s, &n), 0);
@@ -218,7 +221,7 @@ static size_t steps_taken(const fvi_run *run, double *rows)
 {
     fvi_stepper *s;
     fvi_step_statistics counts = { 0 };
-    int status = fvi_stepper_start(&fvi_variable_step, run, &s);
+    int status = fvi_stepper_start(&fvi_variable_step, run, &s, NULL);
     for (size_t k = 0; !status && k <= run->steps; k++)
         status = fvi_stepper_advance_to(s, (double)k * run->h, rows + k, NULL);
     if (!status)

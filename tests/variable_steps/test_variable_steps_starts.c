@@ -1,6 +1,8 @@
 /* tests/variable_steps/test_variable_steps_starts.c -- H 22: starts that are not
  * smooth, and such at rest. Run alone: make test-variable_steps_starts */
 #include <fvi/exact_solution.h>
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"
@@ -91,7 +93,7 @@ START_TEST(eq_22_20_starts_that_are_not_smooth_keep_the_wanted_error)
         draw(random, i, &b);
         const double error = decades(random, -10, -3);
         const int status =
-            fvi_variable_step_search(&b.run, error, 100000, x, NULL, &found);
+            fvi_variable_step_search(&b.run, 0, NULL, error, 100000, x, NULL, &found);
         ck_assert_msg(!status, "run %d: %d", i, status);
         const double used = worst_of(&b, x) / error;
         seen_worst(used, "of the wanted error");
@@ -142,7 +144,8 @@ START_TEST(eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error)
             b.rho[j] = b.mass[j] * rho * between(random, 0.5, 1);
             b.x0[j] = i % 2 ? b.x0[j] : 0;
         }
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &b.run, &s),
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &b.run, &s,
+                                           NULL),
                          refused(&b) ? FVI_EUNSUP : FVI_SUCCESS);
         not_had += (size_t)refused(&b);
         if (refused(&b))
@@ -152,7 +155,7 @@ START_TEST(eq_22_23_starts_next_to_alpha_1_keep_the_wanted_error)
         turned += !falls && g.t1 == 1e-3 * b.run.h * ROWS;
         fvi_stepper_free(s);
         ck_assert_int_eq(
-            fvi_variable_step_search(&b.run, error, 100000, x, NULL, &found), 0);
+            fvi_variable_step_search(&b.run, 0, NULL, error, 100000, x, NULL, &found), 0);
         const double used = worst_of(&b, x) / error;
         fell += (size_t)falls;
         steps += falls ? found.counts.steps : 0;
@@ -185,7 +188,8 @@ START_TEST(eq_22_23_a_single_body_is_never_refused)
                 fvi_stepper *s;
                 run.alpha = 1 - gap / 2;
                 run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-                ck_assert_msg(!fvi_stepper_start(&fvi_variable_step, &run, &s),
+                ck_assert_msg(!fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                                 NULL),
                               "alpha = 1 - %g, rho = %g, T = %g", gap / 2, rho,
                               T);
                 fvi_stepper_free(s);
@@ -223,7 +227,8 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
     for (int s = 6; s <= 8; s += 2, run.h *= 4) {
         fvi_stepper *stepper;
         fvi_step_statistics counts;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper,
+                                           NULL), 0);
         ck_assert_int_eq(fvi_stepper_statistics(stepper, &counts), 0);
         ck_assert_int_eq(counts.stages, s);
         fvi_stepper_free(stepper);
@@ -239,7 +244,7 @@ static void ck_assert_follows(const fvi_linear_oscillator *p, fvi_run *run)
     run->alpha = p->alpha;
     run->past = p->past;
     run->step_error = 1e-8;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, run, &s, NULL), 0);
     while (s->k < run->steps) {
         ck_assert_int_eq(fvi_stepper_step(s), 0);
         ck_assert_int_eq(fvi_exact_at(p, 1, &s->t, &exact, NULL), 0);

@@ -86,7 +86,8 @@ START_TEST(eq_22_15_form_m_keeps_the_area)
     run.step_error = 0.1;
     fvi_stepper *s;
     fvi_step_statistics n = { 0 };
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                       NULL), FVI_SUCCESS);
     for (size_t k = 1; s->t < 40; k++) {
         ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
         ck_assert_near(s->x[0] * s->p[1] - s->x[1] * s->p[0], 1,
@@ -123,7 +124,8 @@ static fvi_stepper *after_one_step(size_t s, pushed push)
     run.alpha = (push.beta + 1) / 2;
     run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.step_error = s == 6 ? 1e-3 : 1e-8;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &stepper,
+                                       NULL), FVI_SUCCESS);
     fvi_variable_step_state *o = stepper->method_state;
     ck_assert_uint_eq(o->rule->s, s);
     o->next = 20;
@@ -199,7 +201,8 @@ START_TEST(a_first_step_may_be_1_long)
     run.past = FVI_INITIAL_HISTORY_CAPUTO;
     run.alpha = 0.3;
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                       NULL), FVI_SUCCESS);
     ck_assert_int_eq(((const fvi_variable_step_state *)s->method_state)->next, 0);
     ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
     ck_assert_double_le(s->t, 1);
@@ -298,7 +301,8 @@ START_TEST(eq_22_14_guessed_from_stage_to_stage)
                 run.alpha = alpha;
                 run.past = FVI_INITIAL_HISTORY_CAPUTO;
                 run.step_error = 0.1;
-                ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+                ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                                   NULL), 0);
                 fvi_variable_step_state *o = s->method_state;
                 o->next = k;
                 ck_assert_int_eq(fvi_stepper_step(s), 0);

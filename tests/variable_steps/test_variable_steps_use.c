@@ -2,6 +2,9 @@
  * nobody declared, a wanted error.
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
+#include "error_control/variable_step_search.h"
+#include "error_control/step_search.h"
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"
 
@@ -63,7 +66,7 @@ START_TEST(many_masses_by_four_ways_and_by_lobatto)
     fvi_run run = run_of(&system, 1e-11);
     ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
     fvi_stepper *s;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ((fvi_variable_step_state *)s->method_state)->solve = FVI_SOLVE_TOGETHER;
     for (size_t k = 0; k <= N; k++)
         ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, y + k * D, q + k * D),
@@ -75,7 +78,8 @@ START_TEST(many_masses_by_four_ways_and_by_lobatto)
     system.potential.hessian = full_hessian;
     system.potential.diagonals = 0;
     for (int together = 0; together < 2; together++) {
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         fvi_variable_step_state *o = s->method_state;
         ck_assert(o->solve == FVI_SOLVE_COUPLED && !o->band);
         o->solve = together ? FVI_SOLVE_TOGETHER : o->solve;
@@ -127,7 +131,8 @@ START_TEST(a_chain_takes_one_hessian_a_step)
         fvi_stepper *s;
         fvi_step_statistics counts;
         hessians = gradients = 0;
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                           NULL), 0);
         ck_assert_int_eq(fvi_stepper_advance_to(s, N * run.h, NULL, NULL), 0);
         ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
         ck_assert_ptr_null(s->newton);
@@ -159,7 +164,7 @@ START_TEST(stiff_chains_keep_their_energy)
         ck_assert_near(E[k], E[0], 1e-8 * E[0], "k=%zu", k);
     fvi_stepper *s;
     fvi_step_statistics counts;
-    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+    ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     ck_assert(counts.form == 'M' && counts.stages == 8 && counts.steps == 0);
     fvi_stepper_free(s);
@@ -223,7 +228,8 @@ START_TEST(a_jump_that_is_not_declared_is_found)
         for (size_t declared = 0; declared < 2; declared++) {
             system.force =
                 declared ? fvi_force_step(aT) : (fvi_force){ .value = jumping };
-            ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+            ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
+                                               NULL), 0);
             double *to = declared ? y : x;
             for (size_t k = 0; k <= N; k++)
                 ck_assert_int_eq(fvi_stepper_advance_to(s, (double)k * run.h, to + k, NULL),
@@ -275,19 +281,19 @@ START_TEST(a_search_checks_and_ends)
                                 { 0 }, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 8);
     fvi_variable_step_found found = { .estimate = 7 };
-    ck_assert_int_eq(fvi_variable_step_search(NULL, 1, 99, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(NULL, 0, NULL, 1, 99, x, p, &found),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1, 99, NULL, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1, 99, NULL, p, &found),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_variable_step_search(&run, 0, 99, x, p, &found), FVI_EDOM);
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 0, 99, x, p, &found), FVI_EDOM);
     ck_assert(found.estimate == 7);
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 3, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1e-9, 3, x, p, &found),
                      FVI_ETOL);
     ck_assert(found.estimate == GSL_POSINF);
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-18, 1 << 20, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1e-18, 1 << 20, x, p, &found),
                      FVI_ETOL);
     ck_assert(found.estimate > 1e-15 && found.estimate < 1e-12);
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-9, 1 << 20, x, NULL, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1e-9, 1 << 20, x, NULL, &found),
                      0);
     ck_assert(found.estimate <= 1e-9 && found.counts.steps > 8);
     ck_assert_int_eq(fvi_step_search(&fvi_variable_step, &run, 1e-3, 99, x, p,
@@ -333,12 +339,12 @@ START_TEST(a_motion_that_runs_away_is_given_up)
     fvi_run run = fvi_run_default(&system, &one, &v0, 1.5, 4);
     run.alpha = 0.3;
     fvi_variable_step_found found;
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-3, 1 << 24, x, p, &found),
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1e-3, 1 << 24, x, p, &found),
                      FVI_EMAXITER);
     seen((double)asked, "slopes asked for");
     ck_assert_uint_lt(asked, 50000000);
     run.steps = 2; /* to t = 3, where it is on its way */
-    ck_assert_int_eq(fvi_variable_step_search(&run, 1e-3, 1 << 24, x, p, &found), 0);
+    ck_assert_int_eq(fvi_variable_step_search(&run, 0, NULL, 1e-3, 1 << 24, x, p, &found), 0);
     ck_assert(found.estimate <= 1e-3);
 }
 END_TEST

@@ -3,6 +3,7 @@
  * by line, an empty line between two curves, up to the first function that is not there
  * yet. */
 #include <fvi/coefficients.h>
+#include "run/whole_run.h"
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
 #include <fvi/fvi.h>

@@ -32,13 +32,17 @@ def text_of(pointer: Any) -> str:
     return ffi.string(pointer).decode()
 
 
+def own_code(code: int) -> str:
+    """The number of a code that is none of the library's."""
+    is_own = text_of(lib.fvi_error_name(code)) == text_of(lib.fvi_error_name(-1))  # which is never the library's
+    return f", code {code}" if is_own else ""
+
+
 def failure(code: int, where: str = "") -> Error:
     """The exception for a code that the last call returned."""
     why = lib.why(code)
     words = text_of(lib.fvi_error_name(code) if why == ffi.NULL else why)
-    if text_of(lib.fvi_error_name(code)) == text_of(lib.fvi_error_name(-1)):  # which is never the library's
-        words += f", code {code}"
-    return Error(words + where, code)
+    return Error(words + own_code(code) + where, code)
 
 
 def warn(text: str) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
+from ._library import Error, ask, ask_for_warning, failure, own_code, succeed, text_of, warn
 from ._problem import Potential, Problem, law, typed_force
 
 Law = Union[None, str, Sequence[str], Callable[[complex], complex]]
@@ -130,8 +130,10 @@ class Stepper:
     def __init__(self, potential: Union[str, Potential] = "harmonic:1", **options: Any):
         self._problem, self._run, self._method = prepare(potential, **options)
         self._lock, self._is_busy, self._taken = threading.RLock(), False, ffi.new("size_t *")
-        out = ffi.new("fvi_stepper **")
-        succeed(ask(lib.fvi_stepper_start, self._method, self._run, out))
+        out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
+        status = ask(lib.fvi_stepper_start, self._method, self._run, out, error)
+        if status:
+            raise Error(text_of(error.text) + own_code(status), status)
         self._s = ffi.gc(out[0], lib.fvi_stepper_free)
         self._watch = warn_of_start(self._method, self._run)
         self._watch_at_start = ffi.new("fvi_watch *", self._watch[0])[0]
@@ -216,16 +218,26 @@ class Run(NamedTuple):
     estimate: Optional[float] = None
 
 
-MOST_STEPS = 1 << 24  # as the program
-
-
 STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
 
 
-def where_it_stopped(out: list, rows: int) -> str:
-    """The first row that is not there, of arrays that were NaN before the run."""
-    whole = [np.isfinite(a.reshape(rows, -1)).all(axis=1) for a in out]
-    return f" (step {int(np.argmin(np.all(whole, axis=0)))})" if whole else ""
+def solve(method: Any, r: Any, time: float, tolerance: float, most: int, pointers: list) -> float:
+    """Every row of a run into x, p and energy, to a tolerance if there is one: the estimate of the error."""
+    problem = ffi.new("fvi_problem *", {"system": r.system[0], "x0": r.x0, "p0": r.p0, "T": time, "alpha": r.alpha,
+                                        "law": r.law, "past": r.past})
+    options = ffi.new("fvi_solve_options *", {
+        "method": method, "h": 0.0 if tolerance else r.h, "kappa": ffi.addressof(r, "kappa"), "longest": r.longest,
+        "step_error": r.step_error, "history": r.memory, "history_tolerance": r.tolerance})
+    accuracy = ffi.new("fvi_accuracy *", {"tolerance": tolerance, "most_steps": most})
+    outputs = ffi.new("fvi_outputs *", dict(zip(("x", "p", "energy"), pointers), rows=r.steps + 1))
+    report, error = ffi.new("fvi_report *"), ffi.new("fvi_error *")
+    status = ask(lib.fvi_solve, problem, options, accuracy, outputs, report, error)
+    if status in STOPPED and not tolerance:
+        raise failure(status, f" (step {error.index})")
+    if status and error.code == status:
+        raise Error(text_of(error.text) + own_code(status), status)
+    succeed(status)
+    return report.error
 
 
 def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
@@ -235,32 +247,11 @@ def by_steps(method: Any, r: Any, out: dict, pointers: list) -> None:
     if watch.next <= r.steps:  # how stiff is it where it comes to?
         out.setdefault("x", np.full((r.steps + 1) * r.system.d, np.nan))
         x = ffi.from_buffer("double[]", out["x"])
-    status = ask(lib.fvi_trajectory, method, r, x, *pointers[1:])
-    where = where_it_stopped(list(out.values()), r.steps + 1) if status in STOPPED else ""
-    failed = failure(status, where) if status else None
-    if watch.next <= r.steps:
-        ask_for_warning(lib.look_along, watch, method, r, x)
-    if failed:
-        raise failed
-
-
-def search(r: Any, method: Any, error: float, most: int, x: Any, p: Any) -> float:
-    """Rows with an error of at most that by an estimate, which is returned."""
-    if method == lib.fvi_method_find(b"fvi-adaptive"):
-        found = ffi.new("fvi_variable_step_found *")
-        status = ask(lib.fvi_variable_step_search, r, error, most, x, p, found)
-    else:
-        found = ffi.new("fvi_step_found *")
-        status = ask(lib.fvi_step_search, method, r, error, most, x, p, found)
-    if status == lib.FVI_ETOL:
-        if not math.isfinite(found.estimate):
-            raise failure(status, ": no step gives a result that can be trusted")
-        is_adaptive = method == lib.fvi_method_find(b"fvi-adaptive")
-        other = ffi.NULL if is_adaptive else lib.fvi_step_search_other(method, r)
-        raise failure(status, f": the smallest estimate of the error was {found.estimate:.2g}" + (
-            f"; {text_of(other.name)} has a higher order" if other != ffi.NULL else ""))
-    succeed(status)
-    return found.estimate
+    try:
+        solve(method, r, r.steps * r.h, 0.0, r.most_steps, [x, *pointers[1:]])
+    finally:
+        if watch.next <= r.steps:
+            ask_for_warning(lib.look_along, watch, method, r, x)
 
 
 @spelt(prepare)
@@ -309,7 +300,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     wanted = word("columns", columns).split(",")
     if not set(wanted) <= {"t", "x", "p", "energy"}:
         raise ValueError(f"columns: '{columns}' are not all among t,x,p,energy")
-    most = MOST_STEPS
+    most = 0
     if error is not None:
         for name in ("h", "step_error"):
             if options.get(name) is not None:
@@ -327,16 +318,16 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     rows, d = r.steps + 1, problem.d
     shape = (rows,) if problem.scalar else (rows, d)
     out = {name: np.full((rows,) if name == "energy" else shape, np.nan)
-           for name in ("x", "p", "energy") if name in wanted or (error is not None and name != "energy")}
+           for name in ("x", "p", "energy") if name in wanted}
     pointers = [ffi.from_buffer("double[]", out[n]) if n in out else ffi.NULL
                 for n in ("x", "p", "energy")]
     estimate = None
     if error is None:
         by_steps(method, r, out, pointers)
     else:
-        estimate = search(r, method, number("error", error), most, *pointers[:2])
-        for k in range(rows if "energy" in wanted else 0):
-            succeed(ask(lib.fvi_energy, r.system, *(q + k * d for q in pointers[:2]), pointers[2] + k))
+        if not 0 < number("error", error) < math.inf:
+            raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
+        estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
     return Run(np.arange(rows) * r.h, *(out[n] if n in wanted else None for n in ("x", "p", "energy")), estimate)
 
 

@@ -207,7 +207,7 @@ const char *random_state(size_t *refused)
     const size_t N = o.run.steps;
     snprintf(said, sizeof said, "%s, d = %zu, N = %zu, alpha = %g, memory %d",
              method->name, o.system.d, N, o.run.alpha, (int)o.run.memory);
-    if (fvi_stepper_start(method, &o.run, &s))
+    if (fvi_stepper_start(method, &o.run, &s, NULL))
         return NULL; /* not for this method */
     for (size_t n = dice(N + 1); n > 0 && s->k < N; n--)
         if (fvi_stepper_step(s)) {
@@ -217,7 +217,7 @@ const char *random_state(size_t *refused)
     all = (shelf){ .archive = { save } };
     int status = fvi_stepper_archive(s, &all.archive);
     fvi_stepper_free(s);
-    if (status || fvi_stepper_start(method, &o.run, &again))
+    if (status || fvi_stepper_start(method, &o.run, &again, NULL))
         return "not saved";
     all.archive.serialize = load;
     all.pieces = 0;

@@ -1,5 +1,6 @@
 /* tests/random/stress/stress_identities.c -- Identities that every run must obey. */
 #include <fvi/error.h>
+#include "run/whole_run.h"
 #include <fvi/paper/integration_by_parts.h>
 #include <fvi/paper/legendre.h>
 #include <fvi/stability.h>
@@ -225,7 +226,8 @@ double stress_overflow(gsl_rng *random, char *describe, size_t size)
     o.run.h = stress_decades(random, 1e-12, 1e12);
     o.run.kappa = stress_kappa(random);
     fvi_stepper *s;
-    int status = fvi_stepper_start(&fvi_fractional, &o.run, &s), silent = 0;
+    int status = fvi_stepper_start(&fvi_fractional, &o.run, &s,
+                                   NULL), silent = 0;
     snprintf(describe, size, "alpha=%.17g m=%g rho=%g h=%g x0=%g p0=%g",
              o.run.alpha, o.m, o.rho, o.run.h, o.x0, o.p0);
     if (status)
@@ -306,7 +308,7 @@ double stress_refusals(gsl_rng *random, char *describe, size_t size)
         break;
     }
     fvi_stepper *untouched = NULL;
-    int status = fvi_stepper_start(&fvi_fractional, &o.run, &untouched);
+    int status = fvi_stepper_start(&fvi_fractional, &o.run, &untouched, NULL);
     snprintf(describe, size, "field %lu, value %g: %s", field, bad,
              fvi_error_name(status));
     fvi_stepper_free(untouched);

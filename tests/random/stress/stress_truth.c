@@ -1,5 +1,6 @@
 /* tests/random/stress/stress_truth.c -- Stress: runs against the truth. */
 #include <fvi/coefficients.h>
+#include "run/whole_run.h"
 #include <fvi/error.h>
 #include <fvi/exact_solution.h>
 #include <fvi/stability.h>

@@ -1,13 +1,8 @@
-/* src/fvi/step_search.h -- The step that a wanted error needs.      [H 18] */
+/* src/error_control/step_search.h -- The step that a wanted error needs.      [H 18] */
 #ifndef FVI_STEP_SEARCH_H
 #define FVI_STEP_SEARCH_H
 
-#include "trajectory.h"
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-#pragma GCC visibility push(default)
+#include <fvi/trajectory.h>
 
 /* What a search found. */
 typedef struct {
@@ -90,10 +85,5 @@ int fvi_step_search(const fvi_method *method, const fvi_run *run, double error,
  * the error is not tried here. */
 const fvi_method *fvi_step_search_other(const fvi_method *method,
                                         const fvi_run *run);
-
-#pragma GCC visibility pop
-#ifdef __cplusplus
-}
-#endif
 
 #endif

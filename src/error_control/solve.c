@@ -1,0 +1,360 @@
+/* src/error_control/solve.c -- Where is the body at these times?        [H 18, 22] */
+#include <fvi/solve.h>
+
+#include "run/run_check.h"
+#include "error_control/step_search.h"
+#include "variable_step_search.h"
+
+#include <fvi/fvi.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    USUAL_MOST_STEPS = 1 << 24,
+    MOST_PARTS = 1 << 20, /* of T, for times that have a common step */
+    COMPARED = 128        /* at so many times at least, a power of two */
+};
+
+/* A problem as a run, and what its caller wants of it. */
+typedef struct {
+    const fvi_outputs *out;
+    const fvi_method *method;
+    fvi_run run;
+    double tolerance;
+    size_t most_steps;
+    fvi_report *report;
+    fvi_error *error;
+} solution;
+
+/* ---- what is asked for ---- */
+
+/* What a caller leaves open. */
+static const fvi_method *usual_method(const fvi_problem *problem,
+                                      double tolerance)
+{
+    if (!(tolerance > 0))
+        return &fvi_fractional;
+    if (problem->system.matrices)
+        return &fvi_cq2_midpoint;
+    return problem->law && !fvi_variable_step.takes_laws ? &fvi_cq_bdf2
+                                                         : &fvi_variable_step;
+}
+
+static int refuse_time(size_t k, double t, const char *reason, fvi_error *error)
+{
+    const int code =
+        fvi_fail(error, FVI_EDOM, "t", t, "t[%zu] is %.10g; %s", k, t, reason);
+    if (error)
+        error->index = k;
+    return code;
+}
+
+/* The times are there, increase, and lie within the motion. */
+static int check_times(const fvi_outputs *out, double T, fvi_error *error)
+{
+    if (out->rows == 0)
+        return fvi_fail(error, FVI_EINVAL, "rows", 0, "no time is asked for");
+    for (size_t k = 0; out->t && k < out->rows; k++) {
+        if (!(out->t[k] >= 0 && out->t[k] <= T))
+            return refuse_time(k, out->t[k], "it must be in [0, T]", error);
+        if (k > 0 && !(out->t[k] > out->t[k - 1]))
+            return refuse_time(k, out->t[k], "the times must increase", error);
+    }
+    return FVI_SUCCESS;
+}
+
+/* The first of the times that is no multiple of h, but for roundings; `rows` if there is none. */
+static size_t first_between(const fvi_outputs *out, double h)
+{
+    for (size_t k = 0; k < out->rows; k++) {
+        const double parts = out->t[k] / h;
+        if (!(fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts))
+            return k;
+    }
+    return out->rows;
+}
+
+/* The fewest steps from 0 to T that end at each of the times. */
+static int common_steps(const solution *o, double T, size_t *steps)
+{
+    size_t least = 0, k = 0;
+    for (*steps = 1; *steps <= MOST_PARTS; ++*steps) {
+        k = first_between(o->out, T / (double)*steps);
+        if (k == o->out->rows)
+            return FVI_SUCCESS;
+        least = k > least ? k : least;
+    }
+    return refuse_time(least, o->out->t[least],
+                       "this method needs times with a common step; "
+                       "fvi-adaptive gives out any", o->error);
+}
+
+/* Steps of a given length, h, to T. */
+static int given_steps(solution *o, double T, double h)
+{
+    if (!(h > 0 && isfinite(h)))
+        return fvi_fail(o->error, FVI_EDOM, "h", h,
+                        "h is %g; without a tolerance a step > 0 is needed", h);
+    const double steps = round(T / h);
+    if (!(fabs(steps * h - T) <= 1e-9 * T) || !(steps < (double)SIZE_MAX))
+        return fvi_fail(o->error, FVI_EDOM, "T", T,
+                        "T is %.10g, which is no multiple of h = %.10g", T, h);
+    o->run.h = h;
+    o->run.steps = (size_t)steps;
+    if (!o->out->t && o->out->rows != o->run.steps + 1)
+        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
+                        "%zu rows for %zu steps; there is one more of them",
+                        o->out->rows, o->run.steps);
+    const size_t k =
+        o->out->t && !o->method->dense ? first_between(o->out, h) : SIZE_MAX;
+    return k < o->out->rows
+               ? refuse_time(k, o->out->t[k],
+                             "this method gives out multiples of h; "
+                             "fvi-adaptive gives out any time", o->error)
+               : FVI_SUCCESS;
+}
+
+/* Rows of the run: those of the caller; what has any times is compared at some more. */
+static int choose_grid(solution *o, double T, double h)
+{
+    if (!(o->tolerance > 0) && !(o->method->dense && h == 0))
+        return given_steps(o, T, h);
+    int status = FVI_SUCCESS;
+    if (!o->out->t && o->out->rows < 2)
+        return fvi_fail(o->error, FVI_EINVAL, "rows", 1,
+                        "evenly from 0 to T are two rows at least");
+    o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
+    if (o->out->t && !o->method->dense)
+        status = common_steps(o, T, &o->run.steps);
+    o->run.h = T / (double)o->run.steps;
+    return status;
+}
+
+static int prepare(solution *o, const fvi_problem *problem,
+                   const fvi_solve_options *options,
+                   const fvi_accuracy *accuracy)
+{
+    o->tolerance = accuracy->tolerance;
+    o->most_steps = accuracy->most_steps;
+    if (!(o->tolerance >= 0 && isfinite(o->tolerance)))
+        return fvi_fail(o->error, FVI_EDOM, "tolerance", o->tolerance,
+                        "tolerance is %g; it must be finite and not negative",
+                        o->tolerance);
+    if (!(problem->T > 0 && isfinite(problem->T)))
+        return fvi_fail(o->error, FVI_EDOM, "T", problem->T,
+                        "T is %g; it must be finite and positive", problem->T);
+    o->method = options->method ? options->method
+                                : usual_method(problem, o->tolerance);
+    o->run = (fvi_run){ .system = &problem->system,
+                        .x0 = problem->x0,
+                        .p0 = problem->p0,
+                        .kappa = options->kappa ? *options->kappa : 0.5,
+                        .alpha = problem->alpha,
+                        .past = problem->past,
+                        .memory = options->history,
+                        .tolerance = options->history_tolerance,
+                        .step_error = options->step_error,
+                        .longest = options->longest,
+                        .most_steps = o->most_steps,
+                        .law = problem->law };
+    int status = check_times(o->out, problem->T, o->error);
+    if (!status)
+        status = choose_grid(o, problem->T, options->h);
+    return status ? status : fvi_run_check(o->method, &o->run, o->error);
+}
+
+/* ---- rows ---- */
+
+static double time_of_row(const solution *o, size_t k)
+{
+    return o->out->t ? o->out->t[k] : (double)k * o->run.h;
+}
+
+/* Row k, as it is. */
+static int give_row(const solution *o, size_t k, const double *x,
+                    const double *p)
+{
+    const fvi_outputs *out = o->out;
+    const size_t d = o->run.system->d;
+    int status = FVI_SUCCESS;
+    if (out->energy)
+        status = fvi_energy(o->run.system, x, p, out->energy + k);
+    if (status)
+        return status;
+    if (out->x && out->x + k * d != x)
+        memcpy(out->x + k * d, x, d * sizeof *x);
+    if (out->p && out->p + k * d != p)
+        memcpy(out->p + k * d, p, d * sizeof *p);
+    return out->row ? out->row(k, time_of_row(o, k), x, p, out->params)
+                    : FVI_SUCCESS;
+}
+
+/* In the words of a step that failed. */
+static int fail_at_step(const solution *o, size_t step, int status)
+{
+    fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step,
+             fvi_error_name(status));
+    if (o->error)
+        o->error->index = step;
+    return status;
+}
+
+static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts)
+{
+    report->steps = counts->steps;
+    report->rejected = counts->rejected;
+    report->h = counts->longest;
+    report->stages = counts->stages;
+    report->form = counts->form;
+}
+
+/* Row after row of one run; what is between two steps of the method's own is interpolated. */
+static int rows_of_run(const solution *o, fvi_stepper *s, double *room)
+{
+    const size_t d = o->run.system->d;
+    for (size_t k = 0; k < o->out->rows; k++) {
+        const double t = time_of_row(o, k);
+        const size_t node = (size_t)round(t / o->run.h);
+        int status = FVI_SUCCESS;
+        while (!status && (s->method->dense ? s->t < t : s->k < node))
+            status = fvi_stepper_step(s);
+        if (status)
+            return fail_at_step(o, s->k + 1, status);
+        if (s->method->dense && s->t > t) {
+            status = fvi_stepper_advance_to(s, t, room, room + d);
+            if (!status)
+                status = give_row(o, k, room, room + d);
+        } else {
+            status = give_row(o, k, s->x, s->p);
+        }
+        if (status)
+            return fail_at_step(o, k, status);
+    }
+    return FVI_SUCCESS;
+}
+
+static int solve_by_steps(const solution *o)
+{
+    fvi_stepper *s;
+    fvi_step_statistics counts;
+    double *room = malloc(2 * o->run.system->d * sizeof *room);
+    if (!room)
+        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    int status = fvi_stepper_start(o->method, &o->run, &s, o->error);
+    if (status) {
+        free(room);
+        return status;
+    }
+    status = rows_of_run(o, s, room);
+    o->report->steps = s->k;
+    o->report->h = o->run.h;
+    if (fvi_stepper_statistics(s, &counts) == FVI_SUCCESS)
+        report_of_mesh(o->report, &counts);
+    fvi_stepper_free(s);
+    free(room);
+    return status;
+}
+
+/* ---- to a tolerance ---- */
+
+/* x and p of the rows of the run, or of the times of a method that has any; and what was found. */
+static int search(const solution *o, double *x, double *p)
+{
+    fvi_report *report = o->report;
+    const size_t most = o->most_steps ? o->most_steps : USUAL_MOST_STEPS;
+    int status;
+    if (o->method->dense) {
+        fvi_variable_step_found found = { .estimate = INFINITY };
+        status = fvi_variable_step_search(&o->run, o->out->rows, o->out->t,
+                                          o->tolerance, most, x, p, &found);
+        report->error = found.estimate;
+        report_of_mesh(report, &found.counts);
+    } else {
+        fvi_step_found found = { .estimate = INFINITY, .parts = 1 };
+        status = fvi_step_search(o->method, &o->run, o->tolerance, most, x, p,
+                                 &found);
+        report->error = found.estimate;
+        report->steps = found.parts * o->run.steps;
+        report->h = o->run.h / (double)found.parts;
+        if (status == FVI_ETOL)
+            report->other = fvi_step_search_other(o->method, &o->run);
+    }
+    return status;
+}
+
+static int fail_of_search(const solution *o, int status)
+{
+    if (status != FVI_ETOL)
+        return fvi_fail(o->error, status, NULL, NAN, "%s",
+                        fvi_error_name(status));
+    if (!isfinite(o->report->error))
+        return fvi_fail(o->error, status, "tolerance", o->tolerance,
+                        "no step gives a result that can be trusted");
+    return fvi_fail(o->error, status, "tolerance", o->tolerance,
+                    "%g is out of reach; the smallest estimate was %.2g%s%s",
+                    o->tolerance, o->report->error,
+                    o->report->other ? "; a higher order has " : "",
+                    o->report->other ? o->report->other->name : "");
+}
+
+/* How many rows the search writes, and where among them is row k. */
+static size_t rows_of_search(const solution *o)
+{
+    return o->out->t && o->method->dense ? o->out->rows : o->run.steps + 1;
+}
+
+static size_t place_of_row(const solution *o, size_t k)
+{
+    return o->out->t && !o->method->dense
+               ? (size_t)round(o->out->t[k] / o->run.h)
+               : k;
+}
+
+static int solve_to_tolerance(const solution *o)
+{
+    const size_t d = o->run.system->d, rows = rows_of_search(o);
+    if (rows >= SIZE_MAX / sizeof(double) / 8 / d)
+        return fvi_fail(o->error, FVI_EINVAL, "rows", (double)rows,
+                        "rows must be addressable");
+    double *x = malloc(2 * rows * d * sizeof *x);
+    if (!x)
+        return fvi_fail(o->error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    double *p = x + rows * d;
+    int status = search(o, x, p);
+    if (status)
+        fail_of_search(o, status);
+    for (size_t k = 0; !status && k < o->out->rows; k++) {
+        const size_t at = place_of_row(o, k) * d;
+        status = give_row(o, k, x + at, p + at);
+        if (status)
+            fail_at_step(o, k, status);
+    }
+    free(x);
+    return status;
+}
+
+int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
+              const fvi_accuracy *accuracy, const fvi_outputs *outputs,
+              fvi_report *report, fvi_error *error)
+{
+    static const fvi_solve_options usual_options;
+    static const fvi_accuracy not_asked_for;
+    if (!problem || !outputs)
+        return fvi_fail(error, FVI_EFAULT, problem ? "outputs" : "problem", NAN,
+                        "null pointer");
+    fvi_report done = { .error = INFINITY };
+    solution o = { .out = outputs, .report = &done, .error = error };
+    int status = prepare(&o, problem, options ? options : &usual_options,
+                         accuracy ? accuracy : &not_asked_for);
+    if (status)
+        return status;
+    done.method = o.method;
+    status = o.tolerance > 0 ? solve_to_tolerance(&o) : solve_by_steps(&o);
+    if (report && (!status || status == FVI_ETOL))
+        *report = done;
+    return status;
+}

@@ -1,0 +1,43 @@
+/* src/error_control/variable_step_search.h -- The tolerance of variable steps that a wanted error
+ * needs.                                                             [H 22] */
+#ifndef FVI_VARIABLE_STEP_SEARCH_H
+#define FVI_VARIABLE_STEP_SEARCH_H
+
+#include <fvi/variable_steps.h>
+
+/* What fvi_variable_step_search found. */
+typedef struct {
+    double estimate; /* of max |x_k - x(t_k)|, over rows and coordinates */
+    fvi_step_statistics counts; /* of the run whose rows are given out */
+} fvi_variable_step_found;
+
+/* fvi_variable_step_search -- a run at given times, right to a wanted error.
+ *
+ * Two runs whose meshes cannot coincide: the second with a tenth of the first one's
+ * step_error, steps at most half as long as its longest, growing at most 2.2-fold. Their
+ * largest difference in the rows, and 3e-14 max |x| for the rounding, or what their modes
+ * may be off by, is the estimate. It tells the error of the first run;
+ * the rows are those of the second, and mostly some 500 times better. While the estimate is above `error`, a run with
+ * a tenth again is compared with the last.
+ *
+ *   run    as for fvi_stepper_start; step_error and most_steps are not read
+ *   count, t  the times, increasing, within the run; NULL: those of its rows
+ *   error  what max |x_k - x(t_k)| may be, finite, > 0
+ *   most   no run of more steps than this is made
+ *   x, p   outputs, count d numbers, or (steps + 1) d; p may be NULL
+ *   found  output
+ *
+ * It is an estimate, no bound: what both runs pass over, a pulse of a force without bounds
+ * that is shorter than their steps, say, is not seen, nor perhaps a small jump that is not declared. The
+ * error of p is another matter. Where five runs in a row fail within a thousandth of one t,
+ * no finer one is tried.
+ * Returns FVI_SUCCESS; FVI_EFAULT if run, x or found is NULL; FVI_EDOM if error is not
+ * finite and > 0; FVI_EINVAL if (steps + 1) d numbers cannot be addressed; what fvi_stepper_start
+ * and fvi_stepper_step return; FVI_ENOMEM; FVI_ETOL if rounding keeps the estimate above error, or
+ * because of most: found->estimate is then the smallest one, infinite if there was none. On
+ * error x, p and, but for FVI_ETOL, *found are untouched. */
+int fvi_variable_step_search(const fvi_run *run, size_t count, const double *t,
+                             double error, size_t most, double *x, double *p,
+                             fvi_variable_step_found *found);
+
+#endif

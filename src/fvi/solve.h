@@ -1,0 +1,137 @@
+/* src/fvi/solve.h -- Where is the body at these times?                 [H 18, 22]
+ *
+ *     const fvi_problem problem = { .system = system, .x0 = x0, .p0 = p0, .T = 20, .alpha = 0.3 };
+ *     const fvi_accuracy to_nine_digits = { .tolerance = 1e-9 };
+ *     status = fvi_solve(&problem, NULL, &to_nine_digits, &outputs, NULL, &error);
+ *
+ * One call, whatever the method. With a tolerance the library finds the steps; without one the caller
+ * gives them. What is left out of a struct is zero, and zero means the usual: no options need be
+ * set. */
+#ifndef FVI_SOLVE_H
+#define FVI_SOLVE_H
+
+#include "error.h"
+#include "trajectory.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#pragma GCC visibility push(default)
+
+/* fvi_problem -- what moves, and how it begins.
+ *
+ *   system   masses, dampings, potential, force (system.h)
+ *   x0, p0   the start, d finite numbers each
+ *   T        the end of the motion, finite, > 0
+ *   alpha    the damping is of order 2 alpha, 0 <= alpha <= 1; so 0 is a spring, and 1/2 a dashpot
+ *   law      NULL, or a law of damping instead of alpha (damping_laws.h)
+ *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
+ *
+ * All that it points to must outlive the call. */
+typedef struct {
+    fvi_system system;
+    const double *x0, *p0;
+    double T;
+    double alpha;
+    const fvi_kernel *law;
+    fvi_initial_history past;
+} fvi_problem;
+
+/* fvi_solve_options -- how it is solved; NULL or a zeroed one is the usual way.
+ *
+ *   method   NULL: with a tolerance fvi_variable_step, or where that does not take the problem
+ *            fvi_cq_bdf2, or fvi_cq2_midpoint for matrices; without one fvi_fractional
+ *   h        the step, > 0, without a tolerance; not read with one
+ *   kappa    NULL: 1/2; or, of methods with a kappa: the potential is taken at
+ *            kappa x_k + (1 - kappa) x_{k+1}
+ *   longest  no step is longer; 0: no limit. A force without a bound that swings, or has a pulse, in
+ *            less than this time is seen so
+ *   step_error  of fvi_variable_step without a tolerance, as fvi_run has it
+ *   history, history_tolerance  as memory and tolerance of fvi_run (trajectory.h) */
+typedef struct {
+    const fvi_method *method;
+    double h;
+    const double *kappa;
+    double longest, step_error;
+    fvi_history_kind history;
+    double history_tolerance;
+} fvi_solve_options;
+
+/* fvi_accuracy -- how exact it shall be.
+ *
+ *   tolerance   what max |x - x(t)| may be at the outputs, by an estimate, > 0; 0: not asked for
+ *   most_steps  no run of more steps is made; 0: 2^24 with a tolerance, as fvi_run without */
+typedef struct {
+    double tolerance;
+    size_t most_steps;
+} fvi_accuracy;
+
+/* fvi_outputs -- where it shall be known.
+ *
+ *   rows    how many times, >= 1
+ *   t       the times, increasing, 0 <= t <= T; NULL: evenly from 0 to T, or, without a tolerance, at
+ *           each step, k h
+ *   x, p    rows d numbers, component i of row k at [k d + i]; NULL: not wanted
+ *   energy  rows numbers, or NULL
+ *   row     NULL, or called for each row in order, with its x and p; what it returns but 0 ends the
+ *           call, which returns it
+ *   params  handed to row */
+typedef struct {
+    size_t rows;
+    const double *t;
+    double *x, *p, *energy;
+    int (*row)(size_t k, double t, const double *x, const double *p,
+               void *params);
+    void *params;
+} fvi_outputs;
+
+/* fvi_report -- what was done.
+ *
+ *   method    which method it was
+ *   other     where the tolerance was not reached: a method of higher order that takes the problem,
+ *             NULL if there is none
+ *   steps, rejected  of the run whose rows are given out; trials that were given up
+ *   h         its step; of a method that chooses its steps the longest
+ *   error     the estimate of max |x - x(t)|, with a tolerance; infinite if there is none
+ *   stages, form  of fvi_variable_step, as fvi_step_statistics has them */
+typedef struct {
+    const fvi_method *method, *other;
+    size_t steps, rejected;
+    double h, error;
+    int stages;
+    char form;
+} fvi_report;
+
+/* fvi_solve -- the motion at the times of the outputs.
+ *
+ *   options, accuracy  NULL: the usual; then options->h is needed
+ *   report, error      outputs, or NULL. The report is filled in on success and for FVI_ETOL
+ *
+ * With a tolerance fvi_variable_step runs twice on meshes that cannot coincide and takes their
+ * difference for the error of the first (H 22); other methods halve their step until the order that
+ * they show is theirs (H 18). It is an estimate, no bound: what all runs pass over alike is not seen,
+ * such as a pulse of a force without bounds that is shorter than their steps. The error of p is
+ * another matter.
+ *
+ * fvi_variable_step gives out any time. Other methods have positions at their steps alone: without a
+ * tolerance each t is a multiple of h, but for roundings; with one the times have a common step, of
+ * which T has at most 2^20.
+ *
+ * Without a tolerance no row is kept but in the outputs: memory O(d) and that of the method's history.
+ * With one, three times that of x at 128 times at least.
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM, FVI_EUNSUP for what is wrong with an argument
+ * or unknown to the method, with its field ("x0", "T", "t", ...), number and index in *error;
+ * FVI_ETOL if the tolerance cannot be had; FVI_ERUNAWAY after most_steps; FVI_ENOMEM;
+ * FVI_EMAXITER, FVI_ESING, FVI_EOVRFLW of a step, whose number is the index; what a callback returned.
+ * Of a failed step the rows before it stand; else the outputs are untouched on error. */
+int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
+              const fvi_accuracy *accuracy, const fvi_outputs *outputs,
+              fvi_report *report, fvi_error *error);
+
+#pragma GCC visibility pop
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,142 @@
+/* src/run/run_check.c -- Is it a run that a method takes?               [H 2] */
+#include "run_check.h"
+
+#include "impulses.h"
+#include "solution.h"
+#include "system/newton.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+static int check_law(const fvi_method *method, const fvi_run *run,
+                     fvi_error *error)
+{
+    if (!run->law)
+        return FVI_SUCCESS;
+    if (!method->takes_laws)
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
+                        "this method knows no laws of damping");
+    if (run->past != FVI_INITIAL_HISTORY_HELD)
+        return fvi_fail(error, FVI_EUNSUP, "past", run->past,
+                        "a law of damping is that of a body that was held");
+    const int status = fvi_kernel_check(run->law);
+    return status ? fvi_fail(error, status, "law", NAN, "not a law of damping: %s",
+                             fvi_error_name(status))
+                  : FVI_SUCCESS;
+}
+
+static int check_impulses(const fvi_method *method, const fvi_run *run,
+                          fvi_error *error)
+{
+    const fvi_system *system = run->system;
+    const int status = fvi_impulses_check(&system->force, system->d, error);
+    if (status || !system->force.impulse_count || !method->stages
+        || run->alpha < 1)
+        return status;
+    for (size_t i = 0; i < system->d; i++)
+        if (system->damping[i] > 0) /* (17.17): p is not m x' */
+            return fvi_fail(error, FVI_EUNSUP, "impulses", NAN,
+                            "stages take no impulse at alpha = 1");
+    return FVI_SUCCESS;
+}
+
+static int check_past(const fvi_method *method, const fvi_run *run,
+                      fvi_error *error)
+{
+    if (run->past != FVI_INITIAL_HISTORY_HELD
+        && run->past != FVI_INITIAL_HISTORY_CAPUTO
+        && run->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+        return fvi_fail(error, FVI_EINVAL, "past", run->past, "unknown past");
+    int has = 1, status = FVI_SUCCESS;
+    if (!method->paper_convention)
+        status = fvi_run_has_solution(run, &has);
+    if (!has)
+        return fvi_fail(error, FVI_EDOM, "past", run->past,
+                        "Riemann-Liouville with a damped x0 != 0 has no "
+                        "solution for alpha > 1/2");
+    return status ? fvi_fail(error, status, NULL, NAN, "%s",
+                             fvi_error_name(status))
+                  : FVI_SUCCESS;
+}
+
+/* A start of d numbers. */
+static int check_start(const char *field, size_t d, const double *v,
+                       fvi_error *error)
+{
+    for (size_t i = 0; i < d; i++)
+        if (!isfinite(v[i])) {
+            const int code = fvi_fail(error, FVI_EDOM, field, v[i],
+                                      "%s[%zu] is %g; it must be finite", field,
+                                      i, v[i]);
+            if (error)
+                error->index = i;
+            return code;
+        }
+    return FVI_SUCCESS;
+}
+
+/* The numbers of a run with their ranges. */
+static int check_numbers(const fvi_method *method, const fvi_run *run,
+                         fvi_error *error)
+{
+    const struct {
+        const char *field;
+        double value;
+        int is_right;
+        const char *range;
+    } numbers[] = {
+        { "h", run->h, gsl_finite(run->h) && run->h > 0, "finite and positive" },
+        { "kappa", run->kappa, run->kappa >= 0 && run->kappa <= 1,
+          "in [0, 1]" },
+        { "alpha", run->alpha,
+          run->alpha >= method->alpha_least && run->alpha <= method->alpha_most,
+          "an alpha that this method knows" },
+        { "tolerance", run->tolerance,
+          run->tolerance >= 0 && run->tolerance < 1, "in [0, 1)" },
+        { "step_error", run->step_error,
+          run->step_error >= 0 && gsl_finite(run->step_error),
+          "finite and not negative" },
+        { "longest", run->longest,
+          run->longest >= 0 && gsl_finite(run->longest),
+          "finite and not negative" },
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        if (!numbers[i].is_right)
+            return fvi_fail(error, FVI_EDOM, numbers[i].field, numbers[i].value,
+                            "%s is %g; it must be %s", numbers[i].field,
+                            numbers[i].value, numbers[i].range);
+    return FVI_SUCCESS;
+}
+
+int fvi_run_check(const fvi_method *method, const fvi_run *run,
+                  fvi_error *error)
+{
+    if (!method || !run || !run->x0 || !run->p0)
+        return fvi_fail(error, FVI_EFAULT,
+                        !method     ? "method"
+                        : !run      ? "run"
+                        : !run->x0 ? "x0"
+                                    : "p0",
+                        NAN, "null pointer");
+    int status = method->takes_matrices
+                     ? fvi_system_check_any(run->system, error)
+                     : fvi_system_check(run->system, error);
+    if (status)
+        return status;
+    if (run->steps == 0)
+        return fvi_fail(error, FVI_EINVAL, "steps", 0,
+                        "a run has at least one step");
+    status = check_numbers(method, run, error);
+    if (!status)
+        status = check_start("x0", run->system->d, run->x0, error);
+    if (!status)
+        status = check_start("p0", run->system->d, run->p0, error);
+    if (!status && !fvi_method_takes_history(method, run->memory))
+        status = fvi_fail(error, FVI_EUNSUP, "memory", run->memory,
+                          "this method has no such memory");
+    if (!status)
+        status = check_impulses(method, run, error);
+    if (!status)
+        status = check_law(method, run, error);
+    return status ? status : check_past(method, run, error);
+}

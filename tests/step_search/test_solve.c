@@ -1,0 +1,256 @@
+/* tests/step_search/test_solve.c -- The one call for a motion at given times.
+ * Run alone: make test-solve */
+#include "harness/ulp.h"
+#include "run/whole_run.h"
+
+#include <fvi/fvi.h>
+
+#include <math.h>
+#include <string.h>
+
+/* Duffing's oscillator with fractional damping under a force of which the motion is known:
+ * x = 1 + t^2 - t^3/3 from a body that was held, D^{2 alpha} t^n = n! t^{n - 2 alpha} /
+ * Gamma(n + 1 - 2 alpha). */
+static const double mass = 1.5, rho = 0.4, spring[] = { 1, 0.5 }, alpha = 0.3;
+static const double x0 = 1, p0 = 0;
+
+static double known_x(double t)
+{
+    return 1 + t * t - t * t * t / 3;
+}
+
+static int force(double t, size_t d, void *params, double *F)
+{
+    (void)d;
+    (void)params;
+    const double x = known_x(t), order = 2 * alpha,
+                 derivative = 2 * pow(t, 2 - order) / tgamma(3 - order)
+                              - 2 * pow(t, 3 - order) / tgamma(4 - order);
+    *F = mass * (2 - 2 * t) + spring[0] * x + spring[1] * x * x * x
+         + rho * derivative;
+    return 0;
+}
+
+static fvi_problem duffing(void)
+{
+    return (fvi_problem){ .system = { .d = 1,
+                                      .mass = &mass,
+                                      .damping = &rho,
+                                      .potential = fvi_potential_duffing(spring),
+                                      .force = { .value = force } },
+                          .x0 = &x0,
+                          .p0 = &p0,
+                          .T = 2,
+                          .alpha = alpha };
+}
+
+static const double some_times[] = { 0, 0.1, 0.7071067811865476, 1.2345, 1.99 };
+static fvi_error error;
+
+/* With a tolerance and nothing else: times that are no grid, and the error is what was asked for. */
+START_TEST(a_tolerance_is_reached_at_any_times)
+{
+    const fvi_problem problem = duffing();
+    for (double tolerance = 1e-3; tolerance > 1e-12; tolerance /= 1000) {
+        double x[LEN(some_times)], p[LEN(some_times)], e[LEN(some_times)];
+        const fvi_accuracy accuracy = { .tolerance = tolerance };
+        const fvi_outputs outputs = {
+            .rows = LEN(some_times), .t = some_times, .x = x, .p = p, .energy = e
+        };
+        fvi_report report;
+        ck_assert_int_eq(
+            fvi_solve(&problem, NULL, &accuracy, &outputs, &report, &error), 0);
+        ck_assert_ptr_eq(report.method, &fvi_variable_step);
+        ck_assert(report.error <= tolerance && report.steps > 5
+                  && report.h > 0);
+        for (size_t k = 0; k < LEN(some_times); k++) {
+            const double t = some_times[k];
+            ck_assert_double_le(fabs(x[k] - known_x(t)), report.error);
+            ck_assert_double_eq_tol(p[k], mass * (2 * t - t * t),
+                                    100 * tolerance + 1e-12);
+            ck_assert_double_eq_tol(e[k], p[k] * p[k] / (2 * mass)
+                                              + x[k] * x[k] / 2
+                                              + x[k] * x[k] * x[k] * x[k] / 8,
+                                    1e-14);
+        }
+    }
+}
+END_TEST
+
+/* A linear motion against the exact solution; of a law that fvi-adaptive may not take, too. */
+START_TEST(a_tolerance_is_reached_whatever_the_method)
+{
+    static const double t[] = { 0.5, 1.25, 2 };
+    static const fvi_method *const methods[] = { NULL, &fvi_lobatto_m4,
+                                                 &fvi_cq_bdf2 };
+    const fvi_kernel_term zener = { FVI_KERNEL_ZENER, 1, 0.3, 0.5, 0 };
+    const fvi_kernel law = { 1, &zener };
+    for (size_t i = 0; i < 2 * LEN(methods); i++) {
+        fvi_problem problem = duffing();
+        problem.system.potential = fvi_potential_harmonic(spring);
+        problem.system.force = (fvi_force){ 0 };
+        problem.law = i % 2 ? &law : NULL;
+        const fvi_linear_oscillator truth = { .m = mass, .c = spring[0],
+                                              .rho = rho, .alpha = alpha,
+                                              .x0 = x0, .v0 = 0,
+                                              .law = problem.law };
+        double x[LEN(t)], want[LEN(t)], v[LEN(t)];
+        const fvi_solve_options options = { .method = methods[i / 2] };
+        const fvi_accuracy accuracy = { .tolerance = 1e-6 };
+        const fvi_outputs outputs = { .rows = LEN(t), .t = t, .x = x };
+        fvi_report report;
+        ck_assert_int_eq(
+            fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error),
+            0);
+        ck_assert_int_eq(fvi_exact_at(&truth, LEN(t), t, want, v), 0);
+        for (size_t k = 0; k < LEN(t); k++)
+            ck_assert_msg(fabs(x[k] - want[k]) <= 1e-6, "%s: %g",
+                          report.method->name, x[k] - want[k]);
+    }
+}
+END_TEST
+
+/* A method and a step: the digits are those of the steps, at each of them or at some. */
+START_TEST(a_method_and_a_step_are_steps)
+{
+    const fvi_problem problem = duffing();
+    const double twentieth = 0.05;
+    fvi_run run =
+        fvi_run_default(&problem.system, &x0, &p0, twentieth, 40);
+    run.alpha = alpha;
+    static const fvi_method *const methods[] = { &fvi_fractional,
+                                                 &fvi_lobatto_d3,
+                                                 &fvi_variable_step };
+    for (size_t i = 0; i < LEN(methods); i++) {
+        double want[41], x[41], at[2];
+        static const double t[] = { 0.5, 1.25 };
+        const fvi_solve_options options = { .method = methods[i],
+                                            .h = twentieth };
+        const fvi_outputs all = { .rows = 41, .x = x },
+                          some = { .rows = 2, .t = t, .x = at };
+        fvi_report report;
+        ck_assert_int_eq(fvi_trajectory(methods[i], &run, want, NULL, NULL), 0);
+        ck_assert_int_eq(
+            fvi_solve(&problem, &options, NULL, &all, &report, &error), 0);
+        ck_assert_int_eq(memcmp(x, want, sizeof x), 0);
+        ck_assert(report.steps > 0 && isinf(report.error));
+        ck_assert_int_eq(
+            fvi_solve(&problem, &options, NULL, &some, NULL, &error), 0);
+        const double off = methods[i]->dense ? 1e-9 : 0;
+        ck_assert_double_le(fabs(at[0] - want[10]), off);
+        ck_assert_double_le(fabs(at[1] - want[25]), off);
+    }
+}
+END_TEST
+
+/* What cannot be meant has a field, a number and a place. */
+START_TEST(what_is_wrong_has_field_value_and_index)
+{
+    double x[9];
+    static const double falling[] = { 0, 1, 0.5 }, outside[] = { 0, 3 },
+                        between[] = { 0.1, 0.25 };
+    const struct {
+        const double *t;
+        size_t rows;
+        double T, h, tolerance, alpha, start;
+        const fvi_method *method;
+        int code;
+        const char *field;
+        double value;
+        size_t index;
+    } bad[] = {
+        { NULL, 9, -1, 0, 1e-6, 0.3, 1, NULL, FVI_EDOM, "T", -1, 0 },
+        { NULL, 9, 2, 0, NAN, 0.3, 1, NULL, FVI_EDOM, "tolerance", NAN, 0 },
+        { NULL, 9, 2, 0, 0, 0.3, 1, NULL, FVI_EDOM, "h", 0, 0 },
+        { NULL, 9, 2, 0.3, 0, 0.3, 1, NULL, FVI_EDOM, "T", 2, 0 },
+        { NULL, 9, 2, 0.1, 0, 0.3, 1, NULL, FVI_EINVAL, "rows", 9, 0 },
+        { NULL, 9, 2, 0, 1e-6, 1.5, 1, NULL, FVI_EDOM, "alpha", 1.5, 0 },
+        { NULL, 9, 2, 0, 1e-6, 0.3, INFINITY, NULL, FVI_EDOM, "x0", INFINITY,
+          0 },
+        { falling, 3, 2, 0, 1e-6, 0.3, 1, NULL, FVI_EDOM, "t", 0.5, 2 },
+        { outside, 2, 2, 0, 1e-6, 0.3, 1, NULL, FVI_EDOM, "t", 3, 1 },
+        { between, 2, 2, 0.1, 0, 0.3, 1, NULL, FVI_EDOM, "t", 0.25, 1 },
+        { some_times, 5, 2, 0, 1e-6, 0.3, 1, &fvi_lobatto_m3, FVI_EDOM, "t",
+          0.7071067811865476, 2 },
+    };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        fvi_problem problem = duffing();
+        problem.T = bad[i].T;
+        problem.alpha = bad[i].alpha;
+        problem.x0 = &bad[i].start;
+        const fvi_solve_options options = { .method = bad[i].method,
+                                            .h = bad[i].h };
+        const fvi_accuracy accuracy = { .tolerance = bad[i].tolerance };
+        const fvi_outputs outputs = { .rows = bad[i].rows, .t = bad[i].t,
+                                      .x = x };
+        ck_assert_int_eq(
+            fvi_solve(&problem, &options, &accuracy, &outputs, NULL, &error),
+            bad[i].code);
+        ck_assert_msg(error.code == bad[i].code
+                          && strcmp(error.field, bad[i].field) == 0,
+                      "%zu: %s: %s", i, error.field, error.text);
+        ck_assert_msg(error.value == bad[i].value
+                          || (isnan(error.value) && isnan(bad[i].value)),
+                      "%zu: %g", i, error.value);
+        ck_assert_msg(error.index == bad[i].index, "%zu: %zu", i, error.index);
+    }
+    ck_assert_int_eq(fvi_solve(NULL, NULL, NULL, NULL, NULL, NULL), FVI_EFAULT);
+}
+END_TEST
+
+static int third_ends(size_t k, double t, const double *x, const double *p,
+                      void *params)
+{
+    double *rows = params;
+    (void)p;
+    rows[k] = x[0] + t;
+    return k == 2 ? -7 : 0;
+}
+
+/* Rows come in order, and a row may end the call; no array need be there. */
+START_TEST(rows_come_in_order)
+{
+    const fvi_problem problem = duffing();
+    for (int to_tolerance = 0; to_tolerance < 2; to_tolerance++) {
+        double rows[5] = { 0 };
+        const fvi_solve_options options = { .h = 0.5 };
+        const fvi_accuracy accuracy = { .tolerance = to_tolerance ? 1e-8 : 0 };
+        const fvi_outputs outputs = { .rows = 5, .row = third_ends,
+                                      .params = rows };
+        ck_assert_int_eq(
+            fvi_solve(&problem, &options, &accuracy, &outputs, NULL, &error),
+            -7);
+        ck_assert(rows[0] == 1 && rows[2] > 2 && rows[3] == 0);
+    }
+}
+END_TEST
+
+/* What cannot be reached is said with what can. */
+START_TEST(the_smallest_estimate_is_reported)
+{
+    const fvi_problem problem = duffing();
+    double x[3] = { 0 };
+    const fvi_solve_options options = { .method = &fvi_cq_bdf2 };
+    const fvi_accuracy accuracy = { .tolerance = 1e-12, .most_steps = 4096 };
+    const fvi_outputs outputs = { .rows = 3, .x = x };
+    fvi_report report;
+    ck_assert_int_eq(
+        fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error),
+        FVI_ETOL);
+    ck_assert(report.error > 1e-12 && report.error < 1e-4 && report.other
+              && x[0] == 0);
+    ck_assert_ptr_nonnull(strstr(error.text, "smallest estimate"));
+    ck_assert_str_eq(error.field, "tolerance");
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("the one call");
+    ADD_CASE(suite, "solve", a_tolerance_is_reached_at_any_times,
+             a_tolerance_is_reached_whatever_the_method,
+             a_method_and_a_step_are_steps,
+             what_is_wrong_has_field_value_and_index, rows_come_in_order,
+             the_smallest_estimate_is_reported);
+    return run_suite(suite);
+}
