@@ -86,7 +86,7 @@ static int common_steps(const solution *o, double T, size_t *steps)
         k = first_between(o->out, T / (double)*steps);
         if (k == o->out->rows)
             return FVI_SUCCESS;
-        least = k > least ? k : least;
+        least += k > least ? k - least : 0;
     }
     return refuse_time(least, o->out->t[least],
                        "this method needs times with a common step; "
