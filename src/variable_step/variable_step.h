@@ -76,7 +76,7 @@ typedef enum {
     FVI_SOLVE_DIAGONAL,
     FVI_SOLVE_COUPLED,
     FVI_SOLVE_TOGETHER
-} fvi_solve;
+} fvi_step_solver;
 
 /* Stage i of coordinate j stands at [j * FVI_LANES + i], but in point, gradient and
  * hessian at [i * d + j], as the callbacks want it. */
@@ -85,7 +85,7 @@ typedef struct {
     size_t d;
     double beta;
     double tolerance; /* the tolerance of a step, of the size at first */
-    fvi_solve solve;
+    fvi_step_solver solve;
     const fvi_square *to_x; /* X = base + h to_x delta: A, or that of form M */
     fvi_square W0;          /* (22.2), and W0 1 */
     double W1[FVI_LANES];

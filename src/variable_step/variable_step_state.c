@@ -237,7 +237,7 @@ static int has_possible_times(const fvi_stepper *s, const fvi_variable_step_stat
 }
 
 /* What is allocated for one way to solve does for another only between these two. */
-static int has_room_to_solve(const fvi_variable_step_state *o, fvi_solve before)
+static int has_room_to_solve(const fvi_variable_step_state *o, fvi_step_solver before)
 {
     const int may_change =
         before == FVI_SOLVE_COUPLED || before == FVI_SOLVE_TOGETHER;
@@ -255,7 +255,7 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
     fvi_variable_step_state *o = s->method_state;
     const size_t number = sizeof(double), whole = sizeof(int);
     const size_t once = STATE * o->d * number;
-    const fvi_solve before = o->solve;
+    const fvi_step_solver before = o->solve;
     const struct {
         void *data;
         size_t bytes;

@@ -131,8 +131,7 @@ START_TEST(start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *s = (fvi_stepper *)&bad;                                  \
-        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &bad, &s,
-                                           NULL), code);          \
+        ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &bad, &s, NULL), code);          \
         ck_assert_ptr_eq(s, &bad);                                             \
         double x[] = { 7 };                                                    \
         ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &bad, x, x, x),       \

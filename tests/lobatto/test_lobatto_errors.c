@@ -108,8 +108,7 @@ START_TEST(lobatto_start_refuses)
         fvi_run bad = run;                                                     \
         bad.field = (value);                                                   \
         fvi_stepper *same = (fvi_stepper *)&bad;                               \
-        ck_assert_int_eq(fvi_stepper_start(method, &bad, &same,
-                                           NULL), code);                \
+        ck_assert_int_eq(fvi_stepper_start(method, &bad, &same, NULL), code);                \
         ck_assert_ptr_eq(same, &bad);                                          \
     }
     for (size_t s = 2; s <= 4; s++) {

@@ -63,7 +63,8 @@ START_TEST(an_error_says_field_value_index_and_text)
     fvi_parse_numbers("x0", "1,-2,3", 0, INFINITY, "[)", 3, x0, &error);
     expect(FVI_EDOM, "x0", "'-2' is outside [0, inf)");
     ck_assert(error.value == -2 && error.index == 1);
-    fvi_parse_damping("zener:1,0.3,2 + power:1,1.5", &damping, &error);
+    fvi_parse_damping("zener:1,0.3,2 + power:1,1.5", NULL, &damping,
+                      &error);
     expect(FVI_EDOM, "damping",
            "'power:1,1.5': power:R,A with R >= 0 and 0 <= A <= 1");
     fvi_parse_force("step:1,-2", 1, NULL, 9, &force, &error);
