@@ -28,9 +28,7 @@ NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "ahead alloc bytes copy
 # write over other numbers. Of the figures that move one needs between 128 and 160 kB.
 FLAGS = ("--target=wasm32-wasi -std=c11 -Oz -flto -mbulk-memory -mnontrapping-fptoint -ffp-contract=off "
          "-Wall -Wextra -Wconversion -Wshadow -pedantic -Wno-complex-component-init -nostartfiles -Isrc "
-         "-Wno-unused -Wno-unused-parameter -Wl,--no-entry,--strip-all,--compress-relocations,--stack-first,-z,stack-size=262144").split()
-# A page shows no words of an error.
-FLAGS.append("-Dfvi_fail(error, code, ...)=(code)")
+         "-Wl,--no-entry,--strip-all,--compress-relocations,--stack-first,-z,stack-size=262144").split()
 
 
 def compile_to(wasm, sources, modules, absent):

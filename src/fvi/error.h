@@ -70,8 +70,8 @@ typedef struct {
  * allowed for error and field. Of a text that is too long the middle becomes "...", and
  * control characters become '?'. It is for functions of the caller's that fail in the same way. */
 __attribute__((format(printf, 5, 6))) int
-(fvi_fail)(fvi_error *error, int code, const char *field, double value,
-           const char *format, ...);
+fvi_fail(fvi_error *error, int code, const char *field, double value,
+         const char *format, ...);
 
 /* fvi_error_handler -- called, if one is set, where an error arises, before its code
  * is returned: what is wrong, in which file and line, and the code. It may end the

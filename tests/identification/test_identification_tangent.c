@@ -177,7 +177,7 @@ START_TEST(tangents_refuse_what_they_do_not_know)
     system.d = 2;
     system.mass = system.damping = ones;
     ck_assert_int_eq(fvi_tangent(&run, 1, SEVEN, x, slope), FVI_EINVAL);
-    ck_assert_int_eq(handled, 8) /* a start that is refused says so in its own error */;
+    ck_assert_int_eq(handled, 8); /* a start that is refused says so in its own error */
     fvi_set_error_handler(NULL);
 }
 END_TEST
