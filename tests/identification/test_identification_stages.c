@@ -33,7 +33,10 @@ static int last_p(size_t k, size_t d, const double *x, const double *p,
 /* The slopes of x_N and p_N from the run that goes backwards. It solves the same equations in
  * the opposite order, sums up its derivatives in another way, and stands against numbers of
  * 72 digits (H 23). The memory of the slopes is compressed to 1e-10, some 1e-9 of the
- * largest; seen: 2e-11. At rho = 0 the past has no force, but a derivative by rho. */
+ * largest; seen: 2e-11. Where all weights are summed both are right to rounding: 1e-12 of the
+ * largest, but for the slopes of p in form M above alpha = 1/2, where the mirrored run begins
+ * with a jump; there 1e-10. Seen: 0.07 of them. At rho = 0 the past has no force, but a
+ * derivative by rho. */
 START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
 {
     const fvi_method *const methods[] = { &fvi_lobatto_m2, &fvi_lobatto_m3,
@@ -41,7 +44,7 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
                                           &fvi_lobatto_d2, &fvi_lobatto_d4,
                                           &fvi_lobatto_d8 };
     const double alphas[] = { 0.1, 0.3, 0.5, 0.65, 0.9 };
-    for (size_t n = 0; n < LEN(methods) * LEN(alphas) * 6; n++) {
+    for (size_t n = 0; n < LEN(methods) * LEN(alphas) * 12; n++) {
         const fvi_method *method = methods[n % LEN(methods)];
         const size_t way = n / LEN(methods) / LEN(alphas);
         const fvi_initial_history past = (fvi_initial_history)(way % 3);
@@ -51,7 +54,9 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         ask(&q, NULL, 2);
         q.constants[1] = 0.5;
         q.m = 1.3;
-        q.rho = way < 3 ? 0.4 : 0;
+        const int is_exact = way >= 6;
+        q.rho = way % 6 < 3 ? 0.4 : 0;
+        q.run.memory = is_exact ? FVI_HISTORY_DIRECT : FVI_HISTORY_MODES;
         q.run.h = 0.125;
         q.run.steps = N;
         q.run.past = past;
@@ -82,9 +87,12 @@ START_TEST(eq_24_12_the_tangents_are_those_of_the_mirrored_run)
         for (size_t j = 0; j < P; j++) {
             if (whole && q.run.alpha > 0.5 && ALL[j] == FVI_FREE_PARAMETER_X0)
                 continue;
-            ck_assert_near(o.s[j], by_x[j], 1e-9 * most, "x, %s, %g, %d, %zu",
+            const int jumps = q.run.alpha > 0.5 && !method->damped_inertia;
+            const double of_x = is_exact ? 1e-12 * most : 1e-9 * most,
+                         of_p = is_exact && jumps ? 1e-10 * most : of_x;
+            ck_assert_near(o.s[j], by_x[j], of_x, "x, %s, %g, %d, %zu",
                            method->name, q.run.alpha, past, j);
-            ck_assert_near(o.pi[j], by_p[j], 1e-9 * most, "p, %s, %g, %d, %zu",
+            ck_assert_near(o.pi[j], by_p[j], of_p, "p, %s, %g, %d, %zu",
                            method->name, q.run.alpha, past, j);
         }
         fvi_tangent_stop(&o);
