@@ -81,7 +81,9 @@ typedef struct {
  *          its terms and its end, (23.25); where a damped body has A = 0 and a derivative by
  *          A is wanted, steps end where it would; and there is none by alpha at 1, nor at 0
  *          of RIEMANN_LIOUVILLE. force: the force changes along straight lines between t_k
- *          and t_{k+1}
+ *          and t_{k+1}. With a law: none by its orders, times and ends, and by a factor only
+ *          that of a law of one term; by p0, where the law grows faster than s, NaN is
+ *          written, as such a run begins at rest
  *   matrices  M, C, K (structures.h): by their factors, not by their entries. (23.19)
  *   rho    a damping that is zero has a derivative too, at the cost of its memory; that of
  *          fvi_variable_step, where nothing is damped, is the one of form M with such a damping

@@ -190,9 +190,11 @@ static void add_forces(request *r)
 static int are_finite(const request *r)
 {
     const size_t d = r->o.d, end = numbers_of(r);
-    const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    return isfinite(r->value) && fvi_all_finite(end - d, r->numbers + d)
-           && (!by_x0 || fvi_all_finite(d, r->numbers));
+    const int by_x0 = r->run.past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+              by_p0 = r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || !r->run.law;
+    return isfinite(r->value) && fvi_all_finite(end - 2 * d, r->numbers + 2 * d)
+           && (!by_x0 || fvi_all_finite(d, r->numbers))
+           && (!by_p0 || fvi_all_finite(d, r->numbers + d));
 }
 
 /* What the gradient failed of, and in which step, if the run alone fails, too. */
@@ -243,10 +245,12 @@ static int differentiate(request *r)
 static int has_alpha(const request *r)
 {
     const fvi_method *m = r->o.method;
+    if (r->run.law)
+        return 0;
     if (m->scheme == FVI_SCHEME_VARIABLE_STEP
         && (r->run.alpha == 0 || r->run.alpha == 1))
         return !fvi_initial_history_acts(r->run.past, r->run.alpha);
-    return !r->run.law && (!m->stages || m->damped_inertia || r->o.alpha < 1);
+    return !m->stages || m->damped_inertia || r->o.alpha < 1;
 }
 
 static int make_room(request *r)
@@ -275,7 +279,10 @@ static int make_room(request *r)
     r->to.parameters = r->o.potential.expression ? r->lets : r->to.damping + d + 1;
     if (!r->run.law)
         return 0;
-    r->to.terms = r->lets + r->o.lets.count;
+    if (r->o.method->scheme != FVI_SCHEME_VARIABLE_STEP || terms == 1)
+        r->to.terms = r->lets + r->o.lets.count;
+    if (r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP)
+        return 0;
     for (size_t i = 0; i < terms; i++)
         if (r->run.law->term[i].kind >= FVI_KERNEL_MAXWELL2)
             return 0;

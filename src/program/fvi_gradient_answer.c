@@ -62,7 +62,7 @@ static void print_term(FILE *f, const request *r, size_t i)
     if (r->run.law->count > 1)
         snprintf(number, sizeof number, "_%zu", i + 1);
     snprintf(name, sizeof name, "damping%s", number);
-    if (kind >= FVI_KERNEL_MAXWELL2) {
+    if (kind >= FVI_KERNEL_MAXWELL2 || !r->to.terms) {
         fprintf(f, "# warning = no derivatives by the numbers of %s\n", name);
         return;
     }

@@ -33,9 +33,13 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
     if (method->scheme == FVI_SCHEME_LOBATTO && !method->damped_inertia
         && want->alpha && run->alpha == 1)
         FVI_FAIL("p of form M jumps at alpha = 1", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law)
-        FVI_FAIL("steps of any length have no adjoint with a law; fvi-bdf2, "
-                 "fvi-stable and the methods with stages have",
+    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law
+        && (want->orders || want->times || want->ends
+            || (want->terms
+                && !(run->law->count == 1 && run->law->term[0].rho > 0))))
+        FVI_FAIL("steps of any length have no derivative by the numbers of a law "
+                 "but the factor of one that stands alone; fvi-bdf2, fvi-stable "
+                 "and the methods with stages have",
                  FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
         && (run->alpha == 0 || run->alpha == 1)
@@ -171,9 +175,12 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
 //< walk
 
 /* Is every derivative a number? With Riemann and Liouville's past NaN says that there is
- * none by x0. */
-static int are_finite(const fvi_run *run, const fvi_sensitivities *want, size_t per)
+ * none by x0, and where no velocity may jump that there is none by p0. */
+static int are_finite(const fvi_method *method, const fvi_run *run,
+                      const fvi_sensitivities *want, size_t per)
 {
+    const int is_still = method->scheme == FVI_SCHEME_VARIABLE_STEP && run->law
+                         && fvi_kernel_growth(run->law) > 1;
     const int whole = run->system->matrices != NULL;
     const size_t d = run->system->d, l = run->law ? run->law->count : 0,
                  c = whole ? 1 : want->sensitivity.count;
@@ -182,7 +189,7 @@ static int are_finite(const fvi_run *run, const fvi_sensitivities *want, size_t 
         size_t count;
     } outputs[] = { { run->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? NULL : want->x0,
                       d },
-                    { want->p0, d },
+                    { is_still ? NULL : want->p0, d },
                     { want->mass, whole ? 1 : d },
                     { want->damping, whole ? 1 : d },
                     { want->alpha, 1 },
@@ -229,6 +236,6 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
         return status;
     clear(run, want, forces_of(method));
     status = all_derivatives(method, run, x, p, objective, want);
-    return status || are_finite(run, want, forces_of(method)) ? status
+    return status || are_finite(method, run, want, forces_of(method)) ? status
                                                               : FVI_EOVRFLW;
 }

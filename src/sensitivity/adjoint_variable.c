@@ -42,6 +42,21 @@ static int allocate(fvi_adjoint_variable_run *m)
     return FVI_SUCCESS;
 }
 
+/* The modes of a law, of all coordinates: those of the run, at rest. */
+static int start_kernel(fvi_adjoint_variable_run *m)
+{
+    fvi_variable_step_state *o = m->path.stepper->method_state;
+    fvi_modes_free(o->modes);
+    fvi_modes_free(o->rising);
+    o->modes = o->rising = NULL;
+    o->damped = m->d;
+    const int status = fvi_variable_step_begin_kernel(o);
+    m->modes = o->modes;
+    m->rising = o->rising;
+    o->modes = o->rising = NULL;
+    return status;
+}
+
 static int start(fvi_adjoint_variable_run *m)
 {
     const fvi_recorded_steps *path = &m->path;
@@ -61,8 +76,10 @@ static int start(fvi_adjoint_variable_run *m)
     fvi_square_apply(m->s, &path->W0, ones, m->W_1);
     if (!m->has_history || (path->beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
-    status =
-        fvi_modes_alloc(m->rule, path->modes_kind, path->beta, m->d, path->T, path->least, &m->modes);
+    if (m->run->law)
+        return start_kernel(m);
+    status = fvi_modes_alloc(m->rule, path->modes_kind, path->beta, m->d, path->T,
+                             path->least, &m->modes);
     if (status || !m->want->alpha)
         return status;
     fvi_variable_present_by_order(m->rule, path->beta, &m->W0_rate);
@@ -214,6 +231,10 @@ static void update_history(fvi_adjoint_variable_run *m)
             v[i] = mu[i] - (m->path.beta > 0 ? m->before[j] : 0);
         if (m->modes)
             fvi_modes_advance(m->modes, j, v, m->before[j]);
+        for (size_t i = 0; m->rising && i < m->s; i++)
+            v[i] -= m->before[j];
+        if (m->rising)
+            fvi_modes_advance(m->rising, j, v, m->before[j]);
         m->before[j] = mu[m->s - 1];
     }
 }
@@ -281,8 +302,10 @@ static int end(fvi_adjoint_variable_run *m)
             m->Jp[j] * M * m->path.impulse_dv[j] / fvi_adjoint_variable_mass(m, j);
         if (want->x0)
             want->x0[j] = m->xi[j];
-        if (want->p0)
-            want->p0[j] = by_v0 / first;
+        if (want->p0) /* no velocity may jump there */
+            want->p0[j] = m->rising && rho > 0 ? NAN : by_v0 / first;
+        if (want->terms)
+            want->terms[0] -= rho * m->sum[j] / run->law->term[0].rho;
         if (want->mass)
             want->mass[j] = m->kinetic[j] - by_v0 * v0 / first
                             + m->Jp[j] * m->path.p[j] / M;
@@ -310,15 +333,18 @@ static int needs_open(const fvi_run *run, const fvi_sensitivities *want)
 int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
                     const fvi_sensitivities *want)
 {
+    fvi_run own = *run;
     fvi_adjoint_variable_run m = {
-        .run = run, .J = J, .want = want, .d = run->system->d
+        .run = &own, .J = J, .want = want, .d = run->system->d
     };
-    int status = fvi_recorded_steps_run(run, needs_open(run, want), &m.path);
+    if (run->law) /* as the run does: nothing pulls */
+        own.alpha = 0.25;
+    int status = fvi_recorded_steps_run(&own, needs_open(&own, want), &m.path);
     if (!status)
         status = start(&m);
     if (!status)
         status = fvi_singular_start_adjoint_start(
-            run, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.pull);
+            &own, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.pull);
     if (!status)
         fvi_adjoint_variable_subtract_velocity(&m);
     for (size_t n = m.path.steps; !status && n-- > 0;)
@@ -326,6 +352,7 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
     if (!status)
         status = end(&m);
     fvi_modes_free(m.modes);
+    fvi_modes_free(m.rising);
     fvi_singular_start_adjoint_stop(&m.pull);
     fvi_band_free(&m.J_band);
     free(m.block);

@@ -18,7 +18,7 @@ typedef struct {
     fvi_recorded_steps path;
     const fvi_variable_rule *rule;
     size_t s, d;
-    double W_1[FVI_LANES]; /* W0 1 */
+    double W_1[FVI_LANES]; /* W0 1, of a law that of its rising terms */
     fvi_square W0_rate;    /* dW0/dbeta, if alpha is wanted */
     int has_history, mass_plus_damping; /* something has a memory; alpha = 1: rho is a mass */
     double *Lambda, *mu, *T, *v, *source; /* LANES d numbers each */
@@ -32,6 +32,7 @@ typedef struct {
     double *hessian_product;          /* s d: (G Lambda)_i of coordinate j at [i * d + j] */
     double *block;     /* all these; owned */
     fvi_modes *modes;  /* NULL: none is needed */
+    fvi_modes *rising; /* of the terms of a law that grow faster than s, or NULL */
     fvi_band J_band;
     size_t row; /* the next row that is asked for its slopes */
 } fvi_adjoint_variable_run;

@@ -93,12 +93,14 @@ static void recall(fvi_adjoint_variable_run *m, double h)
 {
     const double now = pow(h, -m->path.beta);
     for (size_t j = 0; m->has_history && j < m->d; j++) {
-        double *T = m->T + j * FVI_LANES;
+        double *T = m->T + j * FVI_LANES, rising[FVI_LANES] = { 0 };
         memset(T, 0, FVI_LANES * sizeof *T);
         if (m->modes)
             fvi_modes_history(m->modes, j, T);
-        for (size_t i = 0; m->path.beta > 0 && i < m->s; i++)
-            T[i] -= now * m->W_1[i] * m->before[j];
+        if (m->rising)
+            fvi_modes_history(m->rising, j, rising);
+        for (size_t i = 0; (m->path.beta > 0 || m->rising) && i < m->s; i++)
+            T[i] += rising[i] - now * m->W_1[i] * m->before[j];
     }
 }
 
@@ -132,14 +134,31 @@ static int solve(fvi_adjoint_variable_run *m, double h)
 }
 //< mesh
 
+/* What a law makes of a velocity now, in steps of length h. What it makes of a constant one is
+ * known to the modes of the terms that rise, not to the others. */
+static void begin_kernel(fvi_adjoint_variable_run *m, double h)
+{
+    const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+    fvi_variable_step_state *o = m->path.stepper->method_state;
+    fvi_variable_step_present_kernel(o, h);
+    m->path.W0 = o->W0;
+    fvi_square_apply(m->s, &o->W0, ones, m->W_1);
+    for (size_t i = 0; i < m->s; i++)
+        m->W_1[i] -= o->W1[i];
+}
+
 int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
 {
     const fvi_length length = m->path.step[n].length;
     find_stages(m, n, length.h);
     const int status = fvi_adjoint_evaluate_hessians(m->run->system, m->s, m->X,
                                                      m->linearised.size, m->G);
+    if (m->path.stepper)
+        begin_kernel(m, length.h);
     if (m->modes)
         fvi_modes_begin(m->modes, length);
+    if (m->rising)
+        fvi_modes_begin(m->rising, length);
     recall(m, length.h);
     return status ? status : solve(m, length.h);
 }

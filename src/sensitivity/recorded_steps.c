@@ -89,12 +89,17 @@ int fvi_recorded_steps_run(const fvi_run *run, int open, fvi_recorded_steps *m)
     if (status)
         return status;
     status = run_all(run, s, m);
-    fvi_stepper_free(s);
+    s->method = &fvi_variable_step; /* it outlives this function */
+    if (run->law)
+        m->stepper = s;
+    else
+        fvi_stepper_free(s);
     return status;
 }
 
 void fvi_recorded_steps_free(fvi_recorded_steps *m)
 {
+    fvi_stepper_free(m->stepper);
     free(m->step);
     free(m->numbers);
     free(m->rows);

@@ -196,6 +196,35 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
 }
 END_TEST
 
+/* By fvi-adaptive as by another method, but for the numbers of the law behind its factor. */
+START_TEST(rows_of_a_law_on_steps_of_any_length)
+{
+    static const char *const names[] = { "x0", "p0", "mass", "damping", "c", "g" };
+    static const char law[] = "--damping zener:1,0.3,0.5 --potential "
+                              "duffing:1,0.7 --time 3 --steps 300";
+    double by[LEN(names)];
+    char line[300];
+    snprintf(line, sizeof line, "gradient --method fvi-lobatto8d %s", law);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t i = 0; i < LEN(names); i++)
+        by[i] = derivative(names[i]);
+    snprintf(line, sizeof line, "gradient --method fvi-adaptive %s", law);
+    ck_assert_int_eq(fvi(line), 0);
+    for (size_t i = 0; i < LEN(names); i++)
+        ck_assert_near(derivative(names[i]), by[i], 1e-8, "%s", names[i]);
+    ck_assert_ptr_null(strstr(out, "damping_A"));
+    ck_assert_int_eq(fvi("gradient --method fvi-adaptive --damping power:1,0.7 "
+                         "--p0 0"),
+                     0);
+    ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by p0"));
+    ck_assert_int_eq(fvi("gradient --method fvi-adaptive --damping power:1,0.3 "
+                         "--damping maxwell:1,2"),
+                     0);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# warning = no derivatives by the numbers of damping_2"));
+}
+END_TEST
+
 /* Of two masses; and the table of forces, which for a kick adds up to what the kick does.
  * The force of all steps together, cos(t) on every mass, times its table: for a linear
  * system x_N is the sum of what x0, p0 and F do to it. Roundings of 200 sums. */
@@ -348,7 +377,7 @@ int main(void)
 {
     Suite *suite = suite_create("fvi gradient");
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
-             rows_of_a_law_are_differences_of_runs,
+             rows_of_a_law_on_steps_of_any_length, rows_of_a_law_are_differences_of_runs,
              the_forces_and_the_start_add_up_to_a_linear_motion,
              nothing_has_no_sign, bad_words_of_a_gradient_are_refused,
              a_gradient_that_cannot_be_had_says_why);
