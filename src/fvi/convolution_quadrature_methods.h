@@ -29,7 +29,8 @@ extern "C" {
  *                what alternates from step to step is hardly damped. Of a law: BDF2 and
  *                the plain mean (26.15), stable for every step and law without springs
  *
- * All three take matrices (structures.h), the last two laws (damping_laws.h). D_k is Caputo's: z = x - x0 or, if
+ * All three take matrices (structures.h) and laws (damping_laws.h), of which fvi_cq2_shifted
+ * corrects the symbol (26.19). D_k is Caputo's: z = x - x0 or, if
  * 2 alpha > 1, x - x0 - t v0. What another past adds to it is a force that is known
  * beforehand (19.3) and acts by its exact impulses (19.5). F_k is the mean of both limits
  * of F at t_k, taken 4 ulp away, and each step begins and ends with the

@@ -3,6 +3,7 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
 #include "damping.h"
+#include "shifted_kernel.h"
 #include "stability_number.h"
 #include "initial_history_force.h"
 #include "system/fail.h"
@@ -289,7 +290,9 @@ static int start(fvi_stepper *s, double theta, scheme which)
 
 static int start_shifted(fvi_stepper *s)
 {
-    return start(s, s->run.alpha, SHIFTED);
+    return start(s,
+                 s->run.law ? fvi_shifted_theta(s->run.law) : s->run.alpha,
+                 SHIFTED);
 }
 
 static int start_bdf2(fvi_stepper *s)
@@ -311,6 +314,7 @@ const fvi_method fvi_cq2_shifted = { .name = "fvi-shifted",
                                  .memories = FVI_ALL_MEMORIES,
                                  .scheme = FVI_SCHEME_CQ2_SHIFTED,
                                  .takes_kappa = 1,
+                                 .takes_laws = 1,
                                  .takes_matrices = 1,
                                  .implicit = 1,
                                  .stability_number = fvi_stability_number_shifted,

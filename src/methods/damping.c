@@ -3,6 +3,7 @@
 #include "damping.h"
 
 #include "memory/history_kinds.h"
+#include "shifted_kernel.h"
 #include "memory/history_parts.h"
 #include "system/fail.h"
 #include "system/linearised.h"
@@ -54,7 +55,15 @@ static int law_of(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     double first = 0;
-    int status = fvi_kernel_history(run->law, fvi_damping_quadrature(s->method),
+    fvi_shifted_kernel shifted = { run->law, run->h, fvi_shifted_theta(run->law) };
+    const fvi_kernel_function function = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 },
+                                           fvi_shifted_symbol,
+                                           &shifted };
+    const fvi_kernel corrected = fvi_kernel_of_function(&function);
+    const int is_itself = s->method->scheme != FVI_SCHEME_CQ2_SHIFTED
+                          || fvi_shifted_is_itself(run->law);
+    int status = fvi_kernel_history(is_itself ? run->law : &corrected,
+                                fvi_damping_quadrature(s->method),
                                 run->h, d->count, run->steps, run->memory,
                                 run->tolerance, &first, &d->memory);
     for (size_t j = 0; j < d->count; j++)

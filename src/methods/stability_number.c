@@ -1,5 +1,7 @@
 /* src/methods/stability_number.c -- The loads of the methods.       [H 13, 14 and 17] */
 #include "stability_number.h"
+#include "memory/kernel_terms.h"
+#include "shifted_kernel.h"
 
 #include <fvi/stability.h>
 #include "analysis/stability_share.h"
@@ -22,8 +24,15 @@ int fvi_stability_number_backward(const fvi_run *run, double *load)
 
 int fvi_stability_number_shifted(const fvi_run *run, double *load)
 {
-    double largest;
-    int status = fvi_stability_share(1 - 2 * run->alpha, run, &largest);
+    double largest, share = 1 - 2 * run->alpha;
+    if (run->law) { /* (1 - 2 theta) E(2/h) */
+        const double s = 2 / run->h,
+                     mean = 1 - 2 * fvi_shifted_theta(run->law);
+        double complex slope;
+        const double complex C = fvi_kernel_at(run->law, s, &slope);
+        share = mean * creal(mean * C + slope) / pow(s, 2 * run->alpha);
+    }
+    int status = fvi_stability_share(share, run, &largest);
     if (!status)
         *load = fmax(0, largest); /* alpha > 1/2: the damping helps */
     return status;

@@ -60,6 +60,12 @@ static int interpret(request *r, fvi_error *c)
                           "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
                           "fvi-adaptive have",
                           m->name);
+    if (r->run.law && m->scheme == FVI_SCHEME_CQ2_SHIFTED)
+        return fvi_refuse(c,
+                          "method", "'%s' has no gradient with --damping; fvi, "
+                          "fvi-bdf2, fvi-stable, fvi-lobatto2 to 8d and "
+                          "fvi-adaptive have",
+                          m->name);
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (m->scheme == FVI_SCHEME_VARIABLE_STEP && r->o.lets.used[j] & FVI_USED_BY_FORCE)
             return fvi_refuse(c,

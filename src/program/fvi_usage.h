@@ -35,7 +35,7 @@ static const char usage_run[] =
     "                   add: power:R,A (R D^{2A} x)  viscous:R  spring:K\n"
     "                   zener:R,A,T  maxwell:R,T  maxwell2:R1,A,R2,B\n"
     "                   davidson:R,A,T  distributed:R,A,B, parted by ' + ';\n"
-    "                   or symbol:C(s); not by fvi-shifted\n"
+    "                   or symbol:C(s)\n"
     "  --mass M         mass, M > 0; a list, one for each             [1]\n"
     "  --potential P    harmonic:C  duffing:C,G  pendulum:G  free\n"
     "                   chain:D,C,G (D masses between two walls), or an\n"

@@ -38,8 +38,12 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
             || (want->terms
                 && !(run->law->count == 1 && run->law->term[0].rho > 0))))
         FVI_FAIL("steps of any length have no derivative by the numbers of a law "
-                 "but the factor of one that stands alone; fvi-bdf2, fvi-stable "
-                 "and the methods with stages have",
+                 "but the factor of one that stands alone; fvi-bdf2, fvi-stable, "
+                 "fvi-adaptive and the methods with stages have",
+                 FVI_EUNSUP);
+    if (method->scheme == FVI_SCHEME_CQ2_SHIFTED && run->law)
+        FVI_FAIL("fvi-shifted has no adjoint with a law; fvi-bdf2, fvi-stable, "
+                 "fvi-adaptive and the methods with stages have",
                  FVI_EUNSUP);
     if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
         && (run->alpha == 0 || run->alpha == 1)

@@ -189,6 +189,9 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
     ck_assert_ptr_nonnull(
         strstr(out, "# warning = no derivatives by the numbers of damping_1\n"));
     ck_assert_ptr_nonnull(strstr(out, "\ndamping_2\t"));
+    ck_assert_int_eq(fvi("gradient --damping zener:1,0.3,2 --method fvi-shifted"),
+                     2);
+    ck_assert_ptr_nonnull(strstr(err, "has no gradient with --damping"));
     ck_assert_int_eq(fvi("gradient --damping power:0.2,0.7"), 0);
     derivative("damping");
     derivative("damping_A");

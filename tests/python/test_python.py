@@ -243,7 +243,7 @@ def test_a_law_of_damping_is_the_programs(method):
     if method == "fvi-lobatto4d":
         assert abs(run.x - x).max() < 1e-8
     with pytest.raises(fvi.Error):
-        fvi.run(damping="power:1,0.7", method="fvi-shifted")
+        fvi.run(damping="power:1,0.7", method="fvi-adaptive")
 
 
 @pytest.mark.parametrize("method", ["fvi-bdf2", "fvi-lobatto4d"])

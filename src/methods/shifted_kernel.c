@@ -1,0 +1,30 @@
+/* src/methods/shifted_kernel.c -- What fvi-shifted puts in the place of a law.  [H 26] */
+#include "shifted_kernel.h"
+
+#include "memory/kernel_terms.h"
+
+double fvi_shifted_theta(const fvi_kernel *law)
+{
+    return fvi_kernel_growth(law) / 2;
+}
+
+int fvi_shifted_is_itself(const fvi_kernel *law)
+{
+    return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;
+}
+
+//> corrected
+void fvi_shifted_symbol(double re, double im, void *params, double *E_re,
+                        double *E_im)
+{
+    const fvi_shifted_kernel *k = params;
+    const double complex s = re + I * im;
+    const int is_far = k->h * cabs(s) > 100;
+    double complex slope; /* s C'(s) */
+    double complex E = fvi_kernel_at(k->law, s, is_far ? NULL : &slope);
+    if (!is_far)
+        E += k->h * s * (slope / 2 - k->theta * E);
+    *E_re = creal(E);
+    *E_im = cimag(E);
+}
+//< corrected
