@@ -113,7 +113,7 @@ START_TEST(a_fork_goes_on_with_the_same_digits)
         fvi_stepper *s, *fork;
         double x[4];
         run.law = &ref_laws[l];
-        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s), 0);
+        ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL), 0);
         ck_assert_int_eq(fvi_stepper_advance_to(s, 3, &x[0], NULL), 0);
         ck_assert_int_eq(fvi_stepper_copy(s, &fork), 0);
         ck_assert_int_eq(fvi_stepper_advance_to(s, 6, &x[1], NULL), 0);
