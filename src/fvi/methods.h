@@ -25,6 +25,20 @@ extern const fvi_method *const fvi_methods[];
  * it ("fvi-shifted"); NULL if there is none, or name is NULL. */
 const fvi_method *fvi_method_find(const char *name);
 
+/* fvi_method_has_modes -- nonzero if the law of the run, by this method with this step, can be summed
+ * by decaying modes (FVI_HISTORY_MODES); also without a law. 0 if there is no memory to see.
+ *
+ *   method, run  that fvi_stepper_start takes */
+int fvi_method_has_modes(const fvi_method *method, const fvi_run *run);
+
+/* fvi_run_bytes -- how much memory a run surely takes: its state and its history. The same
+ * arguments; nothing is allocated. */
+double fvi_run_bytes(const fvi_method *method, const fvi_run *run);
+
+/* fvi_velocity -- v = M^-1 p, d numbers each. Returns FVI_SUCCESS, or what factorise or solve of
+ * the matrices returned. */
+int fvi_velocity(const fvi_system *system, const double *p, double *v);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

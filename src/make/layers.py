@@ -27,6 +27,7 @@ FLOORS = [
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},
 ]
+PROGRAM = {"program", "output", "options", "input"}   # they know the library by its public headers
 FLOOR = {room: -number for number, rooms in enumerate(FLOORS) for room in rooms}
 
 
@@ -92,6 +93,8 @@ def main():
     for room in sorted({path.parts[1] for path in SRC.glob("*/*.c")} - set(FLOOR)):
         sys.exit(f"src/{room}/: on which floor is it? see {sys.argv[0]}")
     for who, high, low, what in [*includes(rooms_of_files()), *symbols(sys.argv[1:])]:
+        if high in PROGRAM and low not in PROGRAM and what.endswith(".h") and not what.startswith("fvi/"):
+            faults.append(f"{who} of the program includes {what}, which is not public")
         if high != low:
             arrows.add((high, low))
             if FLOOR[high] <= FLOOR[low]:

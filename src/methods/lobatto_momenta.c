@@ -1,5 +1,6 @@
 /* src/methods/lobatto_momenta.c -- The momentum that the scheme leaves out. [H 17] */
 #include <fvi/lobatto.h>
+#include "stages/lobatto_weights.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
@@ -62,4 +63,10 @@ int fvi_lobatto_correct_momenta(const fvi_method *method, const fvi_run *run,
     if (!fvi_all_finite((run->steps + 1) * d, p))
         FVI_FAIL("a momentum is not finite", FVI_EOVRFLW);
     return FVI_SUCCESS;
+}
+
+double fvi_lobatto_abscissa(size_t s, size_t i)
+{
+    const fvi_lobatto_rule *rule = fvi_lobatto(s);
+    return rule && i < s ? rule->c[i] : 0;
 }

@@ -7,6 +7,10 @@
 #include <fvi/lobatto.h>
 #include <fvi/variable_steps.h>
 
+#include "damping.h"
+#include "memory/kernel_terms.h"
+#include "stages/lobatto_history.h"
+
 #include <string.h>
 
 const fvi_method *const fvi_methods[] = {
@@ -30,4 +34,47 @@ const fvi_method *fvi_method_find(const char *name)
         if (strcmp(name, fvi_methods[i]->name) == 0)
             return fvi_methods[i];
     return NULL;
+}
+
+int fvi_method_has_modes(const fvi_method *method, const fvi_run *run)
+{
+    return !run->law
+           || fvi_kernel_has_modes(run->law, fvi_damping_quadrature(method),
+                                   run->h);
+}
+
+static int is_damped(const fvi_system *system)
+{
+    for (size_t i = 0; i < system->d; i++)
+        if (system->damping[i] > 0)
+            return 1;
+    return 0;
+}
+
+double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
+{
+    const fvi_system *system = run->system;
+    const size_t s = (size_t)method->stages,
+                 d = system->matrices ? system->matrices->remembered
+                                      : system->d;
+    const double bytes = 100 * (double)system->d;
+    if (!method->memories || !is_damped(system) || (s > 0 && run->alpha == 1))
+        return bytes;
+    if (s > 0)
+        return bytes
+               + fvi_lobatto_history_bytes(
+                   s, run->law ? -0.5 : 2 * run->alpha - 1, d, run->steps,
+                   run->memory, run->tolerance);
+    return bytes
+           + (double)fvi_history_bytes(run->law ? 0.5 : 2 * run->alpha, d,
+                                       run->steps, run->memory, run->tolerance);
+}
+
+int fvi_velocity(const fvi_system *system, const double *p, double *v)
+{
+    if (system->matrices)
+        return fvi_damping_velocity(system, p, v);
+    for (size_t i = 0; i < system->d; i++)
+        v[i] = p[i] / system->mass[i];
+    return FVI_SUCCESS;
 }

@@ -3,8 +3,6 @@
 #include "input/fvi_files.h"
 #include "input/fvi_shared.h"
 #include <fvi/format_double.h>
-#include "memory/kernel_terms.h"
-#include "methods/damping.h"
 
 #include <fvi/fvi.h>
 
@@ -106,7 +104,8 @@ static int check_method(const fvi_options *o, fvi_error *c)
                           "with a law that grows faster than s; fvi-bdf2 and "
                           "fvi-stable do");
     if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !m->dense
-        && !fvi_kernel_has_modes(&o->damping.law, fvi_damping_quadrature(m), o->h))
+        && !fvi_method_has_modes(
+            m, &(fvi_run){ .law = &o->damping.law, .h = o->h }))
         return fvi_refuse(c,
                           "memory", "'exponentials': of --damping '%s' there "
                           "are none with this step; 'auto' sums it all",

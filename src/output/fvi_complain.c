@@ -3,7 +3,6 @@
 #include "fvi_output.h"
 #include "input/fvi_refuse.h"
 #include "input/fvi_shared.h"
-#include "system/fail.h"
 
 #include <ctype.h>
 #include <errno.h>

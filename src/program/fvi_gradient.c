@@ -6,7 +6,6 @@
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 #include "input/fvi_files.h"
-#include "methods/damping.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -118,10 +117,7 @@ static int slopes(size_t k, size_t d, const double *x, const double *p,
     int status = fvi_energy(&r->system, x, p, &r->value);
     if (status)
         return status;
-    if (r->system.matrices)
-        status = fvi_damping_velocity(&r->system, p, Jp);
-    for (size_t i = 0; !r->system.matrices && i < d; i++)
-        Jp[i] = p[i] / r->system.mass[i];
+    status = fvi_velocity(&r->system, p, Jp);
     return status ? status : fvi_potential_gradient(&r->system, x, Jx);
 }
 

@@ -1,11 +1,11 @@
 /* src/program/fvi_gradient_answer.c -- What `fvi gradient` prints. */
 #include "fvi_gradient_answer.h"
+#include <fvi/lobatto.h>
 
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
-#include "stages/lobatto_weights.h"
 
 #include <math.h>
 
@@ -13,8 +13,9 @@ typedef fvi_gradient_request request;
 
 double fvi_gradient_row_time(const request *r, size_t k)
 {
-    const fvi_lobatto_rule *rule = fvi_lobatto((size_t)r->o.method->stages);
-    return ((double)(k / r->per) + (rule ? rule->c[k % r->per] : 0)) * r->o.h;
+    const size_t stages = (size_t)r->o.method->stages;
+    return ((double)(k / r->per) + fvi_lobatto_abscissa(stages, k % r->per))
+           * r->o.h;
 }
 
 static void print_head(FILE *f, const fvi_own_command *command,

@@ -7,7 +7,6 @@
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
 #include "options/fvi_values.h"
-#include "stages/lobatto_history.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,41 +39,14 @@ int fvi_complain_of_start(const fvi_options *o, int status)
                              : fvi_code_in_words(status));
 }
 
-static int is_damped(const fvi_options *o)
-{
-    for (size_t i = 0; i < o->d; i++)
-        if (o->rho[i] > 0)
-            return 1;
-    return 0;
-}
-
-/* What a run surely takes: its state, Newton's band matrix, its history. */
-static double run_bytes(const fvi_options *o)
-{
-    const size_t s = (size_t)o->method->stages,
-                 d = o->directory ? fvi_directory_system(o->directory)
-                                        .matrices->remembered
-                                  : o->d;
-    const double bytes = 100 * (double)o->d;
-    if (!o->method->memories || !is_damped(o) || (s > 0 && o->alpha == 1))
-        return bytes;
-    if (s > 0)
-        return bytes
-               + fvi_lobatto_history_bytes(
-                   s, o->damping.law.count > 0 ? -0.5 : 2 * o->alpha - 1, d,
-                   o->steps, o->memory, o->tolerance);
-    const double order = o->damping.law.count > 0 ? 0.5 : 2 * o->alpha;
-    return bytes
-           + (double)fvi_history_bytes(order, d, o->steps, o->memory,
-                                      o->tolerance);
-}
-
 double *fvi_run_room(const fvi_table *t)
 {
     const fvi_options *o = t->o;
-    return fvi_table_room(t, o->error > 0 /* fvi_step_search keeps rows */
+    const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
+    return fvi_table_room(t, o->error > 0 /* fvi_solve keeps rows */
                                  ? 40 * (double)o->d * (double)o->steps
-                                 : run_bytes(o));
+                                 : fvi_run_bytes(o->method, &run));
 }
 
 int fvi_run_row(const fvi_table *t, fvi_stepper *s, size_t k)

@@ -27,7 +27,4 @@ int fvi_interrupted(void);
 #define FVI_FAIL(reason, code)                                                 \
     return fvi_tell_handler(reason, __FILE__, __LINE__, code)
 
-/* fvi_is_own_code -- nonzero for a code of the caller's own functions, none of error.h. */
-int fvi_is_own_code(int code);
-
 #endif
