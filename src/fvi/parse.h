@@ -17,6 +17,7 @@
 #include "error.h"
 #include "exact_solution.h"
 #include "expression.h"
+#include "solve.h"
 #include "system.h"
 
 #ifdef __cplusplus
@@ -219,6 +220,42 @@ const char *fvi_typed_force_file(const fvi_typed_force *force, size_t i);
 
 /* fvi_typed_force_free -- give everything back. NULL is allowed. */
 void fvi_typed_force_free(fvi_typed_force *force);
+
+/* ---- whole problems ---- */
+
+typedef struct fvi_typed_problem fvi_typed_problem;
+
+/* fvi_parse_problem -- "m=1; U=duffing:1,0.7; damper=zener:1,0.3,0.5; force=step:8,1; x0=1": names
+ * and values of the program's options, in any order. A name that is left out has the program's
+ * value.
+ *
+ *     name         or      value
+ *     potential    U       as fvi_parse_potential
+ *     dimension    d       where the potential does not say it
+ *     mass, x0, p0         as fvi_parse_numbers; m is mass
+ *     alpha, rho           or, instead of both, damping (damper) as fvi_parse_damping
+ *     force        F       as fvi_parse_force
+ *     time         T       the end of the motion
+ *     derivative   past    held, caputo or rl
+ *     let                  as fvi_parse_user_parameters
+ *
+ *   problem  output; give it back with fvi_typed_problem_free
+ *
+ *     fvi_typed_problem *typed;
+ *     if (fvi_parse_problem("U=duffing:1,0.5; alpha=0.3; T=10", &typed, &error) == FVI_SUCCESS)
+ *         fvi_solve(fvi_problem_typed(typed), NULL, &accuracy, &outputs, NULL, &error); */
+int fvi_parse_problem(const char *text, fvi_typed_problem **problem,
+                      fvi_error *error);
+
+/* fvi_problem_typed -- the problem, for fvi_solve; it belongs to the typed one. */
+const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
+
+/* fvi_typed_problem_free -- give everything back. NULL is allowed. */
+void fvi_typed_problem_free(fvi_typed_problem *problem);
+
+/* fvi_parse_method -- the method with this name, as `run --method` takes it. */
+int fvi_parse_method(const char *text, const fvi_method **method,
+                     fvi_error *error);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

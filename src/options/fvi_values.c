@@ -126,17 +126,10 @@ static int check_method(const fvi_options *o, fvi_error *c)
 
 static int interpret_method(fvi_options *o, fvi_error *c)
 {
-    size_t count = 0, which;
-    while (fvi_methods[count])
-        count++;
-    const char *names[count + 1];
-    for (size_t i = 0; i < count; i++)
-        names[i] = fvi_methods[i]->name;
-    names[count] = NULL;
-    int status = choice(o, METHOD, names, &which, c);
+    const int status = fvi_parse_method(o->text[METHOD], &o->method, c);
     if (status)
         return status;
-    o->method = fvi_methods[which];
+    o->text[METHOD] = o->method->name; /* in small letters */
     return check_method(o, c);
 }
 

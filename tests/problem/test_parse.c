@@ -133,12 +133,51 @@ START_TEST(a_text_becomes_a_force)
 }
 END_TEST
 
+/* The whole of it in one text: the motion is that of the same numbers by hand. */
+START_TEST(a_text_becomes_a_problem)
+{
+    fvi_typed_problem *typed;
+    ck_assert_int_eq(
+        fvi_parse_problem("m=2; U=k*x^4/4; let=k=0.7; damper=zener:1,.3,.5 + "
+                          "viscous:0.1;\n force=step:8,1; x0=1; p0=0; T=3",
+                          &typed, &error),
+        0);
+    const fvi_problem *p = fvi_problem_typed(typed);
+    ck_assert(p->system.d == 1 && p->system.mass[0] == 2
+              && p->system.damping[0] == 1 && p->x0[0] == 1 && p->p0[0] == 0);
+    ck_assert(p->T == 3 && p->law && p->law->count == 2
+              && p->past == FVI_INITIAL_HISTORY_HELD);
+    const fvi_accuracy accuracy = { .tolerance = 1e-5 };
+    double x[4], grad;
+    const fvi_outputs outputs = { .rows = 4, .x = x };
+    ck_assert_int_eq(
+        fvi_solve(p, NULL, &accuracy, &outputs, NULL, &error), 0);
+    ck_assert(p->system.potential.gradient(1, x, p->system.potential.params,
+                                           &grad)
+              == 0);
+    ck_assert(x[0] == 1 && fabs(x[3] - 1) > 0.01 && fabs(grad - 0.7) < 1e-15);
+    fvi_typed_problem_free(typed);
+    fvi_parse_problem("potentia=free", &typed, &error);
+    expect(FVI_EINVAL, "problem",
+           "'potentia' is no name of a problem; did you mean potential?");
+    fvi_parse_problem("m=1; mass=2", &typed, &error);
+    expect(FVI_EINVAL, "mass", "given twice");
+    fvi_parse_problem("damping=viscous:1; alpha=0.3", &typed, &error);
+    expect(FVI_EINVAL, "damping", "not together with alpha");
+    fvi_parse_problem("alpha=1.3", &typed, &error);
+    expect(FVI_EDOM, "alpha", "'1.3' is outside [0, 1]");
+    const fvi_method *method;
+    ck_assert_int_eq(fvi_parse_method("fvi-lobatto3", &method, NULL), 0);
+    ck_assert_str_eq(method->name, "fvi-lobatto3");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("problems as they are typed");
     ADD_CASE(suite, "parse", a_text_becomes_a_potential,
              an_error_says_field_value_index_and_text,
              parameters_are_names_with_one_value_that_are_used,
-             a_text_becomes_a_force);
+             a_text_becomes_a_force, a_text_becomes_a_problem);
     return run_suite(suite);
 }
