@@ -16,7 +16,7 @@ MODULES = """band linearised error expression expression_parse lu newton newton_
 # stability of the explicit method. It is imported, and says its name if it is called all the same
 # (kernel() of model.js); any other name that is missing stops the link.
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
-    fvi_kernel_of_function fvi_shifted_theta fvi_shifted_symbol fvi_shifted_is_itself
+    fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_theta fvi_shifted_symbol fvi_shifted_is_itself
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_damping_begin_matrices fvi_initial_history_force_of_matrices fvi_stability_of_matrices fvi_history_tiled_push_part
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free

@@ -117,6 +117,10 @@ double fvi_kernel_symbol(const fvi_kernel *law, double s);
  * a DISTRIBUTED and of a MAXWELL2 with a time. The law has passed fvi_kernel_check. */
 double fvi_kernel_growth(const fvi_kernel *law);
 
+/* fvi_kernel_takes_caputo -- nonzero if no order of the law is above 1: Caputo's past is then
+ * that of a body that was held. The law has passed fvi_kernel_check. */
+int fvi_kernel_takes_caputo(const fvi_kernel *law);
+
 /* fvi_kernel_weights -- w_n of sum_n w_n z^n = C(delta(z)/h).             [(26.3)]
  *
  *   law    as above

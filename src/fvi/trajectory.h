@@ -190,7 +190,7 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
  * FVI_EDOM if a number is not finite or a time negative, FVI_EUNSUP at alpha = 1 if the
  * method has stages and anything is damped;
  * FVI_EUNSUP if the method has no such memory, does not know laws, or matrices, or the past
- * of a law is not FVI_INITIAL_HISTORY_HELD; what fvi_kernel_history returns, and FVI_EUNSUP for a law
+ * of a law is not FVI_INITIAL_HISTORY_HELD, nor, up to the order 1, Caputo's; what fvi_kernel_history returns, and FVI_EUNSUP for a law
  * that stages do not take; FVI_ENOMEM; FVI_ESING if a constant matrix is singular; FVI_EOVRFLW
  * if an impulse at t = 0 makes p infinite; what the potential returned. On error *stepper is
  * untouched. */

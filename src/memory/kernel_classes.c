@@ -280,6 +280,20 @@ double fvi_kernel_growth(const fvi_kernel *law)
     return most;
 }
 
+int fvi_kernel_takes_caputo(const fvi_kernel *law)
+{
+    if (fvi_kernel_growth(law) > 1)
+        return 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        const int has_order =
+            t->kind != FVI_KERNEL_MAXWELL && t->kind != FVI_KERNEL_SYMBOL;
+        if (has_order && t->alpha > 0.5)
+            return 0;
+    }
+    return 1;
+}
+
 double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
                                   double angle)
 {

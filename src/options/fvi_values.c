@@ -244,8 +244,12 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = choice(o, DERIVATIVE, fvi_initial_history_words,
                         &which, c);
     o->past = (fvi_initial_history)which;
-    if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD)
-        status = fvi_refuse(c, "derivative", "'%s' is not for --damping",
+    if (!status && o->text[DAMPING] && o->past != FVI_INITIAL_HISTORY_HELD
+        && !(o->past == FVI_INITIAL_HISTORY_CAPUTO
+             && fvi_kernel_takes_caputo(&o->damping.law)))
+        status = fvi_refuse(c, "derivative",
+                            "'%s' is not for --damping; held is, and caputo "
+                            "for orders up to 1",
                             o->text[DERIVATIVE]);
     if (!status)
         status = whole(o, EVERY, &o->every, c);

@@ -107,6 +107,8 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S)
     const fvi_linear_oscillator *p = &S->p;
     S->p = *problem; /* field by field: most of S is room for contours */
     S->p.w = fabs(p->w);
+    if (p->law)
+        S->p.past = FVI_INITIAL_HISTORY_HELD; /* what else is allowed is the same */
     S->beta = 0; /* a law has none */
     S->roots = S->poles = 0;
     int status = find_roots(S);

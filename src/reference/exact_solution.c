@@ -32,10 +32,14 @@ int fvi_exact_check(const fvi_linear_oscillator *p)
     if (p->past != FVI_INITIAL_HISTORY_HELD && p->past != FVI_INITIAL_HISTORY_CAPUTO
         && p->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         FVI_FAIL("unknown past", FVI_EINVAL);
-    if (p->law && p->past != FVI_INITIAL_HISTORY_HELD)
-        FVI_FAIL("a law of damping is for a body that was held", FVI_EUNSUP);
-    if (p->law)
-        return fvi_kernel_check(p->law);
+    if (p->law) {
+        const int status = fvi_kernel_check(p->law);
+        if (!status && p->past != FVI_INITIAL_HISTORY_HELD
+            && !(p->past == FVI_INITIAL_HISTORY_CAPUTO
+                 && fvi_kernel_takes_caputo(p->law)))
+            FVI_FAIL("a law of damping is for a body that was held", FVI_EUNSUP);
+        return status;
+    }
     if (!fvi_initial_history_solvable(p->past, p->alpha, p->rho, p->x0))
         FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
                  "alpha > 1/2",

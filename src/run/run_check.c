@@ -16,13 +16,17 @@ static int check_law(const fvi_method *method, const fvi_run *run,
     if (!method->takes_laws)
         return fvi_fail(error, FVI_EUNSUP, "law", NAN,
                         "this method knows no laws of damping");
-    if (run->past != FVI_INITIAL_HISTORY_HELD)
-        return fvi_fail(error, FVI_EUNSUP, "past", run->past,
-                        "a law of damping is that of a body that was held");
     const int status = fvi_kernel_check(run->law);
-    return status ? fvi_fail(error, status, "law", NAN, "not a law of damping: %s",
-                             fvi_error_name(status))
-                  : FVI_SUCCESS;
+    if (status)
+        return fvi_fail(error, status, "law", NAN, "not a law of damping: %s",
+                        fvi_error_name(status));
+    if (run->past == FVI_INITIAL_HISTORY_HELD
+        || (run->past == FVI_INITIAL_HISTORY_CAPUTO
+            && fvi_kernel_takes_caputo(run->law)))
+        return FVI_SUCCESS;
+    return fvi_fail(error, FVI_EUNSUP, "past", run->past,
+                    "a law of damping is that of a body that was held; up to "
+                    "the order 1 Caputo's past is the same");
 }
 
 static int check_impulses(const fvi_method *method, const fvi_run *run,

@@ -238,6 +238,10 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
     int status = check(method, run, x, p, objective, want);
     if (status)
         return status;
+    fvi_run held = *run; /* what else a law allows is the same */
+    if (run->law)
+        held.past = FVI_INITIAL_HISTORY_HELD;
+    run = &held;
     clear(run, want, forces_of(method));
     status = all_derivatives(method, run, x, p, objective, want);
     return status || are_finite(method, run, want, forces_of(method)) ? status

@@ -272,7 +272,23 @@ START_TEST(who_does_not_know_laws_says_so)
     }
     ck_assert_uint_eq(know, 19); /* fvi, three of order 2, both forms, fvi-adaptive */
     x[0] = 7;
-    run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    run.past = FVI_INITIAL_HISTORY_CAPUTO; /* of orders up to 1 it is held */
+    run.alpha = 0.9;                       /* not read */
+    double held[11], caputo[11];
+    for (size_t i = 0; i < LEN(ref_laws); i++) {
+        run.law = &ref_laws[i];
+        const int status =
+            fvi_trajectory(&fvi_fractional, &run, caputo, NULL, NULL);
+        const int steep = fvi_kernel_growth(run.law) > 1;
+        ck_assert_int_eq(status, steep ? FVI_EUNSUP : FVI_SUCCESS);
+        run.past = FVI_INITIAL_HISTORY_HELD;
+        fvi_trajectory(&fvi_fractional, &run, held, NULL, NULL);
+        ck_assert(steep || memcmp(held, caputo, sizeof held) == 0);
+        run.past = FVI_INITIAL_HISTORY_CAPUTO;
+    }
+    run.alpha = 0.5;
+    run.law = &ref_laws[5];
+    x[0] = 7;
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL),
                      FVI_EUNSUP);
     run.past = FVI_INITIAL_HISTORY_HELD;

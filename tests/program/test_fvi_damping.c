@@ -148,7 +148,7 @@ START_TEST(what_is_no_law_is_bad_use)
         { "--damping power:1,0.3 --rho 1", "not together with --rho" },
         { "--damping power:1,0.3 --method lda", "is not known to" },
         { "--damping power:1,0.3 --derivative rl", "--derivative: 'rl'" },
-        { "--damping power:1,0.3 --derivative caputo", "--derivative: 'cap" },
+        { "--damping power:1,0.7 --derivative caputo", "--derivative: 'cap" },
         { "--damping power:1,0.3 --memory fft",
           "fvi: --memory: 'fft' is none of auto, direct, exponentials\n" },
         { "--damping zener:1,0.48,2 --memory exponentials",
