@@ -13,9 +13,9 @@ set key at graph 0.5, graph -0.2 center top # one for both panels
 # One key for both, half of it below each.
 set title "The largest error of x for t ≤ 10"
 set yrange [3e-10:1]
-plot dat index 0 using 1:2 with linespoints ls 8 pt 1 title "differences, U′ at the node", \
-     '' index 0 using 1:3 with linespoints ls 4 pt 2 title "differences, U′ averaged", \
-     '' index 0 using 1:4 with linespoints ls 2 pt 3 title "differences, all at k + 1", \
+plot dat index 0 using 1:2 with linespoints ls 8 pt 1 title "node scheme", \
+     '' index 0 using 1:3 with linespoints ls 4 pt 2 title "mean scheme", \
+     '' index 0 using 1:4 with linespoints ls 2 pt 3 title "back scheme", \
      '' index 0 using 1:5 with linespoints ls FVI notitle, \
      '' index 0 using 1:6 with linespoints ls SHIFTED notitle, \
      '' index 0 using 1:7 with linespoints ls LOBATTO4 notitle
