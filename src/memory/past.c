@@ -1,8 +1,9 @@
 /* src/memory/past.c -- What the body did before t = 0.                  [H 19] */
 #include <fvi/past.h>
 
+#include "system/digamma.h"
+
 #include <gsl/gsl_machine.h>
-#include <gsl/gsl_sf_psi.h>
 #include <math.h>
 #include <string.h>
 
@@ -211,7 +212,7 @@ static void legendre_moments_rate(double e, size_t k, size_t count,
 static void first_moments_rate(double e, size_t count, double *rates)
 {
     double moment = 1 / tgamma(2 + e);
-    rates[0] = -gsl_sf_psi(2 + e) * moment;
+    rates[0] = -fvi_digamma(2 + e) * moment;
     for (size_t degree = 1; degree < count; degree++) {
         const double by = e + 1 + (double)degree;
         const double part = part_of_lower(e, degree);
@@ -226,7 +227,7 @@ static void first_moments_rate(double e, size_t count, double *rates)
 void fvi_kernel_impulses_by_order(const fvi_kernel_impulse *pull, size_t k, double *rate)
 {
     const double z = 1 + pull->e;
-    const double slope = (1 - z * gsl_sf_psi(1 + z)) / tgamma(1 + z);
+    const double slope = (1 - z * fvi_digamma(1 + z)) / tgamma(1 + z);
     double moments[FVI_KERNEL_IMPULSE_NODES], rates[FVI_KERNEL_IMPULSE_NODES];
     if (k == 0)
         first_moments_rate(pull->e, pull->nodes, rates);

@@ -1,10 +1,10 @@
 /* src/sensitivity/singular_start_adjoint.c -- A start that the past pulls, backwards.  [H 23] */
 #include "singular_start_adjoint.h"
 
+#include "system/digamma.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_sf_psi.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -24,7 +24,7 @@ static int start_undamped(fvi_singular_start_adjoint *p, const fvi_run *run)
         return status;
     g->c[0] = 1;
     g->c[1] = -1 / tgamma(1 + fvi_singular_power(g, 1));
-    p->undamped_psi[1] = gsl_sf_psi(1 + fvi_singular_power(g, 1));
+    p->undamped_psi[1] = fvi_digamma(1 + fvi_singular_power(g, 1));
     return FVI_SUCCESS;
 }
 
@@ -40,8 +40,9 @@ static int start_unit(fvi_singular_start_adjoint *p, const fvi_run *run,
         p->by_A[j] = 1;
     fvi_singular_fill(run->system, run->alpha, path->T, p->by_A, g);
     for (size_t n = 0; n <= g->J; n++)
-        p->psi[n] = gsl_sf_psi(1 + fvi_singular_power(g, n));
-    p->left = gsl_sf_psi(1 + fvi_singular_power(g, g->J) - 2 * run->alpha);
+        p->psi[n] = fvi_digamma(1 + fvi_singular_power(g, n));
+    if (g->gap > 0 && !g->by_euler_transform) /* else no force is left, and there may be a pole */
+        p->left = fvi_digamma(1 + fvi_singular_power(g, g->J) - 2 * run->alpha);
     p->turn = g->gap < 0 ? 2 : -2;
     return FVI_SUCCESS;
 }

@@ -250,12 +250,34 @@ START_TEST(eq_23_25_random_pulled_runs)
 }
 END_TEST
 
+/* Where the damping is all, m and the potential hardly matter: the derivatives by p0 are as
+ * 1/rho. From rho = 1e40 on G has one falling power, behind which no force is left, and psi has
+ * a pole in that force: GSL's handler would end the process there. */
+START_TEST(eq_22_23_one_falling_power_leaves_no_force)
+{
+    double before = 0;
+    for (double rho = 1e30; rho < 1e101; rho *= 1e10) {
+        chain c;
+        chain_at(&c, FVI_INITIAL_HISTORY_HELD, 0.8, 0.5, rho);
+        c.rho[2] = c.rho[1];
+        slopes *s = slopes_by(&c, 0);
+        const double got = rho * s->to.p0[0];
+        ck_assert(isfinite(*s->to.alpha) && isfinite(s->to.damping[0]));
+        if (before != 0)
+            ck_assert_near(got / before, 1, 1e-10, "rho %g", rho);
+        before = got;
+        slopes_free(s);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("adjoint, pulled meshes");
     ADD_CASE(suite, "identities",
              eq_23_25_start_and_force_add_up_to_a_linear_motion,
-             eq_23_25_a_factor_of_all_forces_changes_no_position);
+             eq_23_25_a_factor_of_all_forces_changes_no_position,
+             eq_22_23_one_falling_power_leaves_no_force);
     ADD_CASE(suite, "quotients", eq_23_25_differences_of_pulled_runs,
              eq_23_25_a_body_at_rest_has_a_derivative_by_what_could_pull_it,
              eq_23_25_random_pulled_runs);

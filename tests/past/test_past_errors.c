@@ -106,6 +106,23 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
 }
 END_TEST
 
+/* No order that a run takes has them: what is not checked is NaN, and ends no process. */
+START_TEST(orders_at_a_pole_of_psi_have_no_rates)
+{
+    static const double nodes[] = { 0, 1 };
+    const double e[] = { -2, -3, NAN };
+    for (size_t i = 0; i < LEN(e); i++)
+        for (size_t k = 0; k < 2; k++) {
+            fvi_kernel_impulse pull;
+            double rate[2];
+            fvi_kernel_impulse_prepare(0.8, LEN(nodes), nodes, &pull);
+            pull.e = e[i];
+            fvi_kernel_impulses_by_order(&pull, k, rate);
+            ck_assert(isnan(rate[0]));
+        }
+}
+END_TEST
+
 /* A run that says nothing of the past is one of a body at rest. */
 START_TEST(the_default_run_is_held)
 {
@@ -126,7 +143,8 @@ int main(void)
 {
     Suite *suite = suite_create("19 past: errors");
     ADD_CASE(suite, "errors", eq_19_2_what_has_no_solution_is_refused,
-             an_unknown_past_is_refused);
+             an_unknown_past_is_refused,
+             orders_at_a_pole_of_psi_have_no_rates);
     ADD_CASE(suite, "runs", eq_19_1_each_coordinate_has_its_own_past,
              the_default_run_is_held);
     return run_suite(suite);
