@@ -31,6 +31,14 @@ static fvi_kernel_simple simple_term(const fvi_kernel_term *t)
     return (fvi_kernel_simple){ t->rho, alpha, time, below };
 }
 
+/* Where 2 alpha - 1 rounds to -1, s^{2 alpha} is 1 to 4e-14 for every double s, and a memory of
+ * increments would need nodes for s^{-1}, which have no end. The term is a spring. */
+static void round_to_spring(fvi_kernel_simple *t)
+{
+    if (2 * t->alpha - 1 == -1)
+        t->alpha = t->below = 0;
+}
+
 int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t *count)
 {
     gsl_integration_glfixed_table *gauss = NULL;
@@ -63,6 +71,8 @@ int fvi_kernel_flatten(const fvi_kernel *law, fvi_kernel_simple **terms, size_t 
     }
     if (gauss)
         gsl_integration_glfixed_table_free(gauss);
+    for (size_t i = 0; i < n; i++)
+        round_to_spring(&t[i]);
     *terms = t;
     *count = n;
     return FVI_SUCCESS;

@@ -155,6 +155,41 @@ START_TEST(eq_26_6_every_weight_to_all_its_digits)
 }
 END_TEST
 
+/* An order next to 0 is a spring: GSL is not asked for Gamma at its pole, where its handler would
+ * end the process, and the modes sum what the weights sum. */
+START_TEST(eq_26_6_an_order_next_to_zero_is_a_spring)
+{
+    enum { STEPS = 2000 };
+    static double x[STEPS + 1], direct[STEPS + 1], modes[STEPS + 1];
+    static const fvi_kernel_term small[] = {
+        { FVI_KERNEL_POWER, 1, 1e-20, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 5e-324, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 0x1p-55, 0, 0 },
+        { FVI_KERNEL_ZENER, 1, 1e-20, 0.5, 0 },
+        { FVI_KERNEL_ZENER, 1, 1e-20, 5, 0 },
+        { FVI_KERNEL_MAXWELL2, 1, 1e-20, 2, 0 },
+        { FVI_KERNEL_DISTRIBUTED, 1e20, 0, 0, 1e-20 },
+    };
+    for (size_t k = 0; k <= STEPS; k++)
+        x[k] = 1; /* what rests feels the springs alone in the end */
+    for (size_t i = 0; i < LEN(small); i++)
+        for (int kind = 0; kind < 2; kind++) {
+            const fvi_kernel_term term[] = {
+                small[i], { FVI_KERNEL_POWER, 1, 0.9, 0, 0 }
+            };
+            const fvi_kernel law = { 2, term };
+            sums(&law, (fvi_delta)kind, 1, STEPS, FVI_HISTORY_DIRECT, x,
+                 direct);
+            sums(&law, (fvi_delta)kind, 1, STEPS, FVI_HISTORY_MODES, x, modes);
+            for (size_t k = 0; k <= STEPS; k++)
+                ck_assert_near(modes[k], direct[k], 1e-13, "law %zu, k = %zu",
+                               i, k);
+            const double spring = small[i].rho == 1 ? 1 / (1 + small[i].time) : 1;
+            ck_assert_near(modes[STEPS], spring, 1e-4, "law %zu", i);
+        }
+}
+END_TEST
+
 /* AUTO takes modes beyond 256 steps, and the sum as it stands where there are none. */
 START_TEST(eq_26_6_where_there_are_no_modes)
 {
@@ -245,6 +280,7 @@ int main(void)
              eq_26_4_what_rests_is_summed_to_all_digits,
              eq_26_14_a_law_relaxes_and_creeps, eq_26_6_one_set_of_modes,
              eq_26_6_every_weight_to_all_its_digits,
+             eq_26_6_an_order_next_to_zero_is_a_spring,
              eq_26_6_where_there_are_no_modes,
              eq_26_16_the_memory_of_a_function);
     return run_suite(suite);
