@@ -44,15 +44,16 @@ int EXPORT(live_release)(double alpha, double rho, double T, int n)
         arrays[0][i] = T * i / (n - 1);
         arrays[2][i] = 0;
     }
-    fvi_exact_oscillation(&problem, (size_t)n, arrays[0], arrays[2], NULL);
-    return fvi_exact_at(&problem, (size_t)n, arrays[0], arrays[1], NULL);
+    fvi_exact_oscillation(&problem, (size_t)n, arrays[0], arrays[2], NULL,
+                          NULL);
+    return fvi_exact_at(&problem, (size_t)n, arrays[0], arrays[1], NULL, NULL);
 }
 
 /* Its pole, to array 3: re, im. Not 0 if there is none. */
 int EXPORT(live_pole)(double alpha, double rho)
 {
     const fvi_linear_oscillator problem = { .m = 1, .c = 1, .rho = rho, .alpha = alpha };
-    return fvi_exact_pole(&problem, arrays[3], arrays[3] + 1);
+    return fvi_exact_pole(&problem, arrays[3], arrays[3] + 1, NULL);
 }
 
 /* The nodes of (12.6): array 0 gets s, array 1 c; returns how many. */

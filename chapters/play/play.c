@@ -230,7 +230,8 @@ int EXPORT(play_exact)(int every, int parts)
     size_t n = 0;
     for (int k = 0; k <= (int)input.steps * parts; k += every)
         exact_t[n++] = (double)k / parts * input.h;
-    return fvi_exact_at(&problem, n, exact_t, exact_x, exact_v) ? 0 : (int)n;
+    return fvi_exact_at(&problem, n, exact_t, exact_x, exact_v,
+                        NULL) ? 0 : (int)n;
 }
 
 /* ---- weights ---- */

@@ -39,7 +39,7 @@ static void solve(const fvi_method *method, double alpha, double c, double T,
     for (size_t k = 0; k <= N; k++)
         times[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact_at(&motion, N + 1, times, want_x, want_p))
+        || fvi_exact_at(&motion, N + 1, times, want_x, want_p, NULL))
         exit(EXIT_FAILURE);
 }
 

@@ -76,7 +76,7 @@ int main(void)
     for (size_t N = 200; N <= MOST; N *= 2) {
         for (size_t k = 0; k <= N; k++)
             t[k] = (double)k * (20 / (double)N);
-        if (fvi_exact_at(&problem, N + 1, t, want, NULL))
+        if (fvi_exact_at(&problem, N + 1, t, want, NULL, NULL))
             return EXIT_FAILURE;
         row(&torvik, 0.75, 20, N);
     }

@@ -15,7 +15,7 @@ int main(void)
     for (alpha = 0; alpha <= 1; alpha += 0.25) {
         const fvi_linear_oscillator motion = { .m = m, .c = c, .rho = rho, .alpha = alpha, .x0 = x0, .v0 = p0 / m };
         double exact;
-        if (fvi_exact_at(&motion, 1, &two, &exact, NULL))
+        if (fvi_exact_at(&motion, 1, &two, &exact, NULL, NULL))
             return 1;
         printf("%s# h, error of x(2); alpha = %g\n", alpha > 0 ? "\n\n" : "", alpha);
         for (int N = 10; N <= 2560; N *= 2) {

@@ -22,7 +22,7 @@ int main(void)
         for (int k = 0; k <= LAST; k++) {
             const double t = k * h;
             double exact;
-            if (fvi_exact_at(&motion, 1, &t, &exact, NULL))
+            if (fvi_exact_at(&motion, 1, &t, &exact, NULL, NULL))
                 return 1;
             printf("%.17g %.17g ", t, x[k]);
             if (k % EVERY)

@@ -22,9 +22,9 @@ static int solve(double alpha)
     double re, im;
     for (size_t i = 0; i < COUNT; i++)
         t[i] = 30.0 * (double)i / (COUNT - 1);
-    if (fvi_exact_at(&p, COUNT, t, x, NULL)
-        || fvi_exact_oscillation(&p, COUNT, t, wave, NULL)
-        || fvi_exact_pole(&p, &re, &im))
+    if (fvi_exact_at(&p, COUNT, t, x, NULL, NULL)
+        || fvi_exact_oscillation(&p, COUNT, t, wave, NULL, NULL)
+        || fvi_exact_pole(&p, &re, &im, NULL))
         return 1;
     printf(
         "# alpha = %g, m = c = 1, rho = 1/2, Caputo, x0 = 1, v0 = 0; the pole "

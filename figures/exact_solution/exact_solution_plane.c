@@ -16,7 +16,7 @@ static int pole(double alpha, double rho)
                                 .past = FVI_INITIAL_HISTORY_HELD,
                                 .x0 = 1 };
     double re, im;
-    if (fvi_exact_pole(&linear, &re, &im))
+    if (fvi_exact_pole(&linear, &re, &im, NULL))
         return EXIT_FAILURE;
     printf("%.9g %.9g\n", re, im);
     return EXIT_SUCCESS;

@@ -26,7 +26,7 @@ static int solve(double alpha, int caputo)
                            .v0 = !caputo };
     const double power = caputo ? -b : -1 - b;
     const double factor = rho / tgamma(power + 1); /* 0 at alpha = 1/2 */
-    if (fvi_exact_at(&p, COUNT, t, x, NULL))
+    if (fvi_exact_at(&p, COUNT, t, x, NULL, NULL))
         return 1;
     printf("# alpha = %g, m = c = 1, rho = 1/2, %s\n# t  |x|  tail\n", alpha,
            caputo ? "Caputo, x0 = 1, v0 = 0" : "x0 = 0, v0 = 1");

@@ -27,7 +27,7 @@ int main(void)
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < N; i++)
         t[i] = 0.1 * (i + 1);
-    if (fvi_exact_at(&truth, N, t, x, NULL))
+    if (fvi_exact_at(&truth, N, t, x, NULL, NULL))
         return 1;
     for (int i = 0; i < N; i++)
         x[i] += gsl_ran_gaussian(r, sigma);

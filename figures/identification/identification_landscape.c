@@ -99,7 +99,7 @@ int main(void)
     gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
     for (int i = 0; i < N; i++)
         t[i] = 0.3 * (i + 1);
-    if (fvi_exact_at(&truth, N, t, data, NULL))
+    if (fvi_exact_at(&truth, N, t, data, NULL, NULL))
         return 1;
     for (int i = 0; i < N; i++)
         data[i] += gsl_ran_gaussian(r, sigma);

@@ -46,7 +46,7 @@ static void row(const fvi_method *method, size_t N)
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p, NULL))
         exit(EXIT_FAILURE);
     printf("%.17g %.17g %.17g", run.h, farthest(N, x, exact_x),
            farthest(N, p, exact_p));

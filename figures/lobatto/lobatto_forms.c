@@ -35,7 +35,7 @@ static void errors(const fvi_method *method, size_t N)
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p, NULL))
         exit(EXIT_FAILURE);
     double of_x = 0, of_p = 0;
     for (size_t k = N / 10; k <= N; k++) {

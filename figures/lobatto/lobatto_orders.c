@@ -49,7 +49,7 @@ static void errors(const fvi_method *method, double alpha, size_t N, double *ex,
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(method, &run, x, p, NULL)
-        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p))
+        || fvi_exact_at(&problem, N + 1, t, exact_x, exact_p, NULL))
         exit(EXIT_FAILURE);
     *ex = farthest(N, x, exact_x);
     *ep = farthest(N, p, exact_p);

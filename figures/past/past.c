@@ -34,7 +34,7 @@ static int draw(fvi_initial_history past, double alpha)
     printf("0 %.17g\n", before(&p, 0));
     for (int k = 0; k <= AFTER * FINE; k++) {
         double t = (double)k / FINE, x;
-        if (fvi_exact_at(&p, 1, &t, &x, NULL))
+        if (fvi_exact_at(&p, 1, &t, &x, NULL, NULL))
             return EXIT_FAILURE;
         printf("%g %.17g\n", t, x);
     }

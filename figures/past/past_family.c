@@ -38,7 +38,7 @@ int main(void)
         for (size_t k = 0; k <= N; k++) {
             const double t = (double)k * h;
             double exact;
-            if (fvi_exact_at(&problem, 1, &t, &exact, NULL))
+            if (fvi_exact_at(&problem, 1, &t, &exact, NULL, NULL))
                 return EXIT_FAILURE;
             printf("%.17g %.17g ", t, x[k]);
             if (k % EVERY)

@@ -2,6 +2,7 @@
 #ifndef FVI_EXACT_SOLUTION_H
 #define FVI_EXACT_SOLUTION_H
 
+#include "error.h"
 #include "damping_laws.h"
 #include "past.h"
 
@@ -68,6 +69,7 @@ typedef struct {
  * w the largest frequency there is (no proof; seen 4e-14).
  * Memory: 80 kB of stack.
  *
+ * error says what is wrong, in the names of fvi_linear_oscillator or "t", "h", "n"; NULL is allowed.
  * Returns FVI_SUCCESS; FVI_EFAULT if problem or t is NULL, or x and v both are;
  * FVI_EINVAL if n == 0 or forcing is unknown; FVI_EDOM if a number is out of its
  * range, or for Riemann-Liouville with x0 != 0, rho > 0 and alpha > 1/2. On
@@ -79,7 +81,7 @@ typedef struct {
  * double do not hold the phase (not where the swing has died away): the values before it
  * stand. */
 int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x,
-              double *v);
+                 double *v, fvi_error *error);
 
 /* fvi_exact_grid -- the solution at t_k, the doubles nearest to k h, k = 0, ..., n.
  *                                                          [(11.15) to (11.19)]
@@ -106,7 +108,8 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
  * FVI_EOVRFLW, here for what is asked for, and FVI_ELOSS as fvi_exact_at: the values before it
  * stand, and then come NaNs. */
 int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
-                   double tolerance, double *x, double *v);
+                   double tolerance, double *x, double *v,
+                 fvi_error *error);
 
 /* fvi_exact_oscillation -- the part 2 Re(a e^{s t}) of the solution.  [(11.7)]
  *
@@ -115,7 +118,8 @@ int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
  * the integral along the branch cut: the tail. Arguments, errors: as fvi_exact_at;
  * also FVI_EDOM if there are no complex poles (see fvi_exact_pole). */
 int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const double *t,
-                          double *x, double *v);
+                          double *x, double *v,
+                 fvi_error *error);
 
 /* fvi_exact_pole -- s = re + i im with m s^2 + c + rho s^{2 alpha} = 0, the only
  * such number with 0 < arg s < pi; -re is the rate of decay.         [(11.4)]
@@ -128,7 +132,8 @@ int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const 
  * fvi_exact_at for the problem; FVI_EDOM if there is none: alpha = 1/2 and
  * rho >= 2 sqrt(m c), or c = 0 and alpha >= 1/2, or c = rho = 0. On error re and
  * im are untouched. */
-int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im);
+int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im,
+                 fvi_error *error);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

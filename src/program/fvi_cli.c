@@ -40,7 +40,7 @@ static int exact_batch(const fvi_table *t, const fvi_linear_oscillator *problem,
         v[i] = all->x ? all->v[step[i]] : NAN;
     }
     int status = all->x  ? all->status
-                 : n > 0 ? fvi_exact_at(problem, n, time, x, v)
+                 : n > 0 ? fvi_exact_at(problem, n, time, x, v, NULL)
                          : FVI_SUCCESS;
     fvi_progress_clear(); /* the rows may go to the same terminal */
     for (size_t i = 0; i < count; i++) {
@@ -86,7 +86,7 @@ static int exact_rows(const fvi_table *t, const fvi_linear_oscillator *problem)
         all.x = malloc(2 * (N + 1) * sizeof *all.x);
     if (all.x) {
         all.v = all.x + N + 1;
-        all.status = fvi_exact_grid(problem, t->o->h, N, 0, all.x, all.v);
+        all.status = fvi_exact_grid(problem, t->o->h, N, 0, all.x, all.v, NULL);
         if (all.status != FVI_SUCCESS && all.status != FVI_EOVRFLW
             && all.status != FVI_ELOSS) { /* nothing was computed */
             free(all.x);
@@ -124,7 +124,8 @@ static int exact(const fvi_options *o, const fvi_system *system)
     const fvi_linear_oscillator problem = linear_problem(o);
     fvi_table t;
     double re, im;
-    const int status = problem.law ? fvi_exact_pole(&problem, &re, &im) : 0;
+    const int status = problem.law ? fvi_exact_pole(&problem, &re, &im,
+                                                    NULL) : 0;
     if (status && status != FVI_EDOM) /* EDOM: it does not swing */
         return fvi_complain(
             status == FVI_EUNSUP

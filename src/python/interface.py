@@ -181,8 +181,10 @@ int fvi_estimate_warning_of_step(const fvi_estimation *fit, const fvi_estimate *
 int fvi_estimate_reason(int status, const fvi_estimation *fit, const fvi_estimate *fitted, const char *names,
                    const char *dashes, size_t size, char *text);
 const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit, const fvi_estimate *fitted);
-int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x, double *v);
-int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n, double tolerance, double *x, double *v);
+int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x, double *v,
+                 fvi_error *error);
+int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n, double tolerance, double *x, double *v,
+                   fvi_error *error);
 
 int fvi_gl_weights(double alpha, size_t count, double *w);
 const char *fvi_error_name(int code);

@@ -78,7 +78,7 @@ static double complex at_frequency(const fvi_inverse *S)
 }
 
 /* The zeros of Q. A law that is one power, or none, is the problem without a law. */
-static int find_roots(fvi_inverse *S)
+static int find_roots(fvi_inverse *S, fvi_error *error)
 {
     fvi_linear_oscillator *p = &S->p;
     size_t active = 0;
@@ -91,7 +91,7 @@ static int find_roots(fvi_inverse *S)
     if (p->law && p->rho > 0 && active > 0
         && !(active == 1 && last->kind == FVI_KERNEL_POWER))
         return fvi_kernel_poles(p->m, p->c, p->rho, p->law, FVI_ZEROS, S->root,
-                             &S->roots);
+                             &S->roots, error);
     if (p->law) {
         p->rho *= last ? last->rho : 0;
         p->alpha = last ? last->alpha : 0;
@@ -102,7 +102,8 @@ static int find_roots(fvi_inverse *S)
     return FVI_SUCCESS;
 }
 
-int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S)
+int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
+                        fvi_error *error)
 {
     const fvi_linear_oscillator *p = &S->p;
     S->p = *problem; /* field by field: most of S is room for contours */
@@ -111,7 +112,7 @@ int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S)
         S->p.past = FVI_INITIAL_HISTORY_HELD; /* what else is allowed is the same */
     S->beta = 0; /* a law has none */
     S->roots = S->poles = 0;
-    int status = find_roots(S);
+    int status = find_roots(S, error);
     if (status)
         return status;
     S->keeps_x0 = p->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE || p->alpha == 0.5;

@@ -46,7 +46,8 @@ typedef struct {
 
 /* fvi_inverse_prepare -- poles and residues. The problem is a valid one.
  * Returns FVI_SUCCESS; for a law what fvi_kernel_poles returns. */
-int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S);
+int fvi_inverse_prepare(const fvi_linear_oscillator *problem, fvi_inverse *S,
+                        fvi_error *error);
 
 /* fvi_inverse_contour -- contour number `place` of S->poles + 1, for (11.11). */
 const fvi_contour *fvi_inverse_contour(fvi_inverse *S, size_t place);
@@ -72,7 +73,7 @@ int fvi_inverse_resonance(const fvi_inverse *S, const fvi_pole *root, double t,
 /* ---- what exact_solution.c has that exact_rows.c needs ---- */
 
 /* fvi_exact_check -- what fvi_exact_at says of a problem. */
-int fvi_exact_check(const fvi_linear_oscillator *problem);
+int fvi_exact_check(const fvi_linear_oscillator *problem, fvi_error *error);
 
 /* fvi_exact_phase_is_lost -- nonzero where it would return FVI_ELOSS. */
 int fvi_exact_phase_is_lost(const fvi_inverse *S, double t);

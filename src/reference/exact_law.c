@@ -136,12 +136,13 @@ static int cut(const fvi_pole *Q, const box *b, box half[2])
 
 /* The n zeros of a box, behind those that have been found. */
 static int find(const fvi_pole *Q, const box *b, int n, size_t most,
-                fvi_pole *pole, size_t *count)
+                fvi_pole *pole, size_t *count, fvi_error *error)
 {
     if (n == 0)
         return FVI_SUCCESS;
     if (*count + (size_t)n > most)
-        FVI_FAIL("the law has too many oscillations", FVI_EUNSUP);
+        return fvi_fail(error, FVI_EUNSUP, "law", NAN,
+                        "the law has too many oscillations");
     fvi_pole one = *Q;
     if (n == 1 && newton(b, &one)) {
         pole[(*count)++] = one;
@@ -151,20 +152,23 @@ static int find(const fvi_pole *Q, const box *b, int n, size_t most,
     const int first =
         b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? cut(Q, b, half) : -1;
     if (first < 0 || first > n)
-        FVI_FAIL("the poles of the motion were not found", FVI_EMAXITER);
-    int status = find(Q, &half[0], first, most, pole, count);
+        return fvi_fail(error, FVI_EMAXITER, NULL, NAN,
+                        "the poles of the motion were not found");
+    int status = find(Q, &half[0], first, most, pole, count, error);
     if (!status)
-        status = find(Q, &half[1], n - first, most, pole, count);
+        status = find(Q, &half[1], n - first, most, pole, count, error);
     return status;
 }
 
 int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
-                  size_t most, fvi_pole *pole, size_t *count)
+                  size_t most, fvi_pole *pole, size_t *count,
+                     fvi_error *error)
 {
     static const double edge[] = { 2.95, 2.94, 2.96 };
     const fvi_pole Q = { .m = m, .c = c, .rho = rho, .law = law };
     if (isnan(phase(&Q, 150, 2)) || isnan(phase(&Q, -150, 2)))
-        FVI_FAIL("the law is not finite", FVI_EOVRFLW);
+        return fvi_fail(error, FVI_EOVRFLW, "law", NAN,
+                        "the law is not finite");
     int n = -1;
     box all;
     for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
@@ -173,8 +177,9 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
     }
     *count = 0;
     if (n < 0)
-        FVI_FAIL("the poles of the motion were not found", FVI_EMAXITER);
-    int status = find(&Q, &all, n, most, pole, count);
+        return fvi_fail(error, FVI_EMAXITER, NULL, NAN,
+                        "the poles of the motion were not found");
+    int status = find(&Q, &all, n, most, pole, count, error);
     for (size_t i = 0; !status && i < *count; i++)
         fvi_pole_polish(&pole[i]);
     return status;

@@ -5,6 +5,7 @@
 #ifndef FVI_EXACT_LAW_H
 #define FVI_EXACT_LAW_H
 
+#include <fvi/error.h>
 #include "exact_pole.h"
 
 /* fvi_kernel_poles -- the zeros of Q in the sector 1.5 <= arg s <= 2.95.     [(26.11)]
@@ -21,6 +22,7 @@
  * are one to twelve digits, or lie at rates beyond e^150 or e^-150; FVI_EOVRFLW if Q is
  * not finite. */
 int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
-                  size_t most, fvi_pole *pole, size_t *count);
+                  size_t most, fvi_pole *pole, size_t *count,
+                     fvi_error *error);
 
 #endif

@@ -14,16 +14,20 @@ static const double ROUNDING = 1e-16; /* the tolerance that 0 stands for */
 static const double TAME = 1e70; /* fourth powers of more are out of range */
 
 static int check_rows(double h, size_t n, double tolerance, const double *x,
-                      const double *v)
+                      const double *v, fvi_error *error)
 {
     if (!x && !v)
-        FVI_FAIL("there are no outputs", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "x", NAN,
+                        "there are no outputs");
     if (n == 0)
-        FVI_FAIL("n must be at least 1", FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "n", NAN,
+                        "n must be at least 1");
     if (!(h > 0) || !gsl_finite(h) || !gsl_finite(h * (double)n))
-        FVI_FAIL("h must be finite and positive, and n h finite", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "h", h,
+                        "h must be finite and positive, and n h finite");
     if (!(tolerance >= 0 && tolerance < 1))
-        FVI_FAIL("the tolerance must be in [0, 1)", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "tolerance", tolerance,
+                        "the tolerance must be in [0, 1)");
     return FVI_SUCCESS;
 }
 
@@ -33,6 +37,7 @@ typedef struct {
     int careful; /* nonzero: the rounding of t_k counts */
     int turns;   /* nonzero: turn is there */
     double complex turn[FVI_POLES][FVI_BLOCK + 1]; /* e^{s j h} */
+    fvi_error *error;
 } rows;
 
 /* Rows a to b, whose events lie at `since`. */
@@ -216,7 +221,7 @@ static int add_ended(rows *r, range *of)
         shortest = GSL_MIN_DBL(first, time_of(r, late, T));
     fvi_window w;
     int status = fvi_window_open(r->S, shortest, time_of(r, of->b, 0), r->h,
-                                 r->tolerance, grows, &w);
+                                 r->tolerance, grows, &w, r->error);
     if (status)
         return status;
     add_step(r, &w, *of, late);
@@ -234,7 +239,7 @@ static int add_window(rows *r, const fvi_event *event, range *of)
         return add_ended(r, of);
     fvi_window w;
     const int status =
-        fvi_window_open(r->S, first, last, r->h, r->tolerance, 1, &w);
+        fvi_window_open(r->S, first, last, r->h, r->tolerance, 1, &w, r->error);
     if (status)
         return status;
     add_integral_rows(r, &w, *event, *of);
@@ -266,8 +271,10 @@ static int lose(const rows *r, size_t k, size_t n, int status)
             r->v[k] = GSL_NAN;
     }
     if (status == FVI_ELOSS)
-        FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
-    FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+        return fvi_fail(r->error, FVI_ELOSS, NULL, NAN,
+                        "the phase of the oscillation is lost");
+    return fvi_fail(r->error, FVI_EOVRFLW, NULL, NAN,
+                        "a value is not finite");
 }
 
 /* ---- one time after the other, for what has no window ---- */
@@ -328,19 +335,20 @@ static int is_tame(const rows *r, size_t n)
 }
 
 int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
-                   double tolerance, double *x, double *v)
+                   double tolerance, double *x, double *v, fvi_error *error)
 {
     fvi_inverse S;
     rows r = { .S = &S,
                .h = h,
                .tolerance = GSL_MAX_DBL(tolerance, ROUNDING),
                .x = x,
-               .v = v };
-    int status = fvi_exact_check(problem);
+               .v = v,
+               .error = error };
+    int status = fvi_exact_check(problem, error);
     if (!status)
-        status = check_rows(h, n, tolerance, x, v);
+        status = check_rows(h, n, tolerance, x, v, error);
     if (!status)
-        status = fvi_inverse_prepare(problem, &S);
+        status = fvi_inverse_prepare(problem, &S, error);
     if (status)
         return status;
     if (x) {

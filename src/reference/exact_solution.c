@@ -11,64 +11,91 @@ static int in_range(double a, double low, double high)
     return gsl_finite(a) && a >= low && a <= high;
 }
 
-int fvi_exact_check(const fvi_linear_oscillator *p)
+static int refuse(const char *field, double value, fvi_error *error)
+{
+    return fvi_fail(error, FVI_EDOM, field, value, "%s is %g, out of range",
+                    field, value);
+}
+
+int fvi_exact_check(const fvi_linear_oscillator *p, fvi_error *error)
 {
     const double most = GSL_DBL_MAX;
     if (!p)
-        FVI_FAIL("there is no problem", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "problem", NAN,
+                        "there is no problem");
     if (p->forcing != FVI_FORCING_NONE && p->forcing != FVI_FORCING_STEP
         && p->forcing != FVI_FORCING_COSINE)
-        FVI_FAIL("unknown forcing", FVI_EINVAL);
-    if (!(in_range(p->m, GSL_DBL_MIN, most) && in_range(p->c, 0, most)
-          && in_range(p->rho, 0, most) && in_range(p->alpha, 0, 1)
-          && gsl_finite(p->x0) && gsl_finite(p->v0)))
-        FVI_FAIL("m, c, rho, alpha or the start is out of range", FVI_EDOM);
+        return fvi_fail(error, FVI_EINVAL, "forcing", NAN,
+                        "unknown forcing");
+    if (!in_range(p->m, GSL_DBL_MIN, most))
+        return refuse("m", p->m, error);
+    if (!in_range(p->c, 0, most))
+        return refuse("c", p->c, error);
+    if (!in_range(p->rho, 0, most))
+        return refuse("rho", p->rho, error);
+    if (!in_range(p->alpha, 0, 1))
+        return refuse("alpha", p->alpha, error);
+    if (!gsl_finite(p->x0))
+        return refuse("x0", p->x0, error);
+    if (!gsl_finite(p->v0))
+        return refuse("v0", p->v0, error);
     if (p->forcing && !gsl_finite(p->A))
-        FVI_FAIL("A must be finite", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "A", p->A,
+                        "A must be finite");
     if (p->forcing == FVI_FORCING_STEP && !in_range(p->T, 0, most))
-        FVI_FAIL("T must be finite and not negative", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "T", p->T,
+                        "T must be finite and not negative");
     if (p->forcing == FVI_FORCING_COSINE && !gsl_finite(p->w))
-        FVI_FAIL("w must be finite", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "w", p->w,
+                        "w must be finite");
     if (p->past != FVI_INITIAL_HISTORY_HELD && p->past != FVI_INITIAL_HISTORY_CAPUTO
         && p->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
-        FVI_FAIL("unknown past", FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "past", p->past, "unknown past");
     if (p->law) {
         const int status = fvi_kernel_check(p->law);
-        if (!status && p->past != FVI_INITIAL_HISTORY_HELD
+        if (status)
+            return fvi_fail(error, status, "law", NAN,
+                            "not a law of damping: %s", fvi_error_name(status));
+        if (p->past != FVI_INITIAL_HISTORY_HELD
             && !(p->past == FVI_INITIAL_HISTORY_CAPUTO
                  && fvi_kernel_takes_caputo(p->law)))
-            FVI_FAIL("a law of damping is for a body that was held", FVI_EUNSUP);
-        return status;
+            return fvi_fail(error, FVI_EUNSUP, "past", p->past,
+                            "a law of damping is for a body that was held");
+        return FVI_SUCCESS;
     }
     if (!fvi_initial_history_solvable(p->past, p->alpha, p->rho, p->x0))
-        FVI_FAIL("Riemann-Liouville with x0 != 0 has no solution for "
-                 "alpha > 1/2",
-                 FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, "past", NAN,
+                        "Riemann-Liouville with x0 != 0 has no solution for "
+                 "alpha > 1/2");
     return FVI_SUCCESS;
 }
 
 static int check_times(size_t n, const double *t, const double *x,
-                       const double *v)
+                       const double *v, fvi_error *error)
 {
     if (!t || (!x && !v))
-        FVI_FAIL("there are no times, or no outputs", FVI_EFAULT);
+        return fvi_fail(error, FVI_EFAULT, "t", NAN,
+                        "there are no times, or no outputs");
     if (n == 0)
-        FVI_FAIL("n must be at least 1", FVI_EINVAL);
+        return fvi_fail(error, FVI_EINVAL, "n", NAN,
+                        "n must be at least 1");
     for (size_t i = 0; i < n; i++)
         if (!in_range(t[i], 0, GSL_DBL_MAX))
-            FVI_FAIL("a time must be finite and not negative", FVI_EDOM);
+            return fvi_fail(error, FVI_EDOM, "t", t[i],
+                        "a time must be finite and not negative");
     return FVI_SUCCESS;
 }
 
 /* Both parts of a problem's check, and its preparation. */
 static int prepare(const fvi_linear_oscillator *problem, size_t n, const double *t,
-                   const double *x, const double *v, fvi_inverse *S)
+                   const double *x, const double *v, fvi_inverse *S,
+                   fvi_error *error)
 {
-    int status = fvi_exact_check(problem);
+    int status = fvi_exact_check(problem, error);
     if (!status)
-        status = check_times(n, t, x, v);
+        status = check_times(n, t, x, v, error);
     if (!status)
-        status = fvi_inverse_prepare(problem, S);
+        status = fvi_inverse_prepare(problem, S, error);
     return status;
 }
 
@@ -80,10 +107,12 @@ int fvi_exact_phase_is_lost(const fvi_inverse *S, double t)
     return lost;
 }
 
-static int put(size_t i, double xi, double vi, double *x, double *v)
+static int put(size_t i, double xi, double vi, double *x, double *v,
+               fvi_error *error)
 {
     if (!gsl_finite(xi) || !gsl_finite(vi))
-        FVI_FAIL("a value is not finite", FVI_EOVRFLW);
+        return fvi_fail(error, FVI_EOVRFLW, NULL, NAN,
+                        "a value is not finite");
     if (x)
         x[i] = xi;
     if (v)
@@ -120,10 +149,10 @@ void fvi_exact_evaluate(fvi_inverse *S, double t, double *x, double *v)
 }
 
 int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x,
-              double *v)
+                 double *v, fvi_error *error)
 {
     fvi_inverse S;
-    int status = prepare(problem, n, t, x, v, &S);
+    int status = prepare(problem, n, t, x, v, &S, error);
     if (status)
         return status;
     for (size_t i = 0; i < n && !status; i++) {
@@ -132,49 +161,55 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
         if (status)
             return status;
         if (fvi_exact_phase_is_lost(&S, t[i]))
-            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+            return fvi_fail(error, FVI_ELOSS, "t", t[i],
+                        "the phase of the oscillation is lost");
         fvi_exact_evaluate(&S, t[i], &xi, &vi);
-        status = put(i, xi, vi, x, v);
+        status = put(i, xi, vi, x, v, error);
     }
     return status;
 }
 
 int fvi_exact_oscillation(const fvi_linear_oscillator *problem, size_t n, const double *t,
-                          double *x, double *v)
+                          double *x, double *v, fvi_error *error)
 {
     fvi_inverse S;
-    int status = prepare(problem, n, t, x, v, &S);
+    int status = prepare(problem, n, t, x, v, &S, error);
     if (status)
         return status;
     if (S.roots == 0)
-        FVI_FAIL("there are no complex poles", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, NULL, NAN,
+                        "there are no complex poles");
     for (size_t i = 0; i < n && !status; i++) {
         double xi = 0, vi = 0;
         fvi_event at = { .t = t[i], .start = 1, .sign = 1 };
         if (fvi_exact_phase_is_lost(&S, t[i]))
-            FVI_FAIL("the phase of the oscillation is lost", FVI_ELOSS);
+            return fvi_fail(error, FVI_ELOSS, "t", t[i],
+                        "the phase of the oscillation is lost");
         if (problem->forcing == FVI_FORCING_STEP && t[i] > problem->T) {
             at.lasts = problem->T;
             at.sign = problem->T > 0;
         }
         fvi_inverse_oscillation(&S, &at, &xi, &vi);
-        status = put(i, xi, vi, x, v);
+        status = put(i, xi, vi, x, v, error);
     }
     return status;
 }
 
-int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im)
+int fvi_exact_pole(const fvi_linear_oscillator *problem, double *re, double *im,
+                   fvi_error *error)
 {
     fvi_inverse S;
     if (!re || !im)
-        FVI_FAIL("nowhere to put the pole", FVI_EFAULT);
-    int status = fvi_exact_check(problem);
+        return fvi_fail(error, FVI_EFAULT, "re", NAN,
+                        "nowhere to put the pole");
+    int status = fvi_exact_check(problem, error);
     if (!status)
-        status = fvi_inverse_prepare(problem, &S);
+        status = fvi_inverse_prepare(problem, &S, error);
     if (status)
         return status;
     if (S.roots == 0)
-        FVI_FAIL("there is no complex pole", FVI_EDOM);
+        return fvi_fail(error, FVI_EDOM, NULL, NAN,
+                        "there is no complex pole");
     const fvi_pole *slowest = S.root;
     for (size_t i = 1; i < S.roots; i++)
         if (creal(S.root[i].s) > creal(slowest->s))

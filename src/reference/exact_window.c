@@ -159,7 +159,7 @@ static void prepare_steps(fvi_window *w, double h)
 
 /* ---- a window ---- */
 
-static int prepare_memory(fvi_window *w)
+static int prepare_memory(fvi_window *w, fvi_error *error)
 {
     fvi_parts *parts[] = { &w->z,       &w->weight, &w->power,
                            &w->scratch, &w->x,      &w->v };
@@ -167,7 +167,8 @@ static int prepare_memory(fvi_window *w)
     double *next = malloc(n * (2 * arrays + 2 * FVI_BLOCK) * sizeof *next);
     w->memory = next;
     if (!next)
-        FVI_FAIL("no memory for a contour", FVI_ENOMEM);
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN,
+                        "no memory for a contour");
     for (size_t i = 0; i < arrays; i++) {
         *parts[i] = (fvi_parts){ next, next + n };
         next += 2 * n;
@@ -192,7 +193,8 @@ double fvi_window_growth(const fvi_inverse *S, double from, double to)
 }
 
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
-                    double tolerance, double grows, fvi_window *w)
+                    double tolerance, double grows, fvi_window *w,
+                    fvi_error *error)
 {
     const fvi_linear_oscillator *p = &S->p;
     const double wanted = -log(tolerance);
@@ -208,7 +210,7 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
                  step = 2 * M_PI * room / (wanted + EDGES + excess),
                  end = acosh((1 + last / first * w->folds / MU) / sin(phi));
     w->count = (size_t)ceil(end / step);
-    const int status = prepare_memory(w);
+    const int status = prepare_memory(w, error);
     if (status)
         return status;
     prepare_nodes(w, phi, step);

@@ -37,7 +37,8 @@ double fvi_window_growth(const fvi_inverse *S, double from, double to);
  *
  * Returns FVI_SUCCESS, or FVI_ENOMEM. fvi_window_close gives the memory back. */
 int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
-                    double tolerance, double grows, fvi_window *w);
+                    double tolerance, double grows, fvi_window *w,
+                    fvi_error *error);
 void fvi_window_close(fvi_window *w);
 
 /* fvi_window_add -- add what an event does, without the residues, at the times

@@ -79,36 +79,33 @@ static int check_start(const char *field, size_t d, const double *v,
     return FVI_SUCCESS;
 }
 
+static int refuse(const char *field, double value, const char *range,
+                  fvi_error *error)
+{
+    return fvi_fail(error, FVI_EDOM, field, value, "%s is %g; it must be %s",
+                    field, value, range);
+}
+
 /* The numbers of a run with their ranges. */
 static int check_numbers(const fvi_method *method, const fvi_run *run,
                          fvi_error *error)
 {
-    const struct {
-        const char *field;
-        double value;
-        int is_right;
-        const char *range;
-    } numbers[] = {
-        { "h", run->h, gsl_finite(run->h) && run->h > 0, "finite and positive" },
-        { "kappa", run->kappa, run->kappa >= 0 && run->kappa <= 1,
-          "in [0, 1]" },
-        { "alpha", run->alpha,
-          run->alpha >= method->alpha_least && run->alpha <= method->alpha_most,
-          "an alpha that this method knows" },
-        { "tolerance", run->tolerance,
-          run->tolerance >= 0 && run->tolerance < 1, "in [0, 1)" },
-        { "step_error", run->step_error,
-          run->step_error >= 0 && gsl_finite(run->step_error),
-          "finite and not negative" },
-        { "longest", run->longest,
-          run->longest >= 0 && gsl_finite(run->longest),
-          "finite and not negative" },
-    };
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (!numbers[i].is_right)
-            return fvi_fail(error, FVI_EDOM, numbers[i].field, numbers[i].value,
-                            "%s is %g; it must be %s", numbers[i].field,
-                            numbers[i].value, numbers[i].range);
+    if (!(gsl_finite(run->h) && run->h > 0))
+        return refuse("h", run->h, "finite and positive", error);
+    if (!(run->kappa >= 0 && run->kappa <= 1))
+        return refuse("kappa", run->kappa, "in [0, 1]", error);
+    if (!(run->alpha >= method->alpha_least
+          && run->alpha <= method->alpha_most))
+        return refuse("alpha", run->alpha, "an alpha that this method knows",
+                      error);
+    if (!(run->tolerance >= 0 && run->tolerance < 1))
+        return refuse("tolerance", run->tolerance, "in [0, 1)", error);
+    if (!(run->step_error >= 0 && gsl_finite(run->step_error)))
+        return refuse("step_error", run->step_error, "finite and not negative",
+                      error);
+    if (!(run->longest >= 0 && gsl_finite(run->longest)))
+        return refuse("longest", run->longest, "finite and not negative",
+                      error);
     return FVI_SUCCESS;
 }
 

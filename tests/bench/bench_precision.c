@@ -24,7 +24,7 @@ static void find_truth(int P, double *truth)
     double t[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = p->T * (double)k / ROWS;
-    if (p->linear ? fvi_exact_at(p->linear, ROWS + 1, t, truth, NULL)
+    if (p->linear ? fvi_exact_at(p->linear, ROWS + 1, t, truth, NULL, NULL)
                   : reference(p, 16, p->panel, truth))
         exit(EXIT_FAILURE);
     printf("# P%d, %s: compared with %s\n", P + 1, p->what,

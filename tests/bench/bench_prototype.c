@@ -50,7 +50,7 @@ static void uniform(const bench_problem *P, const char *method, size_t N,
     bench_need(fvi_trajectory(fvi_method_find(method), &run, x, p, NULL));
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
-    bench_need(fvi_exact_at(&P->exact, N + 1, t, exact, v));
+    bench_need(fvi_exact_at(&P->exact, N + 1, t, exact, v, NULL));
     *of_x = *of_v = 0;
     for (size_t k = N / 10; k <= N; k++) {
         *of_x = larger(*of_x, fabs(x[k] - exact[k]));
@@ -187,7 +187,7 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
         x[n] = s->x[0];
     }
     fvi_stepper_free(s);
-    bench_need(fvi_exact_at(&P->exact, n, t, exact, v));
+    bench_need(fvi_exact_at(&P->exact, n, t, exact, v, NULL));
     *error = 0;
     for (size_t i = 0; i < n; i++)
         *error = larger(*error, fabs(x[i] - exact[i]));

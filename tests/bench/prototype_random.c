@@ -93,7 +93,7 @@ void prototype_random(void)
         bench_rows(&P, tolerance, x, v);
         for (size_t k = 0; k <= ROWS; k++)
             t[k] = (double)k * P.run.h;
-        bench_need(fvi_exact_at(&P.exact, ROWS + 1, t, exact, exact_v));
+        bench_need(fvi_exact_at(&P.exact, ROWS + 1, t, exact, exact_v, NULL));
         for (size_t k = 0; k <= ROWS; k++)
             of_v = larger(of_v, fabs(v[k] - exact_v[k]));
         used[0][n] = ends / tolerance;

@@ -171,7 +171,7 @@ static void truth_at(const bench_problem *P, size_t n, const double *t,
 {
     static double v[MOST], all[D];
     if (P->linear) {
-        bench_need(fvi_exact_at(&P->exact, n, t, x, v));
+        bench_need(fvi_exact_at(&P->exact, n, t, x, v, NULL));
         return;
     }
     fvi_run run = P->run;
@@ -208,7 +208,7 @@ void bench_truth(bench_problem *P)
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = (double)k * P->run.h;
     if (P->linear)
-        bench_need(fvi_exact_at(&P->exact, ROWS + 1, t, P->truth, v));
+        bench_need(fvi_exact_at(&P->exact, ROWS + 1, t, P->truth, v, NULL));
     else
         bench_rows(P, 1e-14, P->truth, NULL);
 }

@@ -230,7 +230,8 @@ START_TEST(the_series_is_the_motion_of_a_spring)
                                     .x0 = q.x0,
                                     .v0 = q.v0 };
         const double t[] = { 0, 0.001, 0.25, 0.5, 1 };
-        ck_assert_int_eq(fvi_exact_at(&linear, LEN(t), t, x, p), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&linear, LEN(t), t, x, p,
+                                      NULL), FVI_SUCCESS);
         for (size_t k = 0; k < LEN(t); k++) {
             double where, speed;
             at(&alone, t[k], &where, &speed);

@@ -123,7 +123,7 @@ START_TEST(eq_20_8_holds_where_the_run_explodes)
     double t[33], want[33];
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k;
-    ck_assert_int_eq(fvi_exact_at(&exact, N + 1, t, want, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&exact, N + 1, t, want, NULL, NULL), 0);
     solve(&fvi_lobatto_m4, &q, FINE, fine_x, fine_p);
     const fvi_smoothness known = know(&q, FINE, fine_x, fine_p);
     fvi_error_bound bound;
@@ -192,7 +192,7 @@ static void expect(const motion *q, size_t N)
     double *t = fine_p;
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * (q->T / (double)N);
-    ck_assert_int_eq(fvi_exact_at(&problem, N + 1, t, fine_x, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&problem, N + 1, t, fine_x, NULL, NULL), 0);
 }
 
 /* The largest error of x over all nodes of [0, T], each `ratio` of those of fine_x. */

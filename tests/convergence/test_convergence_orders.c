@@ -334,7 +334,7 @@ START_TEST(eq_20_11_a_jump_inside_a_step_leaves_order_one)
                                     .A = jump[0],
                                     .T = jump[1] };
         ck_assert_int_eq(
-            fvi_exact_at(&linear, FINE + 1, times, truth[0], truth[1]),
+            fvi_exact_at(&linear, FINE + 1, times, truth[0], truth[1], NULL),
             FVI_SUCCESS); /* every fourth node of it is one of 256 steps */
         for (const scheme *of = schemes; of < schemes + METHODS; of++) {
             double off[2] = { 0, 0 };

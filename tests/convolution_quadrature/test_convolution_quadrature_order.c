@@ -71,7 +71,7 @@ static void linear(const setup *a, size_t N)
                                  .T = aT ? aT[1] : 0 };
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * a->h;
-    ck_assert_int_eq(fvi_exact_at(&problem, N + 1, t, want_x, want_p),
+    ck_assert_int_eq(fvi_exact_at(&problem, N + 1, t, want_x, want_p, NULL),
                      FVI_SUCCESS);
     for (size_t k = 0; k <= N; k++)
         want_p[k] *= a->mass;

@@ -31,7 +31,7 @@ static void errors(const fvi_method *method, const fvi_kernel *law, size_t steps
                                 { 0 }, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, t / (double)steps, steps);
     run.law = law;
-    ck_assert_int_eq(fvi_exact_at(&exact, 1, &t, &off[0], &off[1]), 0);
+    ck_assert_int_eq(fvi_exact_at(&exact, 1, &t, &off[0], &off[1], NULL), 0);
     ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
     off[0] -= x[steps];
     off[1] -= p[steps];

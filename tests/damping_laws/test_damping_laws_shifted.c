@@ -1,6 +1,7 @@
 /* tests/damping_laws/test_damping_laws_shifted.c -- H 26: fvi-shifted with every kernel.
  * Run alone: make test-damping_laws_shifted */
 #include <fvi/fvi.h>
+#include "run/whole_run.h"
 #include "damping_laws_ref.h"
 #include "harness/ulp.h"
 

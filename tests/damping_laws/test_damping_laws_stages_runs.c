@@ -45,7 +45,7 @@ START_TEST(eq_26_12_orders_at_a_fixed_time)
         };
         const double t = 4;
         double x;
-        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL, NULL), 0);
         for (int m = 0; m < 3; m++) {
             double left[2];
             for (int i = 0; i < 2; i++)

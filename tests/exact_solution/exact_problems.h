@@ -33,13 +33,13 @@ static inline fvi_linear_oscillator oscillator(double alpha, int caputo, double 
 
 static inline void solve(const fvi_linear_oscillator *p, double t, double *x, double *v)
 {
-    ck_assert_int_eq(fvi_exact_at(p, 1, &t, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(p, 1, &t, x, v, NULL), FVI_SUCCESS);
 }
 
 static inline double solve_x(fvi_linear_oscillator p, double t)
 {
     double x = GSL_NAN;
-    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &x, NULL, NULL), FVI_SUCCESS);
     return x;
 }
 

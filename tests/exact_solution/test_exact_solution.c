@@ -47,7 +47,7 @@ START_TEST(eq_11_10_every_contour_inverts_powers)
     };
     for (size_t i = 0; i < LEN(problems); i++) {
         fvi_inverse S;
-        fvi_inverse_prepare(&problems[i], &S);
+        fvi_inverse_prepare(&problems[i], &S, NULL);
         for (size_t place = 0; place <= S.poles; place++) {
             const fvi_contour *k = fvi_inverse_contour(&S, place);
             double one = 0, power = 0, terms = 0, partial_sums = 0;
@@ -99,7 +99,7 @@ START_TEST(eq_11_4_poles)
                          .c = 1,
                          .rho = ref_poles[i].rho,
                          .alpha = ref_poles[i].alpha };
-        ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_pole(&p, &re, &im, NULL), FVI_SUCCESS);
         ck_assert_near(re, ref_poles[i].re, 100 * U * fabs(re), "re, %zu", i);
         ck_assert_near(im, ref_poles[i].im, U * im + 100 * U * fabs(re),
                        "im, %zu", i);
@@ -120,7 +120,7 @@ START_TEST(eq_11_4_poles_of_strong_damping_near_one_half)
             fvi_linear_oscillator p = {
                 .m = 1, .c = 1, .rho = 2.5, .alpha = 0.5 + side * e
             };
-            ck_assert_int_eq(fvi_exact_pole(&p, &re, &im), FVI_SUCCESS);
+            ck_assert_int_eq(fvi_exact_pole(&p, &re, &im, NULL), FVI_SUCCESS);
             const double bound = 100 * U * fabs(s) + 100 * e * e;
             ck_assert_near(re, s + slope * log(-s), bound, "re, e=%g", e);
             ck_assert_near(im, slope * M_PI, bound, "im, e=%g", e);
@@ -222,10 +222,10 @@ END_TEST
     do {                                                                       \
         fvi_linear_oscillator p_ = { __VA_ARGS__ };                                       \
         double t_ = 1, out_[2] = { 7, 8 };                                     \
-        ck_assert_int_eq(fvi_exact_at(&p_, 1, &t_, out_, out_ + 1), code);        \
-        ck_assert_int_eq(fvi_exact_oscillation(&p_, 1, &t_, out_, out_ + 1),   \
+        ck_assert_int_eq(fvi_exact_at(&p_, 1, &t_, out_, out_ + 1, NULL), code);        \
+        ck_assert_int_eq(fvi_exact_oscillation(&p_, 1, &t_, out_, out_ + 1, NULL),   \
                          code);                                                \
-        ck_assert_int_eq(fvi_exact_pole(&p_, out_, out_ + 1), code);           \
+        ck_assert_int_eq(fvi_exact_pole(&p_, out_, out_ + 1, NULL), code);           \
         ck_assert(out_[0] == 7 && out_[1] == 8);                               \
     } while (0)
 
@@ -271,20 +271,23 @@ START_TEST(bad_times_and_pointers_are_refused)
     fvi_linear_oscillator p = oscillator(0.25, 0, 1, 1);
     double x[2] = { 7, 8 }, t[2] = { 1, 0 };
     int (*const both[])(const fvi_linear_oscillator *, size_t, const double *, double *,
-                        double *) = { fvi_exact_at, fvi_exact_oscillation };
+                        double *, fvi_error *) = { fvi_exact_at, fvi_exact_oscillation };
+    fvi_error error;
     for (size_t i = 0; i < 2; i++) {
-        ck_assert_int_eq(both[i](NULL, 1, t, x, x + 1), FVI_EFAULT);
-        ck_assert_int_eq(both[i](&p, 1, NULL, x, x + 1), FVI_EFAULT);
-        ck_assert_int_eq(both[i](&p, 1, t, NULL, NULL), FVI_EFAULT);
-        ck_assert_int_eq(both[i](&p, 0, t, x, x + 1), FVI_EINVAL);
+        ck_assert_int_eq(both[i](NULL, 1, t, x, x + 1, &error), FVI_EFAULT);
+        ck_assert_int_eq(both[i](&p, 1, NULL, x, x + 1, &error), FVI_EFAULT);
+        ck_assert_int_eq(both[i](&p, 1, t, NULL, NULL, &error), FVI_EFAULT);
+        ck_assert_int_eq(both[i](&p, 0, t, x, x + 1, &error), FVI_EINVAL);
         for (size_t j = 0; j < LEN(bad); j++) {
             t[1] = bad[j]; /* the second time: x[0] too must stay */
-            ck_assert_int_eq(both[i](&p, 2, t, x, NULL), FVI_EDOM);
+            ck_assert_int_eq(both[i](&p, 2, t, x, NULL, &error), FVI_EDOM);
+            ck_assert_str_eq(error.field, "t");
+            ck_assert(error.value == bad[j] || isnan(bad[j]));
         }
     }
-    ck_assert_int_eq(fvi_exact_pole(NULL, x, x + 1), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_pole(&p, NULL, x), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_pole(&p, x, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_exact_pole(NULL, x, x + 1, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_exact_pole(&p, NULL, x, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_exact_pole(&p, x, NULL, NULL), FVI_EFAULT);
     ck_assert(x[0] == 7 && x[1] == 8);
 }
 END_TEST
@@ -297,14 +300,16 @@ START_TEST(where_there_is_no_pole_it_is_said)
                                 { .m = 1, .alpha = 0.2 } };
     double out[2] = { 7, 8 }, t = 1;
     for (size_t i = 0; i < LEN(none); i++) {
-        ck_assert_int_eq(fvi_exact_pole(&none[i], out, out + 1), FVI_EDOM);
-        ck_assert_int_eq(fvi_exact_oscillation(&none[i], 1, &t, out, out + 1),
+        ck_assert_int_eq(fvi_exact_pole(&none[i], out, out + 1,
+                                        NULL), FVI_EDOM);
+        ck_assert_int_eq(fvi_exact_oscillation(&none[i], 1, &t, out, out + 1,
+                                               NULL),
                          FVI_EDOM);
     }
     ck_assert(out[0] == 7 && out[1] == 8);
     /* free and weakly braked: s^(2 - beta) = -rho / m */
     fvi_linear_oscillator p = { .m = 1, .rho = 8, .alpha = 0.25 };
-    ck_assert_int_eq(fvi_exact_pole(&p, out, out + 1), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_pole(&p, out, out + 1, NULL), FVI_SUCCESS);
     ck_assert_near(out[0], -2, 8 * U, "re");
     ck_assert_near(out[1], 2 * sqrt(3), 8 * U, "im");
 }
@@ -317,12 +322,12 @@ START_TEST(overflow_is_reported_and_arrays_may_coincide)
     const double t[3] = { 0, 1, 1e300 };
     double x[3] = { 7, 7, 7 }, v[2], both[2] = { 0, 1 };
     fvi_linear_oscillator p = { .m = 1, .v0 = 1e10 };
-    ck_assert_int_eq(fvi_exact_at(&p, 3, t, x, NULL), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_exact_at(&p, 3, t, x, NULL, NULL), FVI_EOVRFLW);
     ck_assert(x[0] == 0 && x[2] == 7);
     ck_assert_near(x[1], 1e10, TOL * 1e10, "free flight");
     p = oscillator(0.3, 0, 1, 0.5);
-    ck_assert_int_eq(fvi_exact_at(&p, 2, t, x, v), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_at(&p, 2, both, NULL, both), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 2, t, x, v, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&p, 2, both, NULL, both, NULL), FVI_SUCCESS);
     ck_assert(x[0] == 1 && v[0] == 0.5 && both[0] == v[0] && both[1] == v[1]);
 }
 END_TEST

@@ -36,7 +36,8 @@ static fvi_linear_oscillator any(uint64_t *seed, size_t n, double *h)
         p.c = 0;
     if (p.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && p.alpha > 0.5)
         p.x0 = 0;
-    if (chance(seed) < 0.3 && fvi_exact_pole(&p, &re, &p.w) == FVI_SUCCESS)
+    if (chance(seed) < 0.3 && fvi_exact_pole(&p, &re, &p.w,
+                                             NULL) == FVI_SUCCESS)
         p.w *= 1 + between(seed, 1e-9, 1e-1);
     return p;
 }
@@ -80,7 +81,8 @@ START_TEST(eq_11_15_rows_match_talbot_and_the_cut)
                                    NULL };
             double t = ref_solutions[i].t, x[65], v[65],
                    X = ref_solutions[i].size_x;
-            ck_assert_int_eq(fvi_exact_grid(&p, t / (double)n, n, 0, x, v),
+            ck_assert_int_eq(fvi_exact_grid(&p, t / (double)n, n, 0, x, v,
+                                            NULL),
                              FVI_SUCCESS);
             ck_assert_near(x[n], ref_solutions[i].x, TOL * X,
                            "x, %zu rows, reference %zu", n, i);
@@ -114,9 +116,10 @@ START_TEST(eq_11_17_motions_that_grow)
             double x[51], want[51], t[51];
             for (size_t k = 0; k <= 50; k++)
                 t[k] = (double)k;
-            ck_assert_int_eq(fvi_exact_at(&grow[i], 51, t, want, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&grow[i], 51, t, want, NULL,
+                                          NULL), 0);
             ck_assert_int_eq(
-                fvi_exact_grid(&grow[i], 1, 50, tolerance, x, NULL), 0);
+                fvi_exact_grid(&grow[i], 1, 50, tolerance, x, NULL, NULL), 0);
             for (size_t k = 0; k <= 50; k++)
                 ck_assert_near(x[k], want[k], tolerance * fabs(want[50]),
                                "%zu, row %zu, %g", i, k, tolerance);
@@ -142,8 +145,8 @@ START_TEST(eq_11_17_a_force_that_ends_soon)
             double x[101], want[101], t[101], X = 0;
             for (size_t k = 0; k <= 100; k++)
                 t[k] = (double)k;
-            ck_assert_int_eq(fvi_exact_at(&p, 101, t, want, NULL), 0);
-            ck_assert_int_eq(fvi_exact_grid(&p, 1, 100, 0, x, NULL), 0);
+            ck_assert_int_eq(fvi_exact_at(&p, 101, t, want, NULL, NULL), 0);
+            ck_assert_int_eq(fvi_exact_grid(&p, 1, 100, 0, x, NULL, NULL), 0);
             for (size_t k = 0; k <= 100; k++)
                 X = larger(X, fabs(want[k]));
             for (size_t k = 0; k <= 100; k++)
@@ -169,9 +172,9 @@ START_TEST(eq_11_16_nodes_of_a_window)
     for (size_t i = 0; i < LEN(tolerances); i++) {
         fvi_inverse S;
         fvi_window w;
-        ck_assert_int_eq(fvi_inverse_prepare(&plate, &S), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_inverse_prepare(&plate, &S, NULL), FVI_SUCCESS);
         ck_assert_int_eq(
-            fvi_window_open(&S, 0.25, 20, 0.25, tolerances[i], 1, &w),
+            fvi_window_open(&S, 0.25, 20, 0.25, tolerances[i], 1, &w, NULL),
             FVI_SUCCESS);
         ck_assert(w.count > 0 && w.count < most[i]);
         ck_assert(w.z.re[w.count - 1] * 0.25 / 20 < -w.folds + 0.2 * w.folds);
@@ -207,8 +210,10 @@ START_TEST(eq_11_15_rows_with_a_law)
         double t[201], x[201], v[201], want_x[201], want_v[201], X = 0, V = 0;
         for (size_t k = 0; k <= 200; k++)
             t[k] = (double)k * 0.3;
-        ck_assert_int_eq(fvi_exact_at(&p, 201, t, want_x, want_v), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_exact_grid(&p, 0.3, 200, 0, x, v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&p, 201, t, want_x, want_v,
+                                      NULL), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_grid(&p, 0.3, 200, 0, x, v,
+                                        NULL), FVI_SUCCESS);
         for (size_t k = 0; k <= 200; k++) {
             X = larger(X, fabs(x[k]));
             V = larger(V, fabs(v[k]));

@@ -13,8 +13,10 @@ START_TEST(rows_far_out)
         fvi_linear_oscillator p = oscillator(0.3, 1, 1, 0);
         const double t[] = { 0, steps[i], 2 * steps[i], 3 * steps[i] };
         double x[4], v[4], want_x[4], want_v[4];
-        ck_assert_int_eq(fvi_exact_at(&p, 4, t, want_x, want_v), FVI_SUCCESS);
-        ck_assert_int_eq(fvi_exact_grid(&p, steps[i], 3, 0, x, v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&p, 4, t, want_x, want_v,
+                                      NULL), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_grid(&p, steps[i], 3, 0, x, v,
+                                        NULL), FVI_SUCCESS);
         for (size_t k = 0; k < 4; k++) {
             ck_assert_near(x[k], want_x[k], 2 * TOL, "h=%g %zu", steps[i], k);
             ck_assert_near(v[k], want_v[k],
@@ -64,14 +66,16 @@ START_TEST(rows_of_one_output)
         p.forcing = (fvi_forcing)force;
         p.A = p.w = 2;
         p.T = 3;
-        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, x, v), 0);
-        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, alone, NULL), 0);
+        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, x, v, NULL), 0);
+        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, alone, NULL,
+                                        NULL), 0);
         ck_assert_mem_eq(alone, x, sizeof x);
-        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, NULL, alone), 0);
+        ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 1e-6, NULL, alone,
+                                        NULL), 0);
         ck_assert_mem_eq(alone, v, sizeof v);
     }
     p = (fvi_linear_oscillator){ .m = 1, .c = 1, .rho = 1, .alpha = 0.3 };
-    ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 0, x, v), 0);
+    ck_assert_int_eq(fvi_exact_grid(&p, 0.2, 89, 0, x, v, NULL), 0);
     for (int k = 0; k < 90; k++)
         ck_assert(x[k] == 0 && v[k] == 0);
 }
@@ -82,21 +86,21 @@ START_TEST(rows_that_are_lost)
 {
     fvi_linear_oscillator p = { .m = 1, .c = 1, .x0 = 1 };
     double x[4] = { 7, 7, 7, 7 }, t = 4e17, want;
-    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, NULL), FVI_ELOSS);
-    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &want, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, NULL, NULL), FVI_ELOSS);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &want, NULL, NULL), FVI_SUCCESS);
     ck_assert(x[0] == 1 && x[1] == want);
     ck_assert(isnan(x[3]));
     p.c = 0;
     p.v0 = 1e300;
-    ck_assert_int_eq(fvi_exact_grid(&p, 1e7, 3, 0, x, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_grid(&p, 1e8, 3, 0, x, NULL), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_exact_grid(&p, 1e7, 3, 0, x, NULL, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_grid(&p, 1e8, 3, 0, x, NULL, NULL), FVI_EOVRFLW);
     ck_assert(isfinite(x[1]) && isnan(x[2]) && isnan(x[3]));
     p = (fvi_linear_oscillator){ .m = 1, .c = 1e300, .x0 = 1e200 }; /* x' is -1e340 */
     t = 1e-160;
     double v[4];
-    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &want, NULL), FVI_EOVRFLW);
-    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, NULL), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, v), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_exact_at(&p, 1, &t, &want, NULL, NULL), FVI_EOVRFLW);
+    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, NULL, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_grid(&p, t, 3, 0, x, v, NULL), FVI_EOVRFLW);
     ck_assert(v[0] == 0 && isnan(v[1]) && isnan(x[1]));
 }
 END_TEST
@@ -105,21 +109,23 @@ START_TEST(rows_say_what_is_wrong)
 {
     const fvi_linear_oscillator p = oscillator(0.3, 1, 1, 0);
     double x[3] = { 7, 7, 7 }, v[3] = { 7, 7, 7 };
-    ck_assert_int_eq(fvi_exact_grid(NULL, 1, 2, 0, x, v), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_grid(&p, 1, 2, 0, NULL, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_exact_grid(&p, 1, 0, 0, x, v), FVI_EINVAL);
+    ck_assert_int_eq(fvi_exact_grid(NULL, 1, 2, 0, x, v, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_exact_grid(&p, 1, 2, 0, NULL, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_exact_grid(&p, 1, 0, 0, x, v, NULL), FVI_EINVAL);
     const double bad[] = { 0, -1, GSL_POSINF, GSL_NAN, 1e308 };
     for (size_t i = 0; i < LEN(bad); i++)
-        ck_assert_int_eq(fvi_exact_grid(&p, bad[i], 2, 0, x, v), FVI_EDOM);
+        ck_assert_int_eq(fvi_exact_grid(&p, bad[i], 2, 0, x, v,
+                                        NULL), FVI_EDOM);
     const double never[] = { -1e-3, 1, GSL_NAN };
     for (size_t i = 0; i < LEN(never); i++)
-        ck_assert_int_eq(fvi_exact_grid(&p, 1, 2, never[i], x, v), FVI_EDOM);
+        ck_assert_int_eq(fvi_exact_grid(&p, 1, 2, never[i], x, v,
+                                        NULL), FVI_EDOM);
     fvi_linear_oscillator q = p;
     q.m = 0;
-    ck_assert_int_eq(fvi_exact_grid(&q, 1, 2, 0, x, v), FVI_EDOM);
+    ck_assert_int_eq(fvi_exact_grid(&q, 1, 2, 0, x, v, NULL), FVI_EDOM);
     q = p;
     q.forcing = (fvi_forcing)3;
-    ck_assert_int_eq(fvi_exact_grid(&q, 1, 2, 0, x, v), FVI_EINVAL);
+    ck_assert_int_eq(fvi_exact_grid(&q, 1, 2, 0, x, v, NULL), FVI_EINVAL);
     for (size_t i = 0; i < 3; i++)
         ck_assert(x[i] == 7 && v[i] == 7);
 }

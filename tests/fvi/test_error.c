@@ -204,7 +204,7 @@ static int exact(void)
         .m = 1, .c = 1, .rho = 1, .alpha = 0.3, .x0 = 1
     };
     static double x[1 << 15];
-    return fvi_exact_at(&problem, LEN(x), x, x, NULL);
+    return fvi_exact_at(&problem, LEN(x), x, x, NULL, NULL);
 }
 
 static int matrix(void)

@@ -78,7 +78,8 @@ START_TEST(eq_24_2_exact_data_of_half_a_derivative_give_it_back)
             q.fit.method = &fvi_lobatto_d4;
         q.constants[0] = P < 3 ? 1 : 2.5;
         q.p0 = P < 5 ? 0 : 0.25;
-        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL,
+                                      NULL), 0);
         ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_SUCCESS);
         ck_assert_uint_ge(f.agree, 3);
         for (size_t j = 0; j < P; j++) {
@@ -299,7 +300,8 @@ START_TEST(eq_24_4_times_in_any_spacing)
             q.t[i] += kind == 0   ? 0.03 * sin(7 * (double)i)
                       : kind == 1 ? (i > 50) * 3.7
                                   : -0.1; /* from t = 0 on */
-        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL), 0);
+        ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q.t, q.x, NULL,
+                                      NULL), 0);
         q.fit.sigma = 1e-4;
         ck_assert_int_eq(fvi_estimate_multistart(&q.fit, NULL, &f), FVI_ETOL);
         seen(off(&f, truth, 5), "off in sd");

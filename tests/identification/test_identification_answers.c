@@ -38,7 +38,8 @@ static void ask_of_many_swings(question *q, gsl_rng *r)
     ask(q, NULL, LEN(which));
     for (size_t i = 0; i < REF_POINTS; i++)
         q->t[i] = 0.3 * (double)(i + 1);
-    ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q->t, q->x, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&exact, REF_POINTS, q->t, q->x, NULL,
+                                  NULL), 0);
     add_noise(q, 0.02, r);
     q->fit.which = which;
     q->rho = 0.05;

@@ -141,7 +141,8 @@ static void run_linear(const fvi_method *method, const fvi_linear_oscillator *pr
         ck_assert_int_eq(fvi_trajectory(method, &run, x, p, NULL), 0);
         for (size_t k = 0; k <= N; k++)
             times[k] = (double)k * run.h;
-        ck_assert_int_eq(fvi_exact_at(problem, N + 1, times, want_x, want_p), 0);
+        ck_assert_int_eq(fvi_exact_at(problem, N + 1, times, want_x, want_p,
+                                      NULL), 0);
         const size_t first = N / part * (part / 4);
         ex->errors[ex->count++] = farthest(first, N + 1, x, want_x);
         ep->errors[ep->count++] = farthest(first, N + 1, p, want_p);
@@ -266,7 +267,8 @@ START_TEST(eq_17_27_orders_of_form_d_with_another_past)
                 for (size_t k = 0; k <= N; k++)
                     times[k] = (double)k * run.h;
                 ck_assert_int_eq(
-                    fvi_exact_at(&problem, N + 1, times, want_x, want_p), 0);
+                    fvi_exact_at(&problem, N + 1, times, want_x, want_p,
+                                 NULL), 0);
                 ex.errors[ex.count++] = farthest(N / 4, N + 1, x, want_x);
             }
             const double of = slope(&ex, 3e-13),
@@ -310,7 +312,8 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
                                  0);
                 for (size_t k = 0; k <= 16; k++)
                     times[k] = (double)k * h;
-                ck_assert_int_eq(fvi_exact_at(&problem, 17, times, want_x, want_p),
+                ck_assert_int_eq(fvi_exact_at(&problem, 17, times, want_x, want_p,
+                                              NULL),
                                  0);
                 ex.errors[ex.count++] = farthest(0, 17, x, want_x);
                 ep.errors[ep.count++] = farthest(0, 17, p, want_p);

@@ -58,7 +58,7 @@ static inline void exact(const problem *q, size_t count, const double *t,
                                 .past = q->past,
                                 .x0 = q->x0,
                                 .v0 = q->p0 };
-    ck_assert_int_eq(fvi_exact_at(&linear, count, t, x, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&linear, count, t, x, v, NULL), FVI_SUCCESS);
 }
 
 #endif

@@ -38,7 +38,7 @@ START_TEST(eq_19_2_what_has_no_solution_is_refused)
         const fvi_linear_oscillator linear = { 1,      1,    q.rho, q.alpha,
                                     q.past, q.x0, q.p0,  FVI_FORCING_NONE,
                                     0,      0,    0, NULL };
-        ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p),
+        ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p, NULL),
                          none ? FVI_EDOM : FVI_SUCCESS);
     }
 }
@@ -54,7 +54,7 @@ START_TEST(an_unknown_past_is_refused)
     for (size_t method = 0; method < METHODS; method++)
         ck_assert_int_eq(try_run(methods[method], &q, 0.01, 100, x, p),
                          FVI_EINVAL);
-    ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p), FVI_EINVAL);
+    ck_assert_int_eq(fvi_exact_at(&linear, 1, &one, x, p, NULL), FVI_EINVAL);
 }
 END_TEST
 

@@ -225,8 +225,9 @@ START_TEST(exact_prints_the_exact_solution)
         char line[200];
         for (size_t k = 0; k <= N; k++)
             t[k] = (double)k * 0.01;
-        ck_assert_int_eq(N == 399 ? fvi_exact_at(&problem, N + 1, t, x, v)
-                                  : fvi_exact_grid(&problem, 0.01, N, 0, x, v),
+        ck_assert_int_eq(N == 399 ? fvi_exact_at(&problem, N + 1, t, x, v, NULL)
+                                  : fvi_exact_grid(&problem, 0.01, N, 0, x, v,
+                                                   NULL),
                          FVI_SUCCESS);
         snprintf(line, sizeof line,
                  "exact --mass 2 --potential harmonic:3 --rho 0.5 --alpha 0.75 "
@@ -252,7 +253,8 @@ START_TEST(exact_prints_the_exact_solution)
                      0);
     for (size_t k = 0; k < 1500; k += 100) {
         double t = (double)k * 0.01, x;
-        ck_assert_int_eq(fvi_exact_at(&held, 1, &t, &x, NULL), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&held, 1, &t, &x, NULL,
+                                      NULL), FVI_SUCCESS);
         ck_assert_ulp(cell(k, 0), x, 0, "a law, k=%zu", k);
     }
     ck_assert_int_eq(

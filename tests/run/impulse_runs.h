@@ -39,12 +39,13 @@ static inline double truth(const fvi_run *run, double t, double at, double *v)
                      .alpha = run->alpha,
                      .x0 = x0,
                      .v0 = p0 };
-    ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &y, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &y, v, NULL), FVI_SUCCESS);
     t -= at;
     q.x0 = 0;
     q.v0 = J;
     if (t > 0)
-        ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &more, &more_v), FVI_SUCCESS);
+        ck_assert_int_eq(fvi_exact_at(&q, 1, &t, &more, &more_v,
+                                      NULL), FVI_SUCCESS);
     *v += more_v;
     return y + more;
 }

@@ -99,12 +99,13 @@ START_TEST(a_search_and_the_exact_solution_end_too)
     ck_assert_int_lt(asked, 1000);
     asked = 0;
     asks = 4;
-    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL), CODE);
+    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL, NULL), CODE);
     ck_assert_int_eq(asked, 4);
     asked = 0;
-    ck_assert_int_eq(fvi_exact_grid(&problem, 0.1, 100, 0, x, NULL), CODE);
+    ck_assert_int_eq(fvi_exact_grid(&problem, 0.1, 100, 0, x, NULL,
+                                    NULL), CODE);
     fvi_set_interrupter(NULL);
-    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL), 0);
+    ck_assert_int_eq(fvi_exact_at(&problem, LEN(t), t, x, NULL, NULL), 0);
 }
 END_TEST
 

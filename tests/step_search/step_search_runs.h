@@ -42,7 +42,8 @@ static inline double true_error(const fvi_linear_oscillator *q, double h, size_t
     double t[ROWS + 1], want[ROWS + 1], worst = 0;
     for (size_t k = 0; k <= rows; k++)
         t[k] = (double)k * h;
-    ck_assert_int_eq(fvi_exact_at(q, rows + 1, t, want, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(q, rows + 1, t, want, NULL,
+                                  NULL), FVI_SUCCESS);
     for (size_t k = 0; k <= rows; k++)
         worst = larger(worst, fabs(x[k] - want[k]));
     return worst;

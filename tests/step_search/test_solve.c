@@ -102,7 +102,7 @@ START_TEST(a_tolerance_is_reached_whatever_the_method)
         ck_assert_int_eq(
             fvi_solve(&problem, &options, &accuracy, &outputs, &report, &error),
             0);
-        ck_assert_int_eq(fvi_exact_at(&truth, LEN(t), t, want, v), 0);
+        ck_assert_int_eq(fvi_exact_at(&truth, LEN(t), t, want, v, NULL), 0);
         for (size_t k = 0; k < LEN(t); k++)
             ck_assert_msg(fabs(x[k] - want[k]) <= 1e-6, "%s: %g",
                           report.method->name, x[k] - want[k]);

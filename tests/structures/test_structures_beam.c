@@ -169,7 +169,7 @@ static double tip_at(const matrices *m, const double *x0, double tau,
                                   .x0 = 1 };
         for (size_t i = 0; i < d_few; i++)
             share += v[j][i] * Mx[i];
-        OK(fvi_exact_at(&mode, 1, &t, &x, NULL));
+        OK(fvi_exact_at(&mode, 1, &t, &x, NULL, NULL));
         sum += share * x * v[j][d_few - 2];
     }
     return sum;

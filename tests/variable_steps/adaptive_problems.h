@@ -113,7 +113,7 @@ static inline int truth(adaptive_problem *q, int linear, const fvi_run *run)
     double t[ROWS_MOST + 1];
     for (size_t k = 0; k <= q->N; k++)
         t[k] = (double)k * run->h;
-    return fvi_exact_at(&exact, q->N + 1, t, q->want, NULL);
+    return fvi_exact_at(&exact, q->N + 1, t, q->want, NULL, NULL);
 }
 
 /* (true error - 1e-12 of the size of the motion) / (1.2 of the wanted error). -1, which the

@@ -38,7 +38,7 @@ static int plate_exact(double x0, double A, double T, double *exact)
     double t[ROWS + 1], v[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = 20. / ROWS * (double)k;
-    return fvi_exact_at(&problem, ROWS + 1, t, exact, v);
+    return fvi_exact_at(&problem, ROWS + 1, t, exact, v, NULL);
 }
 
 static double worst_of(const double *x, const double *exact)
@@ -216,7 +216,7 @@ START_TEST(a_fast_spring_is_followed_through_every_period)
     ck_assert_int_eq(fvi_stepper_advance_to(s, t, &x, &p), 0);
     ck_assert_int_eq(fvi_stepper_statistics(s, &counts), 0);
     fvi_stepper_free(s);
-    ck_assert_int_eq(fvi_exact_at(&problem, 1, &t, &exact, &v), 0);
+    ck_assert_int_eq(fvi_exact_at(&problem, 1, &t, &exact, &v, NULL), 0);
     /* rounding: omega t u for the phase, ten times */
     ck_assert_near(x, exact, 10 * 1e4 * t * U + 1e-10, "at %g", t);
     seen((double)counts.steps / (1e4 * t / (2 * M_PI)), "steps a period");
@@ -283,7 +283,7 @@ START_TEST(an_error_far_above_the_start_is_kept)
                                  .forcing = FVI_FORCING_STEP,
                                  .A = aT[0],
                                  .T = aT[1] };
-    ck_assert_int_eq(fvi_exact_at(&problem, 5, t, want, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_exact_at(&problem, 5, t, want, v, NULL), FVI_SUCCESS);
     ck_assert_int_eq(
         fvi_variable_step_search(&run, 0, NULL, error, 100000, found_x, NULL, &found),
         FVI_SUCCESS);

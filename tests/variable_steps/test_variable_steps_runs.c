@@ -99,7 +99,7 @@ static double error_of(const fvi_run *run, const fvi_linear_oscillator *problem,
 {
     for (size_t k = 0; k <= run->steps; k++)
         T[k] = (double)k * run->h;
-    ck_assert_int_eq(fvi_exact_at(problem, run->steps + 1, T, X, V), 0);
+    ck_assert_int_eq(fvi_exact_at(problem, run->steps + 1, T, X, V, NULL), 0);
     ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, run, x, p, NULL), 0);
     double worst = 0;
     *of_p = 0;

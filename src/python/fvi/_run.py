@@ -379,11 +379,15 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
         problem.forcing, problem.A, problem.T, problem.w = kind[0], constants[0], constants[1], constants[1]
     x, v = np.empty_like(flat), np.empty_like(flat)
     room = lambda a: ffi.from_buffer("double[]", a)
+    error = ffi.new("fvi_error *")
     count = on_grid(flat) if damping is None else 0
-    status = ask(lib.fvi_exact_grid, problem, flat[1], count - 1, 0, room(x), room(v)) if count > 513 else 0
+    status = ask(lib.fvi_exact_grid, problem, flat[1], count - 1, 0, room(x), room(v), error) if count > 513 else 0
     rest = count if count > 513 else 0
     if not status and rest < flat.size:
-        status = ask(lib.fvi_exact_at, problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]))
+        status = ask(lib.fvi_exact_at, problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]),
+                     error)
+    if status and error.code == status:
+        raise Error(text_of(error.text), status)
     succeed(status)
     return x.reshape(times.shape), v.reshape(times.shape)
 

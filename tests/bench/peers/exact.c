@@ -17,14 +17,14 @@ static int run_exact(const task *of, double *rows)
     double t[ROWS + 1];
     for (size_t k = 0; k <= ROWS; k++)
         t[k] = of->p->T * (double)k / ROWS;
-    return fvi_exact_at(of->p->linear, ROWS + 1, t, rows, NULL);
+    return fvi_exact_at(of->p->linear, ROWS + 1, t, rows, NULL, NULL);
 }
 
 /* At all rows from one contour or a few, to the error that is asked (11.15). */
 static int run_rows(const task *of, double *rows)
 {
     return fvi_exact_grid(of->p->linear, of->p->T / ROWS, ROWS, of->tolerance,
-                          rows, NULL);
+                          rows, NULL, NULL);
 }
 
 /* From rest, and where the damping is of an order above 1. */

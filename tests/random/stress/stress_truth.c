@@ -47,7 +47,7 @@ static double error_of_run(const fvi_linear_oscillator *problem, double kappa, d
     for (size_t k = 0; k <= N; k++)
         t[k] = (double)k * run.h;
     if (fvi_trajectory(&fvi_fractional, &run, x, NULL, NULL) == FVI_SUCCESS
-        && fvi_exact_at(problem, N + 1, t, exact, NULL) == FVI_SUCCESS)
+        && fvi_exact_at(problem, N + 1, t, exact, NULL, NULL) == FVI_SUCCESS)
         error = stress_distance(N + 1, x, exact) / stress_size(N + 1, exact);
     free(x);
     return error;
@@ -112,11 +112,11 @@ double stress_halves(gsl_rng *random, char *describe, size_t size)
         t[j] = stress_decades(random, 1e-3, 1e3);
     snprintf(describe, size, "alpha=%.17g c=%g rho=%g forcing=%d", alpha, p.c,
              p.rho, (int)p.forcing);
-    if (fvi_exact_at(&p, TIMES, t, x, NULL))
+    if (fvi_exact_at(&p, TIMES, t, x, NULL, NULL))
         return GSL_POSINF;
     p.law = &law;
     p.alpha = 0;
-    if (fvi_exact_at(&p, TIMES, t, y, NULL))
+    if (fvi_exact_at(&p, TIMES, t, y, NULL, NULL))
         return GSL_POSINF;
     const double most = larger(fabs(p.x0), stress_size(TIMES, x));
     return stress_distance(TIMES, x, y) / (2.4e-13 * most);
