@@ -132,12 +132,18 @@ static int make(const fvi_kernel_ready *r, size_t d, size_t steps, fvi_history_k
     return status;
 }
 
+/* A law whose fractions are not yet known. */
+static fvi_kernel_ready at_step(const fvi_kernel *law, fvi_delta kind, double h)
+{
+    return (fvi_kernel_ready){ .law = law,
+                               .kind = kind,
+                               .h = h,
+                               .increments = fvi_kernel_growth(law) > 1 };
+}
+
 int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h)
 {
-    fvi_kernel_ready r = { .law = law,
-                .kind = kind,
-                .h = h,
-                .increments = fvi_kernel_growth(law) > 1 };
+    fvi_kernel_ready r = at_step(law, kind, h);
     if (fvi_kernel_flatten(law, &r.term, &r.terms))
         return 0;
     find_strip(&r);
@@ -161,10 +167,7 @@ int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     if (d == 0 || steps >= (size_t)-1 / sizeof(double) / 4 / d - 1)
         FVI_FAIL("d must be at least 1, and all be addressable", FVI_EINVAL);
-    fvi_kernel_ready r = { .law = law,
-                .kind = kind,
-                .h = h,
-                .increments = fvi_kernel_growth(law) > 1 };
+    fvi_kernel_ready r = at_step(law, kind, h);
     status = fvi_kernel_flatten(law, &r.term, &r.terms);
     if (status)
         return status;

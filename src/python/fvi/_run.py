@@ -359,7 +359,7 @@ def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float]
 
     Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
     (derivative="rl" with x0 != 0 and alpha > 1/2), a number is out of its range, or damping
-    has another past than "held" or more than three oscillations.
+    has another past than "held", or "caputo" with orders up to 1, or more than three oscillations.
     """
     times = numbers("t", t)
     flat = np.ascontiguousarray(times.reshape(-1))
