@@ -52,12 +52,10 @@ int fvi_system_check_any(const fvi_system *s, fvi_error *error)
     const size_t row = s->matrices ? 1 : u->diagonals ? u->diagonals : s->d;
     if (s->d == 0 || s->d > SIZE_MAX / sizeof(double) / 8 / row)
         return fvi_fail(error, FVI_EINVAL, "d", (double)s->d,
-                        "the dimension must be at least 1 and a Hessian "
-                        "addressable");
+                        "it must be at least 1 and a Hessian addressable");
     if (!u->value != !u->gradient || !u->value != !u->hessian)
         return fvi_fail(error, FVI_EINVAL, "potential", NAN,
-                        "a potential needs value, gradient and hessian, or "
-                        "none");
+                        "it needs value, gradient and hessian, or none");
     for (size_t i = 0; i < s->d; i++) {
         if (!(gsl_finite(s->mass[i]) && s->mass[i] > 0))
             return refuse_number("mass", s->mass[i], i, "finite and positive",
