@@ -262,6 +262,10 @@ START_TEST(eq_26_16_the_memory_of_a_function)
             fvi_history_free(memory);
             fvi_kernel_weights(&law, q, 0.01, 1, &w0);
             sums(&ref_laws[l], q, 0.01, STEPS, FVI_HISTORY_DIRECT, x, direct);
+            sums(&ref_laws[l], q, 0.01, STEPS, FVI_HISTORY_MODES, x, by);
+            for (size_t k = 0; k <= STEPS; k++) /* its own modes */
+                ck_assert_near(by[k], direct[k], 1e-13 * w0, "law %zu, n = %zu",
+                               l, k);
             sums(&law, q, 0.01, STEPS,
                  none ? FVI_HISTORY_AUTO : FVI_HISTORY_MODES, x, by);
             for (size_t k = 0; k <= STEPS; k++) {
