@@ -25,11 +25,14 @@ extern const fvi_method *const fvi_methods[];
  * it ("fvi-shifted"); NULL if there is none, or name is NULL. */
 const fvi_method *fvi_method_find(const char *name);
 
-/* fvi_method_has_modes -- nonzero if the law of the run, by this method with this step, can be summed
- * by decaying modes (FVI_HISTORY_MODES); also without a law. 0 if there is no memory to see.
+/* fvi_method_has_modes -- can the law of the run, by this method with this step, be summed by
+ * decaying modes (FVI_HISTORY_MODES)?
  *
- *   method, run  that fvi_stepper_start takes */
-int fvi_method_has_modes(const fvi_method *method, const fvi_run *run);
+ *   method, run  that fvi_stepper_start takes
+ *   has          output: 1 if it can, also without a law; else 0
+ *
+ * Returns FVI_SUCCESS; FVI_ENOMEM, and then *has says nothing. */
+int fvi_method_has_modes(const fvi_method *method, const fvi_run *run, int *has);
 
 /* fvi_run_bytes -- how much memory a run surely takes: its state and its history. The same
  * arguments; nothing is allocated. */

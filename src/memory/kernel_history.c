@@ -42,12 +42,13 @@ static fvi_history_modes *compressed(const fvi_kernel_ready *r, size_t d, size_t
                                     double delta, double *first)
 {
     const double N = fmax((double)steps, 128);
-    const size_t Q = fvi_kernel_ready_modes(r, N, delta, NULL, NULL);
+    size_t Q;
+    if (fvi_kernel_ready_modes(r, N, delta, NULL, NULL, &Q))
+        return NULL;
     double *w = weights_of(r, FVI_WINDOW + 1, first);
     double *s = malloc(2 * (Q + 1) * sizeof *s);
     fvi_history_modes *e = NULL;
-    if (w && s) {
-        fvi_kernel_ready_modes(r, N, delta, s, s + Q);
+    if (w && s && !fvi_kernel_ready_modes(r, N, delta, s, s + Q, &Q)) {
         for (size_t q = 0; q < Q; q++)
             s[Q + q] /= *first;
         e = fvi_history_modes_of(Q, s, s + Q, w, d);
@@ -59,47 +60,60 @@ static fvi_history_modes *compressed(const fvi_kernel_ready *r, size_t d, size_t
 
 /* Are these all of the modes of a SYMBOL? 480 weights behind the window say so: a pole that
  * is on no cut, or near to it, or a cut elsewhere, is missed there. */
-static int are_all_modes(const fvi_kernel_ready *r)
+static int are_all_modes(const fvi_kernel_ready *r, int *all)
 {
     enum { LAGS = 512 };
+    size_t Q;
+    int status = fvi_kernel_ready_modes(r, LAGS, 1e-14, NULL, NULL, &Q);
+    if (status)
+        return status;
     double first, worst = 0, *w = weights_of(r, LAGS, &first);
-    const size_t Q = fvi_kernel_ready_modes(r, LAGS, 1e-14, NULL, NULL);
     double *s = malloc(2 * (Q + 1) * sizeof *s);
-    if (w && s)
-        fvi_kernel_ready_modes(r, LAGS, 1e-14, s, s + Q);
-    for (size_t n = FVI_WINDOW + 1; w && s && n < LAGS; n++) {
+    status = w && s ? fvi_kernel_ready_modes(r, LAGS, 1e-14, s, s + Q, &Q)
+                    : fvi_tell_handler("no memory for the modes", __FILE__, __LINE__,
+                                       FVI_ENOMEM);
+    for (size_t n = FVI_WINDOW + 1; !status && n < LAGS; n++) {
         double sum = 0;
         for (size_t q = 0; q < Q; q++)
             sum += s[Q + q] * exp(-(double)n * s[q]);
         const double off = fabs(sum / first - w[n]);
         worst = isnan(off) ? GSL_POSINF : larger(worst, off);
     }
-    const int all = w && s && worst < 1e-13;
+    *all = !status && worst < 1e-13;
     free(w);
     free(s);
-    return all;
+    return status;
 }
 
 /* The widest strip that does, of four. */
-static void find_strip(fvi_kernel_ready *r)
+static int find_strip(fvi_kernel_ready *r)
 {
+    int status = FVI_SUCCESS, all = 0;
     if (!fvi_kernel_ready_function(r))
-        return;
-    for (r->strip = 1; r->strip > 0.1; r->strip /= 2)
-        if (are_all_modes(r))
-            return;
+        return status;
+    for (r->strip = 1; r->strip > 0.1; r->strip /= 2) {
+        status = are_all_modes(r, &all);
+        if (status || all)
+            return status;
+    }
     r->strip = 0;
+    return status;
 }
 
 static int choose(const fvi_kernel_ready *r, size_t steps, double tolerance,
                   fvi_history_kind *how)
 {
-    if (*how == FVI_HISTORY_MODES && !fvi_kernel_ready_has_modes(r))
+    int has = 0;
+    const int status = *how == FVI_HISTORY_DIRECT
+                           ? FVI_SUCCESS
+                           : fvi_kernel_ready_has_modes(r, &has);
+    if (status)
+        return status;
+    if (*how == FVI_HISTORY_MODES && !has)
         FVI_FAIL("the tail of this law is no sum of decaying modes",
                  FVI_EUNSUP);
     if (*how == FVI_HISTORY_AUTO)
-        *how = !fvi_kernel_ready_has_modes(r) ? FVI_HISTORY_DIRECT
-                             : fvi_history_choose(0.5, steps);
+        *how = has ? fvi_history_choose(0.5, steps) : FVI_HISTORY_DIRECT;
     if (*how == FVI_HISTORY_MODES && steps > FVI_LONGEST)
         FVI_FAIL("the compressed memory reaches back 10^9 steps at most",
                  FVI_EINVAL);
@@ -141,15 +155,17 @@ static fvi_kernel_ready at_step(const fvi_kernel *law, fvi_delta kind, double h)
                                .increments = fvi_kernel_growth(law) > 1 };
 }
 
-int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h)
+int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h, int *has)
 {
     fvi_kernel_ready r = at_step(law, kind, h);
-    if (fvi_kernel_flatten(law, &r.term, &r.terms))
-        return 0;
-    find_strip(&r);
-    const int modes = fvi_kernel_ready_has_modes(&r);
+    int status = fvi_kernel_flatten(law, &r.term, &r.terms);
+    if (status)
+        return status;
+    status = find_strip(&r);
+    if (!status)
+        status = fvi_kernel_ready_has_modes(&r, has);
     free(r.term);
-    return modes;
+    return status;
 }
 
 int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d,
@@ -174,8 +190,9 @@ int fvi_kernel_history(const fvi_kernel *law, fvi_delta kind, double h, size_t d
     if (how == FVI_HISTORY_MODES
         || (how == FVI_HISTORY_AUTO
             && fvi_history_choose(0.5, steps) == FVI_HISTORY_MODES))
-        find_strip(&r);
-    status = make(&r, d, steps, how, tolerance, first, memory);
+        status = find_strip(&r);
+    if (!status)
+        status = make(&r, d, steps, how, tolerance, first, memory);
     free(r.term);
     return status;
 }

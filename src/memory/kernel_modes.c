@@ -90,28 +90,30 @@ static int is_short(const fvi_kernel_ready *r, double time)
 }
 
 /* Are the modes of each term of the kind DAVIDSON to be had, and on the cut of BDF2? */
-static int davidsons_have_modes(const fvi_kernel_ready *r)
+static int davidsons_have_modes(const fvi_kernel_ready *r, int *has)
 {
-    for (size_t i = 0; i < r->law->count; i++) {
+    *has = 1;
+    for (size_t i = 0; *has && i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
         fvi_kernel_modes m;
         if (t->kind != FVI_KERNEL_DAVIDSON || !fvi_kernel_is_general(t)
             || t->rho == 0)
             continue;
-        if (is_short(r, t->time)
-            || fvi_kernel_modes_of(t, 1 / (1e9 * r->h), 1 / r->h, 1e-14, 1, &m))
-            return 0;
-        free(m.rate);
+        const int status =
+            is_short(r, t->time)
+                ? FVI_EUNSUP
+                : fvi_kernel_modes_of(t, 1 / (1e9 * r->h), 1 / r->h, 1e-14, 1, &m);
+        if (status && status != FVI_EUNSUP)
+            return status;
+        *has = !status;
+        if (*has)
+            free(m.rate);
     }
-    return 1;
+    return FVI_SUCCESS;
 }
 
-int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r)
+static int fractions_have_modes(const fvi_kernel_ready *r)
 {
-    if (fvi_kernel_ready_function(r))
-        return r->strip > 0;
-    if (!davidsons_have_modes(r))
-        return 0;
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
         if (t->rho == 0 || t->time == 0)
@@ -126,6 +128,16 @@ int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r)
             return 0;
     }
     return 1;
+}
+
+int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has)
+{
+    *has = r->strip > 0;
+    if (fvi_kernel_ready_function(r))
+        return FVI_SUCCESS;
+    const int status = davidsons_have_modes(r, has);
+    *has = !status && *has && fractions_have_modes(r);
+    return status;
 }
 
 /* The power of the rate with which the cut of a SYMBOL begins; 1 if there is no cut. */
@@ -205,13 +217,15 @@ static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_si
 }
 
 /* Of a DAVIDSON: its rates stand where delta(e^s)/h = -rate.                  (26.17) */
-static size_t modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term *t,
-                                double N, double delta, double *s, double *c)
+static int modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term *t,
+                             double N, double delta, double *s, double *c,
+                             size_t *count)
 {
     fvi_kernel_modes m;
     const double h = r->h;
-    if (fvi_kernel_modes_of(t, 1 / (N * h), 1 / h, delta, 1, &m))
-        return 0; /* no memory: nothing else is asked of has_modes */
+    const int status = fvi_kernel_modes_of(t, 1 / (N * h), 1 / h, delta, 1, &m);
+    if (status)
+        return status;
     for (size_t j = 0; s && j < m.count; j++) {
         const double x = h * m.rate[j];
         const int bdf2 = r->kind == FVI_DELTA_BDF2;
@@ -222,11 +236,12 @@ static size_t modes_of_davidson(const fvi_kernel_ready *r, const fvi_kernel_term
         c[j] = r->increments ? share / grown : -share;
     }
     free(m.rate);
-    return m.count;
+    *count = m.count;
+    return FVI_SUCCESS;
 }
 
-size_t fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
-                              double *s, double *c)
+int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
+                           double *s, double *c, size_t *count)
 {
     size_t Q = modes_of_cut(r, N, delta, s, c);
     const fvi_kernel_term *function = fvi_kernel_ready_function(r);
@@ -234,10 +249,15 @@ size_t fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
         function ? creal(fvi_kernel_term_at(function, 0x1p-900, 0)) : 0;
     for (size_t i = 0; i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
+        size_t more = 0;
+        int status = FVI_SUCCESS;
         if (t->kind == FVI_KERNEL_DAVIDSON && fvi_kernel_is_general(t)
             && t->rho > 0)
-            Q += modes_of_davidson(r, t, N, delta, s ? s + Q : NULL,
-                                   s ? c + Q : NULL);
+            status = modes_of_davidson(r, t, N, delta, s ? s + Q : NULL,
+                                       s ? c + Q : NULL, &more);
+        if (status)
+            return status;
+        Q += more;
     }
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
@@ -250,5 +270,6 @@ size_t fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
         s[Q] = 0;
         c[Q] = springs;
     }
-    return Q + (springs > 0 && r->increments);
+    *count = Q + (springs > 0 && r->increments);
+    return FVI_SUCCESS;
 }

@@ -66,7 +66,7 @@ void fvi_kernel_series(const fvi_kernel_simple *t, fvi_delta kind, double h,
                     int increments, size_t count, double *room, double *w);
 
 /* fvi_kernel_has_modes -- whether the weights of a law by `kind`, with step h, are a sum of
- * decaying modes after the window; 0 also if there is no memory to see. */
-int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h);
+ * decaying modes after the window: 1 or 0 goes to *has. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_kernel_has_modes(const fvi_kernel *law, fvi_delta kind, double h, int *has);
 
 #endif

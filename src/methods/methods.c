@@ -36,11 +36,12 @@ const fvi_method *fvi_method_find(const char *name)
     return NULL;
 }
 
-int fvi_method_has_modes(const fvi_method *method, const fvi_run *run)
+int fvi_method_has_modes(const fvi_method *method, const fvi_run *run, int *has)
 {
-    return !run->law
-           || fvi_kernel_has_modes(run->law, fvi_damping_quadrature(method),
-                                   run->h);
+    *has = !run->law;
+    return *has ? FVI_SUCCESS
+                : fvi_kernel_has_modes(run->law, fvi_damping_quadrature(method),
+                                       run->h, has);
 }
 
 static int is_damped(const fvi_system *system)

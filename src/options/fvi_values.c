@@ -88,6 +88,20 @@ static int begins_to_move(const fvi_options *o)
     return o->force && fvi_force_typed(o->force).impulse_count > 0;
 }
 
+/* Exponentials of a law, for steps of one length, are there or are refused. */
+static int check_modes(const fvi_options *o, fvi_error *c)
+{
+    const fvi_run run = { .law = &o->damping.law, .h = o->h };
+    int has = 1;
+    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !o->method->dense
+        && fvi_method_has_modes(o->method, &run, &has))
+        return fvi_fail(c, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    return has ? 0
+               : fvi_refuse(c, "memory", "'exponentials': of --damping '%s' there "
+                            "are none with this step; 'auto' sums it all",
+                            o->text[DAMPING]);
+}
+
 /* What is asked for is done or refused: the words that a method cannot honour. */
 static int check_method(const fvi_options *o, fvi_error *c)
 {
@@ -103,13 +117,9 @@ static int check_method(const fvi_options *o, fvi_error *c)
         return fvi_refuse(c, "p0", "fvi-adaptive takes no velocity that jumps "
                           "with a law that grows faster than s; fvi-bdf2 and "
                           "fvi-stable do");
-    if (o->text[DAMPING] && o->memory == FVI_HISTORY_MODES && !m->dense
-        && !fvi_method_has_modes(
-            m, &(fvi_run){ .law = &o->damping.law, .h = o->h }))
-        return fvi_refuse(c,
-                          "memory", "'exponentials': of --damping '%s' there "
-                          "are none with this step; 'auto' sums it all",
-                          o->text[DAMPING]);
+    const int status = check_modes(o, c);
+    if (status)
+        return status;
     if (o->directory && !m->takes_matrices)
         return fvi_refuse(c,
                           "method", "'%s' takes no matrices; fvi, fvi-shifted, "
