@@ -267,9 +267,10 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_word_columns(o->text[COLUMNS], &o->columns, c);
     if (!status)
         status = fvi_problem_unknowns(o, c);
-    for (size_t i = 0; !status && o->resume && i < o->columns.count; i++)
+    for (size_t i = 0; !status && o->checkpoint && i < o->columns.count; i++)
         if (o->columns.at[i] == FVI_COLUMN_Y)
-            status = fvi_refuse(c, "continue", "column y needs every row");
+            status = fvi_refuse(c, o->resume ? "continue" : "checkpoint",
+                                "column y needs every row");
     if (!status && o->plot && o->columns.count == 1
         && o->columns.at[0] == FVI_COLUMN_T)
         status = fvi_refuse(c, "plot", "the only column is t");

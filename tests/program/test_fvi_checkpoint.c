@@ -162,6 +162,9 @@ START_TEST(another_problem_version_or_file_is_refused)
             "fvi: --checkpoint: not together with --error");
     refused("run --checkpoint c --continue --columns y",
             "fvi: --continue: column y needs every row");
+    refused("run --checkpoint e --columns t,x,y -o u",
+            "fvi: --checkpoint: column y needs every row");
+    ck_assert(!exists("e") && !exists("u"));
     refused("run --continue=3", "fvi: --continue=3: no such option");
     refused("exact --checkpoint c", "fvi: --checkpoint: not an option of this "
                                     "command");
