@@ -60,9 +60,14 @@ void fvi_mark_read(const char *option, const char *name)
     marks++;
 }
 
+size_t fvi_marked_files(void)
+{
+    return marks < KEPT ? marks : KEPT;
+}
+
 const char *fvi_marked_file(size_t i)
 {
-    return i < marks && i < KEPT ? inputs[i].name : NULL;
+    return inputs[i].name;
 }
 
 int fvi_check_output(const char *option, const char *name, fvi_error *c)
@@ -70,7 +75,7 @@ int fvi_check_output(const char *option, const char *name, fvi_error *c)
     struct stat file;
     if (!name || strcmp(name, "-") == 0 || stat(name, &file) != 0)
         return 0;
-    for (size_t i = 0; i < marks && i < KEPT; i++)
+    for (size_t i = 0; i < fvi_marked_files(); i++)
         if (inputs[i].device == file.st_dev && inputs[i].number == file.st_ino)
             return fvi_refuse(c, NULL,
                               strcmp(inputs[i].option, "DATA") == 0

@@ -14,7 +14,9 @@ int fvi_same_file(const char *a, const char *b);
  * kept. */
 void fvi_mark_read(const char *option, const char *name);
 
-/* fvi_marked_file -- the i-th name that was marked, from 0; NULL behind the last. */
+/* fvi_marked_files -- how many marks are kept.
+ * fvi_marked_file -- the name of the i-th, from 0; NULL if there was no memory for it. */
+size_t fvi_marked_files(void);
 const char *fvi_marked_file(size_t i);
 
 /* fvi_check_output -- refuse an output that would take the place of what was read, by

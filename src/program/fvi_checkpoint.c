@@ -280,7 +280,7 @@ static int read_checkpoint(const fvi_options *o, fvi_stepper *s,
                 .file = c->saved,
                 .sum = FVI_FIRST_SUM };
     if (!c->saved)
-        return fvi_checkpoint_refuse(o, strerror(errno));
+        return fvi_checkpoint_unreadable(o);
     const int status = fvi_checkpoint_compare(o, c->saved, c->head);
     if (status)
         return status;

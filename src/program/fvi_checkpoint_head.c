@@ -6,6 +6,7 @@
 #include "output/fvi_complain.h"
 #include <fvi/version.h>
 
+#include <errno.h>
 #include <inttypes.h>
 #include <limits.h>
 #include <stdio.h>
@@ -33,14 +34,16 @@ static int is_free(const char *name)
 }
 
 /* A line for each file that was read for the problem, with a digest of what is in it: a file
- * may change, and its name does not tell. */
-static void describe_files(FILE *head)
+ * may change, and its name does not tell. Returns 0 if there is no memory. */
+static int describe_files(FILE *head)
 {
-    const char *name;
     char part[1 << 14];
-    for (size_t i = 0; (name = fvi_marked_file(i)); i++) {
+    for (size_t i = 0; i < fvi_marked_files(); i++) {
+        const char *name = fvi_marked_file(i);
         uint64_t sum = FVI_FIRST_SUM;
-        FILE *f = fopen(name, "r");
+        FILE *f = name ? fopen(name, "r") : NULL;
+        if (!name || (!f && errno == ENOMEM))
+            return 0;
         for (size_t n; f && (n = fread(part, 1, sizeof part, f)) > 0;)
             sum = fvi_add_to_sum(sum, part, n);
         if (f)
@@ -50,6 +53,7 @@ static void describe_files(FILE *head)
             fputc((unsigned char)*c < ' ' ? '?' : *c, head);
         fprintf(head, " = %016" PRIx64 "\n", sum);
     }
+    return 1;
 }
 
 char *fvi_checkpoint_head(const fvi_options *o)
@@ -64,9 +68,10 @@ char *fvi_checkpoint_head(const fvi_options *o)
     for (size_t i = 0; fvi_options_describe(o, i, &name, &value); i++)
         if (!is_free(name))
             fprintf(f, "%s = %s\n", name, value);
-    describe_files(f);
+    int whole = describe_files(f);
     fputc('\n', f);
-    if (fclose(f) == 0)
+    whole = whole && !ferror(f);
+    if (fclose(f) == 0 && whole)
         return text;
     free(text);
     return NULL;
@@ -77,6 +82,12 @@ int fvi_checkpoint_refuse(const fvi_options *o, const char *why)
     fvi_error error;
     fvi_refuse(&error, "continue", "%s: %s", o->checkpoint, why);
     return fvi_refused(&error, "run");
+}
+
+int fvi_checkpoint_unreadable(const fvi_options *o)
+{
+    return errno == ENOMEM ? fvi_complain("not enough memory")
+                           : fvi_checkpoint_refuse(o, strerror(errno));
 }
 
 /* The length of "file NAME" in a line; 0 if it is none of those. */
@@ -127,22 +138,29 @@ static void tell_apart(const char *line, const char *want, const char *head,
 }
 
 /* Why a file with this first line is refused. Older versions could also sum the history by
- * FFT: whoever saved such a run needs to know which words are left. */
-static void tell_versions_apart(const char *line, FILE *file, char *why,
-                                size_t size)
+ * FFT: whoever saved such a run needs to know which words are left. Returns 0 if the file
+ * cannot be read, as errno says. */
+static int tell_versions_apart(const char *line, FILE *file, char *why,
+                               size_t size)
 {
     char *next = NULL;
     size_t room = 0;
     int names_fft = 0;
     const int is_checkpoint = strncmp(line, "fvi ", 4) == 0;
-    while (is_checkpoint && !names_fft && getline(&next, &room, file) > 1)
-        names_fft = strcmp(next, "memory = fft\n") == 0;
+    ssize_t got = is_checkpoint ? 2 : 0;
+    while (!names_fft && got > 1) {
+        got = getline(&next, &room, file);
+        names_fft = got > 1 && strcmp(next, "memory = fft\n") == 0;
+    }
     free(next);
+    if (got < 0 && !feof(file))
+        return 0;
     snprintf(why, size, "%s",
              names_fft ? "a run with memory = fft, which this version does not "
                          "have; it has direct and exponentials"
              : is_checkpoint ? "a checkpoint of another version"
                              : "not a checkpoint");
+    return 1;
 }
 
 int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
@@ -158,13 +176,15 @@ int fvi_checkpoint_compare(const fvi_options *o, FILE *file, const char *head)
             continue;
         }
         char why[PATH_MAX + 100];
+        int is_read = got > 0 || feof(file);
         if (got > 0 && line[got - 1] == '\n')
             line[got - 1] = '\0';
-        if (want == head)
-            tell_versions_apart(got > 0 ? line : "", file, why, sizeof why);
-        else
+        if (is_read && want == head)
+            is_read = tell_versions_apart(got > 0 ? line : "", file, why, sizeof why);
+        else if (is_read)
             tell_apart(got > 0 ? line : "", want, head, sizeof why, why);
-        status = fvi_checkpoint_refuse(o, why);
+        status = is_read ? fvi_checkpoint_refuse(o, why)
+                         : fvi_checkpoint_unreadable(o);
     }
     free(line);
     return status;

@@ -31,6 +31,12 @@ static const char *const commands[] = {
     "run --alpha 0.3 --steps 9 --method fvi-adaptive --potential pendulum:1",
     "run --damping maxwell:1,2 --steps 300 --method fvi-bdf2 -o table",
     "run --potential x^4/4-k*x^2/2 --let k=1 --force cos(1.2*t)/4 --steps 20",
+    "run --damping distributed:.3,.1,.6 --memory exponentials --steps 900 --method fvi-lobatto8d",
+    "run --damping distributed:.3,.1,.6 --memory exponentials --steps 900 --method fvi-bdf2",
+    "run --damping davidson:1,.3,2 --memory exponentials --steps 300 --method fvi-bdf2 --every 50",
+    "run --damping davidson:1,.3,2 --steps 300 --method fvi-stable --every 50 -o table",
+    "run --damping symbol:s^.5/(1+s^.5) --steps 300 --method fvi-stable --every 50",
+    "run --alpha 0.3 --steps 20 --force file:force --checkpoint c --continue -o table",
     "run --force file:force --error 1e-6 --time 5 --steps 4 -o table",
     "run --system chain --alpha 0.3 --steps 20",
     "exact --alpha 0.3 --steps 9 -o table",
@@ -46,6 +52,12 @@ static const char kept[] = "what was there\n";
 static char library[PATH_MAX + 30], table[1 << 16], whole_table[1 << 16],
     whole_out[sizeof out];
 
+/* Each run that goes on finds the same checkpoint. */
+static int goes_on(const char *command)
+{
+    return strstr(command, "--continue") != NULL;
+}
+
 /* Allocation `n` of the command fails, or none if there are fewer; did it? The exit code
  * goes to *status. */
 static int run_without(const char *command, size_t n, int *status)
@@ -53,6 +65,8 @@ static int run_without(const char *command, size_t n, int *status)
     char number[30];
     snprintf(number, sizeof number, "%zu", n);
     write_file("table", kept);
+    if (goes_on(command))
+        ck_assert_int_eq(shell("cp saved c"), 0);
     setenv("MALLOC_FAILS", number, 1);
     setenv("LD_PRELOAD", library, 1);
     *status = fvi_of_words(command);
@@ -70,6 +84,8 @@ static void write_inputs(void)
     write_file("force", "# t\tF\n0\t1\n5\t2\n");
     ck_assert_int_eq(fvi("run --alpha 0.3 --rho 0.4 --every 5 --method "
                          "fvi-lobatto4 --columns t,x -o data"),
+                     0);
+    ck_assert_int_eq(fvi("run --alpha 0.3 --steps 10 --force file:force --checkpoint saved -o part"),
                      0);
 }
 
@@ -92,7 +108,7 @@ START_TEST(an_allocation_that_fails_is_said)
     memcpy(whole_table, table, sizeof table);
     size_t said = 0;
     for (size_t n = 1; run_without(command, n, &status);
-         n += all ? 1 : 1 + n / 8) {
+         n += all || goes_on(command) ? 1 : 1 + n / 8) {
         if (status == 0) { /* it did without */
             ck_assert_msg(strcmp(out, whole_out) == 0
                               && strcmp(table, whole_table) == 0,
