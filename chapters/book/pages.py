@@ -238,7 +238,7 @@ def size_of(page, source):
 
 def columns(code):
     """A table of columns with tabs between them: each as wide as its widest entry."""
-    rows = [line.split("\t") for line in code.split("\n")]
+    rows = [[cell.rstrip() for cell in line.split("\t")] for line in code.split("\n")]
     widths = [max((len(row[i]) for row in rows if i < len(row) - 1), default=0) for i in range(max(map(len, rows)))]
     return "\n".join("".join(cell.ljust(width + 2) for cell, width in zip(row[:-1], widths)) + row[-1] for row in rows)
 
@@ -246,8 +246,10 @@ def columns(code):
 def colour_code(page):
     def block(match):
         language, code = match[1] or "", html.unescape(match[2])
-        code = columns(code) if language == "text" else code
-        return f'<pre class="code"><code>{colour(code, language)}</code></pre>'
+        table = ""
+        if language == "text" and "\t" in code:
+            code, table = columns(code), ' class="table"'
+        return f'<pre class="code"><code{table}>{colour(code, language)}</code></pre>'
 
     page.body = re.sub(r'<pre(?: class="([^"]*)")?><code>(.*?)</code></pre>', block, page.body, flags=re.S)
 

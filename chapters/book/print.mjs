@@ -51,7 +51,7 @@ function fit() {
     box.classList.add("unbroken"); // better a little smaller than in two lines
     if (fits(0.75)) continue;
     box.classList.remove("unbroken");
-    if (!fits(0.65)) bad.push(box.textContent.slice(0, 60));
+    if (part.className == "table" || !fits(0.65)) bad.push(box.textContent.slice(0, 60));
   }
   for (const code of document.querySelectorAll("pre")) // a quarter of a page at most is not divided
     if (code.clientHeight < 240) code.style.breakInside = "avoid";
