@@ -12,7 +12,7 @@ sys.path.append(str(PLAY))
 import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c"]
-MODULES = [*wasm.MODULES, "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
+MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
            "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_kernel", "adjoint_multistep_damping", "adjoint_multistep_alone", "adjoint_constant", "adjoint_stages", "control", "identification_tangent"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_ahead fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_history_tiled_copy

@@ -8,7 +8,7 @@ and malloc.c does what the page needs."""
 import pathlib
 import sys
 
-from wasm import ABSENT, MODULES, NO_EXPONENTIALS, compile_to, packed
+from wasm import ABSENT, MODULES, NO_EXPONENTIALS, NOT_LINEARISED, compile_to, packed
 
 HERE = pathlib.Path(__file__).parent
 OUT = pathlib.Path(sys.argv[1])
@@ -17,7 +17,7 @@ SOURCES = [HERE / f"{name}.c" for name in ("play", "gsl", "malloc", "strtod")]
 
 def main():
     OUT.mkdir(parents=True, exist_ok=True)
-    code = compile_to(OUT / "play.wasm", SOURCES, MODULES, [*ABSENT, *NO_EXPONENTIALS])
+    code = compile_to(OUT / "play.wasm", SOURCES, MODULES, [*ABSENT, *NO_EXPONENTIALS, *NOT_LINEARISED])
     page = (HERE / "page.html").read_text()
     for name in ("model.js", "plot.js", "explain.js", "play.js"):
         page = page.replace("{" + name + "}", (HERE / name).read_text().strip())

@@ -7,7 +7,7 @@ import zlib
 
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
-MODULES = """band linearised error expression expression_parse lu newton newton_stages system tape coefficients convolution_quadrature lobatto_history lobatto_modes
+MODULES = """band error expression expression_parse lu newton newton_stages system tape coefficients convolution_quadrature lobatto_history lobatto_modes
     lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
     convolution_quadrature_methods damping discrete_mechanics fvi stability_number lobatto lobatto_damped
@@ -22,7 +22,8 @@ ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history 
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()
-# A run of the live page keeps its whole past.
+# A run of the live page is no linearised one, and keeps its whole past.
+NOT_LINEARISED = "fvi_linearised_force fvi_newton_by_linearised".split()
 NO_EXPONENTIALS = [f"fvi_history_modes_{act}" for act in "ahead alloc bytes copy delta plan push push_by_order tiles archive".split()]
 # Small code, linked as a whole. As the Makefile has it: no contraction to fma, or the last digits
 # would differ. The stack comes first in memory: what needs more of it ends in a trap, and does not

@@ -63,7 +63,7 @@ int fvi_length_is_possible(fvi_length length, double longest)
 static fvi_mode_row row_of(fvi_modes *m, fvi_length length, size_t from,
                            size_t to)
 {
-    const long every = (long)m->range.every, part = FVI_POINTS / every,
+    const long every = m->is_free ? 1 : (long)m->range.every, part = FVI_POINTS / every,
                j = (long)m->first + length.k - FVI_FIRST + every * (long)from;
     const size_t n = to - from;
     if (!m->is_free && length.k != FVI_OFF_LATTICE && j >= 0 && j / every + (long)n <= part) {
