@@ -165,6 +165,7 @@ START_TEST(eq_26_6_an_order_next_to_zero_is_a_spring)
         { FVI_KERNEL_POWER, 1, 1e-20, 0, 0 },
         { FVI_KERNEL_POWER, 1, 5e-324, 0, 0 },
         { FVI_KERNEL_POWER, 1, 0x1p-55, 0, 0 },
+        { FVI_KERNEL_POWER, 1, 3e-17, 0, 0 },
         { FVI_KERNEL_ZENER, 1, 1e-20, 0.5, 0 },
         { FVI_KERNEL_ZENER, 1, 1e-20, 5, 0 },
         { FVI_KERNEL_MAXWELL2, 1, 1e-20, 2, 0 },
