@@ -114,7 +114,8 @@ static int take_all(fvi_options *o, int count, char **words, fvi_error *c)
     optind = 0; /* start afresh, whoever parsed before */
     opterr = 0;
     for (;;) {
-        const char *given = words[optind ? optind : 1];
+        const int next = optind ? optind : 1;
+        const char *given = next < count ? words[next] : NULL;
         int found = getopt_long(count, words, "+:o:h", longs, NULL);
         if (found == -1)
             break;
