@@ -30,7 +30,7 @@ static void solve(const fvi_method *method, double alpha, size_t steps,
                   double *at_x, double *at_p)
 {
     const fvi_system system = {
-        1, &one, &rho, fvi_potential_pendulum(&one), { .value = jump }, NULL
+        1, &one, &rho, fvi_potential_pendulum(&one), { .value = jump }, NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.alpha = alpha;

@@ -59,10 +59,10 @@ int main(void)
 {
     const double one = 1, spring[] = { 1, 1 }, step[] = { 8, 1 };
     const fvi_system torvik = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(step), NULL
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(step), NULL, NULL
     };
     const fvi_system duffing = {
-        1, &one, &one, fvi_potential_duffing(spring), { .value = drive }, NULL
+        1, &one, &one, fvi_potential_duffing(spring), { .value = drive }, NULL, NULL
     };
     const fvi_linear_oscillator problem = { .m = 1,
                                  .c = 1,

@@ -22,7 +22,7 @@ static int grows(const fvi_method *method, double alpha, double R)
 {
     const double one = 1, zero = 0, push[] = { 1, 1 };
     const fvi_system system = {
-        1, &one, &R, fvi_potential_harmonic(&one), fvi_force_step(push), NULL
+        1, &one, &R, fvi_potential_harmonic(&one), fvi_force_step(push), NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,

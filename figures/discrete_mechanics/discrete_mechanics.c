@@ -40,7 +40,7 @@ static void harmonic(void)
 {
     const fvi_system system = { 1,     &one,
                                 &none, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &none,
@@ -78,7 +78,7 @@ static void pendulum(const fvi_method *method, double kappa, size_t steps)
 {
     const fvi_system system = { 1,     &one,
                                 &none, fvi_potential_pendulum(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const double x0 = 2;
     const fvi_run run = { .system = &system,
                           .x0 = &x0,

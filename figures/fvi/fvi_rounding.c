@@ -44,7 +44,7 @@ int main(void)
     static long double want[MOST + 1];
     const double aT[] = { 8, 1 }, one = 1, zero = 0;
     const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL, NULL
     };
     printf("# N, error as printed, error of the momentum form; Bagley-Torvik, "
            "t <= 20, alpha = 3/4\n");

@@ -51,7 +51,7 @@ static void row(double rho, const fvi_potential *u, double T, size_t N,
                 void (*exact)(double, double, double *, double *))
 {
     static double x[MOST + 1];
-    const fvi_system system = { 1, &one, &rho, *u, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &rho, *u, { 0 }, NULL, NULL };
     const double h = T / (double)N;
     double x0, p0, worst[2 * CANDIDATES] = { 0 };
     exact(rho, 0, &x0, &p0);

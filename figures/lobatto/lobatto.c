@@ -28,7 +28,7 @@ static void row(const fvi_method *method, size_t N)
 {
     const double one = 1, zero = 0, aT[] = { 8, 1 };
     const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,

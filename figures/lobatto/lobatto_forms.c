@@ -21,7 +21,7 @@ static void errors(const fvi_method *method, size_t N)
 {
     const double one = 1, zero = 0, aT[] = { 8, 1 };
     const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 20 / (double)N, N);
     const fvi_linear_oscillator problem = { .m = 1,
@@ -63,7 +63,7 @@ int main(void)
     }
     const double one = 1, zero = 0, cg[] = { 0, 1 };
     const fvi_system free = {
-        1, &one, &zero, fvi_potential_duffing(cg), { .value = NULL }, NULL
+        1, &one, &zero, fvi_potential_duffing(cg), { .value = NULL }, NULL, NULL
     };
     const fvi_run run = fvi_run_default(&free, &one, &zero, 0.5, 400);
     for (size_t i = 0; i < 2; i++)

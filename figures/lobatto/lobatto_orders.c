@@ -31,7 +31,7 @@ static void errors(const fvi_method *method, double alpha, size_t N, double *ex,
 {
     const double one = 1;
     const fvi_system system = { 1,     &one, &RHO, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &X0,
                           .p0 = &P0,

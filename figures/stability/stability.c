@@ -20,7 +20,7 @@ static size_t scalar_run(double alpha, double kappa, double W, double R)
 {
     const double one = 1, zero = 0;
     const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,
                           .p0 = &one,

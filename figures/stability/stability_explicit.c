@@ -18,7 +18,7 @@ static fvi_run scalar(const double *W, const double *R)
 {
     static const double one = 1, zero = 0;
     static fvi_system system;
-    system = (fvi_system){ 1, &one, R, fvi_potential_harmonic(W), { 0 }, NULL };
+    system = (fvi_system){ 1, &one, R, fvi_potential_harmonic(W), { 0 }, NULL, NULL };
     return fvi_run_default(&system, &zero, &one, 1, STEPS);
 }
 

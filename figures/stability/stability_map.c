@@ -18,7 +18,7 @@ static double load(const fvi_method *method, double alpha, double W, double R)
 {
     const double one = 1, zero = 0;
     const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &zero, &zero, 1, 1);
     double load = NAN;
     run.alpha = alpha;

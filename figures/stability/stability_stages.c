@@ -19,7 +19,7 @@ static int grows(double W, double R)
 {
     const double one = 1, zero = 0;
     const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &zero, &one, 1, STEPS);
     run.alpha = 0.5;
     double half[2] = { 0, 0 };

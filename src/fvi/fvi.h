@@ -12,6 +12,7 @@
 #include "convolution_quadrature.h"
 #include "convolution_quadrature_methods.h"
 #include "convolution_quadrature_stability.h"
+#include "dampers.h"
 #include "damping_laws.h"
 #include "directory.h"
 #include "discrete_mechanics.h"

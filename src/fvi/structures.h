@@ -23,7 +23,7 @@ extern "C" {
  *
  * Whoever fills it in without the functions below frees it himself. */
 //> sparse
-typedef struct {
+typedef struct fvi_sparse {
     size_t n;
     int *start, *row;
     double *entry;

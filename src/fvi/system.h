@@ -148,7 +148,10 @@ typedef struct {
  *   damping  d coefficients rho, finite, >= 0
  *   potential, force  as above
  *   matrices  NULL; or M, C and K, for methods that say so (takes_matrices, trajectory.h):
- *            mass and damping are then the diagonals of M and C, the potential is none */
+ *            mass and damping are then the diagonals of M and C, the potential is none
+ *   mechanism  NULL; or dampers between points of the system (dampers.h), for methods that say so
+ *            (takes_mechanism, trajectory.h): damping is then zero */
+struct fvi_mechanism;
 //> system
 typedef struct {
     size_t d;
@@ -157,6 +160,7 @@ typedef struct {
     fvi_potential potential;
     fvi_force force;
     const fvi_matrices *matrices;
+    const struct fvi_mechanism *mechanism;
 } fvi_system;
 //< system
 

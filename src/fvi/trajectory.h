@@ -135,6 +135,8 @@ typedef struct {
  *   (FVI_EUNSUP)
  *   takes_matrices  nonzero if the system may have matrices; fvi_stepper_start refuses it else
  *          (FVI_EUNSUP)
+ *   takes_mechanism  nonzero if the system may have a mechanism; fvi_stepper_start refuses it else
+ *          (FVI_EUNSUP)
  *   paper_convention  Every method knows the three pasts. Zero: Riemann-Liouville's acts by
  *          its exact impulses (19.5), and is refused where there is no solution (19.2,
  *          FVI_EDOM). Nonzero: by the weights alone, as in the paper; then order 1 - 2
@@ -161,7 +163,8 @@ struct fvi_method {
     unsigned memories;
     fvi_delta quadrature;
     fvi_scheme scheme;
-    int takes_kappa, takes_laws, takes_matrices, implicit, paper_convention;
+    int takes_kappa, takes_laws, takes_matrices, takes_mechanism, implicit,
+        paper_convention;
     int (*stability_number)(const fvi_run *run, double *load);
     int stability_number_grows;
     int (*start)(fvi_stepper *s);

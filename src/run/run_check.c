@@ -119,9 +119,14 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
                         : !run->x0 ? "x0"
                                     : "p0",
                         NAN, "null pointer");
-    int status = method->takes_matrices
-                     ? fvi_system_check_any(run->system, error)
-                     : fvi_system_check(run->system, error);
+    const fvi_system *system = run->system;
+    if (system && system->matrices && !method->takes_matrices)
+        return fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
+                        "this method takes no system with matrices");
+    if (system && system->mechanism && !method->takes_mechanism)
+        return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
+                        "this method takes no system with a mechanism");
+    int status = fvi_system_check_any(system, error);
     if (status)
         return status;
     if (run->steps == 0)

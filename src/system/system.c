@@ -15,6 +15,9 @@ int fvi_system_check(const fvi_system *s, fvi_error *error)
     if (s && s->matrices)
         return fvi_fail(error, FVI_EUNSUP, "matrices", NAN,
                         "this is not for systems with matrices");
+    if (s && s->mechanism)
+        return fvi_fail(error, FVI_EUNSUP, "mechanism", NAN,
+                        "this is not for systems with a mechanism");
     return fvi_system_check_any(s, error);
 }
 

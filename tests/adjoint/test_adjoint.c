@@ -31,7 +31,7 @@ static oscillator *oscillator_of(size_t i, fvi_history_kind memory)
                               &o->rho,
                               fvi_potential_duffing(o->cg),
                               fvi_force_cosine(o->aw),
-                              NULL };
+                              NULL, NULL };
     o->run = fvi_run_default(&o->system, &o->x0, &o->p0, ref_slopes[i].h,
                              ref_slopes[i].N);
     o->run.alpha = ref_slopes[i].alpha;

@@ -55,7 +55,7 @@ static chain *random_chain(gsl_rng *rng, const fvi_method *method,
                               c->rho,
                               fvi_potential_chain(c->cg),
                               { .value = table_value, .params = c },
-                              NULL };
+                              NULL, NULL };
     c->run = fvi_run_default(&c->system, c->x0, c->p0, 1. / 16, N);
     c->run.kappa = method->takes_kappa ? uniform(rng, 0.2, 0.8) : 0.5;
     c->run.alpha = alpha;

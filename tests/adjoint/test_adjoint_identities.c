@@ -26,7 +26,7 @@ static int last_row(size_t k, size_t d, const double *x, const double *p,
 static fvi_system oscillator(const double *m, const double *rho,
                              fvi_potential potential)
 {
-    return (fvi_system){ 1, m, rho, potential, { 0 }, NULL };
+    return (fvi_system){ 1, m, rho, potential, { 0 }, NULL, NULL };
 }
 
 /* ---- the mirror is the adjoint ---- */
@@ -149,7 +149,7 @@ static double moved(const fvi_method *method, fvi_initial_history past, int kind
                                               fvi_potential_pendulum(n.cg),
                                               fvi_potential_chain(n.cg) };
     const fvi_system system = {
-        2, n.mass, n.rho, potentials[kind], { 0 }, NULL
+        2, n.mass, n.rho, potentials[kind], { 0 }, NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, n.x0, n.p0, 1. / 16, N);
     run.alpha = n.alpha;

@@ -20,16 +20,16 @@ static void motion(const fvi_method *method, int which, double alpha, size_t N,
     const double R = method == &fvi_cq_bdf2 && alpha > 0.75 ? 0.2 : 1,
                  rho[] = { R, 0, 0.3 * R, 0.7 * R };
     fvi_system system = {
-        1, one, rho, fvi_potential_harmonic(one), fvi_force_step(pushes), NULL
+        1, one, rho, fvi_potential_harmonic(one), fvi_force_step(pushes), NULL, NULL
     };
     if (which == 1)
         system = (fvi_system){
-            4, one, rho, fvi_potential_chain(cg), fvi_force_cosine(wave), NULL
+            4, one, rho, fvi_potential_chain(cg), fvi_force_cosine(wave), NULL, NULL
         };
     if (which == 2)
         system = (fvi_system){
             1,   one, rho, fvi_potential_pendulum(one), fvi_force_cosine(wave),
-            NULL
+            NULL, NULL
         };
     const fvi_run run = { .system = &system,
                           .x0 = which ? up : zero,
@@ -75,7 +75,7 @@ START_TEST(runs_that_cannot_be_done_are_refused)
 {
     const double one = 1, c = 1, minus = -1;
     fvi_system good = {
-        1, &one, &one, fvi_potential_harmonic(&c), { 0 }, NULL
+        1, &one, &one, fvi_potential_harmonic(&c), { 0 }, NULL, NULL
     };
     fvi_system light = good;
     light.mass = &minus;

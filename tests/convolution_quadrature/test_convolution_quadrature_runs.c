@@ -142,7 +142,7 @@ START_TEST(eq_13_10_only_damped_coordinates_remember)
                  x0[] = { -0.5, 1, 0.25 }, p0[] = { 0.7, 0.2, 0 }, c = 1,
                  step[] = { 1, 2 }, alphas[] = { 0.3, 0.5, 0.8 };
     const fvi_system system = {
-        3, mass, rho, fvi_potential_harmonic(&c), fvi_force_step(step), NULL
+        3, mass, rho, fvi_potential_harmonic(&c), fvi_force_step(step), NULL, NULL
     };
     for (size_t i = 0; i < LEN(alphas) * LEN(methods); i++) {
         const fvi_method *method = methods[i / LEN(alphas)];
@@ -174,7 +174,7 @@ START_TEST(eq_13_7_the_modes_of_a_chain_decouple)
                  rho[D] = { 0.4, 0.4, 0.4, 0.4, 0.4 },
                  alphas[] = { 0.1, 0.5, 0.8 };
     const fvi_system system = { D,     mass, rho, fvi_potential_chain(c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(alphas) * D * LEN(methods); i++) {
         const fvi_method *method = methods[i / LEN(alphas) / D];
         const double j = (double)(i % D) + 1, s = sin(M_PI / 2 * j / (D + 1));

@@ -191,7 +191,7 @@ START_TEST(eq_13_17_the_stable_method_takes_every_step)
         const double one = 1;
         double load = 7, R_most = bound(&fvi_cq2_shifted, alpha, 0.5, W);
         const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         const double x0 = 1, p0 = 0;
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
         run.alpha = alpha;

@@ -47,7 +47,7 @@ static inline double last_of(const fvi_method *method, const fvi_kernel *law,
     const fvi_kernel moved = { law->count, term };
     const fvi_system system = { 1,      &at[2],
                                 &at[3], fvi_potential_duffing(spring),
-                                { 0 },  NULL };
+                                { 0 },  NULL, NULL };
     fvi_run run = fvi_run_default(&system, &at[0], &at[1], 0.1, steps);
     const fvi_objective J = { to_last, &run };
     run.law = &moved;

@@ -28,7 +28,7 @@ static void errors(const fvi_method *method, const fvi_kernel *law, size_t steps
         .m = 1, .c = 1, .rho = 1, .x0 = 1, .v0 = p0, .law = law
     };
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, t / (double)steps, steps);
     run.law = law;
     ck_assert_int_eq(fvi_exact_at(&exact, 1, &t, &off[0], &off[1], NULL), 0);
@@ -74,7 +74,7 @@ START_TEST(eq_26_12_orders_of_form_m_on_a_nonlinear_problem)
         for (int m = 0; m < 2; m++) {
             const fvi_system system = { 1,     &one,
                                         &one,  fvi_potential_duffing(spring),
-                                        { 0 }, NULL };
+                                        { 0 }, NULL, NULL };
             double end[3];
             for (int i = 0; i < 3; i++) {
                 const size_t steps = (size_t)160 << i;
@@ -114,7 +114,7 @@ static fvi_kernel random_law(gsl_rng *random, int proper, fvi_kernel_term term[2
 static double load_at(size_t s, const fvi_kernel *law, double c, double h)
 {
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &one, h, 1);
     double load = 0;
     run.law = law;
@@ -167,7 +167,7 @@ static double growth_of(size_t s, const fvi_kernel *law, double c, double h)
     static double x[N + 1];
     const double x0 = 0.3;
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &x0, &one, h, N);
     double half[2] = { 0, 0 };
     run.law = law;

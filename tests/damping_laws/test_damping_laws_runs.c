@@ -21,7 +21,7 @@ static double end_of(const fvi_method *method, const fvi_kernel *law, double g,
 {
     const double cg[] = { 1, g }, A[] = { force, 1e9 };
     const fvi_system system = {
-        1, &one, &one, fvi_potential_duffing(cg), fvi_force_step(A), NULL
+        1, &one, &one, fvi_potential_duffing(cg), fvi_force_step(A), NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, &x0, &p0, T / (double)steps, steps);
     run.law = law;
@@ -90,8 +90,8 @@ START_TEST(a_power_is_the_run_that_alpha_gives)
             const double cg[] = { 1, 0.5 }, x0 = 0.7,
                          p0 = m && alpha > 0.5 ? 0 : 0.4, rho = 0.1;
             const fvi_potential spring = fvi_potential_duffing(cg);
-            const fvi_system by_law = { 1, &one, &one, spring, { 0 }, NULL },
-                             by_alpha = { 1, &one, &rho, spring, { 0 }, NULL };
+            const fvi_system by_law = { 1, &one, &one, spring, { 0 }, NULL, NULL },
+                             by_alpha = { 1, &one, &rho, spring, { 0 }, NULL, NULL };
             fvi_run run = fvi_run_default(&by_law, &x0, &p0, 0.02, 500);
             double x[2][501];
             run.law = &law;
@@ -123,8 +123,8 @@ START_TEST(a_law_of_nothing_is_no_damping)
         for (size_t i = 0; i < LEN(how); i++) {
             const fvi_method *method = m ? &fvi_cq_bdf2 : &fvi_fractional;
             const fvi_potential spring = fvi_potential_harmonic(&one);
-            const fvi_system damped = { 1, &one, &one, spring, { 0 }, NULL },
-                             free_ = { 1, &one, &rho, spring, { 0 }, NULL };
+            const fvi_system damped = { 1, &one, &one, spring, { 0 }, NULL, NULL },
+                             free_ = { 1, &one, &rho, spring, { 0 }, NULL, NULL };
             fvi_run run = fvi_run_default(&damped, &x0, &p0, 0.1, 100);
             double x[2][101];
             run.law = &law;
@@ -148,7 +148,7 @@ START_TEST(a_chain_with_a_law_and_its_copy)
     const double mass[] = { 1, 2, 1 }, rho[] = { 1, 0, 0.5 }, cg[] = { 1, 0.2 };
     const double x0[] = { 1, 0, 0 }, p0[] = { 0, 0, 0.3 };
     const fvi_system system = { 3,     mass, rho, fvi_potential_chain(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, x0, p0, 0.05, 600);
     double x[2][601 * 3];
     run.law = &ref_laws[5];
@@ -185,7 +185,7 @@ START_TEST(eq_26_10_the_longest_step)
         for (int m = 0; m < 2; m++) {
             const fvi_method *method = m ? &fvi_cq_bdf2 : &fvi_fractional;
             const double mass = 1e-3, x0 = 0, p0 = 1e-3;
-            const fvi_system system = { 1, &mass, &one, { 0 }, { 0 }, NULL };
+            const fvi_system system = { 1, &mass, &one, { 0 }, { 0 }, NULL, NULL };
             fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 1);
             double h, last[2] = { 0 };
             run.law = &ref_laws[i];
@@ -215,7 +215,7 @@ static double most_energy(const fvi_method *method, const fvi_kernel *law)
     const double c = pow(10, random_in(-2, 2)), h = pow(10, random_in(-2, 0.5)),
                  p0 = fvi_kernel_growth(law) <= 1 ? random_in(-1, 1) : 0;
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, h, STEPS);
     run.law = law;
     run.memory = FVI_HISTORY_DIRECT;
@@ -260,7 +260,7 @@ START_TEST(who_does_not_know_laws_says_so)
 {
     const fvi_kernel_term bad = { FVI_KERNEL_POWER, -1, 0.3, 0, 0 };
     const double x0 = 1, p0 = 0;
-    const fvi_system system = { 1, &one, &one, { 0 }, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &one, { 0 }, { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 10);
     double x[11] = { 7 };
     run.law = &ref_laws[0];
@@ -295,7 +295,7 @@ START_TEST(who_does_not_know_laws_says_so)
     run.law = &(fvi_kernel){ 1, &bad };
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL), FVI_EDOM);
     const double undamped = 0; /* the law is bad even where nobody uses it */
-    run.system = &(fvi_system){ 1, &one, &undamped, { 0 }, { 0 }, NULL };
+    run.system = &(fvi_system){ 1, &one, &undamped, { 0 }, { 0 }, NULL, NULL };
     ck_assert_int_eq(fvi_trajectory(&fvi_cq_bdf2, &run, x, NULL, NULL), FVI_EDOM);
     run.system = &system;
     ck_assert_double_eq(x[0], 7);

@@ -13,7 +13,7 @@ static const double one = 1;
 static double end_of(const fvi_kernel *law, fvi_potential potential, double p0,
                      size_t steps)
 {
-    const fvi_system system = { 1, &one, &one, potential, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &one, potential, { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, 4 / (double)steps, steps);
     double *x = malloc((steps + 1) * sizeof *x);
     run.law = law;
@@ -70,7 +70,7 @@ START_TEST(eq_26_19_a_power_is_alpha)
         const fvi_kernel law = { 1, &term };
         const double zero = 0;
         const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         fvi_run run = fvi_run_default(&system, &one, &zero, 0.02, 200);
         double x[201];
         run.alpha = alpha;
@@ -91,7 +91,7 @@ START_TEST(eq_26_19_the_stability_number)
         for (int above = 0; above <= 1; above++) {
             const double zero = 0;
             const fvi_system system = {
-                1, &one, &one, fvi_potential_harmonic(&stiff), { 0 }, NULL
+                1, &one, &one, fvi_potential_harmonic(&stiff), { 0 }, NULL, NULL
             };
             fvi_run run = fvi_run_default(&system, &one, &zero, 1e-3, 3000);
             double longest, x[3001];

@@ -25,7 +25,7 @@ static void end_of(const fvi_kernel *law, const double spring[2], size_t steps,
                                 spring[1] == 0 ? fvi_potential_harmonic(spring)
                                                : fvi_potential_duffing(spring),
                                 { 0 },
-                                NULL };
+                                NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, 4 / (double)steps, steps);
     run.law = law;
     ck_assert_int_eq(fvi_trajectory(&fvi_cq2_midpoint, &run, x, p, NULL), 0);
@@ -97,7 +97,7 @@ START_TEST(eq_26_15_no_step_is_too_long)
                      mass[D] = { 1, 1 }, x0[D] = { 1, 1 }, p0[D] = { 0, 0 };
         const fvi_system system = { D,     mass,
                                     mass,  fvi_potential_chain(spring),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         fvi_run run = fvi_run_default(
             &system, x0, p0, pow(10, 3 * gsl_rng_uniform(random) - 2), STEPS);
         run.law = &law;
@@ -125,7 +125,7 @@ START_TEST(modes_and_copies_go_the_same_way)
                  rho[D] = { 0.3, 0, 1 }, x0[D] = { 1, 0, -0.5 },
                  p0[D] = { 0.2, 0.7, 0 };
     const fvi_system system = { D,     mass, rho, fvi_potential_chain(spring),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t l = 0; l < LEN(ref_laws); l++) {
         fvi_run run = fvi_run_default(&system, x0, p0, 0.02, STEPS);
         fvi_stepper *s, *copy;

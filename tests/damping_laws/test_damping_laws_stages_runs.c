@@ -18,7 +18,7 @@ static double end_of(const fvi_method *method, const fvi_kernel *law,
                      fvi_potential potential, double p0, fvi_history_kind kind,
                      size_t steps)
 {
-    const fvi_system system = { 1, &one, &one, potential, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &one, potential, { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &p0, 4 / (double)steps, steps);
     run.law = law;
     run.memory = kind;
@@ -129,7 +129,7 @@ START_TEST(eq_17_28_form_d_with_a_law_is_stable_for_every_step)
         const fvi_kernel law = { 2, t };
         const fvi_system system = { 1,     &one,
                                     &one,  fvi_potential_harmonic(&c),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         fvi_run run = fvi_run_default(&system, &one, &zero, 0.3, 600);
         double load = 7, half[2] = { 0, 0 };
         run.law = &law;
@@ -157,7 +157,7 @@ START_TEST(what_stages_do_not_take_is_refused)
                                    { FVI_KERNEL_ZENER, 0, 0.7, 1, 0 },
                                    { FVI_KERNEL_ZENER, 1, 0.5, 1, 0 } };
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &one, 0.1, 100);
     for (size_t i = 0; i < LEN(terms); i++) {
         const fvi_kernel law = { 1, &terms[i] };

@@ -26,7 +26,7 @@ static int motion(const fvi_kernel *law, size_t i, double *x)
     double F = ref_motions[i].force, rows[2];
     const fvi_system system = { 1,      &one,
                                 &one,   fvi_potential_harmonic(&one),
-                                { .value = push, .params = &F }, NULL };
+                                { .value = push, .params = &F }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &ref_motions[i].x0,
                                   &ref_motions[i].p0, ref_motions[i].t, 1);
     run.step_error = 1e-14;
@@ -84,7 +84,7 @@ START_TEST(eq_26_18_a_chain_that_is_not_linear)
         if (fvi_kernel_growth(&ref_laws[l]) > 1)
             continue;
         const fvi_system system = { 3,   mass, rho, fvi_potential_chain(spring + 1),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         fvi_run run = fvi_run_default(&system, x0, p0, 4. / 1600, 1600);
         double *x = malloc(1601 * 3 * sizeof *x), few[6];
         run.law = &ref_laws[l];
@@ -108,7 +108,7 @@ START_TEST(a_fork_goes_on_with_the_same_digits)
 {
     const double x0 = 1, p0 = 0;
     const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t l = 0; l < LEN(ref_laws); l++) {
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, 6);
         fvi_stepper *s, *fork;
@@ -133,7 +133,7 @@ START_TEST(eq_26_18_poles_near_the_cut)
 {
     const double x0 = 1, p0 = 0.5, t = 4;
     const fvi_system system = { 1, &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (double alpha = 0.3; alpha < 0.7; alpha += 0.03) {
         const fvi_kernel_term term = { FVI_KERNEL_ZENER, 1, alpha, 0.5, 0 };
         const fvi_kernel law = { 1, &term };

@@ -31,7 +31,7 @@ START_TEST(eq_2_5_and_2_6_the_discrete_lagrangian)
         const fvi_system system = {
             2,     mass,
             one,   potential(ref_lagrangian[r].kind, ref_lagrangian[r].cg),
-            { 0 }, NULL
+            { 0 }, NULL, NULL
         };
         const double kappa = ref_lagrangian[r].kappa;
         double L, D1[2], D2[2], only[2];
@@ -64,7 +64,7 @@ START_TEST(eq_2_7_and_2_8_trajectories_are_the_exact_ones)
                               ref_runs[r].rho,
                               potential(ref_runs[r].kind, ref_runs[r].cg),
                               { 0 },
-                              NULL };
+                              NULL, NULL };
         if (ref_runs[r].method != &fvi_midpoint_variational)
             system.force = (fvi_force){ .value = ramp,
                                         .params = (void *)ref_runs[r].ramp };
@@ -109,7 +109,7 @@ START_TEST(eq_2_7_runs_make_the_action_stationary)
                                         fvi_potential_chain(quartic),
                                         { .value = forced ? ramp : NULL,
                                           .params = (void *)push },
-                                        NULL };
+                                        NULL, NULL };
             const setup a = {
                 .alpha = 0.5, .kappa = kappa, .h = 0.05, .steps = N
             };
@@ -142,7 +142,7 @@ START_TEST(eq_2_9_time_runs_back_with_1_minus_kappa)
     enum { N = 20 };
     const fvi_system system = { 3,     mass3,
                                 none,  fvi_potential_chain(quartic),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         setup a = { .kappa = kappa, .h = 0x1p-10, .steps = N };
         double x[3 * (N + 1)], p[3 * (N + 1)], reversed[3];
@@ -165,7 +165,7 @@ END_TEST
 START_TEST(bad_arguments_are_refused_and_outputs_untouched)
 {
     const fvi_system good = { 1,     one, none, fvi_potential_harmonic(one),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     fvi_system bad = good;
     bad.mass = none;
     double L = 7, D[2] = { 7, 7 };
@@ -197,7 +197,7 @@ START_TEST(methods_refuse_what_they_do_not_know)
 {
     const double kick[] = { 1, 1 };
     fvi_system system = {
-        1, one, one, fvi_potential_harmonic(one), { 0 }, NULL
+        1, one, one, fvi_potential_harmonic(one), { 0 }, NULL, NULL
     };
     fvi_run r = { .system = &system,
                   .x0 = one,

@@ -78,7 +78,7 @@ START_TEST(eq_2_11_bands_and_full_matrices_agree)
     for (size_t m = 0; m < 2 * LEN(methods); m++) {
         const fvi_method *method = methods[m / 2];
         fvi_system system = { D,     one, one, fvi_potential_chain(cg[m % 2]),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = x0,
                               .p0 = none,
@@ -105,7 +105,7 @@ START_TEST(a_jacobian_that_finds_no_room_is_refused)
     ck_assert_ptr_nonnull(ones);
     for (size_t i = 0; i < D; i++)
         ones[i] = 1;
-    fvi_system system = { D, ones, ones, potential(CUBIC, ones), { 0 }, NULL };
+    fvi_system system = { D, ones, ones, potential(CUBIC, ones), { 0 }, NULL, NULL };
     fvi_newton *n = NULL;
     ck_assert_int_eq(fvi_newton_alloc(&system, ones, 1, 1, &n), FVI_ENOMEM);
     ck_assert_ptr_null(n);

@@ -51,7 +51,7 @@ START_TEST(eq_2_12_areas_of_explicit_steps_exactly)
         for (size_t i = 0; i < LEN(rho); i++) {
             const fvi_system system = { 1,       one,
                                         rho + i, fvi_potential_duffing(quartic),
-                                        { 0 },   NULL };
+                                        { 0 },   NULL, NULL };
             double M[4];
             differentiate(&fvi_lagrange_dalembert, &system, kappa, h, delta, M);
             ck_assert_ulp((M[0] * M[3] - M[1] * M[2]) / 9, 1 - h * rho[i], 0,
@@ -72,7 +72,7 @@ START_TEST(eq_2_12_areas_of_implicit_steps)
         for (size_t i = 0; i < LEN(rho); i++) {
             const fvi_system system = { 1,       one,
                                         rho + i, fvi_potential_duffing(quartic),
-                                        { 0 },   NULL };
+                                        { 0 },   NULL, NULL };
             const setup a = {
                 .alpha = 0.5, .kappa = kappa, .h = h, .steps = 1
             };
@@ -104,7 +104,7 @@ START_TEST(eq_2_12_areas_in_three_dimensions)
 {
     const fvi_system system = { 3,     mass3,
                                 none,  fvi_potential_chain(quartic),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const double delta = 0x1p-8;
     for (double kappa = 0; kappa <= 1; kappa += 0.25) {
         double M[2][36];
@@ -137,7 +137,7 @@ START_TEST(eq_2_13_what_euler_does_to_areas)
 {
     const double c = 3, m = 2, rho = 0.5, h = 0.25, e[] = { 1, 0, 1 };
     const fvi_system system = { 1,     &m,  &rho, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_method *const both[] = { &fvi_euler_explicit,
                                        &fvi_euler_implicit };
     for (size_t i = 0; i < 2; i++) {
@@ -171,7 +171,7 @@ START_TEST(eq_2_13_what_euler_does_to_the_energy)
                  { &fvi_euler_implicit, 1 / (1 + h * h * c / m) },
                  { &fvi_midpoint_variational, 1 } };
     const fvi_system system = { 1,     &m,  none, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(rows); i++) {
         const fvi_run r = { .system = &system,
                             .x0 = &x0,
@@ -225,7 +225,7 @@ START_TEST(eq_2_4_energy_stays_in_a_band)
 {
     const double g = 1, x0 = 2, p0 = 0, kappas[] = { 0, 0.25, 0.5 };
     const fvi_system system = { 1,     one, none, fvi_potential_pendulum(&g),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(kappas); i++) {
         fvi_run r = { .system = &system,
                       .x0 = &x0,

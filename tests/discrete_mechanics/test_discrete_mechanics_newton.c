@@ -39,7 +39,7 @@ static fvi_system telling(diary *const *told)
                               .gradient = told_gradient,
                               .hessian = told_hessian,
                               .params = (void *)told };
-    return (fvi_system){ 1, one, none, u, { 0 }, NULL };
+    return (fvi_system){ 1, one, none, u, { 0 }, NULL, NULL };
 }
 
 /* ---- values ---- */
@@ -53,7 +53,7 @@ START_TEST(eq_2_10_linear_equations)
     const double A[] = { 1, 3 }, two[] = { 2, 2 };
     double d[2] = { 7, 7 }, g[2];
     fvi_system system = {
-        2, one, none, fvi_potential_harmonic(c), { 0 }, NULL
+        2, one, none, fvi_potential_harmonic(c), { 0 }, NULL, NULL
     };
     fvi_newton *newton = solver(&system, A, 1, 0.5);
     ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
@@ -94,7 +94,7 @@ START_TEST(eq_2_10_is_explicit_at_both_ends_of_kappa)
     ck_assert_uint_eq(page.hessians, 0);
     fvi_newton_free(newton);
 
-    const fvi_system freely = { 2, one, none, { 0 }, { 0 }, NULL };
+    const fvi_system freely = { 2, one, none, { 0 }, { 0 }, NULL, NULL };
     const double r2[] = { 3, -1 }, x2[] = { 1, 1 };
     double d2[2], g2[2] = { 7, 7 };
     newton = solver(&freely, one, 1, 1);
@@ -119,7 +119,7 @@ START_TEST(eq_2_10_solutions_satisfy_it)
     for (int kind = HARMONIC; kind <= PENDULUM; kind++) {
         const size_t dim = kind == CUBIC ? 1 : 5;
         const fvi_system system = { dim,   one, none, potential(kind, cg),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         for (size_t i = 0; i < LEN(s) * LEN(theta); i++) {
             const double si = s[i % LEN(s)], ti = theta[i / LEN(s)];
             double r[] = { 5, -3, 0.1, 7, 2 }, d[5] = { 0 }, g[5], z[5];
@@ -211,7 +211,7 @@ START_TEST(eq_2_10_parameters_may_change_until_a_run_starts)
     for (int i = 0; i < 4; i++) {
         const int kind = i % 2 ? CHAIN : DUFFING;
         double cg[] = { 1, 0 };
-        fvi_system system = { 2, one, one, potential(kind, cg), { 0 }, NULL };
+        fvi_system system = { 2, one, one, potential(kind, cg), { 0 }, NULL, NULL };
         fvi_run run = { .system = &system,
                         .x0 = x0,
                         .p0 = p0,
@@ -236,7 +236,7 @@ START_TEST(bad_solvers_are_refused)
 {
     const double c = 1, bad[] = { 0, -1, GSL_NAN, GSL_POSINF };
     const fvi_system good = { 2,     one, none, fvi_potential_harmonic(&c),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     fvi_system broken = good;
     broken.mass = NULL;
     fvi_newton *const kept = (fvi_newton *)&broken, *n = kept;
@@ -254,7 +254,7 @@ START_TEST(bad_solvers_are_refused)
     /* A = 1, s theta = 1: 1 - 1 = 0; and [[-1, 1], [1, -1]] in two dimensions. */
     const double soft[] = { -1, 0 };
     fvi_system singular = { 1,     one, none, fvi_potential_duffing(soft),
-                            { 0 }, NULL };
+                            { 0 }, NULL, NULL };
     ck_assert_int_eq(fvi_newton_alloc(&singular, one, 1, 1, &n), FVI_ESING);
     singular.d = 2;
     singular.potential = fvi_potential_chain(soft);
@@ -274,7 +274,7 @@ START_TEST(null_pointers_are_refused_and_infinities_come_back)
 {
     const fvi_system duffing = { 1,     one,
                                  none,  fvi_potential_duffing(spring),
-                                 { 0 }, NULL };
+                                 { 0 }, NULL, NULL };
     const double x = 1, r = 1, nan = GSL_NAN;
     double d = 0, g = 7;
     fvi_newton *n = solver(&duffing, one, 1, 1);

@@ -17,7 +17,7 @@ START_TEST(eq_2_10_is_solved_where_a_motion_dies_away_from_zero)
                                                  &fvi_cq2_shifted, &fvi_cq_bdf2 };
     const double well[] = { -1, 1 }, rho = 0.5, x0 = 0.5, p0 = 0;
     const fvi_system system = { 1,     one, &rho, fvi_potential_duffing(well),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(methods); i++) {
         const fvi_run run = { .system = &system,
                               .x0 = &x0,
@@ -44,7 +44,7 @@ START_TEST(eq_2_10_is_solved_where_newton_loses_its_way)
     double d[2], g[2];
     for (size_t dim = 1; dim <= 2; dim++) {
         const fvi_system flat = { dim,   one, none, fvi_potential_duffing(well),
-                                  { 0 }, NULL };
+                                  { 0 }, NULL, NULL };
         fvi_newton *newton = solver(&flat, one, 1, 1);
         d[0] = d[1] = 0;
         ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_SUCCESS);
@@ -55,7 +55,7 @@ START_TEST(eq_2_10_is_solved_where_newton_loses_its_way)
     }
     const double deep[] = { -8, 2 }, push = -2, z = -1.7692923542386314;
     const fvi_system round = { 1,     one, none, fvi_potential_duffing(deep),
-                               { 0 }, NULL };
+                               { 0 }, NULL, NULL };
     fvi_newton *newton = solver(&round, one, 0.5, 0.5);
     d[0] = 0;
     ck_assert_int_eq(fvi_newton_solve(newton, x, &push, d, g), FVI_SUCCESS);
@@ -70,7 +70,7 @@ START_TEST(equations_that_cannot_be_solved_are_reported)
     const double cubic[] = { 0, 1 }, x[] = { 0, 0 }, r[] = { -1, 2 };
     double d[] = { 0, 0 }, g[2];
     const fvi_system hopeless = { 1,     one, none, potential(CUBIC, cubic),
-                                  { 0 }, NULL };
+                                  { 0 }, NULL, NULL };
     fvi_newton *newton = solver(&hopeless, one, 1, 1);
     ck_assert_int_eq(fvi_newton_solve(newton, x, r, d, g), FVI_EMAXITER);
     fvi_newton_free(newton);

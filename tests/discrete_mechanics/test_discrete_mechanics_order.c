@@ -74,7 +74,7 @@ static void errors(const fvi_method *method, int kind, double kappa,
 {
     static double x[FINEST + 1], p[FINEST + 1];
     const fvi_system system = {
-        1, &one, &none, potential(kind, cg), { 0 }, NULL
+        1, &one, &none, potential(kind, cg), { 0 }, NULL, NULL
     };
     setup a = { .alpha = 0.5, .kappa = kappa, .h = T / (double)N, .steps = N };
     exact(kind, START, 0, &a.x0, &a.p0);
@@ -122,7 +122,7 @@ START_TEST(eq_2_4_exact_solutions_conserve_energy)
         const int kind = i % 2 ? DUFFING : PENDULUM;
         const motion from = i / 2 ? REST : START;
         const fvi_system system = { 1,     &one, &none, potential(kind, cg),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         double x, p, x0, p0;
         exact(kind, from, 0, &x, &p);
         const double E = energy_of(&system, &x, &p);

@@ -97,7 +97,7 @@ static void draw(uint64_t *state, trial *t)
                                   .gradient = full_gradient,
                                   .hessian = full_hessian,
                                   .params = t->cg } };
-    t->system = (fvi_system){ d, t->mass, t->rho, u[kind], { 0 }, NULL };
+    t->system = (fvi_system){ d, t->mass, t->rho, u[kind], { 0 }, NULL, NULL };
     t->run = (fvi_run){ .system = &t->system,
                         .x0 = t->x0,
                         .p0 = t->p0,
@@ -157,7 +157,7 @@ START_TEST(eq_17_8_a_long_step_comes_to_rest_in_a_well)
     static double x[N + 1];
     const double one = 1, none = 0, rho = 0.05, x0 = 1.01, well[] = { -1, 1 };
     const fvi_system system = { 1,     &one, &rho, fvi_potential_duffing(well),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (double alpha = 0.25; alpha < 1; alpha += 0.25) {
         const fvi_run run = { .system = &system,
                               .x0 = &x0,

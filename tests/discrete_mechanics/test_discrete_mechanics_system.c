@@ -27,7 +27,7 @@ START_TEST(eq_2_1_potentials_and_their_derivatives)
         const fvi_potential u =
             potential(ref_potentials[r].kind, ref_potentials[r].cg);
         const int exact = ref_potentials[r].kind != PENDULUM;
-        const fvi_system system = { d, one, one, u, { 0 }, NULL };
+        const fvi_system system = { d, one, one, u, { 0 }, NULL, NULL };
         double value, g[3], H[9];
         ck_assert_int_eq(fvi_potential_value(&system, x, &value), 0);
         ck_assert_int_eq(fvi_potential_gradient(&system, x, g), 0);
@@ -101,7 +101,7 @@ START_TEST(eq_2_4_energy)
     const double mass[] = { 2, 4 }, none[] = { 0, 0 }, cg[] = { 1, 2 };
     const double x[] = { 1, -1 }, p[] = { 3, -2 };
     fvi_system system = {
-        2, mass, none, fvi_potential_duffing(cg), { 0 }, NULL
+        2, mass, none, fvi_potential_duffing(cg), { 0 }, NULL, NULL
     };
     ck_assert_double_eq(energy_of(&system, x, p), 2.75 + 2 * (0.5 + 0.5));
     system.potential = (fvi_potential){ 0 };
@@ -124,7 +124,7 @@ START_TEST(eq_2_1_derivatives_by_differences)
         if (kind == CUBIC) /* only one-dimensional, and not the library's */
             continue;
         const fvi_potential u = potential(kind, cg);
-        const fvi_system system = { 3, one, one, u, { 0 }, NULL };
+        const fvi_system system = { 3, one, one, u, { 0 }, NULL, NULL };
         double g[3], H[9];
         fvi_potential_gradient(&system, x, g);
         fvi_potential_hessian(&system, x, H);
@@ -175,7 +175,7 @@ START_TEST(eq_2_1_a_hessian_out_of_diagonals)
             const fvi_potential u = { .hessian = band_hessian,
                                       .params = &m,
                                       .diagonals = m };
-            const fvi_system system = { d, one, one, u, { 0 }, NULL };
+            const fvi_system system = { d, one, one, u, { 0 }, NULL, NULL };
             double H[MOST * WIDE];
             const size_t room = fvi_potential_hessian_size(&system);
             ck_assert_uint_eq(room, d * (m > d ? m : d));
@@ -191,7 +191,7 @@ START_TEST(eq_2_1_a_hessian_out_of_diagonals)
                                   : 0);
                 }
         }
-    const fvi_system vast = { SIZE_MAX / 16, one, one, { 0 }, { 0 }, NULL };
+    const fvi_system vast = { SIZE_MAX / 16, one, one, { 0 }, { 0 }, NULL, NULL };
     ck_assert_uint_eq(fvi_potential_hessian_size(&vast), SIZE_MAX / 64);
 }
 END_TEST
@@ -202,7 +202,7 @@ START_TEST(systems_that_cannot_move_are_refused)
     const double bad_mass[] = { 0, -1, GSL_NAN, GSL_POSINF };
     const double bad_damping[] = { -0x1p-1074, GSL_NAN, GSL_POSINF };
     const fvi_system good = { 2,     one, one, fvi_potential_harmonic(&c),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     fvi_system s = good;
     ck_assert_int_eq(fvi_system_check(&good, NULL), FVI_SUCCESS);
     ck_assert_int_eq(fvi_system_check(NULL, NULL), FVI_EFAULT);

@@ -72,7 +72,7 @@ static const fvi_system coupled = { 2,
                                       .gradient = coupled_gradient,
                                       .hessian = coupled_hessian },
                                     { 0 },
-                                    NULL };
+                                    NULL, NULL };
 
 /* Mass 2, damping 3/2, and the potential of the reference values. */
 static fvi_system cubic(const double c[3])
@@ -86,7 +86,7 @@ static fvi_system cubic(const double c[3])
                            .hessian = cubic_hessian,
                            .params = (void *)c },
                          { 0 },
-                         NULL };
+                         NULL, NULL };
 }
 
 enum { MOST = 130 }; /* room for N + 1 <= 65 vectors of R^2 */

@@ -185,7 +185,7 @@ START_TEST(eq_11_7_the_integrator_converges_to_it_at_order_1)
     static double x[641];
     const double alphas[] = { 0.25, 0.5, 0.75 }, one = 1, half = 0.5;
     const fvi_system system = { 1,     &one, &RHO, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(alphas); i++) {
         double errors[3] = { 0 };
         for (size_t level = 0; level < 3; level++) {

@@ -199,11 +199,11 @@ START_TEST(a_run_is_that_of_the_potential_that_is_built_in)
         fvi_expression *e = parsed(text[d - 1], &names, cg),
                        *F = parsed("cos(2*t)/4", &time, NULL);
         const fvi_system s[] = { { d, m, rho, fvi_potential_expression(e),
-                                   fvi_force_expression(F), NULL },
+                                   fvi_force_expression(F), NULL, NULL },
                                  { d, m, rho,
                                    d == 1 ? fvi_potential_duffing(cg)
                                           : fvi_potential_chain(cg),
-                                   fvi_force_cosine(aw), NULL } };
+                                   fvi_force_cosine(aw), NULL, NULL } };
         for (int i = 0; i < 2; i++) {
             fvi_run run = fvi_run_default(&s[i], x0, p0, 0.05, 400);
             run.alpha = 0.3;
@@ -222,7 +222,7 @@ END_TEST
 static double seconds_of(const fvi_potential *P, double *last)
 {
     const double m = 1, rho = 0.2, x0 = 1, p0 = 0.5;
-    const fvi_system s = { 1, &m, &rho, *P, { 0 }, NULL };
+    const fvi_system s = { 1, &m, &rho, *P, { 0 }, NULL, NULL };
     const fvi_run run = fvi_run_default(&s, &x0, &p0, 0.1, 20000);
     static double x[20001];
     double best = INFINITY;

@@ -110,7 +110,7 @@ static fvi_run wide_run(fvi_system *system)
                               .gradient = full_gradient,
                               .hessian = full_hessian },
                             { 0 },
-                            NULL };
+                            NULL, NULL };
     fvi_run run = fvi_run_default(system, wide[1], wide[0], 0x1p-6, 300);
     run.kappa = 0.25;
     return run;

@@ -31,7 +31,7 @@ START_TEST(eq_9_2_trajectories_are_the_exact_ones)
             ref_runs[r].rho,
             potential(ref_runs[r].potential, ref_runs[r].cg),
             { .value = ramp, .params = (void *)ref_runs[r].ramp },
-            NULL
+            NULL, NULL
         };
         const setup a = { .alpha = ref_runs[r].alpha,
                           .kappa = ref_runs[r].kappa,
@@ -187,7 +187,7 @@ START_TEST(eq_9_4_only_damped_coordinates_remember)
                                 rho,
                                 fvi_potential_harmonic(&c),
                                 { .value = ramp, .params = (void *)slope },
-                                NULL };
+                                NULL, NULL };
     const fvi_initial_history pasts[] = { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_HELD,
                                FVI_INITIAL_HISTORY_CAPUTO };
     double undamped[51] = { 0 };
@@ -230,7 +230,7 @@ START_TEST(eq_9_3_the_modes_of_a_chain_decouple)
                  rho[D] = { 0.4, 0.4, 0.4, 0.4, 0.4 },
                  alphas[] = { 0.1, 0.5, 0.8 };
     const fvi_system system = { D,     mass, rho, fvi_potential_chain(c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(alphas) * D; i++) {
         const double j = (double)(i % D) + 1, s = sin(M_PI / 2 * j / (D + 1));
         double x0[D], p0[D], x[(N + 1) * D], mode[N + 1], p[N + 1];

@@ -77,7 +77,7 @@ static fvi_system system_of(patient *a, size_t d)
                          rho,
                          { value, gradient, hessian, a, is_linear, 1, NULL },
                          { .value = force, .params = a },
-                         NULL };
+                         NULL, NULL };
 }
 
 static size_t told; /* calls of the error handler */
@@ -189,7 +189,7 @@ START_TEST(a_callback_that_fails_where_newton_loses_its_way)
     patient a = { { 0, 0 }, { 0, 0 }, GRADIENT, -7, SIZE_MAX, 0, 0 };
     const fvi_system system = { 1,     ones,
                                 ones,  { value, sign, flat, &a, NULL, 0, NULL },
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &at, ones, 1, N);
     run.alpha = 0.3;
     ck_assert_int_eq(fvi_trajectory(&fvi_fractional, &run, NULL, NULL, NULL),

@@ -94,7 +94,7 @@ START_TEST(a_copy_and_a_reset_give_the_same_digits)
                         quiet ? none : rho,
                         fvi_potential_chain(chain[(a + m) % 2]),
                         quiet ? (fvi_force){ 0 } : fvi_force_cosine(push),
-                        NULL
+                        NULL, NULL
                     };
                     fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
                     run.alpha = alphas[a];
@@ -121,7 +121,7 @@ START_TEST(a_fork_goes_on_under_another_force)
     for (size_t m = 0; m < 6; m++) {
         double push[] = { 1, 2 };
         const fvi_system system = {
-            D, mass, rho, { 0 }, fvi_force_cosine(push), NULL
+            D, mass, rho, { 0 }, fvi_force_cosine(push), NULL, NULL
         };
         const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-6, N);
         fvi_stepper *s, *twin;
@@ -154,7 +154,7 @@ START_TEST(a_run_that_failed_begins_anew)
 {
     int fail = 0;
     const fvi_system system = {
-        D, mass, rho, { 0 }, { .value = moody, .params = &fail }, NULL
+        D, mass, rho, { 0 }, { .value = moody, .params = &fail }, NULL, NULL
     };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     static double x[ROWS], p[ROWS];
@@ -196,7 +196,7 @@ START_TEST(copy_and_reset_refuse)
                               .start = leave,
                               .step = stay,
                               .stop = forget };
-    const fvi_system system = { D, mass, rho, { 0 }, { 0 }, NULL };
+    const fvi_system system = { D, mass, rho, { 0 }, { 0 }, NULL, NULL };
     const fvi_run run = fvi_run_default(&system, x0, p0, 0x1p-4, N);
     fvi_stepper *s, *to = NULL;
     fvi_history *memory, *twin = NULL;

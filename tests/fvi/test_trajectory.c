@@ -44,7 +44,7 @@ START_TEST(rows_are_the_same_streamed_and_stored)
     const double cg[] = { 1, 0.5 };
     const double rho[] = { 0.5, 0.25 };
     const fvi_system system = { 2,     one, rho, fvi_potential_chain(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = half,
@@ -82,7 +82,7 @@ START_TEST(what_needs_no_memory_takes_none)
     for (size_t i = 0; i < LEN(alphas); i++) {
         const fvi_system system = {
             1,     one, i == 0 ? none : half, fvi_potential_harmonic(&c),
-            { 0 }, NULL
+            { 0 }, NULL, NULL
         };
         const fvi_run run = { .system = &system,
                               .x0 = one,
@@ -107,7 +107,7 @@ END_TEST
 START_TEST(start_refuses)
 {
     const double minus[] = { -1 }, singular = -4, c = 1;
-    fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 }, NULL };
+    fvi_system good = { 1, one, one, fvi_potential_harmonic(&c), { 0 }, NULL, NULL };
     fvi_system no_mass = good, bad_mass = good, no_room = good, partial = good,
                nothing = good, caves_in = good, pushed = good;
     no_mass.mass = NULL;
@@ -217,7 +217,7 @@ START_TEST(a_value_that_stops_being_finite_is_reported_with_its_step)
     fvi_error_handler *before = fvi_set_error_handler(unheard);
     const double c = -1e100;
     const fvi_system system = { 1,     one, one, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = one,
                           .p0 = none,
@@ -255,7 +255,7 @@ static int explodes(double t, size_t d, void *params, double *F)
 START_TEST(a_momentum_that_stops_being_finite_is_reported_at_once)
 {
     const fvi_system system = {
-        1, one, none, { 0 }, { .value = explodes }, NULL
+        1, one, none, { 0 }, { .value = explodes }, NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = one,
@@ -291,7 +291,7 @@ START_TEST(a_step_that_cannot_be_solved_is_reported)
             one,
             { no_value, sign, claimed, (void *)&bad[i].hessian, 0, 0, 0 },
             { 0 },
-            NULL
+            NULL, NULL
         };
         const fvi_run run = { .system = &system,
                               .x0 = &bad[i].x0,
@@ -330,7 +330,7 @@ START_TEST(every_implicit_method_reports_a_step_that_cannot_be_solved)
         const fvi_system system = {
             1,     one,
             none,  { no_value, sign, claimed, (void *)&hessian, 0, 0, 0 },
-            { 0 }, NULL
+            { 0 }, NULL, NULL
         };
         const fvi_run run = { .system = &system,
                               .x0 = &x0,
@@ -353,7 +353,7 @@ START_TEST(algorithm_3_refuses)
 {
     const double minus = -1, c = 1;
     const fvi_system good = { 1,     one, one, fvi_potential_harmonic(&c),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     fvi_system two = good, light = good, undamped = good;
     two.d = 2;
     light.mass = &minus;

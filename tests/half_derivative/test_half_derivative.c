@@ -312,7 +312,7 @@ START_TEST(eq_7_9_forced_runs_solve_the_printed_equation)
     fvi_system system;
     fvi_run run = oscillator(&system, h, N);
     system = (fvi_system){
-        D, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(aw), NULL
+        D, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(aw), NULL, NULL
     };
     run.x0 = x0;
     run.p0 = p0;

@@ -86,7 +86,7 @@ static inline void solve(const fvi_method *method, const setup *a, double *x,
 {
     const fvi_system system = { 1,        &a->mass,
                                 &a->rho,  potential(a->potential, a->cg),
-                                a->force, NULL };
+                                a->force, NULL, NULL };
     run(method, a, &system, &a->x0, &a->p0, x, p);
 }
 
@@ -94,7 +94,7 @@ static inline void solve_as_printed(const setup *a, double *x)
 {
     const fvi_system system = { 1,        &a->mass,
                                 &a->rho,  potential(a->potential, a->cg),
-                                a->force, NULL };
+                                a->force, NULL, NULL };
     ck_assert_int_eq(fvi_algorithm_3(&system, a->alpha, a->kappa, a->h,
                                      a->steps, a->x0, a->p0, x),
                      FVI_SUCCESS);

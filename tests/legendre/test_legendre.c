@@ -26,7 +26,7 @@ static fvi_system momentum_system(size_t row)
     return (fvi_system){
         2,     mass2,
         rho2,  potential(ref_momenta[row].kind, ref_momenta[row].cg),
-        { 0 }, NULL
+        { 0 }, NULL, NULL
     };
 }
 
@@ -96,7 +96,7 @@ START_TEST(eq_8_3_momenta_match_at_every_node)
                                 rho,
                                 fvi_potential_chain(quartic),
                                 { .value = ramp, .params = (void *)push },
-                                NULL };
+                                NULL, NULL };
     double x[3 * (N + 1)], p[3 * (N + 1)], D[3 * (N + 1)];
     for (size_t r = 0; r < LEN(alphas) * 5; r++) {
         const setup a = { .alpha = alphas[r / 5],
@@ -145,7 +145,7 @@ START_TEST(eq_8_4_there_and_back)
     for (size_t r = 0; r < LEN(kinds) * 5; r++) {
         const fvi_system s = { 3,     mass3,
                                none,  potential(kinds[r % LEN(kinds)], cg),
-                               { 0 }, NULL };
+                               { 0 }, NULL, NULL };
         const double kappa = 0.25 * (double)(r / LEN(kinds));
         double p[3], next[3];
         const double bound = 64 * U * (2 / h + h * 64);
@@ -263,7 +263,7 @@ START_TEST(bad_steps_are_refused_and_outputs_untouched)
                  huge = 1e308;
     const double soft = -4, cubic[] = { 0, 1 }, zero = 0;
     const fvi_system good = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     fvi_system bad = good, singular = good, hopeless = good, freely = good;
     freely.potential = (fvi_potential){ 0 };
     bad.mass = NULL;

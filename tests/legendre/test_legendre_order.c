@@ -59,7 +59,7 @@ static void candidates(const fvi_system *system, double kappa, double h,
 static const fvi_system *paper(void)
 {
     static const double one = 1;
-    static fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL };
+    static fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL, NULL };
     system.potential = fvi_potential_harmonic(&c);
     return &system;
 }
@@ -135,7 +135,7 @@ START_TEST(eq_8_8_the_quotient_loses_an_order_without_damping)
     const double one = 1, none = 0, cg[] = { 1, 1 }, A = 1.25;
     const double omega = sqrt(1 + A * A), k2 = A * A / (2 * omega * omega);
     const fvi_system system = { 1,     &one, &none, fvi_potential_duffing(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const double order[] = { 2, 2, 1 };
     double error[CANDIDATES][2] = { { 0 } }, sn, cn, dn;
     for (size_t i = 0; i < 2; i++) {

@@ -11,7 +11,7 @@ static inline double load_at(size_t s, double alpha, double W, double R)
 {
     const double one = 1, zero = 0;
     const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = {
         .system = &system, .x0 = &zero, .h = 1, .alpha = alpha
     };

@@ -36,7 +36,7 @@ static inline int try_run(const setup *a, double *x, double *p)
     const double mass = a->mass > 0 ? a->mass : 1;
     const fvi_system system = { 1,        &mass,
                                 &a->rho,  fvi_potential_duffing(a->cg),
-                                a->force, NULL };
+                                a->force, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &a->x0,
                           .p0 = &a->p0,

@@ -27,7 +27,7 @@ START_TEST(eq_17_8_a_chain_is_its_modes)
     const double cg[] = { 1, 0 }, one[] = { 1, 1, 1 },
                  rho[] = { 0.3, 0.3, 0.3 };
     const fvi_system system = { 3,     one, rho, fvi_potential_chain(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t s = 2; s <= 4; s++)
         for (size_t i = 0; i < LEN(alphas); i++) {
             double start[3], push[3];
@@ -78,7 +78,7 @@ START_TEST(eq_17_8_only_damped_coordinates_remember)
             const double *rho = rhos[i % 2], alpha = alphas[i / 2];
             const fvi_system system = {
                 3,   mass, rho, fvi_potential_duffing(cg), fvi_force_cosine(aw),
-                NULL
+                NULL, NULL
             };
             solve3(&system, s, alpha, FVI_HISTORY_DIRECT, start, push);
             for (size_t c = 0; c < 3; c++) {
@@ -109,7 +109,7 @@ START_TEST(eq_17_8_newton_finds_what_one_factorisation_finds)
 {
     const double cg[] = { 1, 0 }, one[] = { 1, 2, 1 }, rho[] = { 0.3, 0, 0.6 },
                  start[] = { 1, -0.5, 0.3 }, push[] = { 0.2, 0, -0.4 };
-    fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 }, NULL };
+    fvi_system system = { 3, one, rho, fvi_potential_chain(cg), { 0 }, NULL, NULL };
     for (size_t s = 2; s <= 4; s++) {
         system.potential = fvi_potential_chain(cg);
         solve3(&system, s, 0.3, FVI_HISTORY_AUTO, start, push);

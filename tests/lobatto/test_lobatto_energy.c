@@ -24,7 +24,7 @@ START_TEST(eq_17_26_form_d_never_gains_energy)
                      p0 = alpha > 0.5 ? 0 : 0.5;
         const fvi_system system = { 1,     &one,
                                     &rho,  fvi_potential_harmonic(&c),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         fvi_run run = fvi_run_default(&system, &x0, &p0, 1, N);
         double E[N + 1];
         run.alpha = alpha;
@@ -51,7 +51,7 @@ START_TEST(eq_17_28_form_d_is_stable_for_every_step)
                  x0[D] = { 1, 0, 0, 0, -1 }, p0[D] = { 0 }, cg[] = { 1e4, 0 };
     static double rows[(MOST + 1) * D];
     const fvi_system system = {
-        D, m, rho, fvi_potential_chain(cg), { 0 }, NULL
+        D, m, rho, fvi_potential_chain(cg), { 0 }, NULL, NULL
     };
     for (size_t s = 2; s <= 8; s++)
         for (int a = 1; a <= 9; a += 2) {
@@ -76,7 +76,7 @@ START_TEST(eq_17_26_form_d_loses_where_form_m_keeps)
     static double E[N + 1];
     const double one = 1, zero = 0, cg[] = { 0, 1 }, x0 = 1, p0 = 0;
     const fvi_system system = { 1,     &one, &zero, fvi_potential_duffing(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t s = 2; s <= 5; s++) {
         const fvi_run run = fvi_run_default(&system, &x0, &p0, 0.25, N);
         double band = 0;

@@ -50,7 +50,7 @@ START_TEST(what_needs_no_stages_of_the_past_keeps_none)
     for (size_t s = 2; s <= 4; s++)
         for (size_t i = 0; i < LEN(at); i++) {
             const double one = 1, rho = i == 0 ? 0 : 0.5;
-            const fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL };
+            const fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL, NULL };
             const fvi_run run = { .system = &system,
                                   .x0 = &one,
                                   .p0 = &one,
@@ -96,7 +96,7 @@ START_TEST(lobatto_start_refuses)
 {
     const double one = 1, c = 1;
     const fvi_system good = { 1,     &one, &one, fvi_potential_harmonic(&c),
-                              { 0 }, NULL };
+                              { 0 }, NULL, NULL };
     const fvi_run run = { .system = &good,
                           .x0 = &one,
                           .p0 = &one,
@@ -156,7 +156,7 @@ START_TEST(a_singular_equation_is_refused)
         fvi_system system = {
             1,     &one,
             &none, { no_value, sign, claimed, &stiffness, 0, 0, 0 },
-            { 0 }, NULL
+            { 0 }, NULL, NULL
         };
         for (int constant = 0; constant <= 1; constant++) {
             if (constant)
@@ -198,7 +198,7 @@ END_TEST
 START_TEST(a_mass_that_vanishes_against_the_step_is_refused)
 {
     const double light = 1e-200, none = 0, one = 1;
-    const fvi_system system = { 1, &light, &none, { 0 }, { 0 }, NULL };
+    const fvi_system system = { 1, &light, &none, { 0 }, { 0 }, NULL, NULL };
     const fvi_run run = {
         .system = &system, .x0 = &one, .p0 = &one, .h = 1e200, .steps = 3
     };
@@ -244,7 +244,7 @@ START_TEST(lobatto_steps_fail_with_their_code)
     const double one = 1, none = 0, flat = 0.25, start = -0.7, hard = -4;
     fvi_system system = {
         1,     &one, &none, { no_value, sign, claimed, (void *)&flat, 0, 0, 0 },
-        { 0 }, NULL
+        { 0 }, NULL, NULL
     };
     ck_assert_int_eq(last_step(&system, &start, 3), FVI_EMAXITER);
     ck_assert_int_eq(last_step(&system, &start, 4), FVI_EMAXITER);

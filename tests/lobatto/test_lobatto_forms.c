@@ -59,7 +59,7 @@ static void run_driven(const fvi_method *method, const driving *a, errors *ex,
                                 &a->rho,
                                 fvi_potential_duffing(cg),
                                 { .value = drive, .params = (void *)a },
-                                NULL };
+                                NULL, NULL };
     ex->count = ep->count = 0;
     for (size_t N = 4; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &zero, &zero, 1 / (double)N, N);
@@ -131,7 +131,7 @@ static void run_linear(const fvi_method *method, const fvi_linear_oscillator *pr
                                 problem->forcing == FVI_FORCING_STEP
                                     ? fvi_force_step(aT)
                                     : (fvi_force){ 0 },
-                                NULL };
+                                NULL, NULL };
     ex->count = ep->count = 0;
     for (size_t N = part; N <= MOST; N *= 2) {
         fvi_run run = fvi_run_default(&system, &problem->x0, &problem->v0,
@@ -294,7 +294,7 @@ START_TEST(eq_17_22_orders_of_the_first_nodes_of_form_d)
                          rho = 0.5, c = 1, x0 = 1, p0 = 2;
             const fvi_system system = { 1,     &one,
                                         &rho,  fvi_potential_harmonic(&c),
-                                        { 0 }, NULL };
+                                        { 0 }, NULL, NULL };
             const fvi_linear_oscillator problem = { .m = 1,
                                          .c = 1,
                                          .rho = 0.5,

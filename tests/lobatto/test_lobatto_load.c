@@ -165,7 +165,7 @@ START_TEST(eq_17_18_more_diagonals_than_masses)
                                       .params = &m,
                                       .diagonals = m },
                                     { 0 },
-                                    NULL };
+                                    NULL, NULL };
         const fvi_run run = fvi_run_default(&system, start, start, 0.5, 1);
         ck_assert_int_eq(fvi_stability_lobatto(3, &run, load + i), 0);
         ck_assert_int_eq(fvi_stability_longest_step(&fvi_lobatto_m2, &run, step + i), 0);
@@ -178,10 +178,10 @@ END_TEST
 START_TEST(bad_questions_about_stages_are_refused)
 {
     const double one = 1, big = 1e300;
-    const fvi_system free_particle = { 1, &one, &one, { 0 }, { 0 }, NULL },
+    const fvi_system free_particle = { 1, &one, &one, { 0 }, { 0 }, NULL, NULL },
                      harmonic = { 1,     &one,
                                   &one,  fvi_potential_harmonic(&big),
-                                  { 0 }, NULL };
+                                  { 0 }, NULL, NULL };
     const fvi_run run = {
         .system = &free_particle, .x0 = &one, .h = 1, .alpha = 0.25
     };

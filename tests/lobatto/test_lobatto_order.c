@@ -69,7 +69,7 @@ static void run_driven(size_t s, const driving *a, errors *ex, errors *ep,
                                 &a->rho,
                                 fvi_potential_duffing(cg),
                                 { .value = drive, .params = (void *)a },
-                                NULL };
+                                NULL, NULL };
     ex->count = ep->count = fixed->count = 0;
     for (size_t N = 20; N <= 1280; N *= 2) {
         const fvi_run run = { .system = &system,

@@ -190,7 +190,7 @@ START_TEST(eq_17_8_without_damping_the_energy_stays)
     for (size_t s = 2; s <= 4; s++) {
         const fvi_system system = { 1,     &one,
                                     &none, fvi_potential_duffing(cg),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = &start,
                               .p0 = &none,

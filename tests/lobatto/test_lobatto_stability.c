@@ -188,7 +188,7 @@ START_TEST(eq_17_18_a_chain_of_masses)
                                    s < 5 ? all : some,
                                    fvi_potential_chain(spring),
                                    { 0 },
-                                   NULL };
+                                   NULL, NULL };
         const size_t stages = s < 5 ? s : 2;
         fvi_run run = { .system = &chain,
                         .x0 = start,

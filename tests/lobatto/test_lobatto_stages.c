@@ -104,7 +104,7 @@ START_TEST(eq_17_24_form_d_is_the_solution_of_its_equations)
 {
     const double m = 1.5, c = 2, rho = 0.75, x0 = 0.25, p0 = 0.5;
     const fvi_system system = {
-        1, &m, &rho, fvi_potential_harmonic(&c), { .value = drive }, NULL
+        1, &m, &rho, fvi_potential_harmonic(&c), { .value = drive }, NULL, NULL
     };
     for (size_t e = 0; e < LEN(ref_damped); e++)
         for (size_t kind = 0; kind < 2; kind++) {
@@ -136,7 +136,7 @@ START_TEST(eq_17_25_form_d_multiplies_the_energy_of_an_oscillator)
 {
     const double one = 1, rho = 0, c = 1, x0 = 0.75, p0 = 0.5;
     const fvi_system system = { 1,     &one, &rho, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (double h = 0.25; h < 20; h *= 2) {
         const double y2 = h * h, /* y = i h */
             two = 4 / ((2 - y2) * (2 - y2) + 4 * y2),
@@ -165,7 +165,7 @@ START_TEST(eq_17_24_uncoupled_masses_go_their_own_ways)
                  cg[] = { 1, 1 };
     static double x[(N + 1) * D], p[(N + 1) * D], x1[N + 1], p1[N + 1];
     const fvi_system all = {
-        D, m, rho, fvi_potential_duffing(cg), { 0 }, NULL
+        D, m, rho, fvi_potential_duffing(cg), { 0 }, NULL, NULL
     };
     for (size_t s = 2; s <= 8; s++)
         for (int a = 1; a < 4; a++) {
@@ -176,7 +176,7 @@ START_TEST(eq_17_24_uncoupled_masses_go_their_own_ways)
             for (size_t j = 0; j < D; j++) {
                 const fvi_system single = { 1,       m + j,
                                             rho + j, all.potential,
-                                            { 0 },   NULL };
+                                            { 0 },   NULL, NULL };
                 fvi_run alone = run;
                 alone.system = &single;
                 alone.x0 = x0 + j;
@@ -202,7 +202,7 @@ START_TEST(eq_17_18_loads_of_many_stages)
         const double W = ref_many_loads[e].W, R = ref_many_loads[e].R,
                      want = ref_many_loads[e].want;
         const fvi_system system = { 1,     &one, &R, fvi_potential_harmonic(&W),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = &zero,
                               .h = 1,

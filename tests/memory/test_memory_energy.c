@@ -77,7 +77,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                                 { plane_value, plane_gradient, plane_hessian,
                                   (void *)a->C, plane_quadratic, 0, NULL },
                                 { 0 },
-                                NULL };
+                                NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = a->x0,
                           .p0 = a->p0,
@@ -212,7 +212,7 @@ START_TEST(eq_12_16_the_step_must_be_stable)
     enum { LONG = 4000 };
     static double x[LONG + 1];
     const double one = 1, zero = 0, rho = 3, bound = cbrt(8. / 9);
-    const fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &rho, { 0 }, { 0 }, NULL, NULL };
     for (int above = 0; above <= 1; above++) {
         const fvi_run run = { .system = &system,
                               .x0 = &zero,

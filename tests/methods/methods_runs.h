@@ -23,13 +23,13 @@ static inline fvi_run run_of(const fvi_system *system, double alpha)
 static inline fvi_system spring(void)
 {
     return (
-        fvi_system){ 1, &one, &rho, fvi_potential_harmonic(&c), { 0 }, NULL };
+        fvi_system){ 1, &one, &rho, fvi_potential_harmonic(&c), { 0 }, NULL, NULL };
 }
 
 static inline fvi_system pendulum(void)
 {
     return (
-        fvi_system){ 1, &one, &rho, fvi_potential_pendulum(&c), { 0 }, NULL };
+        fvi_system){ 1, &one, &rho, fvi_potential_pendulum(&c), { 0 }, NULL, NULL };
 }
 
 static inline double middle(const fvi_method *m)

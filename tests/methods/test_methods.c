@@ -146,7 +146,7 @@ START_TEST(eq_13_7_the_quadrature_is_the_one_named)
 {
     size_t ran = 0;
     const double alpha = 0.3, R = rho * pow(0.125, 2 - 2 * alpha);
-    const fvi_system free_mass = { 1, &one, &rho, { 0 }, { 0 }, NULL };
+    const fvi_system free_mass = { 1, &one, &rho, { 0 }, { 0 }, NULL, NULL };
     FOR_EACH(m)
     {
         double w[STEPS + 1], x[STEPS + 1], left[2] = { 0, 0 };

@@ -45,7 +45,7 @@ START_TEST(eq_14_3_13_14_17_18_a_run_grows_if_its_load_is_above_1)
                    damping = pow(10, 3 * gsl_rng_uniform(random) - 1.5), load;
             const fvi_system system = {
                 1,     &one, &damping, fvi_potential_harmonic(&stiffness),
-                { 0 }, NULL
+                { 0 }, NULL, NULL
             };
             fvi_run run = fvi_run_default(&system, &start, &push, 1, 600);
             run.alpha =

@@ -71,7 +71,7 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
     static double x[(N + 1) * D], p[(N + 1) * D], alone_x[N + 1],
         alone_p[N + 1];
     const fvi_potential potential = fvi_potential_harmonic(&one);
-    const fvi_system all = { D, mass, damping, potential, { 0 }, NULL };
+    const fvi_system all = { D, mass, damping, potential, { 0 }, NULL, NULL };
     for (size_t i = 0; i < LEN(alphas) * LEN(pasts) * METHODS; i++) {
         const fvi_method *method = methods[i % METHODS];
         const fvi_initial_history past = pasts[i / METHODS % LEN(pasts)];
@@ -90,7 +90,7 @@ START_TEST(eq_19_1_each_coordinate_has_its_own_past)
         ck_assert_int_eq(status, FVI_SUCCESS);
         for (size_t j = 0; j < D; j++) {
             const fvi_system single = { 1,         mass + j, damping + j,
-                                        potential, { 0 },    NULL };
+                                        potential, { 0 },    NULL, NULL };
             fvi_run own = run_of(&single, x0 + j, p0 + j, alpha, past);
             own.memory = FVI_HISTORY_DIRECT;
             ck_assert_int_eq(
@@ -127,7 +127,7 @@ END_TEST
 START_TEST(the_default_run_is_held)
 {
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 7);
     ck_assert(run.system == &system && run.x0 == &one && run.p0 == &one);
     ck_assert(run.h == 0.25 && run.steps == 7);

@@ -28,7 +28,7 @@ START_TEST(rows_are_the_numbers_of_the_library)
     double m = 1.5, rho = 0.3, x0 = 0.7, p0 = -0.2, cg[2] = { 1, 0.5 },
            aw[2] = { 0.3, 2 };
     const fvi_system system = {
-        1, &m, &rho, fvi_potential_duffing(cg), fvi_force_cosine(aw), NULL
+        1, &m, &rho, fvi_potential_duffing(cg), fvi_force_cosine(aw), NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = &x0,
@@ -64,7 +64,7 @@ START_TEST(every_method_is_at_hand_by_its_name)
 {
     const double m = 1, rho = 0.2, c = 1, x0 = 1, p0 = 0.5;
     const fvi_system system = { 1,     &m,  &rho, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &x0, &p0, 0.1, 100);
     for (size_t i = 0; fvi_methods[i]; i++) {
         double x[101];
@@ -185,7 +185,7 @@ START_TEST(a_chain_moves_as_the_library_says)
                  x0[] = { 1, 2, -1 };
     const double p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1.25, 0.5 };
     const fvi_system chain = { 3,     ones, none, fvi_potential_chain(cg),
-                               { 0 }, NULL };
+                               { 0 }, NULL, NULL };
     const fvi_run run = { .system = &chain,
                           .x0 = x0,
                           .p0 = p0,

@@ -38,7 +38,7 @@ START_TEST(an_expression_is_a_potential)
     ck_assert(!fvi_expression_parse("k*x^4/c - cos(x)", &of_x, k, &V, NULL)
               && !fvi_expression_parse("sin(k*t)/4", &of_t, k, &F, NULL));
     const fvi_system s = {
-        1, &m, &rho, fvi_potential_expression(V), fvi_force_expression(F), NULL
+        1, &m, &rho, fvi_potential_expression(V), fvi_force_expression(F), NULL, NULL
     };
     fvi_run run = fvi_run_default(&s, &x0, &p0, 0.1, 50);
     run.alpha = 0.3;
@@ -195,7 +195,7 @@ START_TEST(masses_and_dampings_one_by_one)
 {
     const double m[] = { 1, 2, 3 }, rho[] = { 0.3, 0, 0.1 },
                  x0[] = { 1, 0, -1 }, p0[] = { 0.5, 0.5, 0.5 }, cg[] = { 1, 1 };
-    const fvi_system s = { 3, m, rho, fvi_potential_chain(cg), { 0 }, NULL };
+    const fvi_system s = { 3, m, rho, fvi_potential_chain(cg), { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&s, x0, p0, 0.1, 20);
     run.alpha = 0.3;
     double x[63];

@@ -81,7 +81,7 @@ static void many_run_of(size_t number, many_run *r)
     const size_t turn = number % (PASTS * ORDERS) + number / (PASTS * ORDERS);
     const int potential = (int)(turn % 4), force = (int)(turn / 2 % 3);
     const fvi_system system = { MASSES,        mass, rho, potentials[potential],
-                                forces[force], NULL };
+                                forces[force], NULL, NULL };
     fvi_run run = fvi_run_default(&system, x0, p0, 0.0625, STEPS);
     run.alpha = method->alpha_least == method->alpha_most
                     ? method->alpha_least

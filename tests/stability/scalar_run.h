@@ -17,7 +17,7 @@ static inline fvi_run scalar_run(double alpha, double kappa, double W, double R,
     c = W;
     rho = R;
     scalar =
-        (fvi_system){ 1, &m, &rho, fvi_potential_harmonic(&c), { 0 }, NULL };
+        (fvi_system){ 1, &m, &rho, fvi_potential_harmonic(&c), { 0 }, NULL, NULL };
     return (fvi_run){ .system = &scalar,
                       .x0 = &x0,
                       .p0 = &p0,

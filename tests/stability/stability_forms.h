@@ -63,7 +63,7 @@ static void forms_momentum(size_t N, double h, double *x)
 {
     const double one = 1, zero = 0, aT[2] = { 8, 1 };
     const fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL
+        1, &one, &one, fvi_potential_harmonic(&one), fvi_force_step(aT), NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = &zero,

@@ -40,7 +40,7 @@ START_TEST(eq_14_3_load_of_a_nonlinear_spring_is_that_at_the_start)
     const double one = 1, damping = 0.5, start = 2, cg[2] = { 1, 1 };
     const fvi_system system = { 1,        &one,
                                 &damping, fvi_potential_duffing(cg),
-                                { 0 },    NULL };
+                                { 0 },    NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &start,
                           .p0 = &one,
@@ -104,7 +104,7 @@ START_TEST(eq_14_3_long_chains)
         const size_t d = sizes[i];
         const fvi_system chain = { d,     one,
                                    zero,  fvi_potential_chain(spring),
-                                   { 0 }, NULL };
+                                   { 0 }, NULL, NULL };
         const fvi_run run = {
             .system = &chain, .x0 = zero, .h = h, .alpha = 0.5
         };
@@ -182,7 +182,7 @@ START_TEST(a_hessian_that_finds_no_room_is_reported)
     for (size_t i = 0; i < D; i++)
         ones[i] = 1;
     fvi_system system = { D,     ones, ones, fvi_potential_harmonic(ones),
-                          { 0 }, NULL };
+                          { 0 }, NULL, NULL };
     system.potential.diagonals = 0; /* it is never asked for */
     fvi_run run = { .system = &system, .x0 = ones, .h = 1, .alpha = 0.5 };
     ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, &kept),

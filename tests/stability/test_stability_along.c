@@ -23,7 +23,7 @@ static int counted(size_t d, const double *x, void *params, double *H)
  * agree. */
 START_TEST(eq_14_6_the_load_along_a_run)
 {
-    fvi_system system = { D, m, rho, fvi_potential_chain(cg), { 0 }, NULL };
+    fvi_system system = { D, m, rho, fvi_potential_chain(cg), { 0 }, NULL, NULL };
     const fvi_method *const some[] = { &fvi_fractional, &fvi_lobatto_m2,
                                        &fvi_lobatto_m5, &fvi_cq2_midpoint };
     for (size_t i = 0; i < LEN(some); i++) {
@@ -65,14 +65,14 @@ START_TEST(eq_14_6_small_motions_grow_where_the_load_says_so)
     const double one = 1, damping = 0.05, pair[] = { 1, 1 };
     const fvi_system system = { 1,        &one,
                                 &damping, fvi_potential_duffing(pair),
-                                { 0 },    NULL };
+                                { 0 },    NULL, NULL };
     for (int i = -5; i <= 5; i++) {
         const double place = 2 + 0.1 * i, none = 0;
         /* the same spring, linear: c = 1 + 3 x^2 */
         const double c = 1 + 3 * place * place;
         const fvi_system linear = { 1,        &one,
                                     &damping, fvi_potential_harmonic(&c),
-                                    { 0 },    NULL };
+                                    { 0 },    NULL, NULL };
         fvi_run run = fvi_run_default(&system, &none, &none, 0.55, 2000);
         run.alpha = 0.3;
         double stiffest = 0, load = 0, x[2001];
@@ -95,7 +95,7 @@ END_TEST
 START_TEST(bad_questions_about_a_place_are_refused)
 {
     const fvi_system system = {
-        D, m, rho, fvi_potential_chain(cg), { 0 }, NULL
+        D, m, rho, fvi_potential_chain(cg), { 0 }, NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, x0, x0, 0.5, 10);
     double stiffest = 3, load = 7;

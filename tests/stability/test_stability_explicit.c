@@ -186,13 +186,13 @@ START_TEST(eq_14_8_several_masses)
                  spring[] = { 1, 0 }, start[] = { 0, 0, 0, 0, 0 },
                  kick[] = { 1, -1, 0.5, 0.2, 1 };
     fvi_system system = { 5,     mass, damping, fvi_potential_chain(spring),
-                          { 0 }, NULL };
+                          { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, start, kick, 1, 40000);
     ck_assert_edge(&run);
     double loose[] = { 1, -1, -1, -1, 1, 1, -1, 1, 1 };
     const double third[] = { 0, 0, 1.1 }, push[] = { 0, 0, 1 };
     const double weights[] = { 1.3, 2.1, 0.7 };
-    system = (fvi_system){ 3, weights, third, of_matrix(loose), { 0 }, NULL };
+    system = (fvi_system){ 3, weights, third, of_matrix(loose), { 0 }, NULL, NULL };
     run = fvi_run_default(&system, start, push, 1, 40000);
     ck_assert_edge(&run);
 }
@@ -206,7 +206,7 @@ START_TEST(eq_14_8_masses_apart_by_both_roads)
                  start[] = { 0, 0, 0 };
     double K[] = { stiff, 0, 0, 0, stiff, 0, 0, 0, stiff };
     fvi_system system = { 3,     mass, damping, fvi_potential_harmonic(&stiff),
-                          { 0 }, NULL };
+                          { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, start, start, 0.25, 10);
     const double apart = load_of(&run), want = (3 + sqrt(9 - 4 * stiff)) / 16;
     ck_assert_near(apart, want, 8 * U * want, "by masses");
@@ -235,7 +235,7 @@ START_TEST(too_many_coupled_masses_and_numbers_too_large_are_refused)
         one[i] = 1;
     const double spring[] = { 1, 0 };
     fvi_system system = {
-        D, one, one, fvi_potential_chain(spring), { 0 }, NULL
+        D, one, one, fvi_potential_chain(spring), { 0 }, NULL, NULL
     };
     fvi_run run = fvi_run_default(&system, one, one, 1, 1);
     ck_assert_int_eq(fvi_stability_number(&fvi_euler_explicit, &run, &kept),
@@ -249,7 +249,7 @@ START_TEST(too_many_coupled_masses_and_numbers_too_large_are_refused)
     kept = 7;
     const double huge = 1e200, large = 1e300;
     system = (fvi_system){ 1,     one, &huge, fvi_potential_harmonic(&large),
-                           { 0 }, NULL };
+                           { 0 }, NULL, NULL };
     const double heavy = 1e200;
     system.mass = &heavy;
     ck_assert_int_eq(fvi_stability_number(&fvi_euler_explicit, &run, &kept),

@@ -133,7 +133,7 @@ START_TEST(eq_14_3_a_chain_of_masses)
     const double kick[] = { 1, -1, 0.5, 0.2, 1 };
     const fvi_system chain = { 5,       mass,
                                damping, fvi_potential_chain(spring),
-                               { 0 },   NULL };
+                               { 0 },   NULL, NULL };
     fvi_run run = { .system = &chain,
                     .x0 = start,
                     .p0 = kick,

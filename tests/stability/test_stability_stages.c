@@ -141,7 +141,7 @@ static double load_at(size_t s, const point *q)
     const double one = 1, zero = 0;
     const fvi_system system = { 1,     &one,
                                 &q->R, fvi_potential_harmonic(&q->W),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = {
         .system = &system, .x0 = &zero, .h = 1, .alpha = q->alpha
     };

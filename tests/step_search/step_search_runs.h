@@ -65,7 +65,7 @@ static inline int search_with(decider *decide, const fvi_method *method,
                                 : (fvi_force){ 0 };
     const fvi_system system = { 1,       &q->m,
                                 &q->rho, fvi_potential_harmonic(&q->c),
-                                force,   NULL };
+                                force,   NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &q->x0,
                           .p0 = &p0,

@@ -70,7 +70,7 @@ START_TEST(eq_18_2_a_kick_at_the_start_is_not_overlooked)
         ck_assert_msg(asked < 1, "alpha=%g: %g", alphas[i], asked);
     }
     const fvi_system system = { 1,     &one, &rho, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &p0,
@@ -114,7 +114,7 @@ static void search_from_rest(const fvi_method *method, double rho, double c,
 {
     const double one = 1, none = 0;
     const fvi_system system = { 1,     &one, &rho, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &none, h, steps);
     run.kappa = kappa;
     ck_assert_int_eq(

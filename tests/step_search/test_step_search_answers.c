@@ -12,7 +12,7 @@ static const double mass[] = { 1, 2 }, damping[] = { 0.5, 0 }, cg[] = { 1, 1 },
 static fvi_system pair(void)
 {
     return (fvi_system){
-        2, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(drive), NULL
+        2, mass, damping, fvi_potential_chain(cg), fvi_force_cosine(drive), NULL, NULL
     };
 }
 

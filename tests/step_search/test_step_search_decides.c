@@ -11,7 +11,7 @@ START_TEST(eq_18_6_differences_of_what_stands_still_grow)
 {
     const double one = 1, none = 0, c = 1e16;
     const fvi_system system = { 1,     &one, &none, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &none,
@@ -109,7 +109,7 @@ START_TEST(eq_18_6_all_of_a_row_of_the_hessian_counts)
             NULL,       always,        i < 2 ? 0 : 2,
             NULL
         };
-        const fvi_system system = { 2, masses[i % 2], none, u, { 0 }, NULL };
+        const fvi_system system = { 2, masses[i % 2], none, u, { 0 }, NULL, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = none,
                               .p0 = none,
@@ -142,7 +142,7 @@ START_TEST(eq_18_7_a_small_fast_part_of_a_force_is_seen)
     const double mass[] = { 1, 1 }, rho[] = { 0.2, 0.2 }, c = 1,
                  none[] = { 0, 0 };
     const fvi_system system = {
-        2, mass, rho, fvi_potential_harmonic(&c), { .value = two_tones }, NULL
+        2, mass, rho, fvi_potential_harmonic(&c), { .value = two_tones }, NULL, NULL
     };
     const fvi_run run = { .system = &system,
                           .x0 = none,
@@ -190,7 +190,7 @@ START_TEST(eq_18_7_jumps_at_rows_are_no_obstacle)
     for (size_t i = 0; i < 2; i++) {
         const fvi_system system = { 1,         &one,
                                     &one,      fvi_potential_harmonic(&one),
-                                    forces[i], NULL };
+                                    forces[i], NULL, NULL };
         const fvi_run run = { .system = &system,
                               .x0 = &none,
                               .p0 = &none,

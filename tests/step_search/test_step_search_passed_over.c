@@ -26,7 +26,7 @@ START_TEST(steps_that_cannot_be_solved_are_passed_over)
     fvi_potential u = fvi_potential_harmonic(&one);
     u.hessian = claimed;
     u.quadratic = NULL;
-    const fvi_system system = { 1, &one, &none, u, { 0 }, NULL };
+    const fvi_system system = { 1, &one, &none, u, { 0 }, NULL, NULL };
     const fvi_run run = { .system = &system,
                           .x0 = &one,
                           .p0 = &one,
@@ -53,7 +53,7 @@ START_TEST(steps_that_do_not_start_are_passed_over)
     const double one = 1, none = 0, hill = -1, h[] = { 4, 2 };
     const fvi_system system = { 1,     &one,
                                 &none, fvi_potential_harmonic(&hill),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     for (size_t i = 0; i < 2; i++) {
         const fvi_run run = {
             .system = &system,
@@ -85,7 +85,7 @@ START_TEST(a_search_in_vain_ends_no_process)
     for (size_t i = 0; i < 2; i++) {
         const fvi_system system = {
             1,     &one, i == 0 ? &rho : &one, fvi_potential_harmonic(c + i),
-            { 0 }, NULL
+            { 0 }, NULL, NULL
         };
         const fvi_run run = {
             .system = &system,

@@ -24,7 +24,7 @@ START_TEST(eq_18_6_a_stiff_spring_turns_by_almost_half_a_turn)
         double c = ref_turns[row].c, x[641];
         const fvi_system system = { 1,     &one,
                                     &none, fvi_potential_harmonic(&c),
-                                    { 0 }, NULL };
+                                    { 0 }, NULL, NULL };
         const fvi_run run =
             fvi_run_default(&system, &one, &none, ref_turns[row].h, N);
         ck_assert_int_eq(fvi_trajectory(method, &run, x, NULL, NULL), 0);

@@ -61,7 +61,7 @@ START_TEST(a_copy_goes_on_with_the_same_digits)
                               : way == 1   ? fvi_potential_duffing(cg)
                                            : fvi_potential_harmonic(cg),
                               fvi_force_cosine(cg),
-                              NULL };
+                              NULL, NULL };
         system.force.jumps = jumps;
         system.force.jump_count = LEN(jumps);
         fvi_run run = run_of(&system, 1e-9);
@@ -161,7 +161,7 @@ END_TEST
 START_TEST(uniform_methods_have_rows_only)
 {
     const fvi_system system = { D,     mass, rho, fvi_potential_harmonic(cg),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = run_of(&system, 0);
     fvi_stepper *s;
     ck_assert_int_eq(fvi_stepper_start(&fvi_fractional, &run, &s, NULL), 0);
@@ -190,7 +190,7 @@ static int moody(double t, size_t d, void *params, double *F)
 START_TEST(what_callbacks_say_comes_back)
 {
     fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }, NULL
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = moody }, NULL, NULL
     };
     const fvi_run run = fvi_run_default(&system, &one, &one, 1, 100);
     for (mood = 0; mood < 2; mood++) {

@@ -23,7 +23,7 @@ static fvi_system spring(const double *aT)
                          &one,
                          fvi_potential_harmonic(&one),
                          aT ? fvi_force_step(aT) : (fvi_force){ 0 },
-                         NULL };
+                         NULL, NULL };
 }
 
 static fvi_run run_of(const fvi_system *system, double alpha, const double *x0,
@@ -268,7 +268,7 @@ START_TEST(the_order_in_the_number_of_steps)
                                     i % 6 < 3 ? fvi_potential_duffing(cg)
                                               : fvi_potential_pendulum(&one),
                                     { 0 },
-                                    NULL };
+                                    NULL, NULL };
         fvi_run run =
             fvi_run_default(&system, &one, &half, 20. / DENSE, DENSE);
         run.alpha = alpha;

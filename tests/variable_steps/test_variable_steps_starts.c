@@ -210,7 +210,7 @@ START_TEST(a_start_that_is_almost_at_rest_is_one_at_rest)
     double x[ROWS + 1], y[ROWS + 1], p[ROWS + 1], q[ROWS + 1];
     fvi_system system = {
         1,   &one, &one, fvi_potential_harmonic(&one), fvi_force_cosine(push),
-        NULL
+        NULL, NULL
     };
     for (size_t i = 0; i < 4; i++) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.125, ROWS);
@@ -317,7 +317,7 @@ START_TEST(a_jump_next_to_the_end_of_a_singular_start_is_that_end)
                               &two,
                               fvi_potential_harmonic(&one),
                               fvi_force_cosine(push),
-                              NULL };
+                              NULL, NULL };
         system.force.jumps = &jumps[i];
         system.force.jump_count = 1;
         fvi_run run = fvi_run_default(&system, &one, &one, 0.1, ROWS);

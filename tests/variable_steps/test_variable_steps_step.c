@@ -81,7 +81,7 @@ START_TEST(eq_22_15_form_m_keeps_the_area)
     const double m[] = { 1, 1 }, rho[] = { 0, 0 }, c = 1, x0[] = { 1, 0 },
                  p0[] = { 0, 1 };
     const fvi_system system = { 2,     m,   rho, fvi_potential_harmonic(&c),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, x0, p0, 1, 40);
     run.step_error = 0.1;
     fvi_stepper *s;
@@ -195,7 +195,7 @@ START_TEST(a_first_step_may_be_1_long)
     const double one = 1, tolerance = 1e-3,
                  T = 10 * pow(tolerance, -0.4); /* 0.1 tolerance^0.4 T = 1 */
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = fvi_run_default(&system, &one, &one, 1.01 * T, 1);
     run.step_error = tolerance;
     run.past = FVI_INITIAL_HISTORY_CAPUTO;

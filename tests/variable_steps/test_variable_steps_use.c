@@ -61,7 +61,7 @@ static int full_hessian(size_t d, const double *at, void *params, double *H)
 START_TEST(many_masses_by_four_ways_and_by_lobatto)
 {
     fvi_system system = {
-        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL
+        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL, NULL
     };
     fvi_run run = run_of(&system, 1e-11);
     ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
@@ -122,7 +122,7 @@ static int looked(size_t d, const double *at, void *params, double *grad)
 START_TEST(a_chain_takes_one_hessian_a_step)
 {
     fvi_system system = {
-        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL
+        D, mass, rho, fvi_potential_chain(cg), fvi_force_cosine(cg), NULL, NULL
     };
     system.potential.hessian = counted;
     system.potential.gradient = looked;
@@ -155,7 +155,7 @@ START_TEST(stiff_chains_keep_their_energy)
 {
     const double stiff[2] = { 1e4, 1e4 }, none[D] = { 0 };
     const fvi_system system = { D,     mass, none, fvi_potential_chain(stiff),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     fvi_run run = run_of(&system, 1e-10);
     double E[N + 1];
     run.h = 0.02;
@@ -179,12 +179,12 @@ START_TEST(masses_alone_and_together)
     const fvi_potential potentials[] = { fvi_potential_pendulum(cg),
                                          fvi_potential_harmonic(cg) };
     for (size_t u = 0; u < 2; u++) {
-        const fvi_system all = { D, mass, rho, potentials[u], { 0 }, NULL };
+        const fvi_system all = { D, mass, rho, potentials[u], { 0 }, NULL, NULL };
         const fvi_run run = run_of(&all, 1e-11);
         ck_assert_int_eq(fvi_trajectory(&fvi_variable_step, &run, x, p, NULL), 0);
         for (size_t j = 0; j < D; j++) {
             const fvi_system alone = { 1,     mass + j, rho + j, potentials[u],
-                                       { 0 }, NULL };
+                                       { 0 }, NULL, NULL };
             fvi_run of_one = run;
             of_one.system = &alone;
             of_one.x0 = start + j;
@@ -217,7 +217,7 @@ START_TEST(a_jump_that_is_not_declared_is_found)
 {
     const double none = 0, aT[] = { 8, jump_at };
     fvi_system system = {
-        1, &one, &one, fvi_potential_harmonic(&one), { .value = jumping }, NULL
+        1, &one, &one, fvi_potential_harmonic(&one), { .value = jumping }, NULL, NULL
     };
     for (int e = 6; e <= 12; e += 3) {
         fvi_run run = fvi_run_default(&system, &none, &none, 0.25, N);
@@ -278,7 +278,7 @@ END_TEST
 START_TEST(a_search_checks_and_ends)
 {
     const fvi_system system = { 1,     &one, &one, fvi_potential_harmonic(&one),
-                                { 0 }, NULL };
+                                { 0 }, NULL, NULL };
     const fvi_run run = fvi_run_default(&system, &one, &one, 0.25, 8);
     fvi_variable_step_found found = { .estimate = 7 };
     ck_assert_int_eq(fvi_variable_step_search(NULL, 0, NULL, 1, 99, x, p, &found),
