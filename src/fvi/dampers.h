@@ -15,7 +15,9 @@
 #define FVI_DAMPERS_H
 
 #include "damping_laws.h"
+#include "lagrangian.h"
 #include "past.h"
+#include "trajectory.h"
 
 #include <stddef.h>
 
@@ -62,11 +64,54 @@ typedef struct fvi_damper {
 
 /* fvi_mechanism -- what a system has besides masses and a potential.
  *
- *   damper_count, damper  the dampers; a damper's number is its place */
+ *   damper_count, damper  the dampers; a damper's number is its place
+ *   lagrangian   NULL: L = sum_i m_i v_i^2 / 2 - U(x), of the system's masses, which may then be 0, and
+ *                its potential. Else neither is read, and both arrays of the system may be NULL
+ *   force_on     NULL, or forces that know x and v; the system's force acts, too
+ *   constraints  NULL, or equations between the coordinates
+ *
+ * fvi, fvi-stable and fvi-lobatto2 to 8, 2d to 8d take it; constraints only fvi-stable and
+ * fvi-lobatto2 to 8. What they refuse at the start (FVI_EUNSUP, FVI_EDOM, FVI_ESING) they say with its
+ * field: "lagrangian", "damper", "constraint", "x0", "p0", the number as the index. */
 typedef struct fvi_mechanism {
     size_t damper_count;
     const fvi_damper *damper;
+    const fvi_lagrangian *lagrangian;
+    const fvi_state_force *force_on;
+    const fvi_constraints *constraints;
 } fvi_mechanism;
+
+/* ---- what a run with a mechanism tells besides x and p ----
+ *
+ * Of a stepper whose system has a mechanism; another gives FVI_EUNSUP, and a null pointer
+ * FVI_EFAULT. Nothing changes. At k = 0 all sums are zero. */
+
+/* fvi_stepper_velocity -- v of L_v(x, v, t) = p at the last step, d numbers: of the order of p. That of
+ * a coordinate without inertia is the slope of the last step, 0 at k = 0. */
+int fvi_stepper_velocity(const fvi_stepper *s, double *v);
+
+/* fvi_stepper_damper -- what damper j, from 0, has given and taken from t = 0 to the last step.
+ *
+ *   impulse  output or NULL: the integral of its force lambda = C(D) (z - z_0), the partner of p,
+ *            and of p's order: the force at a node is its difference, over a run
+ *   work     output or NULL: that of lambda dz, never negative but with fvi's method, (29.11)
+ *
+ * Both are the scheme's own sums. FVI_EINVAL if there is no such damper. */
+int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
+                       double *work);
+
+/* fvi_stepper_multipliers -- the multipliers Lambda of the constraints, C^T Lambda in the equation of
+ * motion, at both ends of the last step: each is of low order alone.
+ *
+ *   begin, end  outputs or NULL: count numbers each; zeros at k = 0
+ *
+ * The multiplier at the node k is the mean of `end` after step k and of `begin` after step k + 1: of
+ * order 2, or 4 for fvi-lobatto4. Minus that of x1 - u(t) is the reaction to an imposed motion. */
+int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end);
+
+/* fvi_stepper_energy -- E = v . L_v - L at the last step; also of a stepper without a mechanism. Returns
+ * as fvi_energy_at. */
+int fvi_stepper_energy(const fvi_stepper *s, double *E);
 
 /* fvi_elongation_row -- g(x) = row . x; the d numbers belong to the caller and must outlive the run. */
 static inline fvi_elongation fvi_elongation_row(const double *row)

@@ -21,6 +21,7 @@
 #include "exact_solution.h"
 #include "format_double.h"
 #include "identification.h"
+#include "lagrangian.h"
 #include "lobatto.h"
 #include "memory.h"
 #include "methods.h"

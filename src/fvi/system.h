@@ -144,7 +144,7 @@ typedef struct {
  * must outlive every run that uses the system.
  *
  *   d        dimension, d >= 1
- *   mass     d masses, finite, > 0
+ *   mass     d masses, finite, > 0; with a mechanism also 0
  *   damping  d coefficients rho, finite, >= 0
  *   potential, force  as above
  *   matrices  NULL; or M, C and K, for methods that say so (takes_matrices, trajectory.h):
@@ -178,10 +178,10 @@ int fvi_system_check(const fvi_system *system, fvi_error *error);
  *
  *   x, p  d numbers each     E  output, one number
  *
- * With matrices it is theirs. Nothing is checked: this is called once a row. Cost O(d) and
- * one value of U.
+ * With matrices it is theirs; of a Lagrangian it is asked by fvi_energy_at (lagrangian.h). Nothing is
+ * checked: this is called once a row. Cost O(d) and one value of U.
  * Returns FVI_SUCCESS; FVI_EOVRFLW if E is not a finite number, of which no handler is
- * called; FVI_EUNSUP if the matrices have no energy; or what the potential or they returned.
+ * called; FVI_EUNSUP if the matrices have no energy, or there is a Lagrangian; or what the potential or they returned.
  * After an error E is untouched. */
 int fvi_energy(const fvi_system *system, const double *x, const double *p,
                double *E);

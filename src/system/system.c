@@ -4,6 +4,8 @@
 #include "system/fail.h"
 #include "system/newton.h"
 
+#include <fvi/dampers.h>
+
 #include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -48,7 +50,8 @@ static int refuse_number(const char *field, double value, size_t i,
 
 int fvi_system_check_any(const fvi_system *s, fvi_error *error)
 {
-    if (!s || !s->mass || !s->damping)
+    const int has_lagrangian = s && s->mechanism && s->mechanism->lagrangian;
+    if (!s || ((!s->mass || !s->damping) && !has_lagrangian))
         return fvi_fail(error, FVI_EFAULT, "system", NAN,
                         "a system needs masses and dampings");
     const fvi_potential *u = &s->potential;
@@ -59,8 +62,9 @@ int fvi_system_check_any(const fvi_system *s, fvi_error *error)
     if (!u->value != !u->gradient || !u->value != !u->hessian)
         return fvi_fail(error, FVI_EINVAL, "potential", NAN,
                         "it needs value, gradient and hessian, or none");
-    for (size_t i = 0; i < s->d; i++) {
-        if (!(gsl_finite(s->mass[i]) && s->mass[i] > 0))
+    for (size_t i = 0; i < s->d && !has_lagrangian; i++) {
+        if (!(gsl_finite(s->mass[i])
+              && (s->mass[i] > 0 || (s->mass[i] == 0 && s->mechanism))))
             return refuse_number("mass", s->mass[i], i, "finite and positive",
                                  error);
         if (!(gsl_finite(s->damping[i]) && s->damping[i] >= 0))
@@ -94,14 +98,16 @@ int fvi_energy(const fvi_system *s, const double *x, const double *p, double *E)
 {
     double kinetic = 0, value;
     int status;
-    if (s->matrices && !s->matrices->energy)
+    if ((s->matrices && !s->matrices->energy)
+        || (s->mechanism && s->mechanism->lagrangian))
         return FVI_EUNSUP;
     if (s->matrices)
         status = s->matrices->energy(s->d, x, p, s->matrices->params, &value);
     else
         status = fvi_potential_value(s, x, &value);
     for (size_t i = 0; i < s->d && !s->matrices; i++)
-        kinetic += p[i] / s->mass[i] * p[i];
+        if (s->mass[i] > 0) /* a mechanism may have massless coordinates */
+            kinetic += p[i] / s->mass[i] * p[i];
     if (status)
         return status;
     value += kinetic / 2; /* (2.4) */

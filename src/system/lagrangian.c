@@ -1,0 +1,180 @@
+/* src/system/lagrangian.c -- Lagrangians: momentum, velocity and energy at one point. [H 29] */
+#include "lagrangian_point.h"
+
+#include "fail.h"
+#include "lu.h"
+
+#include <fvi/dampers.h>
+
+#include <float.h>
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const fvi_lagrangian *fvi_lagrangian_of(const fvi_system *system)
+{
+    return system->mechanism ? system->mechanism->lagrangian : NULL;
+}
+
+/* L = sum m v^2 / 2 - U(x) and its derivatives. */
+static int masses_and_potential(const fvi_system *s, const double *x,
+                                const double *v, double *L, double *Lx,
+                                double *Lv, double *Lxx, double *Lvv)
+{
+    const size_t d = s->d;
+    double U = 0;
+    int status = L ? fvi_potential_value(s, x, &U) : FVI_SUCCESS;
+    if (!status && Lx)
+        status = fvi_potential_gradient(s, x, Lx);
+    if (!status && Lxx)
+        status = fvi_potential_hessian(s, x, Lxx);
+    if (status)
+        return status;
+    if (L)
+        *L = -U;
+    if (Lvv)
+        memset(Lvv, 0, d * d * sizeof *Lvv);
+    for (size_t i = 0; i < d; i++) {
+        if (L)
+            *L += s->mass[i] * v[i] * v[i] / 2;
+        if (Lx)
+            Lx[i] = -Lx[i];
+        if (Lv)
+            Lv[i] = s->mass[i] * v[i];
+        if (Lvv)
+            Lvv[i * d + i] = s->mass[i];
+    }
+    for (size_t i = 0; Lxx && i < d * d; i++)
+        Lxx[i] = -Lxx[i];
+    return FVI_SUCCESS;
+}
+
+int fvi_lagrangian_point(const fvi_system *s, double t, const double *x,
+                         const double *v, double *L, double *Lx, double *Lv,
+                         double *Lxx, double *Lxv, double *Lvv)
+{
+    const fvi_lagrangian *own = fvi_lagrangian_of(s);
+    if (own)
+        return own->at(t, s->d, x, v, own->params, L, Lx, Lv, Lxx, Lxv, Lvv);
+    if (Lxv)
+        memset(Lxv, 0, s->d * s->d * sizeof *Lxv);
+    return masses_and_potential(s, x, v, L, Lx, Lv, Lxx, Lvv);
+}
+
+int fvi_solve_matrix(size_t n, double *A, double *r, size_t *order)
+{
+    gsl_permutation permutation = { n, order };
+    gsl_matrix_view matrix = gsl_matrix_view_array(A, n, n);
+    gsl_vector_view vector = gsl_vector_view_array(r, n);
+    fvi_lu_factorise(&matrix.matrix, &permutation);
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(A[i * n + i]) > 0))
+            return FVI_ESING;
+    gsl_linalg_LU_svx(&matrix.matrix, &permutation, &vector.vector);
+    return FVI_SUCCESS;
+}
+
+/* Coordinates without inertia keep their velocity: a row and a column of the unit matrix. */
+static void leave_out_massless(size_t d, double *Lvv, double *r)
+{
+    for (size_t i = 0; i < d; i++) {
+        int has_inertia = 0;
+        for (size_t j = 0; j < d; j++)
+            has_inertia |= Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0;
+        if (has_inertia)
+            continue;
+        Lvv[i * d + i] = 1;
+        r[i] = 0;
+    }
+}
+
+//> velocity
+/* Newton's method. A Lagrangian is mostly quadratic in v, and then one step does it; another is
+ * taken for its roundings. */
+int fvi_velocity_given(const fvi_system *s, double t, const double *x,
+                       const double *p, double *v, double *room, size_t *order)
+{
+    enum { MOST = 60 };
+    const size_t d = s->d;
+    double *Lv = room, *r = room + d, *Lvv = room + 2 * d, last = INFINITY;
+    for (int n = 0; n < MOST; n++) {
+        int status =
+            fvi_lagrangian_point(s, t, x, v, NULL, NULL, Lv, NULL, NULL, Lvv);
+        for (size_t i = 0; i < d && !status; i++)
+            r[i] = p[i] - Lv[i];
+        leave_out_massless(d, Lvv, r);
+        if (!status)
+            status = fvi_solve_matrix(d, Lvv, r, order);
+        if (status)
+            return status;
+        double change = 0, size = 0;
+        for (size_t i = 0; i < d; i++) {
+            v[i] += r[i];
+            change += fabs(r[i]);
+            size += fabs(v[i]);
+        }
+        if (!isfinite(change))
+            return FVI_EOVRFLW;
+        if (change <= 4 * DBL_EPSILON * size
+            || (change <= 1e-8 * size && change >= last / 2))
+            return FVI_SUCCESS;
+        last = change;
+    }
+    return FVI_EMAXITER;
+}
+//< velocity
+
+int fvi_velocity_of_momentum(const fvi_system *system, double t,
+                             const double *x, const double *p, double *v)
+{
+    const size_t d = system->d;
+    if (system->matrices)
+        return FVI_EUNSUP;
+    if (!fvi_lagrangian_of(system)) {
+        for (size_t i = 0; i < d; i++)
+            if (system->mass[i] > 0)
+                v[i] = p[i] / system->mass[i];
+        return FVI_SUCCESS;
+    }
+    double *room = malloc((2 + d) * d * sizeof *room);
+    size_t *order = malloc(d * sizeof *order);
+    const int status = room && order
+                           ? fvi_velocity_given(system, t, x, p, v, room, order)
+                           : FVI_ENOMEM;
+    free(room);
+    free(order);
+    return status;
+}
+
+int fvi_momentum_of_velocity(const fvi_system *system, double t,
+                             const double *x, const double *v, double *p)
+{
+    return system->matrices ? FVI_EUNSUP
+                            : fvi_lagrangian_point(system, t, x, v, NULL, NULL,
+                                                   p, NULL, NULL, NULL);
+}
+
+int fvi_energy_at(const fvi_system *system, double t, const double *x,
+                  const double *p, double *E)
+{
+    const size_t d = system->d;
+    if (!fvi_lagrangian_of(system))
+        return fvi_energy(system, x, p, E);
+    double *v = calloc(2 * d, sizeof *v), *Lv = v + d, L;
+    if (!v)
+        return FVI_ENOMEM;
+    int status = fvi_velocity_of_momentum(system, t, x, p, v);
+    if (!status)
+        status = fvi_lagrangian_point(system, t, x, v, &L, NULL, Lv, NULL, NULL,
+                                      NULL);
+    double sum = -L;
+    for (size_t i = 0; i < d && !status; i++)
+        sum += v[i] * Lv[i]; /* (29.9) */
+    free(v);
+    if (!status && !isfinite(sum))
+        return FVI_EOVRFLW; /* no mistake of the caller: no handler */
+    if (!status)
+        *E = sum;
+    return status;
+}

@@ -1,0 +1,29 @@
+/* src/system/lagrangian_point.h -- The Lagrangian of a system, whatever it is made of. [H 29]
+ *
+ * Internal; nothing is checked. */
+#ifndef FVI_LAGRANGIAN_POINT_H
+#define FVI_LAGRANGIAN_POINT_H
+
+#include <fvi/lagrangian.h>
+
+/* fvi_lagrangian_of -- that of the system's mechanism; NULL: it has none of its own. */
+const fvi_lagrangian *fvi_lagrangian_of(const fvi_system *system);
+
+/* fvi_lagrangian_point -- as fvi_lagrangian's at; of masses and a potential where there is none.
+ * Returns what the Lagrangian or the potential returned. */
+int fvi_lagrangian_point(const fvi_system *system, double t, const double *x,
+                         const double *v, double *L, double *Lx, double *Lv,
+                         double *Lxx, double *Lxv, double *Lvv);
+
+/* fvi_solve_matrix -- A y = r, A n by n, row by row; both are overwritten, r by y. `order` has room
+ * for n. Returns FVI_SUCCESS, or FVI_ESING for a pivot that is zero or not a number. */
+int fvi_solve_matrix(size_t n, double *A, double *r, size_t *order);
+
+/* fvi_velocity_given -- fvi_velocity_of_momentum without the heap.
+ *
+ *   room   2 d + d * d numbers     order  room for d */
+int fvi_velocity_given(const fvi_system *system, double t, const double *x,
+                       const double *p, double *v, double *room,
+                       size_t *order);
+
+#endif
