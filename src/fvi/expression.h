@@ -14,7 +14,9 @@
  *     asin acos                             on [-1, 1], with derivatives inside
  *     sqrt                                  on [0, inf), with derivatives for u > 0
  *     log                                   on (0, inf)
- *     abs                                   everywhere; at 0 its derivatives are 0
+ *     abs sign                              everywhere; at 0 their derivatives are 0
+ *     min(u, v) max(u, v)                   everywhere; where u = v their derivatives are the
+ *                                           mean of those of u and v
  *
  * and NaN elsewhere. u^v with a constant whole v is for every u (u != 0 where v < 0),
  * else for u > 0. -x^2 is -(x^2), and 2^3^2 is 2^(3^2). Nothing may be left out: 2*x, not
@@ -115,7 +117,7 @@ fvi_potential fvi_potential_expression(const fvi_expression *e);
 fvi_force fvi_force_expression(const fvi_expression *e);
 
 /* fvi_expression_complex_value -- of one variable, at re + i im, by principal branches; NaN
- * where abs is asked for, which is not analytic. Nothing is checked. */
+ * where abs, sign, min or max is asked for, which are not analytic. Nothing is checked. */
 void fvi_expression_complex_value(const fvi_expression *e, double re, double im,
                                   double *value_re, double *value_im);
 

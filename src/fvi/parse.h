@@ -48,6 +48,10 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
 int fvi_parse_word(const char *field, const char *text,
                    const char *const *words, size_t *which, fvi_error *error);
 
+/* fvi_list_item -- how long the first item of a list is: commas within parentheses part nothing, as
+ * those of max(x1,x2). */
+size_t fvi_list_item(const char *text);
+
 /* fvi_nearest_word -- the word, of those ended by NULL, that is nearest to the first `length`
  * letters of text, if a slip of the finger leads from the one to the other; else NULL. */
 const char *fvi_nearest_word(const char *text, size_t length,

@@ -10,6 +10,7 @@ enum { RUN = 1, EXACT = 2, COEFFICIENTS = 4 };
 const fvi_option fvi_option_list[OPTIONS] = {
     [METHOD] = { "method", RUN, "fvi" },
     [ALPHA] = { "alpha", RUN | EXACT | COEFFICIENTS, "0.5" },
+    [ORDER] = { "order", RUN | EXACT | COEFFICIENTS, NULL },
     [RHO] = { "rho", RUN | EXACT, "0.2" },
     [DAMPING] = { "damping", RUN | EXACT, NULL },
     [MASS] = { "mass", RUN | EXACT, "1" },

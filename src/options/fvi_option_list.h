@@ -63,12 +63,15 @@ typedef struct {
     const char *text[48]; /* each as it was given or by default, by index */
     char let_text[1024];     /* all --let, with commas between */
     char damping_text[4096]; /* all --damping, with " + " between */
-    char step[32];        /* the text of a step that follows from --time */
+    char step[32];  /* the text of a step that follows from --time */
+    char count_text[32]; /* and of the number of steps that follows from both */
+    int steps_follow;    /* does it? */
 } fvi_options;
 
 typedef enum {
     METHOD,
     ALPHA,
+    ORDER, /* instead of it: 2 alpha */
     RHO,
     DAMPING,
     MASS,

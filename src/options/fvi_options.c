@@ -167,18 +167,22 @@ static const char *preset(const fvi_options *o, option_index i)
 /* The presets; the step comes from --h, or from --time, or is looked for. */
 static int fill_in(fvi_options *o, fvi_error *c)
 {
-    const option_index instead = o->text[ERROR] ? ERROR : TIME;
-    if (o->text[H] && o->text[instead])
-        return fvi_refuse(c, "h", "not together with --%s",
-                          fvi_option_list[instead].name);
+    if (o->text[H] && o->text[ERROR])
+        return fvi_refuse(c, "h", "not together with --error");
+    if (o->text[ALPHA] && o->text[ORDER])
+        return fvi_refuse(c, "order",
+                          "not together with --alpha, which is half of it");
+    o->steps_follow = o->text[H] && o->text[TIME] && !o->text[STEPS];
     if (o->text[STEP_ERROR] && o->text[ERROR])
         return fvi_refuse(c, "step-error", "not together with --error");
     if (o->text[ERROR] && !o->text[TIME])
         o->text[TIME] = "20";
     const int law = o->text[DAMPING] != NULL;
-    if (law && (o->text[ALPHA] || o->text[RHO]))
+    if (law && (o->text[ALPHA] || o->text[ORDER] || o->text[RHO]))
         return fvi_refuse(c, "damping", "not together with --%s",
-                          o->text[ALPHA] ? "alpha" : "rho");
+                          o->text[ALPHA]   ? "alpha"
+                          : o->text[ORDER] ? "order"
+                                           : "rho");
     if (o->text[ERROR] && !o->text[METHOD])
         o->text[METHOD] = o->text[SYSTEM] ? fvi_cq2_midpoint.name
                           : law           ? fvi_cq_bdf2.name
@@ -189,6 +193,8 @@ static int fill_in(fvi_options *o, fvi_error *c)
     for (int i = 0; i < OPTIONS; i++)
         if (!o->text[i] && !(i == H && o->text[TIME])
             && !is_replaced(o, (option_index)i)
+            && !(i == STEPS && o->steps_follow)
+            && !(i == ALPHA && o->text[ORDER])
             && !(law && (i == ALPHA || i == RHO)))
             o->text[i] = preset(o, (option_index)i);
     return status;

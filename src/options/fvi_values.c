@@ -106,9 +106,12 @@ static int check_modes(const fvi_options *o, fvi_error *c)
 static int check_method(const fvi_options *o, fvi_error *c)
 {
     const fvi_method *m = o->method;
+    const int by_order = o->text[ORDER] != NULL;
     if (o->alpha < m->alpha_least || o->alpha > m->alpha_most)
-        return fvi_refuse(c, "alpha", "'%s' is not %g, all that %s knows",
-                          o->text[ALPHA], m->alpha_least, m->name);
+        return fvi_refuse(c, by_order ? "order" : "alpha",
+                          "'%s' is not %g, all that %s knows",
+                          o->text[by_order ? ORDER : ALPHA],
+                          (1 + by_order) * m->alpha_least, m->name);
     if (o->text[DAMPING] && !m->takes_laws)
         return fvi_refuse(c, "damping", "'%s' is not known to %s",
                           o->text[DAMPING], m->name);
@@ -164,9 +167,37 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     return !status && o->text[ERROR] ? interpret_error(o, c) : status;
 }
 
-/* The rows are at t_k = k h: by --h, or by --time. */
+/* --h H and --time T: there are T/H steps, and --steps, if it is given, says the same. */
+static int interpret_step_and_time(fvi_options *o, fvi_error *c)
+{
+    int status = number(o, H, 0, INFINITY, "()", &o->h, c);
+    if (!status)
+        status = number(o, TIME, 0, INFINITY, "()", &o->time, c);
+    if (status)
+        return status;
+    const double steps = o->time / o->h, whole_steps = round(steps);
+    if (!(whole_steps >= 1 && whole_steps < 0x1p53
+          && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
+        return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s",
+                          o->text[TIME], o->text[H]);
+    if (o->text[STEPS]) {
+        status = whole(o, STEPS, &o->steps, c);
+        return status || (double)o->steps == whole_steps
+                   ? status
+                   : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is",
+                                o->text[STEPS], whole_steps);
+    }
+    o->steps = (size_t)whole_steps;
+    snprintf(o->count_text, sizeof o->count_text, "%zu", o->steps);
+    o->text[STEPS] = o->count_text;
+    return 0;
+}
+
+/* The rows are at t_k = k h: by --h, or by --time, or by both. */
 static int interpret_grid(fvi_options *o, fvi_error *c)
 {
+    if (o->text[H] && o->text[TIME])
+        return interpret_step_and_time(o, c);
     int status = whole(o, STEPS, &o->steps, c);
     if (status || !o->text[TIME])
         return status ? status : number(o, H, 0, INFINITY, "()", &o->h, c);
@@ -347,6 +378,10 @@ static int interpret(fvi_options *o, fvi_error *c)
     o->alpha = 0.5;
     if (o->text[ALPHA])
         status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+    if (o->text[ORDER]) {
+        status = number(o, ORDER, 0, only_weights ? 4 : 2, "[]", &o->alpha, c);
+        o->alpha /= 2;
+    }
     if (status)
         return status;
     return only_weights ? whole(o, COUNT, &o->count, c)

@@ -208,6 +208,15 @@ static size_t distance(const char *a, size_t n, const char *b)
     return last[m];
 }
 
+size_t fvi_list_item(const char *text)
+{
+    int depth = 0;
+    size_t n = 0;
+    for (; text[n] && !(text[n] == ',' && depth == 0); n++)
+        depth += (text[n] == '(') - (text[n] == ')');
+    return n;
+}
+
 const char *fvi_nearest_word(const char *text, size_t length,
                              const char *const *words)
 {

@@ -150,7 +150,9 @@ int fvi_parse_user_parameters(const char *text,
                         "'%s': too many parameters", text);
     int status = FVI_SUCCESS;
     for (char *at = strcpy(copy, text), *next = at; next && !status; at = next) {
-        if ((next = strchr(at, ',')))
+        next = at + fvi_list_item(at);
+        next = *next ? next : NULL;
+        if (next)
             *next++ = '\0';
         status = parse_one(at, parameters, error);
     }

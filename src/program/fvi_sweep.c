@@ -207,7 +207,8 @@ static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
             if (*g->lets)
                 fvi_format_parameter(out, o->format, name, g->lets);
         } else if (!sweep_grid_has(g, name) && strcmp(name, "every") != 0
-                   && !(strcmp(name, "h") == 0 && o->text[TIME])) {
+                   && !(strcmp(name, "steps") == 0 && o->steps_follow)
+                   && !(strcmp(name, "h") == 0 && o->text[H] == o->step)) {
             fvi_format_parameter(out, o->format, name, value);
         }
     fvi_format_parameter(out, o->format, "vary", g->text);

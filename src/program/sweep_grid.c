@@ -86,7 +86,7 @@ int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
 
 /* What a sweep can vary, besides the parameters of expressions. */
 static const char *const numbers[] = {
-    "alpha", "rho",  "mass",  "kappa",      "x0",        "p0", "h",
+    "alpha", "order", "rho",  "mass",  "kappa",      "x0",        "p0", "h",
     "steps", "time", "error", "step-error", "longest",
     "tolerance", NULL
 };

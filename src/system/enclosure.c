@@ -144,6 +144,46 @@ static void absolute(const enclosure *u, int order, enclosure *f)
     tighten(f);
 }
 
+/* It jumps where u passes 0. */
+static void sign_of(const enclosure *u, int order, enclosure *f)
+{
+    if (u->low > 0 || u->high < 0) {
+        set_number(f, u->low > 0 ? 1 : -1);
+        return;
+    }
+    forget_derivatives(f, u->top > 0 ? order : 0);
+    set_range(f, -1, 1);
+    tighten(f);
+}
+
+/* The larger of two. Where either may be the larger its slope is at most that of the steeper,
+ * and jumps. */
+static void larger_of(const enclosure *u, const enclosure *w, int order,
+                      enclosure *f)
+{
+    if (u->low >= w->high || w->low >= u->high) {
+        *f = u->low >= w->high ? *u : *w;
+        return;
+    }
+    forget_derivatives(f, u->top > 0 || w->top > 0 ? order : 0);
+    if (f->top > 0)
+        f->most[1] = most_of(u->top > 0 ? u->most[1] : 0,
+                             w->top > 0 ? w->most[1] : 0);
+    set_range(f, most_of(u->low, w->low), most_of(u->high, w->high));
+    tighten(f);
+}
+
+/* min(u, w) = -max(-u, -w) */
+static void smaller_of(const enclosure *u, const enclosure *w, int order,
+                       enclosure *f)
+{
+    enclosure minus_u, minus_w, g;
+    fvi_enclosure_negate(u, &minus_u);
+    fvi_enclosure_negate(w, &minus_w);
+    larger_of(&minus_u, &minus_w, order, &g);
+    fvi_enclosure_negate(&g, f);
+}
+
 /* ---- along a tape ---- */
 
 static void set_time(enclosure *f, double from, double to)
@@ -227,6 +267,15 @@ static void operate(const fvi_node *at, const enclosure *u, const enclosure *w,
         break;
     case TAPE_ABS:
         absolute(u, order, f);
+        break;
+    case TAPE_SIGN:
+        sign_of(u, order, f);
+        break;
+    case TAPE_MIN:
+        smaller_of(u, w, order, f);
+        break;
+    case TAPE_MAX:
+        larger_of(u, w, order, f);
         break;
     }
 }

@@ -198,15 +198,21 @@ static int number(parser *p)
 
 static int sum(parser *p);
 
-/* The function is read, its argument is next. */
+/* The function is read, its argument is next, or both. */
 static int call(parser *p, fvi_operation op)
 {
     if (!sign(p, "("))
         return refuse(p, p->at, "a ( is missing behind the function");
     const int u = sum(p);
+    int w = u;
+    if (op >= TAPE_MIN) {
+        if (!p->status && !sign(p, ","))
+            return refuse(p, p->at, "min and max are of two, parted by a comma");
+        w = sum(p);
+    }
     if (!p->status && !sign(p, ")"))
         return refuse(p, p->at, "a ) is missing");
-    return operation(p, op, u, u, 0);
+    return operation(p, op, u, w, 0);
 }
 
 /* x, or x3: the number of the coordinate from 0, or -1. */

@@ -7,7 +7,8 @@
 const char *const fvi_tape_functions[] = { "sin",  "cos",  "tan",  "asin",
                                            "acos", "atan", "sinh", "cosh",
                                            "tanh", "exp",  "log",  "sqrt",
-                                           "abs",  NULL };
+                                           "abs",  "sign", "min",  "max",
+                                           NULL };
 
 /* f, f' and f'' at u; a function that is not defined there has no derivative either. */
 static inline void function(fvi_operation op, double u, const int order,
@@ -66,11 +67,30 @@ static inline void function(fvi_operation op, double u, const int order,
         f[1] = 0.5 / f[0];
         f[2] = -0.5 * f[1] / u;
         break;
+    case TAPE_SIGN:
+        f[0] = isnan(u) ? u : (u > 0) - (u < 0);
+        f[1] = f[2] = 0;
+        break;
     default: /* TAPE_ABS */
         f[0] = fabs(u);
         f[1] = (u > 0) - (u < 0);
         f[2] = 0;
     }
+}
+
+static inline fvi_jet mean(fvi_jet u, fvi_jet w)
+{
+    return (fvi_jet){ (u.v + w.v) / 2, (u.a + w.a) / 2, (u.b + w.b) / 2,
+                      (u.c + w.c) / 2 };
+}
+
+/* The smaller of two, or the larger. Where both are alike their derivatives are the mean, as
+ * those of abs(u) = max(u, -u) are 0 at 0. NaN stays NaN. */
+static inline fvi_jet extreme(fvi_operation op, fvi_jet u, fvi_jet w)
+{
+    if (u.v < w.v)
+        return op == TAPE_MIN ? u : w;
+    return u.v > w.v ? (op == TAPE_MIN ? w : u) : mean(u, w);
 }
 
 /* u to a whole power n >= 2, by multiplication. */
@@ -142,6 +162,9 @@ INTO_THE_WALK fvi_jet operate(const fvi_node *at, fvi_jet u, fvi_jet w,
     case TAPE_WHOLE_POWER:
         whole_power(u.v, (int)at->number, f);
         return chain(f, u);
+    case TAPE_MIN:
+    case TAPE_MAX:
+        return extreme(at->op, u, w);
     default:
         function(at->op, u.v, order, f);
         return chain(f, u);

@@ -34,7 +34,10 @@ typedef enum {
     TAPE_EXP,
     TAPE_LOG,
     TAPE_SQRT,
-    TAPE_ABS
+    TAPE_ABS,
+    TAPE_SIGN,
+    TAPE_MIN, /* from here on functions of two */
+    TAPE_MAX
 } fvi_operation;
 
 extern const char *const fvi_tape_functions[]; /* ended by NULL */
@@ -66,7 +69,7 @@ double fvi_tape_value(const fvi_node *node, size_t n, const double *x,
                       const double *k);
 
 /* fvi_tape_complex -- the same of one complex coordinate s, by principal branches; NaN where
- * abs is asked for, which is not analytic. */
+ * abs, sign, min or max is asked for, which are not analytic. */
 double complex fvi_tape_complex(const fvi_node *node, size_t n,
                                 double complex s, const double *k);
 

@@ -33,7 +33,7 @@ static double complex function(fvi_operation op, double complex u)
         return clog(u);
     case TAPE_SQRT:
         return csqrt(u);
-    default: /* TAPE_ABS is not analytic */
+    default: /* abs, sign, min and max are not analytic */
         return NAN;
     }
 }

@@ -75,6 +75,17 @@ START_TEST(powers_are_right_where_logarithms_are_not)
                   { "x^k", -2, { -8, 12, -12 } },
                   { "abs(x)", -3, { 3, -1, 0 } },
                   { "abs(x)", 0, { 0, 0, 0 } },
+                  { "sign(x)", -3, { -1, 0, 0 } },
+                  { "sign(x)", 0, { 0, 0, 0 } },
+                  { "x*sign(x)", 2, { 2, 1, 0 } },
+                  { "min(x^2, x^3)", 2, { 4, 4, 2 } },
+                  { "min(x^2, x^3)", -2, { -8, 12, -12 } },
+                  { "max(x^2, x^3)", 2, { 8, 12, 12 } },
+                  { "max(x^2, x^3)", -2, { 4, -4, 2 } },
+                  { "max(x^2, x^3)", 1, { 1, 2.5, 4 } }, /* alike: the mean */
+                  { "min(x, -x)", 0, { 0, 0, 0 } },
+                  { "max(min(x, 2), -k)", 7, { 2, 0, 0 } },
+                  { "min(max(3, 5), 4)*x", 1, { 4, 4, 0 } },
                   { "-x^2", 3, { -9, -6, -2 } },
                   { "2^3^2*x", 1, { 512, 512, 0 } },
                   { "2^-1*x", 1, { 0.5, 0.5, 0 } },
@@ -106,7 +117,8 @@ START_TEST(what_is_not_defined_is_nan)
         double x;
     } cases[] = { { "sqrt(x)", -1 },    { "log(x)", -1 }, { "asin(x)", 1.5 },
                   { "acos(x)", -2 },    { "x^0.5", -1 },  { "x^x", -0.5 },
-                  { "log(sin(x))", -1 } };
+                  { "log(sin(x))", -1 },  { "sign(sqrt(x))", -1 },
+                  { "min(log(x), 1)", -1 }, { "max(1, log(x))", -1 } };
     for (size_t n = 0; n < LEN(cases); n++) {
         fvi_expression *e = parsed(cases[n].text, &one, NULL);
         const fvi_potential P = fvi_potential_expression(e);

@@ -98,6 +98,63 @@ START_TEST(a_time_is_as_good_as_a_step)
 }
 END_TEST
 
+/* --h and --time together say how many steps there are; --steps may repeat it. */
+START_TEST(a_step_and_a_time_are_a_number_of_steps)
+{
+    ck_assert_int_eq(fvi("run --steps 30 --h 0.1 --alpha 0.3"), 0);
+    char *want = strdup(first_row());
+    ck_assert_int_eq(fvi("run --time 3 --h 0.1 --alpha 0.3"), 0);
+    ck_assert_str_eq(first_row(), want);
+    ck_assert_ptr_nonnull(
+        strstr(out, "# h = 0.1\n# steps = 30\n# time = 3\n# columns"));
+    ck_assert_int_eq(fvi("run --time 3 --h 0.1 --steps 30 --alpha 0.3"), 0);
+    ck_assert_str_eq(first_row(), want);
+    free(want);
+    ck_assert_int_eq(fvi("run --time 3.0000000029 --h 0.1"), 0);
+    ck_assert_refused("run --time 3.0000000031 --h 0.1",
+                      "fvi: --time: '3.0000000031' is not a whole number of "
+                      "steps of --h 0.1");
+    ck_assert_refused("run --time 3 --h 0.1 --steps 29",
+                      "fvi: --steps: '29' is not 30, which --time by --h is");
+}
+END_TEST
+
+/* --order is twice --alpha, in every command that takes that. */
+START_TEST(an_order_is_twice_alpha)
+{
+    static const char *const commands[] = {
+        "run --method fvi-lobatto3 --steps 20 --%s",
+        "exact --steps 5 --%s",
+        "coefficients --count 5 --%s",
+        "sweep --vary rho=0.1:0.3:2 --steps 5 --%s",
+        "gradient --steps 5 --%s",
+    };
+    char line[120];
+    for (size_t i = 0; i < LEN(commands); i++) {
+        snprintf(line, sizeof line, commands[i], "alpha 0.375");
+        ck_assert_int_eq(fvi(line), 0);
+        char *want = strdup(first_row());
+        snprintf(line, sizeof line, commands[i], "order 0.75");
+        ck_assert_int_eq(fvi(line), 0);
+        ck_assert_str_eq(first_row(), want);
+        ck_assert_ptr_nonnull(strstr(out, "# order = 0.75\n"));
+        ck_assert_ptr_null(strstr(out, "# alpha"));
+        free(want);
+    }
+    ck_assert_int_eq(fvi("sweep --vary alpha=0.25:0.5:2 --columns x --steps 9"),
+                     0);
+    const double x[] = { cell(0, 1), cell(1, 1) };
+    ck_assert_int_eq(fvi("sweep --vary order=0.5:1:2 --columns x --steps 9"), 0);
+    ck_assert(cell(0, 1) == x[0] && cell(1, 1) == x[1]);
+    ck_assert_refused("run --alpha 0.3 --order 0.6",
+                      "fvi: --order: not together with --alpha, which is half "
+                      "of it");
+    ck_assert_refused("run --order 2.5", "fvi: --order: '2.5' is outside [0, 2]");
+    ck_assert_refused("run --method lda --order 0.5",
+                      "fvi: --order: '0.5' is not 1, all that lda knows");
+}
+END_TEST
+
 /* The error that was asked for, against the exact solution on the same rows. */
 START_TEST(an_error_is_as_good_as_a_step)
 {
@@ -356,6 +413,7 @@ int main(void)
     ADD_CASE(suite, "values", a_motion_is_printed_down_to_the_smallest_number,
              run_prints_head_and_rows, rows_are_the_numbers_of_the_library,
              every_method_is_at_hand_by_its_name, a_time_is_as_good_as_a_step,
+             a_step_and_a_time_are_a_number_of_steps, an_order_is_twice_alpha,
              an_error_is_as_good_as_a_step,
              every_keeps_each_kth_row_and_the_last,
              a_chain_has_numbered_columns, a_chain_moves_as_the_library_says,

@@ -151,7 +151,7 @@ START_TEST(bad_sweeps_are_refused)
         "3/2;sweep --vary alpha=0:1:3 --part 1;"
         "sweep --vary alpha=0:1:3 "
         "--jobs 0;sweep --vary alpha=0:1:3 --jobs;sweep --vary alpha=0:1:3 "
-        "walk;sweep --vary h=0.1:0.2:2 --time 3;sweep --vary k=1:2:2 "
+        "walk;sweep --vary h=0.1:0.2:2 --time 0.5;sweep --vary k=1:2:2 "
         "--let k=3 --potential 'k*x';sweep --vray alpha=0:1:3;"
         "sweep --vary alpha=0:1:2 --alhpa 3;sweep --vary alhpa=0:1:2;"
         "sweep --vary k=1:2:2 --potential 'kk*x^2' --let kk=1;"
