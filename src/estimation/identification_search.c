@@ -131,6 +131,17 @@ static void set_sizes(search *o, const fvi_estimation *fit, const double *low,
     }
 }
 
+/* Where memory ends half way, GSL 2.7 loses what its solver already has. So the solver is made only
+ * where all of it fits at once: two matrices of n times p numbers, at most ten vectors of n, and what
+ * some thirty blocks are rounded up by. volatile: a compiler may leave out what is freed unused. */
+static int solver_has_room(size_t n, size_t p)
+{
+    void *volatile room = malloc((2 * p + 10) * n * sizeof(double) + ((size_t)1 << 18));
+    const int there = room != NULL;
+    free(room);
+    return there;
+}
+
 static int search_alloc(search *o, const fvi_estimation *fit)
 {
     const gsl_multifit_nlinear_parameters how =
@@ -148,8 +159,9 @@ static int search_alloc(search *o, const fvi_estimation *fit)
     const int rides = fvi_estimation_model_has_tangents(&o->model);
     o->ridden =
         rides ? malloc(fit->n * fit->parameters * sizeof *o->ridden) : NULL;
-    o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
-                                           fit->n, fit->parameters);
+    if (solver_has_room(fit->n, fit->parameters))
+        o->solver = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how,
+                                               fit->n, fit->parameters);
     if (!motion || !o->last || !o->found || !o->solver || (rides && !o->ridden))
         FVI_FAIL("no memory for the fit", FVI_ENOMEM);
     return FVI_SUCCESS;

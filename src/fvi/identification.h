@@ -147,9 +147,8 @@ int fvi_estimate_box(const fvi_estimation *fit, double *low, double *high);
  * has a law, which does not read it (rho, then, is what multiplies the law); what
  * fvi_system_check returns; FVI_EBADFUNC if the model fails from every start, or
  * what the potential or the force returned there, where that is a code of its own;
- * FVI_ENOMEM. Where memory ends while GSL 2.7 makes its solver, what GSL has allocated
- * until then is lost, 74 kB for n = 1000 and two parameters: it frees no half of a solver, and
- * nobody else can. */
+ * FVI_ENOMEM. GSL 2.7 frees no half of a solver, so it is asked for one only where there is room
+ * for a whole one. */
 int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estimate *fitted);
 
 /* fvi_fit_warning_of_... -- what to know before an answer is believed, as the functions of

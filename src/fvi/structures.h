@@ -110,9 +110,9 @@ typedef struct fvi_structure fvi_structure;
  * Where memory ends within CHOLMOD it says so, and nothing is left of it. Two libraries under
  * it do not, and both are asked only for factors with more than 250 entries in a column, which
  * large frames in space have. METIS prints lines of its own, on standard output too, and loses
- * what it had allocated; the factors are then made in AMD's order. libgomp, by which CHOLMOD
- * works in four threads, prints a line and ends the process. Such a factorisation also
- * must not follow a fork() of a process that made one before: libgomp then waits for ever. */
+ * what it had allocated; the factors are then made in AMD's order. libgomp, of which CHOLMOD
+ * uses one thread, prints a line and ends the process where it does not get some 200 bytes. Under
+ * 667 limits of memory neither happened, for both are asked when there is still room. */
 int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                         const fvi_sparse *C, fvi_structure **structure,
                         char *fault);

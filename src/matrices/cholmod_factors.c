@@ -1,9 +1,10 @@
 /* src/matrices/cholmod_factors.c -- Factors by CHOLMOD, of SuiteSparse.   [H 27] */
-#define _XOPEN_SOURCE 700 /* initstate */
+#define _GNU_SOURCE /* initstate, RTLD_DEFAULT */
 #include "factors.h"
 
 #include "system/fail.h"
 
+#include <dlfcn.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,6 +73,39 @@ static void analyse(fvi_cholmod *c, cholmod_sparse *A)
     analyse_by_metis_too(c, A);
 }
 
+/* The vectors of cholmod_solve2, which looks at them before it looks whether it got them. For one
+ * right hand side Y has n numbers, and E those of the longest row of blocks. */
+static void make_room_to_solve(fvi_cholmod *c)
+{
+    const size_t n = c->L->n, longest = c->L->maxesize;
+    cholmod_ensure_dense(&c->x, n, 1, n, CHOLMOD_REAL, &c->common);
+    cholmod_ensure_dense(&c->Y, n, 1, n, CHOLMOD_REAL, &c->common);
+    if (c->L->is_super)
+        cholmod_ensure_dense(&c->E, longest, 1, longest, CHOLMOD_REAL, &c->common);
+}
+
+/* A function of the OpenMP with which CHOLMOD was built, NULL if it has none. */
+static void *find_openmp(const char *name)
+{
+    return dlsym(RTLD_DEFAULT, name);
+}
+
+/* In this thread alone. CHOLMOD asks for four, which gain no time here; and a child of fork()
+ * would wait for ever for those that OpenMP keeps for the parent. The caller's limit comes back. */
+static void factorise_in_one_thread(fvi_cholmod *c, cholmod_sparse *A)
+{
+    int (*limit)(void) = NULL;
+    void (*set_limit)(int) = NULL;
+    *(void **)&limit = find_openmp("omp_get_max_active_levels");
+    *(void **)&set_limit = find_openmp("omp_set_max_active_levels");
+    const int of_caller = limit && set_limit ? limit() : 0;
+    if (limit && set_limit)
+        set_limit(0); /* no parallel region has a second thread */
+    cholmod_factorize(A, c->L, &c->common);
+    if (limit && set_limit)
+        set_limit(of_caller);
+}
+
 int fvi_cholmod_alloc(const fvi_sparse *A, fvi_cholmod **result)
 {
     fvi_cholmod *c = calloc(1, sizeof *c);
@@ -82,7 +116,9 @@ int fvi_cholmod_alloc(const fvi_sparse *A, fvi_cholmod **result)
     cholmod_sparse columns = view(A);
     analyse(c, &columns);
     if (c->L)
-        cholmod_factorize(&columns, c->L, &c->common);
+        factorise_in_one_thread(c, &columns);
+    if (c->L && c->common.status == CHOLMOD_OK)
+        make_room_to_solve(c);
     int status = c->common.status == CHOLMOD_NOT_POSDEF ? FVI_ESING
                  : !c->L || c->common.status < 0        ? FVI_ENOMEM
                                                         : FVI_SUCCESS;

@@ -14,7 +14,8 @@
  * Of GSL 2.7 gsl_matrix_alloc, gsl_eigen_symm_alloc and gsl_eigen_symmv_alloc do not free
  * the first half where there is no memory for the second. So matrices are views of arrays
  * of ours, and the workspaces, whose fields GSL's header declares, stand in one array.
- * That of gsl_multifit_nlinear is GSL's secret: see identification.h. */
+ * That of gsl_multifit_nlinear is GSL's secret: identification_search.c asks first whether there is
+ * room for it. */
 void fvi_quiet(void);
 void fvi_loud(void);
 

@@ -1,8 +1,13 @@
 /* tests/structures/test_structures_matrices.c -- Matrices: factors, what the damping remembers.
  * Run alone: make test-structures_matrices */
+#define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "structures_runs.h"
 
 #include "matrices/factors.h"
+
+#include <dlfcn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* ---- factors ---- */
 
@@ -89,6 +94,33 @@ START_TEST(eq_27_3_full_matrices_are_solved_by_blocks)
     fvi_factors_free(f);
     all_to_all(n, n - 1, &A);
     ck_assert_int_eq(fvi_factors_alloc(FVI_BY_CHOLMOD, &A, &f), FVI_ESING);
+}
+END_TEST
+
+/* The sweep reads a structure, and its processes factorise: libgomp would wait there for the
+ * threads of the first. A caller that works with OpenMP himself finds his limit as it was. */
+START_TEST(full_matrices_are_factorised_after_a_fork_too)
+{
+    int (*limit)(void) = NULL;
+    fvi_sparse A;
+    fvi_factors *f;
+    *(void **)&limit = dlsym(RTLD_DEFAULT, "omp_get_max_active_levels");
+    const int before = limit ? limit() : 0;
+    all_to_all(600, 601, &A);
+    OK(fvi_factors_alloc(FVI_BY_CHOLMOD, &A, &f));
+    fvi_factors_free(f);
+    ck_assert_int_eq(limit ? limit() : 0, before);
+    const pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    all_to_all(600, 601, &A);
+    if (child == 0) {
+        alarm(60); /* it takes a tenth of a second */
+        _exit(fvi_factors_alloc(FVI_BY_CHOLMOD, &A, &f));
+    }
+    fvi_sparse_free(&A);
+    int state;
+    ck_assert_int_eq(waitpid(child, &state, 0), child);
+    ck_assert_int_eq(state, 0);
 }
 END_TEST
 
@@ -276,6 +308,7 @@ int main(void)
     Suite *suite = suite_create("structures: matrices");
     ADD_CASE(suite, "factors", eq_27_3_every_way_solves_the_same_equations,
              eq_27_3_full_matrices_are_solved_by_blocks,
+             full_matrices_are_factorised_after_a_fork_too,
              an_indefinite_matrix_has_no_factors, the_way_is_chosen_by_the_band,
              the_way_of_a_sum_is_not_that_of_entries_that_cancel);
     ADD_CASE(
