@@ -33,8 +33,8 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -pedantic
 # What Debian's packages say stands in for a package that is yet to be installed.
 GSL_CFLAGS   := $(shell pkg-config --cflags gsl 2>/dev/null)
 GSL_LIBS     := $(shell pkg-config --libs gsl 2>/dev/null || echo -lgsl -lgslcblas -lm)
-# Only programs that solve with sparse matrices open CHOLMOD, and what it needs itself.
-CHOLMOD_LIBS := -Wl,--as-needed -lcholmod -Wl,--no-as-needed
+# Only programs that solve with sparse matrices open CHOLMOD and UMFPACK, and what they need.
+CHOLMOD_LIBS := -Wl,--as-needed -lumfpack -lcholmod -Wl,--no-as-needed
 LINKED        = $(CHOLMOD_LIBS) $(GSL_LIBS)
 CHECK_CFLAGS := $(shell pkg-config --cflags check 2>/dev/null || echo -pthread)
 CHECK_LIBS   := $(shell pkg-config --libs check 2>/dev/null || echo -lcheck_pic -pthread -lrt -lm -lsubunit)
@@ -267,7 +267,7 @@ install: $B/fvi $B/libfvi.a $B/libfvi.so.$(VERSION) ## library, headers, program
 	ln -sf libfvi.so.$(VERSION) $(DESTDIR)$(PREFIX)/lib/$(SONAME)
 	ln -sf $(SONAME) $(DESTDIR)$(PREFIX)/lib/libfvi.so
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: fvi' 'Version: $(VERSION)' 'Requires: gsl' \
-	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' 'Libs.private: -lcholmod' \
+	  'Description: fractional variational integrators' 'Libs: -L$${prefix}/lib -lfvi' 'Libs.private: -lumfpack -lcholmod' \
 	  'Cflags: -I$${prefix}/include' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/fvi.pc
 	cp src/fvi/*.h $(DESTDIR)$(PREFIX)/include/fvi/
 	cp src/fvi/paper/*.h $(DESTDIR)$(PREFIX)/include/fvi/paper/

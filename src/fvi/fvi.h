@@ -27,6 +27,7 @@
 #include "methods.h"
 #include "parse.h"
 #include "past.h"
+#include "response.h"
 #include "sensitivity.h"
 #include "solve.h"
 #include "stability.h"

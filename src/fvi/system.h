@@ -121,8 +121,11 @@ typedef struct {
  *   forget     gives the factors back
  *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: energies are not known
  *   params     handed to the functions, owned by the caller
+ *   M, K, C    NULL; or the entries of these matrices (structures.h), C NULL without damping, for
+ *              those who ask for responses and poles (response.h)
  *
  * The functions return 0, or a code as those of a potential do. */
+struct fvi_sparse;
 typedef struct {
     size_t remembered;
     int (*remember)(size_t d, const double *x, const double *from,
@@ -138,6 +141,7 @@ typedef struct {
     int (*energy)(size_t d, const double *x, const double *p,
                   const void *params, double *E);
     const void *params;
+    const struct fvi_sparse *M, *K, *C;
 } fvi_matrices;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and

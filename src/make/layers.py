@@ -24,7 +24,8 @@ FLOORS = [
     {"methods": "the integrators", "reference": "the exact solution of the linear problem"},
     {"analysis": "the longest step", "variable_step": "an integrator whose steps are its own",
      "mechanism": "steps of any Lagrangian, with dampers and constraints"},
-    {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages"},
+    {"run": "a start, a step, a whole trajectory", "stages": "weights and memory of steps with stages",
+     "frequency": "responses and poles of linear systems"},
     {"memory": "weights, and sums over the past", "matrices": "sparse matrices, their files and factors"},
     {"system": "potentials, forces, the one equation of a step, errors"},
 ]

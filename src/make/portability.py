@@ -182,7 +182,7 @@ def processor(reference):
     the bit. That includes fma, which libm then makes of whole numbers."""
     well, text = make("plain", [HOME / "plain/trajectories"],
                       ["CC=gcc", "CHOLMOD_LIBS=tests/run/processor_without_vectors.c "
-                       "-Wl,--as-needed -lcholmod -Wl,--no-as-needed"])
+                       "-Wl,--as-needed -lumfpack -lcholmod -Wl,--no-as-needed"])
     words = ""
     if well:
         well, text, words = compare("", reference, HOME / "plain/trajectories")

@@ -175,7 +175,10 @@ int fvi_structure_alloc(const fvi_sparse *M, const fvi_sparse *K,
                                   .solve = solve,
                                   .forget = forget,
                                   .energy = energy,
-                                  .params = s };
+                                  .params = s,
+                                  .M = M,
+                                  .K = K,
+                                  .C = C };
     const int status = check_matrices(s, fault);
     if (status) {
         fvi_structure_free(s);

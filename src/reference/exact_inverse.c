@@ -1,7 +1,7 @@
 /* src/reference/exact_inverse.c -- Inverting the Laplace transform.        [H 11] */
 #include "exact_inverse.h"
 
-#include "exact_law.h"
+#include "frequency/exact_law.h"
 #include "memory/kernel_terms.h"
 #include <fvi/error.h>
 

@@ -6,7 +6,7 @@
 #define FVI_EXACT_INVERSE_H
 
 #include <fvi/exact_solution.h>
-#include "exact_pole.h"
+#include "frequency/exact_pole.h"
 
 enum { FVI_ZEROS = 3, FVI_POLES = FVI_ZEROS + 1, FVI_NODES = 288 };
 

@@ -3,7 +3,7 @@
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
 #include "reference/exact_inverse.h"
-#include "reference/exact_law.h"
+#include "frequency/exact_law.h"
 #include "memory/kernel_terms.h"
 #include "harness/ulp.h"
 

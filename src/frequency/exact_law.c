@@ -1,5 +1,6 @@
-/* src/reference/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [H 26] */
+/* src/frequency/exact_law.c -- The complex poles of 1 / Q, for a law of damping. [H 26] */
 #include "exact_law.h"
+#include "winding.h"
 
 #include "memory/kernel_terms.h"
 #include "system/fail.h"
@@ -7,19 +8,15 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* A rectangle of ln s = u + i v. */
-typedef struct {
-    double u[2], v[2];
-} box;
-
 static const double STEP = 0.5; /* of ln s, from one look at Q to the next */
 
-/* ---- how often Q winds around 0 ---- */
+/* ---- how many zeros there are ---- */
 
 /* arg of Q(s) times 1 + T s^{2 below} for each fraction that has poles off the cut: what
  * is left has zeros only. */
-static double phase(const fvi_pole *Q, double u, double v)
+static double phase(const void *params, double u, double v)
 {
+    const fvi_pole *Q = params;
     const double complex s = exp(u) * (cos(v) + I * sin(v));
     double complex slope;
     double angle =
@@ -35,68 +32,22 @@ static double phase(const fvi_pole *Q, double u, double v)
     return angle;
 }
 
-/* How far the phase turns from one end of a piece to the other, in halves until it turns
- * by small angles; NaN if it never does, where a zero is on the way. */
-static double turned(const fvi_pole *Q, const double a[2], const double b[2],
-                     double at_a, double at_b, int depth)
-{
-    const double middle[2] = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 };
-    const double here = phase(Q, middle[0], middle[1]),
-                 first = remainder(here - at_a, 2 * M_PI),
-                 second = remainder(at_b - here, 2 * M_PI);
-    if (fabs(first) < 0.5 && fabs(second) < 0.5)
-        return first + second;
-    if (depth == 0 || isnan(here))
-        return GSL_NAN;
-    return turned(Q, a, middle, at_a, here, depth - 1)
-           + turned(Q, middle, b, here, at_b, depth - 1);
-}
-
-/* The same along a side of any length. */
-static double along(const fvi_pole *Q, const double a[2], const double b[2])
-{
-    const double length = fmax(fabs(b[0] - a[0]), fabs(b[1] - a[1]));
-    const int pieces = (int)ceil(length / STEP);
-    double sum = 0, from[2] = { a[0], a[1] }, before = phase(Q, a[0], a[1]);
-    for (int i = 1; i <= pieces; i++) {
-        const double part = (double)i / pieces,
-                     to[2] = { a[0] + part * (b[0] - a[0]),
-                               a[1] + part * (b[1] - a[1]) };
-        const double now = phase(Q, to[0], to[1]);
-        sum += turned(Q, from, to, before, now, 40);
-        from[0] = to[0];
-        from[1] = to[1];
-        before = now;
-    }
-    return sum;
-}
-
 /* The number of zeros in a box, or -1 if one is on its side. */
-//> count
-static int zeros_in(const fvi_pole *Q, const box *b)
+static int zeros_in(const fvi_pole *Q, const fvi_log_box *b)
 {
-    const double corner[5][2] = { { b->u[0], b->v[0] },
-                                  { b->u[1], b->v[0] },
-                                  { b->u[1], b->v[1] },
-                                  { b->u[0], b->v[1] },
-                                  { b->u[0], b->v[0] } };
-    double sum = 0;
-    for (int i = 0; i < 4; i++)
-        sum += along(Q, corner[i], corner[i + 1]);
-    return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
+    return fvi_winding(phase, Q, STEP, b);
 }
-//< count
 
 /* ---- where they are ---- */
 
-static int is_inside(const box *b, double complex s)
+static int is_inside(const fvi_log_box *b, double complex s)
 {
     const double u = log(cabs(s)), v = carg(s);
     return u > b->u[0] && u < b->u[1] && v > b->v[0] && v < b->v[1];
 }
 
 /* Newton's method for ln s from the middle of a box; returns 1 if it ends inside. */
-static int newton(const box *b, fvi_pole *Q)
+static int newton(const fvi_log_box *b, fvi_pole *Q)
 {
     double u = (b->u[0] + b->u[1]) / 2, v = (b->v[0] + b->v[1]) / 2;
     for (int i = 0; i < 50; i++) {
@@ -118,7 +69,7 @@ static int newton(const box *b, fvi_pole *Q)
 
 /* Halves of a box, cut where no zero is: its longer side, not in the middle, where
  * symmetry may have put one. Returns how many zeros are in the first, or -1. */
-static int cut(const fvi_pole *Q, const box *b, box half[2])
+static int cut(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
 {
     static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
     const int wide = b->u[1] - b->u[0] > b->v[1] - b->v[0];
@@ -135,7 +86,7 @@ static int cut(const fvi_pole *Q, const box *b, box half[2])
 }
 
 /* The n zeros of a box, behind those that have been found. */
-static int find(const fvi_pole *Q, const box *b, int n, size_t most,
+static int find(const fvi_pole *Q, const fvi_log_box *b, int n, size_t most,
                 fvi_pole *pole, size_t *count, fvi_error *error)
 {
     if (n == 0)
@@ -148,7 +99,7 @@ static int find(const fvi_pole *Q, const box *b, int n, size_t most,
         pole[(*count)++] = one;
         return FVI_SUCCESS;
     }
-    box half[2];
+    fvi_log_box half[2];
     const int first =
         b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? cut(Q, b, half) : -1;
     if (first < 0 || first > n)
@@ -170,9 +121,9 @@ int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
         return fvi_fail(error, FVI_EOVRFLW, "law", NAN,
                         "the law is not finite");
     int n = -1;
-    box all;
+    fvi_log_box all;
     for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
-        all = (box){ { -150, 150 }, { 1.5, edge[i] } };
+        all = (fvi_log_box){ { -150, 150 }, { 1.5, edge[i] } };
         n = zeros_in(&Q, &all);
     }
     *count = 0;

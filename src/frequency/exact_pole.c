@@ -1,4 +1,4 @@
-/* src/reference/exact_pole.c -- The complex pole of 1 / Q.                 [H 11] */
+/* src/frequency/exact_pole.c -- The complex pole of 1 / Q.                 [H 11] */
 #include "exact_pole.h"
 
 #include "memory/double_double.h"

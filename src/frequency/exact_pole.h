@@ -1,4 +1,4 @@
-/* src/reference/exact_pole.h -- The complex pole of 1 / Q.                 [H 11]
+/* src/frequency/exact_pole.h -- The complex pole of 1 / Q.                 [H 11]
  *
  *     Q(s) = m s^2 + c + rho s^beta,    s^beta by the principal logarithm,
  *

@@ -1,4 +1,4 @@
-/* src/reference/exact_law.h -- The complex poles of 1 / Q, for a law of damping. [H 26]
+/* src/frequency/exact_law.h -- The complex poles of 1 / Q, for a law of damping. [H 26]
  *
  *     Q(s) = m s^2 + c + rho C(s)
  */

@@ -1,0 +1,93 @@
+/* src/frequency/pole_count.c -- How many poles are there?               [H 30] */
+#include "pole_count.h"
+
+#include "winding.h"
+
+#include <gsl/gsl_math.h>
+#include <stdint.h>
+
+/* ---- the theorem ---- */
+
+/* On which side of the real line a symbol is at s = -r + i0, for all r > 0. */
+typedef enum {
+    ON_THE_LINE = 0, /* real, and not negative */
+    ABOVE = 1,
+    BELOW = 2,
+    ELSEWHERE = 4 /* on both sides, or negative somewhere */
+} side;
+
+//> sides
+static side side_of_power(double order)
+{
+    return order == 0 || order == 2 ? ON_THE_LINE
+           : order < 1              ? ABOVE
+           : order > 1              ? BELOW
+                                    : ELSEWHERE;
+}
+
+static side side_of_term(const fvi_kernel_term *t)
+{
+    if (t->rho == 0)
+        return ON_THE_LINE;
+    switch (t->kind) {
+    case FVI_KERNEL_POWER:
+        return side_of_power(2 * t->alpha);
+    case FVI_KERNEL_ZENER:
+    case FVI_KERNEL_MAXWELL2:
+    case FVI_KERNEL_DAVIDSON:
+        return t->time == 0      ? side_of_power(2 * t->alpha)
+               : t->alpha < 0.5 ? ABOVE
+                                 : ELSEWHERE;
+    case FVI_KERNEL_DISTRIBUTED:
+        return t->end <= 0.5 ? ABOVE : t->alpha >= 0.5 ? BELOW : ELSEWHERE;
+    case FVI_KERNEL_MAXWELL:
+    case FVI_KERNEL_SYMBOL:
+        break;
+    }
+    return ELSEWHERE;
+}
+
+int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
+{
+    int sides = 0;
+    for (size_t l = 2; l < r->terms; l++)
+        for (size_t i = 0; i < r->term[l].kernel->count; i++)
+            sides |= (int)side_of_term(&r->term[l].kernel->term[i]);
+    return least_lambda > 0 && sides <= BELOW; /* not ABOVE and BELOW */
+}
+//< sides
+
+/* ---- the argument principle ---- */
+
+static double phase(const void *params, double u, double v)
+{
+    fvi_response *r = (fvi_response *)params;
+    const double complex s = exp(u) * (cos(v) + I * sin(v));
+    return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_stiffness_phase(r);
+}
+
+/* Has the symbol poles off the cut? */
+static int has_own_poles(const fvi_kernel *kernel)
+{
+    for (size_t i = 0; i < kernel->count; i++) {
+        const fvi_kernel_term *t = &kernel->term[i];
+        const int is_fraction =
+            t->kind == FVI_KERNEL_ZENER || t->kind == FVI_KERNEL_MAXWELL2;
+        if (is_fraction && t->rho > 0 && t->time > 0 && t->alpha > 0.5)
+            return 1;
+    }
+    return 0;
+}
+
+size_t fvi_poles_counted(fvi_response *r, double low, double high)
+{
+    if (r->d > FVI_COUNTED_POLES)
+        return SIZE_MAX;
+    for (size_t l = 2; l < r->terms; l++)
+        if (has_own_poles(r->term[l].kernel))
+            return SIZE_MAX;
+    /* d phases may turn together: within a step by less than a turn */
+    const fvi_log_box all = { { low, high }, { 1.5, 3.14 } };
+    const int count = fvi_winding(phase, r, 0.5 / (double)r->d, &all);
+    return count < 0 ? SIZE_MAX : (size_t)count;
+}

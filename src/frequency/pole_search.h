@@ -1,0 +1,30 @@
+/* src/frequency/pole_search.h -- One pole of a system, from an undamped mode.  [H 30] */
+#ifndef FVI_POLE_SEARCH_H
+#define FVI_POLE_SEARCH_H
+
+#include "dynamic_stiffness.h"
+
+/* A pole on its way: s, d numbers v, the residual of fvi_poles. */
+typedef struct {
+    double complex s, *v;
+    double residual;
+} fvi_pole_candidate;
+
+/* fvi_pole_is_found -- is it a pole that oscillates? */
+int fvi_pole_is_found(const fvi_pole_candidate *p);
+
+/* fvi_pole_newton -- from s and v, which have some digits, to a pole near them.   (30.9)
+ * Returns FVI_SUCCESS, whether it is one or not, or FVI_ENOMEM. */
+int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
+
+/* fvi_pole_start -- s of an undamped mode v with its lambda: i sqrt(lambda), or, where lambda is not
+ * positive, i times the rate at which its inertia and its damping are equal; 0 if there is none. */
+double complex fvi_pole_start(const fvi_response *response, double lambda,
+                              const double complex *v);
+
+/* fvi_pole_follow -- from an undamped mode with s = i omega, v along the damping, from none of it
+ * to all. The smaller `tight` <= 1 is, the shorter are the steps.            (30.10)
+ * Returns as fvi_pole_newton. */
+int fvi_pole_follow(fvi_response *response, double tight, fvi_pole_candidate *p);
+
+#endif

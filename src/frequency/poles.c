@@ -1,0 +1,353 @@
+/* src/frequency/poles.c -- All poles of a system, or the lowest.        [H 30] */
+#include "pole_count.h"
+#include "pole_search.h"
+#include "undamped_modes.h"
+
+#include "exact_law.h"
+#include "system/larger.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    ALL_ARE_SOUGHT = 64, /* unknowns whose lowest poles are chosen from all */
+    MORE = 4,            /* modes of others, beside those that are asked for */
+    MOST_FOR_ALL = 2000, /* unknowns of which all poles may be asked for */
+    MOST_OF_ONE = 8      /* poles of one oscillator */
+};
+
+/* The search: starts from n undamped modes; places for `room` candidates. */
+typedef struct {
+    fvi_response *response;
+    size_t d, n, room, count;
+    double *lambda, *mode;
+    fvi_pole_candidate *candidate;
+    double complex *shapes;
+} search;
+
+static void search_free(search *s)
+{
+    free(s->lambda);
+    free(s->candidate);
+    free(s->shapes);
+}
+
+static int search_alloc(fvi_response *r, size_t count, search *s)
+{
+    const size_t d = r->d;
+    const int all = d <= ALL_ARE_SOUGHT || d - count < MORE;
+    *s = (search){ .response = r, .d = d, .n = all ? d : count + MORE };
+    s->room = d == 1 ? MOST_OF_ONE : s->n;
+    s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
+    s->mode = s->lambda + s->n;
+    s->candidate = calloc(s->room, sizeof *s->candidate);
+    s->shapes = malloc(s->room * d * sizeof *s->shapes);
+    for (size_t k = 0; s->candidate && k < s->room; k++)
+        s->candidate[k].v = s->shapes + k * d;
+    return s->lambda && s->candidate && s->shapes ? FVI_SUCCESS : FVI_ENOMEM;
+}
+
+/* Candidate k stands at its undamped mode again. */
+static void begin(search *s, size_t k)
+{
+    fvi_pole_candidate *p = &s->candidate[k];
+    for (size_t i = 0; i < s->d; i++)
+        p->v[i] = s->mode[k * s->d + i];
+    p->s = fvi_pole_start(s->response, s->lambda[k], p->v);
+    p->residual = 1;
+}
+
+/* ---- two at one pole ---- */
+
+/* |x^* y| over the product of the norms. */
+static double likeness(size_t d, const double complex *x,
+                       const double complex *y)
+{
+    double complex xy = 0;
+    double xx = 0, yy = 0;
+    for (size_t i = 0; i < d; i++) {
+        xy += conj(x[i]) * y[i];
+        xx += creal(conj(x[i]) * x[i]);
+        yy += creal(conj(y[i]) * y[i]);
+    }
+    return cabs(xy) / sqrt(xx * yy);
+}
+
+static int are_close(const fvi_pole_candidate *a, const fvi_pole_candidate *b)
+{
+    return cabs(a->s - b->s) < 1e-9 * cabs(a->s);
+}
+
+/* A pole with two shapes is two poles. */
+static int are_one(const search *s, size_t j, size_t k)
+{
+    return are_close(&s->candidate[j], &s->candidate[k])
+           && likeness(s->d, s->candidate[j].v, s->candidate[k].v) > 1 - 1e-6;
+}
+
+/* Candidates that are no pole, or one that another has found, too: their marks become 1. */
+static size_t mark_wrong(const search *s, unsigned char *wrong)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < s->n; k++)
+        wrong[k] = !fvi_pole_is_found(&s->candidate[k]);
+    for (size_t k = 0; k < s->n; k++)
+        for (size_t j = 0; j < k; j++)
+            if (are_one(s, j, k))
+                wrong[j] = wrong[k] = 1;
+    for (size_t k = 0; k < s->n; k++)
+        count += wrong[k];
+    return count;
+}
+
+/* From each mode to a pole; where that does not give as many poles as modes, along the damping, in
+ * shorter and shorter steps. */
+static int search_from_modes(search *s)
+{
+    static const double tight[] = { 1, 0.3, 0.1, 0.03 };
+    unsigned char *wrong = calloc(s->n, 1);
+    int status = wrong ? FVI_SUCCESS : FVI_ENOMEM;
+    for (size_t k = 0; !status && k < s->n; k++) {
+        begin(s, k);
+        if (s->candidate[k].s != 0)
+            status = fvi_pole_newton(s->response, &s->candidate[k]);
+    }
+    for (size_t i = 0; !status && i < sizeof tight / sizeof *tight; i++) {
+        if (mark_wrong(s, wrong) == 0)
+            break;
+        for (size_t k = 0; !status && k < s->n; k++) {
+            if (!wrong[k] || !(s->lambda[k] > 0))
+                continue;
+            begin(s, k);
+            status = fvi_pole_follow(s->response, tight[i], &s->candidate[k]);
+        }
+    }
+    free(wrong);
+    s->count = s->n;
+    return status;
+}
+
+/* ---- one oscillator ---- */
+
+/* All dampings of one unknown as one law, and its factor; NULL if they have none. */
+static fvi_kernel_term *sum_of_laws(const fvi_response *r, fvi_kernel *law,
+                                    double *factor)
+{
+    size_t count = 0;
+    for (size_t l = 2; l < r->terms; l++)
+        count += r->term[l].kernel->count;
+    fvi_kernel_term *term = malloc((count + 1) * sizeof *term);
+    *law = (fvi_kernel){ 0, term };
+    *factor = 1;
+    for (size_t l = 2; term && l < r->terms; l++)
+        for (size_t i = 0; i < r->term[l].kernel->count; i++) {
+            term[law->count] = r->term[l].kernel->term[i];
+            term[law->count++].rho *= *r->term[l].matrix->entry;
+        }
+    if (r->terms == 3 && r->term[2].kernel->term->kind == FVI_KERNEL_SYMBOL) {
+        *law = *r->term[2].kernel; /* its term is the head of a function */
+        *factor = *r->term[2].matrix->entry;
+    }
+    return term;
+}
+
+/* The poles of H 11, or all those of (26.11). Some laws are left to the general search: several
+ * with functions, and a pole that is further away than (26.11) looks. */
+static int search_of_one(search *s)
+{
+    const fvi_response *r = s->response;
+    const double m = *r->term[0].matrix->entry, c = *r->term[1].matrix->entry;
+    fvi_pole pole[MOST_OF_ONE];
+    fvi_kernel law;
+    double factor;
+    fvi_kernel_term *term = sum_of_laws(r, &law, &factor);
+    int status = term ? FVI_SUCCESS : FVI_ENOMEM, is_special = c >= 0;
+    for (size_t i = 0; !status && law.count > 1 && i < law.count; i++)
+        is_special = is_special && law.term[i].kind != FVI_KERNEL_SYMBOL;
+    if (!status && is_special) {
+        const int is_power =
+            law.count == 1 && law.term->kind == FVI_KERNEL_POWER;
+        if (is_power || law.count == 0)
+            s->count = (size_t)fvi_pole_find(m, c, is_power ? law.term->rho : 0,
+                                             is_power ? 2 * law.term->alpha : 0,
+                                             pole);
+        else if (fvi_kernel_poles(m, c, factor, &law, MOST_OF_ONE, pole,
+                                  &s->count, NULL))
+            s->count = 0;
+    }
+    free(term);
+    for (size_t k = 0; k < s->count; k++) {
+        s->candidate[k].s = pole[k].s;
+        s->candidate[k].v[0] = 1;
+        fvi_stiffness_at(s->response, pole[k].s, 1);
+        s->candidate[k].residual =
+            cabs(r->Z[0]) / fvi_stiffness_norm(r, pole[k].s);
+    }
+    return status;
+}
+
+/* ---- the answer ---- */
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = cabs(((const fvi_pole_candidate *)a)->s),
+                 y = cabs(((const fvi_pole_candidate *)b)->s);
+    return (x > y) - (x < y);
+}
+
+/* Candidates that are poles come first, by their sizes, each once. */
+static void keep_poles(search *s)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < s->count; k++) {
+        int is_new = fvi_pole_is_found(&s->candidate[k]);
+        for (size_t j = 0; is_new && j < kept; j++)
+            is_new = !are_one(s, j, k);
+        if (is_new) {
+            const fvi_pole_candidate other = s->candidate[kept];
+            s->candidate[kept++] = s->candidate[k];
+            s->candidate[k] = other;
+        }
+    }
+    s->count = kept;
+    qsort(s->candidate, kept, sizeof *s->candidate, by_size);
+}
+
+/* v^T Z' w at the pole whose Z' the response has. */
+static double complex form(const fvi_response *r, const double complex *v,
+                           const double complex *w, double complex *room)
+{
+    double complex sum = 0;
+    fvi_stiffness_multiply(r, r->slope, w, room);
+    for (size_t i = 0; i < r->d; i++)
+        sum += v[i] * room[i];
+    return sum;
+}
+
+/* v^T Z' v = 1; and of several shapes of one pole, v^T Z' w = 0.             (30.5) */
+static void normalise(search *s, double complex *room)
+{
+    fvi_response *r = s->response;
+    for (size_t k = 0; k < s->count; k++) {
+        double complex *v = s->candidate[k].v;
+        fvi_stiffness_at(r, s->candidate[k].s, 1);
+        for (size_t j = 0; j < k; j++) {
+            const double complex *w = s->candidate[j].v;
+            if (!are_close(&s->candidate[j], &s->candidate[k]))
+                continue;
+            const double complex part = form(r, w, v, room);
+            for (size_t i = 0; i < s->d; i++)
+                v[i] -= part * w[i];
+        }
+        const double complex size = csqrt(form(r, v, v, room));
+        for (size_t i = 0; i < s->d; i++)
+            v[i] /= size;
+    }
+}
+
+/* By the theorem, by (26.11), or counted. */
+static size_t expected(const search *s, int all_of_one)
+{
+    if (fvi_poles_by_theorem(s->response, s->lambda[0]))
+        return s->d;
+    if (all_of_one)
+        return s->count;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < s->n + s->count; k++) {
+        const double size = k < s->n ? sqrt(fabs(s->lambda[k]))
+                                     : cabs(s->candidate[k - s->n].s);
+        if (size > 0) {
+            low = smaller(low, log(size));
+            high = larger(high, log(size));
+        }
+    }
+    return low <= high ? fvi_poles_counted(s->response, low - 25, high + 25) : 0;
+}
+
+static int hand_over(search *s, size_t count, size_t expect, fvi_poles *poles)
+{
+    const size_t k = count < s->count ? count : s->count, d = s->d;
+    double *block = malloc((2 * k * (d + 1) + k + 1) * sizeof *block);
+    double complex *room = malloc(d * sizeof *room);
+    if (!block || !room) {
+        free(block);
+        free(room);
+        return FVI_ENOMEM;
+    }
+    normalise(s, room);
+    free(room);
+    *poles = (fvi_poles){ .count = k, .expected = expect, .d = d,
+                          .pole = block, .shape = block + 2 * k,
+                          .residual = block + 2 * k * (d + 1) };
+    for (size_t i = 0; i < k; i++) {
+        poles->pole[2 * i] = creal(s->candidate[i].s);
+        poles->pole[2 * i + 1] = cimag(s->candidate[i].s);
+        memcpy(poles->shape + 2 * i * d, s->candidate[i].v,
+               2 * d * sizeof(double));
+        poles->residual[i] = s->candidate[i].residual;
+    }
+    return FVI_SUCCESS;
+}
+
+/* What is a zero but for rounding becomes one: a free motion has no undamped frequency. */
+static void round_modes(const fvi_response *r, size_t n, double *lambda)
+{
+    const double scale = r->term[1].norm / r->term[0].norm;
+    for (size_t k = 0; k < n; k++)
+        if (fabs(lambda[k]) < 1e-15 * scale)
+            lambda[k] = 0;
+}
+
+static int find(search *s, size_t count, fvi_poles *poles)
+{
+    const fvi_response *r = s->response;
+    int status = fvi_undamped_modes(r->term[0].matrix, r->term[1].matrix, s->n,
+                                    s->lambda, s->mode);
+    if (status)
+        return status;
+    round_modes(r, s->n, s->lambda);
+    if (s->d == 1)
+        status = search_of_one(s);
+    const int all_of_one = s->count > 0;
+    if (!status && !all_of_one)
+        status = search_from_modes(s);
+    if (status)
+        return status;
+    keep_poles(s);
+    return hand_over(s, count, expected(s, all_of_one), poles);
+}
+
+int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
+                   fvi_error *error)
+{
+    if (!r || !poles)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    if (count > r->d)
+        return fvi_fail(error, FVI_EINVAL, "count", (double)count,
+                        "there are %zu unknowns", r->d);
+    const size_t wanted = count ? count : r->d;
+    if (wanted > MOST_FOR_ALL)
+        return fvi_fail(error, FVI_EUNSUP, "count", (double)wanted,
+                        "at most %d poles are looked for; say how many of the "
+                        "lowest", MOST_FOR_ALL);
+    search s;
+    int status = search_alloc(r, wanted, &s);
+    if (!status)
+        status = find(&s, count ? count : s.room, poles);
+    search_free(&s);
+    return !status
+               ? FVI_SUCCESS
+               : fvi_fail(error, status, NULL, NAN,
+                          status == FVI_ENOMEM  ? "not enough memory"
+                          : status == FVI_ESING ? "M is not positive definite"
+                                                : "the undamped modes were not "
+                                                  "found");
+}
+
+void fvi_poles_free(fvi_poles *poles)
+{
+    free(poles->pole);
+    *poles = (fvi_poles){ 0 };
+}

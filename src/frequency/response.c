@@ -1,0 +1,206 @@
+/* src/frequency/response.c -- Responses by frequency.                  [H 30] */
+#include "dynamic_stiffness.h"
+
+#include "complex_factors.h"
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
+                       fvi_error *error)
+{
+    if (!motion || !motion->system || !response)
+        return fvi_fail(error, FVI_EFAULT, "system", NAN, "null pointer");
+    int status = fvi_system_check_any(motion->system, error);
+    if (status)
+        return status;
+    for (size_t i = 0; motion->at && i < motion->system->d; i++)
+        if (!isfinite(motion->at[i]))
+            return fvi_fail(error, FVI_EDOM, "at", motion->at[i],
+                            "the place is not finite");
+    fvi_response *r = calloc(1, sizeof *r);
+    if (!r)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    r->d = motion->system->d;
+    status = fvi_stiffness_build(motion, r, error);
+    if (status)
+        fvi_response_free(r);
+    else
+        *response = r;
+    return status;
+}
+
+void fvi_response_free(fvi_response *r)
+{
+    if (!r)
+        return;
+    for (size_t l = 0; l < r->terms; l++) {
+        fvi_sparse_free(&r->term[l].own);
+        free(r->term[l].place);
+    }
+    fvi_complex_factors_free(r->factors);
+    free(r->term);
+    free(r->start);
+    free(r->row);
+    free(r->Z);
+    free(r);
+}
+
+size_t fvi_response_dimension(const fvi_response *r)
+{
+    return r->d;
+}
+
+/* ---- one s ---- */
+
+/* s as a complex number; the upper side of the cut where its imaginary part is zero. */
+static int take_s(const double s[2], double complex *z, fvi_error *error)
+{
+    *z = s[0] + I * fabs(s[1]);
+    if (s[1] < 0)
+        *z = conj(*z);
+    if (!isfinite(s[0]) || !isfinite(s[1]) || *z == 0)
+        return fvi_fail(error, FVI_EDOM, "s", s[0],
+                        "s must be finite and not zero");
+    return FVI_SUCCESS;
+}
+
+static int refuse_pole(int status, fvi_error *error)
+{
+    return fvi_fail(error, status, NULL, NAN,
+                    status == FVI_ESING ? "this is a pole: there is no response"
+                                        : "not enough memory");
+}
+
+int fvi_response_solve(fvi_response *r, const double s[2], const double *f,
+                       double *x, fvi_error *error)
+{
+    double complex z;
+    if (!r || !s || !f || !x)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    int status = take_s(s, &z, error);
+    if (status)
+        return status;
+    status = fvi_stiffness_factorise(r, z, 1);
+    if (!status) {
+        memmove(x, f, 2 * r->d * sizeof *x);
+        status = fvi_stiffness_solve(r, (double complex *)x);
+    }
+    if (status)
+        return refuse_pole(status, error);
+    return fvi_all_finite(2 * r->d, x)
+               ? FVI_SUCCESS
+               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN,
+                          "the response is not finite");
+}
+
+int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
+                          const double *x, double *y, fvi_error *error)
+{
+    double complex z;
+    if (!r || !s || !x || !y)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    const int status = take_s(s, &z, error);
+    if (status)
+        return status;
+    fvi_stiffness_at(r, z, 1);
+    fvi_stiffness_multiply(r, derivative ? r->slope : r->Z,
+                           (const double complex *)x, (double complex *)y);
+    return fvi_all_finite(2 * r->d, y)
+               ? FVI_SUCCESS
+               : fvi_fail(error, FVI_EOVRFLW, NULL, NAN,
+                          "the product is not finite");
+}
+
+/* ---- responses ---- */
+
+/* What acts: a force of 1 on one unknown, or M (1, ..., 1). */
+static void load(const fvi_response *r, fvi_response_kind kind, size_t by,
+                 double complex *f)
+{
+    const fvi_sparse *M = r->term[0].matrix;
+    for (size_t j = 0; j < r->d; j++) {
+        f[j] = j == by;
+        if (kind == FVI_RESPONSE_GROUND)
+            f[j] = 0;
+        for (int e = M->start[j];
+             kind == FVI_RESPONSE_GROUND && e < M->start[j + 1]; e++)
+            f[j] += M->entry[e];
+    }
+}
+
+//> kinds
+static double complex as_asked(fvi_response_kind kind, double omega,
+                               double complex x)
+{
+    switch (kind) {
+    case FVI_RESPONSE_MOBILITY:
+        return I * omega * x;
+    case FVI_RESPONSE_ACCELERANCE:
+        return -omega * omega * x;
+    case FVI_RESPONSE_GROUND:
+        return 1 + omega * omega * x;
+    case FVI_RESPONSE_RECEPTANCE:
+        break;
+    }
+    return x;
+}
+//< kinds
+
+static int one_frequency(fvi_response *r, fvi_response_kind kind, double omega,
+                         size_t at, size_t by, double complex *x,
+                         double H[2])
+{
+    if (!(isfinite(omega) && omega > 0))
+        return FVI_EDOM;
+    int status = fvi_stiffness_factorise(r, I * omega, 1);
+    if (status)
+        return status;
+    load(r, kind, by, x);
+    status = fvi_stiffness_solve(r, x);
+    const double complex h = as_asked(kind, omega, x[at]);
+    H[0] = creal(h);
+    H[1] = cimag(h);
+    return status                  ? status
+           : fvi_all_finite(2, H) ? FVI_SUCCESS
+                                   : FVI_EOVRFLW;
+}
+
+int fvi_response_at(fvi_response *r, fvi_response_kind kind, size_t n,
+                    const double *omega, size_t at, size_t by, double *H,
+                    fvi_error *error)
+{
+    if (!r || !omega || !H)
+        return fvi_fail(error, FVI_EFAULT, NULL, NAN, "null pointer");
+    if ((unsigned)kind > FVI_RESPONSE_GROUND)
+        return fvi_fail(error, FVI_EINVAL, "kind", (double)kind,
+                        "no such response");
+    if (at >= r->d || (kind != FVI_RESPONSE_GROUND && by >= r->d))
+        return fvi_fail(error, FVI_EINVAL, at >= r->d ? "at" : "by",
+                        (double)(at >= r->d ? at : by),
+                        "there are %zu unknowns", r->d);
+    double complex *x = malloc(r->d * sizeof *x);
+    if (!x)
+        return fvi_fail(error, FVI_ENOMEM, NULL, NAN, "not enough memory");
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; !status && i < n; i++) {
+        status = one_frequency(r, kind, omega[i], at, by, x, H + 2 * i);
+        if (!status)
+            continue;
+        (void)fvi_fail(error, status, "omega", omega[i], "at omega = %g %s",
+                       omega[i],
+                       status == FVI_EDOM ? "there is none: it must be finite "
+                                            "and positive"
+                       : status == FVI_ESING
+                           ? "the response is infinite: a mode without damping"
+                       : status == FVI_ENOMEM ? "there is not enough memory"
+                                              : "the response is not finite");
+        if (error)
+            error->index = i;
+    }
+    free(x);
+    return status;
+}

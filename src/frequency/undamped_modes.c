@@ -1,0 +1,250 @@
+/* src/frequency/undamped_modes.c -- K v = lambda M v, the lowest.        [H 30] */
+#include "undamped_modes.h"
+
+#include "matrices/factors.h"
+#include "matrices/sparse.h"
+#include "system/fail.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_matrix.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- full matrices ---- */
+
+/* M = L L^T in its lower triangle. */
+static int factorise(size_t n, double *M)
+{
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = j; i < n; i++) {
+            double left = M[i * n + j];
+            for (size_t l = 0; l < j; l++)
+                left -= M[i * n + l] * M[j * n + l];
+            if (i == j && !(left > 0))
+                return FVI_ESING;
+            M[i * n + j] = i == j ? sqrt(left) : left / M[j * n + j];
+        }
+    return FVI_SUCCESS;
+}
+
+/* Each row of X becomes L^-1 of it, or with `transposed` L^-T of it. */
+static void divide_rows(size_t n, const double *L, int transposed, double *X)
+{
+    for (double *x = X; x < X + n * n; x += n)
+        for (size_t k = 0; k < n; k++) {
+            const size_t i = transposed ? n - 1 - k : k;
+            const size_t from = transposed ? i + 1 : 0, to = transposed ? n : i;
+            for (size_t j = from; j < to; j++)
+                x[i] -= (transposed ? L[j * n + i] : L[i * n + j]) * x[j];
+            x[i] /= L[i * n + i];
+        }
+}
+
+static void transpose(size_t n, double *A)
+{
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < i; j++) {
+            const double kept = A[i * n + j];
+            A[i * n + j] = A[j * n + i];
+            A[j * n + i] = kept;
+        }
+}
+
+/* All modes of full symmetric matrices, which are destroyed: those of L^-1 K L^-T. Row i of V
+ * becomes mode i. `room` has 5 n numbers.                                            */
+static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
+                      double *room)
+{
+    int status = factorise(n, M);
+    if (status)
+        return status;
+    divide_rows(n, M, 0, K);
+    transpose(n, K);
+    divide_rows(n, M, 0, K);
+    gsl_matrix_view A = gsl_matrix_view_array(K, n, n),
+                    vectors = gsl_matrix_view_array(V, n, n);
+    gsl_vector_view values = gsl_vector_view_array(lambda, n);
+    gsl_eigen_symmv_workspace work = { .size = n, /* fail.h says why not GSL's */
+                                       .d = room,
+                                       .sd = room + n,
+                                       .gc = room + 2 * n,
+                                       .gs = room + 3 * n };
+    fvi_quiet();
+    status = gsl_eigen_symmv(&A.matrix, &values.vector, &vectors.matrix, &work);
+    if (!status)
+        status = gsl_eigen_symmv_sort(&values.vector, &vectors.matrix,
+                                      GSL_EIGEN_SORT_VAL_ASC);
+    fvi_loud();
+    transpose(n, V);
+    divide_rows(n, M, 1, V);
+    return status ? FVI_EMAXITER : FVI_SUCCESS;
+}
+
+static void spread(const fvi_sparse *A, double *full)
+{
+    memset(full, 0, A->n * A->n * sizeof *full);
+    for (size_t j = 0; j < A->n; j++)
+        for (int e = A->start[j]; e < A->start[j + 1]; e++)
+            full[j * A->n + (size_t)A->row[e]] = A->entry[e];
+}
+
+static int all_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
+                     double *lambda, double *v)
+{
+    const size_t n = M->n;
+    double *room = malloc((3 * n + 6) * n * sizeof *room);
+    if (!room)
+        return FVI_ENOMEM;
+    double *of_K = room, *of_M = of_K + n * n, *V = of_M + n * n,
+           *values = V + n * n;
+    spread(K, of_K);
+    spread(M, of_M);
+    const int status = full_modes(n, of_K, of_M, values, V, values + n);
+    if (!status) {
+        memcpy(lambda, values, count * sizeof *lambda);
+        memcpy(v, V, count * n * sizeof *v);
+    }
+    free(room);
+    return status;
+}
+
+/* ---- subspaces ---- */
+
+/* A subspace of q vectors on its way to the lowest modes. */
+typedef struct {
+    const fvi_sparse *M, *K;
+    size_t n, q;
+    fvi_factors *factors; /* of K + shift M */
+    double shift;
+    double *X, *Y, *MX;   /* q vectors each */
+    double *of_K, *of_M, *V, *values, *room;
+} subspace;
+
+/* K, or as little of M besides that the sum is positive definite. */
+static int shift_stiffness(subspace *s)
+{
+    const fvi_sparse *const terms[3] = { s->K, s->M, NULL };
+    double of_K = 0, of_M = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        of_K += fabs(fvi_sparse_entry(s->K, i, i));
+        of_M += fvi_sparse_entry(s->M, i, i);
+    }
+    int status = FVI_ESING;
+    for (int i = 0; status == FVI_ESING && i < 8; i++) {
+        s->shift = i > 0 ? 1e-10 * pow(100, i - 1) * of_K / of_M : 0;
+        const double a[3] = { 1, s->shift, 0 };
+        fvi_sparse A;
+        status = fvi_sparse_add(terms, a, &A);
+        if (!status)
+            status = fvi_factors_alloc(fvi_way_of(&A), &A, &s->factors);
+    }
+    return status;
+}
+
+/* Numbers between -1/2 and 1/2 that no structure has a zero against. */
+static void scatter(size_t count, double *x)
+{
+    unsigned long long state = 1;
+    for (size_t i = 0; i < count; i++) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        x[i] = (double)(state >> 11) * 0x1p-53 - 0.5;
+    }
+}
+
+static double product(size_t n, const double *x, const double *y)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += x[i] * y[i];
+    return sum;
+}
+
+/* Gram matrices of K and M between the vectors Y, and Y's Ritz vectors into X. */
+static int ritz(subspace *s)
+{
+    const size_t n = s->n, q = s->q;
+    for (int of_mass = 0; of_mass < 2; of_mass++)
+        for (size_t j = 0; j < q; j++) {
+            double *image = s->MX;
+            fvi_sparse_multiply(of_mass ? s->M : s->K, s->Y + j * n, image);
+            for (size_t i = 0; i < q; i++)
+                (of_mass ? s->of_M : s->of_K)[i * q + j] =
+                    product(n, s->Y + i * n, image);
+        }
+    const int status =
+        full_modes(q, s->of_K, s->of_M, s->values, s->V, s->room);
+    memset(s->X, 0, q * n * sizeof *s->X);
+    for (size_t j = 0; !status && j < q; j++)
+        for (size_t i = 0; i < q; i++)
+            for (size_t l = 0; l < n; l++)
+                s->X[j * n + l] += s->V[j * q + i] * s->Y[i * n + l];
+    return status;
+}
+
+//> subspace
+/* Y = (K + shift M)^-1 M X, and the modes of K and M within Y, until those that are wanted
+ * stand still. */
+static int iterate(subspace *s, size_t wanted)
+{
+    enum { MOST = 200 };
+    double *before = s->room + 5 * s->q;
+    scatter(s->q * s->n, s->X);
+    for (int i = 0; i < MOST; i++) {
+        for (size_t j = 0; j < s->q; j++) {
+            fvi_sparse_multiply(s->M, s->X + j * s->n, s->Y + j * s->n);
+            if (fvi_factors_solve(s->factors, s->Y + j * s->n))
+                return FVI_ENOMEM;
+        }
+        memcpy(before, s->values, s->q * sizeof *before);
+        const int status = ritz(s);
+        if (status)
+            return status;
+        size_t settled = 0;
+        while (settled < wanted
+               && fabs(s->values[settled] - before[settled])
+                      <= 1e-9 * fabs(s->values[settled] + s->shift))
+            settled++;
+        if (i > 0 && settled == wanted)
+            return FVI_SUCCESS;
+    }
+    return FVI_EMAXITER;
+}
+//< subspace
+
+static int lowest_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
+                        double *lambda, double *v)
+{
+    const size_t n = M->n, q = count + (count > 8 ? count : 8);
+    subspace s = { .M = M, .K = K, .n = n, .q = q };
+    double *room = malloc((2 * q * n + n + (3 * q + 8) * q) * sizeof *room);
+    if (!room)
+        return FVI_ENOMEM;
+    s.X = room;
+    s.Y = s.X + q * n;
+    s.MX = s.Y + q * n;
+    s.of_K = s.MX + n;
+    s.of_M = s.of_K + q * q;
+    s.V = s.of_M + q * q;
+    s.values = s.V + q * q;
+    s.room = s.values + q;
+    memset(s.values, 0, q * sizeof *s.values);
+    int status = shift_stiffness(&s);
+    if (!status)
+        status = iterate(&s, count);
+    if (!status) {
+        memcpy(lambda, s.values, count * sizeof *lambda);
+        memcpy(v, s.X, count * n * sizeof *v);
+    }
+    fvi_factors_free(s.factors);
+    free(room);
+    return status == FVI_ESING ? FVI_EMAXITER : status;
+}
+
+int fvi_undamped_modes(const fvi_sparse *M, const fvi_sparse *K, size_t count,
+                       double *lambda, double *v)
+{
+    return M->n <= FVI_FULL_MODES || 4 * count > M->n
+               ? all_modes(M, K, count, lambda, v)
+               : lowest_modes(M, K, count, lambda, v);
+}

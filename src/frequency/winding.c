@@ -1,0 +1,58 @@
+/* src/frequency/winding.c -- How often a function winds around 0.     [H 26, H 30] */
+#include "winding.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+/* How far the phase turns from one end of a piece to the other, in halves until it turns
+ * by small angles; NaN if it never does, where a zero is on the way. */
+static double turned(fvi_phase *phase, const void *params, const double a[2],
+                     const double b[2], double at_a, double at_b, int depth)
+{
+    const double middle[2] = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 };
+    const double here = phase(params, middle[0], middle[1]),
+                 first = remainder(here - at_a, 2 * M_PI),
+                 second = remainder(at_b - here, 2 * M_PI);
+    if (fabs(first) < 0.5 && fabs(second) < 0.5)
+        return first + second;
+    if (depth == 0 || isnan(here))
+        return GSL_NAN;
+    return turned(phase, params, a, middle, at_a, here, depth - 1)
+           + turned(phase, params, middle, b, here, at_b, depth - 1);
+}
+
+/* The same along a side of any length. */
+static double along(fvi_phase *phase, const void *params, double step,
+                    const double a[2], const double b[2])
+{
+    const double length = fmax(fabs(b[0] - a[0]), fabs(b[1] - a[1]));
+    const int pieces = (int)ceil(length / step);
+    double sum = 0, from[2] = { a[0], a[1] }, before = phase(params, a[0], a[1]);
+    for (int i = 1; i <= pieces; i++) {
+        const double part = (double)i / pieces,
+                     to[2] = { a[0] + part * (b[0] - a[0]),
+                               a[1] + part * (b[1] - a[1]) };
+        const double now = phase(params, to[0], to[1]);
+        sum += turned(phase, params, from, to, before, now, 40);
+        from[0] = to[0];
+        from[1] = to[1];
+        before = now;
+    }
+    return sum;
+}
+
+//> count
+int fvi_winding(fvi_phase *phase, const void *params, double step,
+                const fvi_log_box *b)
+{
+    const double corner[5][2] = { { b->u[0], b->v[0] },
+                                  { b->u[1], b->v[0] },
+                                  { b->u[1], b->v[1] },
+                                  { b->u[0], b->v[1] },
+                                  { b->u[0], b->v[0] } };
+    double sum = 0;
+    for (int i = 0; i < 4; i++)
+        sum += along(phase, params, step, corner[i], corner[i + 1]);
+    return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
+}
+//< count
