@@ -225,6 +225,21 @@ const char *fvi_typed_force_file(const fvi_typed_force *force, size_t i);
 /* fvi_typed_force_free -- give everything back. NULL is allowed. */
 void fvi_typed_force_free(fvi_typed_force *force);
 
+/* fvi_force_rows -- forces that were measured: n rows at increasing times.
+ *
+ *   columns  1: the same on every mass; or d, one for each
+ *   t        n times
+ *   F        n columns numbers, row after row */
+typedef struct {
+    size_t n, columns;
+    const double *t, *F;
+} fvi_force_rows;
+
+/* fvi_force_table -- F linear between two rows, before the first one and behind the last as it is
+ * there; to be used in a system. *rows must outlive the runs. Nothing is checked but n = 0, a
+ * force of 0. Cost O(d log n). */
+fvi_force fvi_force_table(const fvi_force_rows *rows);
+
 /* ---- whole problems ---- */
 
 typedef struct fvi_typed_problem fvi_typed_problem;

@@ -325,7 +325,7 @@ static int value(double t, size_t d, void *params, double *F)
 {
     const loads *l = &((const fvi_directory *)params)->loads;
     const size_t width = l->width + 1;
-    const fvi_polygon rows = { l->rows, width, l->t, NULL };
+    const fvi_polygon rows = { l->rows, width, width, l->t, NULL };
     const size_t low = fvi_polygon_row(&rows, t);
     const double *before = l->t + low * width,
                  *after = low + 1 < l->rows ? before + width : before;
@@ -345,7 +345,7 @@ static int bound(double from, double to, size_t order, size_t d, void *params,
     const loads *l = &((const fvi_directory *)params)->loads;
     memset(most, 0, (order + 1) * d * sizeof *most);
     for (size_t i = 0; i < l->width; i++) {
-        const fvi_polygon rows = { l->rows, l->width + 1, l->t, l->t + 1 + i };
+        const fvi_polygon rows = { l->rows, l->width + 1, l->width + 1, l->t, l->t + 1 + i };
         fvi_polygon_bound(&rows, from, to, order, d, most + l->unknown[i]);
     }
     return 0;

@@ -23,12 +23,12 @@ double fvi_polygon_value(const fvi_polygon *p, double t)
     if (t <= p->t[0])
         return p->F[0];
     if (t >= p->t[(p->n - 1) * p->stride])
-        return p->F[(p->n - 1) * p->stride];
+        return p->F[(p->n - 1) * p->F_stride];
     const size_t low = fvi_polygon_row(p, t), high = low + 1;
     const double part_of = (t - p->t[low * p->stride])
                            / (p->t[high * p->stride] - p->t[low * p->stride]);
-    return p->F[low * p->stride]
-           + part_of * (p->F[high * p->stride] - p->F[low * p->stride]);
+    return p->F[low * p->F_stride]
+           + part_of * (p->F[high * p->F_stride] - p->F[low * p->F_stride]);
 }
 
 /* Of the lines that a table has between two times. A kink among them leaves no second
@@ -44,7 +44,7 @@ void fvi_polygon_bound(const fvi_polygon *p, double from, double to,
             continue;
         const int is_row = i < p->n && p->t[i * p->stride] < to;
         const double next_t = is_row ? p->t[i * p->stride] : to,
-                     next = is_row ? p->F[i * p->stride]
+                     next = is_row ? p->F[i * p->F_stride]
                                    : fvi_polygon_value(p, to);
         kinks += is_row ? 1 : 0;
         slope = larger(slope, fabs((next - F) / (next_t - t)));

@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-/* n rows, their t and F so many numbers apart. */
+/* n rows; their t stand `stride` numbers apart, their F `F_stride`. */
 typedef struct {
-    size_t n, stride;
+    size_t n, stride, F_stride;
     const double *t, *F;
 } fvi_polygon;
 

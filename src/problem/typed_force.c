@@ -34,7 +34,7 @@ struct fvi_typed_force {
 
 static fvi_polygon rows_of(const part *p)
 {
-    return (fvi_polygon){ p->n, 1, p->t, p->F };
+    return (fvi_polygon){ p->n, 1, 1, p->t, p->F };
 }
 
 static fvi_force ready_made(const part *p)

@@ -107,7 +107,8 @@ typedef struct {
     int (*row)(size_t k, double t, const double *x, const double *p, void *params);
     void *params;
 } fvi_outputs;
-typedef struct { double error; ...; } fvi_report;
+typedef struct { const fvi_method *method; size_t steps, rejected; double h, error; ...; } fvi_report;
+int fvi_energy(const fvi_system *system, const double *x, const double *p, double *E);
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, const fvi_accuracy *accuracy,
               const fvi_outputs *outputs, fvi_report *report, fvi_error *error);
 enum { FVI_WARNING_ROOM = 400 };
@@ -137,6 +138,8 @@ int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters,
                     fvi_error *error);
 fvi_force fvi_force_typed(const fvi_typed_force *force);
 void fvi_typed_force_free(fvi_typed_force *force);
+typedef struct { size_t n, columns; const double *t, *F; } fvi_force_rows;
+fvi_force fvi_force_table(const fvi_force_rows *rows);
 
 typedef enum { FVI_FREE_PARAMETER_ALPHA, FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_MASS, FVI_FREE_PARAMETER_X0,
                FVI_FREE_PARAMETER_P0, FVI_FREE_PARAMETER_CONSTANT, ... } fvi_free_parameter;
@@ -193,6 +196,12 @@ const char *fvi_version(void);
 const char *why(int code);
 void listen(unsigned long thread);
 void begin(void);
+typedef struct { size_t rows, all; void *tell; ...; } row_count;
+int count_row(size_t k, double t, const double *x, const double *p, void *params);
+int energies(const fvi_system *system, size_t rows, const double *x, const double *p, double *energy, size_t *done);
+void obey(const int *flag);
+int is_dense(const fvi_method *method);
+extern "Python" int report_progress(size_t rows, size_t all, void *tell);
 int take_steps(fvi_stepper *s, size_t count, const fvi_watch *watch, size_t *taken);
 int look_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, const double *x,
                size_t size, char *text);
@@ -218,6 +227,7 @@ ffi.set_source(
     #include <pthread.h>
     #include <time.h>
     static int look_up(void);
+    static int report_progress(size_t rows, size_t all, void *tell);
     /* The last error's reason and code, of this thread: for the text of the exception. */
     static _Thread_local const char *reason;
     static _Thread_local int reason_of;
@@ -230,19 +240,60 @@ ffi.set_source(
     /* Ctrl-C reaches the main thread, and is seen when that calls Python. */
     static unsigned long main_thread;
     static int stopped; /* what Python said; it stands until the call has returned */
+    /* Of another thread: its runs end as soon as *flag is not zero; NULL: no such flag. */
+    static _Thread_local const volatile int *flag_of_thread;
+    static void obey(const int *flag)
+    {
+        flag_of_thread = flag;
+    }
+    /* Have 25 ms passed since this was nonzero? Then they begin anew. */
+    static int is_time(struct timespec *last)
+    {
+        struct timespec now;
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        if ((double)(now.tv_sec - last->tv_sec) + 1e-9 * (double)(now.tv_nsec - last->tv_nsec) < 0.025)
+            return 0;
+        *last = now;
+        return 1;
+    }
     static int ask_python(void)
     {
         static struct timespec last;
-        struct timespec now;
         if ((unsigned long)pthread_self() != main_thread)
-            return 0;
+            return flag_of_thread ? -*flag_of_thread : 0;
         if (stopped)
             return stopped;
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        if ((double)(now.tv_sec - last.tv_sec) + 1e-9 * (double)(now.tv_nsec - last.tv_nsec) < 0.05)
+        return is_time(&last) ? stopped = look_up() : 0;
+    }
+    /* How many rows of a call stand, of how many; and who is told now and then? */
+    typedef struct {
+        size_t rows, all;
+        void *tell; /* NULL: nobody */
+        struct timespec last;
+    } row_count;
+    static int count_row(size_t k, double t, const double *x, const double *p, void *params)
+    {
+        row_count *count = params;
+        (void)t, (void)x, (void)p;
+        count->rows = k + 1;
+        if (!count->tell)
             return 0;
-        last = now;
-        return stopped = look_up();
+        return k + 1 == count->all || (k % 16 == 0 && is_time(&count->last))
+                   ? report_progress(k + 1, count->all, count->tell) : 0;
+    }
+    /* Does the method choose its steps? */
+    static int is_dense(const fvi_method *method)
+    {
+        return method->dense != NULL;
+    }
+    /* fvi_energy of each row; *done of them stand. */
+    static int energies(const fvi_system *system, size_t rows, const double *x, const double *p,
+                        double *energy, size_t *done)
+    {
+        int status = 0;
+        for (*done = 0; *done < rows && !status; *done += !status)
+            status = fvi_energy(system, x + *done * system->d, p + *done * system->d, energy + *done);
+        return status;
     }
     static void listen(unsigned long thread)
     {

@@ -3,7 +3,7 @@
 `make python` lays out build/python/package: these files, the headers and the compiled
 library; from there it makes the wheel, and `pip install build/python/package` works, too.
 
-One wheel serves every Python from 3.9 on (the limited API). GSL travels along: its two
+One wheel serves every Python from 3.10 on (the limited API). GSL travels along: its two
 shared objects lie beside the module and are found there before any others."""
 import os
 import pathlib
@@ -40,6 +40,6 @@ setup(
     package_data={"fvi": ["py.typed", "libgsl*.so.*"]},
     cffi_modules=["interface.py:ffi"],
     install_requires=["cffi>=1.15", "numpy"],
-    python_requires=">=3.9",
-    options={"bdist_wheel": {"py_limited_api": "cp39"}},
+    python_requires=">=3.10",
+    options={"bdist_wheel": {"py_limited_api": "cp310"}},
 )

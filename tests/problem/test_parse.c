@@ -172,12 +172,42 @@ START_TEST(a_text_becomes_a_problem)
 }
 END_TEST
 
+/* Rows (0, 1, 10), (1, 2, 30), (4, -1, 30): halves and quarters are exact. */
+START_TEST(a_table_is_linear_between_its_rows)
+{
+    const double t[] = { 0, 1, 4 }, F[] = { 1, 10, 2, 30, -1, 30 };
+    const fvi_force_rows each = { 3, 2, t, F }, all = { 2, 1, t, F };
+    fvi_force force = fvi_force_table(&each);
+    double at[2], most[4];
+    const double when[] = { -1, 0, 0.5, 1, 2.5, 4, 9 },
+                 one[] = { 1, 1, 1.5, 2, 0.5, -1, -1 },
+                 two[] = { 10, 10, 20, 30, 30, 30, 30 };
+    for (size_t k = 0; k < sizeof when / sizeof *when; k++) {
+        ck_assert_int_eq(force.value(when[k], 2, force.params, at), 0);
+        ck_assert(at[0] == one[k] && at[1] == two[k]);
+    }
+    ck_assert(force.jump_count == 3 && force.jumps[2] == 4);
+    ck_assert_int_eq(force.bound(0, 2, 1, 2, force.params, most), 0);
+    ck_assert(most[0] >= 0.5 && most[0] < 0.5 + 1e-14 && most[1] >= 10
+              && most[2] >= 1 && most[2] < 1 + 1e-11 && most[3] >= 20);
+    force = fvi_force_table(&all); /* 1 at 0, 10 at 1, on both masses */
+    ck_assert_int_eq(force.value(0.5, 2, force.params, at), 0);
+    ck_assert(at[0] == 5.5 && at[1] == 5.5);
+    ck_assert_int_eq(force.bound(0, 1, 1, 2, force.params, most), 0);
+    ck_assert(most[1] == most[0] && most[0] >= 4.5 && most[3] == most[2]
+              && most[2] >= 9);
+    force = fvi_force_table(&(fvi_force_rows){ 0 });
+    ck_assert(!force.value);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("problems as they are typed");
     ADD_CASE(suite, "parse", a_text_becomes_a_potential,
              an_error_says_field_value_index_and_text,
              parameters_are_names_with_one_value_that_are_used,
-             a_text_becomes_a_force, a_text_becomes_a_problem);
+             a_text_becomes_a_force, a_table_is_linear_between_its_rows,
+             a_text_becomes_a_problem);
     return run_suite(suite);
 }

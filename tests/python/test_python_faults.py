@@ -184,7 +184,7 @@ def test_the_code_of_a_compiled_function_is_said():
 
 
 @pytest.mark.parametrize("call, what, why", [
-    (lambda: fvi.run(force=np.zeros(5)), TypeError, r"^force: array\(\[0., 0., 0., 0., 0.\]\) is no text and no fun"),
+    (lambda: fvi.run(force=np.zeros(5)), TypeError, r"^force: array\(\[0., 0., 0., 0., 0.\]\) is no text, no fun"),
     (lambda: fvi.run(force=[1, 2]), TypeError, r"^force: \[1, 2\] is no text"),
     (lambda: fvi.run(force=fvi.potential(abs, abs, abs)), TypeError, "^force: a Potential is no text"),
     (lambda: fvi.run(["harmonic:1"]), TypeError, r"^potential: \['harmonic:1'\] is no text"),

@@ -1,30 +1,36 @@
 """Mechanics with memory, m x'' + grad U(x) + rho D^{2 alpha} x = F(t), by variational integrators.
 
     >>> import fvi
-    >>> run = fvi.run("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, h=0.1, steps=200)
-    >>> run.t.shape, run.x.shape, run.p.shape
-    ((201,), (201,), (201,))
-    >>> print(f"at t = {run.t[200]:g} the body is at {run.x[200]:.5f}")
-    at t = 20 the body is at -0.00651
+    >>> problem = fvi.Problem("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, time=20)
+    >>> solution = fvi.solve(problem, error=1e-6)
+    >>> print(f"at t = 20 the body is at {solution.x[-1, 0]:.5f}")
+    at t = 20 the body is at -0.00635
+    >>> solution(3.21).shape, solution.energy.shape
+    ((1,), (201,))
 
-Its options bear the names that they have in the program `fvi run`, and have the same
-defaults; `help(fvi.run)` lists those that there are. Lengths, times and masses are in units of your own.
+A problem is the mathematics, `solve` the numerics; `help(fvi.Problem)` and `help(fvi.solve)` have all arguments.
+Lengths, times and masses are in units of your own.
 
-    run         a whole trajectory as arrays
-    Stepper     one step after the other: look, fork, go on
+    Problem     what moves: potential, mass, damping, force, start; never changes, pickles
+    solve       its motion: a Solution with t, x, p, v, energy, which gives out any time and plots
+    sweep       the motions of many problems, on all cores
     fit         parameters from a measured motion
+    potential   U from functions of Python's, or compiled ones
     exact       the exact solution of the linear problem
     methods     what `method` can be
     weights     the Grunwald-Letnikov weights of any order up to 2
-    potential   U from functions of Python's, or compiled ones
+    run         a whole trajectory as arrays, its options those of the program `fvi run`
+    Stepper     one step after the other: look, fork, go on
     Error       what is raised where the library returns a code
-    Warning     what warnings.warn says where the numbers are not those of a motion
+    FviWarning  what warnings.warn says where the numbers are not those of a motion
 """
-from ._fit import Fit, fit
-from ._library import Error, Warning
-from ._problem import Potential, potential
-from ._run import Method, Run, Stepper, exact, methods, run, version, weights
+from ._exact import exact as exact, weights as weights
+from ._fit import Fit as Fit, fit as fit
+from ._problem import Problem as Problem
+from ._run import Method as Method, Run as Run, Stepper as Stepper, methods as methods, run as run, version as version
+from ._solution import Solution as Solution
+from ._solve import solve as solve, sweep as sweep
+from ._system import Potential as Potential, potential as potential
+from .errors import Error as Error, FviWarning as FviWarning, Warning as Warning
 
 __version__ = version()
-__all__ = ["Error", "Fit", "Method", "Potential", "Run", "Stepper", "Warning", "exact", "fit", "methods", "potential",
-           "run", "version", "weights"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-from typing import Any, Callable, Sequence, Union
+from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -18,9 +18,9 @@ def described(given: Any) -> str:
     return text if len(text) <= 40 and "\n" not in text else f"a {type(given).__name__}"
 
 
-def spelt(*others: Callable) -> Callable:
-    """Of a function that hands keywords on to others: one that none of them knows is a
-    TypeError, with the nearest that there is."""
+def spelt(*others: Callable, hints: Mapping[str, str] = {}, elsewhere: Mapping[str, str] = {}) -> Callable:
+    """Of a function that hands keywords on to others: one that none of them knows is a TypeError, with the
+    nearest that there is; hints has words that are known by another name, elsewhere those of other functions."""
     def decorate(function: Callable) -> Callable:
         known = [name for each in (function, *others) for name, p in inspect.signature(each).parameters.items()
                  if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and name != "self"]
@@ -29,10 +29,12 @@ def spelt(*others: Callable) -> Callable:
         @functools.wraps(function)
         def checked(*arguments: Any, **options: Any) -> Any:
             for name in options:
-                if name not in known:
-                    near = difflib.get_close_matches(name.lower(), known, 1)
-                    raise TypeError(f"{own}: there is no argument '{name}'; " + (
-                        f"did you mean '{near[0]}'?" if near else "there are " + ", ".join(known)))
+                if name in known:
+                    continue
+                near = [hints[name]] if name in hints else difflib.get_close_matches(name.lower(), known, 1)
+                raise TypeError(f"{own}: there is no argument '{name}'; " + (
+                    f"{elsewhere[name]} takes it" if name in elsewhere else
+                    f"did you mean '{near[0]}'?" if near else "there are " + ", ".join(known)))
             return function(*arguments, **options)
         return checked
     return decorate

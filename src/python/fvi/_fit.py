@@ -7,8 +7,9 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import Error, ask, ask_for_warning, failure, succeed, text_of, warn
-from ._problem import Potential
+from ._library import ask, ask_for_warning, failure, succeed, text_of, warn
+from .errors import Error
+from ._system import Potential
 from ._run import prepare
 
 

@@ -1,6 +1,7 @@
 """Calls of the library: what a code, a warning and a function that raised become."""
 from __future__ import annotations
 
+import math
 import os
 import sys
 import threading
@@ -8,24 +9,10 @@ import warnings
 from typing import Any, Callable, Optional
 
 from ._fvi import ffi, lib
+from .errors import Error, FviWarning
 
 
-class Error(Exception):
-    """The library returned a code. The text says why; `code` is its number (fvi/error.h), or
-    what a compiled function of yours returned; `fit` is what a fit found that is not to be
-    believed."""
-    __module__ = "fvi"
-
-    def __init__(self, text: str = "", code: int = 0):
-        super().__init__(text)
-        self.code = code
-        self.fit: Any = None
-
-
-class Warning(UserWarning):
-    """The numbers are those of the method, but not those of a motion: what the program says
-    with `fvi: warning:`, by warnings.warn."""
-    __module__ = "fvi"
+STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
 
 
 def text_of(pointer: Any) -> str:
@@ -45,12 +32,22 @@ def failure(code: int, where: str = "") -> Error:
     return Error(words + own_code(code) + where, code)
 
 
+def error_of(error: Any, status: int) -> Error:
+    """The exception for a code with the words of a fvi_error, its field, number and index."""
+    found = Error(text_of(error.text) + own_code(status), status)
+    found.field = None if error.field == ffi.NULL else text_of(error.field)
+    found.value = None if math.isnan(error.value) else error.value
+    if found.field is None and status in STOPPED:
+        found.step = error.index
+    return found
+
+
 def warn(text: str) -> None:
     """Said of the line that called this package."""
     level, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
         level, frame = level + 1, frame.f_back
-    warnings.warn(text, Warning, stacklevel=level)
+    warnings.warn(text, FviWarning, stacklevel=level)
 
 
 class Waiting(threading.local):
@@ -112,7 +109,11 @@ def understand(function: Callable[..., int], *arguments: Any) -> None:
     words = field + text_of(error.text).replace("\n", "\n" + " " * len(field))
     if status == lib.FVI_ENOMEM:
         raise MemoryError(words)
-    raise ValueError(words) if status == lib.FVI_EINVAL else Error(words, status)
+    if status == lib.FVI_EINVAL:
+        raise ValueError(words)
+    found = error_of(error, status)
+    found.args = (words,)
+    raise found
 
 
 def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
@@ -129,6 +130,18 @@ def ask_for_warning(function: Callable[..., int], *arguments: Any) -> bool:
     if found:
         warn(text_of(text))
     return bool(found)
+
+
+def warn_of_start(method: Any, run: Any) -> Any:
+    """What the program says before the first step. Returns how to watch what comes after it."""
+    text = ffi.new("const char **")
+    found = lib.fvi_warning_of_initial_history(run, text) if method.paper_convention else 0
+    if found < 0:
+        raise MemoryError(text_of(text[0]))
+    if found:
+        warn(text_of(text[0]))
+    is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)
+    return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
 
 
 def listen() -> None:

@@ -1,242 +1,137 @@
-"""From what a user writes to the library's structs: potentials, forces, starts."""
+"""What moves, as data."""
 from __future__ import annotations
 
-import math
-import numbers
+import dataclasses
 from collections.abc import Mapping
+from dataclasses import KW_ONLY, dataclass
 from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _arguments as arguments
-from ._arguments import Array, Numbers
-from ._fvi import ffi, lib
-from ._library import is_interrupted, keep, understand
+from ._arguments import Array, Numbers, described, number, numbers, spelt
+from ._system import Law, Potential
+
+Force = Union[None, str, Callable[[float], Numbers], tuple[Sequence[float], Numbers]]
+NUMERIC = ("t_eval", "error", "method", "h", "steps", "kappa", "progress", "step_error", "longest", "most_steps",
+           "memory", "tolerance")
+OTHERS = {"derivative": "past", "U": "potential", "m": "mass", "F": "force", "T": "time", "M": "mass", "beta": "order"}
 
 
-class Potential:
-    """U: R^d -> R with its gradient and Hessian; made by `potential`."""
-
-    def __init__(self, value: Any, gradient: Any, hessian: Any, quadratic: bool, diagonals: int):
-        self.value, self.gradient, self.hessian = value, gradient, hessian
-        self.quadratic, self.diagonals = quadratic, diagonals
-
-
-@arguments.spelt()
-def potential(value: Any, gradient: Any, hessian: Any, *, quadratic: bool = False,
-              diagonals: int = 0) -> Potential:
-    """A potential of your own.
-
-    value, gradient, hessian
-        Three functions of x: U, a number; the d numbers dU/dx_i; the Hessian, d x d numbers,
-        or as `diagonals` says. x is an array of d numbers, a copy that the function may keep;
-        where the start is one number, x is one, too, and all three give a number.
-        Or the addresses of three compiled functions, as integers (numba's
-        ``cfunc(...).address``): each is the C function
-        ``int f(size_t d, const double *x, void *, double *out)`` that returns 0; they
-        cost no more than the library's own.
-    quadratic
-        True promises that U is quadratic: its Hessian is then asked for once.
-    diagonals
-        0: the Hessian is full. K > 0: only the main diagonal and K - 1 on either side are
-        not zero, and hessian gives an array (d, K) with d^2U/dx_i dx_{i+k} at [i, k].
-
-    What a function of Python's raises ends the run and comes out of it.
-    """
-    given = (value, gradient, hessian)
-    if not (all(callable(f) for f in given) or all(isinstance(f, numbers.Integral) for f in given)):
-        raise TypeError("value, gradient and hessian are three functions, or three addresses")
-    return Potential(value, gradient, hessian, bool(quadratic), arguments.whole("diagonals", diagonals, 0))
+def frozen(what: str, given: Any) -> Union[float, Array]:
+    """A number, or an array that nobody changes."""
+    a = numbers(what, given)
+    if a.ndim == 0:
+        return float(a)
+    a.flags.writeable = False
+    return a
 
 
-class Asked:
-    """The functions of one run."""
-
-    def __init__(self, U: Optional[Potential], F: Optional[Callable[[float], Numbers]], scalar: bool):
-        self.U, self.F, self.scalar = U, F, scalar
-        self.views: dict = {}  # the library asks with the same few arrays again and again
-
-    def view(self, pointer: Any, n: int) -> Array:
-        """n doubles of the library's as an array, which is theirs and goes with them."""
-        where = (int(ffi.cast("uintptr_t", pointer)), n)
-        view = self.views.get(where)
-        if view is None:
-            if len(self.views) > 64:
-                self.views.clear()  # another thread may look here, too
-            self.views[where] = view = np.frombuffer(ffi.buffer(pointer, 8 * n))
-        return view
-
-    def at(self, x: Any, d: int) -> Any:
-        """x as the functions take it: a number, or an array of their own."""
-        return x[0] if self.scalar else self.view(x, d).copy()
-
-    def answer(self, what: str, out: Any, shape: tuple, given: Any) -> int:
-        """What a function gave, into the library's array."""
-        if self.scalar:
-            try:
-                out[0] = given
-            except TypeError as error:
-                raise TypeError(f"{what} gave {arguments.described(given)}, not a number") from error
-            return 0
-        if given is None:
-            raise TypeError(f"{what} gave None, not numbers")
-        given, n = np.asarray(given, dtype=float), math.prod(shape)
-        if given.size != n and (given.ndim or len(shape) > 1 and shape[1] > 1):
-            raise ValueError(f"{what} gave {given.size} numbers, not {n}")
-        if given.ndim > 1 and len(shape) > 1 and given.shape != shape:
-            raise ValueError(f"{what} gave an array {given.shape}, not {shape}")
-        self.view(out, n)[:] = given.reshape(-1)  # a single number goes everywhere but in a matrix
-        return 0
-
-
-@ffi.def_extern(error=-1, onerror=keep)
-def ask_value(d, x, params, value):
-    asked = ffi.from_handle(params)
-    return -1 if is_interrupted() else asked.answer("value", value, (1,), asked.U.value(asked.at(x, d)))
-
-
-@ffi.def_extern(error=-1, onerror=keep)
-def ask_gradient(d, x, params, grad):
-    asked = ffi.from_handle(params)
-    return -1 if is_interrupted() else asked.answer("gradient", grad, (d,), asked.U.gradient(asked.at(x, d)))
-
-
-@ffi.def_extern(error=-1, onerror=keep)
-def ask_hessian(d, x, params, H):
-    asked = ffi.from_handle(params)
-    return -1 if is_interrupted() else asked.answer("hessian", H, (d, asked.U.diagonals or d),
-                                                    asked.U.hessian(asked.at(x, d)))
-
-
-@ffi.def_extern(error=-1, onerror=keep)
-def ask_force(t, d, params, F):
-    asked = ffi.from_handle(params)
-    return -1 if is_interrupted() else asked.answer("force", F, (d,), asked.F(t))
-
-
-@ffi.def_extern(error=0)
-def ask_quadratic(params):
-    return 1
-
-
-KINDS = {lib.FVI_POTENTIAL_HARMONIC: ["c"], lib.FVI_POTENTIAL_DUFFING: ["c", "g"],
-         lib.FVI_POTENTIAL_PENDULUM: ["g"], lib.FVI_POTENTIAL_CHAIN: ["c", "g"]}  # names of their constants
-
-
-@ffi.def_extern(onerror=keep)
-def ask_symbol(re, im, params, C_re, C_im):
-    C = complex(ffi.from_handle(params)(complex(re, im)))
-    C_re[0], C_im[0] = C.real, C.imag
-
-
-def law(given: Any, parameters: Any = ffi.NULL) -> tuple:
-    """What a function C(s), or the terms "zener:1,0.3,2", a text or several, have become, and what they point to."""
-    damping = ffi.gc(ffi.new("fvi_typed_damping *"), lib.fvi_typed_damping_free)
-    if callable(given):
-        kept = ffi.new_handle(given)
-        damping.function.value, damping.function.params = lib.ask_symbol, kept
-        damping.function.term.kind, damping.function.term.rho = lib.FVI_KERNEL_SYMBOL, 1.0
-        damping.law = lib.fvi_kernel_of_function(ffi.addressof(damping, "function"))
-        return damping, kept
-    if not isinstance(given, str) and not (isinstance(given, (list, tuple))
-                                           and all(isinstance(each, str) for each in given)):
-        raise TypeError(f"damping: {arguments.described(given)} is no text, no list of texts and no function of s")
-    for text in [given] if isinstance(given, str) else given:
-        understand(lib.fvi_parse_damping, text.encode(), parameters, damping)
-    return damping, parameters
-
-
-def typed_force(text: str, d: int, parameters: Any, last: float) -> Any:
-    out = ffi.new("fvi_typed_force **")
-    understand(lib.fvi_parse_force, text.encode(), d, parameters, last, out)
-    return ffi.gc(out[0], lib.fvi_typed_force_free)
-
-
+@dataclass(frozen=True, eq=False)
 class Problem:
-    """A system and its start as the library wants them. Whatever C points to is kept here."""
+    """A motion m x'' + grad U(x) + rho D^order x = F(t), 0 <= t <= time: what moves and how it begins.
 
-    def __init__(self, potential: Union[str, Potential], force: Any, mass: Numbers, rho: Numbers,
-                 x0: Numbers, p0: Numbers, let: Optional[dict] = None, last: float = math.inf,
-                 damping: Any = None):
-        self.keep: list = []
-        if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
-            raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
-        self.let = {name: arguments.number(f"let: {name}", value) for name, value in (let or {}).items()}
-        self.parameters = ffi.new("fvi_user_parameters *")
-        for name, value in self.let.items():
-            understand(lib.fvi_user_parameters_set, self.parameters, name.encode(), value)
-        self.values = np.frombuffer(ffi.buffer(self.parameters.value, 8 * max(1, len(self.let))))
-        self.last = last
-        self.constants: Optional[Array] = None  # of the potential, by names
-        self.names: list = []
-        rows = {name: arguments.numbers(name, given)
-                for name, given in (("mass", mass), ("rho", rho), ("x0", x0), ("p0", p0))}
-        self.scalar = rows["x0"].ndim == 0 and rows["p0"].ndim == 0
-        self.d = max(a.size for a in rows.values())
-        U = self.potential(potential)
-        self.scalar &= self.d == 1
-        self.asked = Asked(potential if isinstance(potential, Potential) else None,
-                           force if callable(force) else None, self.scalar)
-        self.handle = ffi.new_handle(self.asked)
-        if isinstance(potential, Potential) and callable(potential.value):
-            U.params = self.handle
-        self.x0, self.p0 = (arguments.row(name, rows[name], self.d) for name in ("x0", "p0"))
-        self.system = ffi.new("fvi_system *")
-        self.system.d = self.d
-        self.system.mass = self.pointer(arguments.row("mass", rows["mass"], self.d))
-        self.system.damping = self.pointer(arguments.row("rho", rows["rho"], self.d))
-        self.system.potential = U
-        self.system.force = self.force(force)
-        self.law = ffi.NULL
-        if damping is not None:
-            self.keep.append(law(damping, self.parameters))
-            self.law = ffi.addressof(self.keep[-1][0], "law")
-        understand(lib.fvi_user_parameters_are_used, self.parameters)
+        duffing = fvi.Problem("duffing:1,0.5", alpha=0.3, rho=0.4, x0=1, p0=0.5, time=20)
+        solution = fvi.solve(duffing, error=1e-6)
+        other = duffing.replace(alpha=0.4)
 
-    def pointer(self, a: Array) -> Any:
-        self.keep.append(a)
-        return ffi.cast("double *", a.ctypes.data)
+    potential  "harmonic:C", "duffing:C,G", "pendulum:G", "free", "chain:D,C,G"; an expression in x, or in
+               x1, x2, ...: "x^4/4 - k*x^2/2"; or what `fvi.potential` makes of three functions; "harmonic:1"
+    time       the end of the motion, > 0; 20
+    let        the numbers that expressions name: {"k": 3}
+    mass       one number > 0 for all coordinates, or d of them; 1
+    rho        the damping, one number >= 0 or d of them; 0.2
+    alpha      half the order of the derivative in the damping, 0 ... 1; 0.5, a dashpot
+    order      or that order itself, 0 ... 2: order = 2 alpha
+    damping    instead of alpha and rho a law: "zener:R,A,T", "maxwell:R,T", ..., several with " + " between
+               them, a list of such, "symbol:EXPRESSION" in s, or a function C(s); `help(fvi.run)` has them all
+    force      None; a text, "cosine:A,W", "step:A,T", "impulse:J,T", "file:F.tsv" or an expression in t; a pair
+               (t, F) of arrays, linear in between, F of one column for all coordinates or of d; or a function of t
+    past       what was before t = 0: "held" at x0, "caputo" or "rl"; "held"
+    x0         where it begins, one number or d of them; 1
+    p0         its momentum there, one number or d of them; 0.5
+    v0         or its velocity there
 
-    def potential(self, given: Union[str, Potential]) -> Any:
-        if isinstance(given, Potential):
-            return self.own_potential(given)
-        if callable(given):
-            raise TypeError("potential: a function alone has no gradient and no hessian: "
-                            "fvi.potential(value, gradient, hessian) takes all three")
-        if not isinstance(given, str):
-            raise TypeError(f"potential: {arguments.described(given)} is no text, and not what fvi.potential makes")
-        typed = ffi.gc(ffi.new("fvi_typed_potential *"), lib.fvi_typed_potential_free)
-        understand(lib.fvi_parse_potential, given.encode(), self.d if self.d > 1 else 0, self.parameters, typed)
-        self.keep.append(typed)
-        self.d = max(self.d, typed.d)
-        if typed.kind == lib.FVI_POTENTIAL_EXPRESSION:
-            self.constants, self.names = self.values, list(self.let)
-        elif typed.kind in KINDS:
-            self.names = KINDS[typed.kind]
-            self.constants = np.frombuffer(ffi.buffer(typed.constants, 8 * len(self.names)))
-        return lib.fvi_potential_typed(typed)
+    A problem never changes; `replace` makes another one. Two are equal if all of their fields are. It pickles if
+    its functions do: those that stand in a module.
+    """
+    potential: Union[str, Potential] = "harmonic:1"
+    _: KW_ONLY
+    time: float = 20.0
+    let: Optional[Mapping[str, float]] = None
+    mass: Numbers = 1.0
+    rho: Optional[Numbers] = None
+    alpha: Optional[float] = None
+    order: Optional[float] = None
+    damping: Law = None
+    force: Force = None
+    past: str = "held"
+    x0: Numbers = 1.0
+    p0: Optional[Numbers] = None
+    v0: Optional[Numbers] = None
 
-    def own_potential(self, given: Potential) -> Any:
-        U = ffi.new("fvi_potential *")
-        if callable(given.value):
-            U.value, U.gradient, U.hessian = lib.ask_value, lib.ask_gradient, lib.ask_hessian
-        else:
-            for name in ("value", "gradient", "hessian"):
-                setattr(U, name, ffi.cast(ffi.typeof(getattr(U, name)), int(getattr(given, name))))
-        U.quadratic = lib.ask_quadratic if given.quadratic else ffi.NULL
-        U.diagonals = given.diagonals
-        return U[0]
+    def __post_init__(self) -> None:
+        def put(name: str, value: Any) -> None:
+            object.__setattr__(self, name, value)
+        for one, other in (("alpha", "order"), ("p0", "v0"), ("damping", "alpha"), ("damping", "order"),
+                           ("damping", "rho")):
+            if getattr(self, one) is not None and getattr(self, other) is not None:
+                raise ValueError(f"{one}: not together with {other}")
+        for name in ("time", "alpha", "order"):
+            if getattr(self, name) is not None:
+                put(name, number(name, getattr(self, name)))
+        for name in ("mass", "rho", "x0", "p0", "v0"):
+            if getattr(self, name) is not None:
+                put(name, frozen(name, getattr(self, name)))
+        if self.let is not None:
+            if not isinstance(self.let, Mapping):
+                raise TypeError(f"let: {described(self.let)} is no dict of names and numbers")
+            put("let", {name: number(f"let: {name}", value) for name, value in self.let.items()})
+        if isinstance(self.damping, list):
+            put("damping", tuple(self.damping))
+        if isinstance(self.force, (tuple, list)):
+            if len(self.force) != 2:
+                raise TypeError(f"force: a pair (t, F) of arrays has two members, not {len(self.force)}")
+            put("force", tuple(frozen(f"force: {name}", a) for name, a in zip("tF", self.force)))
 
-    def force(self, given: Any) -> Any:
-        F = ffi.new("fvi_force *")
-        if given is None:
-            return F[0]
-        if callable(given):
-            F.value, F.params = lib.ask_force, self.handle
-            return F[0]
-        if not isinstance(given, str):
-            raise TypeError(f"force: {arguments.described(given)} is no text and no function of t; measured values "
-                            "are one by lambda t: numpy.interp(t, times, values)")
-        typed = typed_force(given, self.d, self.parameters, self.last)
-        self.keep.append(typed)
-        return lib.fvi_force_typed(typed)
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Problem) and all(
+            alike(getattr(self, field.name), getattr(other, field.name)) for field in dataclasses.fields(self))
+
+    def __hash__(self) -> int:
+        return hash((self.time, self.alpha, self.order, self.past,
+                     self.potential if isinstance(self.potential, str) else None))
+
+    def __setstate__(self, state: dict) -> None:
+        for name, value in state.items():  # arrays come writeable out of a pickle
+            for a in value if isinstance(value, tuple) else (value,):
+                if isinstance(a, np.ndarray):
+                    a.flags.writeable = False
+            object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        given = [(f.name, getattr(self, f.name)) for f in dataclasses.fields(self)]
+        return "Problem(" + ", ".join(f"{name}={described(value)}" for (name, value), field
+                                      in zip(given, dataclasses.fields(self))
+                                      if not alike(value, field.default)) + ")"
+
+    def replace(self, **changes: Any) -> "Problem":
+        """The same but for these fields. Of alpha and order, of p0 and v0, of a damping and rho with alpha, those
+        that are given take the place of the others."""
+        for one, others in (("alpha", ("order", "damping")), ("order", ("alpha", "damping")), ("rho", ("damping",)),
+                            ("damping", ("alpha", "order", "rho")), ("p0", ("v0",)), ("v0", ("p0",))):
+            if changes.get(one) is not None:
+                for other in others:
+                    changes.setdefault(other, None)
+        return dataclasses.replace(self, **changes)
+
+
+def alike(a: Any, b: Any) -> bool:
+    """Equal, arrays and pairs of them included."""
+    if isinstance(a, tuple) and isinstance(b, tuple):
+        return len(a) == len(b) and all(map(alike, a, b))
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return np.shape(a) == np.shape(b) and bool(np.array_equal(a, b))
+    return bool(a == b)
+
+
+Problem.__init__ = spelt(hints=OTHERS, elsewhere={name: "fvi.solve" for name in NUMERIC})(Problem.__init__)  # type: ignore

@@ -1,18 +1,17 @@
-"""Runs: whole trajectories, single steps, exact solutions."""
+"""Runs: whole trajectories, single steps."""
 from __future__ import annotations
 
 import math
 import threading
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
 
 from ._arguments import Array, Numbers, choice, number, numbers, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import Error, ask, ask_for_warning, failure, own_code, succeed, text_of, warn
-from ._problem import Potential, Problem, law, typed_force
-
-Law = Union[None, str, Sequence[str], Callable[[complex], complex]]
+from ._library import STOPPED, ask, ask_for_warning, error_of, failure, succeed, text_of, warn_of_start
+from .errors import Error
+from ._system import Law, Potential, System
 
 PASTS = {"held": lib.FVI_INITIAL_HISTORY_HELD, "caputo": lib.FVI_INITIAL_HISTORY_CAPUTO,
          "rl": lib.FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE}
@@ -53,18 +52,6 @@ def methods() -> list:
 CHUNK = 4096  # steps after which another thread may have a Stepper
 
 
-def warn_of_start(method: Any, run: Any) -> Any:
-    """What the program says before the first step. Returns how to watch what comes after it."""
-    text = ffi.new("const char **")
-    found = lib.fvi_warning_of_initial_history(run, text) if method.paper_convention else 0
-    if found < 0:
-        raise MemoryError(text_of(text[0]))
-    if found:
-        warn(text_of(text[0]))
-    is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)
-    return ffi.new("fvi_watch *", lib.fvi_watch_begin(method, run, is_unstable))
-
-
 def length(what: str, given: Optional[float]) -> float:
     """0 of what is not given."""
     if given is not None and not 0 < number(what, given) < math.inf:
@@ -88,7 +75,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     if time is not None:
         h = number("time", time) / steps
     end = steps * number("h", 0.1 if h is None else h) if last is None else last
-    problem = Problem(potential, force, mass, default if rho is None else rho, x0, p0, let, end, damping)
+    problem = System(potential, force, mass, default if rho is None else rho, x0, p0, let, end, damping)
     found = lib.fvi_method_find(word("method", method).encode())
     if found == ffi.NULL:
         raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
@@ -133,7 +120,7 @@ class Stepper:
         out, error = ffi.new("fvi_stepper **"), ffi.new("fvi_error *")
         status = ask(lib.fvi_stepper_start, self._method, self._run, out, error)
         if status:
-            raise Error(text_of(error.text) + own_code(status), status)
+            raise error_of(error, status)
         self._s = ffi.gc(out[0], lib.fvi_stepper_free)
         self._watch = warn_of_start(self._method, self._run)
         self._watch_at_start = ffi.new("fvi_watch *", self._watch[0])[0]
@@ -177,7 +164,9 @@ class Stepper:
         """At most so many steps; how many there were."""
         status = ask(lib.take_steps, self._s, count, self._watch, self._taken)
         if status:
-            raise failure(status, f" (step {self._s.k + 1})")
+            stopped = failure(status, f" (step {self._s.k + 1})")
+            stopped.step, stopped.time = self._s.k + 1, self._s.t
+            raise stopped
         return self._taken[0]
 
     def step(self, count: int = 1) -> None:
@@ -218,9 +207,6 @@ class Run(NamedTuple):
     estimate: Optional[float] = None
 
 
-STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
-
-
 def solve(method: Any, r: Any, time: float, tolerance: float, most: int, pointers: list) -> float:
     """Every row of a run into x, p and energy, to a tolerance if there is one: the estimate of the error."""
     problem = ffi.new("fvi_problem *", {"system": r.system[0], "x0": r.x0, "p0": r.p0, "T": time, "alpha": r.alpha,
@@ -233,9 +219,11 @@ def solve(method: Any, r: Any, time: float, tolerance: float, most: int, pointer
     report, error = ffi.new("fvi_report *"), ffi.new("fvi_error *")
     status = ask(lib.fvi_solve, problem, options, accuracy, outputs, report, error)
     if status in STOPPED and not tolerance:
-        raise failure(status, f" (step {error.index})")
+        stopped = failure(status, f" (step {error.index})")
+        stopped.step = error.index
+        raise stopped
     if status and error.code == status:
-        raise Error(text_of(error.text) + own_code(status), status)
+        raise error_of(error, status)
     succeed(status)
     return report.error
 
@@ -329,72 +317,3 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
             raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
         estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
     return Run(np.arange(rows) * r.h, *(out[n] if n in wanted else None for n in ("x", "p", "energy")), estimate)
-
-
-def on_grid(t: Array) -> int:
-    """How many times, from the first on, are the doubles nearest to 0, h, 2 h, ..."""
-    if t.size < 2 or not 0 < t[1] < np.inf:
-        return 0
-    strays = np.flatnonzero(t != np.arange(t.size) * t[1])
-    return int(strays[0]) if strays.size else t.size
-
-
-@spelt()
-def exact(t: Numbers, *, mass: float = 1.0, c: float = 1.0, rho: Optional[float] = None,
-          alpha: Optional[float] = None, damping: Law = None,
-          derivative: str = "held", x0: float = 1.0, v0: float = 0.5,
-          force: Optional[str] = None) -> tuple:
-    """x(t) and x'(t) of m x'' + c x + rho D^{2 alpha} x = F(t), to about 4e-14 of max |x|, with
-    damping to about 2e-13.
-
-    t      one time or an array of them, >= 0 and finite, in any order; the times of a grid, as the t of
-           a run or of numpy.linspace(0, T, n + 1), more than 513 of them, are computed together,
-           to 7e-14, mostly more than ten times as fast
-    force  None, "step:A,T" or "cosine:A,W"
-    mass, c, rho, alpha  > 0, >= 0, >= 0 and 0 ... 1: 1, 1, 0.2, 0.5, in the units of `run`; c is
-           the spring's constant, a force / length
-    x0, v0  the start, 1 and 0.5: a length, and the velocity at 0, not the momentum
-    derivative  as for `run`
-    damping  as for `run`, instead of rho (0.2) and alpha (0.5)
-
-    Returns two arrays of the shape of t. Raises fvi.Error where there is no solution
-    (derivative="rl" with x0 != 0 and alpha > 1/2), a number is out of its range, or damping
-    has another past than "held", or "caputo" with orders up to 1, or more than three oscillations.
-    """
-    times = numbers("t", t)
-    flat = np.ascontiguousarray(times.reshape(-1))
-    if damping is not None and not (alpha is None and rho is None):
-        raise ValueError("damping: not together with alpha or rho")
-    kept = law(damping) if damping is not None else None
-    default = 0.2 if damping is None else 1.0
-    problem = ffi.new("fvi_linear_oscillator *", {
-        "m": number("mass", mass), "c": number("c", c), "rho": number("rho", default if rho is None else rho),
-        "alpha": number("alpha", 0.5 if alpha is None else alpha), "x0": number("x0", x0), "v0": number("v0", v0),
-        "past": choice("derivative", derivative, PASTS), "law": ffi.NULL if kept is None else ffi.addressof(kept[0], "law")})
-    if force is not None:
-        kind, constants = ffi.new("fvi_forcing *"), ffi.new("double[2]")
-        typed = typed_force(word("force", force), 1, ffi.NULL, math.inf)
-        if not lib.fvi_typed_force_is_simple(typed, kind, constants):
-            raise ValueError(f"force: '{force}' has no exact solution here; none, step:A,T and cosine:A,W have")
-        problem.forcing, problem.A, problem.T, problem.w = kind[0], constants[0], constants[1], constants[1]
-    x, v = np.empty_like(flat), np.empty_like(flat)
-    room = lambda a: ffi.from_buffer("double[]", a)
-    error = ffi.new("fvi_error *")
-    count = on_grid(flat) if damping is None else 0
-    status = ask(lib.fvi_exact_grid, problem, flat[1], count - 1, 0, room(x), room(v), error) if count > 513 else 0
-    rest = count if count > 513 else 0
-    if not status and rest < flat.size:
-        status = ask(lib.fvi_exact_at, problem, flat.size - rest, room(flat[rest:]), room(x[rest:]), room(v[rest:]),
-                     error)
-    if status and error.code == status:
-        raise Error(text_of(error.text), status)
-    succeed(status)
-    return x.reshape(times.shape), v.reshape(times.shape)
-
-
-@spelt()
-def weights(order: float, count: int) -> Array:
-    """The first `count` weights of (1 - z)^order, 0 <= order <= 2, each to the last bit or next to it."""
-    w = np.empty(whole("count", count, 1))
-    succeed(ask(lib.fvi_gl_weights, number("order", order), w.size, ffi.from_buffer("double[]", w)))
-    return w

@@ -1,0 +1,115 @@
+"""What a problem has become: rows, and what can be asked of them."""
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+from ._arguments import Array, Numbers, numbers
+from ._fvi import ffi, lib
+from ._library import ask, error_of, failure, succeed
+from ._problem import Problem
+
+
+class Solution:
+    """A motion: rows at the times `t`.
+
+    t           n times
+    x, p, v     positions, momenta and velocities, (n, d)
+    energy      p^2/(2m) + U(x), n numbers
+    status      0; or the code with which the run ended, of the rows of an Error
+    message     in words
+    steps       how many steps were taken, None of a run that failed
+    estimate    of the largest error of x, where one was asked for
+    problem     what was solved
+
+    A call, solution(t), gives x at other times, (d,) or (n, d), by the polynomials of the method's own
+    steps: "fvi-adaptive" knows any time, other methods the ends of their steps. Each call is a run; so ask
+    for many times at once. A Solution pickles with its problem."""
+
+    def __init__(self, problem: Problem, how: Any, t: Array, x: Array, p: Array, status: int, message: str,
+                 steps: Optional[int], estimate: Optional[float]):
+        self.problem, self.how = problem, how
+        self.t, self.x, self.p = t, x, p
+        self.status, self.message, self.steps, self.estimate = status, message, steps, estimate
+        self._motion: Any = None
+        self._energy: Optional[Array] = None
+
+    def __getstate__(self) -> dict:
+        return {**self.__dict__, "_motion": None}
+
+    def __repr__(self) -> str:
+        return (f"<fvi.Solution: {len(self.t)} rows, d = {self.x.shape[1]}, t = {self.t[0]:g} ... {self.t[-1]:g}; "
+                f"{self.message}>")
+
+    @property
+    def success(self) -> bool:
+        return self.status == 0
+
+    @property
+    def motion(self) -> Any:
+        """The problem as the library takes it, made when it is needed."""
+        if self._motion is None:
+            from ._solve import Motion
+            self._motion = Motion(self.problem, self.how)
+        return self._motion
+
+    @property
+    def v(self) -> Array:
+        return self.p / np.asarray(self.problem.mass)
+
+    @property
+    def energy(self) -> Array:
+        if self._energy is None:
+            energy, done = np.empty(len(self.t)), ffi.new("size_t *")
+            room = [ffi.from_buffer("double[]", np.ascontiguousarray(a)) for a in (self.x, self.p)]
+            succeed(ask(lib.energies, self.motion.run.system, len(self.t), *room,
+                        ffi.from_buffer("double[]", energy), done), f" (energy of row {done[0]})")
+            self._energy = energy
+        return self._energy
+
+    def __call__(self, t: Numbers) -> Array:
+        times = numbers("t", t)
+        wanted, back = np.unique(times, return_inverse=True)
+        x, p = np.empty((2, wanted.size, self.x.shape[1]))
+        count = ffi.new("row_count *", {"all": wanted.size})
+        status, _, error = self.motion.solve(self.how, self.problem.time, np.ascontiguousarray(wanted), x, p, count)
+        if status:
+            raise error_of(error, status) if error.code == status else failure(status)
+        return x[back.reshape(-1)].reshape(times.shape + (self.x.shape[1],))
+
+    # ---- for others ----
+
+    def columns(self) -> dict:
+        """t, x1, ..., p1, ..., v1, ... as a dict of arrays; x, p, v of one coordinate."""
+        d = self.x.shape[1]
+        found = {"t": self.t}
+        for name in ("x", "p", "v"):
+            found.update({name + (str(i + 1) if d > 1 else ""): getattr(self, name)[:, i] for i in range(d)})
+        return found
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame with the index t."""
+        import pandas
+        return pandas.DataFrame(self.columns()).set_index("t")
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset of x, p, v over t and the coordinate i, from 1."""
+        import xarray
+        return xarray.Dataset({name: (("t", "i"), getattr(self, name)) for name in ("x", "p", "v")},
+                              {"t": self.t, "i": np.arange(1, self.x.shape[1] + 1)},
+                              {"problem": repr(self.problem), "message": self.message})
+
+    def plot(self, axes: Any = None, **options: Any) -> Any:
+        """x over t by matplotlib, on these axes or on new ones, which are returned."""
+        if axes is None:
+            import matplotlib.pyplot
+            axes = matplotlib.pyplot.subplots()[1]
+        labels = [f"x{i + 1}" if self.x.shape[1] > 1 else "x" for i in range(self.x.shape[1])]
+        for i, label in enumerate(labels):
+            axes.plot(self.t, self.x[:, i], **{"label": label, **options})
+        axes.set_xlabel("t")
+        axes.set_ylabel("x")
+        if len(labels) > 1:
+            axes.legend()
+        return axes

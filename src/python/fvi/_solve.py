@@ -1,0 +1,268 @@
+"""The motion of a problem: one call, whatever the method; and many such calls."""
+from __future__ import annotations
+
+import concurrent.futures
+import itertools
+import math
+import os
+import sys
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from ._arguments import Array, Numbers, choice, described, number, numbers, spelt, whole, word
+from ._fvi import ffi, lib
+from ._library import ask, ask_for_warning, error_of, failure, keep, warn_of_start
+from ._problem import Problem
+from ._run import MEMORIES, PASTS, length, methods
+from ._solution import Solution
+from ._system import System
+
+Progress = Union[None, bool, Callable[[int, int], Any]]
+NEEDS_ROWS = 200  # steps between the rows, where nobody says how many
+
+
+@dataclass(frozen=True)
+class Numerics:
+    """How a problem is solved, as it was asked for."""
+    method: str
+    h: Optional[float]
+    steps: int
+    kappa: float
+    error: Optional[float]
+    step_error: Optional[float]
+    longest: Optional[float]
+    most_steps: int
+    memory: str
+    tolerance: float
+    t_eval: Optional[Array]
+
+
+class Motion:
+    """A problem and its numerics as the library takes them: `run`, which has a row at each step."""
+
+    def __init__(self, problem: Problem, how: Numerics):
+        q = problem
+        rho = (0.2 if q.damping is None else 1.0) if q.rho is None else q.rho
+        p0 = np.multiply(q.mass, q.v0) if q.v0 is not None else 0.5 if q.p0 is None else q.p0
+        self.system = s = System(q.potential, q.force, q.mass, rho, q.x0, p0, q.let, q.time, q.damping)
+        self.method = lib.fvi_method_find(how.method.encode())
+        run = self.run = ffi.new("fvi_run *")
+        run.system, run.x0, run.p0 = s.system, s.pointer(s.x0), s.pointer(s.p0)
+        run.steps, run.h = how.steps, how.h if how.h is not None else q.time / how.steps
+        run.kappa, run.tolerance, run.memory = how.kappa, how.tolerance, MEMORIES[how.memory]
+        run.alpha = 0.5 if q.alpha is q.order is None else q.alpha if q.order is None else q.order / 2
+        run.past, run.law = choice("past", q.past, PASTS), s.law
+        run.step_error, run.longest = length("step_error", how.step_error), length("longest", how.longest)
+        run.most_steps = how.most_steps
+
+    def solve(self, how: Numerics, time: float, t: Optional[Array], x: Array, p: Array, count: Any) -> tuple:
+        """fvi_solve: x and p at the times t, or at each row. What it returned, with its report and its error."""
+        r = self.run
+        problem = ffi.new("fvi_problem *", {"system": r.system[0], "x0": r.x0, "p0": r.p0, "T": time,
+                                            "alpha": r.alpha, "law": r.law, "past": r.past})
+        options = ffi.new("fvi_solve_options *", {
+            "method": self.method, "h": how.h or 0.0, "kappa": ffi.addressof(r, "kappa"), "longest": r.longest,
+            "step_error": r.step_error, "history": r.memory, "history_tolerance": r.tolerance})
+        accuracy = ffi.new("fvi_accuracy *", {"tolerance": how.error or 0.0, "most_steps": how.most_steps})
+        outputs = ffi.new("fvi_outputs *", {
+            "rows": len(x), "t": ffi.NULL if t is None else ffi.from_buffer("double[]", t),
+            "x": ffi.from_buffer("double[]", x), "p": ffi.from_buffer("double[]", p),
+            "row": ffi.addressof(lib, "count_row"), "params": count})
+        report, error = ffi.new("fvi_report *"), ffi.new("fvi_error *")
+        return ask(lib.fvi_solve, problem, options, accuracy, outputs, report, error), report, error
+
+
+class Bar:
+    """A line on standard error that says how far a call is; it goes when the call is over."""
+
+    def __init__(self) -> None:
+        self.is_there = False
+
+    def __call__(self, rows: int, all: int) -> None:
+        done = 30 * rows // all
+        sys.stderr.write(f"\r[{'#' * done}{'.' * (30 - done)}] {100 * rows // all:3d} %")
+        sys.stderr.flush()
+        self.is_there = True
+
+    def clear(self) -> None:
+        if self.is_there:
+            sys.stderr.write("\r" + " " * 40 + "\r")
+            sys.stderr.flush()
+
+
+@ffi.def_extern(error=-1, onerror=keep)
+def report_progress(rows: int, all: int, tell: Any) -> int:
+    ffi.from_handle(tell)(rows, all)
+    return 0
+
+
+def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], method: Optional[str],
+           h: Optional[float], steps: Optional[int], kappa: Optional[float], step_error: Optional[float],
+           longest: Optional[float], most_steps: Optional[int], memory: str, tolerance: float) -> Numerics:
+    """What the arguments of `solve` mean together."""
+    if not isinstance(problem, Problem):
+        raise TypeError(f"problem: {described(problem)} is no fvi.Problem")
+    if not 0 < problem.time < math.inf:
+        raise ValueError(f"time: {problem.time} is not above 0, or not finite")
+    for name, one, others in (("error", error, ("h", "step_error")), ("step_error", step_error, ("h",))):
+        for other in others:
+            if one is not None and {"h": h, "step_error": step_error}[other] is not None:
+                raise ValueError(f"{other}: not together with {name}")
+    if method is None:
+        method = "fvi" if h is not None else "fvi-adaptive"
+        if error is not None and problem.damping is not None:
+            method = "fvi-bdf2"
+    found = lib.fvi_method_find(word("method", method).encode())
+    if found == ffi.NULL:
+        raise ValueError(f"method: '{method}' is none of " + ", ".join(m.name for m in methods()))
+    if kappa is not None and not found.takes_kappa:
+        raise ValueError(f"kappa: {method} has none")
+    for name, value in (("step_error", step_error), ("longest", longest if error is None else None)):
+        if value is not None and not lib.is_dense(found):
+            raise ValueError(f"{name}: not for {method}, whose steps are given; fvi-adaptive chooses its own")
+    if most_steps is not None and error is None and not lib.is_dense(found):
+        raise ValueError(f"most_steps: not for {method}, whose steps are given")
+    if h is not None:
+        h = number("h", h)
+        if not 0 < h < math.inf:
+            raise ValueError(f"h: {h} is not above 0, or not finite")
+        parts = problem.time / h
+        if steps is not None or abs(parts - round(parts)) > 1e-9 * parts:
+            raise ValueError("steps: not together with h; the time is the problem's" if steps is not None else
+                             f"h: {problem.time:g} is not a whole number of steps of {h:g}")
+        steps = round(parts)
+    count = NEEDS_ROWS if steps is None else whole("steps", steps, 1)
+    if h is None and error is None and not lib.is_dense(found):
+        h = problem.time / count
+    times = None
+    if t_eval is not None:
+        times = np.ascontiguousarray(np.atleast_1d(numbers("t_eval", t_eval)))
+        if times.ndim != 1 or times.size == 0:
+            raise ValueError(f"t_eval: the shape {times.shape} is not (n,), n >= 1")
+        times.flags.writeable = False
+    if error is not None and not 0 < number("error", error) < math.inf:
+        raise ValueError(f"error: {error} is not above 0, or not finite")
+    return Numerics(method, h, count, 0.5 if kappa is None else number("kappa", kappa), error, step_error, longest,
+                    0 if most_steps is None else whole("most_steps", most_steps, 1),
+                    next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
+                    number("tolerance", tolerance), times)
+
+
+def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
+    motion = Motion(problem, how)
+    watch = warn_of_start(motion.method, motion.run) if how.error is None else None
+    rows, d = how.steps + 1 if how.t_eval is None else how.t_eval.size, motion.system.d
+    x, p = np.full((2, rows, d), np.nan)
+    tell: Any = Bar() if progress is True else progress or None
+    handle = ffi.new_handle(tell)
+    count = ffi.new("row_count *", {"all": rows, "tell": ffi.NULL if tell is None else handle})
+    try:
+        status, report, error = motion.solve(how, problem.time, how.t_eval, x, p, count)
+    finally:
+        if isinstance(tell, Bar):
+            tell.clear()
+    t = np.arange(rows) * motion.run.h if how.t_eval is None else how.t_eval.copy()
+    done = rows if not status else count.rows
+    estimate = report.error if how.error is not None else None
+    if watch is not None and how.t_eval is None and watch.next <= how.steps:
+        ask_for_warning(lib.look_along, watch, motion.method, motion.run, ffi.from_buffer("double[]", x))
+    said = f"{report.steps} steps of {how.method}" + (f", error {estimate:.2g} by an estimate" if estimate else "")
+    if not status:
+        return Solution(problem, how, t, x, p, 0, said, report.steps, estimate)
+    raised = error_of(error, status) if error.code == status else failure(status)
+    if done:
+        raised.time = float(t[done - 1])
+        raised.rows = Solution(problem, how, t[:done], x[:done], p[:done], status, str(raised), None, None)
+    raise raised
+
+
+@spelt()
+def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[float] = None,
+          method: Optional[str] = None, h: Optional[float] = None, steps: Optional[int] = None,
+          kappa: Optional[float] = None, progress: Progress = None, *, step_error: Optional[float] = None,
+          longest: Optional[float] = None, most_steps: Optional[int] = None, memory: str = "auto",
+          tolerance: float = 0.0) -> Solution:
+    """The motion of a problem, from 0 to its time, as a `Solution`.
+
+        fvi.solve(problem)                                  steps are found, each right to 1e-10 of the largest |x|
+        fvi.solve(problem, error=1e-6)                      x is right to 1e-6, by an estimate
+        fvi.solve(problem, h=0.1, method="fvi-lobatto4")    these steps of this method
+
+    t_eval      the times of the rows, increasing, within 0 ... time; None: evenly, or each step
+    error       how far x may be off at any row, a length > 0, by the library's estimate
+    method      as `methods()` lists them. None: "fvi-adaptive"; "fvi" with h; "fvi-bdf2" for a law with error
+    h           the step, a time > 0 of which the problem's time is a multiple
+    steps       instead of h: how many steps, or, where the steps are found, how many rows but one; 200
+    kappa       0 ... 1: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}, of methods that have it; 0.5
+    progress    True: a bar on standard error; or a function f(rows done, rows), called now and then
+    step_error  of "fvi-adaptive": how far x may be off by one step, instead of 1e-10 of the largest |x|
+    longest     of "fvi-adaptive", or with error: no step is longer, so that no pulse of a function is passed over
+    most_steps  likewise: no run takes more
+    memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
+
+    Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
+    be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
+    """
+    return solved(problem, chosen(problem, t_eval, error, method, h, steps, kappa, step_error, longest, most_steps,
+                                  memory, tolerance), progress)
+
+
+@spelt(solve)
+def sweep(problem: Problem, vary: Mapping[str, Sequence], of: Optional[Callable[[Solution], Any]] = None, *,
+          jobs: Optional[int] = None, progress: Progress = None, **options: Any) -> Array:
+    """The motions of many problems, on all cores: an array with an axis for each name of `vary`.
+
+        peak = fvi.sweep(problem, {"alpha": np.linspace(0.1, 0.5, 9), "rho": [0.1, 0.2]}, lambda s: abs(s.x).max())
+        peak.shape == (9, 2)
+
+    problem   what is varied
+    vary      values by name: of a field of the problem, or of a number in its `let`
+    of        what is kept of each Solution; None: the Solution itself
+    jobs      how many threads; None: one for each core. Functions of Python's in a problem take turns
+    progress  True: a bar; or a function f(motions done, motions)
+    the rest  as for `solve`
+
+    The first motion that fails raises its error; Ctrl-C ends all of them.
+    """
+    names = list(vary)
+    grid = list(itertools.product(*(list(vary[name]) for name in names)))
+    shape = tuple(len(list(vary[name])) for name in names)
+    let = problem.let or {}
+    for name in names:
+        if name not in let and name not in problem.__dataclass_fields__:
+            raise ValueError(f"vary: '{name}' is no field of the problem and no name of its let")
+    stop, tell = ffi.new("int *"), Bar() if progress is True else progress
+
+    def one(values: tuple) -> Any:
+        lib.obey(stop)
+        try:
+            own = {name: v for name, v in zip(names, values) if name not in let}
+            lets = {name: v for name, v in zip(names, values) if name in let}
+            found = solve(problem.replace(**own, **({"let": {**let, **lets}} if lets else {})), **options)
+            return found if of is None else of(found)
+        finally:
+            lib.obey(ffi.NULL)
+    answers: list = [None] * len(grid)
+    with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+        futures = {pool.submit(one, values): i for i, values in enumerate(grid)}
+        try:
+            for n, future in enumerate(concurrent.futures.as_completed(futures), 1):
+                answers[futures[future]] = future.result()
+                if tell:
+                    tell(n, len(grid))
+        except BaseException:
+            stop[0] = 1
+            for future in futures:
+                future.cancel()
+            raise
+        finally:
+            if isinstance(tell, Bar):
+                tell.clear()
+    if of is None:
+        kept = np.empty(len(grid), dtype=object)
+        kept[:] = answers
+        return kept.reshape(shape)
+    made = np.array(answers)
+    return made.reshape(shape + made.shape[1:])
