@@ -21,6 +21,8 @@ static int check(const fvi_run *run, const void *output)
     int status = fvi_system_check_any(run->system, NULL);
     if (status)
         return status;
+    if (run->system->mechanism)
+        FVI_FAIL("the load of a mechanism is not known", FVI_EUNSUP);
     if (!run->x0)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!(run->kappa >= 0 && run->kappa <= 1))

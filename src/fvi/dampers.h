@@ -33,6 +33,7 @@ extern "C" {
  *   gradient  writes its d derivatives by x to G
  *   hessian   adds factor times its d * d second derivatives to H, row by row; NULL where a method
  *             does not ask for them
+ *   rate      writes the derivative by t to *gt; NULL: t does not stand in g
  *   params    handed to the functions, owned by the caller, may be NULL
  *
  * The functions return 0, or a code as those of a potential do (system.h). */
@@ -43,6 +44,7 @@ typedef struct {
                     double *G);
     int (*hessian)(double t, size_t d, const double *x, double factor,
                    void *params, double *H);
+    int (*rate)(double t, size_t d, const double *x, void *params, double *gt);
     void *params;
 } fvi_elongation;
 

@@ -85,6 +85,33 @@ int fvi_expression_parse(const char *text, const fvi_symbols *names,
                          const double *values, fvi_expression **e,
                          fvi_misprint *wrong);
 
+/* fvi_expression_parse_state -- the same of a text that also speaks of the time, and of velocities.
+ *
+ *   names       its d coordinates, as above
+ *   velocities  nonzero: also v1, ..., v<d>, with d = 1 also v alone
+ *
+ * The expression is one of d + 1, or 2 d + 1, variables in one array: x1, ..., xd, then v1, ..., vd,
+ * then t. A parameter of one of these names is not seen. */
+int fvi_expression_parse_state(const char *text, const fvi_symbols *names,
+                               int velocities, const double *values,
+                               fvi_expression **e, fvi_misprint *wrong);
+
+/* fvi_expression_gradient -- the derivatives by all n variables.
+ *
+ *   x  n numbers     grad  output, n numbers
+ *
+ * Nothing is checked. */
+void fvi_expression_gradient(const fvi_expression *e, const double *x,
+                             double *grad);
+
+/* fvi_expression_add_hessian -- factor times the n * n second derivatives, added to H, row by row.
+ * Nothing is checked. */
+void fvi_expression_add_hessian(const fvi_expression *e, const double *x,
+                                double factor, double *H);
+
+/* fvi_expression_variables -- how many variables the expression is one of, n. */
+size_t fvi_expression_variables(const fvi_expression *e);
+
 /* fvi_expression_value -- at x, d numbers (not read if d = 0). NaN where it is not
  * defined. Nothing is checked. */
 double fvi_expression_value(const fvi_expression *e, const double *x);

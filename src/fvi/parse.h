@@ -13,6 +13,7 @@
 #ifndef FVI_PARSE_H
 #define FVI_PARSE_H
 
+#include "dampers.h"
 #include "damping_laws.h"
 #include "error.h"
 #include "exact_solution.h"
@@ -239,6 +240,49 @@ typedef struct {
  * there; to be used in a system. *rows must outlive the runs. Nothing is checked but n = 0, a
  * force of 0. Cost O(d log n). */
 fvi_force fvi_force_table(const fvi_force_rows *rows);
+
+/* ---- mechanisms ---- */
+
+/* fvi_mechanism_texts -- a mechanism as it is typed; what is NULL, or none, it does not have.
+ *
+ *   lagrangian   L in x1, ..., xd, v1, ..., vd, t (with d = 1 also x, v); NULL: masses and a potential
+ *   dampers      '[NAME=] G : LAW [: PAST]', blanks around the colons: G in x1, ..., xd, t; LAW as
+ *                fvi_parse_damping; PAST held, caputo or rl
+ *   constraints  c in x1, ..., xd, t: c = 0
+ *   imposed      'x1=EXPRESSION in t': the constraint x1 - (...) = 0
+ *   forces_on    'I=F', I the number of a coordinate, F in x1, ..., xd, v1, ..., vd, t; those on one
+ *                coordinate add */
+typedef struct {
+    const char *lagrangian;
+    size_t dampers, constraints, imposed, forces_on;
+    const char *const *damper, *const *constraint, *const *impose,
+        *const *force_on;
+} fvi_mechanism_texts;
+
+typedef struct fvi_typed_mechanism fvi_typed_mechanism;
+
+/* fvi_parse_mechanism -- all of them.
+ *
+ *   texts       those of constraints are kept, for messages: they must outlive the mechanism
+ *   d           of the system
+ *   parameters  of the expressions, kept as well; NULL if there are none
+ *   mechanism   output; give it back with fvi_typed_mechanism_free
+ *
+ * The fields of the error are the words of the program: "lagrangian", "damper", "constraint", "impose",
+ * "force-on". A law beyond its range says so with "damping". */
+int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
+                        fvi_user_parameters *parameters,
+                        fvi_typed_mechanism **mechanism, fvi_error *error);
+
+/* fvi_mechanism_typed -- the mechanism, for a system; it belongs to the typed one. */
+const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
+
+/* fvi_typed_mechanism_free -- give everything back. NULL is allowed. */
+void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
+
+/* fvi_largest_index -- the largest i of a name like x3 or v3 in the text, or 1 if there is x or v
+ * alone, else 0: the dimension of a problem that does not say it. */
+size_t fvi_largest_index(const char *text);
 
 /* ---- whole problems ---- */
 

@@ -106,6 +106,7 @@ typedef struct {
     fvi_run run;
     const fvi_method *method;
     int is_busy; /* nonzero while a function has it that calls the caller's */
+    fvi_error *error; /* while a method starts: where it says what it refuses */
 } fvi_stepper;
 
 /* fvi_method -- an integrator, and all that others ask about it. What counts are its

@@ -1,25 +1,58 @@
 /* src/mechanism/mechanism_outputs.c -- What a run with a mechanism tells besides x and p. [H 29] */
-#include <fvi/dampers.h>
+#include "mechanism_state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s)
+{
+    const int has_steps = s->method->step == fvi_mechanism_step_nodes
+                          || s->method->step == fvi_mechanism_step_stages;
+    return has_steps ? s->method_state : NULL;
+}
 
 int fvi_stepper_velocity(const fvi_stepper *s, double *v)
 {
-    return !s || !v ? FVI_EFAULT : FVI_EUNSUP;
+    if (!s || !v)
+        return FVI_EFAULT;
+    const fvi_mechanism_state *o = fvi_mechanism_of(s);
+    if (!o)
+        return FVI_EUNSUP;
+    memcpy(v, o->v, o->d * sizeof *v);
+    if (o->m > 0) /* it is known, from the hidden constraint */
+        return FVI_SUCCESS;
+    return fvi_velocity_of_momentum(s->run.system, s->t, s->x, s->p, v);
 }
 
 int fvi_stepper_damper(const fvi_stepper *s, size_t j, double *impulse,
                        double *work)
 {
-    (void)j;
-    (void)impulse;
-    (void)work;
-    return !s ? FVI_EFAULT : FVI_EUNSUP;
+    if (!s)
+        return FVI_EFAULT;
+    const fvi_mechanism_state *o = fvi_mechanism_of(s);
+    if (!o)
+        return FVI_EUNSUP;
+    if (j >= o->r)
+        return FVI_EINVAL;
+    if (impulse)
+        *impulse = o->impulse[j];
+    if (work)
+        *work = o->work[j];
+    return FVI_SUCCESS;
 }
 
 int fvi_stepper_multipliers(const fvi_stepper *s, double *begin, double *end)
 {
-    (void)begin;
-    (void)end;
-    return !s ? FVI_EFAULT : FVI_EUNSUP;
+    if (!s)
+        return FVI_EFAULT;
+    const fvi_mechanism_state *o = fvi_mechanism_of(s);
+    if (!o)
+        return FVI_EUNSUP;
+    if (begin)
+        memcpy(begin, o->begun, o->m * sizeof *begin);
+    if (end)
+        memcpy(end, o->ended, o->m * sizeof *end);
+    return FVI_SUCCESS;
 }
 
 int fvi_stepper_energy(const fvi_stepper *s, double *E)

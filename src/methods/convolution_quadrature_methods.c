@@ -3,6 +3,7 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/discrete_mechanics.h>
 #include "damping.h"
+#include "mechanism/mechanism.h"
 #include "shifted_kernel.h"
 #include "stability_number.h"
 #include "initial_history_force.h"
@@ -302,7 +303,9 @@ static int start_bdf2(fvi_stepper *s)
 
 static int start_stable(fvi_stepper *s)
 {
-    return start(s, 0.5, STABLE);
+    return fvi_has_mechanism_steps(s->run.system)
+               ? fvi_mechanism_start(s, FVI_MECHANISM_NODES, 0)
+               : start(s, 0.5, STABLE);
 }
 
 const fvi_method fvi_cq2_shifted = { .name = "fvi-shifted",
@@ -354,6 +357,7 @@ const fvi_method fvi_cq2_midpoint = { .name = "fvi-stable",
                                 .scheme = FVI_SCHEME_CQ2_MIDPOINT,
                                 .takes_laws = 1,
                                 .takes_matrices = 1,
+                                .takes_mechanism = 1,
                                 .implicit = 1,
                                 .stability_number = fvi_stability_number_none,
                                 .stability_number_grows = 1,

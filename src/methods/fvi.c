@@ -2,6 +2,7 @@
 #include <fvi/fvi.h>
 
 #include "damping.h"
+#include "mechanism/mechanism.h"
 #include "stability_number.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "memory/history_parts.h"
@@ -13,6 +14,8 @@ enum { PART = 2048 }; /* coordinates: their numbers stay near the core */
 static int start_fractional(fvi_stepper *s)
 {
     fvi_damping *d;
+    if (fvi_has_mechanism_steps(s->run.system))
+        return fvi_mechanism_start(s, FVI_MECHANISM_FIRST_ORDER, 0);
     int status = fvi_variational_solver(s);
     if (status)
         return status;
@@ -180,6 +183,7 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .takes_kappa = 1,
                                     .takes_laws = 1,
                                     .takes_matrices = 1,
+                                    .takes_mechanism = 1,
                                     .implicit = 1,
                                     .paper_convention = 1,
                                     .stability_number = fvi_stability_number_backward,

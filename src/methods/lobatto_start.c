@@ -2,6 +2,7 @@
  *                                                                 [H 17] */
 #include <fvi/lobatto.h>
 
+#include "mechanism/mechanism.h"
 #include "stability_number.h"
 #include "lobatto_stages.h"
 #include "system/fail.h"
@@ -167,6 +168,9 @@ static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
 
 static int start(fvi_stepper *s, size_t stages, int damped)
 {
+    if (fvi_has_mechanism_steps(s->run.system))
+        return fvi_mechanism_start(
+            s, damped ? FVI_MECHANISM_FORM_D : FVI_MECHANISM_FORM_M, stages);
     int status = allocate(s, stages, damped ? stages : stages - 1);
     if (status)
         return status;
@@ -234,6 +238,7 @@ static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
         .scheme = FVI_SCHEME_LOBATTO,                                           \
         .alpha_most = 1,                                                       \
         .takes_laws = 1,                                                       \
+        .takes_mechanism = 1,                                                  \
         .memories = FVI_ALL_MEMORIES,                                          \
         .implicit = is_implicit,                                               \
         .stability_number = its_load,                                                      \

@@ -8,6 +8,7 @@
 #include <fvi/variable_steps.h>
 
 #include "damping.h"
+#include "mechanism/mechanism.h"
 #include "memory/kernel_terms.h"
 #include "stages/lobatto_history.h"
 
@@ -59,6 +60,8 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
                  d = system->matrices ? system->matrices->remembered
                                       : system->d;
     const double bytes = 100 * (double)system->d;
+    if (fvi_has_mechanism_steps(system))
+        return fvi_mechanism_bytes(method, run);
     if (!method->memories || !is_damped(system) || (s > 0 && run->alpha == 1))
         return bytes;
     if (s > 0)
@@ -75,6 +78,8 @@ int fvi_velocity(const fvi_system *system, const double *p, double *v)
 {
     if (system->matrices)
         return fvi_damping_velocity(system, p, v);
+    if (system->mechanism && system->mechanism->lagrangian)
+        return FVI_EUNSUP;
     for (size_t i = 0; i < system->d; i++)
         v[i] = p[i] / system->mass[i];
     return FVI_SUCCESS;

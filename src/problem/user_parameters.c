@@ -48,6 +48,15 @@ static void note_use(fvi_user_parameters *parameters, const char *text,
     }
 }
 
+/* What a parser of expressions has said. */
+static int judge(int status, const char *field, const char *text,
+                 fvi_misprint wrong, fvi_error *error)
+{
+    return status == FVI_EINVAL ? refuse_misprint(field, text, wrong, error)
+           : status ? fvi_fail(error, status, field, NAN, "not enough memory")
+                    : FVI_SUCCESS;
+}
+
 int fvi_parse_expression(const char *field, const char *variable, size_t d,
                          const char *text, fvi_user_parameters *parameters,
                          fvi_expression **e, fvi_error *error)
@@ -57,18 +66,32 @@ int fvi_parse_expression(const char *field, const char *variable, size_t d,
     const fvi_user_parameters *known = parameters ? parameters : &none;
     const fvi_symbols names = { variable, d, known->name, known->count };
     const int status =
-        fvi_expression_parse(text, &names, known->value, e, &wrong);
-    if (status == FVI_EINVAL)
-        return refuse_misprint(field, text, wrong, error);
-    if (status)
-        return fvi_fail(error, status, field, NAN, "not enough memory");
-    if (parameters)
+        judge(fvi_expression_parse(text, &names, known->value, e, &wrong),
+              field, text, wrong, error);
+    if (!status && parameters)
         note_use(parameters, text,
                  !variable          ? FVI_USED_BY_PARAMETER
                  : *variable == 't' ? FVI_USED_BY_FORCE
                  : *variable == 's' ? FVI_USED_BY_DAMPING
                                     : FVI_USED_BY_POTENTIAL);
-    return FVI_SUCCESS;
+    return status;
+}
+
+int fvi_parse_state_expression(const char *field, size_t d, int velocities,
+                               const char *text,
+                               fvi_user_parameters *parameters,
+                               fvi_expression **e, fvi_error *error)
+{
+    static fvi_user_parameters none;
+    fvi_misprint wrong;
+    const fvi_user_parameters *known = parameters ? parameters : &none;
+    const fvi_symbols names = { "x", d, known->name, known->count };
+    const int status = judge(fvi_expression_parse_state(text, &names, velocities,
+                                                        known->value, e, &wrong),
+                             field, text, wrong, error);
+    if (!status && parameters)
+        note_use(parameters, text, FVI_USED_BY_POTENTIAL);
+    return status;
 }
 
 /* ---- parameters ---- */

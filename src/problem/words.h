@@ -22,4 +22,11 @@ int fvi_parse_expression(const char *field, const char *variable, size_t d,
                          const char *text, fvi_user_parameters *parameters,
                          fvi_expression **e, fvi_error *error);
 
+/* fvi_parse_state_expression -- the same of x1, ..., xd, then v1, ..., vd where velocities is not 0, then
+ * t (fvi_expression_parse_state). */
+int fvi_parse_state_expression(const char *field, size_t d, int velocities,
+                               const char *text,
+                               fvi_user_parameters *parameters,
+                               fvi_expression **e, fvi_error *error);
+
 #endif

@@ -35,7 +35,7 @@ static int check_impulses(const fvi_method *method, const fvi_run *run,
     const fvi_system *system = run->system;
     const int status = fvi_impulses_check(&system->force, system->d, error);
     if (status || !system->force.impulse_count || !method->stages
-        || run->alpha < 1)
+        || run->alpha < 1 || system->mechanism)
         return status;
     for (size_t i = 0; i < system->d; i++)
         if (system->damping[i] > 0) /* (17.17): p is not m x' */
@@ -52,7 +52,7 @@ static int check_past(const fvi_method *method, const fvi_run *run,
         && run->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
         return fvi_fail(error, FVI_EINVAL, "past", run->past, "unknown past");
     int has = 1, status = FVI_SUCCESS;
-    if (!method->paper_convention)
+    if (!method->paper_convention && !run->system->mechanism)
         status = fvi_run_has_solution(run, &has);
     if (!has)
         return fvi_fail(error, FVI_EDOM, "past", run->past,

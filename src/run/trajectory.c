@@ -1,6 +1,8 @@
 /* src/run/trajectory.c -- Runs: a start, a step size, a method.      [H 2] */
 #include <fvi/trajectory.h>
 
+#include <fvi/lagrangian.h>
+
 #include "impulses.h"
 #include "run_check.h"
 #include "whole_run.h"
@@ -102,10 +104,18 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
     if (!s)
         return fvi_fail(error, FVI_ENOMEM, NULL, NAN,
                         "no memory for the state");
+    fvi_error said = { 0 };
+    s->error = &said;
     status = method->start ? method->start(s) : FVI_SUCCESS;
+    s->error = NULL;
     if (status) {
         fvi_stepper_free(s);
-        return fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
+        if (said.code == status && error)
+            *error = said;
+        return said.code == status
+                   ? status
+                   : fvi_fail(error, status, NULL, NAN, "%s",
+                              fvi_error_name(status));
     }
     if (!method->dense)
         fvi_impulses_act(s, 0);
@@ -235,14 +245,15 @@ static int check_state(const fvi_stepper *s)
 static int serialize_all(fvi_stepper *s, fvi_archive *v)
 {
     fvi_system system = *s->run.system;
-    const size_t d = system.d, bytes = d * sizeof *s->x;
+    const size_t d = system.d, bytes = d * sizeof *s->x,
+                 own = system.mass && system.damping ? bytes : 0;
     const struct {
         void *data;
         size_t bytes;
         int constant;
     } pieces[] = { { &system.d, sizeof system.d, 1 },
-                   { (void *)system.mass, bytes, 1 },
-                   { (void *)system.damping, bytes, 1 },
+                   { (void *)system.mass, own, 1 },
+                   { (void *)system.damping, own, 1 },
                    { (void *)s->run.x0, bytes, 1 },
                    { (void *)s->run.p0, bytes, 1 },
                    { &s->k, sizeof s->k, 0 },
@@ -309,9 +320,10 @@ static int store(fvi_stepper *s, size_t k, double *x, double *p, double *energy)
     if (status || !energy)
         return status;
     if (s->t == t)
-        return fvi_energy(s->run.system, s->x, s->p, energy + k);
+        return fvi_energy_at(s->run.system, t, s->x, s->p, energy + k);
     status = fvi_stepper_advance_to(s, t, s->dx, s->g);
-    return status ? status : fvi_energy(s->run.system, s->dx, s->g, energy + k);
+    return status ? status
+                  : fvi_energy_at(s->run.system, t, s->dx, s->g, energy + k);
 }
 
 int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,

@@ -1,30 +1,11 @@
 /* src/system/expression.c -- A parsed sum, term by term.               [H 9] */
 #include <fvi/expression.h>
 
-#include "enclosure.h"
 #include "fail.h"
-#include "tape.h"
+#include "expression_terms.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* A term is a tape of its own, so that coordinates that do not meet cost each other
- * nothing. */
-typedef struct {
-    fvi_node *node;
-    size_t count;
-    int *coordinate; /* that stand in it, without repetition */
-    size_t coordinates;
-} term;
-
-struct fvi_expression {
-    size_t d;
-    const double *values;
-    term *terms;
-    size_t count, room;
-    size_t reach; /* the largest distance of two coordinates of a term */
-    int degree;
-};
 
 /* What is parsed, and grows while it is taken apart. */
 typedef struct {
@@ -210,25 +191,32 @@ static void take_apart(builder *w, int i, int factor)
         add_term(w, factor == ONE ? i : make(w, TAPE_MULTIPLY, factor, i, 0));
 }
 
-int fvi_expression_parse(const char *text, const fvi_symbols *names,
-                         const double *values, fvi_expression **e,
-                         fvi_misprint *wrong)
+static size_t variables(const fvi_symbols *names, fvi_tape_state state)
+{
+    return state == TAPE_VELOCITY ? 2 * names->d + 1
+           : state == TAPE_TIME   ? names->d + 1
+                                  : names->d;
+}
+
+static int parse_in(const char *text, const fvi_symbols *names,
+                    fvi_tape_state state, const double *values,
+                    fvi_expression **e, fvi_misprint *wrong)
 {
     if (!text || !names || !e || (names->d > 0 && !names->variable))
         FVI_FAIL("null pointer", FVI_EFAULT);
     fvi_misprint place = { 0, "not enough memory" };
     builder *w = calloc(1, sizeof *w);
     fvi_expression *new = calloc(1, sizeof *new);
-    int status = w && new ? fvi_parse(text, names, &w->node, &w->count, &place)
+    int status = w && new ? fvi_parse(text, names, state, &w->node, &w->count, &place)
                           : FVI_ENOMEM;
     if (!status) {
         const int root = (int)w->count - 1;
-        *new = (fvi_expression){ .d = names->d,
+        *new = (fvi_expression){ .d = variables(names, state),
                                  .values = values,
                                  .degree = w->node[root].degree };
         w->e = new;
         w->room = w->count;
-        if (names->d > 1)
+        if (new->d > 1)
             take_apart(w, root, ONE);
         else
             add_term(w, root);
@@ -248,6 +236,26 @@ int fvi_expression_parse(const char *text, const fvi_symbols *names,
     return FVI_SUCCESS;
 }
 
+int fvi_expression_parse(const char *text, const fvi_symbols *names,
+                         const double *values, fvi_expression **e,
+                         fvi_misprint *wrong)
+{
+    return parse_in(text, names, TAPE_PLACE, values, e, wrong);
+}
+
+int fvi_expression_parse_state(const char *text, const fvi_symbols *names,
+                               int velocities, const double *values,
+                               fvi_expression **e, fvi_misprint *wrong)
+{
+    return parse_in(text, names, velocities ? TAPE_VELOCITY : TAPE_TIME, values,
+                    e, wrong);
+}
+
+size_t fvi_expression_variables(const fvi_expression *e)
+{
+    return e->d;
+}
+
 void fvi_expression_free(fvi_expression *e)
 {
     for (size_t i = 0; e && i < e->count; i++) {
@@ -257,126 +265,4 @@ void fvi_expression_free(fvi_expression *e)
     if (e)
         free(e->terms);
     free(e);
-}
-
-/* ---- values and derivatives ---- */
-
-double fvi_expression_value(const fvi_expression *e, const double *x)
-{
-    double sum = 0;
-    for (const term *t = e->terms; t < e->terms + e->count; t++)
-        sum += fvi_tape_value(t->node, t->count, x, e->values);
-    return sum;
-}
-
-void fvi_expression_parameter_gradient(const fvi_expression *e, size_t j,
-                                 const double *x, double *value, double *grad)
-{
-    const int parameter = -1 - (int)j;
-    *value = 0;
-    if (grad)
-        memset(grad, 0, e->d * sizeof *grad);
-    for (const term *t = e->terms; t < e->terms + e->count; t++) {
-        *value += fvi_tape_slope(t->node, t->count, x, e->values, parameter).a;
-        for (size_t i = 0; grad && i < t->coordinates; i++)
-            grad[t->coordinate[i]] +=
-                fvi_tape_second_derivative(t->node, t->count, x, e->values, t->coordinate[i],
-                              parameter)
-                    .c;
-    }
-}
-
-static int potential_value(size_t d, const double *x, void *params,
-                           double *value)
-{
-    (void)d;
-    *value = fvi_expression_value(params, x);
-    return FVI_SUCCESS;
-}
-
-static int potential_gradient(size_t d, const double *x, void *params,
-                              double *grad)
-{
-    const fvi_expression *e = params;
-    memset(grad, 0, d * sizeof *grad);
-    for (const term *t = e->terms; t < e->terms + e->count; t++)
-        for (size_t i = 0; i < t->coordinates; i++)
-            grad[t->coordinate[i]] +=
-                fvi_tape_slope(t->node, t->count, x, e->values,
-                               t->coordinate[i])
-                    .a;
-    return FVI_SUCCESS;
-}
-
-static int potential_hessian(size_t d, const double *x, void *params, double *H)
-{
-    const fvi_expression *e = params;
-    const size_t diagonals = e->reach + 1;
-    for (size_t i = 0; i < d; i++)
-        for (size_t k = 0; k < diagonals && i + k < d; k++)
-            H[i * diagonals + k] = 0;
-    for (const term *t = e->terms; t < e->terms + e->count; t++)
-        for (size_t m = 0; m < t->coordinates; m++)
-            for (size_t n = 0; n < t->coordinates; n++) {
-                const int i = t->coordinate[m], j = t->coordinate[n];
-                if (i <= j)
-                    H[(size_t)i * diagonals + (size_t)(j - i)] +=
-                        fvi_tape_second_derivative(t->node, t->count, x, e->values, i, j).c;
-            }
-    return FVI_SUCCESS;
-}
-
-static int is_quadratic(const void *params)
-{
-    return ((const fvi_expression *)params)->degree <= 2;
-}
-
-fvi_potential fvi_potential_expression(const fvi_expression *e)
-{
-    return (fvi_potential){ .value = potential_value,
-                            .gradient = potential_gradient,
-                            .hessian = potential_hessian,
-                            .params = (void *)e,
-                            .quadratic = is_quadratic,
-                            .diagonals = e->reach + 1 };
-}
-
-static int force_value(double t, size_t d, void *params, double *F)
-{
-    const double value = fvi_expression_value(params, &t);
-    for (size_t i = 0; i < d; i++)
-        F[i] = value;
-    return FVI_SUCCESS;
-}
-
-/* A sum of one variable is one term. */
-static int force_bound(double from, double to, size_t order, size_t d,
-                       void *params, double *most)
-{
-    const fvi_expression *e = params;
-    fvi_enclosure f;
-    int status = fvi_tape_enclose(e->terms->node, e->terms->count, from, to,
-                                  e->values, (int)order, &f);
-    for (size_t k = 0; !status && k <= order; k++)
-        for (size_t i = 0; i < d; i++)
-            most[k * d + i] = k == 0             ? fvi_enclosure_half(&f)
-                              : k <= (size_t)f.top ? f.most[k]
-                                                   : 0;
-    return status;
-}
-
-fvi_force fvi_force_expression(const fvi_expression *e)
-{
-    return (fvi_force){ .value = force_value,
-                        .bound = force_bound,
-                        .params = (void *)e };
-}
-
-void fvi_expression_complex_value(const fvi_expression *e, double re, double im,
-                                  double *value_re, double *value_im)
-{
-    const double complex v = fvi_tape_complex(e->terms->node, e->terms->count,
-                                              CMPLX(re, im), e->values);
-    *value_re = creal(v);
-    *value_im = cimag(v);
 }

@@ -15,6 +15,7 @@ enum { DEEPEST = 100, MOST_NODES = 1 << 24, MOST_DIGITS = 400 };
 typedef struct {
     const char *text, *at;
     const fvi_symbols *names;
+    fvi_tape_state state;
     fvi_node *node;
     size_t count, room;
     int depth, status;
@@ -215,27 +216,40 @@ static int call(parser *p, fvi_operation op)
     return operation(p, op, u, w, 0);
 }
 
-/* x, or x3: the number of the coordinate from 0, or -1. */
-static int coordinate(const fvi_symbols *names, const char *at, size_t length)
+/* x, or x3, of `d` such: the number from 0, or -1. */
+static int numbered(const char *variable, size_t d, const char *at,
+                    size_t length)
 {
-    if (names->d == 0)
-        return -1;
-    const size_t stem = strlen(names->variable);
-    if (names->d == 1 && is_word(at, length, names->variable))
+    const size_t stem = strlen(variable);
+    if (d == 1 && is_word(at, length, variable))
         return 0;
-    if (length <= stem || strncmp(at, names->variable, stem) != 0
-        || at[stem] == '0' || digits(at + stem) != length - stem
-        || length - stem > 9)
+    if (length <= stem || strncmp(at, variable, stem) != 0 || at[stem] == '0'
+        || digits(at + stem) != length - stem || length - stem > 9)
         return -1;
     const size_t i = strtoul(at + stem, NULL, 10);
-    return i >= 1 && i <= names->d ? (int)i - 1 : -1;
+    return i >= 1 && i <= d ? (int)i - 1 : -1;
+}
+
+/* The number of the variable among x1, ..., v1, ..., t; or -1. */
+static int coordinate(const parser *p, const char *at, size_t length)
+{
+    const size_t d = p->names->d;
+    const int i = d ? numbered(p->names->variable, d, at, length) : -1,
+              v = i < 0 && p->state == TAPE_VELOCITY
+                      ? numbered("v", d, at, length)
+                      : -1;
+    if (v >= 0)
+        return v + (int)d;
+    if (i < 0 && p->state != TAPE_PLACE && is_word(at, length, "t"))
+        return (int)(p->state == TAPE_VELOCITY ? 2 * d : d);
+    return i;
 }
 
 static int name(parser *p)
 {
     const char *from = p->at;
     const size_t length = name_length(from);
-    const int i = coordinate(p->names, from, length);
+    const int i = coordinate(p, from, length);
     p->at += length;
     if (i >= 0)
         return append(p, (fvi_node){ TAPE_COORDINATE, 1, i, 0, 0 });
@@ -336,10 +350,10 @@ static int sum(parser *p)
     }
 }
 
-int fvi_parse(const char *text, const fvi_symbols *names, fvi_node **node,
-              size_t *count, fvi_misprint *wrong)
+int fvi_parse(const char *text, const fvi_symbols *names, fvi_tape_state state,
+              fvi_node **node, size_t *count, fvi_misprint *wrong)
 {
-    parser p = { .text = text, .at = text, .names = names };
+    parser p = { .text = text, .at = text, .names = names, .state = state };
     sum(&p);
     skip_spaces(&p);
     if (*p.at)

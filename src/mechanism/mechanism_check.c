@@ -1,0 +1,101 @@
+/* src/mechanism/mechanism_check.c -- Is it a mechanism that these steps take?     [H 29] */
+#include "mechanism.h"
+
+#include <math.h>
+
+static int refuse(int code, const char *field, size_t i, const char *text,
+                  fvi_error *error)
+{
+    fvi_fail(error, code, field, (double)i + 1, text, i + 1);
+    if (error)
+        error->index = i;
+    return code;
+}
+
+static int check_damper(const fvi_damper *damper, size_t i, int wants_hessian,
+                        fvi_error *error)
+{
+    const fvi_elongation *of = &damper->of;
+    if (damper->matrix)
+        return refuse(FVI_EUNSUP, "damper", i,
+                      "damper %zu is a matrix, which goes with a structure",
+                      error);
+    if (!damper->kernel || (!of->row && (!of->value || !of->gradient)))
+        return refuse(FVI_EFAULT, "damper", i,
+                      "damper %zu lacks its kernel, or value and gradient of "
+                      "its elongation",
+                      error);
+    if (wants_hessian && !of->row && !of->hessian)
+        return refuse(FVI_EFAULT, "damper", i,
+                      "damper %zu lacks the second derivatives that stages "
+                      "ask for; fvi-stable does not",
+                      error);
+    const int status = fvi_kernel_check(damper->kernel);
+    if (status)
+        return refuse(status, "damper", i, "damper %zu has no law of damping",
+                      error);
+    if (damper->past != FVI_INITIAL_HISTORY_HELD
+        && damper->past != FVI_INITIAL_HISTORY_CAPUTO
+        && damper->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
+        return refuse(FVI_EINVAL, "damper", i, "damper %zu has an unknown past",
+                      error);
+    if (damper->past == FVI_INITIAL_HISTORY_CAPUTO)
+        for (size_t k = 0; k < damper->kernel->count; k++) {
+            const fvi_kernel_term *t = &damper->kernel->term[k];
+            const fvi_kernel one = { 1, t };
+            if (t->kind != FVI_KERNEL_POWER && !fvi_kernel_takes_caputo(&one))
+                return refuse(FVI_EUNSUP, "damper", i,
+                              "damper %zu: above the order 1 only powers have "
+                              "Caputo's past",
+                              error);
+        }
+    return FVI_SUCCESS;
+}
+
+static int check_constraints(const fvi_method *method, const fvi_run *run,
+                             fvi_error *error)
+{
+    const fvi_constraints *c = run->system->mechanism->constraints;
+    const int is_node = method->scheme == FVI_SCHEME_CQ2_MIDPOINT;
+    if (!is_node && (!method->stages || method->damped_inertia))
+        return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
+                        "this method takes no constraints; fvi-stable and "
+                        "fvi-lobatto2 to 8 do");
+    if (!c->value || !c->gradient || (!is_node && !c->hessian))
+        return fvi_fail(error, FVI_EFAULT, "constraint", NAN,
+                        "a function of the constraints is missing");
+    if (c->count == 0 || c->count > run->system->d)
+        return fvi_fail(error, FVI_EINVAL, "constraint", (double)c->count,
+                        "%zu constraints of %zu coordinates", c->count,
+                        run->system->d);
+    if (run->system->force.impulse_count)
+        return fvi_fail(error, FVI_EUNSUP, "constraint", NAN,
+                        "impulses and constraints do not go together");
+    return FVI_SUCCESS;
+}
+
+int fvi_mechanism_check(const fvi_method *method, const fvi_run *run,
+                        fvi_error *error)
+{
+    const fvi_system *system = run->system;
+    const fvi_mechanism *m = system->mechanism;
+    if (run->law)
+        return fvi_fail(error, FVI_EINVAL, "law", NAN,
+                        "a system with a mechanism has its laws in its "
+                        "dampers");
+    for (size_t i = 0; i < system->d && !m->lagrangian; i++)
+        if (system->damping[i] != 0)
+            return fvi_fail(error, FVI_EINVAL, "rho", system->damping[i],
+                            "a system with a mechanism is damped by its "
+                            "dampers alone");
+    if ((m->lagrangian && !m->lagrangian->at)
+        || (m->force_on && !m->force_on->at)
+        || (m->damper_count && !m->damper))
+        return fvi_fail(error, FVI_EFAULT, "mechanism", NAN,
+                        "a function or the list of dampers is missing");
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->damper_count && !status; i++)
+        status = check_damper(&m->damper[i], i, method->stages > 0, error);
+    return status || !m->constraints ? status
+                                     : check_constraints(method, run, error);
+}

@@ -1,0 +1,226 @@
+/* src/mechanism/mechanism_constraints.c -- Momenta and velocities that keep to constraints. [H 29] */
+#include "mechanism_state.h"
+#include "system/lagrangian_point.h"
+#include "system/larger.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+//> hide
+/* L_v(x, v) + C^T w = p,  C v = -c_t, by Newton's method: one step of it mostly. */
+int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
+                       const double *C, double *p, double *v, double *w)
+{
+    enum { MOST = 60 };
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t d = o->d, m = o->m, n = d + m;
+    double *Lv = o->room, *Lvv = Lv + d, *r = Lvv + d * d, *J = r + n,
+           *ct = J + n * n, *again = ct + m, last = INFINITY;
+    int status = FVI_SUCCESS;
+    memset(w, 0, m * sizeof *w);
+    if (m)
+        status = c->gradient(t, d, x, c->params, again, ct);
+    for (int tries = 0; tries < MOST && !status; tries++) {
+        status = fvi_lagrangian_point(s->run.system, t, x, v, NULL, NULL, Lv,
+                                      NULL, NULL, Lvv);
+        memset(J, 0, n * n * sizeof *J);
+        for (size_t i = 0; i < d; i++) {
+            r[i] = p[i] - Lv[i];
+            memcpy(J + i * n, Lvv + i * d, d * sizeof *J);
+            for (size_t l = 0; l < m; l++) {
+                r[i] -= C[l * d + i] * w[l];
+                J[i * n + d + l] = J[(d + l) * n + i] = C[l * d + i];
+            }
+            if (o->is_massless[i]) { /* its velocity is what it is */
+                J[i * n + i] = 1;
+                r[i] = 0;
+            }
+        }
+        for (size_t l = 0; l < m; l++) {
+            r[d + l] = -ct[l];
+            for (size_t i = 0; i < d; i++)
+                r[d + l] -= C[l * d + i] * v[i];
+        }
+        if (!status)
+            status = fvi_solve_matrix(n, J, r, o->order);
+        if (status)
+            return status;
+        double change = 0, size = 0;
+        for (size_t i = 0; i < d; i++) {
+            v[i] += r[i];
+            change += fabs(r[i]);
+            size += fabs(v[i]);
+        }
+        for (size_t l = 0; l < m; l++)
+            w[l] += r[d + l];
+        if (!isfinite(change))
+            return FVI_EOVRFLW;
+        if (change <= 4 * DBL_EPSILON * size
+            || (change <= 1e-8 * size && change >= last / 2))
+            break;
+        last = change;
+        if (tries + 1 == MOST)
+            return FVI_EMAXITER;
+    }
+    for (size_t i = 0; i < d && !status; i++)
+        for (size_t l = 0; l < m; l++)
+            p[i] -= C[l * d + i] * w[l];
+    return status;
+}
+//< hide
+
+/* ---- the start ---- */
+
+static double largest(size_t n, const double *v)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = larger(most, fabs(v[i]));
+    return most;
+}
+
+static const char *name_of(const fvi_constraints *c, size_t i, char place[32])
+{
+    if (c->name && c->name[i])
+        return c->name[i];
+    snprintf(place, 32, "%zu", i + 1);
+    return place;
+}
+
+static int refuse(int code, const char *field, double value, size_t i,
+                  const char *text, const char *who, fvi_error *error)
+{
+    fvi_fail(error, code, field, value, text, who, value);
+    if (error)
+        error->index = i;
+    return code;
+}
+
+/* Is each gradient more than a sum of those before it? By Gram and Schmidt. */
+static int check_independent(const fvi_stepper *s, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t d = o->d;
+    double *rest = o->room;
+    char place[32];
+    memcpy(rest, o->C, o->m * d * sizeof *rest);
+    for (size_t i = 0; i < o->m; i++) {
+        double *row = rest + i * d, whole = 0, left = 0;
+        for (size_t a = 0; a < d; a++)
+            whole += row[a] * row[a];
+        for (int twice = 0; twice < 2; twice++)
+            for (size_t j = 0; j < i; j++) {
+                double part = 0;
+                for (size_t a = 0; a < d; a++)
+                    part += rest[j * d + a] * row[a];
+                for (size_t a = 0; a < d; a++)
+                    row[a] -= part * rest[j * d + a];
+            }
+        for (size_t a = 0; a < d; a++)
+            left += row[a] * row[a];
+        if (!(left > 1e-20 * whole))
+            return refuse(FVI_ESING, "constraint", 0, i,
+                          whole > 0 ? "'%s' is redundant: at x0 the "
+                                      "constraints before it say the same"
+                                    : "'%s' has no gradient at x0",
+                          name_of(c, i, place), error);
+        for (size_t a = 0; a < d; a++)
+            row[a] /= sqrt(left);
+    }
+    return FVI_SUCCESS;
+}
+
+/* c(x0) = 0, but for the digits that a start is typed with. */
+static int check_place(const fvi_stepper *s, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    double *value = o->residual, far = largest(o->d, s->x);
+    char place[32];
+    const int status = c->value(0, o->d, s->x, c->params, value);
+    for (size_t i = 0; i < o->m && !status; i++)
+        if (!(fabs(value[i])
+              <= 1e-9 * largest(o->d, o->C + i * o->d) * (far > 0 ? far : 1)))
+            return refuse(FVI_EDOM, "x0", value[i], i,
+                          "it does not keep to the constraint '%s', which is "
+                          "%g there",
+                          name_of(c, i, place), error);
+    return status;
+}
+
+/* What p0 loses to keep to the hidden constraint, or to a coordinate without inertia, must be no
+ * more than its digits. */
+static int check_momentum(fvi_stepper *s, fvi_error *error)
+{
+    fvi_mechanism_state *o = s->method_state;
+    double *p = o->residual, *Lv = o->change;
+    memcpy(p, s->p, o->d * sizeof *p);
+    int status = fvi_mechanism_hide(s, 0, s->x, o->C, p, o->v, o->ended);
+    memset(o->ended, 0, o->m * sizeof *o->ended);
+    if (status == FVI_ESING)
+        return fvi_fail(error, status, "lagrangian", NAN,
+                        "its second derivatives by the velocities are a "
+                        "singular matrix at the start");
+    if (!status)
+        status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL, NULL,
+                                      Lv, NULL, NULL, NULL);
+    const double size = largest(o->d, s->p) + largest(o->d, Lv);
+    for (size_t i = 0; i < o->d && !status; i++) {
+        const double off = s->p[i] - (o->is_massless[i] ? Lv[i] : p[i]);
+        if (fabs(off) <= 1e-9 * size)
+            continue;
+        fvi_fail(error, FVI_EDOM, "p0", s->p[i],
+                 o->is_massless[i]
+                     ? "p%zu is off by %g: this coordinate has no inertia"
+                     : "p%zu is off by %g: the velocity does not keep to the "
+                       "constraints",
+                 i + 1, off);
+        if (error)
+            error->index = i;
+        return FVI_EDOM;
+    }
+    if (!status)
+        memcpy(s->p, p, o->d * sizeof *p);
+    return status;
+}
+
+/* Which coordinates have neither inertia nor a constraint? Their velocity is not that of p. */
+static int find_massless(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d;
+    double *Lvv = o->room;
+    const int status = fvi_lagrangian_point(s->run.system, 0, s->x, o->v, NULL,
+                                            NULL, NULL, NULL, NULL, Lvv);
+    for (size_t i = 0; i < d && !status; i++) {
+        o->is_massless[i] = 1;
+        for (size_t j = 0; j < d; j++)
+            if (Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0)
+                o->is_massless[i] = 0;
+        for (size_t l = 0; l < o->m; l++)
+            if (o->C[l * d + i] != 0)
+                o->is_massless[i] = 0;
+    }
+    return status;
+}
+
+int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    int status = FVI_SUCCESS;
+    if (o->m) {
+        status = c->gradient(0, o->d, s->x, c->params, o->C, NULL);
+        if (!status)
+            status = check_independent(s, error);
+        if (!status)
+            status = check_place(s, error);
+    }
+    if (!status)
+        status = find_massless(s);
+    return status ? status : check_momentum(s, error);
+}

@@ -1,0 +1,343 @@
+/* src/mechanism/mechanism_memory.c -- Histories of dampers, and what the past does.  [H 29] */
+#include "mechanism_state.h"
+#include "memory/history_kinds.h"
+#include "memory/history_parts.h"
+#include "system/fail.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- which terms remember what ---- */
+
+static int is_power(const fvi_kernel_term *t)
+{
+    return t->kind == FVI_KERNEL_POWER
+           || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
+}
+
+/* Does a straight line make a force that no weights give to full order, but a formula does? An
+ * order of 2 is a mass, whose line makes none. */
+static int is_steep(const fvi_kernel_term *t)
+{
+    return is_power(t) && t->rho > 0 && t->alpha > 0.5 && t->alpha < 1;
+}
+
+static int acts(const fvi_kernel *kernel)
+{
+    for (size_t i = 0; i < kernel->count; i++)
+        if (kernel->term[i].rho > 0)
+            return 1;
+    return 0;
+}
+
+static int has_steep(const fvi_kernel *kernel)
+{
+    for (size_t i = 0; i < kernel->count; i++)
+        if (is_steep(&kernel->term[i]))
+            return 1;
+    return 0;
+}
+
+/* A part of a damper's kernel: all of it, or the steep terms, or the others. */
+static int add_part(fvi_mechanism_state *o, size_t j, const fvi_kernel *kernel,
+                    int whole, int steep, double drift)
+{
+    fvi_mechanism_part *part = &o->part[o->parts];
+    *part = (fvi_mechanism_part){ .damper = j,
+                                  .kernel = *kernel,
+                                  .drift = drift };
+    if (!whole) {
+        part->own = malloc(kernel->count * sizeof *part->own);
+        if (!part->own)
+            return FVI_ENOMEM;
+        part->kernel = (fvi_kernel){ 0, part->own };
+        for (size_t i = 0; i < kernel->count; i++)
+            if (is_steep(&kernel->term[i]) == steep)
+                part->own[part->kernel.count++] = kernel->term[i];
+    }
+    if (acts(&part->kernel))
+        o->parts++;
+    else
+        free(part->own);
+    return FVI_SUCCESS;
+}
+
+/* ---- pasts ---- */
+
+static void add_pull(fvi_stepper *s, size_t j, const fvi_kernel_term *t,
+                     double amplitude)
+{
+    static const double ends[] = { 0, 1 };
+    fvi_mechanism_state *o = s->method_state;
+    fvi_mechanism_pull *pull = &o->pull[o->pulls++];
+    pull->damper = j;
+    fvi_kernel_impulse_prepare(t->alpha, o->rule ? o->s : 2,
+                               o->rule ? o->rule->c : ends, &pull->impulse);
+    pull->size = t->rho * amplitude * pow(s->run.h, 1 + pull->impulse.e);
+}
+
+/* What the past of damper j pulls, of a motion that begins at z with the slope zdot. Of order 1 the
+ * weights alone act, as in the paper. */
+static int add_pulls(fvi_stepper *s, size_t j, double z, double zdot,
+                     fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_damper *damper = &s->run.system->mechanism->damper[j];
+    const fvi_kernel *kernel = damper->kernel;
+    const int is_rl = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    for (size_t i = 0; i < kernel->count; i++) {
+        const fvi_kernel_term *t = &kernel->term[i];
+        if (t->rho == 0 || o->form == FVI_MECHANISM_FIRST_ORDER)
+            continue;
+        if (is_rl && z != 0 && (!is_power(t) || t->alpha > 0.5))
+            return fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP,
+                            "damper", (double)j,
+                            "the past rl of damper %zu wants powers of order "
+                            "1 at most, or an elongation of 0",
+                            j + 1);
+        if (is_rl && z != 0 && t->alpha < 0.5)
+            add_pull(s, j, t, z);
+        if (is_steep(t) && zdot != 0
+            && damper->past != FVI_INITIAL_HISTORY_CAPUTO)
+            add_pull(s, j, t, zdot);
+    }
+    return FVI_SUCCESS;
+}
+
+/* The slope of z at the start. */
+static int slope(const fvi_stepper *s, size_t j, const double *v, double *zdot)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_elongation *of = &s->run.system->mechanism->damper[j].of;
+    int status = FVI_SUCCESS;
+    *zdot = 0;
+    if (!of->row && of->rate)
+        status = of->rate(0, o->d, s->x, of->params, zdot);
+    for (size_t i = 0; i < o->d; i++)
+        *zdot += o->G[j * o->d + i] * v[i];
+    return status;
+}
+
+static int remember_damper(fvi_stepper *s, size_t j, const double *v,
+                           fvi_error *error)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_damper *damper = &s->run.system->mechanism->damper[j];
+    const int is_caputo = damper->past == FVI_INITIAL_HISTORY_CAPUTO,
+              first = o->form == FVI_MECHANISM_FIRST_ORDER;
+    double zdot;
+    int status = slope(s, j, v, &zdot);
+    const int split = zdot != 0 && has_steep(damper->kernel)
+                      && (!first || is_caputo);
+    o->z0[j] = first && damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+                   ? 0
+                   : o->z[j];
+    if (!status)
+        status = add_pulls(s, j, o->z[j], zdot, error);
+    if (!status && split)
+        status = add_part(o, j, damper->kernel, 0, 1, zdot);
+    return status ? status
+                  : add_part(o, j, damper->kernel, !split, 0, 0);
+}
+
+/* ---- histories ---- */
+
+static int begin_nodes(fvi_stepper *s, fvi_mechanism_part *part)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const int first = o->form == FVI_MECHANISM_FIRST_ORDER;
+    int status = fvi_kernel_history(
+        &part->kernel, first ? FVI_DELTA_EULER : FVI_DELTA_BDF2, s->run.h, 1,
+        s->run.steps, s->run.memory, s->run.tolerance, &part->first,
+        &part->history);
+    o->W[part->damper] += part->first;
+    double z = o->z[part->damper] - o->z0[part->damper], H;
+    if (!status && first) { /* the term k = 0 */
+        status = fvi_history_push(part->history, &z, &z, &H);
+        *part->last = z;
+    }
+    return status;
+}
+
+/* The finest there is, where nothing else is asked for: a tenth of the tolerance. */
+static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t n = o->s;
+    const double keep =
+        s->run.tolerance > 0 ? fmax(s->run.tolerance / 10, 1e-14) : 1e-14;
+    const int status = fvi_lobatto_history_of_kernel(
+        n, &part->kernel, s->run.h, 1, s->run.steps, s->run.memory, keep,
+        &part->stages);
+    for (size_t i = 0; i < n * n && !status; i++)
+        o->W[part->damper * n * n + i] +=
+            fvi_lobatto_history_now(part->stages)[i];
+    return status;
+}
+
+int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism *mechanism = s->run.system->mechanism;
+    size_t terms = 0;
+    for (size_t j = 0; j < o->r; j++)
+        terms += mechanism->damper[j].kernel->count;
+    o->part = calloc(2 * o->r + 1, sizeof *o->part);
+    o->pull = calloc(terms + 1, sizeof *o->pull);
+    if (!o->part || !o->pull)
+        return FVI_ENOMEM;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; j < o->r && !status; j++)
+        status = remember_damper(s, j, v, error);
+    for (size_t i = 0; i < o->parts && !status; i++) {
+        o->part[i].last = calloc(FVI_STAGES, sizeof(double));
+        if (!o->part[i].last)
+            return FVI_ENOMEM;
+        status = (o->rule ? begin_stages : begin_nodes)(s, &o->part[i]);
+    }
+    return status;
+}
+
+/* ---- in a step ---- */
+
+/* The mean of a pull over the step; or what it is at each stage. */
+static void expect_pulls(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    double impulse[FVI_KERNEL_IMPULSE_NODES];
+    for (const fvi_mechanism_pull *p = o->pull; p < o->pull + o->pulls; p++) {
+        fvi_kernel_impulses(&p->impulse, s->k, impulse);
+        const double size = p->size / s->run.h;
+        if (!o->rule)
+            o->known[p->damper] += size * (impulse[0] + impulse[1]);
+        for (size_t i = 0; o->rule && i < o->s; i++)
+            o->known[p->damper * o->s + i] += size * impulse[i] / o->rule->b[i];
+    }
+}
+
+//> expect
+int fvi_mechanism_expect(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t n = o->s;
+    const double t = ((double)s->k + 0.5) * s->run.h;
+    int status = FVI_SUCCESS;
+    if (o->form == FVI_MECHANISM_FIRST_ORDER)
+        return status;
+    memset(o->known, 0, o->r * n * sizeof *o->known);
+    for (fvi_mechanism_part *p = o->part; p < o->part + o->parts && !status;
+         p++) {
+        double *known = o->known + p->damper * n, ahead;
+        if (o->rule) {
+            const double *W = fvi_lobatto_history_now(p->stages);
+            for (size_t i = 0; i < n; i++) {
+                known[i] += p->last[i];
+                for (size_t l = 0; l < n; l++)
+                    known[i] -= W[i * n + l] * p->drift;
+            }
+            continue;
+        }
+        status = fvi_history_ahead(p->history, p->last, &ahead);
+        *known += p->first * (ahead - *p->last - p->drift * t);
+    }
+    expect_pulls(s);
+    return status;
+}
+//< expect
+
+int fvi_mechanism_push(fvi_stepper *s, double t, const double *z)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t n = o->s;
+    int status = FVI_SUCCESS;
+    memset(o->lambda, 0, o->r * n * sizeof *o->lambda);
+    for (fvi_mechanism_part *p = o->part; p < o->part + o->parts && !status;
+         p++) {
+        if (o->rule) {
+            double v[FVI_STAGES];
+            for (size_t i = 0; i < n; i++)
+                v[i] = z[p->damper * n + i] - p->drift;
+            status = fvi_lobatto_history_push(p->stages, v, p->last);
+            continue;
+        }
+        double now = z[p->damper] - p->drift * t, H;
+        const double more = now - *p->last;
+        status = fvi_history_push(p->history, &now, &more, &H);
+        *p->last = now;
+        o->lambda[p->damper] += p->first * H;
+    }
+    return status;
+}
+
+/* ---- copies ---- */
+
+static int copy_part(const fvi_mechanism_part *from, fvi_mechanism_part *to)
+{
+    *to = *from;
+    to->own = NULL;
+    to->history = NULL;
+    to->stages = NULL;
+    to->last = malloc(FVI_STAGES * sizeof *to->last);
+    if (!to->last)
+        return FVI_ENOMEM;
+    memcpy(to->last, from->last, FVI_STAGES * sizeof *to->last);
+    if (from->own) {
+        to->own = malloc(from->kernel.count * sizeof *to->own);
+        if (!to->own)
+            return FVI_ENOMEM;
+        memcpy(to->own, from->own, from->kernel.count * sizeof *to->own);
+        to->kernel.term = to->own;
+    }
+    return from->stages
+               ? fvi_lobatto_history_copy(from->stages, &to->stages)
+               : fvi_history_copy(from->history, &to->history);
+}
+
+int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
+                             fvi_mechanism_state *to)
+{
+    to->part = calloc(from->parts + 1, sizeof *to->part);
+    to->pull = calloc(from->pulls + 1, sizeof *to->pull);
+    if (!to->part || !to->pull)
+        return FVI_ENOMEM;
+    to->pulls = from->pulls;
+    memcpy(to->pull, from->pull, from->pulls * sizeof *to->pull);
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < from->parts && !status; i++, to->parts++)
+        status = copy_part(&from->part[i], &to->part[i]);
+    return status;
+}
+
+/* Of order 1 a term came in at the start, too. */
+int fvi_mechanism_serialize_parts(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t first = o->form == FVI_MECHANISM_FIRST_ORDER;
+    int status = FVI_SUCCESS;
+    for (fvi_mechanism_part *p = o->part; p < o->part + o->parts && !status;
+         p++) {
+        status = v->serialize(v, p->last, FVI_STAGES * sizeof *p->last, 0);
+        if (!status && p->stages)
+            status = fvi_lobatto_history_archive(p->stages, s->k, v);
+        else if (!status) {
+            status = fvi_history_archive(p->history, v);
+            if (!status)
+                status = fvi_check_count(fvi_history_terms(p->history),
+                                         s->k + first);
+        }
+    }
+    return status;
+}
+
+void fvi_mechanism_free_parts(fvi_mechanism_state *o)
+{
+    for (size_t i = 0; o->part && i < o->parts; i++) {
+        fvi_history_free(o->part[i].history);
+        fvi_lobatto_history_free(o->part[i].stages);
+        free(o->part[i].own);
+        free(o->part[i].last);
+    }
+    free(o->part);
+    free(o->pull);
+}

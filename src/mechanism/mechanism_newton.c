@@ -1,0 +1,114 @@
+/* src/mechanism/mechanism_newton.c -- Newton's method for the equations of a step.  [H 29] */
+#include "mechanism_state.h"
+#include "system/lagrangian_point.h"
+#include "system/larger.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { MOST = 50, MOST_SLOW = 200 };
+
+static double largest(size_t n, const double *v)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = larger(most, fabs(v[i]));
+    return most;
+}
+
+static double norm(size_t n, const double *v)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += v[i] * v[i];
+    return sqrt(sum);
+}
+
+/* The change of u, -J^-1 r, of what assemble has written. */
+static int change_of(fvi_mechanism_state *o)
+{
+    for (size_t i = 0; i < o->n; i++)
+        o->change[i] = -o->residual[i];
+    return fvi_solve_matrix(o->n, o->matrix, o->change, o->order);
+}
+
+/* Is it done? The next change of an iteration of order two is about now^3 / before^2. */
+static int is_done(double now, double before, double scale)
+{
+    const double rounding = 4 * DBL_EPSILON * scale;
+    return now <= rounding || (now <= 1e-8 * scale && now >= before / 2)
+           || (isfinite(before) && now < before / 8
+               && now / before * (now / before) * now <= rounding / 1e4);
+}
+
+static int iterate(fvi_stepper *s,
+                   int (*assemble)(fvi_stepper *s, const double *u),
+                   size_t places, double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    double before = INFINITY;
+    for (int i = 0; i < MOST; i++) {
+        int status = assemble(s, u);
+        if (!status)
+            status = change_of(o);
+        if (status)
+            return status;
+        for (size_t j = 0; j < o->n; j++)
+            u[j] += o->change[j];
+        const double now = largest(places, o->change),
+                     scale = largest(o->d, s->x) + largest(places, u);
+        if (!isfinite(now) || !isfinite(largest(o->n, u)))
+            return FVI_EMAXITER;
+        if (is_done(now, before, scale))
+            return FVI_SUCCESS;
+        before = now;
+    }
+    return FVI_EMAXITER;
+}
+
+/* Down the residual: the longest of the steps 1, 1/2, 1/4, ... of Newton's that makes it smaller. */
+static int descend(fvi_stepper *s,
+                   int (*assemble)(fvi_stepper *s, const double *u), double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t n = o->n;
+    int status = assemble(s, u);
+    double size = norm(n, o->residual);
+    for (int i = 0; i < MOST_SLOW && !status; i++) {
+        const double length = norm(n, u);
+        status = change_of(o);
+        if (status)
+            return status;
+        double part = 2, next = INFINITY;
+        while (!(next < size) && part > 1e-12 && !status) {
+            part /= 2;
+            for (size_t j = 0; j < n; j++)
+                o->trial[j] = u[j] + part * o->change[j];
+            status = assemble(s, o->trial);
+            next = norm(n, o->residual);
+            if (status == FVI_EOVRFLW) /* outside of where L is known */
+                status = FVI_SUCCESS, next = INFINITY;
+        }
+        if (!(next < size))
+            return status; /* no further: iterate says whether it is a root */
+        memcpy(u, o->trial, n * sizeof *u);
+        size = next;
+        if (part == 1 && norm(n, o->change) <= 1e-6 * (length + norm(n, u)))
+            return status;
+    }
+    return status;
+}
+
+int fvi_mechanism_solve(fvi_stepper *s,
+                        int (*assemble)(fvi_stepper *s, const double *u),
+                        size_t places, double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    int status = iterate(s, assemble, places, u);
+    if (status != FVI_EMAXITER && status != FVI_ESING)
+        return status;
+    memset(u, 0, o->n * sizeof *u);
+    status = descend(s, assemble, u);
+    return status ? status : iterate(s, assemble, places, u);
+}

@@ -1,0 +1,216 @@
+/* src/mechanism/mechanism_nodes.c -- Order 1, and the node scheme.             [H 29] */
+#include "mechanism_state.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <string.h>
+
+static double time_of(const fvi_stepper *s, size_t k)
+{
+    return (double)k * s->run.h;
+}
+
+/* Where in the step L is asked for: kappa x_k + (1 - kappa) x_{k+1}. */
+static double kappa_of(const fvi_mechanism_state *o, const fvi_stepper *s)
+{
+    return o->form == FVI_MECHANISM_NODES ? 0.5 : s->run.kappa;
+}
+
+//> point
+/* L at the point of the step, for x_{k+1} = x_k + u. */
+static int ask(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const double ahead = 1 - kappa_of(o, s);
+    for (size_t i = 0; i < o->d; i++) {
+        o->X[i] = s->x[i] + ahead * u[i];
+        o->V[i] = u[i] / s->run.h;
+    }
+    return fvi_mechanism_point(s, 0, time_of(s, s->k) + ahead * s->run.h,
+                               o->form == FVI_MECHANISM_NODES);
+}
+//< point
+
+/* z, G and c at the end of the step, x_k + u. */
+static int ask_end(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const double t = time_of(s, s->k + 1);
+    double *x = o->X + o->d; /* a second point has room */
+    for (size_t i = 0; i < o->d; i++)
+        x[i] = s->x[i] + u[i];
+    int status = fvi_mechanism_elongations(s, t, x, o->elongation, o->gradient);
+    if (!status && o->m)
+        status = c->value(t, o->d, x, c->params, o->residual + o->d);
+    double *C = o->matrix + o->d * o->n; /* the last rows of the Jacobian */
+    if (!status && o->m)
+        status = c->gradient(t, o->d, x, c->params, C, NULL);
+    for (size_t i = o->m; i-- > 0;) { /* d to n numbers a row */
+        memmove(C + i * o->n, C + i * o->d, o->d * sizeof *C);
+        memset(C + i * o->n + o->d, 0, o->m * sizeof *C);
+    }
+    return status;
+}
+
+/* The force of damper j for the elongations at both ends, (29.6). */
+static double damper_force(const fvi_mechanism_state *o, size_t j)
+{
+    const double mean = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
+    return o->known[j] + o->W[j] * mean;
+}
+
+//> residual
+/* h times the equation of p_k; u is the increment, then h^2 / 2 Lambda. */
+static int assemble(fvi_stepper *s, const double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d, n = o->n;
+    const double h = s->run.h, kappa = kappa_of(o, s), ahead = 1 - kappa;
+    const int is_node = o->form == FVI_MECHANISM_NODES;
+    int status = ask(s, u);
+    if (!status && is_node)
+        status = ask_end(s, u);
+    for (size_t i = 0; i < d; i++) {
+        o->residual[i] = h
+                         * (o->Lv[i] - kappa * h * o->f[i]
+                            - h / 2 * o->push[i] - s->p[i]);
+        for (size_t j = 0; j < d; j++)
+            o->matrix[i * n + j] = o->Lvv[i * d + j]
+                                   + h * (ahead * o->Lxv[j * d + i]
+                                          - kappa * o->fv[i * d + j])
+                                   - kappa * ahead * h * h * o->fx[i * d + j];
+        for (size_t l = 0; l < o->m; l++) {
+            o->residual[i] += o->C[l * d + i] * u[d + l];
+            o->matrix[i * n + d + l] = o->C[l * d + i];
+        }
+    }
+    for (size_t e = 0; e < o->r && is_node; e++) {
+        const double force = damper_force(o, e);
+        for (size_t i = 0; i < d; i++) {
+            const double G = h * h / 2 * o->G[e * d + i];
+            o->residual[i] += G * force;
+            for (size_t j = 0; j < d; j++)
+                o->matrix[i * n + j] +=
+                    G * o->W[e] / 2 * o->gradient[e * d + j];
+        }
+    }
+    return status;
+}
+//< residual
+
+/* Of order 1 F, the forces of velocity and the dampers act at the end of the step. */
+static int end_first_order(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_state_force *force = s->run.system->mechanism->force_on;
+    const size_t d = o->d;
+    const double h = s->run.h, t = time_of(s, s->k + 1);
+    int status = fvi_mechanism_force(s, t, o->push);
+    if (!status && force) {
+        status = force->at(t, d, s->x, o->V, force->params, o->room, NULL, NULL);
+        for (size_t i = 0; i < d; i++)
+            o->push[i] += o->room[i];
+    }
+    if (!status)
+        status = fvi_mechanism_elongations(s, t, s->x, o->z, o->G);
+    for (size_t j = 0; j < o->r; j++)
+        o->zdot[j] = o->z[j] - o->z0[j];
+    if (!status)
+        status = fvi_mechanism_push(s, t, o->zdot);
+    for (size_t i = 0; i < d; i++)
+        s->p[i] += h * (o->f[i] + o->push[i]);
+    for (size_t j = 0; j < o->r; j++) {
+        const double *G = o->G + j * d, force_now = o->lambda[j];
+        for (size_t i = 0; i < d; i++) {
+            s->p[i] -= h * force_now * G[i];
+            o->work[j] += force_now * G[i] * s->dx[i];
+        }
+        o->impulse[j] += h * force_now;
+    }
+    return status;
+}
+
+/* What is left of the multipliers: p_{k+1} keeps to the hidden constraint. */
+static int end_constraints(fvi_stepper *s, const double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const double t = time_of(s, s->k + 1), h = s->run.h;
+    for (size_t l = 0; l < o->m; l++) {
+        o->begun[l] = 2 * u[o->d + l] / (h * h);
+        for (size_t i = 0; i < o->d; i++)
+            s->p[i] -= o->C[l * o->d + i] * u[o->d + l] / h;
+    }
+    memcpy(o->v, o->V, o->d * sizeof *o->v); /* the slope of the step */
+    int status = FVI_SUCCESS;
+    if (o->m)
+        status = c->gradient(t, o->d, s->x, c->params, o->C, NULL);
+    if (!status && o->m)
+        status = fvi_mechanism_hide(s, t, s->x, o->C, s->p, o->v, o->ended);
+    for (size_t l = 0; l < o->m; l++)
+        o->ended[l] *= 2 / h;
+    return status;
+}
+
+static int end_nodes(fvi_stepper *s, const double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d;
+    const double h = s->run.h;
+    for (size_t i = 0; i < d; i++)
+        s->p[i] += h * o->f[i] + h / 2 * (o->push[i] + o->push[d + i]);
+    for (size_t j = 0; j < o->r; j++) {
+        const double force = damper_force(o, j);
+        for (size_t i = 0; i < d; i++)
+            s->p[i] -=
+                h / 2 * force * (o->G[j * d + i] + o->gradient[j * d + i]);
+        o->impulse[j] += h * force;
+        o->work[j] += force * (o->elongation[j] - o->z[j]);
+        o->zdot[j] = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
+    }
+    memcpy(o->z, o->elongation, o->r * sizeof *o->z);
+    memcpy(o->G, o->gradient, o->r * d * sizeof *o->G);
+    const int status =
+        fvi_mechanism_push(s, time_of(s, s->k) + h / 2, o->zdot);
+    return status ? status : end_constraints(s, u);
+}
+
+/* F on either side of a jump at a node, (13.12); of order 1 nothing acts at the beginning. */
+static int forces_at_ends(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const double in = 4 * GSL_DBL_EPSILON;
+    memset(o->push, 0, 2 * o->d * sizeof *o->push);
+    if (o->form == FVI_MECHANISM_FIRST_ORDER || !s->run.system->force.value)
+        return FVI_SUCCESS;
+    const int status = fvi_mechanism_force(
+        s, fmax(time_of(s, s->k) * (1 + in), GSL_DBL_MIN), o->push);
+    return status ? status
+                  : fvi_mechanism_force(s, time_of(s, s->k + 1) * (1 - in),
+                                        o->push + o->d);
+}
+
+//> step
+int fvi_mechanism_step_nodes(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d;
+    int status = forces_at_ends(s);
+    if (!status)
+        status = fvi_mechanism_expect(s);
+    if (!status) /* the last increment is the guess */
+        status = fvi_mechanism_solve(s, assemble, d, o->u);
+    if (!status)
+        status = ask(s, o->u);
+    if (!status && o->form == FVI_MECHANISM_NODES)
+        status = ask_end(s, o->u);
+    if (status)
+        return status;
+    memcpy(s->dx, o->u, d * sizeof *s->dx);
+    for (size_t i = 0; i < d; i++)
+        s->x[i] += o->u[i];
+    return o->form == FVI_MECHANISM_NODES ? end_nodes(s, o->u)
+                                          : end_first_order(s);
+}
+//< step

@@ -1,0 +1,350 @@
+/* src/mechanism/mechanism_stages.c -- Steps with stages: forms M and D of one equation. [H 29]
+ *
+ *     V = E (X - x_k) / h,     zdot = E (g(X) - g(x_k)) / h,
+ *     R_i = p_k [i = 1] + h b_i (L_x + F - G^T lambda)_i + sum_j T_ij L_v(X_j, V_j)
+ *           - h b_i C_i^T Lambda_i = 0,
+ *     p_{k+1} = p_k + sum_i h b_i (L_x + F - G^T lambda - C^T Lambda)_i:
+ *
+ * E = D and T = D^T B in form M, whose first stage is x_k; E = A^-1 and T = -B A^-1 in form D,
+ * whose stages are all unknown. (29.7), (29.8) */
+#include "mechanism_state.h"
+
+#include <gsl/gsl_machine.h>
+#include <math.h>
+#include <string.h>
+
+/* ---- tables ---- */
+
+/* l_j(t) on the nodes of the rule */
+static double lagrange(const fvi_lobatto_rule *r, size_t s, size_t j, double t)
+{
+    double l = 1;
+    for (size_t m = 0; m < s; m++)
+        if (m != j)
+            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
+    return l;
+}
+
+//> tables
+/* A^-1 is D with 1 / b_1 more in its corner, (17.3); b^T A^-1 = e_s^T, so p_{k+1} = L_v of the last
+ * stage in form D. */
+void fvi_mechanism_tables(fvi_mechanism_state *o)
+{
+    const fvi_lobatto_rule *r = o->rule;
+    const int is_m = o->form == FVI_MECHANISM_FORM_M;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->s; j++) {
+            const double corner = !is_m && i == 0 && j == 0 ? 1 / r->b[0] : 0;
+            o->E[i][j] = r->D[i][j] + corner;
+            o->T[i][j] =
+                is_m ? r->b[j] * r->D[j][i] : -r->b[i] * (r->D[i][j] + corner);
+            o->next[i][j] = lagrange(r, o->s, j, 1 + r->c[i]);
+        }
+}
+//< tables
+
+/* ---- the stages for increments u ---- */
+
+static double time_of(const fvi_stepper *s, size_t i)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    return ((double)s->k + o->rule->c[i]) * s->run.h;
+}
+
+/* From within the step at its ends: a jump at a node belongs to neither side. */
+static double inner_time(const fvi_stepper *s, size_t i)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const double h = s->run.h, left = (double)s->k * h,
+                 right = (double)(s->k + 1) * h, in = 4 * GSL_DBL_EPSILON;
+    return i == 0          ? left + in * fmax(left, h)
+           : i + 1 == o->s ? right - in * right
+                           : time_of(s, i);
+}
+
+/* The increment of stage i, coordinate j. */
+static double increment(const fvi_mechanism_state *o, const double *u, size_t i,
+                        size_t j)
+{
+    return i < o->begin ? 0 : u[(i - o->begin) * o->d + j];
+}
+
+static void place(const fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++) {
+            double V = 0;
+            for (size_t l = o->begin; l < o->s; l++)
+                V += o->E[i][l] * increment(o, u, l, j);
+            o->X[i * o->d + j] = s->x[j] + increment(o, u, i, j);
+            o->V[i * o->d + j] = V / s->run.h;
+        }
+}
+
+/* lambda of every damper at every stage. */
+static void dampers(const fvi_stepper *s)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const size_t n = o->s, r = o->r;
+    for (size_t e = 0; e < r; e++)
+        for (size_t i = 0; i < n; i++) {
+            double slope = 0;
+            for (size_t l = o->begin; l < n; l++)
+                slope += o->E[i][l] * (o->elongation[l * r + e] - o->z[e]);
+            o->zdot[e * n + i] = slope / s->run.h;
+        }
+    for (size_t e = 0; e < r; e++)
+        for (size_t i = 0; i < n; i++) {
+            double force = o->known[e * n + i];
+            for (size_t l = 0; l < n; l++)
+                force += o->W[(e * n + i) * n + l] * o->zdot[e * n + l];
+            o->lambda[e * n + i] = force;
+        }
+}
+
+/* Everything at all stages; f then has the force of t, and of the dampers. */
+static int ask(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d, r = o->r;
+    int status = FVI_SUCCESS;
+    place(s, u);
+    for (size_t i = 0; i < o->s && !status; i++) {
+        status = fvi_mechanism_point(s, i, inner_time(s, i), 1);
+        if (!status)
+            status = fvi_mechanism_elongations(s, time_of(s, i), o->X + i * d,
+                                               o->elongation + i * r,
+                                               o->gradient + i * r * d);
+    }
+    if (status)
+        return status;
+    dampers(s);
+    for (size_t i = 0; i < o->s; i++)
+        for (size_t j = 0; j < d; j++) {
+            double f = o->push[i * d + j];
+            for (size_t e = 0; e < r; e++)
+                f -= o->gradient[(i * r + e) * d + j] * o->lambda[e * o->s + i];
+            o->f[i * d + j] += f;
+        }
+    return status;
+}
+
+/* Second derivatives of elongations and constraints: what lambda and Lambda change of fx. */
+static int add_curvature(fvi_stepper *s, const double *u)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism *mechanism = s->run.system->mechanism;
+    const fvi_constraints *c = mechanism->constraints;
+    const size_t d = o->d, inner = o->s - o->begin;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->s && !status; i++) {
+        double *fx = o->fx + i * d * d;
+        const double *x = o->X + i * d, t = time_of(s, i);
+        for (size_t e = 0; e < o->r && !status; e++) {
+            const fvi_elongation *of = &mechanism->damper[e].of;
+            if (!of->row)
+                status = of->hessian(t, d, x, -o->lambda[e * o->s + i],
+                                     of->params, fx);
+        }
+        if (o->m == 0 || i + 1 == o->s || status)
+            continue;
+        for (size_t l = 0; l < o->m; l++)
+            o->room[l] = -u[inner * d + i * o->m + l]
+                         / (s->run.h * s->run.h * o->rule->b[i]);
+        status = c->hessian(t, d, x, o->room, c->params, fx);
+    }
+    return status;
+}
+
+/* ---- the equation ---- */
+
+//> row
+/* h R_i, coordinate j, but for the constraints. */
+static double residual(const fvi_stepper *s, size_t i, size_t j)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    double R = s->run.h * o->rule->b[i] * o->f[i * o->d + j]
+               + (i == 0 ? s->p[j] : 0);
+    for (size_t l = 0; l < o->s; l++)
+        R += o->T[i][l] * o->Lv[l * o->d + j];
+    return s->run.h * R;
+}
+//< row
+
+//> block
+/* The derivative of the rows of stage i by the increments of stage l, into J. */
+static void block(const fvi_stepper *s, size_t i, size_t l, double *J)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d, dd = d * d, n = o->n, r = o->r;
+    const double h = s->run.h, b = o->rule->b[i];
+    double inertia[FVI_STAGES];
+    for (size_t m = 0; m < o->s; m++)
+        inertia[m] = o->T[i][m] * o->E[m][l];
+    for (size_t a = 0; a < d; a++)
+        for (size_t c = 0; c < d; c++) {
+            const size_t at = a * d + c;
+            double sum = h * b * o->fv[i * dd + at] * o->E[i][l]
+                         + h * o->T[i][l] * o->Lxv[l * dd + c * d + a];
+            if (i == l)
+                sum += h * h * b * o->fx[i * dd + at];
+            for (size_t m = 0; m < o->s; m++)
+                sum += inertia[m] * o->Lvv[m * dd + at];
+            J[a * n + c] = sum;
+        }
+    for (size_t e = 0; e < r; e++) {
+        double WE = 0;
+        for (size_t m = 0; m < o->s; m++)
+            WE += o->W[(e * o->s + i) * o->s + m] * o->E[m][l];
+        const double *row = o->gradient + (i * r + e) * d,
+                     *column = o->gradient + (l * r + e) * d;
+        for (size_t a = 0; a < d; a++)
+            for (size_t c = 0; c < d; c++)
+                J[a * n + c] -= h * b * WE * row[a] * column[c];
+    }
+}
+//< block
+
+/* -C_i^T mu_i in the rows of stage i < s, mu_i = h^2 b_i Lambda_i; c = 0 at the next stage. */
+static int add_constraints(fvi_stepper *s, const double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t d = o->d, m = o->m, n = o->n, inner = o->s - 1;
+    double *C = o->room;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < o->s && !status; i++) {
+        const double *x = o->X + i * d, t = time_of(s, i);
+        status = c->gradient(t, d, x, c->params, C, NULL);
+        for (size_t l = 0; l < m && i < inner; l++)
+            for (size_t j = 0; j < d; j++) {
+                o->residual[i * d + j] -= C[l * d + j] * u[inner * d + i * m + l];
+                o->matrix[(i * d + j) * n + inner * d + i * m + l] =
+                    -C[l * d + j];
+            }
+        if (i == 0 || status)
+            continue;
+        const size_t row = inner * d + (i - 1) * m;
+        status = c->value(t, d, x, c->params, o->residual + row);
+        for (size_t l = 0; l < m; l++)
+            memcpy(o->matrix + (row + l) * n + (i - 1) * d, C + l * d,
+                   d * sizeof *C);
+    }
+    return status;
+}
+
+static int assemble(fvi_stepper *s, const double *u)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d, inner = o->s - o->begin;
+    int status = ask(s, u);
+    if (!status)
+        status = add_curvature(s, u);
+    if (status)
+        return status;
+    if (o->m)
+        memset(o->matrix, 0, o->n * o->n * sizeof *o->matrix);
+    for (size_t i = 0; i < inner; i++) {
+        for (size_t j = 0; j < d; j++)
+            o->residual[i * d + j] = residual(s, i, j);
+        for (size_t l = 0; l < inner; l++)
+            block(s, i, l + o->begin, o->matrix + i * d * o->n + l * d);
+    }
+    return o->m ? add_constraints(s, u) : status;
+}
+
+/* ---- a step ---- */
+
+/* The polynomial of the last step goes on; of many stages it would swing, and its last slope does. */
+static void guess(const fvi_stepper *s)
+{
+    enum { FEW = 5 };
+    const fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d;
+    for (size_t j = 0; j < d; j++) {
+        double u[FVI_STAGES], slope = 0, end = increment(o, o->u, o->s - 1, j);
+        for (size_t l = o->begin; l < o->s; l++)
+            slope += o->E[o->s - 1][l] * increment(o, o->u, l, j);
+        for (size_t i = 0; i < o->s; i++) {
+            u[i] = -end;
+            for (size_t l = 0; l < o->s; l++)
+                u[i] += o->next[i][l] * increment(o, o->u, l, j);
+            if (o->s > FEW)
+                u[i] = o->rule->c[i] * slope;
+        }
+        for (size_t i = o->begin; i < o->s; i++)
+            o->u[(i - o->begin) * d + j] = u[i];
+    }
+}
+
+/* Sums over the step: momentum, impulse and work of the dampers. */
+static void add_up(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t d = o->d, last = o->s - 1;
+    for (size_t i = 0; i < o->s; i++) {
+        const double weight = s->run.h * o->rule->b[i];
+        for (size_t j = 0; j < d; j++)
+            s->p[j] += weight * o->f[i * d + j];
+        for (size_t e = 0; e < o->r; e++) {
+            const double force = o->lambda[e * o->s + i];
+            o->impulse[e] += weight * force;
+            o->work[e] += weight * force * o->zdot[e * o->s + i];
+        }
+    }
+    memcpy(s->x, o->X + last * d, d * sizeof *s->x);
+    memcpy(o->v, o->V + last * d, d * sizeof *o->v);
+    memcpy(o->z, o->elongation + last * o->r, o->r * sizeof *o->z);
+}
+
+/* The multipliers' impulses, and the last one, from the hidden constraint. */
+static int end_constraints(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const fvi_constraints *c = s->run.system->mechanism->constraints;
+    const size_t d = o->d, m = o->m, inner = o->s - 1;
+    const double h = s->run.h, *b = o->rule->b, *mu = o->u + inner * d;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < inner && !status; i++) {
+        status = c->gradient(time_of(s, i), d, o->X + i * d, c->params, o->C,
+                             NULL);
+        for (size_t l = 0; l < m; l++)
+            for (size_t j = 0; j < d; j++)
+                s->p[j] -= o->C[l * d + j] * mu[i * m + l] / h;
+    }
+    for (size_t l = 0; l < m; l++)
+        o->begun[l] = mu[l] / (h * h * b[0]);
+    if (!status)
+        status = c->gradient(time_of(s, inner), d, s->x, c->params, o->C, NULL);
+    if (!status)
+        status = fvi_mechanism_hide(s, time_of(s, inner), s->x, o->C, s->p,
+                                    o->v, o->ended);
+    for (size_t l = 0; l < m; l++)
+        o->ended[l] /= h * b[inner];
+    return status;
+}
+
+//> step
+int fvi_mechanism_step_stages(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const size_t places = (o->s - o->begin) * o->d;
+    int status = fvi_mechanism_expect(s);
+    for (size_t i = 0; i < o->s && !status; i++)
+        status = fvi_mechanism_force(s, inner_time(s, i), o->push + i * o->d);
+    if (status)
+        return status;
+    if (s->k > 0)
+        guess(s);
+    status = fvi_mechanism_solve(s, assemble, places, o->u);
+    if (!status)
+        status = ask(s, o->u);
+    if (status)
+        return status;
+    memcpy(s->dx, o->u + places - o->d, o->d * sizeof *s->dx);
+    add_up(s);
+    status = fvi_mechanism_push(s, 0, o->zdot);
+    return status || !o->m ? status : end_constraints(s);
+}
+//< step

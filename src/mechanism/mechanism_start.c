@@ -1,0 +1,196 @@
+/* src/mechanism/mechanism_start.c -- The start, the copy and the end of a run with a mechanism. [H 29] */
+#include "mechanism_state.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fvi_has_mechanism_steps(const fvi_system *system)
+{
+    return system->mechanism && !system->matrices;
+}
+
+static void stop(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    if (!o)
+        return;
+    fvi_mechanism_free_parts(o);
+    free(o->numbers);
+    free(o->order);
+    free(o->is_massless);
+    free(o);
+}
+
+/* Every array of doubles stands in one block; those that go from step to step come first. */
+static int allocate(fvi_mechanism_state *o)
+{
+    const size_t d = o->d, r = o->r, m = o->m, n = o->n, s = o->s, q = o->q;
+    const struct {
+        double **to;
+        size_t count;
+    } arrays[] = {
+        { &o->impulse, r }, { &o->work, r }, { &o->begun, m }, { &o->ended, m },
+        { &o->v, d }, { &o->u, n }, { &o->z, r }, { &o->G, r * d },
+        { &o->C, m * d }, { &o->z0, r },
+        { &o->W, r * s * s }, { &o->known, r * s }, { &o->lambda, r * s },
+        { &o->zdot, r * s }, { &o->X, (q + 1) * d }, { &o->V, q * d },
+        { &o->f, q * d }, { &o->Lv, q * d }, { &o->fx, q * d * d },
+        { &o->fv, q * d * d }, { &o->Lxv, q * d * d }, { &o->Lvv, q * d * d },
+        { &o->push, (q + 1) * d }, { &o->elongation, q * r },
+        { &o->gradient, q * r * d }, { &o->residual, n },
+        { &o->matrix, n * n }, { &o->change, n }, { &o->trial, n },
+        { &o->room, 4 * (d + m + 1) * (d + m + 1) }
+    };
+    enum { COUNT = sizeof arrays / sizeof *arrays, SAVED = 10 };
+    size_t all = 0;
+    for (size_t i = 0; i < COUNT; i++)
+        all += arrays[i].count;
+    o->numbers = calloc(all, sizeof *o->numbers);
+    o->order = calloc(n + d + m, sizeof *o->order);
+    o->is_massless = calloc(d, 1);
+    if (!o->numbers || !o->order || !o->is_massless)
+        return FVI_ENOMEM;
+    size_t at = 0;
+    for (size_t i = 0; i < COUNT; i++) {
+        *arrays[i].to = o->numbers + at;
+        at += arrays[i].count;
+        if (i + 1 == SAVED)
+            o->saved = at;
+    }
+    return FVI_SUCCESS;
+}
+
+static int copy(const fvi_stepper *from, fvi_stepper *to);
+static int serialize(fvi_stepper *s, fvi_archive *v);
+
+/* A state, and the method with these steps, which now is the stepper's. */
+static fvi_mechanism_state *become(fvi_stepper *s, fvi_mechanism_form form)
+{
+    fvi_mechanism_state *o = calloc(1, sizeof *o);
+    if (!o)
+        return NULL;
+    o->method = *s->method;
+    o->method.step = form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D
+                         ? fvi_mechanism_step_stages
+                         : fvi_mechanism_step_nodes;
+    o->method.copy = copy;
+    o->method.serialize = serialize;
+    o->method.stop = stop;
+    o->form = form;
+    s->method_state = o;
+    s->method = &o->method;
+    return o;
+}
+
+static int make_state(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
+{
+    const fvi_mechanism *mechanism = s->run.system->mechanism;
+    fvi_mechanism_state *o = become(s, form);
+    if (!o)
+        return FVI_ENOMEM;
+    const int has_stages =
+        form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D;
+    o->d = s->run.system->d;
+    o->r = mechanism->damper_count;
+    o->m = mechanism->constraints ? mechanism->constraints->count : 0;
+    o->s = o->q = has_stages ? stages : 1;
+    o->begin = form == FVI_MECHANISM_FORM_M;
+    o->n = has_stages ? (o->s - o->begin) * (o->d + o->m) : o->d + o->m;
+    if (has_stages) {
+        o->rule = fvi_lobatto(stages);
+        fvi_mechanism_tables(o);
+    }
+    return allocate(o);
+}
+
+/* A coordinate without inertia needs a damper that stands for it: form M diverges with orders of 1 and
+ * below (29.16). */
+static int check_massless(const fvi_stepper *s, fvi_error *error)
+{
+    const fvi_mechanism_state *o = s->method_state;
+    const fvi_mechanism *mechanism = s->run.system->mechanism;
+    for (size_t i = 0; i < o->d && o->form == FVI_MECHANISM_FORM_M; i++) {
+        int is_held = !o->is_massless[i];
+        for (size_t j = 0; j < o->r; j++)
+            is_held |= o->G[j * o->d + i] != 0
+                       && fvi_kernel_growth(mechanism->damper[j].kernel) > 1;
+        if (!is_held)
+            return fvi_fail(error, FVI_EUNSUP, "mass", 0,
+                            "coordinate %zu has no inertia, and no damper of "
+                            "an order above 1: fvi-lobatto%zud takes it, and "
+                            "fvi-stable",
+                            i + 1, o->s);
+    }
+    return FVI_SUCCESS;
+}
+
+/* The first guess: the velocity goes on. */
+static void guess(fvi_stepper *s)
+{
+    fvi_mechanism_state *o = s->method_state;
+    for (size_t i = o->begin; i < o->s; i++)
+        for (size_t j = 0; j < o->d; j++)
+            o->u[(i - o->begin) * o->d + j] =
+                (o->rule ? o->rule->c[i] : 1) * s->run.h * o->v[j];
+    if (!o->rule)
+        memset(o->u + o->d, 0, o->m * sizeof *o->u);
+}
+
+int fvi_mechanism_start(fvi_stepper *s, fvi_mechanism_form form, size_t stages)
+{
+    fvi_error *error = s->error;
+    int status = fvi_mechanism_check(s->method, &s->run, error);
+    if (!status)
+        status = make_state(s, form, stages);
+    if (status)
+        return status;
+    fvi_mechanism_state *o = s->method_state;
+    status = fvi_mechanism_check_start(s, error);
+    if (!status)
+        status = fvi_mechanism_elongations(s, 0, s->x, o->z, o->G);
+    if (!status)
+        status = check_massless(s, error);
+    if (!status)
+        status = fvi_mechanism_remember(s, o->v, error);
+    if (!status)
+        guess(s);
+    return status;
+}
+
+double fvi_mechanism_bytes(const fvi_method *method, const fvi_run *run)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    const size_t s = (size_t)method->stages, r = mechanism->damper_count;
+    const double d = (double)run->system->d,
+                 q = s ? (double)s : 1, n = 2 * q * d;
+    return 8 * (n * n + 4 * q * d * d + q * d * (double)r)
+           + (double)r
+                 * (s ? fvi_lobatto_history_bytes(s, -0.5, 1, run->steps,
+                                                  run->memory, 0)
+                      : (double)fvi_history_bytes(0.5, 1, run->steps,
+                                                  run->memory, 0));
+}
+
+/* ---- copies ---- */
+
+static int copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_mechanism_state *old = from->method_state;
+    int status = make_state(to, old->form, old->s);
+    if (status)
+        return status;
+    fvi_mechanism_state *o = to->method_state;
+    memcpy(o->numbers, old->numbers, o->saved * sizeof *o->numbers);
+    memcpy(o->W, old->W, o->r * o->s * o->s * sizeof *o->W);
+    memcpy(o->is_massless, old->is_massless, o->d);
+    return fvi_mechanism_copy_parts(old, o);
+}
+
+static int serialize(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_mechanism_state *o = s->method_state;
+    const int status =
+        v->serialize(v, o->numbers, o->saved * sizeof *o->numbers, 0);
+    return status ? status : fvi_mechanism_serialize_parts(s, v);
+}

@@ -1,0 +1,132 @@
+/* src/mechanism/mechanism_state.h -- What a run with a mechanism knows at a step.  [H 29]
+ *
+ * Internal: what mechanism_start.c makes, and the steps change. */
+#ifndef FVI_MECHANISM_STATE_H
+#define FVI_MECHANISM_STATE_H
+
+#include "mechanism.h"
+#include "stages/lobatto_history.h"
+
+/* A part of a damper's kernel with a history of its own: where something is taken away from the
+ * elongation, it is from these terms of the kernel alone. */
+typedef struct {
+    size_t damper;
+    fvi_kernel kernel;
+    fvi_kernel_term *own; /* its terms, if they are a choice of the damper's; or NULL */
+    double drift;         /* t drift is taken away from z - z_0 */
+    double first;         /* the weight of the present, order 1 and nodes */
+    fvi_history *history;
+    fvi_lobatto_history *stages;
+    double *last;         /* the last term; of stages the sums over the past, s numbers */
+} fvi_mechanism_part;
+
+/* A force of the past that is known beforehand: one term of one damper. */
+typedef struct {
+    size_t damper;
+    double size; /* rho A h^(1 + e) of (19.3) */
+    fvi_kernel_impulse impulse;
+} fvi_mechanism_pull;
+
+/* d coordinates, r dampers, m constraints; stage i of coordinate j stands at [i * d + j], and q is the
+ * number of points at which a step asks the Lagrangian: s, or 1. */
+typedef struct {
+    fvi_method method; /* with these steps */
+    fvi_mechanism_form form;
+    size_t s, q, d, r, m, n; /* n unknowns */
+    const fvi_lobatto_rule *rule;
+    double E[FVI_STAGES][FVI_STAGES], T[FVI_STAGES][FVI_STAGES],
+        next[FVI_STAGES][FVI_STAGES]; /* (29.7) */
+    size_t begin;          /* the first stage that is unknown: 1 in form M */
+    size_t parts, pulls;
+    fvi_mechanism_part *part;
+    fvi_mechanism_pull *pull;
+    char *is_massless; /* of each coordinate: neither inertia nor constraint */
+
+    double *numbers; /* all that follows, in one piece */
+    size_t saved;    /* so many of them go from step to step */
+    double *impulse, *work, *begun, *ended; /* r, r, m, m */
+    double *v, *u, *z, *G, *C, *z0; /* d, n, r, r d, m d: at the node; r */
+
+    double *W; /* r of s * s (1 of nodes): the present in the force of a damper */
+    double *known, *lambda, *zdot; /* r of s */
+    double *X, *V, *f, *Lv, *fx, *fv, *Lxv, *Lvv; /* of the q points */
+    double *push, *elongation, *gradient; /* q d; q r, q r d */
+    double *residual, *matrix, *change, *trial; /* n, n n, n, n */
+    double *room; /* whatever a function needs: room_size numbers */
+    size_t *order;
+} fvi_mechanism_state;
+
+/* fvi_mechanism_of -- of a stepper that takes these steps; NULL else. */
+const fvi_mechanism_state *fvi_mechanism_of(const fvi_stepper *s);
+
+/* ---- mechanism_point.c ---- */
+
+/* fvi_mechanism_point -- L's derivatives and the forces of velocity at point number i: f, fx, fv,
+ * Lv, Lxv, Lvv of (X_i, V_i); with_forces 0 leaves the forces of velocity out. */
+int fvi_mechanism_point(fvi_stepper *s, size_t i, double t, int with_forces);
+
+/* fvi_mechanism_elongations -- z, r numbers, and G, r d numbers, of all dampers at x. */
+int fvi_mechanism_elongations(const fvi_stepper *s, double t, const double *x,
+                              double *z, double *G);
+
+/* fvi_mechanism_force -- the force of t alone at t, d numbers; zeros if there is none. */
+int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
+
+/* ---- mechanism_memory.c ---- */
+
+/* fvi_mechanism_remember -- the parts and pulls of all dampers, for a start of the velocity v. */
+int fvi_mechanism_remember(fvi_stepper *s, const double *v, fvi_error *error);
+
+/* fvi_mechanism_expect -- `known` of this step: what the forces of the dampers are but for W times the
+ * present, lambda = known + W z at the node scheme and W zdot at stages. */
+int fvi_mechanism_expect(fvi_stepper *s);
+
+/* fvi_mechanism_push -- the elongations z at the time t, less z_0, r numbers, go into the histories; or
+ * of stages zdot. Of order 1, lambda comes out. */
+int fvi_mechanism_push(fvi_stepper *s, double t, const double *z);
+
+int fvi_mechanism_copy_parts(const fvi_mechanism_state *from,
+                             fvi_mechanism_state *to);
+int fvi_mechanism_serialize_parts(fvi_stepper *s, fvi_archive *archive);
+void fvi_mechanism_free_parts(fvi_mechanism_state *o);
+
+/* ---- mechanism_newton.c ---- */
+
+/* fvi_mechanism_solve -- residual(u) = 0 for the n unknowns u, from a guess.
+ *
+ *   assemble  writes residual and matrix, the residual's Jacobian, at u
+ *   still     n numbers, a guess that is surely no bad one: where Newton's method from u fails it
+ *             begins there, with steps as long as they may be
+ *
+ * The first `places` of u are increments of coordinates. Returns FVI_SUCCESS, FVI_EMAXITER,
+ * FVI_ESING, or what assemble returned. */
+int fvi_mechanism_solve(fvi_stepper *s,
+                        int (*assemble)(fvi_stepper *s, const double *u),
+                        size_t places, double *u);
+
+/* ---- mechanism_constraints.c ---- */
+
+/* fvi_mechanism_hide -- the hidden constraint, C v + c_t = 0.                 [(29.4)]
+ *
+ *   t, x  the place     C  at x, m d numbers
+ *   p     in: a momentum; out: p - C^T w, whose velocity keeps to the constraints
+ *   v     in: a guess; out: that velocity
+ *   w     output, m numbers
+ *
+ * Without constraints v is that of p. */
+int fvi_mechanism_hide(fvi_stepper *s, double t, const double *x,
+                       const double *C, double *p, double *v, double *w);
+
+/* fvi_mechanism_check_start -- do x0 and p0 keep to the constraints, and are these independent? p
+ * loses what its roundings have against them; o->v becomes the velocity. */
+int fvi_mechanism_check_start(fvi_stepper *s, fvi_error *error);
+
+/* ---- mechanism_nodes.c, mechanism_stages.c ---- */
+
+int fvi_mechanism_step_nodes(fvi_stepper *s);
+int fvi_mechanism_step_stages(fvi_stepper *s);
+
+/* fvi_mechanism_tables -- E, T and next of the form. */
+void fvi_mechanism_tables(fvi_mechanism_state *o);
+
+#endif

@@ -1,0 +1,261 @@
+/* src/problem/mechanism_texts.c -- Lagrangians, elongations, constraints and forces of texts. [H 29] */
+#include "typed_mechanism.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The variables of an expression in one array, a gradient, and a Hessian, of n numbers each: on the
+ * stack where they are few, as every step asks. */
+enum { FEW = 17, ROOM = (FEW + 2) * FEW };
+typedef struct {
+    size_t n;
+    double *y, *gradient, *hessian, *kept, small[ROOM];
+} variables;
+
+/* x1, ..., xd; v1, ..., vd if there are any; t. Returns FVI_SUCCESS or FVI_ENOMEM. */
+static int open_variables(variables *w, const fvi_expression *e, size_t d,
+                          const double *x, const double *v, double t)
+{
+    const size_t n = w->n = fvi_expression_variables(e);
+    w->kept = n > FEW ? malloc((n + 2) * n * sizeof *w->kept) : NULL;
+    if (n > FEW && !w->kept)
+        return FVI_ENOMEM;
+    w->y = w->kept ? w->kept : w->small;
+    w->gradient = w->y + n;
+    w->hessian = w->gradient + n;
+    memcpy(w->y, x, d * sizeof *x);
+    if (v)
+        memcpy(w->y + d, v, d * sizeof *v);
+    w->y[n - 1] = t;
+    return FVI_SUCCESS;
+}
+
+static void close_variables(variables *w)
+{
+    free(w->kept);
+}
+
+static void make_hessian(variables *w, const fvi_expression *e, double factor)
+{
+    memset(w->hessian, 0, w->n * w->n * sizeof *w->hessian);
+    fvi_expression_add_hessian(e, w->y, factor, w->hessian);
+}
+
+/* Rows from `row` on and columns from `column` on, d by d, into a matrix; NULL: not wanted. */
+static void take_block(const variables *w, size_t d, size_t row, size_t column,
+                       double *to)
+{
+    for (size_t i = 0; to && i < d; i++)
+        memcpy(to + i * d, w->hessian + (row + i) * w->n + column,
+               d * sizeof *to);
+}
+
+/* ---- L ---- */
+
+static int lagrangian_at(double t, size_t d, const double *x, const double *v,
+                         void *params, double *L, double *Lx, double *Lv,
+                         double *Lxx, double *Lxv, double *Lvv)
+{
+    const fvi_expression *e = params;
+    variables w;
+    const int status = open_variables(&w, e, d, x, v, t);
+    if (status)
+        return status;
+    if (L)
+        *L = fvi_expression_value(e, w.y);
+    if (Lx || Lv)
+        fvi_expression_gradient(e, w.y, w.gradient);
+    if (Lx)
+        memcpy(Lx, w.gradient, d * sizeof *Lx);
+    if (Lv)
+        memcpy(Lv, w.gradient + d, d * sizeof *Lv);
+    if (Lxx || Lxv || Lvv)
+        make_hessian(&w, e, 1);
+    take_block(&w, d, 0, 0, Lxx);
+    take_block(&w, d, 0, d, Lxv);
+    take_block(&w, d, d, d, Lvv);
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+/* ---- elongations ---- */
+
+static int elongation_value(double t, size_t d, const double *x, void *params,
+                            double *g)
+{
+    const fvi_typed_expression *of = params;
+    variables w;
+    const int status = open_variables(&w, of->e, d, x, NULL, t);
+    if (status)
+        return status;
+    *g = fvi_expression_value(of->e, w.y);
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+/* The gradient by x, and where `rate` is not NULL the derivative by t. */
+static int slopes(double t, size_t d, const double *x,
+                  const fvi_typed_expression *of, double *G, double *rate)
+{
+    variables w;
+    const int status = open_variables(&w, of->e, d, x, NULL, t);
+    if (status)
+        return status;
+    fvi_expression_gradient(of->e, w.y, w.gradient);
+    if (G)
+        memcpy(G, w.gradient, d * sizeof *G);
+    if (rate)
+        *rate = w.gradient[d];
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+static int elongation_gradient(double t, size_t d, const double *x,
+                               void *params, double *G)
+{
+    return slopes(t, d, x, params, G, NULL);
+}
+
+static int elongation_rate(double t, size_t d, const double *x, void *params,
+                           double *rate)
+{
+    return slopes(t, d, x, params, NULL, rate);
+}
+
+static int elongation_hessian(double t, size_t d, const double *x,
+                              double factor, void *params, double *H)
+{
+    const fvi_typed_expression *of = params;
+    variables w;
+    const int status = open_variables(&w, of->e, d, x, NULL, t);
+    if (status)
+        return status;
+    make_hessian(&w, of->e, factor);
+    for (size_t i = 0; i < d; i++)
+        for (size_t j = 0; j < d; j++)
+            H[i * d + j] += w.hessian[i * w.n + j];
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+fvi_elongation fvi_elongation_of_text(fvi_typed_expression *of)
+{
+    return (fvi_elongation){ .value = elongation_value,
+                             .gradient = elongation_gradient,
+                             .hessian = elongation_hessian,
+                             .rate = elongation_rate,
+                             .params = of };
+}
+
+/* ---- constraints ---- */
+
+static int constraint_values(double t, size_t d, const double *x, void *params,
+                             double *c)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->constraints && !status; i++) {
+        fvi_typed_expression *of = &m->constraint[i];
+        if (of->index)
+            c[i] = x[of->index - 1] - fvi_expression_value(of->e, &t);
+        else
+            status = elongation_value(t, d, x, of, &c[i]);
+    }
+    return status;
+}
+
+static int constraint_gradients(double t, size_t d, const double *x,
+                                void *params, double *C, double *ct)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->constraints && !status; i++) {
+        const fvi_typed_expression *of = &m->constraint[i];
+        if (!of->index) {
+            status = slopes(t, d, x, of, C + i * d, ct ? ct + i : NULL);
+            continue;
+        }
+        memset(C + i * d, 0, d * sizeof *C);
+        C[i * d + of->index - 1] = 1;
+        if (!ct)
+            continue;
+        fvi_expression_gradient(of->e, &t, ct + i);
+        ct[i] = -ct[i];
+    }
+    return status;
+}
+
+static int constraint_hessians(double t, size_t d, const double *x,
+                               const double *factor, void *params, double *H)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    for (size_t i = 0; i < m->constraints && !status; i++)
+        if (!m->constraint[i].index)
+            status = elongation_hessian(t, d, x, factor[i], &m->constraint[i],
+                                        H);
+    return status;
+}
+
+/* ---- forces ---- */
+
+static int add_force(const fvi_typed_expression *of, double t, size_t d,
+                     const double *x, const double *v, double *F, double *Fx,
+                     double *Fv)
+{
+    const size_t i = of->index - 1;
+    variables w;
+    const int status = open_variables(&w, of->e, d, x, v, t);
+    if (status)
+        return status;
+    F[i] += fvi_expression_value(of->e, w.y);
+    if (Fx || Fv)
+        fvi_expression_gradient(of->e, w.y, w.gradient);
+    for (size_t j = 0; j < d; j++) {
+        if (Fx)
+            Fx[i * d + j] += w.gradient[j];
+        if (Fv)
+            Fv[i * d + j] += w.gradient[d + j];
+    }
+    close_variables(&w);
+    return FVI_SUCCESS;
+}
+
+static int forces_at(double t, size_t d, const double *x, const double *v,
+                     void *params, double *F, double *Fx, double *Fv)
+{
+    const fvi_typed_mechanism *m = params;
+    int status = FVI_SUCCESS;
+    memset(F, 0, d * sizeof *F);
+    if (Fx)
+        memset(Fx, 0, d * d * sizeof *Fx);
+    if (Fv)
+        memset(Fv, 0, d * d * sizeof *Fv);
+    for (size_t i = 0; i < m->forces && !status; i++)
+        status = add_force(&m->force[i], t, d, x, v, F, Fx, Fv);
+    return status;
+}
+
+/* ---- all of it ---- */
+
+void fvi_mechanism_of_texts(fvi_typed_mechanism *m)
+{
+    m->L = (fvi_lagrangian){ lagrangian_at, m->lagrangian };
+    m->F = (fvi_state_force){ forces_at, m };
+    m->c = (fvi_constraints){ .count = m->constraints,
+                              .name = m->name,
+                              .value = constraint_values,
+                              .gradient = constraint_gradients,
+                              .hessian = constraint_hessians,
+                              .params = m };
+    m->all = (fvi_mechanism){ .damper_count = m->dampers,
+                              .damper = m->damper,
+                              .lagrangian = m->lagrangian ? &m->L : NULL,
+                              .force_on = m->forces ? &m->F : NULL,
+                              .constraints = m->constraints ? &m->c : NULL };
+}
+
+const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *m)
+{
+    return &m->all;
+}

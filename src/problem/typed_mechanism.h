@@ -1,0 +1,40 @@
+/* src/problem/typed_mechanism.h -- What the texts of a mechanism have become.      [H 29] */
+#ifndef FVI_TYPED_MECHANISM_H
+#define FVI_TYPED_MECHANISM_H
+
+#include "words.h"
+
+/* An expression, and the coordinate that it is for, from 1: that on which a force acts, or that which
+ * is imposed; 0: an elongation or a constraint. */
+typedef struct {
+    fvi_expression *e;
+    size_t index;
+} fvi_typed_expression;
+
+typedef struct {
+    char *name; /* or NULL */
+    fvi_typed_expression of;
+    fvi_typed_damping law;
+    fvi_initial_history past;
+} fvi_typed_damper;
+
+struct fvi_typed_mechanism {
+    size_t d, dampers, constraints, forces;
+    fvi_expression *lagrangian;
+    fvi_typed_damper *typed;
+    fvi_damper *damper;
+    fvi_typed_expression *constraint, *force;
+    const char **name; /* of the constraints: their texts, which are the caller's */
+    fvi_lagrangian L;
+    fvi_constraints c;
+    fvi_state_force F;
+    fvi_mechanism all;
+};
+
+/* fvi_elongation_of_text -- g(x, t) of an expression. */
+fvi_elongation fvi_elongation_of_text(fvi_typed_expression *of);
+
+/* fvi_mechanism_of_texts -- m->all of what has been parsed. */
+void fvi_mechanism_of_texts(fvi_typed_mechanism *m);
+
+#endif

@@ -1,0 +1,175 @@
+/* tests/lagrangian/test_lagrangian.c -- Rows of an independent program, and what a run tells.
+ * Run alone: make test-lagrangian */
+#include "problems.h"
+#include "prototype_values.h"
+
+#include "system/larger.h"
+
+#define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
+
+enum { STEPS = 40 };
+
+static double distance(const fvi_stepper *s, size_t d, const double *x,
+                       const double *p)
+{
+    double most = 0;
+    for (size_t i = 0; i < d; i++)
+        most = larger(most, larger(fabs(s->x[i] - x[i]), fabs(s->p[i] - p[i])));
+    return most;
+}
+
+static double work_of(const fvi_stepper *s)
+{
+    double sum = 0, work;
+    for (size_t j = 0; j < s->run.system->mechanism->damper_count; j++) {
+        OK(fvi_stepper_damper(s, j, NULL, &work));
+        sum += work;
+    }
+    return sum;
+}
+
+/* Both programs round: some 1e-14 of numbers of size 1, in 40 steps. Seen 5e-14 of 1e-13. */
+START_TEST(the_rows_are_those_of_another_program)
+{
+    for (size_t i = 0; i < sizeof prototype_rows / sizeof *prototype_rows; i++) {
+        const prototype_row *row = &prototype_rows[i];
+        const mechanism_text *t = &problems[row->problem];
+        const fvi_method *method = fvi_method_find(row->method);
+        mechanism_problem p;
+        open_problem(t, &p);
+        fvi_stepper *s = stepper_at(method, &p, 0.1, STEPS, 1);
+        if (!isnan(row->x1[0]))
+            ck_assert_msg(distance(s, t->d, row->x1, row->p1) <= 1e-14,
+                          "%s, %s: row 1", t->name, method->name);
+        while (s->k < STEPS)
+            OK(fvi_stepper_step(s));
+        const double off = larger(distance(s, t->d, row->x40, row->p40),
+                                  fabs(work_of(s) - row->work));
+        ck_assert_msg(off <= 1e-13, "%s, %s: %g", t->name, method->name, off);
+        seen_worst(off, "deviation");
+        fvi_stepper_free(s);
+        close_problem(&p);
+    }
+}
+END_TEST
+
+/* What a Lagrangian of masses and a potential gives is what they give themselves. */
+START_TEST(a_potential_is_the_case_of_a_quadratic_lagrangian)
+{
+    static const mechanism_text text = { .d = 1,
+                                         .name = "duffing",
+                                         .lagrangian = "2*v^2/2 - x^2/2 - 0.7*x^4/4",
+                                         .damper = { "x : power:0.4,0.3" },
+                                         .x0 = { 1 },
+                                         .v0 = { 0.25 } };
+    const double mass = 2, none = 0, cg[] = { 1, 0.7 };
+    const fvi_kernel_term term = { FVI_KERNEL_POWER, 0.4, 0.3, 0, 0 };
+    const fvi_kernel kernel = { 1, &term };
+    const double row[] = { 1 };
+    const fvi_damper damper = { .of = fvi_elongation_row(row), .kernel = &kernel };
+    const fvi_mechanism mechanism = { .damper_count = 1, .damper = &damper };
+    mechanism_problem p, q;
+    open_problem(&text, &p);
+    q = p;
+    q.system = (fvi_system){ .d = 1,
+                             .mass = &mass,
+                             .damping = &none,
+                             .potential = fvi_potential_duffing(cg),
+                             .mechanism = &mechanism };
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint,
+                                          &fvi_lobatto_m3, &fvi_lobatto_d3 };
+    for (int m = 0; m < 4; m++) {
+        fvi_stepper *a = stepper_at(methods[m], &p, 0.1, 100, 100),
+                    *b = stepper_at(methods[m], &q, 0.1, 100, 100);
+        double E, F, v;
+        ck_assert_msg(distance(a, 1, b->x, b->p) <= 1e-14, "%s",
+                      methods[m]->name);
+        OK(fvi_stepper_energy(a, &E));
+        OK(fvi_stepper_energy(b, &F));
+        ck_assert_double_eq_tol(E, F, 1e-14);
+        OK(fvi_stepper_velocity(a, &v));
+        ck_assert_double_eq_tol(v, a->p[0] / 2, 1e-15);
+        fvi_stepper_free(a);
+        fvi_stepper_free(b);
+    }
+    close_problem(&p);
+}
+END_TEST
+
+static int append(char **at, const void *data, size_t bytes)
+{
+    memcpy(*at, data, bytes);
+    *at += bytes;
+    return 0;
+}
+
+typedef struct {
+    fvi_archive archive;
+    char *at, *room;
+    int writes;
+} saved;
+
+static int serialize(fvi_archive *archive, void *data, size_t bytes, int constant)
+{
+    saved *to = (saved *)archive;
+    if (!to->writes)
+        return append(&to->at, data, bytes);
+    if (!constant)
+        memcpy(data, to->at, bytes);
+    else if (memcmp(data, to->at, bytes) != 0)
+        return -1;
+    to->at += bytes;
+    return 0;
+}
+
+/* A copy, a reset and a state that was saved go on with the same digits. */
+START_TEST(a_run_can_be_forked_saved_and_begun_again)
+{
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint,
+                                          &fvi_lobatto_m3, &fvi_lobatto_d3 };
+    for (int m = 0; m < 4; m++)
+        for (int i = 0; i < PROBLEMS; i++) {
+            if (i == ROD && (m == 0 || m == 3))
+                continue;
+            const size_t d = problems[i].d;
+            mechanism_problem p;
+            open_problem(&problems[i], &p);
+            fvi_stepper *s = stepper_at(methods[m], &p, 0.05, 300, 150), *fork,
+                        *other = stepper_at(methods[m], &p, 0.05, 300, 0);
+            OK(fvi_stepper_copy(s, &fork));
+            saved to = { .archive = { serialize }, .room = malloc(1 << 20) };
+            to.at = to.room;
+            OK(fvi_stepper_archive(s, &to.archive));
+            to.at = to.room;
+            to.writes = 1;
+            OK(fvi_stepper_archive(other, &to.archive));
+            free(to.room);
+            double x[2], p1[2], work = 0;
+            while (s->k < 300)
+                OK(fvi_stepper_step(s));
+            memcpy(x, s->x, d * sizeof *x);
+            memcpy(p1, s->p, d * sizeof *x);
+            work = work_of(s);
+            OK(fvi_stepper_reset(s));
+            fvi_stepper *const again[] = { s, fork, other };
+            for (int a = 0; a < 3; a++) {
+                while (again[a]->k < 300)
+                    OK(fvi_stepper_step(again[a]));
+                ck_assert_mem_eq(again[a]->x, x, d * sizeof *x);
+                ck_assert_mem_eq(again[a]->p, p1, d * sizeof *x);
+                ck_assert(work_of(again[a]) == work);
+                fvi_stepper_free(again[a]);
+            }
+            close_problem(&p);
+        }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("lagrangian");
+    ADD_CASE(suite, "rows", the_rows_are_those_of_another_program,
+             a_potential_is_the_case_of_a_quadratic_lagrangian,
+             a_run_can_be_forked_saved_and_begun_again);
+    return run_suite(suite);
+}
