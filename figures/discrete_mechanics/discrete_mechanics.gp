@@ -3,7 +3,7 @@
 width = 900; height = 440
 load 'figures/style.gp'
 unset key
-set multiplot layout 1,2 margins 0.085,0.985,0.14,0.91 spacing 0.09
+set multiplot layout 1,2 margins 0.1,0.985,0.14,0.91 spacing 0.09
 
 set title "a spring: the energy over 100 000 steps"
 set xlabel "step k"
