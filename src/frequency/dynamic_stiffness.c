@@ -75,7 +75,8 @@ static int make_places(fvi_response *r)
     return FVI_SUCCESS;
 }
 
-/* The union of all patterns; what has less than three quarters of zeros is solved as dense. */
+/* The union of all patterns; what is small, or has less than three quarters of zeros, is solved as
+ * dense. */
 static int find_pattern(fvi_response *r)
 {
     const size_t d = r->d;
@@ -89,7 +90,7 @@ static int find_pattern(fvi_response *r)
     if (status)
         return status;
     const size_t entries = (size_t)r->start[d];
-    r->is_dense = 4 * entries > d * d;
+    r->is_dense = d <= FVI_ALWAYS_DENSE || 4 * entries > d * d;
     r->Z = malloc((2 * entries + (r->is_dense ? d * d : 0)) * sizeof *r->Z);
     if (!r->Z)
         return FVI_ENOMEM;

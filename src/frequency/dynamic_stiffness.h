@@ -9,6 +9,9 @@
 
 #include <complex.h>
 
+/* Up to so many unknowns Z has dense factors, and a determinant. */
+enum { FVI_ALWAYS_DENSE = 24 };
+
 /* A matrix of the sum: M, K or a B_j. An entry e of it stands at place[e] of the sum's. */
 typedef struct {
     fvi_sparse own;          /* empty where the matrix is the caller's */

@@ -81,7 +81,7 @@ static int has_own_poles(const fvi_kernel *kernel)
 
 size_t fvi_poles_counted(fvi_response *r, double low, double high)
 {
-    if (r->d > FVI_COUNTED_POLES)
+    if (r->d > FVI_ALWAYS_DENSE)
         return SIZE_MAX;
     for (size_t l = 2; l < r->terms; l++)
         if (has_own_poles(r->term[l].kernel))

@@ -4,9 +4,6 @@
 
 #include "dynamic_stiffness.h"
 
-/* Up to so many unknowns poles are counted, by determinants of full matrices. */
-enum { FVI_COUNTED_POLES = 24 };
-
 /* fvi_poles_by_theorem -- nonzero if (30.7) says that there are d: K is positive definite, and the
  * symbols of all dampings are in one half plane on the upper side of the cut, and not negative. */
 int fvi_poles_by_theorem(const fvi_response *response, double least_lambda);
@@ -15,7 +12,7 @@ int fvi_poles_by_theorem(const fvi_response *response, double least_lambda);
  *
  *   low, high  ln |s| between which they are
  *
- * Returns their number, or SIZE_MAX if it is not known: of more unknowns than FVI_COUNTED_POLES,
+ * Returns their number, or SIZE_MAX if it is not known: of more unknowns than FVI_ALWAYS_DENSE,
  * with a symbol that has poles of its own, or where a zero is on the boundary. */
 size_t fvi_poles_counted(fvi_response *response, double low, double high);
 

@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_pole_is_found(const fvi_pole_candidate *p)
+int fvi_pole_is_found(const fvi_pole_candidate *p, double widest)
 {
-    return p->residual < 1e-12 && cimag(p->s) > 0
-           && creal(p->s) <= 1e-10 * cabs(p->s);
+    return p->residual < 1e-12 && p->uncancelled < 0.01 && cimag(p->s) > 0
+           && creal(p->s) <= 1e-10 * cabs(p->s) && carg(p->s) < widest;
 }
 
 /* ---- products of vectors; x^T y is without conjugation ---- */
@@ -113,12 +113,34 @@ static int turn_shape(fvi_response *r, double complex *s, double complex *v,
     return status;
 }
 
-static double residual_at(fvi_response *r, double complex s,
-                          const double complex *v, double complex *room)
+/* |A v| of one term. */
+static double norm_of_product(const fvi_sparse *A, const double complex *v)
 {
-    fvi_stiffness_at(r, s, 1);
-    fvi_stiffness_multiply(r, r->Z, v, room);
-    return norm(r->d, room) / (fvi_stiffness_norm(r, s) * norm(r->d, v));
+    double square = 0;
+    for (size_t j = 0; j < A->n; j++) {
+        double complex sum = 0;
+        for (int e = A->start[j]; e < A->start[j + 1]; e++)
+            sum += A->entry[e] * v[A->row[e]];
+        square += creal(sum * conj(sum));
+    }
+    return sqrt(square);
+}
+
+static void judge(fvi_response *r, fvi_pole_candidate *p, double complex *room)
+{
+    double parts = 0;
+    for (size_t l = 0; l < r->terms; l++) {
+        const double complex factor =
+            l == 0   ? p->s * p->s
+            : l == 1 ? 1
+                     : fvi_kernel_at(r->term[l].kernel, p->s, NULL);
+        parts += cabs(factor) * norm_of_product(r->term[l].matrix, p->v);
+    }
+    fvi_stiffness_at(r, p->s, 1);
+    fvi_stiffness_multiply(r, r->Z, p->v, room);
+    const double left = norm(r->d, room);
+    p->residual = left / (fvi_stiffness_norm(r, p->s) * norm(r->d, p->v));
+    p->uncancelled = left / parts;
 }
 
 //> newton
@@ -142,7 +164,13 @@ static int newton_with(fvi_response *r, fvi_pole_candidate *p,
         if (status || !isfinite(step))
             break;
     }
-    p->residual = residual_at(r, p->s, p->v, room);
+    judge(r, p, room);
+    if (p->residual > 4 * DBL_EPSILON && p->residual < 1e-6) { /* s was first */
+        const int status = turn_shape(r, &p->s, p->v, room);
+        if (status == FVI_ENOMEM)
+            return status;
+        judge(r, p, room);
+    }
     return FVI_SUCCESS;
 }
 //< newton

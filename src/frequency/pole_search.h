@@ -4,14 +4,15 @@
 
 #include "dynamic_stiffness.h"
 
-/* A pole on its way: s, d numbers v, the residual of fvi_poles. */
+/* A pole on its way: s, d numbers v, the residual of fvi_poles, and |Z v| over what it is summed
+ * from, which is 1 where nothing cancels: near s = 0, say. */
 typedef struct {
     double complex s, *v;
-    double residual;
+    double residual, uncancelled;
 } fvi_pole_candidate;
 
-/* fvi_pole_is_found -- is it a pole that oscillates? */
-int fvi_pole_is_found(const fvi_pole_candidate *p);
+/* fvi_pole_is_found -- is it a pole that oscillates, with arg s < widest? */
+int fvi_pole_is_found(const fvi_pole_candidate *p, double widest);
 
 /* fvi_pole_newton -- from s and v, which have some digits, to a pole near them.   (30.9)
  * Returns FVI_SUCCESS, whether it is one or not, or FVI_ENOMEM. */

@@ -22,6 +22,7 @@ enum {
 typedef struct {
     fvi_response *response;
     size_t d, n, room, count;
+    int all_are_there; /* by the theorem */
     double *lambda, *mode;
     fvi_pole_candidate *candidate;
     double complex *shapes;
@@ -59,6 +60,12 @@ static void begin(search *s, size_t k)
     p->residual = 1;
 }
 
+/* Where poles may become real, those that are so nearly are not counted as oscillations. */
+static int is_found(const search *s, size_t k)
+{
+    return fvi_pole_is_found(&s->candidate[k], s->all_are_there ? 4 : 3.14);
+}
+
 /* ---- two at one pole ---- */
 
 /* |x^* y| over the product of the norms. */
@@ -88,41 +95,55 @@ static int are_one(const search *s, size_t j, size_t k)
 }
 
 /* Candidates that are no pole, or one that another has found, too: their marks become 1. */
-static size_t mark_wrong(const search *s, unsigned char *wrong)
+static void mark_wrong(const search *s, unsigned char *wrong)
 {
-    size_t count = 0;
     for (size_t k = 0; k < s->n; k++)
-        wrong[k] = !fvi_pole_is_found(&s->candidate[k]);
+        wrong[k] = !is_found(s, k);
     for (size_t k = 0; k < s->n; k++)
         for (size_t j = 0; j < k; j++)
             if (are_one(s, j, k))
                 wrong[j] = wrong[k] = 1;
-    for (size_t k = 0; k < s->n; k++)
-        count += wrong[k];
-    return count;
 }
 
-/* From each mode to a pole; where that does not give as many poles as modes, along the damping, in
- * shorter and shorter steps. */
+static const double tight[] = { 1, 0.3, 0.1, 0.03, 0.01 };
+enum { LEVELS = sizeof tight / sizeof *tight, LEVELS_OF_SOME = 2 };
+
+/* Of those that are wrong the ones that were sought with the least care: along the damping, or in
+ * shorter steps. What is found may show that another one was wrong. Returns 1 if there was one. */
+static int seek_again(search *s, const unsigned char *wrong,
+                      unsigned char *level, int *status)
+{
+    const unsigned char most = s->all_are_there ? LEVELS : LEVELS_OF_SOME;
+    unsigned char least = most;
+    for (size_t k = 0; k < s->n; k++)
+        if (wrong[k] && s->lambda[k] > 0 && level[k] < least)
+            least = level[k];
+    if (least == most)
+        return 0;
+    for (size_t k = 0; !*status && k < s->n; k++) {
+        if (!wrong[k] || !(s->lambda[k] > 0) || level[k] > least)
+            continue;
+        begin(s, k);
+        *status = fvi_pole_follow(s->response, tight[least], &s->candidate[k]);
+        level[k]++;
+    }
+    return !*status;
+}
+
+/* From each mode to a pole. */
 static int search_from_modes(search *s)
 {
-    static const double tight[] = { 1, 0.3, 0.1, 0.03 };
-    unsigned char *wrong = calloc(s->n, 1);
+    unsigned char *wrong = calloc(2 * s->n, 1);
     int status = wrong ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t k = 0; !status && k < s->n; k++) {
         begin(s, k);
         if (s->candidate[k].s != 0)
             status = fvi_pole_newton(s->response, &s->candidate[k]);
     }
-    for (size_t i = 0; !status && i < sizeof tight / sizeof *tight; i++) {
-        if (mark_wrong(s, wrong) == 0)
+    while (!status) {
+        mark_wrong(s, wrong);
+        if (!seek_again(s, wrong, wrong + s->n, &status))
             break;
-        for (size_t k = 0; !status && k < s->n; k++) {
-            if (!wrong[k] || !(s->lambda[k] > 0))
-                continue;
-            begin(s, k);
-            status = fvi_pole_follow(s->response, tight[i], &s->candidate[k]);
-        }
     }
     free(wrong);
     s->count = s->n;
@@ -182,7 +203,7 @@ static int search_of_one(search *s)
         s->candidate[k].s = pole[k].s;
         s->candidate[k].v[0] = 1;
         fvi_stiffness_at(s->response, pole[k].s, 1);
-        s->candidate[k].residual =
+        s->candidate[k].residual = s->candidate[k].uncancelled =
             cabs(r->Z[0]) / fvi_stiffness_norm(r, pole[k].s);
     }
     return status;
@@ -202,7 +223,7 @@ static void keep_poles(search *s)
 {
     size_t kept = 0;
     for (size_t k = 0; k < s->count; k++) {
-        int is_new = fvi_pole_is_found(&s->candidate[k]);
+        int is_new = is_found(s, k);
         for (size_t j = 0; is_new && j < kept; j++)
             is_new = !are_one(s, j, k);
         if (is_new) {
@@ -250,7 +271,7 @@ static void normalise(search *s, double complex *room)
 /* By the theorem, by (26.11), or counted. */
 static size_t expected(const search *s, int all_of_one)
 {
-    if (fvi_poles_by_theorem(s->response, s->lambda[0]))
+    if (s->all_are_there)
         return s->d;
     if (all_of_one)
         return s->count;
@@ -308,6 +329,7 @@ static int find(search *s, size_t count, fvi_poles *poles)
     if (status)
         return status;
     round_modes(r, s->n, s->lambda);
+    s->all_are_there = fvi_poles_by_theorem(r, s->lambda[0]);
     if (s->d == 1)
         status = search_of_one(s);
     const int all_of_one = s->count > 0;

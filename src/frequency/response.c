@@ -5,16 +5,34 @@
 #include "system/fail.h"
 #include "system/newton.h"
 
+#include <fvi/dampers.h>
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* A Lagrangian of its own, forces of velocity and constraints are not made linear. */
+static int check_mechanism(const fvi_mechanism *m, fvi_error *error)
+{
+    const char *field = !m                ? NULL
+                        : m->lagrangian   ? "lagrangian"
+                        : m->force_on     ? "force"
+                        : m->constraints ? "constraint"
+                                          : NULL;
+    return field ? fvi_fail(error, FVI_EUNSUP, field, NAN,
+                            "only masses, a potential and dampers are made "
+                            "linear")
+                 : FVI_SUCCESS;
+}
 
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
                        fvi_error *error)
 {
     if (!motion || !motion->system || !response)
         return fvi_fail(error, FVI_EFAULT, "system", NAN, "null pointer");
-    int status = fvi_system_check_any(motion->system, error);
+    int status = check_mechanism(motion->system->mechanism, error);
+    if (!status)
+        status = fvi_system_check_any(motion->system, error);
     if (status)
         return status;
     for (size_t i = 0; motion->at && i < motion->system->d; i++)

@@ -33,7 +33,7 @@ extern "C" {
 /* fvi_linear_motion -- what is linear, or is made so.
  *
  *   system  masses, potential, dampings; or matrices that say their entries (structures.h); and
- *           its mechanism, if it has one (dampers.h). Its force is not read
+ *           the dampers of its mechanism, if it has one (dampers.h). Its force is not read
  *   alpha   0 <= alpha <= 1: each damping rho_i acts by s^{2 alpha}; not read with a law
  *   law     NULL; or C(s) in place of s^{2 alpha}
  *   at      d numbers, the place at which the potential and elongations are made linear; NULL: 0.
@@ -53,11 +53,11 @@ typedef struct fvi_response fvi_response;
  *   motion    is read here; what its system, laws and matrices point to must outlive the response
  *   response  output; free it with fvi_response_free
  *
- * Matrices are solved with sparse factors (UMFPACK) if three quarters of their entries or more
- * are zero, else with dense ones.
+ * More than 24 unknowns are solved with sparse factors (UMFPACK) if three quarters of the entries or
+ * more are zero, else with dense ones.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM or FVI_EINVAL, with the field,
  * for what the system, alpha, a law or a damper must not be; FVI_EUNSUP for matrices that do not
- * say their entries; FVI_EBADFUNC if a Hessian or an elongation is not finite; what these
+ * say their entries, and for a Lagrangian, forces of velocity and constraints; FVI_EBADFUNC if a Hessian or an elongation is not finite; what these
  * functions returned; FVI_ENOMEM. On error *response is untouched. */
 int fvi_response_alloc(const fvi_linear_motion *motion, fvi_response **response,
                        fvi_error *error);

@@ -62,7 +62,7 @@ static inline void point_into(linear_system *s)
         s->damper[j] = (fvi_damper){ .of = fvi_elongation_row(s->row[j]),
                                      .kernel = &s->kernel[j] };
     }
-    s->mechanism = (fvi_mechanism){ s->dampers, s->damper };
+    s->mechanism = (fvi_mechanism){ .damper_count = s->dampers, .damper = s->damper };
     s->system = (fvi_system){ .d = s->d, .mass = s->mass, .damping = s->none,
                               .potential = { .value = value,
                                              .gradient = gradient,

@@ -46,7 +46,7 @@ START_TEST(eq_30_1_dampings_of_a_system_are_dampers)
     double row[2][3] = { { sqrt(0.5) }, { 0, 0, 0.5 } };
     const fvi_damper two[] = { { .of = fvi_elongation_row(row[0]), .kernel = &law },
                                { .of = fvi_elongation_row(row[1]), .kernel = &law } };
-    const fvi_mechanism mechanism = { 2, two };
+    const fvi_mechanism mechanism = { .damper_count = 2, .damper = two };
     fvi_system plain = s.system, damped = s.system;
     plain.mechanism = NULL;
     plain.damping = rho;
@@ -94,7 +94,7 @@ START_TEST(eq_30_1_is_linear_around_a_place)
     const fvi_damper strut = { .of = { .value = distance,
                                        .gradient = distance_gradient },
                                .kernel = &kernel };
-    const fvi_mechanism mechanism = { 1, &strut };
+    const fvi_mechanism mechanism = { .damper_count = 1, .damper = &strut };
     const fvi_system system = { .d = 2, .mass = mass, .damping = none,
                                 .potential = fvi_potential_duffing(cg),
                                 .mechanism = &mechanism };
@@ -145,7 +145,7 @@ START_TEST(sparse_and_dense_factors_agree)
     fvi_kernel_term term = { FVI_KERNEL_POWER, 1, 0.25, 0, 0 };
     const fvi_kernel kernel = { 1, &term };
     const fvi_damper damper = { .of = fvi_elongation_row(all), .kernel = &kernel };
-    const fvi_mechanism mechanism = { 1, &damper };
+    const fvi_mechanism mechanism = { .damper_count = 1, .damper = &damper };
     system.mechanism = &mechanism;
     fvi_response *dense = response_of(&motion);
     ck_assert_int_eq(dense->is_dense, 1);
