@@ -101,6 +101,11 @@ static const double ref_paper[] = {
     0x1.2fd0adc71cae8p-1, /* 72883/122825 */
 };
 
+static const struct { double alpha, x; } ref_no_kick[] = {
+    { 0.25, -0x1.486b0db991ap-2 },
+    { 0.75, 0x1.437ab833a8632p-3 },
+};
+
 /* (12b): h = 1, kappa = 1/2, alpha = 1/4 */
 static const double ref_second_x[] = {
     0x1p+0, /* 1 */

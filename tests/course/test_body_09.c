@@ -38,9 +38,38 @@ START_TEST(eq_9b_where_0_940_comes_from)
 }
 END_TEST
 
+/* From zero the error is the kick, and its order is 1 - 2 alpha; a held body has order 1. */
+START_TEST(eq_9b_fractional_orders)
+{
+    static double want[2401];
+    static const struct { double alpha; fvi_initial_history before; double order; } row[] = {
+        { 0.25, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.486 },
+        { 0.4, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, 0.193 },
+        { 0.25, FVI_INITIAL_HISTORY_HELD, 0.928 },
+    };
+    rho = 0.2, p0 = 0.5, kappa = 0.5;
+    for (size_t i = 0; i < LEN(row); i++) {
+        double X[5], Y[5];
+        alpha = row[i].alpha, past = row[i].before == FVI_INITIAL_HISTORY_HELD ? HELD : RL, h = 0.1;
+        for (int j = 0; j < 5; j++, h /= 2) {
+            int N = 150 << j;
+            const fvi_linear_oscillator body = { .m = 1, .c = 1, .rho = rho, .alpha = alpha, .past = row[i].before, .x0 = 1, .v0 = 0.5 };
+            double largest = 0;
+            ck_assert_int_eq(fvi_exact_grid(&body, h, (size_t)N, 0, want, NULL, NULL), FVI_SUCCESS);
+            run(N);
+            for (int k = 0; k <= N; k++)
+                largest = worse(largest, fabs(x[k] - want[k]));
+            X[j] = log(h), Y[j] = log(largest);
+        }
+        ck_assert_near(slope(5, X, Y), row[i].order, 0.0006, "row %zu", i);
+    }
+    past = HELD, rho = 0.5, p0 = 0, alpha = 0.25;
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("stage 09");
-    ADD_CASE(suite, "the experiments", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_9a_the_papers_oscillator, eq_9b_the_slope_of_a_line, eq_9b_where_0_940_comes_from);
+    ADD_CASE(suite, "the experiments", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_9a_the_papers_oscillator, eq_9b_the_slope_of_a_line, eq_9b_where_0_940_comes_from, eq_9b_fractional_orders);
     return run_suite(suite);
 }

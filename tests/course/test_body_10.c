@@ -18,6 +18,18 @@ START_TEST(eq_10c_the_longest_stable_step)
 }
 END_TEST
 
+/* Beyond the longest step the path grows by the factor r at which masses, spring and damping
+ * balance; after 100 steps the rest of the motion is some 1e-9 of it. */
+START_TEST(eq_10c_the_factor_of_growth)
+{
+    kappa = 0.5, h = 3.4;
+    run(100);
+    double r = -x[100] / x[99], masses = (1 + r) * (1 + r) / r, spring = h * h * c / 4 * (r - 1) * (r - 1) / r;
+    ck_assert_near(r, 1.255, 0.0005, "r");
+    ck_assert_near(masses + spring, rho * pow(h, 2 - 2 * alpha) * pow(1 + 1 / r, 2 * alpha), 1e-8, "balance");
+}
+END_TEST
+
 /* (10d): above alpha = 1/2 velocities are summed; the pasts are as before. */
 START_TEST(eq_10d_velocities_make_the_same_run)
 {
@@ -35,6 +47,6 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("stage 10");
-    ADD_CASE(suite, "how wrong, and how long a step", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_10c_the_longest_stable_step, eq_10d_velocities_make_the_same_run);
+    ADD_CASE(suite, "how wrong, and how long a step", eq_6d_the_steps_by_hand, eq_6d_seven_alphas, eq_10b_the_orders, eq_8b_three_pasts_are_one_at_one_half, eq_10c_the_longest_stable_step, eq_10c_the_factor_of_growth, eq_10d_velocities_make_the_same_run);
     return run_suite(suite);
 }

@@ -7,10 +7,14 @@ Proved here:
         generic U, symbolic m, h, rho, kappa, and weights of which nothing is known but that
         the weights of order 2 alpha are those of order alpha, twice;
   (6d)  a run of (6c) and (6d) has residuals 0;
-  (8d)  at alpha = 1/2 the exact motion of the mass m - rho h/2 satisfies a step of the free
-        body up to a relative h^2, and the motion of the mass m only up to h;
+  (7b)  what the program's momentum lacks is the kick: without it the runs from zero tend to
+        the motion with the transform (s + p0)/(s^2 + 1 + rho s^(2 alpha));
+  (8d)  at alpha = 1/2 and kappa = 1/2 a step for the mass m is the midpoint rule for the mass
+        m - rho h/2, for a generic U; the motion of the mass m satisfies it only up to h;
   (10c) at the longest stable step of the running body, h = 2^(5/3), the load is 1;
   (12a) the delay alpha h disappears if theta = alpha.
+  (12, at its end)  the derivative of x_3 by rho is a sum over a second body that starts at 0
+        with the momentum 1 and is read backwards, for every rho.
 Printed: the runs of the stages by the definition, as fractions where h = 1, else with 50
 digits by double sums over binomial coefficients."""
 from fractions import Fraction as Q
@@ -97,9 +101,11 @@ met = next_momentum.subs(momentum, before) + diff(lagrangian(X[k + 1], X[k + 2])
 prove("(6d) the run empties the residual at k + 1", (met - residual(X, k + 1)).doit())
 
 
-# A free body at alpha = 1/2: m d_{k+1}/h = (m/h - rho) d_k, so a step damps d by 1 - rho h/m.
-prove("(8d) the mass m - rho h/2 is right to second order",
-      series(1 - rho * h / m - sympy_exp(-rho * h / (m - rho * h / 2)), h, 0, 3).removeO())
+# alpha = kappa = 1/2: (6c) gives the momentum before the step, (8b) the one after it.
+d, slope_mid = symbols("d slope_mid")
+p_before = m * d / h + h * slope_mid / 2
+p_after = p_before - h * slope_mid - rho * d
+prove("(8d) M d/h is the mean of the two momenta", (m - rho * h / 2) * d / h - (p_before + p_after) / 2)
 claim("(8d) the mass m is not", series(1 - rho * h / m - sympy_exp(-rho * h / m), h, 0, 3).removeO() != 0)
 
 # (10c) of the running body, kappa = 1/2: 4^alpha rho h^(2 - 2 alpha) / m = 4.
@@ -148,6 +154,12 @@ def run(order, steps, h, kappa, rho, x0=1, p0=0, past="held", theta=0, half=0, u
         p.append(r - h * (x[k] + (1 - kappa) * d) - unit * (1 - half + theta) * (still + d))
     return x, p
 
+
+R, one_ = Symbol("R"), Rational(1)
+x_, _ = run(one_ / 2, 3, one_, one_, R, x0=one_, p0=0 * one_)
+y_, _ = run(one_ / 2, 3, one_, one_, R, x0=0 * one_, p0=one_)
+H_ = [sum(b * (x_[k - n] - 1) for n, b in enumerate(weights_of(one_ / 2, k + 1))) for k in range(3)]
+prove("the second body gives the derivative by rho", diff(x_[3], R) + sum(y_[3 - k] * H_[k] for k in (1, 2)))
 
 header("verify/course/course.py")
 one, half = Q(1), Q(1, 2)
@@ -209,6 +221,11 @@ array("ref_friction", run(one, 4, one, one, half)[0], "alpha = 1/2, h = kappa = 
 array("ref_once", [sum(weights_of(half, 3)[n] * v[j - n] for n in range(j + 1))
                    for v in [[one, Q(0), -half]] for j in range(3)], "half a derivative of 1, 0, -1/2")
 array("ref_paper", run(one, 3, half, half, Q(1, 5), p0=half, unit=Q(1, 5))[0], "the paper's oscillator, h = 1/2")
+mpmath.mp.dps = 30
+table("ref_no_kick", "double alpha, x;",
+      [[a, hexd_real(lambda digits: mpmath.nstr(mpmath.invertlaplace(
+          lambda s: (s + 0.5) / (s * s + 1 + s ** (2 * mpmath.mpf(a)) / 2), 2, method="talbot", degree=60), digits))]
+       for a in (0.25, 0.75)])
 x, p = run(half, 3, one, half, half, theta=Q(1, 4), half=half)
 array("ref_second_x", x, "(12b): h = 1, kappa = 1/2, alpha = 1/4")
 array("ref_second_p", p)
