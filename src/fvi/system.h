@@ -101,6 +101,24 @@ typedef struct {
                  double *most);
 } fvi_force;
 
+/* fvi_damping_matrix -- one symmetric C = S B^T that is not negative, as functions. [(27.4)]
+ *
+ *   remembered  r >= 0: z = B^T x are the r numbers that a run remembers. 0: the functions are
+ *              not called
+ *   remember   writes B^T x - from to z, r numbers each; none is another
+ *   damp       takes a S z away from the d numbers p
+ *   params     handed to the functions, owned by the caller
+ *
+ * The functions return 0, or a code as those of a potential do. */
+typedef struct {
+    size_t remembered;
+    int (*remember)(size_t d, const double *x, const double *from,
+                    const void *params, double *z);
+    int (*damp)(size_t d, double a, const double *z, const void *params,
+                double *p);
+    const void *params;
+} fvi_damping_matrix;
+
 /* fvi_matrices -- M, C and K of a linear system                          [H 27]
  *
  *     M x'' + C D^{2 alpha} x + K x = F(t),                               (27.1)
@@ -123,6 +141,9 @@ typedef struct {
  *   params     handed to the functions, owned by the caller
  *   M, K, C    NULL; or the entries of these matrices (structures.h), C NULL without damping, for
  *              those who ask for responses and poles (response.h)
+ *   damper_count, damper  0 and NULL; or the matrices of as many dampers, each with a kernel of
+ *              its own in the system's mechanism (dampers.h). Then there is no C, and
+ *   factorise_dampers  as factorise, of m M + sum_j c_j C_j + k K
  *
  * The functions return 0, or a code as those of a potential do. */
 struct fvi_sparse;
@@ -142,6 +163,10 @@ typedef struct {
                   const void *params, double *E);
     const void *params;
     const struct fvi_sparse *M, *K, *C;
+    size_t damper_count;
+    const fvi_damping_matrix *damper;
+    int (*factorise_dampers)(size_t d, double m, const double *c, double k,
+                             const void *params, void **factors);
 } fvi_matrices;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and

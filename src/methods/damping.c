@@ -12,25 +12,70 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- which dampers a run has ---- */
+
+size_t fvi_run_damper_count(const fvi_run *run)
+{
+    const fvi_mechanism *mechanism = run->system->mechanism;
+    return mechanism ? mechanism->damper_count : 1;
+}
+
+static fvi_run_damper one_power(double rho, double alpha)
+{
+    return (fvi_run_damper){ .alpha = alpha, .rho = rho, .growth = 2 * alpha };
+}
+
+static fvi_run_damper of_kernel(const fvi_kernel *law)
+{
+    return (fvi_run_damper){ .law = law, .rho = 1, .growth = fvi_kernel_growth(law) };
+}
+
+fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
+{
+    const fvi_system *system = run->system;
+    const fvi_matrices *m = system->matrices;
+    fvi_run_damper damper = run->law ? of_kernel(run->law) : one_power(1, run->alpha);
+    damper.past = run->past;
+    if (system->mechanism) {
+        const fvi_damper *of = system->mechanism->damper + j;
+        const fvi_kernel_term *term = of->kernel->term;
+        damper = of->kernel->count == 1 && term->kind == FVI_KERNEL_POWER
+                     ? one_power(term->rho, term->alpha)
+                     : of_kernel(of->kernel);
+        damper.past = of->past;
+    }
+    if (m)
+        damper.matrix = system->mechanism
+                            ? m->damper[j]
+                            : (fvi_damping_matrix){ m->remembered, m->remember,
+                                                    m->damp, m->params };
+    return damper;
+}
+
+/* ---- one damping ---- */
+
 void fvi_damping_free(fvi_damping *d)
 {
-    if (!d)
-        return;
-    fvi_history_free(d->memory);
-    free(d->index);
-    free(d->factor);
-    free(d->H);
-    free(d);
+    while (d) {
+        fvi_damping *next = d->next;
+        fvi_history_free(d->memory);
+        free(d->index);
+        free(d->factor);
+        free(d->H);
+        free(d);
+        d = next;
+    }
 }
 
 /* Zeros for the numbers of `count` coordinates. */
-static int damping_alloc(const fvi_system *system, size_t count,
+static int damping_alloc(const fvi_system *system, const fvi_run_damper *of, size_t count,
                          fvi_damping **damping)
 {
     fvi_damping *d = *damping = calloc(1, sizeof *d);
     if (!d)
         FVI_FAIL("no memory for the damping", FVI_ENOMEM);
     d->system = system;
+    d->of = *of;
     d->count = count;
     d->all = count == system->d && !system->matrices;
     d->index = malloc((system->matrices ? 1 : count) * sizeof *d->index);
@@ -54,15 +99,16 @@ fvi_delta fvi_damping_quadrature(const fvi_method *method)
 static int law_of(const fvi_stepper *s, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
+    const fvi_kernel *law = d->of.law;
     double first = 0;
-    fvi_shifted_kernel shifted = { run->law, run->h, fvi_shifted_theta(run->law) };
+    fvi_shifted_kernel shifted = { law, run->h, fvi_shifted_theta(law) };
     const fvi_kernel_function function = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 },
                                            fvi_shifted_symbol,
                                            &shifted };
     const fvi_kernel corrected = fvi_kernel_of_function(&function);
     const int is_itself = s->method->scheme != FVI_SCHEME_CQ2_SHIFTED
-                          || fvi_shifted_is_itself(run->law);
-    int status = fvi_kernel_history(is_itself ? run->law : &corrected,
+                          || fvi_shifted_is_itself(law);
+    int status = fvi_kernel_history(is_itself ? law : &corrected,
                                 fvi_damping_quadrature(s->method),
                                 run->h, d->count, run->steps, run->memory,
                                 run->tolerance, &first, &d->memory);
@@ -84,8 +130,8 @@ static void subtract(size_t n, const double *x, const double *from, double *z)
 int fvi_damping_gather(const fvi_damping *d, const double *x,
                        const double *from, double *z)
 {
-    const fvi_matrices *m = d->system->matrices;
-    if (m)
+    const fvi_damping_matrix *m = &d->of.matrix;
+    if (m->remember)
         return m->remember(d->system->d, x, from, m->params, z);
     if (d->all)
         subtract(d->count, x, from, z);
@@ -122,14 +168,14 @@ int fvi_damping_update_history(fvi_damping *d, double *H)
 int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
                      double *p)
 {
-    const fvi_matrices *m = d->system->matrices;
+    const fvi_damping_matrix *m = &d->of.matrix;
     if (d->all) {
 #pragma omp simd
         for (size_t j = 0; j < d->count; j++)
             p[j] -= share * d->factor[j] * H[j];
         return FVI_SUCCESS;
     }
-    if (m)
+    if (m->damp)
         return m->damp(d->system->d, share * d->factor[0], H, m->params, p);
     for (size_t j = 0; j < d->count; j++)
         p[d->index[j]] -= share * d->factor[j] * H[j];
@@ -154,13 +200,13 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
 
 /* ---- the start ---- */
 
-/* How many are remembered. */
-static size_t damped(const fvi_system *system)
+/* How many numbers the damper remembers. */
+static size_t damped(const fvi_system *system, const fvi_run_damper *of)
 {
     const fvi_linearised *linearised = fvi_linearised_of(system);
     size_t count = 0;
     if (system->matrices)
-        return system->matrices->remembered;
+        return of->matrix.remembered;
     if (linearised && linearised->remembers_all)
         return system->d;
     for (size_t i = 0; i < system->d; i++)
@@ -172,7 +218,6 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
 {
     const fvi_run *run = &s->run;
     const fvi_system *system = run->system;
-    const double order = 2 * run->alpha;
     d->count = 0;
     //> start
     for (size_t i = 0; i < system->d; i++) {
@@ -183,7 +228,7 @@ static void begin(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d
         d->factor[j] = system->damping[i] * d->unit;
         if (past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
             d->origin[j] = s->x[i]; /* (9.6) */
-        if (past == FVI_INITIAL_HISTORY_CAPUTO && order > 1)
+        if (past == FVI_INITIAL_HISTORY_CAPUTO && d->of.growth > 1)
             d->drift[j] = run->h * s->p[i] / system->mass[i];
         d->z[j] = d->dz[j] = s->x[i] - d->origin[j]; /* the term k = 0 */
     }
@@ -200,23 +245,15 @@ static int keep_sums(fvi_damping *d, int by_order)
     return FVI_SUCCESS;
 }
 
-int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
-                      fvi_damping **damping)
+/* The history of one damper, with its first term. */
+static int start_one(const fvi_stepper *s, fvi_initial_history past, fvi_damping *d)
 {
     const fvi_run *run = &s->run;
     const fvi_linearised *linearised = fvi_linearised_of(run->system);
-    const size_t count = damped(run->system);
-    if (linearised && linearised->from_zero)
-        past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    *damping = NULL;
-    if (count == 0) /* nothing damped: no memory at all */
-        return FVI_SUCCESS;
-    int status = damping_alloc(run->system, count, damping);
-    if (status)
-        return status;
-    fvi_damping *d = *damping;
-    d->increments = run->law || 2 * run->alpha >= 1;
-    d->unit = run->law ? run->h : pow(run->h, 1 - 2 * run->alpha);
+    const double order = 2 * d->of.alpha;
+    int status = FVI_SUCCESS;
+    d->increments = d->of.law || order >= 1;
+    d->unit = d->of.law ? run->h : d->of.rho * pow(run->h, 1 - order);
     if (linearised)
         status = keep_sums(d, linearised->by_order);
     if (status)
@@ -227,35 +264,65 @@ int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
         begin(s, past, d);
     if (status)
         return status;
-    status = run->law
+    status = d->of.law
                  ? law_of(s, d)
                  : (d->Hdot ? fvi_history_alloc_by_order : fvi_history_alloc)(
-                     2 * run->alpha, count, run->steps, run->memory,
+                     order, d->count, run->steps, run->memory,
                      run->tolerance, &d->memory);
-    if (!status)
-        status = fvi_damping_update_history(d, d->dz);
+    return status ? status : fvi_damping_update_history(d, d->dz);
+}
+
+int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping)
+{
+    const fvi_run *run = &s->run;
+    const fvi_linearised *linearised = fvi_linearised_of(run->system);
+    int status = FVI_SUCCESS;
+    *damping = NULL;
+    for (size_t j = 0; !status && j < fvi_run_damper_count(run); j++) {
+        const fvi_run_damper of = fvi_run_damper_of(run, j);
+        const size_t count = damped(run->system, &of);
+        const fvi_initial_history past =
+            linearised && linearised->from_zero ? FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
+            : is_caputo                         ? FVI_INITIAL_HISTORY_CAPUTO
+                                                : of.past;
+        if (count == 0) /* nothing damped: no memory at all */
+            continue;
+        status = damping_alloc(run->system, &of, count, damping);
+        if (!status)
+            status = start_one(s, past, *damping);
+        if (*damping)
+            damping = &(*damping)->next;
+    }
     return status;
 }
 
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to)
 {
     *to = NULL;
-    if (!from)
-        return FVI_SUCCESS;
-    int status = damping_alloc(from->system, from->count, to);
-    if (status)
-        return status;
-    (*to)->increments = from->increments;
-    if (!from->system->matrices)
-        memcpy((*to)->index, from->index, from->count * sizeof *from->index);
-    memcpy((*to)->factor, from->factor, 5 * from->count * sizeof *from->factor);
-    return fvi_history_copy(from->memory, &(*to)->memory);
+    for (; from; from = from->next, to = &(*to)->next) {
+        int status = damping_alloc(from->system, &from->of, from->count, to);
+        if (status)
+            return status;
+        (*to)->increments = from->increments;
+        if (!from->system->matrices)
+            memcpy((*to)->index, from->index, from->count * sizeof *from->index);
+        memcpy((*to)->factor, from->factor,
+               5 * from->count * sizeof *from->factor);
+        status = fvi_history_copy(from->memory, &(*to)->memory);
+        if (status)
+            return status;
+    }
+    return FVI_SUCCESS;
 }
 
 /* z and dz are of one step only. A term came in at the start, and one in each step. */
 int fvi_damping_archive(fvi_damping *d, size_t k, fvi_archive *v)
 {
-    const int status = d ? fvi_history_archive(d->memory, v) : FVI_SUCCESS;
-    return status || !d ? status
-                        : fvi_check_count(fvi_history_terms(d->memory), k + 1);
+    int status = FVI_SUCCESS;
+    for (; d && !status; d = d->next) {
+        status = fvi_history_archive(d->memory, v);
+        if (!status)
+            status = fvi_check_count(fvi_history_terms(d->memory), k + 1);
+    }
+    return status;
 }

@@ -4,16 +4,36 @@
 #ifndef FVI_DAMPING_H
 #define FVI_DAMPING_H
 
+#include <fvi/dampers.h>
 #include <fvi/trajectory.h>
 
+/* What a damper of a run is: the only one, of alpha or of the law of the run, or one of several
+ * of a mechanism. A law that is one power is a power here: its history is that of an alpha, to
+ * the bit, and so are its impulses of the past. */
 typedef struct {
+    const fvi_kernel *law; /* NULL: the kernel is rho s^{2 alpha}, and alpha is read */
+    double alpha, rho;
+    double growth;         /* its kernel is like |s|^growth for large s */
+    fvi_initial_history past;
+    fvi_damping_matrix matrix; /* remember is NULL: coordinates, each with its own rho */
+} fvi_run_damper;
+
+/* fvi_run_damper_count -- how many dampers a run has.
+ * fvi_run_damper_of -- damper j of them. */
+size_t fvi_run_damper_count(const fvi_run *run);
+fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
+
+/* The history of one damper, and of those behind it. */
+typedef struct fvi_damping {
+    struct fvi_damping *next; /* of the next damper; owned */
+    fvi_run_damper of;
     size_t count;   /* how many coordinates have rho > 0 */
     int all;        /* is that every one, and are there no matrices? */
     int increments; /* does the memory sum dz, and not z? */
     size_t *index;  /* which; not used with matrices */
-    double *factor; /* rho h^(1 - 2 alpha) of each; with matrices rho is 1 */
+    double *factor; /* rho h^(1 - 2 alpha) of each; with matrices of all */
     double *origin; /* x_0 of each, 0 for Riemann-Liouville */
-    double *drift;  /* Caputo, 2 alpha > 1: h v_0 of each, else 0 */
+    double *drift;  /* Caputo, growth > 1: h v_0 of each, else 0 */
     double unit;    /* h^(1 - 2 alpha), or h w_0 of a law: factor is rho of it */
     double *z, *dz; /* x - origin and its increment, gathered */
     double *H;      /* of a linearised run: the last sums, else NULL, */
@@ -26,10 +46,15 @@ typedef struct {
  * solve of the matrices returned. */
 int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 
-/* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of a system with
- * matrices. Returns FVI_SUCCESS, or what their functions returned. */
+/* fvi_damping_begin_matrices -- factor, origin, drift and the term k = 0 of one damper of a system
+ * with matrices. Returns FVI_SUCCESS, or what their functions returned. */
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *damping);
+
+/* fvi_damping_multiply -- y += factor C x, d numbers each. Returns FVI_SUCCESS; FVI_ENOMEM; what
+ * the matrix returned. */
+int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
+                         const double *x, double *y);
 
 /* fvi_damping_gather -- what is remembered of x, less `from`, to z: x_i - from_i of the damped
  * coordinates, or B^T x - from.  Returns FVI_SUCCESS, or what remember returned. */
@@ -49,30 +74,30 @@ int fvi_damping_update_history(fvi_damping *damping, double *H);
 int fvi_damping_apply_force(const fvi_damping *damping, double share, const double *H,
                      double *p);
 
-/* fvi_damping_start -- a memory of order 2 alpha that knows the term k = 0.
+/* fvi_damping_start -- the histories of all dampers, which know the term k = 0.
  *
  *   s        a stepper at k = 0
- *   past     of the memory; s->run.past is not read, nor is past where a linearised run
- *            begins at 0: then that is all that its memory knows
- *   damping  output; NULL, and no memory at all, if nothing is damped
+ *   is_caputo  nonzero: their pasts are Caputo's, as the method adds by impulses what another
+ *            past has besides; zero: each has its own. Where a linearised run begins at 0
+ *            neither is read: that is all that its history knows
+ *   damping  output: the first of them; NULL, and no memory at all, if nothing is damped
  *
- * Returns FVI_SUCCESS; what fvi_history_alloc returns; FVI_ENOMEM. After an error
- * what was made so far is in *damping: free it in any case. */
-int fvi_damping_start(const fvi_stepper *s, fvi_initial_history past,
-                      fvi_damping **damping);
+ * Returns FVI_SUCCESS; what fvi_history_alloc and fvi_kernel_history return; FVI_ENOMEM. After
+ * an error what was made so far is in *damping: free it in any case. */
+int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
 
-/* fvi_damping_of -- the damping of a stepper of Algorithm 3, or of a method of order 2; or
- * NULL. */
+/* fvi_damping_of -- the first damping of a stepper of Algorithm 3, or of a method of order 2;
+ * or NULL. */
 const fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
-/* fvi_damping_copy -- the same again, memory included; NULL of NULL.
+/* fvi_damping_copy -- all of them again, memory included; NULL of NULL.
  * Returns FVI_SUCCESS or FVI_ENOMEM; errors as above. */
 int fvi_damping_copy(const fvi_damping *from, fvi_damping **to);
 
 /* fvi_damping_archive -- what k steps have changed, as fvi_stepper_archive; nothing of NULL. */
 int fvi_damping_archive(fvi_damping *damping, size_t k, fvi_archive *archive);
 
-/* fvi_damping_free -- give everything back. NULL is allowed. */
+/* fvi_damping_free -- give all of them back. NULL is allowed. */
 void fvi_damping_free(fvi_damping *damping);
 
 /* fvi_damping_quadrature -- of the weights of a law: those of the method, but fvi_cq2_midpoint

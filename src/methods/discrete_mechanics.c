@@ -80,9 +80,9 @@ int fvi_variational_solver(fvi_stepper *s)
 {
     const fvi_run *run = &s->run;
     const size_t d = run->system->d;
-    const double history_force = run->kappa * run->h;
+    const double spring = run->kappa * run->h;
     if (run->system->matrices)
-        return fvi_newton_matrices_alloc(run->system, 1 / run->h, 0, history_force,
+        return fvi_newton_matrices_alloc(run->system, 1 / run->h, NULL, spring,
                                          1 - run->kappa, &s->newton);
     double *A = malloc(d * sizeof *A);
     if (!A)
@@ -90,7 +90,7 @@ int fvi_variational_solver(fvi_stepper *s)
     for (size_t i = 0; i < d; i++)
         A[i] = run->system->mass[i] / run->h;
     int status =
-        fvi_newton_alloc(run->system, A, history_force, 1 - run->kappa, &s->newton);
+        fvi_newton_alloc(run->system, A, spring, 1 - run->kappa, &s->newton);
     free(A);
     return status;
 }

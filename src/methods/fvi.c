@@ -19,7 +19,7 @@ static int start_fractional(fvi_stepper *s)
     int status = fvi_variational_solver(s);
     if (status)
         return status;
-    status = fvi_damping_start(s, s->run.past, &d);
+    status = fvi_damping_start(s, 0, &d);
     s->method_state = d;
     return status;
 }
@@ -43,13 +43,18 @@ static int serialize_fractional(fvi_stepper *s, fvi_archive *v)
 }
 
 //> damp
-/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1} */
+/* p_{k+1} -= h rho Delta_-^alpha Delta_-^alpha x_{k+1}, of every damper */
 static int damp(fvi_stepper *s, fvi_damping *d)
 {
-    int status = fvi_damping_terms(d, s);
-    if (!status)
-        status = fvi_damping_update_history(d, d->z);
-    return status ? status : fvi_damping_apply_force(d, 1, d->z, s->p);
+    int status = FVI_SUCCESS;
+    for (; d && !status; d = d->next) {
+        status = fvi_damping_terms(d, s);
+        if (!status)
+            status = fvi_damping_update_history(d, d->z);
+        if (!status)
+            status = fvi_damping_apply_force(d, 1, d->z, s->p);
+    }
+    return status;
 }
 //< damp
 
@@ -67,7 +72,7 @@ static int step_fractional(fvi_stepper *s)
         s->x[i] += s->dx[i];
         s->p[i] += h * (s->F[i] - s->g[i]);
     }
-    return s->method_state ? damp(s, s->method_state) : FVI_SUCCESS; /* (9.4) */
+    return damp(s, s->method_state); /* (9.4) */
 }
 //< step
 

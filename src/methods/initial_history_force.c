@@ -7,32 +7,94 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_initial_history_force_start(const fvi_stepper *s, size_t n, const double *c,
-                   fvi_initial_history_force *history_force)
+/* The impulses for an amplitude of 1, and what their size is besides rho A. */
+static int prepare(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
+                   const double *c, fvi_initial_history_force *force, double *unit)
 {
-    const fvi_run *run = &s->run;
-    const fvi_system *system = run->system;
-    history_force->size = NULL;
-    if (system->matrices)
-        return fvi_initial_history_force_of_matrices(s, n, c, history_force);
-    for (size_t i = 0; i < system->d; i++) {
-        const double A = fvi_initial_history_amplitude(run->past, run->alpha, s->x[i],
-                                            s->p[i] / system->mass[i]);
-        if (A == 0 || system->damping[i] == 0)
-            continue;
-        if (!history_force->size) { /* the first that is pulled */
-            history_force->size = calloc(system->d, sizeof *history_force->size);
-            if (!history_force->size)
-                FVI_FAIL("no memory for the past", FVI_ENOMEM);
-            fvi_kernel_impulse_prepare(run->alpha, n, c, &history_force->initial_impulse);
-        }
-        history_force->size[i] = system->damping[i] * A
-                        * pow(run->h, 1 + history_force->initial_impulse.e); /* (19.3) */
-    }
+    *unit = 1;
+    if (damper->law)
+        return fvi_impulses_of_kernel_alloc(damper->law, s->run.h, &force->of_law);
+    fvi_kernel_impulse_prepare(damper->alpha, n, c, &force->initial_impulse);
+    *unit = pow(s->run.h, 1 + force->initial_impulse.e); /* (19.3) */
     return FVI_SUCCESS;
 }
 
-int fvi_initial_history_force_copy(const fvi_initial_history_force *from, size_t d, fvi_initial_history_force *to)
+/* size = unit rho A, or unit rho C A. */
+static int set_size(const fvi_system *system, const fvi_run_damper *damper, double unit,
+                    const double *A, double *size)
+{
+    if (system->matrices)
+        return fvi_damping_multiply(&damper->matrix, system->d, damper->rho * unit, A,
+                                    size);
+    for (size_t i = 0; i < system->d; i++)
+        size[i] = system->damping[i] * A[i] * unit;
+    return FVI_SUCCESS;
+}
+
+static int is_zero(size_t d, const double *v)
+{
+    for (size_t i = 0; i < d; i++)
+        if (v[i] != 0)
+            return 0;
+    return 1;
+}
+
+static int start(const fvi_stepper *s, const fvi_run_damper *damper, size_t n,
+                 const double *c, double *A, fvi_initial_history_force *force)
+{
+    const fvi_system *system = s->run.system;
+    double unit;
+    int status = fvi_initial_history_amplitudes(system, damper, s->x, s->p, A);
+    if (status || is_zero(system->d, A))
+        return status;
+    force->size = calloc(system->d, sizeof *force->size);
+    if (!force->size)
+        return FVI_ENOMEM;
+    status = prepare(s, damper, n, c, force, &unit);
+    if (!status)
+        status = set_size(system, damper, unit, A, force->size);
+    if (!status && is_zero(system->d, force->size))
+        fvi_initial_history_force_stop(force);
+    return status;
+}
+
+int fvi_initial_history_force_start(const fvi_stepper *s, const fvi_run_damper *damper,
+                                    size_t n, const double *c,
+                                    fvi_initial_history_force *force)
+{
+    *force = (fvi_initial_history_force){ 0 };
+    double *A = calloc(s->run.system->d, sizeof *A);
+    const int status = A ? start(s, damper, n, c, A, force) : FVI_ENOMEM;
+    free(A);
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the past", FVI_ENOMEM);
+    return status;
+}
+
+int fvi_initial_history_amplitudes(const fvi_system *system,
+                                   const fvi_run_damper *damper, const double *x0,
+                                   const double *p0, double *A)
+{
+    int status = FVI_SUCCESS;
+    if (damper->growth > 1) /* else no velocity is asked for */
+        status = fvi_damping_velocity(system, p0, A);
+    for (size_t i = 0; !status && i < system->d; i++)
+        A[i] = fvi_initial_history_amplitude(damper->past, damper->growth / 2, x0[i],
+                                             A[i]);
+    return status;
+}
+
+void fvi_initial_history_force_impulses(const fvi_initial_history_force *force, size_t k,
+                                        double *impulse)
+{
+    if (force->of_law)
+        fvi_impulses_of_kernel_at(force->of_law, k, impulse);
+    else
+        fvi_kernel_impulses(&force->initial_impulse, k, impulse);
+}
+
+int fvi_initial_history_force_copy(const fvi_initial_history_force *from, size_t d,
+                                   fvi_initial_history_force *to)
 {
     *to = (fvi_initial_history_force){ .initial_impulse = from->initial_impulse };
     if (!from->size)
@@ -41,5 +103,14 @@ int fvi_initial_history_force_copy(const fvi_initial_history_force *from, size_t
     if (!to->size)
         FVI_FAIL("no memory for the past", FVI_ENOMEM);
     memcpy(to->size, from->size, d * sizeof *to->size);
-    return FVI_SUCCESS;
+    return from->of_law ? fvi_impulses_of_kernel_copy(from->of_law, &to->of_law)
+                        : FVI_SUCCESS;
+}
+
+void fvi_initial_history_force_stop(fvi_initial_history_force *force)
+{
+    fvi_impulses_of_kernel_free(force->of_law);
+    free(force->size);
+    force->of_law = NULL;
+    force->size = NULL;
 }

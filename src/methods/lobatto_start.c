@@ -23,7 +23,7 @@ static void stop_lobatto(fvi_stepper *s)
     fvi_lobatto_history_free(o->memory);
     free(o->share);
     free(o->M);
-    free(o->history_force.size);
+    fvi_initial_history_force_stop(&o->history_force);
     free(o->index);
     free(o);
 }
@@ -178,7 +178,10 @@ static int start(fvi_stepper *s, size_t stages, int damped)
     if (s->run.law) /* it acts on V as it is: nothing pulls */
         s->run.alpha = 0.5;
     find_damped(s, o);
-    status = fvi_initial_history_force_start(s, stages, o->rule->c, &o->history_force);
+    const fvi_run_damper damper = fvi_run_damper_of(&s->run, 0);
+    status = s->run.law ? FVI_SUCCESS
+                        : fvi_initial_history_force_start(s, &damper, stages, o->rule->c,
+                                                          &o->history_force);
     if (!status)
         status = prepare(s, o);
     if (!status && damped)

@@ -50,15 +50,17 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
 
 /* fvi_newton_matrices_alloc -- prepare (2.10) with matrices:              [(27.3)]
  *
- *     (m M + c C) d + s K (x + theta d) = r
+ *     (m M + sum_j c_j C_j) d + s K (x + theta d) = r
  *
  *   system    with matrices
- *   m, c      finite, m > 0, c >= 0
+ *   m         finite, > 0
+ *   c         a number for C, or one for each of the dampers of the matrices, finite, >= 0;
+ *             copied; NULL: no damping
  *   s, theta  finite
  *
- * m M + c C + s theta K is factorised here, once. Returns FVI_SUCCESS; FVI_EDOM if a
- * number is out of range; FVI_ENOMEM; what factorise returned. */
-int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
+ * The matrix of d is factorised here, once. Returns FVI_SUCCESS; FVI_EDOM if a number is out of
+ * range; FVI_ENOMEM; what factorise returned. */
+int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *c,
                               double s, double theta, fvi_newton **newton);
 
 /* fvi_system_check_any -- as fvi_system_check, but matrices are welcome: FVI_EFAULT if one of

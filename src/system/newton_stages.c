@@ -252,13 +252,28 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
 
 /* ---- with matrices ---- */
 
-int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
+/* m M + sum_j c_j C_j + k K. */
+static int factorise_matrices(fvi_newton *n, double k)
+{
+    const fvi_matrices *m = n->system->matrices;
+    return m->damper_count > 0
+               ? m->factorise_dampers(n->system->d, n->m, n->c, k, m->params,
+                                      &n->factors)
+               : m->factorise(n->system->d, n->m, *n->c, k, m->params, &n->factors);
+}
+
+int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *c,
                               double s, double theta, fvi_newton **newton)
 {
-    if (!(m > 0 && c >= 0 && gsl_finite(m + c)) || !gsl_finite(s * theta))
+    const size_t d = system->d, dampers = system->matrices->damper_count,
+                 count = dampers > 0 ? dampers : 1;
+    int in_range = m > 0 && gsl_finite(m) && gsl_finite(s * theta);
+    for (size_t j = 0; j < count; j++)
+        in_range = in_range && (!c || (c[j] >= 0 && gsl_finite(c[j])));
+    if (!in_range)
         FVI_FAIL("m, c, s and theta must be finite", FVI_EDOM);
     fvi_newton *n = calloc(1, sizeof *n);
-    double *block = malloc((1 + system->d) * sizeof *block);
+    double *block = calloc(1 + d + count, sizeof *block);
     if (!n || !block) {
         free(n);
         free(block);
@@ -268,14 +283,14 @@ int fvi_newton_matrices_alloc(const fvi_system *system, double m, double c,
                        .q = 1,
                        .theta = theta,
                        .m = m,
-                       .c = c,
+                       .c = block + 1 + d,
                        .A = block,
                        .s = block,
                        .point = block + 1 };
     *n->s = s;
-    const fvi_matrices *matrices = system->matrices;
-    int status = matrices->factorise(system->d, m, c, s * theta,
-                                     matrices->params, &n->factors);
+    if (c)
+        memcpy(n->c, c, count * sizeof *c);
+    const int status = factorise_matrices(n, s * theta);
     if (status)
         fvi_newton_free(n);
     else

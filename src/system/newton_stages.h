@@ -28,7 +28,7 @@ struct fvi_newton {
     size_t first;    /* for linearised.h alone: which stage of a step is stage 0 here; */
     int has_factors; /* is J there already, and stays? */
     int callback_status;                 /* what a callback returned, if not 0 */
-    double m, c;                /* with matrices: of (27.3), s being *s, */
+    double m, *c;               /* with matrices: of (27.3), s being *s, */
     void *factors;              /* and what they made of them */
 };
 

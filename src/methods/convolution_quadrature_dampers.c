@@ -1,0 +1,208 @@
+/* src/methods/convolution_quadrature_dampers.c -- The dampers of a run of order 2.   [H 13] */
+#include "convolution_quadrature_dampers.h"
+
+#include "system/fail.h"
+#include "system/newton.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const fvi_damping *fvi_damping_of(const fvi_stepper *s)
+{
+    const fvi_cq_state *o = s->method_state;
+    return s->method->paper_convention ? s->method_state : o->damping;
+}
+
+void fvi_cq_stop(fvi_stepper *s)
+{
+    fvi_cq_state *o = s->method_state;
+    if (!o)
+        return;
+    for (size_t j = 0; j < o->count; j++) {
+        free(o->each[j].H);
+        fvi_initial_history_force_stop(&o->each[j].history_force);
+    }
+    fvi_damping_free(o->damping);
+    free(o->each);
+    free(o->r);
+    free(o);
+}
+
+/* H and ahead of a damper, and past if there is a factor. */
+static size_t rows(const fvi_cq_damper *o)
+{
+    return (2 + 2 * o->taps) * o->damping->count;
+}
+
+static int make_rows(fvi_cq_damper *o)
+{
+    const size_t count = o->damping->count;
+    o->H = calloc(rows(o), sizeof *o->H);
+    if (!o->H)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    o->ahead = o->H + count;
+    o->past = o->ahead + count;
+    return FVI_SUCCESS;
+}
+
+/* The dampers of o->damping, which know no more than that. */
+static int make_dampers(fvi_cq_state *o)
+{
+    size_t count = 0;
+    for (const fvi_damping *d = o->damping; d; d = d->next)
+        count++;
+    o->each = calloc(count + 1, sizeof *o->each);
+    if (!o->each)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    for (fvi_damping *d = o->damping; d; d = d->next)
+        o->each[o->count++].damping = d;
+    return FVI_SUCCESS;
+}
+
+static fvi_cq_state *make_state(fvi_stepper *s)
+{
+    fvi_cq_state *o = s->method_state = calloc(1, sizeof *o);
+    if (o)
+        o->r = calloc(s->run.system->d, sizeof *o->r);
+    return o && o->r ? o : NULL;
+}
+
+static int copy_damper(const fvi_cq_damper *from, size_t d, fvi_cq_damper *to)
+{
+    fvi_damping *own = to->damping;
+    *to = *from;
+    to->damping = own;
+    to->H = to->ahead = to->past = NULL;
+    int status = fvi_initial_history_force_copy(&from->history_force, d,
+                                                &to->history_force);
+    if (!status)
+        status = make_rows(to);
+    if (!status)
+        memcpy(to->H, from->H, rows(to) * sizeof *to->H);
+    return status;
+}
+
+int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to)
+{
+    const fvi_cq_state *old = from->method_state;
+    fvi_cq_state *o = make_state(to);
+    if (!o)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    o->kappa = old->kappa;
+    int status = fvi_damping_copy(old->damping, &o->damping);
+    if (!status)
+        status = make_dampers(o);
+    for (size_t j = 0; !status && j < o->count; j++)
+        status = copy_damper(old->each + j, from->run.system->d, o->each + j);
+    return status;
+}
+
+static int serialize_damper(fvi_cq_damper *o, fvi_archive *v)
+{
+    int status = v->serialize(v, &o->place, sizeof o->place, 0);
+    if (!status && o->place > 0 && o->place >= o->taps)
+        FVI_FAIL("not a place among the last terms", FVI_EINVAL);
+    return status ? status : v->serialize(v, o->H, rows(o) * sizeof *o->H, 0);
+}
+
+int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v)
+{
+    fvi_cq_state *o = s->method_state;
+    int status = FVI_SUCCESS;
+    for (size_t j = 0; !status && j < o->count; j++)
+        status = serialize_damper(o->each + j, v);
+    return status ? status : fvi_damping_archive(o->damping, s->k, v);
+}
+
+/* What stands before d of (13.10) for the force of a damper: in D_{k+1} the weight w_0 = 1
+ * stands before x_{k+1}. */
+static double present(const fvi_cq_damper *o)
+{
+    return o->theta * fvi_cq_first_weight(o);
+}
+
+/* (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper that remembers nothing has
+ * no c. */
+static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
+{
+    const fvi_run *run = &s->run;
+    const size_t count = fvi_run_damper_count(run);
+    double *c = calloc(count + 1, sizeof *c);
+    if (!c)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    for (size_t j = 0, i = 0; j < count && i < o->count; j++)
+        if (fvi_run_damper_of(run, j).matrix.remembered > 0) {
+            c[j] = present(o->each + i) * *o->each[i].damping->factor;
+            i++;
+        }
+    const int status = fvi_newton_matrices_alloc(
+        run->system, 1 / run->h, c, o->kappa * run->h, 1 - o->kappa, &s->newton);
+    free(c);
+    return status;
+}
+
+/* A d + s grad U(x + (1 - kappa) d) = r with A = m/h + theta rho h^(1-2 alpha) g_0. (13.10) */
+static int solver(fvi_stepper *s, const fvi_cq_state *o)
+{
+    const fvi_run *run = &s->run;
+    if (run->system->matrices)
+        return matrix_solver(s, o);
+    for (size_t i = 0; i < run->system->d; i++)
+        o->r[i] = run->system->mass[i] / run->h;
+    for (size_t j = 0; j < o->count; j++) {
+        const fvi_damping *d = o->each[j].damping;
+        for (size_t i = 0; i < d->count; i++)
+            o->r[d->index[i]] += present(o->each + j) * d->factor[i];
+    }
+    return fvi_newton_alloc(run->system, o->r, o->kappa * run->h, 1 - o->kappa,
+                            &s->newton);
+}
+
+/* The factor of (13.16): the mean of the last two, by which D^{2 alpha} becomes half a
+ * step earlier than it is, less alpha of a step; of a law half a step, alpha being 0
+ * (26.15). Returns how many terms it has. */
+static size_t two_taps(double alpha, double *g)
+{
+    g[0] = 0.5 + alpha;
+    g[1] = 0.5 - alpha;
+    return g[1] == 0 ? 0 : 2;
+}
+
+/* The weight of the later end of a step, and the factor of the weights. */
+static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
+{
+    const fvi_run_damper *of = &o->damping->of;
+    o->increments = of->law ? of->growth > 1 : of->growth >= 1;
+    if (scheme == FVI_SCHEME_CQ2_SHIFTED)
+        o->theta = of->growth / 2;
+    if (scheme == FVI_SCHEME_CQ_BDF2 && !of->law)
+        o->taps = fvi_cq_bdf2_factor(2 * of->alpha, o->g);
+    if (scheme != FVI_SCHEME_CQ2_MIDPOINT)
+        return;
+    o->theta = 0.5;
+    o->taps = two_taps(of->law ? 0 : of->alpha, o->g);
+}
+
+static int start_damper(const fvi_stepper *s, fvi_cq_damper *o)
+{
+    static const double ends[] = { 0, 1 };
+    choose_scheme(s->method->scheme, o);
+    const int status = make_rows(o);
+    return status ? status
+                  : fvi_initial_history_force_start(s, &o->damping->of, 2, ends,
+                                                    &o->history_force); /* (19.3) */
+}
+
+int fvi_cq_start(fvi_stepper *s)
+{
+    fvi_cq_state *o = make_state(s);
+    if (!o)
+        FVI_FAIL("no memory for the method", FVI_ENOMEM);
+    o->kappa = s->method->takes_kappa ? s->run.kappa : 0.5;
+    int status = fvi_damping_start(s, 1, &o->damping); /* D_0 = 0 */
+    if (!status)
+        status = make_dampers(o);
+    for (size_t j = 0; !status && j < o->count; j++)
+        status = start_damper(s, o->each + j);
+    return status ? status : solver(s, o);
+}
